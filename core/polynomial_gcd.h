@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Greatest common divisors, quotients and square-free decomposition of integer polynomials.
+#ifndef KINEX_CORE_POLYNOMIAL_GCD_H
+#define KINEX_CORE_POLYNOMIAL_GCD_H
+
+#include <vector>
+
+#include "core/polynomial.h"
+
+namespace kinex {
+
+// Primitive gcd with positive leading coefficient; gcd(0, p) = canonical(p), gcd(0, 0) = 0.
+// Exact. Modular: images modulo word-size primes, Chinese remaindering, trial division, so that
+// coprime inputs (the usual case) cost one prime: O(d^2) word operations plus the reductions.
+Polynomial gcd(const Polynomial& a, const Polynomial& b);
+
+// False only if a and b have a common factor of positive degree *modulo one fixed prime*; true is a
+// proof that they are coprime, false says nothing. The cheap half of gcd.
+bool coprime_modulo_prime(const Polynomial& a, const Polynomial& b);
+
+// a / b where b divides a over the rationals; the primitive part of the quotient with the quotient's sign.
+Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
+
+// canonical(p / gcd(p, p')): the same roots, each once. p not zero.
+Polynomial square_free_part(const Polynomial& p);
+
+// Yun: p = constant * product of factor[i]^(i+1); result[i] is canonical, square-free, and pairwise
+// coprime to the others (degree 0 where no root has that multiplicity). p not zero.
+std::vector<Polynomial> square_free_decomposition(const Polynomial& p);
+
+// The product of the square-free factors of odd multiplicity, with the sign of p at +infinity:
+// it changes sign exactly where p does, and has the sign of p at every point that is no root of p.
+// p not zero.
+Polynomial odd_part(const Polynomial& p);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// RealRoot: a real algebraic number as a polynomial and an isolating interval with dyadic ends.
+#ifndef KINEX_CORE_REAL_ROOT_H
+#define KINEX_CORE_REAL_ROOT_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/polynomial.h"
+
+namespace kinex {
+
+// How much exact work was done; a plain value owned by the caller and passed by reference.
+struct RootCounters {
+  std::uint64_t isolations = 0;     // calls that isolated roots of a polynomial
+  std::uint64_t refinements = 0;    // refinement steps of an interval
+  std::uint64_t gcds = 0;           // exact polynomial gcds
+  std::uint64_t max_bits = 0;       // largest coefficient bit length that was met
+};
+
+// Invariant, one of:
+//   rational: the number is known to be the rational value(); polynomial() is den*t - num;
+//   isolated: polynomial() has opposite non-zero signs at lower() < upper() (finite, dyadic) and exactly
+//             one real root between them (it need not be square-free elsewhere).
+// Refinement is explicit: a function that may narrow the interval takes the root by non-const reference.
+// A refinement that hits the root exactly turns the representation into `rational`.
+class RealRoot {
+ public:
+  explicit RealRoot(const Rational& value);
+  // Requires the `isolated` invariant (asserted for the signs); lower, upper dyadic.
+  RealRoot(Polynomial polynomial, const Rational& lower, const Rational& upper);
+
+  bool is_rational() const { return rational_; }
+  const Polynomial& polynomial() const { return polynomial_; }
+  Rational lower() const;  // both ends equal value() when rational
+  Rational upper() const;
+  Rational value() const;  // requires is_rational()
+  Sign sign_at_lower() const { return sign_at_lower_; }  // of polynomial(); kZero when rational
+
+  // Halves the interval at least (quadratic interval refinement: Abbott 2006).
+  void refine(RootCounters& counters);
+  // Refines until upper - lower <= 2^-bits.
+  void refine_to(long bits, RootCounters& counters);
+  // Outer double enclosure: the largest double <= lower() and the smallest double >= upper().
+  double lower_double() const;
+  double upper_double() const;
+
+ private:
+  // interval is [lower_, upper_] / 2^exponent_; see real_root.cpp
+  Polynomial polynomial_;
+  Integer lower_, upper_;
+  long exponent_ = 0;       // may be negative (large numbers)
+  unsigned qir_bits_ = 1;   // log2 of the number of parts the next refinement tries
+  Sign sign_at_lower_ = Sign::kZero;
+  bool rational_ = false;
+  Rational value_;
+};
+
+// -1, 0, +1: exact. Disjoint intervals answer at once; equality is proved by a gcd.
+int compare(RealRoot& a, RealRoot& b, RootCounters& counters);
+int compare(RealRoot& a, const Rational& b, RootCounters& counters);
+
+// Sign of q at the root, and on (root, root + eps), and on (root - eps, root). kZero of the last two
+// only if q is the zero polynomial.
+Sign sign_at(const Polynomial& q, RealRoot& root, RootCounters& counters);
+Sign sign_after(const Polynomial& q, RealRoot& root, RootCounters& counters);
+Sign sign_before(const Polynomial& q, RealRoot& root, RootCounters& counters);
+
+// All distinct real roots in ascending order, with pairwise disjoint isolating intervals (their closed
+// intervals may share an end point only if that end is no root). The RealRoots carry the square-free
+// factor they come from. Any degree; Descartes' rule in the Bernstein basis, integer arithmetic.
+struct RootWithMultiplicity {
+  RealRoot root;
+  int multiplicity;
+};
+std::vector<RootWithMultiplicity> isolate_real_roots(const Polynomial& p, RootCounters& counters);
+
+// The first root of odd multiplicity of p strictly above `after` and at most `until` (no limit if
+// nullopt): where p changes sign next. nullopt if there is none. p not zero.
+std::optional<RealRoot> first_sign_change_after(const Polynomial& p, RealRoot& after,
+                                                const std::optional<Rational>& until,
+                                                RootCounters& counters);
+
+// One name for a number, the same however it was computed: `polynomial` is the canonical square-free
+// part of p, `index` (from 1) counts its real roots in ascending order, and [lower, upper] is the
+// isolating interval that isolate_real_roots gives for it (equal ends for a rational root found so).
+struct RootName {
+  Polynomial polynomial;
+  int index;
+  Rational lower, upper;
+};
+// The name of `root` as a root of p (p not zero, p(root) = 0).
+RootName name_root(const Polynomial& p, RealRoot& root, RootCounters& counters);
+
+// Decimal expansion with `digits` correct digits after the point, rounded towards zero ("0.3333").
+std::string decimal(RealRoot& root, int digits, RootCounters& counters);
+
+}  // namespace kinex
+
+#endif

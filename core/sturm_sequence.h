@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SturmSequence: counts distinct real roots in an interval, exactly.
+// Source: Sturm's theorem; the signed primitive remainder sequence over the integers.
+#ifndef KINEX_CORE_STURM_SEQUENCE_H
+#define KINEX_CORE_STURM_SEQUENCE_H
+
+#include <vector>
+
+#include "core/polynomial.h"
+
+namespace kinex {
+
+class SturmSequence {
+ public:
+  // p not zero; it need not be square-free (the sequence then counts distinct roots, valid at points
+  // that are not multiple roots: count_between divides the sequence by its last element, so it is
+  // valid everywhere).
+  explicit SturmSequence(const Polynomial& p);
+
+  // Distinct real roots in the half-open interval (a, b]; requires a <= b.
+  int count_between(const Rational& a, const Rational& b) const;
+  // Distinct real roots in (a, +infinity), and on the whole line.
+  int count_above(const Rational& a) const;
+  int count_all() const;
+
+  int variations_at(const Rational& t) const;
+  int variations_at_plus_infinity() const;
+  int variations_at_minus_infinity() const;
+  const std::vector<Polynomial>& sequence() const { return sequence_; }
+
+ private:
+  std::vector<Polynomial> sequence_;
+};
+
+}  // namespace kinex
+
+#endif
