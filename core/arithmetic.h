@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arithmetic: every number of a run lives behind this interface.
+//
+// An arithmetic owns the motions in force, the present instant "now", and the exact form of failure
+// times. Statements about now are about the open interval just after it (the right-hand rule).
+#ifndef KINEX_CORE_ARITHMETIC_H
+#define KINEX_CORE_ARITHMETIC_H
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/certificate.h"
+#include "core/ledger.h"
+#include "core/predicate.h"
+#include "core/scene.h"
+#include "core/sign.h"
+
+namespace kinex {
+
+// What is known of a certificate's future.
+enum class Outlook : std::uint8_t {
+  kNever,            // no failure up to the horizon
+  kFails,            // fails at a later instant
+  kFailsNow,         // negative right after now
+  kIdenticallyZero,  // zero for ever (under the motions in force): never fails, a tie
+};
+
+// The present instant in words: for logs.
+struct InstantText {
+  bool exact = false;
+  std::vector<std::string> polynomial;  // canonical square-free, low degree first (exact only)
+  int root = 0;                         // index from 1 in ascending order (exact only)
+  std::string lower, upper;             // isolating interval, rational ends (exact only)
+  std::string approximate;              // decimal, for people
+};
+
+class Arithmetic {
+ public:
+  virtual ~Arithmetic() = default;
+
+  virtual std::string name() const = 0;
+  // True if every answer is exact (`exact`, `sturm`).
+  virtual bool is_exact() const = 0;
+
+  // Registers a predicate; the arithmetic keeps the pointer for its own life.
+  PredicateId bind(std::shared_ptr<const Predicate> predicate);
+  const Predicate& predicate(PredicateId id) const { return *predicates_[id]; }
+
+  // The motion of `object` from now on. Failure times under the old motion must be asked for again.
+  // `until`: nothing is asked beyond it (the end of the piece); nullopt: for ever.
+  virtual void set_motion(ObjectId object, const Trajectory& trajectory,
+                          const std::optional<Rational>& until) = 0;
+
+  // now := t. Moving back is allowed (samples are not taken this way; see Simulator).
+  virtual void set_now(const Rational& t) = 0;
+  // now := the failure time of `query`, whose number passes to the arithmetic (time.root becomes 0).
+  virtual void advance(const Query& query, FailureTime& time) = 0;
+  // A double near now, for people and progress.
+  virtual double now_approximate() const = 0;
+  virtual InstantText describe_now() = 0;
+
+  // Sign on (now, now + eps); kZero only if identically zero there.
+  virtual Sign sign_after(const Query& query) = 0;
+  // The first instant >= now right after which the value is negative. `time` is filled for kFails and
+  // kFailsNow and else set to never.
+  virtual Outlook failure(const Query& query, FailureTime& time) = 0;
+  // Order of two failure times: -1, 0, +1. May refine both (enclosures only ever shrink).
+  virtual int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) = 0;
+  // Order of a failure time and now.
+  virtual int compare_with_now(const Query& a, FailureTime& ta) = 0;
+  // Order of a failure time and a rational instant.
+  virtual int compare(const Query& a, FailureTime& ta, const Rational& t) = 0;
+  // The number of `time` is needed no more.
+  virtual void release(FailureTime& time) = 0;
+  // A rational strictly between now and `time` (or now + 1 if `time` is never), for audits; nullopt if
+  // there is none (equal instants) or, in an inexact arithmetic, none that can be told apart.
+  virtual std::optional<Rational> rational_between(const Query* query, FailureTime* time) = 0;
+
+  virtual std::size_t bytes() const = 0;
+
+  const ArithmeticCounters& counters() const { return counters_; }
+
+ protected:
+  ArithmeticCounters counters_;
+  std::vector<std::shared_ptr<const Predicate>> predicates_;
+};
+
+// "exact", "sturm", "double", "gsl", "mpfr:P" (2 <= P <= 100000). `scene` decides what is built: degree,
+// number types, horizon. Throws std::invalid_argument naming the choices for any other name.
+std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene);
+
+}  // namespace kinex
+
+#endif

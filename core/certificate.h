@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Certificate: (predicate, a few object ids), one elementary claim of a structure's proof.
+#ifndef KINEX_CORE_CERTIFICATE_H
+#define KINEX_CORE_CERTIFICATE_H
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+
+#include "core/predicate.h"
+#include "core/scene.h"
+
+namespace kinex {
+
+using CertificateId = std::uint32_t;
+inline constexpr CertificateId kNoCertificate = 0xffffffffu;
+using StructureId = std::uint8_t;
+
+// A predicate with its arguments: names one polynomial in t under the motions in force.
+struct Query {
+  PredicateId predicate = 0;
+  std::uint8_t arity = 0;
+  std::array<ObjectId, kMaxArity> ids{};
+
+  Query() = default;
+  Query(PredicateId p, std::initializer_list<ObjectId> list) : predicate(p) {
+    for (ObjectId id : list) ids[arity++] = id;
+  }
+  friend bool operator==(const Query&, const Query&) = default;
+};
+
+// A failure time as it is kept in the queue: [lo, hi] holds the exact instant, and `root` names the
+// exact number in the arithmetic's own table (0: not made, and rarely ever needed).
+// Never: lo = hi = +infinity.
+struct FailureTime {
+  double lo = 0;
+  double hi = 0;
+  std::uint32_t root = 0;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Event: one change that a run made, as data: printable, hashable, storable, replayable.
+#ifndef KINEX_CORE_EVENT_H
+#define KINEX_CORE_EVENT_H
+
+#include <array>
+#include <cstdint>
+
+#include "core/certificate.h"
+
+namespace kinex {
+
+class Arithmetic;
+
+struct Event {
+  StructureId structure = 0;
+  std::uint8_t kind = 0;  // rank in the structure's event_kinds()
+  std::uint8_t count = 0;
+  bool external = false;  // the attribute changed
+  std::array<ObjectId, kMaxArity> ids{};
+  // The certificate whose failure caused it; arity 0 for updates, insertions, erasures.
+  Query certificate;
+};
+
+// Receives every event of a run as it is processed; `arithmetic` can describe the present instant.
+class EventSink {
+ public:
+  virtual ~EventSink() = default;
+  virtual void event(const Event& event, Arithmetic& arithmetic) = 0;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// EventQueue: live certificates, and a heap of those that fail, ordered by exact failure time.
+#ifndef KINEX_CORE_EVENT_QUEUE_H
+#define KINEX_CORE_EVENT_QUEUE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/arithmetic.h"
+#include "core/certificate.h"
+
+namespace kinex {
+
+struct Certificate {
+  Query query;
+  StructureId structure = 0;
+  Outlook outlook = Outlook::kNever;
+  bool live = false;
+  std::uint32_t tag = 0;
+  std::uint32_t position = 0xffffffffu;  // in the heap; kNotQueued if it never fails
+  std::uint32_t root = 0;                // FailureTime::root
+};
+
+// A 4-ary heap over (interval key, certificate). Keys are compared by their enclosures; only when two
+// overlap is the arithmetic asked. Equal instants are ordered by value: (structure, predicate, sorted
+// ids). Insertion and retraction take O(log n) comparisons.
+class EventQueue {
+ public:
+  static constexpr std::uint32_t kNotQueued = 0xffffffffu;
+
+  explicit EventQueue(Arithmetic& arithmetic) : arithmetic_(&arithmetic) {}
+
+  CertificateId allocate(StructureId structure, const Query& query, std::uint32_t tag);
+  void free(CertificateId id);
+  Certificate& certificate(CertificateId id) { return certificates_[id]; }
+  const Certificate& certificate(CertificateId id) const { return certificates_[id]; }
+  // One past the largest id ever used; ids in between may be free (live == false).
+  std::size_t capacity() const { return certificates_.size(); }
+  std::size_t live() const { return live_; }
+
+  // Queues a certificate; its `root` passes from `time`.
+  void push(CertificateId id, FailureTime time);
+  // Takes a certificate out of the heap (it stays live). Its number is released.
+  void remove(CertificateId id);
+  bool empty() const { return heap_.empty(); }
+  std::size_t size() const { return heap_.size(); }
+  CertificateId top() const { return heap_.front().certificate; }
+  // The failure time of a queued certificate; give it back with set_time after it was refined.
+  FailureTime time(CertificateId id) const;
+  void set_time(CertificateId id, const FailureTime& time);
+  // Takes the first certificate out of the heap and hands over its number.
+  FailureTime pop();
+  // Appends the queued certificates whose instant equals that of the first one (itself included).
+  // O(k) comparisons for k of them.
+  void collect_first_instant(std::vector<CertificateId>& out);
+  // True if at least two queued certificates share the first one's instant. O(1) comparisons.
+  bool first_instant_is_shared();
+
+  std::size_t bytes() const;
+  std::size_t max_size() const { return max_size_; }
+
+ private:
+  struct Entry {
+    double lo, hi;
+    CertificateId certificate;
+  };
+  bool less(Entry& a, Entry& b);
+  bool less_slow(Entry& a, Entry& b);
+  int compare_times(Entry& a, Entry& b);
+  static bool ties_before(const Certificate& a, const Certificate& b);
+  void sift_up(std::size_t i);
+  void sift_down(std::size_t i);
+  void place(std::size_t i, const Entry& e) {
+    heap_[i] = e;
+    certificates_[e.certificate].position = static_cast<std::uint32_t>(i);
+  }
+
+  Arithmetic* arithmetic_;
+  std::vector<Certificate> certificates_;
+  std::vector<CertificateId> free_;
+  std::vector<Entry> heap_;
+  std::size_t live_ = 0;
+  std::size_t max_size_ = 0;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kernel: what a structure may ask for: signs, certificates, and a place to report events.
+#ifndef KINEX_CORE_KERNEL_H
+#define KINEX_CORE_KERNEL_H
+
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/arithmetic.h"
+#include "core/certificate.h"
+#include "core/event.h"
+#include "core/event_queue.h"
+#include "core/ledger.h"
+
+namespace kinex {
+
+class Kernel {
+ public:
+  Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects);
+
+  // ---- for structures ------------------------------------------------------------------------
+  PredicateId bind(std::shared_ptr<const Predicate> predicate);
+
+  // Sign on (now, now + eps); kZero only if identically zero there.
+  Sign sign_after(PredicateId predicate, std::initializer_list<ObjectId> ids) {
+    return arithmetic_->sign_after(Query(predicate, ids));
+  }
+
+  struct Created {
+    CertificateId id;
+    Outlook outlook;
+  };
+  // A new certificate "predicate(ids) >= 0" of `structure`. `tag` is the structure's own word. It is
+  // scheduled if it fails by the horizon; one that is negative right after now fails next.
+  // O(log queue) plus one failure time.
+  Created create(StructureId structure, const Query& query, std::uint32_t tag);
+  // Withdraws a certificate. O(log queue).
+  void retract(CertificateId id);
+  // The certificate now says something else (same id; counted as one retracted and one created).
+  Outlook replace(CertificateId id, const Query& query, std::uint32_t tag);
+
+  const Query& query(CertificateId id) const { return queue_.certificate(id).query; }
+  std::uint32_t tag(CertificateId id) const { return queue_.certificate(id).tag; }
+  void set_tag(CertificateId id, std::uint32_t tag) { queue_.certificate(id).tag = tag; }
+  Outlook outlook(CertificateId id) const { return queue_.certificate(id).outlook; }
+
+  // One event per failure that is handled. `external`: the attribute changed.
+  void report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
+              bool external);
+  // True while more than one certificate of `structure` fails at this instant, or motions changed at
+  // it: the instant may be degenerate.
+  bool instant_is_shared(StructureId structure) const;
+  // The structure was rebuilt from its static algorithm at this instant, and why.
+  void count_rebuild(StructureId structure, const std::string& reason);
+  // An inexact arithmetic has led the structure into a state that no exact answer allows. The
+  // structure's certificates are retracted; it is not called again.
+  void corrupt(StructureId structure, const std::string& what);
+  bool is_exact() const { return arithmetic_->is_exact(); }
+
+  // ---- for the simulator ---------------------------------------------------------------------
+  Arithmetic& arithmetic() { return *arithmetic_; }
+  const Arithmetic& arithmetic() const { return *arithmetic_; }
+  EventQueue& queue() { return queue_; }
+  const EventQueue& queue() const { return queue_; }
+  StructureId add_structure();
+  StructureLedger& ledger(StructureId id) { return ledgers_[id]; }
+  const StructureLedger& ledger(StructureId id) const { return ledgers_[id]; }
+  // Starts counting one failure; ends it (retracting `failed` if it is still there).
+  void begin_event(StructureId structure, CertificateId failed);
+  void end_event();
+  // Asks for the failure time again (its objects' motions changed).
+  void reschedule(CertificateId id);
+  // All live certificates that `object` is in. From the first call on an index is kept.
+  std::span<const CertificateId> certificates_of(ObjectId object);
+  void set_instant_shared(StructureId structure, bool shared) { shared_[structure] = shared; }
+  void clear_structure(StructureId structure);  // retracts all its certificates
+  // Events are passed on to this function; see Simulator.
+  void set_reporter(class EventReporter* reporter) { reporter_ = reporter; }
+  const Event& last_event() const { return event_; }
+  std::size_t bytes() const;
+
+ private:
+  struct IndexEntry {
+    std::vector<CertificateId> certificates;
+  };
+  void count_created(StructureId structure, const Query& query);
+  void count_retracted(StructureId structure, const Query& query);
+  void index_add(CertificateId id);
+  void index_remove(CertificateId id);
+
+  std::unique_ptr<Arithmetic> arithmetic_;
+  EventQueue queue_;
+  std::vector<StructureLedger> ledgers_;
+  // live_per_object_[structure][object]
+  std::vector<std::vector<std::uint32_t>> live_per_object_;
+  std::vector<bool> shared_;
+  std::vector<IndexEntry> index_;
+  bool indexed_ = false;
+  std::size_t objects_;
+  class EventReporter* reporter_ = nullptr;
+  Event event_;
+  // the failure being handled
+  CertificateId failing_ = kNoCertificate;
+  StructureId failing_structure_ = 0;
+  bool handling_ = false;
+  bool event_external_ = false;
+  std::uint64_t created_before_ = 0;
+  std::uint64_t retracted_before_ = 0;
+};
+
+// Receives what structures report.
+class EventReporter {
+ public:
+  virtual ~EventReporter() = default;
+  virtual void reported(const Event& event) = 0;
+};
+
+}  // namespace kinex
+
+#endif

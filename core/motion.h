@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Motion: where an object is as a polynomial in t with rational coefficients, in pieces.
+#ifndef KINEX_CORE_MOTION_H
+#define KINEX_CORE_MOTION_H
+
+#include <optional>
+#include <vector>
+
+#include "core/rational.h"
+
+namespace kinex {
+
+// coordinates[axis][power]: coefficient of t^power (absolute t), low degree first. Every axis has at
+// least one coefficient; trailing zeros are stripped by normalise().
+struct Trajectory {
+  std::vector<std::vector<Rational>> coordinates;
+
+  int dimension() const { return static_cast<int>(coordinates.size()); }
+  // Largest power with a non-zero coefficient on any axis; 0 for a static object.
+  int degree() const;
+  void normalise();
+  Rational position(int axis, const Rational& t) const;
+  friend bool operator==(const Trajectory&, const Trajectory&) = default;
+};
+
+// A flight plan in force on [from, to); a missing end means "for ever".
+struct MotionPiece {
+  std::optional<Rational> from;  // nullopt: from the scene's start (or before)
+  std::optional<Rational> to;    // nullopt: to the scene's end (or beyond)
+  Trajectory trajectory;
+};
+
+// Pieces in ascending order of time, contiguous (piece[i].to == piece[i+1].from).
+struct Motion {
+  std::vector<MotionPiece> pieces;
+
+  int degree() const;  // largest over the pieces
+  // The piece in force on (t, t + eps), or nullptr when the object does not exist there.
+  const MotionPiece* piece_after(const Rational& t) const;
+};
+
+}  // namespace kinex
+
+#endif

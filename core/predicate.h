@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Predicate: a polynomial in the motions of a few objects. A certificate says that it is >= 0.
+// This is the interface that the arithmetics use; a predicate's formula is written once, over any ring,
+// and adapted to this interface by core/predicate_formula.h.
+#ifndef KINEX_CORE_PREDICATE_H
+#define KINEX_CORE_PREDICATE_H
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/ball.h"
+#include "core/integer.h"
+#include "core/mp_float.h"
+#include "core/polynomial.h"
+
+namespace kinex {
+
+using PredicateId = std::uint16_t;
+
+// No predicate takes more objects than this.
+inline constexpr int kMaxArity = 5;
+// The motion degrees that have fixed-size polynomials; higher ones use dynamic sizes.
+inline constexpr int kMaxFixedDegree = 3;
+// Room for the coefficients of a certificate polynomial of fixed size: degree 5 * 3 plus one.
+inline constexpr int kMaxFixedCoefficients = 16;
+
+// The motion of one object in ring R: coefficient of t^k on axis a at [a * (motion_degree + 1) + k].
+template <class R>
+using MotionView = const R*;
+
+class Predicate {
+ public:
+  virtual ~Predicate() = default;
+
+  virtual std::string_view name() const = 0;
+  virtual int arity() const = 0;
+  // The number of axes that are read; objects must have at least as many.
+  virtual int dimension() const = 0;
+  // Degree in t of the polynomial for motions of degree d.
+  virtual int degree(int motion_degree) const = 0;
+  // The first `alternating()` arguments may be permuted: the value is multiplied by the permutation's
+  // sign. 0 or 1: no identity. So a certificate over the same objects has the same roots.
+  virtual int alternating() const = 0;
+
+  // The value as a polynomial in t, low degree first, degree(motion_degree) + 1 coefficients.
+  // points[i] is the motion of the i-th argument.
+  //
+  // Exact machine integers; requires narrow_fits(); motion_degree <= kMaxFixedDegree.
+  virtual void narrow(int motion_degree, const MotionView<std::int64_t>* points, Int128* out) const = 0;
+  // True if `narrow` cannot overflow for motions whose coefficient of t^k is at most magnitude[k] in
+  // absolute value on every axis (the predicate's own constants included).
+  virtual bool narrow_fits(int motion_degree, const double* magnitude) const = 0;
+  // Doubles with proven error bounds.
+  virtual void ball(int motion_degree, const MotionView<Ball>* points, Ball* out) const = 0;
+  // Plain doubles, no error accounting.
+  virtual void plain(int motion_degree, const MotionView<double>* points, double* out) const = 0;
+  // MPFR numbers of the points' precision.
+  virtual void multiprecision(int motion_degree, const MotionView<MpFloat>* points,
+                              MpFloat* out) const = 0;
+  // Exact integers. The predicate may be multiplied by a positive constant (the same for all calls).
+  virtual Polynomial exact(int motion_degree, const MotionView<Integer>* points) const = 0;
+  // Exact rationals, for the reference arithmetic: low degree first, not stripped.
+  virtual std::vector<Rational> rational(int motion_degree,
+                                         const MotionView<Rational>* points) const = 0;
+};
+
+}  // namespace kinex
+
+#endif

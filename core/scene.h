@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scene: what moves, how, and what is to be maintained.
+#ifndef KINEX_CORE_SCENE_H
+#define KINEX_CORE_SCENE_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion.h"
+
+namespace kinex {
+
+// Objects are numbered in the scene's order; ties are resolved by this number.
+using ObjectId = std::uint32_t;
+inline constexpr ObjectId kNoObject = 0xffffffffu;
+
+struct SceneObject {
+  std::string id;
+  Motion motion;
+};
+
+// What a 1-D structure orders.
+struct Key {
+  enum class Kind { kCoordinate, kDirection, kSquaredDistance };
+  Kind kind = Kind::kCoordinate;
+  int axis = 0;                     // kCoordinate
+  std::vector<Rational> direction;  // kDirection: one entry per axis
+  ObjectId object = kNoObject;      // kSquaredDistance: distance to this object
+};
+
+// One entry of "maintain".
+struct Request {
+  std::string structure;  // registered name, for example "delaunay_2"
+  std::string label;      // names it in summaries and logs; default: the structure's name
+  Key key;
+};
+
+struct Scene {
+  std::string name;
+  int dimension = 1;
+  Rational start;
+  std::optional<Rational> end;  // nullopt: until no event is left
+  bool jumps = false;           // pieces need not be continuous
+  std::vector<SceneObject> objects;
+  std::vector<Request> maintain;
+
+  // Largest degree of any motion.
+  int degree() const;
+};
+
+}  // namespace kinex
+
+#endif

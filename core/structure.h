@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Structure: a kinetic data structure. Pure combinatorics: it asks a Kernel for signs and certificates
+// and never sees a coordinate, a polynomial or a time.
+#ifndef KINEX_CORE_STRUCTURE_H
+#define KINEX_CORE_STRUCTURE_H
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/audit.h"
+#include "core/bound.h"
+#include "core/certificate.h"
+#include "core/event.h"
+
+namespace kinex {
+
+// The value of a configuration function.
+struct Attribute {
+  enum class Shape {
+    kSequence,  // ids in order
+    kObject,    // one id (none if there is no object)
+    kEdges,     // id pairs, flattened; smaller id first in a pair, pairs sorted
+    kCycle,     // ids counter-clockwise, starting at the smallest id
+  };
+  Shape shape = Shape::kSequence;
+  std::vector<ObjectId> ids;
+  friend bool operator==(const Attribute&, const Attribute&) = default;
+};
+
+class Structure {
+ public:
+  virtual ~Structure() = default;
+
+  // The registered name ("delaunay_2").
+  virtual std::string_view name() const = 0;
+  // Names of its events, by rank; Event::kind indexes this list.
+  virtual std::vector<std::string_view> event_kinds() const = 0;
+
+  // Builds the proof for these objects (ascending ids), right after now.
+  virtual void build(std::span<const ObjectId> objects) = 0;
+  // Throws the proof away (its certificates are retracted) and builds it anew right after now.
+  virtual void rebuild() = 0;
+  // `failed` is negative right after now and out of the queue, but still readable. The structure
+  // repairs its state, reports one event (Kernel::report), and may retract or replace `failed`; if it
+  // does neither, the kernel retracts it on return.
+  virtual void certificate_failed(CertificateId failed) = 0;
+  virtual void insert(ObjectId object) = 0;
+  virtual void erase(ObjectId object) = 0;
+  // The motions of these objects have changed at now (positions did not jump); all their certificates
+  // have been rescheduled, those that are negative right after now fail next.
+  virtual void motions_changed(std::span<const ObjectId>) {}
+  // All certificates are non-negative right after now, after an instant at which two or more failed or
+  // motions changed. A place to check what single failures cannot break.
+  virtual void instant_settled() {}
+  // A structure it watches changed its attribute (`event` is external), or was built anew (nullptr).
+  virtual void watched_changed(const Event* event) { (void)event; }
+
+  virtual Attribute attribute() const = 0;
+  virtual std::vector<BoundCheck> bounds(const BoundContext& context) const = 0;
+  // Cheap and combinatorial: links, counts, order of its own state.
+  virtual void check_invariants(AuditReport& report) const = 0;
+  // Compares the attribute with an independent static computation on exact positions at a rational
+  // time at which all its certificates hold.
+  virtual void audit(const Snapshot& snapshot, AuditReport& report) const = 0;
+  // Bytes of its own state, certificates not counted.
+  virtual std::size_t bytes() const = 0;
+};
+
+}  // namespace kinex
+
+#endif

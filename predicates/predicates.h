@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All predicates: one function each, in a file of its own name. A certificate says "value >= 0".
+#ifndef KINEX_PREDICATES_PREDICATES_H
+#define KINEX_PREDICATES_PREDICATES_H
+
+#include <memory>
+#include <vector>
+
+#include "core/predicate.h"
+#include "core/scene.h"
+
+namespace kinex {
+
+// coordinate_order(a, b) = x_b - x_a on `axis`: positive iff a comes before b. Degree d. Alternating.
+std::shared_ptr<const Predicate> make_coordinate_order(int axis);
+
+// direction_order(a, b) = v.(b - a) for a constant vector v (one entry per axis). Degree d. Alternating.
+std::shared_ptr<const Predicate> make_direction_order(const std::vector<Rational>& direction);
+
+// squared_distance_order(a, b, o) = |b - o|^2 - |a - o|^2 in `dimension` axes: positive iff a is closer
+// to o than b. Degree 2d. Alternating in its first two arguments.
+std::shared_ptr<const Predicate> make_squared_distance_order(int dimension);
+
+// orientation_2(a, b, c): positive iff a, b, c turn counter-clockwise (twice the signed area). Degree 2d.
+// Alternating in all three.
+std::shared_ptr<const Predicate> make_orientation_2();
+
+// in_circle_2(a, b, c, d): positive iff d lies strictly inside the circle through a, b, c, for a, b, c
+// counter-clockwise. Degree 4d. Alternating in all four.
+std::shared_ptr<const Predicate> make_in_circle_2();
+
+// The order that a key stands for, as a predicate over (a, b) or, for a squared distance, (a, b, object):
+// positive iff key(a) < key(b).
+std::shared_ptr<const Predicate> make_key_order(const Key& key, int dimension);
+
+}  // namespace kinex
+
+#endif
