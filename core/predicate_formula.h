@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// FormulaPredicate: adapts one formula, written once over any ring, to the Predicate interface.
+//
+// A Formula is a class with
+//   static constexpr int kArity, kDimension, kDegree (in units of the motion's degree), kAlternating;
+//   static constexpr const char* kName;                      or a member name()
+//   template <class Points> auto value(const Points& p) const;
+// where p(i, axis) is the polynomial of the i-th argument on that axis and value() returns a polynomial
+// in the wide ring (through widen or wide_product). The formula must be homogeneous in the coordinates
+// of its arguments: exact() is called with coordinates multiplied by a common positive denominator.
+#ifndef KINEX_CORE_PREDICATE_FORMULA_H
+#define KINEX_CORE_PREDICATE_FORMULA_H
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/predicate.h"
+#include "core/ring_polynomial.h"
+
+namespace kinex {
+
+template <class R, int D>
+struct FixedPoints {
+  const MotionView<R>* points;
+  FixedPolynomial<R, D> operator()(int i, int axis) const {
+    FixedPolynomial<R, D> p;
+    for (int k = 0; k <= D; ++k) p.c[k] = points[i][axis * (D + 1) + k];
+    return p;
+  }
+};
+
+template <class R>
+struct DynamicPoints {
+  const MotionView<R>* points;
+  int degree;
+  DynamicPolynomial<R> operator()(int i, int axis) const {
+    const R* first = points[i] + static_cast<std::ptrdiff_t>(axis) * (degree + 1);
+    return {std::vector<R>(first, first + degree + 1)};
+  }
+};
+
+// The same magnitudes for every argument and axis.
+template <int D>
+struct MagnitudePoints {
+  const double* magnitude;
+  FixedPolynomial<Magnitude, D> operator()(int, int) const {
+    FixedPolynomial<Magnitude, D> p;
+    for (int k = 0; k <= D; ++k) p.c[k] = Magnitude{magnitude[k], 0, 0, false}.noted();
+    return p;
+  }
+};
+
+template <class Formula>
+class FormulaPredicate final : public Predicate {
+ public:
+  explicit FormulaPredicate(Formula formula = {}) : formula_(std::move(formula)) {}
+
+  std::string_view name() const override { return formula_.name(); }
+  int arity() const override { return Formula::kArity; }
+  int dimension() const override { return formula_.dimension(); }
+  int degree(int motion_degree) const override { return Formula::kDegree * motion_degree; }
+  int alternating() const override { return Formula::kAlternating; }
+
+  void narrow(int d, const MotionView<std::int64_t>* points, Int128* out) const override {
+    fixed<std::int64_t>(d, points, out);
+  }
+
+  bool narrow_fits(int d, const double* magnitude) const override {
+    switch (d) {
+      case 1: return magnitudes_fit(formula_.value(MagnitudePoints<1>{magnitude}));
+      case 2: return magnitudes_fit(formula_.value(MagnitudePoints<2>{magnitude}));
+      case 3: return magnitudes_fit(formula_.value(MagnitudePoints<3>{magnitude}));
+      default: return false;
+    }
+  }
+
+  void ball(int d, const MotionView<Ball>* points, Ball* out) const override {
+    if (d > kMaxFixedDegree) return dynamic(d, points, out);
+    fixed<Ball>(d, points, out);
+  }
+
+  void plain(int d, const MotionView<double>* points, double* out) const override {
+    if (d > kMaxFixedDegree) return dynamic(d, points, out);
+    fixed<double>(d, points, out);
+  }
+
+  void multiprecision(int d, const MotionView<MpFloat>* points, MpFloat* out) const override {
+    dynamic(d, points, out);
+  }
+
+  Polynomial exact(int d, const MotionView<Integer>* points) const override {
+    return Polynomial(formula_.value(DynamicPoints<Integer>{points, d}).c);
+  }
+
+  std::vector<Rational> rational(int d, const MotionView<Rational>* points) const override {
+    return formula_.value(DynamicPoints<Rational>{points, d}).c;
+  }
+
+ private:
+  template <class R, class Out>
+  void fixed(int d, const MotionView<R>* points, Out* out) const {
+    switch (d) {
+      case 1: return store(formula_.value(FixedPoints<R, 1>{points}), out);
+      case 2: return store(formula_.value(FixedPoints<R, 2>{points}), out);
+      default: return store(formula_.value(FixedPoints<R, 3>{points}), out);
+    }
+  }
+
+  template <class R, int D>
+  static void store(const FixedPolynomial<R, D>& p, R* out) {
+    for (int i = 0; i <= D; ++i) out[i] = p.c[i];
+  }
+
+  template <class R>
+  void dynamic(int d, const MotionView<R>* points, R* out) const {
+    DynamicPolynomial<R> p = formula_.value(DynamicPoints<R>{points, d});
+    for (std::size_t i = 0; i < p.c.size(); ++i) out[i] = std::move(p.c[i]);
+  }
+
+  // Limits: 64-bit values stay below 2^62 and 128-bit ones below 2^125; the peaks are sums and products
+  // of doubles rounded to nearest, off by far less than the factor of two left.
+  template <int D>
+  static bool magnitudes_fit(const FixedPolynomial<Magnitude, D>& p) {
+    for (const Magnitude& m : p.c) {
+      if (!(m.narrow_peak < 0x1p62 && m.wide_peak < 0x1p125)) return false;
+    }
+    return true;
+  }
+
+  Formula formula_;
+};
+
+}  // namespace kinex
+
+#endif
