@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/motion_store.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kinex {
+namespace {
+
+// Beyond this many bits of common denominator no scene gains from machine integers.
+constexpr std::size_t kMaxScaleBits = 60;
+
+Ball enclose(const Rational& q) {
+  const double v = q.to_double();
+  // to_double is within one unit in the last place.
+  return {v, v == 0 && q.is_zero() ? 0.0 : std::fabs(v) * 2 * Ball::kUnit + 0x1p-1070};
+}
+
+}  // namespace
+
+NumberModel choose_number_model(const Scene& scene) {
+  NumberModel model;
+  model.dimension = scene.dimension;
+  model.degree = std::max(1, scene.degree());
+  const std::size_t powers = static_cast<std::size_t>(model.degree) + 1;
+  const auto each = [&scene](auto&& visit) {
+    for (const SceneObject& object : scene.objects) {
+      for (const MotionPiece& piece : object.motion.pieces) {
+        for (const auto& axis : piece.trajectory.coordinates) {
+          for (std::size_t k = 0; k < axis.size(); ++k) {
+            if (!visit(k, axis[k])) return false;
+          }
+        }
+      }
+    }
+    return true;
+  };
+  bool narrow = model.degree <= kMaxFixedDegree;
+  narrow = narrow && each([&model](std::size_t, const Rational& c) {
+             if (c.is_integer()) return true;
+             const Integer d = c.denominator();
+             if (d.bit_length() > kMaxScaleBits) return false;
+             model.scale = lcm(model.scale, d);
+             return model.scale.bit_length() <= kMaxScaleBits;
+           });
+  if (narrow) {
+    model.magnitude.assign(powers, 0.0);
+    const Rational scale(model.scale);
+    narrow = each([&model, &scale](std::size_t k, const Rational& c) {
+      const Rational scaled = c * scale;
+      const double bound = std::max(std::fabs(scaled.lower_double()), std::fabs(scaled.upper_double()));
+      if (!(bound < 0x1p62)) return false;
+      if (k < model.magnitude.size()) model.magnitude[k] = std::max(model.magnitude[k], bound);
+      return true;
+    });
+  }
+  model.narrow = narrow;
+  if (!narrow) {
+    model.scale = Integer(1);
+    model.magnitude.clear();
+  }
+  return model;
+}
+
+MotionStore::MotionStore(const NumberModel& model, std::size_t objects)
+    : model_(model),
+      objects_(objects),
+      stride_(static_cast<std::size_t>(model.dimension) * static_cast<std::size_t>(model.degree + 1)) {
+  if (model_.narrow) narrow_.assign(objects_ * stride_, 0);
+  narrow_object_.assign(objects_, 0);
+  if (!model_.narrow) need_balls();
+}
+
+void MotionStore::need_balls() {
+  if (balls_needed_) return;
+  balls_needed_ = true;
+  balls_.assign(objects_ * stride_, Ball{});
+  for (ObjectId i = 0; i < objects_; ++i) set_ball(i);
+}
+
+void MotionStore::set_ball(ObjectId object) {
+  Ball* out = &balls_[object * stride_];
+  if (narrow_object_[object]) {
+    const std::int64_t* in = &narrow_[object * stride_];
+    for (std::size_t i = 0; i < stride_; ++i) {
+      const double v = static_cast<double>(in[i]);
+      out[i] = {v, std::fabs(v) < 0x1p53 ? 0.0 : std::fabs(v) * Ball::kUnit};
+    }
+    return;
+  }
+  const auto it = big_.find(object);
+  if (it == big_.end()) return;
+  // Balls are in the model's units, like the narrow integers, so that they can be mixed.
+  const Rational unit(model_.scale, it->second.denominator);
+  for (std::size_t i = 0; i < stride_; ++i) {
+    out[i] = enclose(Rational(it->second.coefficients[i]) * unit);
+  }
+}
+
+void MotionStore::grow_degree(int degree) {
+  const std::size_t old_powers = static_cast<std::size_t>(model_.degree) + 1;
+  const std::size_t powers = static_cast<std::size_t>(degree) + 1;
+  const std::size_t axes = static_cast<std::size_t>(model_.dimension);
+  const std::size_t stride = axes * powers;
+  const auto spread = [&](const auto& from, auto& to) {
+    for (std::size_t a = 0; a < axes; ++a) {
+      for (std::size_t k = 0; k < old_powers; ++k) to[a * powers + k] = from[a * old_powers + k];
+    }
+  };
+  // Above the fixed degrees nothing is narrow any more.
+  for (ObjectId i = 0; i < objects_; ++i) {
+    if (narrow_object_[i]) {
+      BigMotion big{model_.scale, std::vector<Integer>(stride_)};
+      for (std::size_t k = 0; k < stride_; ++k) big.coefficients[k] = Integer(narrow_[i * stride_ + k]);
+      big_[i] = std::move(big);
+      narrow_object_[i] = 0;
+    }
+  }
+  for (auto& [id, big] : big_) {
+    std::vector<Integer> wider(stride);
+    spread(big.coefficients, wider);
+    big.coefficients = std::move(wider);
+  }
+  model_.degree = degree;
+  model_.narrow = false;
+  stride_ = stride;
+  narrow_.clear();
+  narrow_.shrink_to_fit();
+  balls_needed_ = false;
+  need_balls();
+}
+
+void MotionStore::set(ObjectId object, const Trajectory& trajectory) {
+  if (trajectory.degree() > model_.degree) grow_degree(trajectory.degree());
+  const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
+  bool narrow = model_.narrow;
+  if (narrow) {
+    const Rational scale(model_.scale);
+    std::int64_t* out = &narrow_[object * stride_];
+    std::fill(out, out + stride_, 0);
+    for (std::size_t a = 0; narrow && a < trajectory.coordinates.size(); ++a) {
+      const auto& axis = trajectory.coordinates[a];
+      for (std::size_t k = 0; narrow && k < axis.size(); ++k) {
+        if (axis[k].is_zero()) continue;
+        const Rational scaled = axis[k] * scale;
+        const Integer n = scaled.numerator();
+        narrow = scaled.is_integer() && n.fits_int64() &&
+                 std::fabs(n.to_double()) <= model_.magnitude[k];
+        if (narrow) out[a * powers + k] = n.to_int64();
+      }
+    }
+  }
+  narrow_object_[object] = narrow ? 1 : 0;
+  if (narrow) {
+    if (!big_.empty()) big_.erase(object);
+  } else {
+    Integer denominator(1);
+    for (const auto& axis : trajectory.coordinates) {
+      for (const Rational& c : axis) denominator = lcm(denominator, c.denominator());
+    }
+    BigMotion big{denominator, std::vector<Integer>(stride_)};
+    for (std::size_t a = 0; a < trajectory.coordinates.size(); ++a) {
+      const auto& axis = trajectory.coordinates[a];
+      for (std::size_t k = 0; k < axis.size() && k < powers; ++k) {
+        big.coefficients[a * powers + k] = (axis[k] * Rational(denominator)).numerator();
+      }
+    }
+    big_[object] = std::move(big);
+    need_balls();
+  }
+  if (balls_needed_) set_ball(object);
+}
+
+Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) const {
+  const int arity = predicate.arity();
+  Integer common(1);
+  for (int i = 0; i < arity; ++i) {
+    const auto it = big_.find(ids[i]);
+    common = lcm(common, it == big_.end() ? model_.scale : it->second.denominator);
+  }
+  std::vector<Integer> coefficients(static_cast<std::size_t>(arity) * stride_);
+  std::array<MotionView<Integer>, kMaxArity> points{};
+  for (int i = 0; i < arity; ++i) {
+    Integer* out = &coefficients[static_cast<std::size_t>(i) * stride_];
+    points[static_cast<std::size_t>(i)] = out;
+    const auto it = big_.find(ids[i]);
+    Integer factor = common;
+    factor.divide_exactly(it == big_.end() ? model_.scale : it->second.denominator);
+    for (std::size_t k = 0; k < stride_; ++k) {
+      out[k] = it == big_.end() ? Integer(narrow_[ids[i] * stride_ + k]) : it->second.coefficients[k];
+      out[k] *= factor;
+    }
+  }
+  return predicate.exact(model_.degree, points.data());
+}
+
+std::size_t MotionStore::bytes() const {
+  std::size_t total = narrow_.capacity() * sizeof(std::int64_t) + narrow_object_.capacity() +
+                      balls_.capacity() * sizeof(Ball);
+  for (const auto& [id, big] : big_) {
+    total += sizeof(big) + 64 + big.coefficients.capacity() * (sizeof(Integer) + 16);
+  }
+  return total;
+}
+
+}  // namespace kinex

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MotionStore: the motions in force, in the number types that a scene requires.
+#ifndef KINEX_CORE_MOTION_STORE_H
+#define KINEX_CORE_MOTION_STORE_H
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/ball.h"
+#include "core/predicate.h"
+#include "core/scene.h"
+
+namespace kinex {
+
+// What a scene's numbers allow, decided once per scene from the scene.
+struct NumberModel {
+  int degree = 1;               // motion degree that polynomials are sized for (>= 1)
+  int dimension = 1;
+  bool narrow = false;          // all coefficients, times `scale`, fit 64-bit integers
+  Integer scale = Integer(1);   // common denominator of all coefficients
+  std::vector<double> magnitude;  // largest |coefficient| * scale per power of t, rounded up
+};
+NumberModel choose_number_model(const Scene& scene);
+
+// Coefficient of t^k on axis a of object i at [(i * dimension + a) * (degree + 1) + k].
+// A motion that the model does not cover (given at run time) is kept as big integers.
+class MotionStore {
+ public:
+  MotionStore(const NumberModel& model, std::size_t objects);
+
+  void set(ObjectId object, const Trajectory& trajectory);
+  // Doubles with error bounds are kept only from the first call on.
+  void need_balls();
+
+  int degree() const { return model_.degree; }
+  const NumberModel& model() const { return model_; }
+  bool is_narrow(ObjectId object) const { return narrow_object_[object] != 0; }
+  MotionView<std::int64_t> narrow(ObjectId object) const { return &narrow_[object * stride_]; }
+  MotionView<Ball> ball(ObjectId object) const { return &balls_[object * stride_]; }
+  // The exact polynomial of `predicate` over these objects, times a positive constant.
+  Polynomial exact(const Predicate& predicate, const ObjectId* ids) const;
+  std::size_t bytes() const;
+
+ private:
+  struct BigMotion {
+    Integer denominator;
+    std::vector<Integer> coefficients;  // times denominator
+  };
+  void grow_degree(int degree);
+  void set_ball(ObjectId object);
+
+  NumberModel model_;
+  std::size_t objects_;
+  std::size_t stride_;
+  std::vector<std::int64_t> narrow_;
+  std::vector<std::uint8_t> narrow_object_;
+  std::vector<Ball> balls_;
+  std::map<ObjectId, BigMotion> big_;
+  bool balls_needed_ = false;
+};
+
+}  // namespace kinex
+
+#endif
