@@ -85,6 +85,9 @@ class Arithmetic {
   const ArithmeticCounters& counters() const { return counters_; }
 
  protected:
+  // Called by bind, after the predicate has been stored.
+  virtual void bound_predicate(PredicateId) {}
+
   ArithmeticCounters counters_;
   std::vector<std::shared_ptr<const Predicate>> predicates_;
 };

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/arithmetic.h"
+
+#include <charconv>
+#include <stdexcept>
+
+#include "core/double_arithmetic.h"
+#include "core/exact_arithmetic.h"
+#include "core/gsl_arithmetic.h"
+#include "core/mpfr_arithmetic.h"
+#include "core/sturm_arithmetic.h"
+
+namespace kinex {
+
+PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
+  predicates_.push_back(std::move(predicate));
+  counters_.by_predicate.emplace_back();
+  const PredicateId id = static_cast<PredicateId>(predicates_.size() - 1);
+  bound_predicate(id);
+  return id;
+}
+
+std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene) {
+  if (name == "exact") return std::make_unique<ExactArithmetic>(scene);
+  if (name == "sturm") return make_sturm_arithmetic(scene);
+  if (name == "double") return make_double_arithmetic(scene);
+  if (name == "gsl") return make_gsl_arithmetic(scene);
+  if (name.substr(0, 5) == "mpfr:") {
+    long bits = 0;
+    const char* last = name.data() + name.size();
+    const auto [end, error] = std::from_chars(name.data() + 5, last, bits);
+    if (error == std::errc() && end == last && bits >= 2 && bits <= 100000) {
+      return make_mpfr_arithmetic(scene, bits);
+    }
+  }
+  throw std::invalid_argument("unknown arithmetic \"" + std::string(name) +
+                              "\"; choose exact, sturm, double, gsl or mpfr:P with 2 <= P <= 100000 bits");
+}
+
+}  // namespace kinex

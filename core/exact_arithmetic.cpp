@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first stage of ExactArithmetic: what doubles can prove. The rest is in exact_arithmetic_slow.cpp.
+#include "core/exact_arithmetic.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/first_root.h"
+#include "core/query_relation.h"
+
+namespace kinex {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Within 3 * 2^-53 relative: the two halves of |value| are rounded once each and their sum once.
+double to_double(Int128 value) {
+  const bool negative = value < 0;
+  const unsigned __int128 magnitude =
+      negative ? -static_cast<unsigned __int128>(value) : static_cast<unsigned __int128>(value);
+  const double high = static_cast<double>(static_cast<std::int64_t>(magnitude >> 64));
+  const std::uint64_t low_bits = static_cast<std::uint64_t>(magnitude);
+  // Unsigned to double in two exact-enough signed halves (one rounding at their sum).
+  const double low = static_cast<double>(static_cast<std::int64_t>(low_bits >> 32)) * 0x1p32 +
+                     static_cast<double>(static_cast<std::int64_t>(low_bits & 0xffffffffu));
+  const double d = high * 0x1p64 + low;
+  return negative ? -d : d;
+}
+
+}  // namespace
+
+ExactArithmetic::ExactArithmetic(const Scene& scene)
+    : motions_(choose_number_model(scene), scene.objects.size()),
+      end_(scene.end),
+      end_upper_(scene.end ? scene.end->upper_double() : kInfinity) {
+  bool ends = false;
+  for (const SceneObject& object : scene.objects) {
+    for (const MotionPiece& piece : object.motion.pieces) ends = ends || piece.to.has_value();
+  }
+  if (ends) until_.assign(scene.objects.size(), kInfinity);
+  set_now(scene.start);
+}
+
+void ExactArithmetic::bound_predicate(PredicateId id) {
+  const Predicate& p = *predicates_[id];
+  PredicateModel model;
+  const NumberModel& numbers = motions_.model();
+  model.narrow = numbers.narrow && p.narrow_fits(numbers.degree, numbers.magnitude.data());
+  model.degree = p.degree(numbers.degree);
+  model.alternating = p.alternating();
+  models_.push_back(model);
+  if (!model.narrow) motions_.need_balls();
+}
+
+void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
+                                 const std::optional<Rational>& until) {
+  const int before = motions_.degree();
+  motions_.set(object, trajectory);
+  if (motions_.degree() != before) {
+    for (std::size_t i = 0; i < models_.size(); ++i) {
+      models_[i].narrow = false;
+      models_[i].degree = predicates_[i]->degree(motions_.degree());
+    }
+  }
+  if (until && until_.empty()) until_.assign(object + 1, kInfinity);
+  if (!until_.empty()) {
+    if (until_.size() <= object) until_.resize(object + 1, kInfinity);
+    until_[object] = until ? until->upper_double() : kInfinity;
+  }
+}
+
+double ExactArithmetic::horizon(const Query& query) const {
+  double b = end_upper_;
+  if (!until_.empty()) {
+    for (int i = 0; i < query.arity; ++i) {
+      const ObjectId id = query.ids[static_cast<std::size_t>(i)];
+      if (id < until_.size()) b = std::min(b, until_[id]);
+    }
+  }
+  return b;
+}
+
+bool ExactArithmetic::approximate(const Query& query, Approximation& p) {
+  const PredicateModel& model = models_[query.predicate];
+  const Predicate& predicate = *predicates_[query.predicate];
+  const int degree = model.degree;
+  bool narrow = model.narrow;
+  if (narrow) {
+    for (int i = 0; i < query.arity; ++i) {
+      narrow = narrow && motions_.is_narrow(query.ids[static_cast<std::size_t>(i)]);
+    }
+  }
+  if (narrow) {
+    std::array<MotionView<std::int64_t>, kMaxArity> points;
+    for (int i = 0; i < query.arity; ++i) {
+      points[static_cast<std::size_t>(i)] = motions_.narrow(query.ids[static_cast<std::size_t>(i)]);
+    }
+    Int128 out[kMaxFixedCoefficients];
+    predicate.narrow(motions_.degree(), points.data(), out);
+    for (int i = 0; i <= degree; ++i) {
+      p.c[i] = to_double(out[i]);
+      p.m[i] = std::fabs(p.c[i]);
+    }
+  } else {
+    if (degree > filter::kMaxFilterDegree) return false;
+    std::array<MotionView<Ball>, kMaxArity> points;
+    for (int i = 0; i < query.arity; ++i) {
+      points[static_cast<std::size_t>(i)] = motions_.ball(query.ids[static_cast<std::size_t>(i)]);
+    }
+    Ball out[kMaxFixedCoefficients + 112];
+    predicate.ball(motions_.degree(), points.data(), out);
+    const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(degree);
+    double sum = 0;
+    for (int i = 0; i <= degree; ++i) {
+      p.c[i] = out[i].value;
+      p.m[i] = std::fabs(out[i].value) + out[i].error * inverse_gamma;
+      sum += p.m[i];
+    }
+    if (!(sum < kInfinity)) return false;
+  }
+  p.degree = degree;
+  while (p.degree >= 0 && p.m[p.degree] == 0) --p.degree;
+  return true;
+}
+
+int ExactArithmetic::relation_to_now(const Query& query) const {
+  return now_.own ? query_relation(query, now_.query, models_[query.predicate].alternating) : 0;
+}
+
+// The sign of p on all of [now.lo, now.hi], if it is one and the same for certain; it is then the sign
+// at now and right after it.
+std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const {
+  const double t = now_.hi;
+  const double bound = std::max(std::fabs(now_.lo), std::fabs(now_.hi));
+  const int d = p.degree;
+  double value = p.c[d], magnitude = p.m[d], slope = d * p.m[d];
+  for (int i = d - 1; i >= 0; --i) {
+    value = value * t + p.c[i];
+    magnitude = magnitude * bound + p.m[i];
+    if (i > 0) slope = slope * bound + i * p.m[i];
+  }
+  if (d == 0) slope = 0;
+  if (!(magnitude >= 0x1p-300 && magnitude <= 0x1p900 && std::fabs(bound) <= 0x1p200)) return std::nullopt;
+  if (d > 3 && !(bound <= std::exp2(600.0 / d))) return std::nullopt;
+  // The value moves by at most slope * width between now.lo and now.hi.
+  const double error =
+      filter::gamma(d) * magnitude + slope * (now_.hi - now_.lo) * (1 + 0x1p-20);
+  if (value > error) return Sign::kPositive;
+  if (value < -error) return Sign::kNegative;
+  return std::nullopt;
+}
+
+Sign ExactArithmetic::sign_after(const Query& query) {
+  Approximation p;
+  PredicateCounters& counts = count(query);
+  if (approximate(query, p)) {
+    if (p.degree < 0) {
+      ++counts.signs[static_cast<int>(Stage::kDouble)];
+      return Sign::kZero;
+    }
+    if (const auto sign = sign_over_now(p)) {
+      ++counts.signs[static_cast<int>(Stage::kDouble)];
+      return *sign;
+    }
+  }
+  ++counts.signs[static_cast<int>(Stage::kExact)];
+  const Polynomial exact = exact_polynomial(query);
+  const Sign sign =
+      exact.is_zero() ? Sign::kZero : kinex::sign_after(exact, roots_[now_root()], root_counters_);
+  update_counters();
+  return sign;
+}
+
+// Closed form for degree 1: c0 + c1 t.
+Outlook ExactArithmetic::linear_failure(const Query& query, const Approximation& p, int relation,
+                                        FailureTime& time) {
+  const double c0 = p.c[0], c1 = p.c[1];
+  const double lead_error = p.m[1] * filter::gamma(1);
+  if (relation == -1) return Outlook::kNever;  // its only root is now
+  if (!(std::fabs(c1) > lead_error) || !(p.m[0] <= 0x1p900 && p.m[1] <= 0x1p900) ||
+      !(p.m[1] >= 0x1p-300)) {
+    return exact_failure(query, time);
+  }
+  // |r - root| <= (e0 + |r| e1) / (|c1| - e1) + u |r|.
+  const double r = -c0 / c1;
+  const double error = (p.m[0] + std::fabs(r) * p.m[1]) * filter::gamma(1) /
+                           (std::fabs(c1) - lead_error) * (1 + 0x1p-20) +
+                       std::fabs(r) * 0x1p-52 + 0x1p-1000;
+  const double lo = r - error, hi = r + error;
+  if (c1 < 0) {
+    if (lo > now_.hi) {
+      if (lo > horizon(query)) return Outlook::kNever;
+      time = {lo, hi, 0};
+      return Outlook::kFails;
+    }
+    if (hi < now_.lo) {
+      fails_now(time);
+      return Outlook::kFailsNow;
+    }
+  } else {
+    if (hi < now_.lo) return Outlook::kNever;
+    if (lo > now_.hi) {
+      fails_now(time);
+      return Outlook::kFailsNow;
+    }
+  }
+  return exact_failure(query, time);
+}
+
+Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
+  time = {kInfinity, kInfinity, 0};
+  Approximation p;
+  StageCounts& stages = count(query).failures;
+  ++stages[static_cast<int>(Stage::kDouble)];  // moved to kExact by exact_failure
+  if (!approximate(query, p)) return exact_failure(query, time);
+  if (p.degree < 0) return Outlook::kIdenticallyZero;
+  count_solved(p.degree);
+  if (p.degree == 0) {
+    const double error = p.m[0] * filter::gamma(0);
+    if (p.c[0] > error && p.m[0] <= 0x1p900) return Outlook::kNever;
+    if (!(p.c[0] < -error && p.m[0] <= 0x1p900)) return exact_failure(query, time);
+    fails_now(time);
+    return Outlook::kFailsNow;
+  }
+  const int relation = relation_to_now(query);
+  if (relation > 0) {  // the polynomial that has just become negative
+    fails_now(time);
+    return Outlook::kFailsNow;
+  }
+  if (p.degree == 1) return linear_failure(query, p, relation, time);
+  if (relation < 0 && !now_.isolated) return exact_failure(query, time);
+  const double* c = p.c;
+  const double* m = p.m;
+  int degree = p.degree;
+  if (relation == 0) {
+    const auto sign = sign_over_now(p);
+    if (sign == Sign::kNegative) {
+      fails_now(time);
+      return Outlook::kFailsNow;
+    }
+    if (!sign) {
+      // A root exactly at the origin of time shows in the coefficients.
+      if (!(now_.lo == 0 && now_.hi == 0) || m[0] != 0) return exact_failure(query, time);
+      int k = 0;
+      while (m[k] == 0) ++k;
+      if (!(std::fabs(c[k]) > m[k] * filter::gamma(degree))) return exact_failure(query, time);
+      if (c[k] < 0) {
+        fails_now(time);
+        return Outlook::kFailsNow;
+      }
+      c += k;
+      m += k;
+      degree -= k;
+      if (degree == 0) return Outlook::kNever;
+      if (degree == 1) return exact_failure(query, time);
+    }
+  }
+  filter::Enclosure enclosure;
+  switch (filter::first_sign_change<true>(c, m, degree, now_.hi, horizon(query), enclosure)) {
+    case filter::Search::kNone: return Outlook::kNever;
+    case filter::Search::kFound:
+      time = {enclosure.lo, enclosure.hi, 0};
+      return Outlook::kFails;
+    case filter::Search::kUnknown: break;
+  }
+  return exact_failure(query, time);
+}
+
+}  // namespace kinex

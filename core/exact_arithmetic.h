@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ExactArithmetic (`exact`): every answer is exact; a filter in doubles gives nearly all of them.
+//
+// Stages: (1) the certificate polynomial in 128-bit integers where the scene allows (else in doubles
+// with error bounds), its sign or first root certified in doubles; (2) exact integers: Sturm-like
+// isolation, gcds. A stage may abstain, none may be wrong; the ledger counts who answered.
+#ifndef KINEX_CORE_EXACT_ARITHMETIC_H
+#define KINEX_CORE_EXACT_ARITHMETIC_H
+
+#include <memory>
+#include <vector>
+
+#include "core/arithmetic.h"
+#include "core/motion_store.h"
+#include "core/root_table.h"
+
+namespace kinex {
+
+class ExactArithmetic final : public Arithmetic {
+ public:
+  explicit ExactArithmetic(const Scene& scene);
+
+  std::string name() const override { return "exact"; }
+  bool is_exact() const override { return true; }
+  void set_motion(ObjectId object, const Trajectory& trajectory,
+                  const std::optional<Rational>& until) override;
+  void set_now(const Rational& t) override;
+  void advance(const Query& query, FailureTime& time) override;
+  double now_approximate() const override { return now_.lo + 0.5 * (now_.hi - now_.lo); }
+  InstantText describe_now() override;
+  Sign sign_after(const Query& query) override;
+  Outlook failure(const Query& query, FailureTime& time) override;
+  int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) override;
+  int compare_with_now(const Query& a, FailureTime& ta) override;
+  int compare(const Query& a, FailureTime& ta, const Rational& t) override;
+  void release(FailureTime& time) override;
+  std::optional<Rational> rational_between(const Query* query, FailureTime* time) override;
+  std::size_t bytes() const override;
+
+  // Set in FailureTime::root where [lo, hi] isolates no root of the certificate's own polynomial (it was
+  // negative at its birth and fails at the instant it was born).
+  static constexpr std::uint32_t kBornFailing = 0x80000000u;
+  // Set where [lo, hi] holds the root but has not been proved to hold no other root of the polynomial.
+  static constexpr std::uint32_t kLoose = 0x40000000u;
+  static constexpr std::uint32_t kFlags = kBornFailing | kLoose;
+
+ protected:
+  void bound_predicate(PredicateId id) override;
+
+ private:
+  // The polynomial of one query in the first stage's form; see core/first_root.h for c and m.
+  struct Approximation {
+    double c[kMaxFixedCoefficients + 112];
+    double m[kMaxFixedCoefficients + 112];
+    int degree;       // trailing coefficients that are exactly zero are stripped; -1: all are zero
+    bool exact_zero;  // a coefficient 0 in c is exactly 0
+  };
+  struct Now {
+    double lo = 0, hi = 0;
+    Query query;
+    bool own = false;        // now is a root of the query's polynomial, at which it became negative
+    bool isolated = false;   // ... and its only root in [lo, hi]
+    std::uint32_t root = 0;  // exact form, if made
+  };
+  struct PredicateModel {
+    bool narrow = false;
+    int degree = 0;
+    int alternating = 0;
+  };
+
+  bool approximate(const Query& query, Approximation& p);
+  Polynomial exact_polynomial(const Query& query) const;
+  std::uint32_t now_root();
+  std::uint32_t make_root(const Query& query, const FailureTime& time);
+  std::uint32_t root_of(const Query& query, FailureTime& time);
+  // +1 / -1: query is now_.query up to a permutation of that sign; 0: it is not.
+  int relation_to_now(const Query& query) const;
+  double horizon(const Query& query) const;
+  std::optional<Sign> sign_over_now(const Approximation& p) const;
+  Outlook exact_failure(const Query& query, FailureTime& time);
+  Outlook linear_failure(const Query& query, const Approximation& p, int relation, FailureTime& time);
+  void fails_now(FailureTime& time);
+  bool linear_narrow(const Query& query, Int128& c0, Int128& c1) const;
+  void shrink(FailureTime& time);
+  void merge(FailureTime& a, FailureTime& b);
+  RootCounters& tally() { return root_counters_; }
+  void update_counters();
+  PredicateCounters& count(const Query& q) { return counters_.by_predicate[q.predicate]; }
+  void count_solved(int degree) {
+    if (static_cast<std::size_t>(degree) >= counters_.polynomials_solved.size()) {
+      counters_.polynomials_solved.resize(static_cast<std::size_t>(degree) + 1);
+    }
+    ++counters_.polynomials_solved[static_cast<std::size_t>(degree)];
+  }
+
+  MotionStore motions_;
+  std::vector<PredicateModel> models_;
+  std::vector<double> until_;  // per object; empty if no motion of the scene ends
+  std::optional<Rational> end_;
+  double end_upper_;
+  Now now_;
+  RootTable roots_;
+  RootCounters root_counters_;
+};
+
+}  // namespace kinex
+
+#endif
