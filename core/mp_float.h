@@ -85,6 +85,9 @@ class MpFloat {
   mpfr_t x_;
 };
 
+int compare(const MpFloat& a, const MpFloat& b);
+int compare(const MpFloat& a, const Rational& b);
+
 }  // namespace kinex
 
 #endif
