@@ -46,11 +46,14 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   const Predicate& p = *predicates_[id];
   PredicateModel model;
   const NumberModel& numbers = motions_.model();
-  model.narrow = numbers.narrow && p.narrow_fits(numbers.degree, numbers.magnitude.data());
   model.degree = p.degree(numbers.degree);
   model.alternating = p.alternating();
+  if (numbers.narrow) {
+    model.narrow = p.narrow_fits(numbers.degree, numbers.magnitude.data());
+    p.plain_error(numbers.degree, numbers.magnitude.data(), model.error_over_gamma.data());
+    for (double& e : model.error_over_gamma) e *= (1 + 0x1p-40) / filter::gamma(model.degree);
+  }
   models_.push_back(model);
-  if (!model.narrow) motions_.need_balls();
 }
 
 void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
@@ -81,34 +84,53 @@ double ExactArithmetic::horizon(const Query& query) const {
   return b;
 }
 
-bool ExactArithmetic::approximate(const Query& query, Approximation& p) {
+bool ExactArithmetic::all_narrow(const Query& query) const {
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    if (!motions_.is_narrow(query.ids[i])) return false;
+  }
+  return true;
+}
+
+void ExactArithmetic::wide_coefficients(const Query& query, Int128* out) const {
+  constexpr std::size_t kRoom = 3 * (kMaxFixedDegree + 1);
+  std::array<std::array<std::int64_t, kRoom>, kMaxArity> integers;
+  std::array<MotionView<std::int64_t>, kMaxArity> points;
+  const std::size_t stride = std::min(motions_.stride(), kRoom);
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    const double* from = motions_.narrow(query.ids[i]);
+    for (std::size_t k = 0; k < stride; ++k) integers[i][k] = static_cast<std::int64_t>(from[k]);
+    points[i] = integers[i].data();
+  }
+  predicates_[query.predicate]->narrow(motions_.degree(), points.data(), out);
+}
+
+bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation& p) const {
   const PredicateModel& model = models_[query.predicate];
   const Predicate& predicate = *predicates_[query.predicate];
   const int degree = model.degree;
-  bool narrow = model.narrow;
-  if (narrow) {
-    for (int i = 0; i < query.arity; ++i) {
-      narrow = narrow && motions_.is_narrow(query.ids[static_cast<std::size_t>(i)]);
-    }
-  }
-  if (narrow) {
-    std::array<MotionView<std::int64_t>, kMaxArity> points;
-    for (int i = 0; i < query.arity; ++i) {
-      points[static_cast<std::size_t>(i)] = motions_.narrow(query.ids[static_cast<std::size_t>(i)]);
-    }
-    Int128 out[kMaxFixedCoefficients];
-    predicate.narrow(motions_.degree(), points.data(), out);
-    for (int i = 0; i <= degree; ++i) {
-      p.c[i] = to_double(out[i]);
-      p.m[i] = std::fabs(p.c[i]);
+  p.degree = degree;
+  if (all_narrow(query)) {
+    if (stage == Stage::kDouble) {
+      std::array<MotionView<double>, kMaxArity> points;
+      for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
+      predicate.plain(motions_.degree(), points.data(), p.c);
+      for (int i = 0; i <= degree; ++i) {
+        p.m[i] = std::fabs(p.c[i]) + model.error_over_gamma[static_cast<std::size_t>(i)];
+      }
+    } else {
+      if (!model.narrow) return false;
+      Int128 out[kMaxFixedCoefficients];
+      wide_coefficients(query, out);
+      for (int i = 0; i <= degree; ++i) {
+        p.c[i] = to_double(out[i]);
+        p.m[i] = std::fabs(p.c[i]);
+      }
     }
   } else {
-    if (degree > filter::kMaxFilterDegree) return false;
+    if (stage != Stage::kDouble || degree > filter::kMaxFilterDegree) return false;
     std::array<MotionView<Ball>, kMaxArity> points;
-    for (int i = 0; i < query.arity; ++i) {
-      points[static_cast<std::size_t>(i)] = motions_.ball(query.ids[static_cast<std::size_t>(i)]);
-    }
-    Ball out[kMaxFixedCoefficients + 112];
+    for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.ball(query.ids[i]);
+    Ball out[kRoomForCoefficients];
     predicate.ball(motions_.degree(), points.data(), out);
     const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(degree);
     double sum = 0;
@@ -119,7 +141,6 @@ bool ExactArithmetic::approximate(const Query& query, Approximation& p) {
     }
     if (!(sum < kInfinity)) return false;
   }
-  p.degree = degree;
   while (p.degree >= 0 && p.m[p.degree] == 0) --p.degree;
   return true;
 }
@@ -153,34 +174,28 @@ std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const
 
 Sign ExactArithmetic::sign_after(const Query& query) {
   Approximation p;
-  PredicateCounters& counts = count(query);
-  if (approximate(query, p)) {
-    if (p.degree < 0) {
-      ++counts.signs[static_cast<int>(Stage::kDouble)];
-      return Sign::kZero;
-    }
-    if (const auto sign = sign_over_now(p)) {
-      ++counts.signs[static_cast<int>(Stage::kDouble)];
+  StageCounts& counts = count(query).signs;
+  for (const Stage stage : {Stage::kDouble, Stage::kWide}) {
+    if (!approximate(query, stage, p)) continue;
+    const auto sign = p.degree < 0 ? std::optional<Sign>(Sign::kZero) : sign_over_now(p);
+    if (sign) {
+      ++counts[static_cast<int>(stage)];
       return *sign;
     }
   }
-  ++counts.signs[static_cast<int>(Stage::kExact)];
-  const Polynomial exact = exact_polynomial(query);
-  const Sign sign =
-      exact.is_zero() ? Sign::kZero : kinex::sign_after(exact, roots_[now_root()], root_counters_);
-  update_counters();
-  return sign;
+  ++counts[static_cast<int>(Stage::kExact)];
+  return exact_sign_after(query);
 }
 
 // Closed form for degree 1: c0 + c1 t.
-Outlook ExactArithmetic::linear_failure(const Query& query, const Approximation& p, int relation,
-                                        FailureTime& time) {
+std::optional<Outlook> ExactArithmetic::linear_failure(const Query& query, const Approximation& p,
+                                                       int relation, FailureTime& time) {
   const double c0 = p.c[0], c1 = p.c[1];
   const double lead_error = p.m[1] * filter::gamma(1);
-  if (relation == -1) return Outlook::kNever;  // its only root is now
+  if (relation < 0) return Outlook::kNever;  // its only root is now
   if (!(std::fabs(c1) > lead_error) || !(p.m[0] <= 0x1p900 && p.m[1] <= 0x1p900) ||
       !(p.m[1] >= 0x1p-300)) {
-    return exact_failure(query, time);
+    return std::nullopt;
   }
   // |r - root| <= (e0 + |r| e1) / (|c1| - e1) + u |r|.
   const double r = -c0 / c1;
@@ -194,66 +209,62 @@ Outlook ExactArithmetic::linear_failure(const Query& query, const Approximation&
       time = {lo, hi, 0};
       return Outlook::kFails;
     }
-    if (hi < now_.lo) {
-      fails_now(time);
-      return Outlook::kFailsNow;
-    }
+    if (hi < now_.lo) return fails_now(time);
   } else {
     if (hi < now_.lo) return Outlook::kNever;
-    if (lo > now_.hi) {
-      fails_now(time);
-      return Outlook::kFailsNow;
-    }
+    if (lo > now_.hi) return fails_now(time);
   }
-  return exact_failure(query, time);
+  return std::nullopt;
 }
 
 Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
   time = {kInfinity, kInfinity, 0};
+  StageCounts& counts = count(query).failures;
+  for (const Stage stage : {Stage::kDouble, Stage::kWide}) {
+    if (const auto outlook = failure_in(stage, query, time)) {
+      ++counts[static_cast<int>(stage)];
+      return *outlook;
+    }
+  }
+  ++counts[static_cast<int>(Stage::kExact)];
+  return exact_failure(query, time);
+}
+
+std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& query,
+                                                   FailureTime& time) {
   Approximation p;
-  StageCounts& stages = count(query).failures;
-  ++stages[static_cast<int>(Stage::kDouble)];  // moved to kExact by exact_failure
-  if (!approximate(query, p)) return exact_failure(query, time);
+  if (!approximate(query, stage, p)) return std::nullopt;
   if (p.degree < 0) return Outlook::kIdenticallyZero;
-  count_solved(p.degree);
+  if (stage == Stage::kDouble) count_solved(p.degree);
   if (p.degree == 0) {
     const double error = p.m[0] * filter::gamma(0);
-    if (p.c[0] > error && p.m[0] <= 0x1p900) return Outlook::kNever;
-    if (!(p.c[0] < -error && p.m[0] <= 0x1p900)) return exact_failure(query, time);
-    fails_now(time);
-    return Outlook::kFailsNow;
+    if (!(p.m[0] <= 0x1p900)) return std::nullopt;
+    if (p.c[0] > error) return Outlook::kNever;
+    if (p.c[0] < -error) return fails_now(time);
+    return std::nullopt;
   }
   const int relation = relation_to_now(query);
-  if (relation > 0) {  // the polynomial that has just become negative
-    fails_now(time);
-    return Outlook::kFailsNow;
-  }
+  if (relation > 0) return fails_now(time);  // the polynomial that has just become negative
   if (p.degree == 1) return linear_failure(query, p, relation, time);
-  if (relation < 0 && !now_.isolated) return exact_failure(query, time);
+  if (relation < 0 && !now_.isolated) return std::nullopt;
   const double* c = p.c;
   const double* m = p.m;
   int degree = p.degree;
   if (relation == 0) {
     const auto sign = sign_over_now(p);
-    if (sign == Sign::kNegative) {
-      fails_now(time);
-      return Outlook::kFailsNow;
-    }
+    if (sign == Sign::kNegative) return fails_now(time);
     if (!sign) {
       // A root exactly at the origin of time shows in the coefficients.
-      if (!(now_.lo == 0 && now_.hi == 0) || m[0] != 0) return exact_failure(query, time);
+      if (!(now_.lo == 0 && now_.hi == 0) || m[0] != 0) return std::nullopt;
       int k = 0;
       while (m[k] == 0) ++k;
-      if (!(std::fabs(c[k]) > m[k] * filter::gamma(degree))) return exact_failure(query, time);
-      if (c[k] < 0) {
-        fails_now(time);
-        return Outlook::kFailsNow;
-      }
+      if (!(std::fabs(c[k]) > m[k] * filter::gamma(degree))) return std::nullopt;
+      if (c[k] < 0) return fails_now(time);
       c += k;
       m += k;
       degree -= k;
       if (degree == 0) return Outlook::kNever;
-      if (degree == 1) return exact_failure(query, time);
+      if (degree == 1) return std::nullopt;
     }
   }
   filter::Enclosure enclosure;
@@ -264,7 +275,7 @@ Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
       return Outlook::kFails;
     case filter::Search::kUnknown: break;
   }
-  return exact_failure(query, time);
+  return std::nullopt;
 }
 
 }  // namespace kinex

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ExactArithmetic (`exact`): every answer is exact; a filter in doubles gives nearly all of them.
 //
-// Stages: (1) the certificate polynomial in 128-bit integers where the scene allows (else in doubles
-// with error bounds), its sign or first root certified in doubles; (2) exact integers: Sturm-like
-// isolation, gcds. A stage may abstain, none may be wrong; the ledger counts who answered.
+// Stages, cheapest first; a stage may abstain, none may be wrong, and the ledger counts who answered.
+//   kDouble: the certificate polynomial in doubles on the scene's integers, with an error bound that is
+//     computed once per scene and predicate (zero for most low coefficients); where the scene's numbers
+//     are not small integers over a common denominator, in doubles with running error bounds. Its sign
+//     or first root is then certified in doubles.
+//   kWide: the same with coefficients computed exactly in 128-bit integers.
+//   kExact: integers of any size, isolating intervals, gcds.
 #ifndef KINEX_CORE_EXACT_ARITHMETIC_H
 #define KINEX_CORE_EXACT_ARITHMETIC_H
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -48,12 +53,12 @@ class ExactArithmetic final : public Arithmetic {
   void bound_predicate(PredicateId id) override;
 
  private:
-  // The polynomial of one query in the first stage's form; see core/first_root.h for c and m.
+  static constexpr int kRoomForCoefficients = 128;
+  // The polynomial of one query in the filter's form; see core/first_root.h for c and m.
   struct Approximation {
-    double c[kMaxFixedCoefficients + 112];
-    double m[kMaxFixedCoefficients + 112];
+    double c[kRoomForCoefficients];
+    double m[kRoomForCoefficients];
     int degree;       // trailing coefficients that are exactly zero are stripped; -1: all are zero
-    bool exact_zero;  // a coefficient 0 in c is exactly 0
   };
   struct Now {
     double lo = 0, hi = 0;
@@ -63,12 +68,18 @@ class ExactArithmetic final : public Arithmetic {
     std::uint32_t root = 0;  // exact form, if made
   };
   struct PredicateModel {
-    bool narrow = false;
+    bool narrow = false;  // 128-bit integers hold the polynomial of any narrow motions
     int degree = 0;
     int alternating = 0;
+    // Bounds on the rounding errors of the plain formula, divided by gamma (core/first_root.h).
+    std::array<double, kMaxFixedCoefficients> error_over_gamma{};
   };
 
-  bool approximate(const Query& query, Approximation& p);
+  bool all_narrow(const Query& query) const;
+  // The polynomial in the form of one stage (kDouble or kWide); false if the stage cannot have it.
+  bool approximate(const Query& query, Stage stage, Approximation& p) const;
+  void wide_coefficients(const Query& query, Int128* out) const;
+  std::optional<Outlook> failure_in(Stage stage, const Query& query, FailureTime& time);
   Polynomial exact_polynomial(const Query& query) const;
   std::uint32_t now_root();
   std::uint32_t make_root(const Query& query, const FailureTime& time);
@@ -77,9 +88,11 @@ class ExactArithmetic final : public Arithmetic {
   int relation_to_now(const Query& query) const;
   double horizon(const Query& query) const;
   std::optional<Sign> sign_over_now(const Approximation& p) const;
+  Sign exact_sign_after(const Query& query);
   Outlook exact_failure(const Query& query, FailureTime& time);
-  Outlook linear_failure(const Query& query, const Approximation& p, int relation, FailureTime& time);
-  void fails_now(FailureTime& time);
+  std::optional<Outlook> linear_failure(const Query& query, const Approximation& p, int relation,
+                                        FailureTime& time);
+  Outlook fails_now(FailureTime& time);
   bool linear_narrow(const Query& query, Int128& c0, Int128& c1) const;
   void shrink(FailureTime& time);
   void merge(FailureTime& a, FailureTime& b);

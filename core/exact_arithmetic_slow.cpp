@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exact stage of ExactArithmetic: integers, isolating intervals, gcds.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -23,19 +22,15 @@ bool is_tight(const RealRoot& root) {
 }  // namespace
 
 Polynomial ExactArithmetic::exact_polynomial(const Query& query) const {
-  bool narrow = models_[query.predicate].narrow;
-  for (int i = 0; narrow && i < query.arity; ++i) {
-    narrow = motions_.is_narrow(query.ids[static_cast<std::size_t>(i)]);
-  }
-  if (!narrow) return motions_.exact(*predicates_[query.predicate], query.ids.data());
-  std::array<MotionView<std::int64_t>, kMaxArity> points;
-  for (int i = 0; i < query.arity; ++i) {
-    points[static_cast<std::size_t>(i)] = motions_.narrow(query.ids[static_cast<std::size_t>(i)]);
+  const PredicateModel& model = models_[query.predicate];
+  if (!model.narrow || !all_narrow(query)) {
+    return motions_.exact(*predicates_[query.predicate], query.ids.data());
   }
   Int128 out[kMaxFixedCoefficients];
-  predicates_[query.predicate]->narrow(motions_.degree(), points.data(), out);
+  wide_coefficients(query, out);
   std::vector<Integer> coefficients;
-  for (int i = 0; i <= models_[query.predicate].degree; ++i) coefficients.emplace_back(out[i]);
+  coefficients.reserve(static_cast<std::size_t>(model.degree) + 1);
+  for (int i = 0; i <= model.degree; ++i) coefficients.emplace_back(out[i]);
   return Polynomial(std::move(coefficients));
 }
 
@@ -83,22 +78,27 @@ std::uint32_t ExactArithmetic::now_root() {
   return now_.root;
 }
 
-void ExactArithmetic::fails_now(FailureTime& time) {
+Outlook ExactArithmetic::fails_now(FailureTime& time) {
   time = {now_.lo, now_.hi, roots_.share(now_root()) | kBornFailing};
+  return Outlook::kFailsNow;
+}
+
+Sign ExactArithmetic::exact_sign_after(const Query& query) {
+  const Polynomial p = exact_polynomial(query);
+  const Sign sign =
+      p.is_zero() ? Sign::kZero : kinex::sign_after(p, roots_[now_root()], root_counters_);
+  update_counters();
+  return sign;
 }
 
 Outlook ExactArithmetic::exact_failure(const Query& query, FailureTime& time) {
-  StageCounts& stages = count(query).failures;
-  --stages[static_cast<int>(Stage::kDouble)];
-  ++stages[static_cast<int>(Stage::kExact)];
   const Polynomial p = exact_polynomial(query);
   if (p.is_zero()) return Outlook::kIdenticallyZero;
   root_counters_.max_bits = std::max<std::uint64_t>(root_counters_.max_bits, p.max_bits());
   RealRoot& now = roots_[now_root()];
   Outlook outlook = Outlook::kNever;
   if (kinex::sign_after(p, now, root_counters_) == Sign::kNegative) {
-    fails_now(time);
-    outlook = Outlook::kFailsNow;
+    outlook = fails_now(time);
   } else if (auto root = first_sign_change_after(p, now, end_, root_counters_)) {
     for (int bits = 0; !is_tight(*root) && bits < kEnclosureBits; ++bits) root->refine(root_counters_);
     time.lo = root->lower_double();
@@ -114,18 +114,12 @@ Outlook ExactArithmetic::exact_failure(const Query& query, FailureTime& time) {
 // c0 + c1 t in machine integers of at most 63 bits, so that cross products fit.
 bool ExactArithmetic::linear_narrow(const Query& query, Int128& c0, Int128& c1) const {
   const PredicateModel& model = models_[query.predicate];
-  if (!model.narrow || model.degree != 1) return false;
-  std::array<MotionView<std::int64_t>, kMaxArity> points;
-  for (int i = 0; i < query.arity; ++i) {
-    const ObjectId id = query.ids[static_cast<std::size_t>(i)];
-    if (!motions_.is_narrow(id)) return false;
-    points[static_cast<std::size_t>(i)] = motions_.narrow(id);
-  }
+  if (!model.narrow || model.degree != 1 || !all_narrow(query)) return false;
   Int128 out[kMaxFixedCoefficients];
-  predicates_[query.predicate]->narrow(motions_.degree(), points.data(), out);
+  wide_coefficients(query, out);
   c0 = out[0];
   c1 = out[1];
-  return true;  // orders are computed in 64 bits: |c| < 2^62
+  return true;  // a predicate of degree 1 is computed in 64 bits: |c| < 2^62
 }
 
 void ExactArithmetic::shrink(FailureTime& time) {

@@ -12,8 +12,8 @@
 namespace kinex {
 
 // The stages that can answer a question, cheapest first.
-enum class Stage : std::uint8_t { kDouble, kMultiprecision, kExact };
-inline constexpr int kStages = 3;
+enum class Stage : std::uint8_t { kDouble, kWide, kMultiprecision, kExact };
+inline constexpr int kStages = 4;
 using StageCounts = std::array<std::uint64_t, kStages>;
 
 struct PredicateCounters {

@@ -50,7 +50,7 @@ NumberModel choose_number_model(const Scene& scene) {
     narrow = each([&model, &scale](std::size_t k, const Rational& c) {
       const Rational scaled = c * scale;
       const double bound = std::max(std::fabs(scaled.lower_double()), std::fabs(scaled.upper_double()));
-      if (!(bound < 0x1p62)) return false;
+      if (!(bound <= 0x1p53)) return false;
       if (k < model.magnitude.size()) model.magnitude[k] = std::max(model.magnitude[k], bound);
       return true;
     });
@@ -82,11 +82,8 @@ void MotionStore::need_balls() {
 void MotionStore::set_ball(ObjectId object) {
   Ball* out = &balls_[object * stride_];
   if (narrow_object_[object]) {
-    const std::int64_t* in = &narrow_[object * stride_];
-    for (std::size_t i = 0; i < stride_; ++i) {
-      const double v = static_cast<double>(in[i]);
-      out[i] = {v, std::fabs(v) < 0x1p53 ? 0.0 : std::fabs(v) * Ball::kUnit};
-    }
+    const double* in = &narrow_[object * stride_];
+    for (std::size_t i = 0; i < stride_; ++i) out[i] = {in[i], 0.0};
     return;
   }
   const auto it = big_.find(object);
@@ -112,7 +109,9 @@ void MotionStore::grow_degree(int degree) {
   for (ObjectId i = 0; i < objects_; ++i) {
     if (narrow_object_[i]) {
       BigMotion big{model_.scale, std::vector<Integer>(stride_)};
-      for (std::size_t k = 0; k < stride_; ++k) big.coefficients[k] = Integer(narrow_[i * stride_ + k]);
+      for (std::size_t k = 0; k < stride_; ++k) {
+        big.coefficients[k] = Integer(static_cast<std::int64_t>(narrow_[i * stride_ + k]));
+      }
       big_[i] = std::move(big);
       narrow_object_[i] = 0;
     }
@@ -137,8 +136,8 @@ void MotionStore::set(ObjectId object, const Trajectory& trajectory) {
   bool narrow = model_.narrow;
   if (narrow) {
     const Rational scale(model_.scale);
-    std::int64_t* out = &narrow_[object * stride_];
-    std::fill(out, out + stride_, 0);
+    double* out = &narrow_[object * stride_];
+    std::fill(out, out + stride_, 0.0);
     for (std::size_t a = 0; narrow && a < trajectory.coordinates.size(); ++a) {
       const auto& axis = trajectory.coordinates[a];
       for (std::size_t k = 0; narrow && k < axis.size(); ++k) {
@@ -147,7 +146,7 @@ void MotionStore::set(ObjectId object, const Trajectory& trajectory) {
         const Integer n = scaled.numerator();
         narrow = scaled.is_integer() && n.fits_int64() &&
                  std::fabs(n.to_double()) <= model_.magnitude[k];
-        if (narrow) out[a * powers + k] = n.to_int64();
+        if (narrow) out[a * powers + k] = static_cast<double>(n.to_int64());
       }
     }
   }
@@ -188,7 +187,9 @@ Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) c
     Integer factor = common;
     factor.divide_exactly(it == big_.end() ? model_.scale : it->second.denominator);
     for (std::size_t k = 0; k < stride_; ++k) {
-      out[k] = it == big_.end() ? Integer(narrow_[ids[i] * stride_ + k]) : it->second.coefficients[k];
+      out[k] = it == big_.end()
+                   ? Integer(static_cast<std::int64_t>(narrow_[ids[i] * stride_ + k]))
+                   : it->second.coefficients[k];
       out[k] *= factor;
     }
   }
@@ -196,7 +197,7 @@ Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) c
 }
 
 std::size_t MotionStore::bytes() const {
-  std::size_t total = narrow_.capacity() * sizeof(std::int64_t) + narrow_object_.capacity() +
+  std::size_t total = narrow_.capacity() * sizeof(double) + narrow_object_.capacity() +
                       balls_.capacity() * sizeof(Ball);
   for (const auto& [id, big] : big_) {
     total += sizeof(big) + 64 + big.coefficients.capacity() * (sizeof(Integer) + 16);

@@ -18,7 +18,7 @@ namespace kinex {
 struct NumberModel {
   int degree = 1;               // motion degree that polynomials are sized for (>= 1)
   int dimension = 1;
-  bool narrow = false;          // all coefficients, times `scale`, fit 64-bit integers
+  bool narrow = false;          // all coefficients, times `scale`, are integers of at most 2^53
   Integer scale = Integer(1);   // common denominator of all coefficients
   std::vector<double> magnitude;  // largest |coefficient| * scale per power of t, rounded up
 };
@@ -37,7 +37,10 @@ class MotionStore {
   int degree() const { return model_.degree; }
   const NumberModel& model() const { return model_; }
   bool is_narrow(ObjectId object) const { return narrow_object_[object] != 0; }
-  MotionView<std::int64_t> narrow(ObjectId object) const { return &narrow_[object * stride_]; }
+  // Coefficients times the model's scale: integers of at most 2^53, exact. Requires is_narrow(object).
+  MotionView<double> narrow(ObjectId object) const { return &narrow_[object * stride_]; }
+  // The number of coefficients of one object.
+  std::size_t stride() const { return stride_; }
   MotionView<Ball> ball(ObjectId object) const { return &balls_[object * stride_]; }
   // The exact polynomial of `predicate` over these objects, times a positive constant.
   Polynomial exact(const Predicate& predicate, const ObjectId* ids) const;
@@ -54,7 +57,7 @@ class MotionStore {
   NumberModel model_;
   std::size_t objects_;
   std::size_t stride_;
-  std::vector<std::int64_t> narrow_;
+  std::vector<double> narrow_;  // integers
   std::vector<std::uint8_t> narrow_object_;
   std::vector<Ball> balls_;
   std::map<ObjectId, BigMotion> big_;

@@ -35,6 +35,8 @@ class Polynomial {
   Sign sign_at(const Rational& t) const;
   // Sign of the value at numerator / 2^exponent.
   Sign sign_at_dyadic(const Integer& numerator, unsigned long exponent) const;
+  // The value at numerator / 2^exponent, times 2^(exponent * degree()).
+  Integer scaled_value_at_dyadic(const Integer& numerator, unsigned long exponent) const;
   Rational value_at(const Rational& t) const;
   // Sign for t -> +infinity and t -> -infinity.
   Sign sign_at_plus_infinity() const;

@@ -51,6 +51,10 @@ class Predicate {
   // True if `narrow` cannot overflow for motions whose coefficient of t^k is at most magnitude[k] in
   // absolute value on every axis (the predicate's own constants included).
   virtual bool narrow_fits(int motion_degree, const double* magnitude) const = 0;
+  // A bound on the error of every coefficient that `plain` computes for integer-valued motions whose
+  // coefficient of t^k is at most magnitude[k] <= 2^53 in absolute value on every axis; 0 where the
+  // coefficient is exact. motion_degree <= kMaxFixedDegree.
+  virtual void plain_error(int motion_degree, const double* magnitude, double* out) const = 0;
   // Doubles with proven error bounds.
   virtual void ball(int motion_degree, const MotionView<Ball>* points, Ball* out) const = 0;
   // Plain doubles, no error accounting.

@@ -51,6 +51,16 @@ struct MagnitudePoints {
   }
 };
 
+template <int D>
+struct RoundingPoints {
+  const double* magnitude;
+  FixedPolynomial<RoundingBound, D> operator()(int, int) const {
+    FixedPolynomial<RoundingBound, D> p;
+    for (int k = 0; k <= D; ++k) p.c[k] = {magnitude[k], 0};
+    return p;
+  }
+};
+
 template <class Formula>
 class FormulaPredicate final : public Predicate {
  public:
@@ -72,6 +82,14 @@ class FormulaPredicate final : public Predicate {
       case 2: return magnitudes_fit(formula_.value(MagnitudePoints<2>{magnitude}));
       case 3: return magnitudes_fit(formula_.value(MagnitudePoints<3>{magnitude}));
       default: return false;
+    }
+  }
+
+  void plain_error(int d, const double* magnitude, double* out) const override {
+    switch (d) {
+      case 1: return store_errors(formula_.value(RoundingPoints<1>{magnitude}), out);
+      case 2: return store_errors(formula_.value(RoundingPoints<2>{magnitude}), out);
+      default: return store_errors(formula_.value(RoundingPoints<3>{magnitude}), out);
     }
   }
 
@@ -110,6 +128,11 @@ class FormulaPredicate final : public Predicate {
   template <class R, int D>
   static void store(const FixedPolynomial<R, D>& p, R* out) {
     for (int i = 0; i <= D; ++i) out[i] = p.c[i];
+  }
+
+  template <int D>
+  static void store_errors(const FixedPolynomial<RoundingBound, D>& p, double* out) {
+    for (int i = 0; i <= D; ++i) out[i] = p.c[i].error;
   }
 
   template <class R>

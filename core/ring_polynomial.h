@@ -44,6 +44,28 @@ struct Magnitude {
   Magnitude& operator+=(const Magnitude& b) { return *this = *this + b; }
 };
 
+// The ring of rounding errors: it follows a formula that is evaluated in plain doubles on integer inputs
+// of at most the given magnitudes, and bounds the error of every coefficient. While values stay within
+// 2^53 doubles are exact integers and there is none.
+struct RoundingBound {
+  double magnitude = 0;
+  double error = 0;
+
+  static RoundingBound rounded(double magnitude, double error) {
+    if (error > 0 || magnitude > 0x1p53) error += 0x1p-53 * (magnitude + error);
+    return {magnitude * (1 + 0x1p-50), error * (1 + 0x1p-50)};
+  }
+  friend RoundingBound operator+(const RoundingBound& a, const RoundingBound& b) {
+    return rounded(a.magnitude + b.magnitude, a.error + b.error);
+  }
+  friend RoundingBound operator-(const RoundingBound& a, const RoundingBound& b) { return a + b; }
+  friend RoundingBound operator*(const RoundingBound& a, const RoundingBound& b) {
+    return rounded(a.magnitude * b.magnitude,
+                   a.magnitude * b.error + b.magnitude * a.error + a.error * b.error);
+  }
+  RoundingBound& operator+=(const RoundingBound& b) { return *this = *this + b; }
+};
+
 // The ring that products of two R live in where they may be twice as wide.
 template <class R>
 struct WideRing {
@@ -195,6 +217,10 @@ class FormulaConstant {
   Magnitude in(const Magnitude&) const {
     const double bound = fits_ ? (approximate_ < 0 ? -approximate_ : approximate_) * (1 + 0x1p-40) : 0x1p200;
     return Magnitude{bound, 0, 0, false}.noted();
+  }
+  RoundingBound in(const RoundingBound&) const {
+    const double bound = approximate_ < 0 ? -approximate_ : approximate_;
+    return {bound * (1 + 0x1p-50), exact_.bit_length() <= 53 ? 0.0 : bound * 0x1p-51};
   }
   Integer in(const Integer&) const { return exact_; }
   Rational in(const Rational&) const { return Rational(exact_); }
