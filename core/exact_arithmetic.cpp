@@ -51,7 +51,8 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   if (numbers.narrow) {
     model.narrow = p.narrow_fits(numbers.degree, numbers.magnitude.data());
     p.plain_error(numbers.degree, numbers.magnitude.data(), model.error_over_gamma.data());
-    for (double& e : model.error_over_gamma) e *= (1 + 0x1p-40) / filter::gamma(model.degree);
+    // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
+    for (double& e : model.error_over_gamma) e *= (1 + 0x1p-40) / filter::gamma(0);
   }
   models_.push_back(model);
 }
@@ -132,7 +133,8 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
     for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.ball(query.ids[i]);
     Ball out[kRoomForCoefficients];
     predicate.ball(motions_.degree(), points.data(), out);
-    const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(degree);
+    // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
+    const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(0);
     double sum = 0;
     for (int i = 0; i <= degree; ++i) {
       p.c[i] = out[i].value;
