@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every predicate in every ring: identities, agreement, and error bounds that hold.
+#include "predicates/predicates.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace kinex {
+namespace {
+
+struct Named {
+  std::string name;
+  std::shared_ptr<const Predicate> predicate;
+};
+
+std::vector<Named> all_predicates() {
+  return {{"order_x", make_coordinate_order(0)},
+          {"order_y", make_coordinate_order(1)},
+          {"direction_3_4", make_direction_order({Rational(3), Rational(4)})},
+          {"direction_fraction", make_direction_order({*Rational::parse("1/3"), *Rational::parse("-2/7")})},
+          {"distance_1", make_squared_distance_order(1)},
+          {"distance_2", make_squared_distance_order(2)},
+          {"distance_3", make_squared_distance_order(3)},
+          {"orientation_2", make_orientation_2()},
+          {"in_circle_2", make_in_circle_2()}};
+}
+
+// Motions of `arity` objects in `axes` axes, in every ring, from the same integers.
+struct Motions {
+  int degree;
+  std::size_t stride;
+  std::vector<std::int64_t> narrow;
+  std::vector<double> plain;
+  std::vector<Ball> ball;
+  std::vector<Integer> exact;
+  std::vector<Rational> rational;
+  std::vector<MpFloat> mp;
+
+  Motions(std::mt19937_64& random, int objects, int axes, int d, std::int64_t bound)
+      : degree(d), stride(static_cast<std::size_t>(axes * (d + 1))) {
+    for (std::size_t i = 0; i < stride * static_cast<std::size_t>(objects); ++i) {
+      const std::int64_t v =
+          static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * bound + 1)) - bound;
+      narrow.push_back(v);
+      plain.push_back(static_cast<double>(v));
+      ball.push_back({static_cast<double>(v), 0});
+      exact.emplace_back(v);
+      rational.emplace_back(v);
+      mp.emplace_back(300L, Rational(v));
+    }
+  }
+  template <class R>
+  std::vector<MotionView<R>> views(const std::vector<R>& all, const std::vector<std::size_t>& order) const {
+    std::vector<MotionView<R>> out;
+    for (std::size_t i : order) out.push_back(&all[i * stride]);
+    return out;
+  }
+};
+
+class EveryPredicate : public ::testing::TestWithParam<std::size_t> {};
+
+TEST_P(EveryPredicate, RingsAgreeAndErrorBoundsHold) {
+  const auto& [name, p] = all_predicates()[GetParam()];
+  std::mt19937_64 random(GetParam() + 1);
+  for (int d = 1; d <= 5; ++d) {
+    const std::vector<double> magnitude(static_cast<std::size_t>(d) + 1, 0x1p20);
+    for (int round = 0; round < 50; ++round) {
+      const Motions m(random, p->arity(), 3, d, 1 << 20);
+      std::vector<std::size_t> order;
+      for (int i = 0; i < p->arity(); ++i) order.push_back(static_cast<std::size_t>(i));
+      const Polynomial exact = p->exact(d, m.views(m.exact, order).data());
+      const std::size_t size = static_cast<std::size_t>(p->degree(d)) + 1;
+      ASSERT_LT(exact.degree(), static_cast<int>(size));
+      const auto coefficient = [&exact](std::size_t i) {
+        return static_cast<int>(i) <= exact.degree() ? Rational(exact[i]) : Rational(0);
+      };
+      const std::vector<Rational> rational = p->rational(d, m.views(m.rational, order).data());
+      ASSERT_EQ(rational.size(), size);
+      for (std::size_t i = 0; i < size; ++i) ASSERT_EQ(rational[i], coefficient(i)) << name;
+      std::vector<MpFloat> mp(size);
+      p->multiprecision(d, m.views(m.mp, order).data(), mp.data());
+      for (std::size_t i = 0; i < size; ++i) ASSERT_EQ(compare(mp[i], coefficient(i)), 0) << name;
+      std::vector<double> plain(size);
+      p->plain(d, m.views(m.plain, order).data(), plain.data());
+      std::vector<Ball> ball(size);
+      p->ball(d, m.views(m.ball, order).data(), ball.data());
+      for (std::size_t i = 0; i < size; ++i) {
+        const Rational off = coefficient(i) - *Rational::from_double(ball[i].value);
+        ASSERT_LE(std::fabs(off.to_double()), ball[i].error) << name;
+      }
+      if (d > kMaxFixedDegree) continue;
+      ASSERT_TRUE(p->narrow_fits(d, magnitude.data())) << name << " degree " << d;
+      std::vector<Int128> narrow(size);
+      p->narrow(d, m.views(m.narrow, order).data(), narrow.data());
+      for (std::size_t i = 0; i < size; ++i) ASSERT_EQ(Rational(Integer(narrow[i])), coefficient(i)) << name;
+      std::vector<double> error(size);
+      p->plain_error(d, magnitude.data(), error.data());
+      for (std::size_t i = 0; i < size; ++i) {
+        const Rational off = coefficient(i) - *Rational::from_double(plain[i]);
+        ASSERT_LE(std::fabs(off.to_double()), error[i]) << name << " degree " << d << " at " << i;
+      }
+    }
+  }
+}
+
+TEST_P(EveryPredicate, AlternatesUnderPermutations) {
+  const auto& [name, p] = all_predicates()[GetParam()];
+  std::mt19937_64 random(GetParam() + 100);
+  const Motions m(random, p->arity(), 3, 2, 1000);
+  std::vector<std::size_t> identity;
+  for (int i = 0; i < p->arity(); ++i) identity.push_back(static_cast<std::size_t>(i));
+  const Polynomial value = p->exact(2, m.views(m.exact, identity).data());
+  ASSERT_FALSE(value.is_zero()) << name;
+  std::vector<std::size_t> order = identity;
+  const auto last = order.begin() + p->alternating();
+  int count = 0;
+  do {
+    int inversions = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      for (std::size_t j = i + 1; j < order.size(); ++j) inversions += order[i] > order[j];
+    }
+    const Polynomial permuted = p->exact(2, m.views(m.exact, order).data());
+    EXPECT_EQ(permuted, inversions % 2 == 0 ? value : -value) << name;
+    ++count;
+  } while (std::next_permutation(order.begin(), last));
+  EXPECT_GE(count, 2) << name;
+  // Two equal arguments among the alternating ones give zero.
+  std::vector<std::size_t> twice = identity;
+  twice[1] = twice[0];
+  EXPECT_TRUE(p->exact(2, m.views(m.exact, twice).data()).is_zero()) << name;
+}
+
+TEST_P(EveryPredicate, NarrowRefusesWhatMightOverflow) {
+  const auto& [name, p] = all_predicates()[GetParam()];
+  const std::vector<double> huge(4, 0x1p62);
+  for (int d = 1; d <= kMaxFixedDegree; ++d) EXPECT_FALSE(p->narrow_fits(d, huge.data())) << name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryPredicate, ::testing::Range<std::size_t>(0, 9),
+                         [](const auto& info) { return all_predicates()[info.param].name; });
+
+// Static points with known answers: signs have the promised meaning.
+class KnownSigns : public ::testing::Test {
+ protected:
+  static int sign(const std::shared_ptr<const Predicate>& p, const std::vector<std::vector<int>>& points) {
+    std::vector<std::vector<Integer>> motions;
+    std::vector<MotionView<Integer>> views;
+    for (const auto& point : points) {
+      std::vector<Integer> motion;
+      for (int v : point) {
+        motion.emplace_back(v);
+        motion.emplace_back(0);
+      }
+      motions.push_back(std::move(motion));
+    }
+    for (const auto& motion : motions) views.push_back(motion.data());
+    const Polynomial value = p->exact(1, views.data());
+    return value.is_zero() ? 0 : value[0].sign();
+  }
+};
+
+TEST_F(KnownSigns, Orders) {
+  EXPECT_EQ(sign(make_coordinate_order(0), {{1, 9}, {2, 0}}), 1);
+  EXPECT_EQ(sign(make_coordinate_order(1), {{1, 9}, {2, 0}}), -1);
+  EXPECT_EQ(sign(make_direction_order({Rational(1), Rational(1)}), {{1, 9}, {2, 0}}), -1);
+  EXPECT_EQ(sign(make_direction_order({Rational(4), Rational(-3)}), {{3, 4}, {0, 0}}), 0);
+  EXPECT_EQ(sign(make_squared_distance_order(2), {{1, 0}, {3, 4}, {0, 0}}), 1);
+  EXPECT_EQ(sign(make_squared_distance_order(2), {{5, 0}, {3, 4}, {0, 0}}), 0);
+}
+
+TEST_F(KnownSigns, Planar) {
+  EXPECT_EQ(sign(make_orientation_2(), {{0, 0}, {1, 0}, {0, 1}}), 1);
+  EXPECT_EQ(sign(make_orientation_2(), {{0, 0}, {1, 1}, {2, 2}}), 0);
+  EXPECT_EQ(sign(make_in_circle_2(), {{0, 0}, {4, 0}, {0, 4}, {1, 1}}), 1);
+  EXPECT_EQ(sign(make_in_circle_2(), {{0, 0}, {4, 0}, {0, 4}, {5, 5}}), -1);
+  EXPECT_EQ(sign(make_in_circle_2(), {{0, 0}, {4, 0}, {0, 4}, {4, 4}}), 0);
+}
+
+TEST(DirectionOrder, RefusesTheZeroVector) {
+  EXPECT_THROW(make_direction_order({Rational(0), Rational(0)}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace kinex
