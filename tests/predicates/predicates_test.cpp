@@ -141,7 +141,7 @@ TEST_P(EveryPredicate, NarrowRefusesWhatMightOverflow) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryPredicate, ::testing::Range<std::size_t>(0, 9),
-                         [](const auto& info) { return all_predicates()[info.param].name; });
+                         [](const auto& one) { return all_predicates()[one.param].name; });
 
 // Static points with known answers: signs have the promised meaning.
 class KnownSigns : public ::testing::Test {
