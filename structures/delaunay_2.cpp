@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/delaunay_2.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "predicates/predicates.h"
+
+namespace kinex {
+
+Delaunay2::Delaunay2(Kernel& kernel, StructureId id, const Scene& scene)
+    : kernel_(&kernel),
+      id_(id),
+      order_{kernel.bind(make_coordinate_order(0)), kernel.bind(make_coordinate_order(1))},
+      orientation_(kernel.bind(make_orientation_2())),
+      in_circle_(kernel.bind(make_in_circle_2())),
+      store_(scene.objects.size()),
+      present_(scene.objects.size(), false),
+      representative_(scene.objects.size(), kNoObject) {}
+
+std::vector<std::string_view> Delaunay2::event_kinds() const {
+  return {"flip", "enter", "leave", "pass", "reinsert"};
+}
+
+void Delaunay2::give_up(const std::string& what) {
+  if (corrupt_) return;
+  corrupt_ = true;
+  kernel_->corrupt(id_, what);
+}
+
+bool Delaunay2::upright(ObjectId a, ObjectId b, ObjectId c) const {
+  const ObjectId infinity = store_.infinity();
+  if (a == infinity || b == infinity || c == infinity) return true;
+  return turn(a, b, c) == Sign::kPositive;
+}
+
+bool Delaunay2::upright(Triangle t) const {
+  return upright(store_.origin(3 * t), store_.origin(3 * t + 1), store_.origin(3 * t + 2));
+}
+
+// ---- certificates
+
+Query Delaunay2::query_of(HalfEdge h) const {
+  const HalfEdge g = store_.twin(h);
+  const ObjectId u = store_.origin(h), v = store_.origin(g);
+  const ObjectId p = store_.apex(h), q = store_.apex(g);
+  const ObjectId infinity = store_.infinity();
+  if (std::max(std::max(u, v), std::max(p, q)) < infinity) return Query(in_circle_, {v, u, p, q});
+  if (p == infinity) return Query(orientation_, {v, u, q});
+  if (q == infinity) return Query(orientation_, {u, v, p});
+  if (u == infinity) return Query(orientation_, {p, v, q});
+  return Query(orientation_, {q, u, p});
+}
+
+void Delaunay2::set_certificate(HalfEdge h) {
+  const CertificateId label = store_.label(h);
+  if (label == kNoCertificate) {
+    const Kernel::Created created = kernel_->create(id_, query_of(h), h);
+    store_.set_label(h, created.id);
+    if (created.outlook == Outlook::kIdenticallyZero) ties_.push_back(h);
+  } else if (kernel_->replace(label, query_of(h), h) == Outlook::kIdenticallyZero) {
+    ties_.push_back(h);
+  }
+}
+
+void Delaunay2::drop_certificate(HalfEdge h) {
+  const CertificateId label = store_.label(h);
+  if (label == kNoCertificate) return;
+  kernel_->retract(label);
+  store_.set_label(h, kNoCertificate);
+}
+
+// ---- flips
+
+// False if the edge between the opposite vertices is there already (seen from an end of degree
+// three).
+bool Delaunay2::flippable(HalfEdge h) const {
+  const HalfEdge g = store_.twin(h);
+  const ObjectId p = store_.apex(h), q = store_.apex(g);
+  return p != q && store_.apex(store_.twin(Triangulation2::previous(h))) != q &&
+         store_.apex(store_.twin(Triangulation2::next(h))) != q;
+}
+
+void Delaunay2::flip(HalfEdge h) {
+  const HalfEdge d = store_.flip(h);
+  const HalfEdge e = store_.twin(d);
+  set_certificate(d);  // first: the arithmetic knows this polynomial from the failure
+  set_certificate(Triangulation2::next(d));
+  set_certificate(Triangulation2::previous(d));
+  set_certificate(Triangulation2::next(e));
+  set_certificate(Triangulation2::previous(e));
+}
+
+// The edge's four points lie on one circle for ever and the smallest id is not on the edge.
+bool Delaunay2::wants_other_diagonal(HalfEdge h) const {
+  const CertificateId label = store_.label(h);
+  if (label == kNoCertificate || kernel_->outlook(label) != Outlook::kIdenticallyZero) return false;
+  const HalfEdge g = store_.twin(h);
+  const ObjectId u = store_.origin(h), v = store_.origin(g);
+  const ObjectId p = store_.apex(h), q = store_.apex(g);
+  if (std::max(std::max(u, v), std::max(p, q)) >= store_.infinity()) return false;
+  return std::min(p, q) < std::min(u, v);
+}
+
+// Gives cocircular points their fans. Each flip raises the degree of the smallest of its four
+// points, which no later flip lowers again, so k cocircular points need O(k^2) flips.
+bool Delaunay2::settle_ties() {
+  std::uint64_t left = 64 + 4 * static_cast<std::uint64_t>(store_.triangles()) * store_.triangles();
+  while (!ties_.empty()) {
+    const HalfEdge h = ties_.back();
+    ties_.pop_back();
+    if (!store_.live(Triangulation2::triangle(h)) || !wants_other_diagonal(h)) continue;
+    const HalfEdge g = store_.twin(h);
+    const ObjectId u = store_.origin(h), v = store_.origin(g);
+    const ObjectId p = store_.apex(h), q = store_.apex(g);
+    if (!flippable(h) || !upright(p, u, q) || !upright(q, v, p)) {
+      for (const ObjectId w : {u, v, p, q}) suspect(w);  // flat or turned over: see instant_settled
+      continue;
+    }
+    if (left-- == 0) return false;
+    flip(h);
+    ++tie_flips_;
+  }
+  return true;
+}
+
+void Delaunay2::certificate_failed(CertificateId failed) {
+  if (corrupt_) return;
+  const HalfEdge h = kernel_->tag(failed);
+  if (on_line_) return pass(h);
+  const bool shared = kernel_->instant_is_shared(id_);
+  const HalfEdge g = store_.twin(h);
+  const ObjectId u = store_.origin(h), v = store_.origin(g);
+  const ObjectId p = store_.apex(h), q = store_.apex(g);
+  const ObjectId infinity = store_.infinity();
+  if (!flippable(h)) return blocked(h, shared);
+  if (shared) {
+    if (has_last_quad_) suspects_.insert(suspects_.end(), last_quad_.begin(), last_quad_.end());
+    has_last_quad_ = false;
+    for (const ObjectId w : {u, v, p, q}) suspect(w);
+    if (!upright(p, u, q) || !upright(q, v, p)) return blocked(h, true);
+  } else {
+    last_quad_ = {u, v, p, q};
+    has_last_quad_ = true;
+  }
+  flip(h);
+  if (!ties_.empty() && !settle_ties()) return give_up("endless ties");
+  if (u == infinity || v == infinity) {
+    kernel_->report(id_, kLeave, {u == infinity ? v : u, std::min(p, q), std::max(p, q)}, true);
+  } else if (p == infinity || q == infinity) {
+    kernel_->report(id_, kEnter, {p == infinity ? q : p, std::min(u, v), std::max(u, v)}, true);
+  } else {
+    kernel_->report(id_, kFlip, {std::min(u, v), std::max(u, v), std::min(p, q), std::max(p, q)},
+                    true);
+  }
+}
+
+// A failure that no flip can repair. At a degenerate instant the edge does without a certificate
+// until the instant is settled.
+void Delaunay2::blocked(HalfEdge h, bool shared) {
+  if (!shared && !kernel_->is_exact()) return give_up("a flip to an edge that is there already");
+  const HalfEdge g = store_.twin(h);
+  std::array<ObjectId, 4> ids{store_.origin(h), store_.origin(g), store_.apex(h), store_.apex(g)};
+  std::sort(ids.begin(), ids.end());
+  for (const ObjectId v : ids) suspect(v);
+  store_.set_label(h, kNoCertificate);
+  blocked_ = true;
+  if (!shared) rebuild_because("a flip to an edge that is there already");
+  if (ids[3] == store_.infinity()) {
+    kernel_->report(id_, kReinsert, {ids[0], ids[1], ids[2]}, !shared);
+  } else {
+    kernel_->report(id_, kReinsert, {ids[0], ids[1], ids[2], ids[3]}, !shared);
+  }
+}
+
+// On a line: the points at `place` and place + 1 change places.
+void Delaunay2::pass(std::uint32_t place) {
+  std::swap(line_[place], line_[place + 1]);
+  const std::size_t first = place == 0 ? 0 : place - 1;
+  const std::size_t last = std::min<std::size_t>(place + 1, line_certificates_.size() - 1);
+  const PredicateId order = order_[line_axis_];
+  kernel_->replace(line_certificates_[place], Query(order, {line_[place], line_[place + 1]}),
+                   place);
+  for (std::size_t i = first; i <= last; ++i) {
+    if (i == place) continue;
+    kernel_->replace(line_certificates_[i], Query(order, {line_[i], line_[i + 1]}),
+                     static_cast<std::uint32_t>(i));
+  }
+  kernel_->report(
+      id_, kPass,
+      {std::min(line_[place], line_[place + 1]), std::max(line_[place], line_[place + 1])},
+      line_.size() > 2);
+}
+
+// ---- what it maintains
+
+Attribute Delaunay2::attribute() const {
+  std::vector<std::pair<ObjectId, ObjectId>> edges;
+  const auto add = [&edges](ObjectId a, ObjectId b) {
+    edges.emplace_back(std::min(a, b), std::max(a, b));
+  };
+  for (std::size_t i = 0; i + 1 < line_.size(); ++i) add(line_[i], line_[i + 1]);
+  for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
+    if (!store_.live(Triangulation2::triangle(h)) || h > store_.twin(h)) continue;
+    const ObjectId a = store_.origin(h), b = store_.target(h);
+    if (a != store_.infinity() && b != store_.infinity()) add(a, b);
+  }
+  std::sort(edges.begin(), edges.end());
+  Attribute result;
+  result.shape = Attribute::Shape::kEdges;
+  result.ids.reserve(2 * edges.size());
+  for (const auto& [a, b] : edges) {
+    result.ids.push_back(a);
+    result.ids.push_back(b);
+  }
+  return result;
+}
+
+std::vector<ObjectId> Delaunay2::hull() const {
+  if (on_line_) return line_;
+  std::vector<ObjectId> hull;
+  const HalfEdge first = store_.out(store_.infinity());
+  HalfEdge h = first;
+  do {  // counter-clockwise around infinity is clockwise around the hull
+    hull.push_back(store_.target(h));
+    h = store_.around(h);
+  } while (h != first);
+  std::reverse(hull.begin(), hull.end());
+  std::rotate(hull.begin(), std::min_element(hull.begin(), hull.end()), hull.end());
+  return hull;
+}
+
+std::size_t Delaunay2::bytes() const {
+  const std::size_t words =
+      representative_.capacity() + line_.capacity() + line_certificates_.capacity() +
+      suspects_.capacity() + moved_.capacity() + ties_.capacity() + mark_.capacity() +
+      cavity_.capacity() + filled_.capacity() + rim_.capacity() + link_.capacity();
+  return sizeof(*this) + store_.bytes() + present_.capacity() / 8 + words * sizeof(std::uint32_t);
+}
+
+}  // namespace kinex

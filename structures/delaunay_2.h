@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Delaunay2: the Delaunay triangulation of moving points in the plane.
+//
+// Certificates. The triangulation is closed to a sphere by a vertex at infinity, so that hull
+// changes are flips like all others. One certificate per edge uv with opposite vertices p and q:
+//   all four finite     q is not inside the circle through u, v, p       in_circle_2, degree 4d
+//   p or q infinite     the finite opposite vertex is inside hull edge uv   orientation_2, degree
+//   2d
+//   u or v infinite     the hull turns left at the finite end            orientation_2, degree 2d
+// for motions of degree d. Locally Delaunay everywhere is globally Delaunay (Delaunay 1934).
+//
+// Quality, for n points: compactness 3n - 3 certificates, exactly. Responsiveness: an event is one
+// flip and renews 5 certificates. Efficiency: every event is external (ratio 1). Not local: a point
+// is in as many certificates as it has neighbours and link edges, up to 2(n - 1) and more.
+// Events, linear motion: each in_circle_2 changes sign at most 4 times and each orientation_2
+// twice, so at most 4 C(n,4) + 2 C(n,3); growth O(n^3 2^alpha(n)) (Guibas, Mitchell, Roos 1991).
+//
+// Ties. The triangulation right after an instant is a function of the points' motions and ids
+// alone:
+//   cocircular for ever  the diagonal that contains the smallest id of the four (so k cocircular
+//                        points are a fan from the smallest id)
+//   collinear for ever   points on a hull edge are hull vertices
+//   equal for ever       the smallest id is the vertex; the others are hidden behind it
+//   all on one line for ever (or fewer than three points): a chain along the line, see line_
+//
+// Degenerate instants. A certificate that fails alone is one flip. Where several fail at one
+// instant, triangles may turn over without any certificate showing it (points that meet and pass
+// through each other; all points on one line). So at such instants a flip is made only if both new
+// triangles are positively oriented right after, and when the instant is settled the triangles
+// around all points that took part are checked. What is found turned over is mended by taking
+// points out and putting them in again, or, where that is not enough, by building everything anew.
+//
+// Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Guibas,
+// Mitchell, Roos, "Voronoi diagrams of moving points in the plane" (1991); insertion: Bowyer
+// (1981), Watson (1981); deletion by ears: Devillers (1999).
+#ifndef KINEX_STRUCTURES_DELAUNAY_2_H
+#define KINEX_STRUCTURES_DELAUNAY_2_H
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/kernel.h"
+#include "core/scene.h"
+#include "core/structure.h"
+#include "structures/triangulation_2.h"
+
+namespace kinex {
+
+class Delaunay2 final : public Structure {
+ public:
+  // Events. Edges are written smaller id first.
+  enum Kind : std::uint8_t {
+    kFlip,      // removed edge, added edge
+    kEnter,     // a point becomes a hull vertex: the point, the hull edge that it splits
+    kLeave,     // a point stops being a hull vertex: the point, the new hull edge
+    kPass,      // on a line: two neighbours change places
+    kReinsert,  // a degenerate instant: the certificate's points; see "Degenerate instants"
+  };
+
+  Delaunay2(Kernel& kernel, StructureId id, const Scene& scene);
+
+  std::string_view name() const override { return "delaunay_2"; }
+  std::vector<std::string_view> event_kinds() const override;
+  void build(std::span<const ObjectId> objects) override;
+  void rebuild() override;
+  void certificate_failed(CertificateId failed) override;
+  void insert(ObjectId object) override;
+  void erase(ObjectId object) override;
+  void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_settled() override;
+  Attribute attribute() const override;
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  std::size_t bytes() const override;
+
+  // Hull vertices counter-clockwise from the smallest id; on a line, the chain.
+  std::vector<ObjectId> hull() const;
+  // The vertex that stands for `object`: itself, or the one it is hidden behind.
+  ObjectId representative(ObjectId object) const { return representative_[object]; }
+  bool on_line() const { return on_line_; }
+  // Points taken out and put in again at degenerate instants.
+  std::uint64_t reinsertions() const { return reinsertions_; }
+
+ private:
+  using HalfEdge = Triangulation2::HalfEdge;
+  using Triangle = Triangulation2::Triangle;
+  static constexpr std::uint32_t kNone = Triangulation2::kNone;
+
+  // ---- delaunay_2.cpp: certificates and flips
+  Query query_of(HalfEdge h) const;
+  void set_certificate(HalfEdge h);
+  void drop_certificate(HalfEdge h);
+  bool flippable(HalfEdge h) const;
+  void flip(HalfEdge h);
+  bool settle_ties();
+  bool wants_other_diagonal(HalfEdge h) const;
+  void pass(std::uint32_t place);
+  void blocked(HalfEdge h, bool shared);
+  Sign turn(ObjectId a, ObjectId b, ObjectId c) const {
+    return kernel_->sign_after(orientation_, {a, b, c});
+  }
+  // A ghost, or positively oriented right after now.
+  bool upright(ObjectId a, ObjectId b, ObjectId c) const;
+  bool upright(Triangle t) const;
+  void give_up(const std::string& what);
+
+  // ---- delaunay_2_build.cpp: the static algorithm
+  void construct();
+  void rebuild_because(const std::string& reason);
+  void retract_all();
+  std::vector<std::uint32_t> ranks(const std::vector<ObjectId>& objects, PredicateId order) const;
+  void build_line();
+  void build_plane(const std::vector<ObjectId>& order);
+
+  // ---- delaunay_2_points.cpp: one point more or less
+  enum class Insertion { kVertex, kHidden, kFailed };
+  struct Place {
+    Triangle triangle = kNone;   // a triangle in conflict with the point
+    ObjectId equal = kNoObject;  // or the vertex that is equal to it
+  };
+  bool identical(ObjectId a, ObjectId b) const;
+  bool strictly_between(ObjectId d, ObjectId a, ObjectId b) const;
+  bool conflict(ObjectId a, ObjectId b, ObjectId c, ObjectId d) const;
+  bool conflict(Triangle t, ObjectId d) const;
+  Place locate(ObjectId d, HalfEdge hint) const;
+  // `careful`: the triangulation may be invalid elsewhere; certificates are kept up to date.
+  Insertion add_point(ObjectId d, HalfEdge hint, bool careful);
+  void hide(ObjectId object, ObjectId behind);
+  bool remove_vertex(ObjectId v);
+  bool plan_ears();
+  bool is_ear(std::uint32_t corner);
+
+  // ---- delaunay_2_update.cpp: changes from outside and degenerate instants
+  void suspect(ObjectId v) {
+    if (v != store_.infinity()) suspects_.push_back(v);
+  }
+  void reveal(ObjectId object);
+  bool put_in(ObjectId object);
+  bool take_out(ObjectId vertex);
+  bool reexamine_hidden();
+  void collect_turned(std::vector<Triangle>& turned);
+  bool mend();
+  bool hull_turns_once() const;
+
+  Kernel* kernel_;
+  StructureId id_;
+  PredicateId order_[2];
+  PredicateId orientation_;
+  PredicateId in_circle_;
+
+  Triangulation2 store_;
+  std::vector<bool> present_;                         // alive, vertex or hidden
+  std::vector<ObjectId> representative_;              // kNoObject: not present
+  std::map<ObjectId, std::vector<ObjectId>> hidden_;  // behind a vertex, ascending
+  HalfEdge hint_ = kNone;                             // where the last point went
+
+  // All points on one line right after now, in order along it. Certificates: neighbours in the
+  // order of coordinate line_axis_ (x, or y if all x are equal for ever); tag: place of the first.
+  bool on_line_ = true;
+  int line_axis_ = 0;
+  std::vector<ObjectId> line_;
+  std::vector<CertificateId> line_certificates_;
+
+  // The present instant.
+  std::vector<ObjectId> suspects_;
+  std::vector<ObjectId> moved_;
+  std::array<ObjectId, 4> last_quad_{};
+  bool has_last_quad_ = false;
+  bool blocked_ = false;        // a flip was impossible: an edge is without certificate
+  std::vector<HalfEdge> ties_;  // edges to be compared with the rule for cocircular points
+
+  bool corrupt_ = false;
+  bool certify_ = true;  // false while the static algorithm runs: certificates come at its end
+  std::uint64_t tie_flips_ = 0;
+  std::uint64_t reinsertions_ = 0;
+
+  // scratch
+  std::vector<std::uint32_t> mark_;  // per triangle
+  std::uint32_t epoch_ = 0;
+  std::vector<Triangle> cavity_, filled_;
+  std::vector<HalfEdge> rim_, link_;
+  std::vector<ObjectId> corners_;
+  std::vector<std::uint32_t> corner_next_, corner_previous_, witness_;
+  std::vector<Triangulation2::Ear> ears_;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Delaunay2: insertion, erasure, new motions, and the repair of degenerate instants.
+#include <algorithm>
+#include <utility>
+
+#include "structures/delaunay_2.h"
+
+namespace kinex {
+namespace {
+
+void sort_unique(std::vector<ObjectId>& ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+}  // namespace
+
+void Delaunay2::insert(ObjectId object) {
+  if (corrupt_) return;
+  present_[object] = true;
+  if (on_line_) return rebuild_because("insertion while all points are on one line");
+  if (!put_in(object)) rebuild_because("insertion at a degenerate instant");
+  if (!settle_ties()) give_up("endless ties");
+}
+
+void Delaunay2::erase(ObjectId object) {
+  if (corrupt_) return;
+  present_[object] = false;
+  const ObjectId vertex = representative_[object];
+  if (vertex != object) {
+    reveal(object);
+    return;
+  }
+  if (on_line_) return rebuild_because("erasure while all points are on one line");
+  if (!take_out(object)) return rebuild_because("erasure leaves all points on one line");
+  if (!settle_ties()) give_up("endless ties");
+}
+
+void Delaunay2::motions_changed(std::span<const ObjectId> objects) {
+  moved_.insert(moved_.end(), objects.begin(), objects.end());
+}
+
+// `object` is not hidden any more.
+void Delaunay2::reveal(ObjectId object) {
+  const auto it = hidden_.find(representative_[object]);
+  std::vector<ObjectId>& list = it->second;
+  list.erase(std::lower_bound(list.begin(), list.end(), object));
+  if (list.empty()) hidden_.erase(it);
+  representative_[object] = kNoObject;
+}
+
+// The point becomes a vertex, or is hidden behind an equal one; the smaller id is the vertex.
+bool Delaunay2::put_in(ObjectId object) {
+  const Insertion done = add_point(object, hint_, true);
+  if (done != Insertion::kHidden) return done == Insertion::kVertex;
+  const ObjectId vertex = representative_[object];
+  if (vertex < object) return true;
+  reveal(object);
+  std::vector<ObjectId> behind{vertex};
+  if (const auto it = hidden_.find(vertex); it != hidden_.end()) {
+    behind.insert(behind.end(), it->second.begin(), it->second.end());
+    hidden_.erase(it);
+  }
+  if (!remove_vertex(vertex) || add_point(object, hint_, true) != Insertion::kVertex) return false;
+  for (const ObjectId other : behind) hide(other, object);
+  return true;
+}
+
+// The vertex goes; those that are hidden behind it come forward.
+bool Delaunay2::take_out(ObjectId vertex) {
+  std::vector<ObjectId> behind;
+  if (const auto it = hidden_.find(vertex); it != hidden_.end()) {
+    behind = std::move(it->second);
+    hidden_.erase(it);
+  }
+  if (!remove_vertex(vertex)) return false;
+  for (const ObjectId other : behind) {
+    representative_[other] = kNoObject;
+    if (!put_in(other)) return false;
+  }
+  return true;
+}
+
+// Hidden points that do not move with their vertex any more become vertices.
+bool Delaunay2::reexamine_hidden() {
+  std::vector<ObjectId> parted;
+  for (const ObjectId v : moved_) {
+    if (!present_[v]) continue;
+    if (representative_[v] != v) {
+      if (!identical(v, representative_[v])) parted.push_back(v);
+    } else if (const auto it = hidden_.find(v); it != hidden_.end()) {
+      for (const ObjectId other : it->second) {
+        if (!identical(v, other)) parted.push_back(other);
+      }
+    }
+  }
+  sort_unique(parted);
+  for (const ObjectId v : parted) reveal(v);
+  for (const ObjectId v : parted) {
+    if (!put_in(v)) return false;
+  }
+  return true;
+}
+
+void Delaunay2::instant_settled() {
+  if (corrupt_) return;
+  sort_unique(moved_);
+  if (on_line_) {
+    if (!moved_.empty()) rebuild_because("motion change while all points are on one line");
+    moved_.clear();
+    return;
+  }
+  suspects_.insert(suspects_.end(), moved_.begin(), moved_.end());
+  if (mend() && !reexamine_hidden()) rebuild_because("points part at a degenerate instant");
+  for (const ObjectId v : moved_) {
+    if (corrupt_ || on_line_ || !store_.has(v)) continue;
+    store_.link(v, link_);
+    for (const HalfEdge h : link_) {
+      ties_.push_back(h);
+      ties_.push_back(Triangulation2::next(h));
+    }
+  }
+  if (!corrupt_ && !settle_ties()) give_up("endless ties");
+  moved_.clear();
+  suspects_.clear();
+  has_last_quad_ = false;
+}
+
+// Finite triangles around the suspects that are not positively oriented right after now.
+void Delaunay2::collect_turned(std::vector<Triangle>& turned) {
+  turned.clear();
+  mark_.resize(store_.triangle_capacity(), 0);
+  const std::uint32_t seen = ++epoch_;
+  for (const ObjectId v : suspects_) {
+    if (!store_.has(v)) continue;
+    store_.link(v, link_);
+    for (const HalfEdge h : link_) {
+      const Triangle t = Triangulation2::triangle(h);
+      if (mark_[t] == seen) continue;
+      mark_[t] = seen;
+      if (!upright(t)) turned.push_back(t);
+    }
+  }
+}
+
+// Takes the points out whose triangles have turned over and puts them in again. False if everything
+// was built anew instead.
+bool Delaunay2::mend() {
+  sort_unique(suspects_);
+  std::vector<Triangle> turned;
+  collect_turned(turned);
+  if (turned.empty() && !blocked_) return true;
+  const std::string reason = !moved_.empty() ? "a motion change turns triangles over"
+                             : blocked_      ? "points pass through each other"
+                                             : "triangles turn over";
+  const bool unclear = turned.empty();
+  blocked_ = false;
+  std::vector<ObjectId> taken;
+  bool good = !unclear && turned.size() <= std::max<std::size_t>(16, store_.vertices() / 8);
+  while (good && !turned.empty()) {
+    std::map<ObjectId, int> count;
+    for (const Triangle t : turned) {
+      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) ++count[store_.origin(h)];
+    }
+    ObjectId worst = count.begin()->first;
+    for (const auto& [v, times] : count) {
+      if (times >= count[worst]) worst = v;
+    }
+    std::erase_if(turned, [&](Triangle t) {
+      return store_.origin(3 * t) == worst || store_.origin(3 * t + 1) == worst ||
+             store_.origin(3 * t + 2) == worst;
+    });
+    taken.push_back(worst);
+    if (const auto it = hidden_.find(worst); it != hidden_.end()) {
+      taken.insert(taken.end(), it->second.begin(), it->second.end());
+      hidden_.erase(it);
+    }
+    good = remove_vertex(worst);
+  }
+  good = good && hull_turns_once();
+  std::sort(taken.begin(), taken.end());
+  for (std::size_t i = 0; i < taken.size() && good; ++i) {
+    representative_[taken[i]] = kNoObject;
+    good = put_in(taken[i]);
+  }
+  if (!good) {
+    rebuild_because(reason);
+    return false;
+  }
+  reinsertions_ += taken.size();
+  // Edges whose certificate was given up because their flip was impossible then.
+  for (const ObjectId v : suspects_) {
+    if (!store_.has(v)) continue;
+    store_.link(v, link_);
+    for (const HalfEdge h : link_) {
+      if (store_.label(h) == kNoCertificate) set_certificate(h);
+      const HalfEdge spoke = Triangulation2::next(h);
+      if (store_.label(spoke) == kNoCertificate) set_certificate(spoke);
+    }
+  }
+  return true;
+}
+
+// Along the hull the direction turns from left to right once: with left turns everywhere the hull
+// is then a simple convex polygon.
+bool Delaunay2::hull_turns_once() const {
+  const std::vector<ObjectId> corners = hull();
+  std::vector<bool> forward;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const ObjectId a = corners[i], b = corners[i + 1 == corners.size() ? 0 : i + 1];
+    Sign s = kernel_->sign_after(order_[0], {a, b});
+    if (s == Sign::kZero) s = kernel_->sign_after(order_[1], {a, b});
+    forward.push_back(s == Sign::kPositive);
+  }
+  int starts = 0;
+  for (std::size_t i = 0; i < forward.size(); ++i) {
+    if (forward[i] && !forward[i == 0 ? forward.size() - 1 : i - 1]) ++starts;
+  }
+  return starts == 1;
+}
+
+}  // namespace kinex
