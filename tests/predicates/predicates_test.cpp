@@ -64,7 +64,7 @@ struct Motions {
 class EveryPredicate : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(EveryPredicate, RingsAgreeAndErrorBoundsHold) {
-  const auto& [name, p] = all_predicates()[GetParam()];
+  const auto [name, p] = all_predicates()[GetParam()];
   std::mt19937_64 random(GetParam() + 1);
   for (int d = 1; d <= 5; ++d) {
     const std::vector<double> magnitude(static_cast<std::size_t>(d) + 1, 0x1p20);
@@ -108,7 +108,7 @@ TEST_P(EveryPredicate, RingsAgreeAndErrorBoundsHold) {
 }
 
 TEST_P(EveryPredicate, AlternatesUnderPermutations) {
-  const auto& [name, p] = all_predicates()[GetParam()];
+  const auto [name, p] = all_predicates()[GetParam()];
   std::mt19937_64 random(GetParam() + 100);
   const Motions m(random, p->arity(), 3, 2, 1000);
   std::vector<std::size_t> identity;
@@ -135,7 +135,7 @@ TEST_P(EveryPredicate, AlternatesUnderPermutations) {
 }
 
 TEST_P(EveryPredicate, NarrowRefusesWhatMightOverflow) {
-  const auto& [name, p] = all_predicates()[GetParam()];
+  const auto [name, p] = all_predicates()[GetParam()];
   const std::vector<double> huge(4, 0x1p62);
   for (int d = 1; d <= kMaxFixedDegree; ++d) EXPECT_FALSE(p->narrow_fits(d, huge.data())) << name;
 }
