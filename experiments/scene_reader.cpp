@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/scene_reader.h"
+
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "experiments/file_io.h"
+#include "experiments/input_error.h"
+#include "experiments/json_node.h"
+#include "experiments/scene_parts.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr std::size_t kMaxIdBytes = 1000;
+
+void read_version(const JsonNode& scene) {
+  const JsonNode version = scene.member("kinex");
+  if (version.is(JsonValue::Kind::kNumber) && version.value().text == "1") return;
+  version.refuse("a version of the scene format that this program reads", "write \"kinex\": 1");
+}
+
+void read_time(const JsonNode& node, Scene& scene) {
+  node.require_object({"start", "end"});
+  scene.start = node.member("start").rational();
+  const auto end = node.find("end");
+  if (!end) return;
+  scene.end = end->rational();
+  if (*scene.end <= scene.start) {
+    end->fail(
+        "the scene ends at " + shown(end->value()) + ", not after its start",
+        "write \"end\" greater than \"start\", or leave it out to run until no event is left");
+  }
+}
+
+void read_objects(const JsonNode& node, Scene& scene) {
+  node.require_array();
+  std::unordered_map<std::string, std::size_t> seen;
+  scene.objects.reserve(node.size());
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const JsonNode entry = node.at(i);
+    entry.require_object({"id", "motion"});
+    const JsonNode id = entry.member("id");
+    if (id.string().empty()) id.fail("an empty id", "write a name");
+    if (id.string().size() > kMaxIdBytes) {
+      id.fail("an id of " + std::to_string(id.string().size()) + " bytes", "write at most 1000");
+    }
+    const auto [other, is_new] = seen.emplace(id.string(), i);
+    if (!is_new) {
+      id.fail("the id " + shown(id.value()) + " is that of /objects/" +
+                  std::to_string(other->second) + " too",
+              "ids are unique");
+    }
+    Motion motion = read_motion(entry.member("motion"), scene.dimension, scene.jumps);
+    scene.objects.push_back({id.string(), std::move(motion)});
+  }
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& file) {
+  const JsonValue tree = parse_json(text, file);
+  const JsonSource source{file, text};
+  const JsonNode root(tree, source);
+  root.require_object({"kinex", "name", "dimension", "time", "objects", "maintain", "jumps",
+                       "source", "description", "expect", "$schema"});
+  read_version(root);
+  Scene scene;
+  if (const auto name = root.find("name")) scene.name = name->string();
+  for (const char* words : {"source", "description", "$schema"}) {
+    if (const auto text_field = root.find(words)) text_field->string();
+  }
+  scene.dimension = root.member("dimension").integer(1, kMaxDimension);
+  read_time(root.member("time"), scene);
+  if (const auto jumps = root.find("jumps")) scene.jumps = jumps->boolean();
+  read_objects(root.member("objects"), scene);
+  if (const auto maintain = root.find("maintain")) read_maintain(*maintain, scene);
+  return scene;
+}
+
+Scene read_scene(const std::string& path) {
+  const std::string text = read_text_file(path);
+  return parse_scene(text, path);
+}
+
+}  // namespace kinex

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a scene: JSON of the form that schemas/scene.schema.json describes, to a core Scene.
+//
+// Numbers are exact: what is written, as a decimal, a fraction or a hexadecimal binary64, is what
+// is read. Everything that a run relies on is checked here: ids, dimensions, pieces and their
+// continuity, what is to be maintained. A scene that is returned is valid; anything else throws
+// InputError with file, JSON path, offending text and remedy. Unknown fields are refused.
+#ifndef KINEX_EXPERIMENTS_SCENE_READER_H
+#define KINEX_EXPERIMENTS_SCENE_READER_H
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace kinex {
+
+inline constexpr int kMaxDimension = 3;
+inline constexpr int kMaxMotionDegree = 1000;
+
+// `file` is for messages only.
+Scene parse_scene(std::string_view text, const std::string& file);
+// "-" reads standard input.
+Scene read_scene(const std::string& path);
+
+// Replaces scene.maintain by what --maintain says: names, each with an optional coordinate to order
+// by
+// ("sorted_list", "sorted_list:y", whose label is then "sorted_list:y"). Throws InputError that
+// names the option.
+void set_maintain(Scene& scene, const std::vector<std::string>& entries);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Workloads: named families of scenes. The same name, parameters and seed give the same scene, byte
+// by byte, on every machine: only integers are drawn, and nothing is computed in floating point.
+#ifndef KINEX_EXPERIMENTS_WORKLOAD_H
+#define KINEX_EXPERIMENTS_WORKLOAD_H
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace kinex {
+
+struct WorkloadParameters {
+  int n = 100;             // objects; >= 1
+  int m = 0;               // a second size, where a family has one; 0: same as n
+  std::uint64_t seed = 1;  // ignored by families that draw nothing
+  int degree = 1;          // of the motion, where a family has a choice
+  int dimension = 0;       // 0: the family's own
+};
+
+struct Workload {
+  std::string_view name;
+  std::string_view summary;  // one line
+  int default_dimension;
+  int min_dimension, max_dimension;
+  bool random;  // takes a seed
+  bool takes_degree;
+  bool takes_m;
+  std::string_view maintain;  // in the default dimension; "" means by dimension
+  // Fills time and objects; the parameters are valid and their dimension is set.
+  void (*generate)(const WorkloadParameters&, Scene&);
+};
+
+inline constexpr int kMaxWorkloadSize = 10000000;
+inline constexpr int kMaxWorkloadDegree = 20;
+
+// All families, in the order in which they are listed to people.
+const std::vector<Workload>& workloads();
+const Workload* find_workload(std::string_view name);
+
+// The scene, named after its parameters, with what the family is meant for in `maintain`.
+// Throws InputError for parameters that the family does not have or allow.
+Scene generate_scene(const Workload& workload, WorkloadParameters parameters);
+
+}  // namespace kinex
+
+#endif
