@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sturm_arithmetic.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "core/check.h"
+#include "core/real_root.h"
+#include "core/sturm_instant.h"
+
+namespace kinex {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Digits after the point of the decimal in describe_now.
+constexpr int kDecimals = 17;
+// Bisections of an instant that becomes now, for a useful now_approximate.
+constexpr int kRefinementsOfNow = 20;
+
+// The instants in use: handles from 1 with counted references; a freed place is used again.
+class InstantPool {
+ public:
+  std::uint32_t add(SturmInstant instant) {
+    if (free_.empty()) {
+      slots_.emplace_back();
+      free_.push_back(static_cast<std::uint32_t>(slots_.size()));
+    }
+    const std::uint32_t handle = free_.back();
+    free_.pop_back();
+    slots_[handle - 1] = {std::make_unique<SturmInstant>(std::move(instant)), 1};
+    return handle;
+  }
+  std::uint32_t share(std::uint32_t handle) {
+    ++slots_[handle - 1].references;
+    return handle;
+  }
+  void release(std::uint32_t handle) {
+    if (handle == 0) return;
+    Slot& slot = slots_[handle - 1];
+    require(slot.references > 0, "an instant was released twice");
+    if (--slot.references > 0) return;
+    slot.instant.reset();
+    free_.push_back(handle);
+  }
+  SturmInstant& operator[](std::uint32_t handle) { return *slots_[handle - 1].instant; }
+  const SturmInstant& operator[](std::uint32_t handle) const { return *slots_[handle - 1].instant; }
+  // Estimated: GMP's limbs are not asked for.
+  std::size_t bytes() const {
+    const std::size_t live = slots_.size() - free_.size();
+    return slots_.capacity() * sizeof(Slot) + free_.capacity() * sizeof(std::uint32_t) +
+           live * (sizeof(SturmInstant) + 8 * sizeof(Rational) * 2);
+  }
+
+ private:
+  struct Slot {
+    std::unique_ptr<SturmInstant> instant;
+    std::uint32_t references = 0;
+  };
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> free_;
+};
+
+class SturmArithmetic final : public Arithmetic {
+ public:
+  explicit SturmArithmetic(const Scene& scene)
+      : degree_(std::max(1, scene.degree())),
+        axes_(static_cast<std::size_t>(std::max(1, scene.dimension))),
+        coefficients_(scene.objects.size() * stride()),
+        until_(scene.objects.size()),
+        end_(scene.end),
+        now_(instants_.add(SturmInstant(scene.start))),
+        name_(instants_[now_].polynomial()) {}
+
+  std::string name() const override { return "sturm"; }
+  bool is_exact() const override { return true; }
+
+  void set_motion(ObjectId object, const Trajectory& trajectory,
+                  const std::optional<Rational>& until) override;
+  void set_now(const Rational& t) override;
+  void advance(const Query& query, FailureTime& time) override;
+  double now_approximate() const override {
+    return ((now().lower() + now().upper()) / Rational(2)).to_double();
+  }
+  InstantText describe_now() override;
+  Sign sign_after(const Query& query) override;
+  Outlook failure(const Query& query, FailureTime& time) override;
+  int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) override;
+  int compare_with_now(const Query& a, FailureTime& ta) override;
+  int compare(const Query& a, FailureTime& ta, const Rational& t) override;
+  void release(FailureTime& time) override {
+    instants_.release(handle(time));
+    time.root = 0;
+  }
+  std::optional<Rational> rational_between(const Query* query, FailureTime* time) override;
+  std::size_t bytes() const override {
+    // A rational of a word needs two limbs beside its header.
+    return coefficients_.capacity() * (sizeof(Rational) + 16) +
+           until_.capacity() * sizeof(std::optional<Rational>) + instants_.bytes();
+  }
+
+ private:
+  // Set in FailureTime::root of a certificate that was negative at its birth: its polynomial need not
+  // vanish at that instant.
+  static constexpr std::uint32_t kBornFailing = 0x80000000u;
+
+  static std::uint32_t handle(const FailureTime& time) { return time.root & ~kBornFailing; }
+  std::size_t powers() const { return static_cast<std::size_t>(degree_) + 1; }
+  std::size_t stride() const { return axes_ * powers(); }
+  SturmInstant& now() { return instants_[now_]; }
+  const SturmInstant& now() const { return instants_[now_]; }
+
+  void widen(int degree);
+  RationalPolynomial polynomial(const Query& query) const;
+  std::optional<Rational> horizon(const Query& query) const;
+  // Makes the enclosure that the queue sees as narrow as that of the instant.
+  void enclose(FailureTime& time) const;
+  void update_counters();
+
+  int degree_;
+  std::size_t axes_;
+  std::vector<Rational> coefficients_;  // of t^k on axis a of object i at [(i * axes + a) * powers + k]
+  std::vector<std::optional<Rational>> until_;  // per object
+  std::optional<Rational> end_;
+  InstantPool instants_;
+  std::uint32_t now_;        // never 0
+  RationalPolynomial name_;  // vanishes at now: what describe_now calls it a root of
+  SturmWork work_;
+};
+
+void SturmArithmetic::widen(int degree) {
+  const std::size_t from = powers();
+  degree_ = degree;
+  std::vector<Rational> wider(until_.size() * stride());
+  for (std::size_t row = 0; row < until_.size() * axes_; ++row) {
+    for (std::size_t k = 0; k < from; ++k) {
+      wider[row * powers() + k] = std::move(coefficients_[row * from + k]);
+    }
+  }
+  coefficients_ = std::move(wider);
+}
+
+void SturmArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
+                                 const std::optional<Rational>& until) {
+  if (trajectory.degree() > degree_) widen(trajectory.degree());
+  if (object >= until_.size()) {
+    until_.resize(object + std::size_t{1});
+    coefficients_.resize(until_.size() * stride());
+  }
+  until_[object] = until;
+  for (std::size_t a = 0; a < axes_; ++a) {
+    for (std::size_t k = 0; k < powers(); ++k) {
+      const bool given = a < trajectory.coordinates.size() && k < trajectory.coordinates[a].size();
+      coefficients_[object * stride() + a * powers() + k] =
+          given ? trajectory.coordinates[a][k] : Rational();
+    }
+  }
+}
+
+RationalPolynomial SturmArithmetic::polynomial(const Query& query) const {
+  std::array<MotionView<Rational>, kMaxArity> points{};
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    points[i] = &coefficients_[query.ids[i] * stride()];
+  }
+  return RationalPolynomial(predicates_[query.predicate]->rational(degree_, points.data()));
+}
+
+std::optional<Rational> SturmArithmetic::horizon(const Query& query) const {
+  std::optional<Rational> first = end_;
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    const std::optional<Rational>& until = until_[query.ids[i]];
+    if (until && (!first || *until < *first)) first = until;
+  }
+  return first;
+}
+
+void SturmArithmetic::enclose(FailureTime& time) const {
+  const SturmInstant& instant = instants_[handle(time)];
+  time.lo = std::max(time.lo, instant.lower().lower_double());
+  time.hi = std::min(time.hi, instant.upper().upper_double());
+}
+
+void SturmArithmetic::update_counters() {
+  counters_.refinements = work_.refinements;
+  counters_.gcds = work_.gcds;
+  counters_.max_bits = work_.max_bits;
+}
+
+void SturmArithmetic::set_now(const Rational& t) {
+  instants_.release(now_);
+  now_ = instants_.add(SturmInstant(t));
+  name_ = now().polynomial();
+}
+
+void SturmArithmetic::advance(const Query& query, FailureTime& time) {
+  require(time.root != 0, "now cannot advance to never");
+  const bool born_failing = (time.root & kBornFailing) != 0;
+  instants_.release(now_);
+  now_ = handle(time);
+  time.root = 0;
+  for (int i = 0; i < kRefinementsOfNow && !now().is_rational(); ++i) now().refine(work_);
+  RationalPolynomial own = polynomial(query);
+  if (!own.is_zero() && (!born_failing || vanishes_at(own, now(), work_))) {
+    name_ = std::move(own);
+  } else if (!vanishes_at(name_, now(), work_)) {
+    name_ = now().polynomial();
+  }
+  update_counters();
+}
+
+Sign SturmArithmetic::sign_after(const Query& query) {
+  ++counters_.by_predicate[query.predicate].signs[static_cast<int>(Stage::kExact)];
+  const RationalPolynomial p = polynomial(query);
+  if (p.is_zero()) return Sign::kZero;
+  const Sign sign = kinex::sign_after(p, RationalSturm(p, work_), now(), work_);
+  update_counters();
+  return sign;
+}
+
+Outlook SturmArithmetic::failure(const Query& query, FailureTime& time) {
+  time = {kInfinity, kInfinity, 0};
+  ++counters_.by_predicate[query.predicate].failures[static_cast<int>(Stage::kExact)];
+  const RationalPolynomial p = polynomial(query);
+  if (p.is_zero()) return Outlook::kIdenticallyZero;
+  const std::size_t degree = static_cast<std::size_t>(p.degree());
+  if (degree >= counters_.polynomials_solved.size()) {
+    counters_.polynomials_solved.resize(degree + 1);
+  }
+  ++counters_.polynomials_solved[degree];
+  const RationalSturm sturm(p, work_);
+  Outlook outlook = Outlook::kNever;
+  if (kinex::sign_after(p, sturm, now(), work_) == Sign::kNegative) {
+    outlook = Outlook::kFailsNow;
+    time = {-kInfinity, kInfinity, instants_.share(now_) | kBornFailing};
+  } else if (auto first = first_failure_after(p, sturm, now().upper(), horizon(query), work_)) {
+    outlook = Outlook::kFails;
+    time = {-kInfinity, kInfinity, instants_.add(std::move(*first))};
+    ++counters_.roots_made_exact;
+  }
+  if (time.root != 0) enclose(time);
+  update_counters();
+  return outlook;
+}
+
+int SturmArithmetic::compare(const Query&, FailureTime& ta, const Query&, FailureTime& tb) {
+  if (ta.root == 0 || tb.root == 0) return (ta.root == 0 ? 1 : 0) - (tb.root == 0 ? 1 : 0);
+  ++counters_.comparisons[static_cast<int>(Stage::kExact)];
+  const std::uint32_t a = handle(ta);
+  const std::uint32_t b = handle(tb);
+  const int order = a == b ? 0 : kinex::compare(instants_[a], instants_[b], work_);
+  if (order == 0 && a != b) {
+    // Equal instants share one form: a rational one, if there is one.
+    const bool keep_b = instants_[b].is_rational();
+    FailureTime& changed = keep_b ? ta : tb;
+    const std::uint32_t kept = instants_.share(keep_b ? b : a);
+    instants_.release(keep_b ? a : b);
+    changed.root = kept | (changed.root & kBornFailing);
+  }
+  enclose(ta);
+  enclose(tb);
+  update_counters();
+  return order;
+}
+
+int SturmArithmetic::compare_with_now(const Query&, FailureTime& ta) {
+  if (ta.root == 0) return 1;
+  ++counters_.comparisons[static_cast<int>(Stage::kExact)];
+  const std::uint32_t a = handle(ta);
+  const int order = a == now_ ? 0 : kinex::compare(instants_[a], now(), work_);
+  enclose(ta);
+  update_counters();
+  return order;
+}
+
+int SturmArithmetic::compare(const Query&, FailureTime& ta, const Rational& t) {
+  if (ta.root == 0) return 1;
+  ++counters_.comparisons[static_cast<int>(Stage::kExact)];
+  const int order = instants_[handle(ta)].compare(t);
+  enclose(ta);
+  return order;
+}
+
+std::optional<Rational> SturmArithmetic::rational_between(const Query* query, FailureTime* time) {
+  if (query == nullptr || time == nullptr || time->root == 0) return now().upper() + Rational(1);
+  if (compare_with_now(*query, *time) <= 0) return std::nullopt;
+  SturmInstant& next = instants_[handle(*time)];
+  while (now().upper() >= next.lower()) {
+    now().refine(work_);
+    next.refine(work_);
+  }
+  enclose(*time);
+  update_counters();
+  return dyadic_near_middle(now().upper(), next.lower());
+}
+
+// Only the text comes from the other root finder, so that both exact arithmetics print the same bytes.
+InstantText SturmArithmetic::describe_now() {
+  RootCounters text_counters;
+  while (!now().is_rational() && !(now().lower().is_dyadic() && now().upper().is_dyadic())) {
+    now().refine(work_);
+  }
+  RealRoot root = now().is_rational()
+                      ? RealRoot(now().lower())
+                      : RealRoot(Polynomial::from_rationals(now().polynomial().coefficients()),
+                                 now().lower(), now().upper());
+  const RootName name =
+      name_root(Polynomial::from_rationals(name_.coefficients()), root, text_counters);
+  InstantText text;
+  text.exact = true;
+  for (const Integer& c : name.polynomial.coefficients()) text.polynomial.push_back(c.to_string());
+  text.root = name.index;
+  text.lower = name.lower.to_string();
+  text.upper = name.upper.to_string();
+  text.approximate = decimal(root, kDecimals, text_counters);
+  update_counters();
+  return text;
+}
+
+}  // namespace
+
+std::unique_ptr<Arithmetic> make_sturm_arithmetic(const Scene& scene) {
+  return std::make_unique<SturmArithmetic>(scene);
+}
+
+}  // namespace kinex
