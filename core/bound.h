@@ -35,9 +35,22 @@ struct BoundCheck {
 BoundCheck at_most(std::string id, std::string source, Integer bound, Integer observed);
 
 // Largest number of pieces of the lower envelope of n functions of which any two cross at most s times
-// (Davenport-Schinzel numbers lambda_s(n)): exact for s <= 2; for larger s a proven upper bound:
-// s = 3 the exact values up to n = 8, else min(2n*ln-type bounds are not used) s*n(n-1)/2 + 1.
+// (Davenport-Schinzel numbers lambda_s(n)): 1 for s = 0, n for s = 1, 2n - 1 for s = 2, the known values
+// for s = 3 and n <= 8 (1, 4, 8, 12, 17, 22, 27, 32), and else the proven upper bound s n(n-1)/2 + 1
+// (every change of the envelope is at a crossing of two functions). 0 for n <= 0.
+// Source: Sharir and Agarwal, "Davenport-Schinzel sequences and their geometric applications" (1995);
+// the values for s = 3: OEIS A002004.
 Integer davenport_schinzel_bound(int s, const Integer& n);
+
+// n(n-1)/2; 0 for n <= 0.
+Integer pairs(const Integer& n);
+
+// Sum over all pairs of objects of how often the sign of a function of the pair can change during the
+// run: its values are polynomials of degree `degree` on each joint piece of the two motions and
+// continuous where pieces meet (or one of the two is absent). m pieces have at most degree * m roots
+// and m - 1 meeting points, and pieces a and b make at most a + b - 1 joint pieces. A run in which
+// nobody has more than one piece gives degree * n(n-1)/2. O(n).
+Integer pair_sign_changes(const BoundContext& context, int degree);
 
 }  // namespace kinex
 

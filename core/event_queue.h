@@ -32,6 +32,7 @@ class EventQueue {
   explicit EventQueue(Arithmetic& arithmetic) : arithmetic_(&arithmetic) {}
 
   CertificateId allocate(StructureId structure, const Query& query, std::uint32_t tag);
+  // The certificate leaves the heap, its number is released, and its id may be used again.
   void free(CertificateId id);
   Certificate& certificate(CertificateId id) { return certificates_[id]; }
   const Certificate& certificate(CertificateId id) const { return certificates_[id]; }
@@ -39,13 +40,20 @@ class EventQueue {
   std::size_t capacity() const { return certificates_.size(); }
   std::size_t live() const { return live_; }
 
-  // Queues a certificate; its `root` passes from `time`.
-  void push(CertificateId id, FailureTime time);
-  // Takes a certificate out of the heap (it stays live). Its number is released.
+  // Queues a certificate that is not in the heap; its `root` passes from `time`.
+  void push(CertificateId id, const FailureTime& time);
+  // Takes a certificate out of the heap, if it is there (it stays live). Its number is released.
   void remove(CertificateId id);
+  // The certificate fails at another time: push, or an update in place that needs fewer comparisons
+  // than remove and push. The former number must have been released.
+  void reset(CertificateId id, const FailureTime& time);
+  bool queued(CertificateId id) const { return certificates_[id].position != kNotQueued; }
   bool empty() const { return heap_.empty(); }
   std::size_t size() const { return heap_.size(); }
   CertificateId top() const { return heap_.front().certificate; }
+  // The enclosure of the first failure time; requires !empty().
+  double top_lo() const { return heap_.front().lo; }
+  double top_hi() const { return heap_.front().hi; }
   // The failure time of a queued certificate; give it back with set_time after it was refined.
   FailureTime time(CertificateId id) const;
   void set_time(CertificateId id, const FailureTime& time);
@@ -65,16 +73,25 @@ class EventQueue {
     double lo, hi;
     CertificateId certificate;
   };
-  bool less(Entry& a, Entry& b);
+  static constexpr std::size_t kArity = 4;
+
+  bool less(Entry& a, Entry& b) {
+    if (a.hi < b.lo) return true;
+    if (b.hi < a.lo) return false;
+    return less_slow(a, b);
+  }
   bool less_slow(Entry& a, Entry& b);
   int compare_times(Entry& a, Entry& b);
-  static bool ties_before(const Certificate& a, const Certificate& b);
-  void sift_up(std::size_t i);
-  void sift_down(std::size_t i);
+  bool ties_before(CertificateId a, CertificateId b) const;
+  void sift_up(std::size_t i, Entry e);
+  void sift_down(std::size_t i, Entry e);
+  // Fills the hole at i with e, which may belong above or below.
+  void settle(std::size_t i, Entry e);
   void place(std::size_t i, const Entry& e) {
     heap_[i] = e;
     certificates_[e.certificate].position = static_cast<std::uint32_t>(i);
   }
+  void take_out(std::size_t i);
 
   Arithmetic* arithmetic_;
   std::vector<Certificate> certificates_;

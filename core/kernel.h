@@ -3,11 +3,14 @@
 #ifndef KINEX_CORE_KERNEL_H
 #define KINEX_CORE_KERNEL_H
 
+#include <array>
 #include <cstdint>
+#include <deque>
 #include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/arithmetic.h"
@@ -48,16 +51,19 @@ class Kernel {
   void set_tag(CertificateId id, std::uint32_t tag) { queue_.certificate(id).tag = tag; }
   Outlook outlook(CertificateId id) const { return queue_.certificate(id).outlook; }
 
-  // One event per failure that is handled. `external`: the attribute changed.
+  // One event per failure that is handled; further events of the same failure (ties put in order)
+  // are logged too. `external`: the attribute changed. At most kMaxArity ids.
   void report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
               bool external);
   // True while more than one certificate of `structure` fails at this instant, or motions changed at
   // it: the instant may be degenerate.
   bool instant_is_shared(StructureId structure) const;
-  // The structure was rebuilt from its static algorithm at this instant, and why.
+  // The structure was rebuilt from its static algorithm at this instant, and why. Logged as the common
+  // event "rebuild"; those who watch the structure are told when its present call has returned.
   void count_rebuild(StructureId structure, const std::string& reason);
   // An inexact arithmetic has led the structure into a state that no exact answer allows. The
-  // structure's certificates are retracted; it is not called again.
+  // structure's certificates are retracted; it is not called again. Throws std::logic_error in an exact
+  // arithmetic, where this can only be a bug.
   void corrupt(StructureId structure, const std::string& what);
   bool is_exact() const { return arithmetic_->is_exact(); }
 
@@ -72,8 +78,21 @@ class Kernel {
   // Starts counting one failure; ends it (retracting `failed` if it is still there).
   void begin_event(StructureId structure, CertificateId failed);
   void end_event();
-  // Asks for the failure time again (its objects' motions changed).
-  void reschedule(CertificateId id);
+  // Brackets any other call of a structure. The largest numbers of live certificates are taken
+  // between such calls, not while a structure is in the middle of one.
+  void begin_change() { deferred_ = true; }
+  void end_change();
+  // Takes a certificate out of the queue before the motions of its objects change...
+  void unschedule(CertificateId id) { queue_.remove(id); }
+  // ... and asks for its failure time again afterwards.
+  void reschedule(CertificateId id) {
+    queue_.remove(id);
+    schedule(id);
+  }
+  // The number of live certificates of `structure` that `object` is in. O(1).
+  std::uint32_t live_certificates(StructureId structure, ObjectId object) const {
+    return live_per_object_[structure][object];
+  }
   // All live certificates that `object` is in. From the first call on an index is kept.
   std::span<const CertificateId> certificates_of(ObjectId object);
   void set_instant_shared(StructureId structure, bool shared) { shared_[structure] = shared; }
@@ -84,28 +103,34 @@ class Kernel {
   std::size_t bytes() const;
 
  private:
-  struct IndexEntry {
-    std::vector<CertificateId> certificates;
-  };
+  Outlook schedule(CertificateId id);
   void count_created(StructureId structure, const Query& query);
   void count_retracted(StructureId structure, const Query& query);
+  void note_live(StructureId structure, ObjectId object);
   void index_add(CertificateId id);
   void index_remove(CertificateId id);
 
   std::unique_ptr<Arithmetic> arithmetic_;
   EventQueue queue_;
-  std::vector<StructureLedger> ledgers_;
+  std::deque<StructureLedger> ledgers_;  // references stay valid
   // live_per_object_[structure][object]
   std::vector<std::vector<std::uint32_t>> live_per_object_;
-  std::vector<bool> shared_;
-  std::vector<IndexEntry> index_;
+  std::vector<std::uint8_t> shared_;
+  // index_[object]: its certificates in no particular, but reproducible, order;
+  // index_position_[certificate][i]: the place of the certificate among those of its i-th object.
+  std::vector<std::vector<CertificateId>> index_;
+  std::vector<std::array<std::uint32_t, kMaxArity>> index_position_;
   bool indexed_ = false;
   std::size_t objects_;
   class EventReporter* reporter_ = nullptr;
   Event event_;
+  // counts that have grown since begin_event or begin_change
+  bool deferred_ = false;
+  std::vector<std::pair<StructureId, ObjectId>> touched_;
   // the failure being handled
   CertificateId failing_ = kNoCertificate;
   StructureId failing_structure_ = 0;
+  Query failing_query_;
   bool handling_ = false;
   bool event_external_ = false;
   std::uint64_t created_before_ = 0;
@@ -117,6 +142,7 @@ class EventReporter {
  public:
   virtual ~EventReporter() = default;
   virtual void reported(const Event& event) = 0;
+  virtual void rebuilt(StructureId) {}
 };
 
 }  // namespace kinex

@@ -19,7 +19,10 @@ struct Trajectory {
   // Largest power with a non-zero coefficient on any axis; 0 for a static object.
   int degree() const;
   void normalise();
+  // Requires axis < dimension().
   Rational position(int axis, const Rational& t) const;
+  // True if both are at the same place at t. Requires equal dimensions.
+  bool meets(const Trajectory& other, const Rational& t) const;
   friend bool operator==(const Trajectory&, const Trajectory&) = default;
 };
 

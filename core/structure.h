@@ -5,6 +5,7 @@
 #define KINEX_CORE_STRUCTURE_H
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,13 +31,21 @@ struct Attribute {
   friend bool operator==(const Attribute&, const Attribute&) = default;
 };
 
+// Events that every structure has: they come last in its event_kinds(), in this order. They name the
+// object (a rebuild none), are not external, and are not counted as processed.
+enum class CommonEvent : std::uint8_t { kMotion, kInsert, kErase, kRebuild };
+inline constexpr std::size_t kCommonEvents = 4;
+// `own` followed by "motion", "insert", "erase", "rebuild".
+std::vector<std::string_view> common_event_kinds(std::vector<std::string_view> own);
+
 class Structure {
  public:
   virtual ~Structure() = default;
 
   // The registered name ("delaunay_2").
   virtual std::string_view name() const = 0;
-  // Names of its events, by rank; Event::kind indexes this list.
+  // Names of its events, by rank; Event::kind indexes this list. Ends with the common ones: return
+  // common_event_kinds({"swap"}).
   virtual std::vector<std::string_view> event_kinds() const = 0;
 
   // Builds the proof for these objects (ascending ids), right after now.
@@ -55,7 +64,9 @@ class Structure {
   // All certificates are non-negative right after now, after an instant at which two or more failed or
   // motions changed. A place to check what single failures cannot break.
   virtual void instant_settled() {}
-  // A structure it watches changed its attribute (`event` is external), or was built anew (nullptr).
+  // A structure it watches changed its attribute (`event` is external), or gained or lost an object or
+  // was rebuilt (nullptr). Called when the watched structure has done its work; at the start and when
+  // objects come or go, the watched structure is built, told or repaired before those that watch it.
   virtual void watched_changed(const Event* event) { (void)event; }
 
   virtual Attribute attribute() const = 0;

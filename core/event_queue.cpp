@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/event_queue.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+
+namespace kinex {
+
+CertificateId EventQueue::allocate(StructureId structure, const Query& query, std::uint32_t tag) {
+  CertificateId id;
+  if (free_.empty()) {
+    require(certificates_.size() < kNoCertificate, "more certificates than ids");
+    id = static_cast<CertificateId>(certificates_.size());
+    certificates_.emplace_back();
+  } else {
+    id = free_.back();
+    free_.pop_back();
+  }
+  Certificate& c = certificates_[id];
+  c = Certificate{};
+  c.query = query;
+  c.structure = structure;
+  c.live = true;
+  c.tag = tag;
+  ++live_;
+  return id;
+}
+
+void EventQueue::free(CertificateId id) {
+  remove(id);
+  certificates_[id].live = false;
+  free_.push_back(id);
+  --live_;
+}
+
+void EventQueue::push(CertificateId id, const FailureTime& time) {
+  certificates_[id].root = time.root;
+  heap_.emplace_back();
+  if (heap_.size() > max_size_) max_size_ = heap_.size();
+  sift_up(heap_.size() - 1, Entry{time.lo, time.hi, id});
+}
+
+void EventQueue::reset(CertificateId id, const FailureTime& time) {
+  const std::uint32_t position = certificates_[id].position;
+  if (position == kNotQueued) return push(id, time);
+  certificates_[id].root = time.root;
+  settle(position, Entry{time.lo, time.hi, id});
+}
+
+void EventQueue::remove(CertificateId id) {
+  const std::uint32_t position = certificates_[id].position;
+  if (position == kNotQueued) return;
+  if (certificates_[id].root != 0) {
+    FailureTime t = time(id);
+    arithmetic_->release(t);
+    certificates_[id].root = 0;
+  }
+  take_out(position);
+}
+
+FailureTime EventQueue::time(CertificateId id) const {
+  const Certificate& c = certificates_[id];
+  const Entry& e = heap_[c.position];
+  return {e.lo, e.hi, c.root};
+}
+
+void EventQueue::set_time(CertificateId id, const FailureTime& time) {
+  Certificate& c = certificates_[id];
+  Entry& e = heap_[c.position];
+  e.lo = time.lo;
+  e.hi = time.hi;
+  c.root = time.root;
+}
+
+FailureTime EventQueue::pop() {
+  const Entry& e = heap_.front();
+  Certificate& c = certificates_[e.certificate];
+  const FailureTime result{e.lo, e.hi, c.root};
+  c.root = 0;
+  take_out(0);
+  return result;
+}
+
+void EventQueue::take_out(std::size_t i) {
+  certificates_[heap_[i].certificate].position = kNotQueued;
+  const Entry last = heap_.back();
+  heap_.pop_back();
+  if (i < heap_.size()) settle(i, last);
+}
+
+int EventQueue::compare_times(Entry& a, Entry& b) {
+  if (a.hi < b.lo) return -1;
+  if (b.hi < a.lo) return 1;
+  Certificate& ca = certificates_[a.certificate];
+  Certificate& cb = certificates_[b.certificate];
+  FailureTime ta{a.lo, a.hi, ca.root};
+  FailureTime tb{b.lo, b.hi, cb.root};
+  const int order = arithmetic_->compare(ca.query, ta, cb.query, tb);
+  a.lo = ta.lo;
+  a.hi = ta.hi;
+  ca.root = ta.root;
+  b.lo = tb.lo;
+  b.hi = tb.hi;
+  cb.root = tb.root;
+  return order;
+}
+
+bool EventQueue::less_slow(Entry& a, Entry& b) {
+  const int order = compare_times(a, b);
+  return order < 0 || (order == 0 && ties_before(a.certificate, b.certificate));
+}
+
+// By structure, predicate, sorted ids, ids as they stand, certificate.
+bool EventQueue::ties_before(CertificateId a, CertificateId b) const {
+  const Certificate& ca = certificates_[a];
+  const Certificate& cb = certificates_[b];
+  if (ca.structure != cb.structure) return ca.structure < cb.structure;
+  if (ca.query.predicate != cb.query.predicate) return ca.query.predicate < cb.query.predicate;
+  auto sa = ca.query.ids, sb = cb.query.ids;
+  std::sort(sa.begin(), sa.begin() + ca.query.arity);
+  std::sort(sb.begin(), sb.begin() + cb.query.arity);
+  if (sa != sb) return sa < sb;
+  if (ca.query.ids != cb.query.ids) return ca.query.ids < cb.query.ids;
+  return a < b;
+}
+
+void EventQueue::sift_up(std::size_t i, Entry e) {
+  while (i > 0) {
+    const std::size_t parent = (i - 1) / kArity;
+    if (!less(e, heap_[parent])) break;
+    place(i, heap_[parent]);
+    i = parent;
+  }
+  place(i, e);
+}
+
+void EventQueue::sift_down(std::size_t i, Entry e) {
+  const std::size_t size = heap_.size();
+  for (;;) {
+    const std::size_t first = kArity * i + 1;
+    if (first >= size) break;
+    const std::size_t end = std::min(first + kArity, size);
+    std::size_t least = first;
+    for (std::size_t c = first + 1; c < end; ++c) {
+      if (less(heap_[c], heap_[least])) least = c;
+    }
+    if (!less(heap_[least], e)) break;
+    place(i, heap_[least]);
+    i = least;
+  }
+  place(i, e);
+}
+
+void EventQueue::settle(std::size_t i, Entry e) {
+  if (i > 0 && less(e, heap_[(i - 1) / kArity])) return sift_up(i, e);
+  sift_down(i, e);
+}
+
+bool EventQueue::first_instant_is_shared() {
+  const std::size_t end = std::min(heap_.size(), kArity + 1);
+  for (std::size_t c = 1; c < end; ++c) {
+    if (compare_times(heap_[0], heap_[c]) == 0) return true;
+  }
+  return false;
+}
+
+void EventQueue::collect_first_instant(std::vector<CertificateId>& out) {
+  if (heap_.empty()) return;
+  // Equal instants form a connected part of the heap at its top.
+  std::vector<std::size_t> open{0};
+  while (!open.empty()) {
+    const std::size_t i = open.back();
+    open.pop_back();
+    out.push_back(heap_[i].certificate);
+    const std::size_t end = std::min(kArity * i + kArity + 1, heap_.size());
+    for (std::size_t c = kArity * i + 1; c < end; ++c) {
+      if (compare_times(heap_[0], heap_[c]) == 0) open.push_back(c);
+    }
+  }
+}
+
+std::size_t EventQueue::bytes() const {
+  return certificates_.capacity() * sizeof(Certificate) + heap_.capacity() * sizeof(Entry) +
+         free_.capacity() * sizeof(CertificateId);
+}
+
+}  // namespace kinex

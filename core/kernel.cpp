@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/kernel.h"
+
+#include <limits>
+#include <stdexcept>
+
+#include "core/check.h"
+
+namespace kinex {
+
+Kernel::Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects)
+    : arithmetic_(std::move(arithmetic)), queue_(*arithmetic_), objects_(objects) {}
+
+PredicateId Kernel::bind(std::shared_ptr<const Predicate> predicate) {
+  return arithmetic_->bind(std::move(predicate));
+}
+
+StructureId Kernel::add_structure() {
+  require(ledgers_.size() < std::numeric_limits<StructureId>::max(), "too many structures");
+  ledgers_.emplace_back();
+  live_per_object_.emplace_back(objects_, 0u);
+  shared_.push_back(0);
+  return static_cast<StructureId>(ledgers_.size() - 1);
+}
+
+// ---- certificates
+
+// The former number of the certificate must have been released. A failure time that is not a number
+// (inexact arithmetics) counts as never.
+Outlook Kernel::schedule(CertificateId id) {
+  FailureTime time;
+  Outlook outlook = arithmetic_->failure(queue_.certificate(id).query, time);
+  const bool fails = outlook == Outlook::kFails || outlook == Outlook::kFailsNow;
+  if (fails && time.lo <= time.hi) {
+    queue_.reset(id, time);
+  } else {
+    if (fails) outlook = Outlook::kNever;
+    queue_.remove(id);
+  }
+  queue_.certificate(id).outlook = outlook;
+  return outlook;
+}
+
+Kernel::Created Kernel::create(StructureId structure, const Query& query, std::uint32_t tag) {
+  const CertificateId id = queue_.allocate(structure, query, tag);
+  count_created(structure, query);
+  if (indexed_) index_add(id);
+  return {id, schedule(id)};
+}
+
+void Kernel::retract(CertificateId id) {
+  const Certificate& c = queue_.certificate(id);
+  require(c.live, "a certificate was retracted twice");
+  count_retracted(c.structure, c.query);
+  if (indexed_) index_remove(id);
+  if (id == failing_) failing_ = kNoCertificate;
+  queue_.free(id);
+}
+
+Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag) {
+  Certificate& c = queue_.certificate(id);
+  require(c.live, "a retracted certificate was replaced");
+  count_retracted(c.structure, c.query);
+  count_created(c.structure, query);
+  if (indexed_) index_remove(id);
+  if (c.root != 0) {
+    FailureTime old = queue_.time(id);
+    arithmetic_->release(old);
+    c.root = 0;
+  }
+  c.query = query;
+  c.tag = tag;
+  if (indexed_) index_add(id);
+  if (id == failing_) failing_ = kNoCertificate;
+  return schedule(id);
+}
+
+void Kernel::clear_structure(StructureId structure) {
+  for (std::size_t i = 0; i < queue_.capacity(); ++i) {
+    const CertificateId id = static_cast<CertificateId>(i);
+    const Certificate& c = queue_.certificate(id);
+    if (c.live && c.structure == structure) retract(id);
+  }
+}
+
+// ---- counting
+
+void Kernel::note_live(StructureId structure, ObjectId object) {
+  StructureLedger& ledger = ledgers_[structure];
+  if (ledger.live > ledger.max_live) ledger.max_live = ledger.live;
+  const std::uint32_t live = live_per_object_[structure][object];
+  if (live > ledger.max_per_object) ledger.max_per_object = live;
+}
+
+void Kernel::count_created(StructureId structure, const Query& query) {
+  StructureLedger& ledger = ledgers_[structure];
+  ++ledger.certificates_created;
+  ++ledger.live;
+  std::vector<std::uint32_t>& live = live_per_object_[structure];
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    const ObjectId object = query.ids[i];
+    ++live[object];
+    if (deferred_) {
+      touched_.emplace_back(structure, object);
+    } else {
+      note_live(structure, object);
+    }
+  }
+}
+
+void Kernel::count_retracted(StructureId structure, const Query& query) {
+  StructureLedger& ledger = ledgers_[structure];
+  ++ledger.certificates_retracted;
+  --ledger.live;
+  std::vector<std::uint32_t>& live = live_per_object_[structure];
+  for (std::size_t i = 0; i < query.arity; ++i) --live[query.ids[i]];
+}
+
+void Kernel::end_change() {
+  deferred_ = false;
+  for (const auto& [structure, object] : touched_) note_live(structure, object);
+  touched_.clear();
+}
+
+void Kernel::begin_event(StructureId structure, CertificateId failed) {
+  const StructureLedger& ledger = ledgers_[structure];
+  failing_ = failed;
+  failing_structure_ = structure;
+  failing_query_ = queue_.certificate(failed).query;
+  handling_ = true;
+  deferred_ = true;
+  event_external_ = false;
+  created_before_ = ledger.certificates_created;
+  retracted_before_ = ledger.certificates_retracted;
+}
+
+void Kernel::end_event() {
+  if (failing_ != kNoCertificate) retract(failing_);
+  handling_ = false;
+  StructureLedger& ledger = ledgers_[failing_structure_];
+  ++ledger.processed;
+  ++(event_external_ ? ledger.external : ledger.internal);
+  ledger.created_per_event.add(ledger.certificates_created - created_before_);
+  ledger.retracted_per_event.add(ledger.certificates_retracted - retracted_before_);
+  end_change();
+}
+
+// ---- events
+
+void Kernel::report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
+                    bool external) {
+  require(ids.size() <= kMaxArity, "an event names too many objects");
+  const bool caused = handling_ && structure == failing_structure_;
+  if (caused && external) event_external_ = true;
+  event_.structure = structure;
+  event_.kind = kind;
+  event_.external = external;
+  event_.count = static_cast<std::uint8_t>(ids.size());
+  event_.ids = {};
+  std::size_t i = 0;
+  for (const ObjectId id : ids) event_.ids[i++] = id;
+  event_.certificate = caused ? failing_query_ : Query();
+  if (reporter_ != nullptr) reporter_->reported(event_);
+}
+
+bool Kernel::instant_is_shared(StructureId structure) const { return shared_[structure] != 0; }
+
+void Kernel::count_rebuild(StructureId structure, const std::string& reason) {
+  StructureLedger& ledger = ledgers_[structure];
+  ++ledger.rebuilds;
+  ++ledger.rebuild_reasons[reason];
+  if (reporter_ != nullptr) reporter_->rebuilt(structure);
+}
+
+void Kernel::corrupt(StructureId structure, const std::string& what) {
+  if (arithmetic_->is_exact()) {
+    throw std::logic_error("impossible in an exact arithmetic: " + what);
+  }
+  StructureLedger& ledger = ledgers_[structure];
+  if (!ledger.corrupt) ledger.corruption = what;
+  ledger.corrupt = true;
+  clear_structure(structure);
+}
+
+// ---- the index from objects to certificates
+
+void Kernel::index_add(CertificateId id) {
+  if (index_position_.size() <= id) index_position_.resize(queue_.capacity());
+  const Query& query = queue_.certificate(id).query;
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    std::vector<CertificateId>& list = index_[query.ids[i]];
+    index_position_[id][i] = static_cast<std::uint32_t>(list.size());
+    list.push_back(id);
+  }
+}
+
+void Kernel::index_remove(CertificateId id) {
+  const Query& query = queue_.certificate(id).query;
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    const ObjectId object = query.ids[i];
+    std::vector<CertificateId>& list = index_[object];
+    const std::uint32_t place = index_position_[id][i];
+    const CertificateId last = list.back();
+    list[place] = last;
+    list.pop_back();
+    const Query& moved = queue_.certificate(last).query;
+    for (std::size_t j = 0; j < moved.arity; ++j) {
+      if (moved.ids[j] == object) index_position_[last][j] = place;
+    }
+  }
+}
+
+std::span<const CertificateId> Kernel::certificates_of(ObjectId object) {
+  if (!indexed_) {
+    indexed_ = true;
+    index_.resize(objects_);
+    for (std::size_t i = 0; i < queue_.capacity(); ++i) {
+      if (queue_.certificate(static_cast<CertificateId>(i)).live) {
+        index_add(static_cast<CertificateId>(i));
+      }
+    }
+  }
+  return index_[object];
+}
+
+std::size_t Kernel::bytes() const {
+  std::size_t total = queue_.bytes() + ledgers_.size() * sizeof(StructureLedger) +
+                      touched_.capacity() * sizeof(touched_[0]) +
+                      index_position_.capacity() * sizeof(index_position_[0]) +
+                      index_.capacity() * sizeof(index_[0]);
+  for (const auto& live : live_per_object_) total += live.capacity() * sizeof(std::uint32_t);
+  for (const auto& list : index_) total += list.capacity() * sizeof(CertificateId);
+  return total;
+}
+
+}  // namespace kinex
