@@ -3,10 +3,9 @@
 //
 // Certificates. The triangulation is closed to a sphere by a vertex at infinity, so that hull
 // changes are flips like all others. One certificate per edge uv with opposite vertices p and q:
-//   all four finite     q is not inside the circle through u, v, p       in_circle_2, degree 4d
-//   p or q infinite     the finite opposite vertex is inside hull edge uv   orientation_2, degree
-//   2d
-//   u or v infinite     the hull turns left at the finite end            orientation_2, degree 2d
+//   all four finite    q is not inside the circle through u, v, p    in_circle_2, degree 4d
+//   p or q infinite    the other one is inside the hull edge uv      orientation_2, degree 2d
+//   u or v infinite    the hull turns left at the other end          orientation_2, degree 2d
 // for motions of degree d. Locally Delaunay everywhere is globally Delaunay (Delaunay 1934).
 //
 // Quality, for n points: compactness 3n - 3 certificates, exactly. Responsiveness: an event is one
@@ -15,8 +14,7 @@
 // Events, linear motion: each in_circle_2 changes sign at most 4 times and each orientation_2
 // twice, so at most 4 C(n,4) + 2 C(n,3); growth O(n^3 2^alpha(n)) (Guibas, Mitchell, Roos 1991).
 //
-// Ties. The triangulation right after an instant is a function of the points' motions and ids
-// alone:
+// Ties. The triangulation right after an instant depends on the points' motions and ids alone:
 //   cocircular for ever  the diagonal that contains the smallest id of the four (so k cocircular
 //                        points are a fan from the smallest id)
 //   collinear for ever   points on a hull edge are hull vertices
