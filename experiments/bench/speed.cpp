@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: how many events per second does a whole run handle in `exact`, and how does that compare
+// with floating point and with the unfiltered reference, in one process on one core?
+// Workload: uniform-square (origin and destination uniform in the unit square, t in [0, 1]).
+// Rounds of different arithmetics are interleaved; the best of each is taken; times are thread CPU time.
+// Output: a table on stdout, or JSON lines with --json. --smoke: tiny sizes, for the test suite.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/simulator.h"
+#include "experiments/workload.h"
+#include "structures/registry.h"
+
+namespace {
+
+using namespace kinex;
+
+struct Contest {
+  const char* structure;
+  int degree;
+  int n;
+  std::vector<const char*> arithmetics;  // the first is the reference of the ratios
+  int rounds;
+};
+
+struct Result {
+  std::uint64_t events = 0;
+  double seconds = 0;
+  std::uint64_t peak_bytes = 0;
+  std::uint64_t max_live = 0;
+  StageCounts failures{};
+};
+
+double cpu_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+Result run_once(const Scene& scene, const char* structure, const char* arithmetic) {
+  SimulatorOptions options;
+  options.audit = AuditLevel::kNone;
+  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  Request request;
+  request.structure = structure;
+  request.label = structure;
+  const StructureId id = simulator.reserve();
+  simulator.add(id, make_structure(request, scene, simulator.kernel(), id), structure);
+  simulator.start();
+  const double begin = cpu_seconds();
+  simulator.run_until(scene.end);
+  Result result;
+  result.seconds = cpu_seconds() - begin;
+  result.events = simulator.ledger().events;
+  result.peak_bytes = simulator.ledger().peak_bytes;
+  result.max_live = simulator.kernel().ledger(id).max_live;
+  for (const PredicateCounters& p : simulator.kernel().arithmetic().counters().by_predicate) {
+    for (std::size_t s = 0; s < kStages; ++s) result.failures[s] += p.failures[s];
+  }
+  return result;
+}
+
+void run_contest(const Contest& contest, bool json) {
+  WorkloadParameters parameters;
+  parameters.n = contest.n;
+  parameters.degree = contest.degree;
+  const Scene scene = generate_scene(*find_workload("uniform-square"), parameters);
+  std::vector<Result> best(contest.arithmetics.size());
+  for (int round = 0; round < contest.rounds; ++round) {
+    for (std::size_t i = 0; i < best.size(); ++i) {
+      const Result r = run_once(scene, contest.structure, contest.arithmetics[i]);
+      if (round == 0 || r.seconds < best[i].seconds) best[i] = r;
+    }
+  }
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    const Result& r = best[i];
+    const double events = static_cast<double>(r.events);
+    const double ratio = r.seconds / best[0].seconds;
+    const double per_certificate = static_cast<double>(r.peak_bytes) / static_cast<double>(std::max<std::uint64_t>(1, r.max_live));
+    std::uint64_t asked = 0;
+    for (std::uint64_t count : r.failures) asked += count;
+    if (json) {
+      std::printf(
+          "{\"structure\": \"%s\", \"degree\": %d, \"n\": %d, \"arithmetic\": \"%s\", \"events\": %llu, "
+          "\"seconds\": %.6f, \"events_per_second\": %.0f, \"time_over_%s\": %.4f, "
+          "\"bytes_per_certificate\": %.1f, \"failure_times\": %llu, \"wide\": %llu, \"exact\": %llu}\n",
+          contest.structure, contest.degree, contest.n, contest.arithmetics[i],
+          static_cast<unsigned long long>(r.events), r.seconds, events / r.seconds,
+          contest.arithmetics[0], ratio, per_certificate, static_cast<unsigned long long>(asked),
+          static_cast<unsigned long long>(r.failures[1]), static_cast<unsigned long long>(r.failures[3]));
+    } else {
+      std::printf("%-19s %d %7d  %-7s %10llu %9.3f %12.0f %9.3f %8.1f %11llu %8llu %8llu\n",
+                  contest.structure, contest.degree, contest.n, contest.arithmetics[i],
+                  static_cast<unsigned long long>(r.events), r.seconds, events / r.seconds, ratio,
+                  per_certificate, static_cast<unsigned long long>(asked),
+                  static_cast<unsigned long long>(r.failures[1]),
+                  static_cast<unsigned long long>(r.failures[3]));
+    }
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool json = false, smoke = false;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--json") == 0) {
+      json = true;
+    } else if (std::strcmp(argv[i], "--smoke") == 0) {
+      smoke = true;
+    } else {
+      std::fprintf(stderr, "usage: kinex_speed [--json] [--smoke]\n");
+      return 2;
+    }
+  }
+  const int scale = smoke ? 40 : 1;
+  const int rounds = smoke ? 1 : 3;
+  const std::vector<Contest> contests{
+      {"sorted_list", 1, 4000 / scale, {"double", "exact", "gsl"}, rounds},
+      {"sorted_list", 2, 2000 / scale, {"double", "exact", "gsl"}, rounds},
+      {"sorted_list", 3, 2000 / scale, {"double", "exact", "gsl"}, rounds},
+      {"maximum_tournament", 1, 40000 / scale, {"double", "exact", "gsl"}, rounds},
+      {"delaunay_2", 1, 4000 / scale, {"double", "exact", "gsl"}, rounds},
+      {"delaunay_2", 2, 1000 / scale, {"double", "exact", "gsl"}, rounds},
+      {"delaunay_2", 3, 1000 / scale, {"double", "exact", "gsl"}, rounds},
+      {"sorted_list", 1, 400 / scale, {"exact", "sturm"}, 1},
+      {"delaunay_2", 1, 200 / scale, {"exact", "sturm"}, 1},
+  };
+  if (!json) {
+    std::printf("%-19s %s %7s  %-7s %10s %9s %12s %9s %8s %11s %8s %8s\n", "structure", "d", "n",
+                "numbers", "events", "CPU s", "events/s", "time/1st", "B/cert", "failures", "wide",
+                "exact");
+  }
+  for (const Contest& contest : contests) run_contest(contest, json);
+  return 0;
+}
