@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes a scene of a table: traces (id,t,x,y[,z]) or points with velocities
+// (id,x,y[,z],vx,vy[,vz]).
+#ifndef KINEX_EXPERIMENTS_CSV_IMPORT_H
+#define KINEX_EXPERIMENTS_CSV_IMPORT_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/scene.h"
+
+namespace kinex {
+
+struct ImportOptions {
+  std::optional<Rational> start, end;  // of the scene; default below
+};
+
+struct ImportReport {
+  Scene scene;  // without "maintain"
+  std::size_t rows = 0;
+  std::size_t single_fixes = 0;    // traces of one fix: they have no duration, and are left out
+  std::size_t repeated_fixes = 0;  // identical rows of one id and time: read once
+};
+
+// The first line names the columns, in any order; the coordinates are a prefix of x, y, z. Numbers
+// are exact, as in scenes. Fields may be quoted ("a, b"). Objects come in the order of their first
+// rows.
+//
+// Traces: an object exists from its first to its last fix and moves linearly between two fixes;
+// rows need not be in the order of time. Two fixes of one id at one time must be identical. The
+// scene's time is that of all fixes together, unless the options say otherwise. Velocities: x(t) =
+// x + vx t from time 0 on unless the options say otherwise; without an end the scene runs until no
+// event is left.
+//
+// Throws InputError that names the line.
+ImportReport import_csv(std::string_view text, const std::string& file,
+                        const ImportOptions& options);
+
+}  // namespace kinex
+
+#endif

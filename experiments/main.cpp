@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program `kinex`: parses the command line, runs one verb, and turns what went wrong into an
+// exit code.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "experiments/event_log.h"
+#include "experiments/input_error.h"
+#include "experiments/verbs/verbs.h"
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app(
+      "kinex: kinetic data structures in exact arithmetic.\n"
+      "Exit codes: 0 fine; 1 a claim, bound or audit failed; 2 bad input or usage; 3 gave up at a "
+      "stated limit.",
+      "kinex");
+  app.set_version_flag("--version", kinex::build_name());
+  app.require_subcommand(1);
+  int exit_code = kinex::kExitFine;
+  kinex::add_verbs(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kinex::kExitFine : kinex::kExitBadInput;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const kinex::InputError& error) {
+    std::fprintf(stderr, "kinex: %s\n", error.what());
+    return kinex::kExitBadInput;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "kinex: gave up: there is not enough memory\n");
+    return kinex::kExitGaveUp;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "kinex: internal error: %s; please report it with the input\n",
+                 error.what());
+    return kinex::kExitFailed;
+  }
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/scene_run.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/input_error.h"
+#include "structures/registry.h"
+
+namespace kinex {
+
+std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string& arithmetic,
+                                          SimulatorOptions options) {
+  std::unique_ptr<Arithmetic> numbers;
+  try {
+    numbers = make_arithmetic(arithmetic, scene);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("--arithmetic", "", error.what(),
+                     "write exact, sturm, double, gsl or mpfr:P with P bits");
+  }
+  auto simulator = std::make_unique<Simulator>(scene, std::move(numbers), std::move(options));
+  for (const Request& request : scene.maintain) {
+    const StructureId id = simulator->reserve();
+    simulator->add(id, make_structure(request, scene, simulator->kernel(), id), request.label);
+  }
+  return simulator;
+}
+
+Attribute value_now(const Simulator& simulator, StructureId id) {
+  if (simulator.kernel().ledger(id).corrupt) return {Attribute::Shape::kObject, {}};
+  return simulator.structure(id).attribute();
+}
+
+RunOutcome run_scene(Simulator& simulator, const std::optional<Rational>& end,
+                     const std::vector<Rational>& times, bool audit) {
+  RunOutcome outcome;
+  outcome.end = end;
+  simulator.start();
+  for (const Rational& t : times) {
+    outcome.status = simulator.run_until(t);
+    if (outcome.status != RunStatus::kDone) break;
+    Sample sample{t, {}};
+    for (StructureId id = 0; id < simulator.structures(); ++id) {
+      sample.values.push_back(value_now(simulator, id));
+    }
+    outcome.samples.push_back(std::move(sample));
+  }
+  if (outcome.status == RunStatus::kDone) outcome.status = simulator.run_until(end);
+  if (outcome.status == RunStatus::kDone && audit) simulator.audit();
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    outcome.bounds.push_back(simulator.bounds(id));
+  }
+  return outcome;
+}
+
+bool RunOutcome::clean(const Simulator& simulator) const {
+  if (!simulator.violations().empty()) return false;
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    const StructureLedger& ledger = simulator.kernel().ledger(id);
+    if (ledger.corrupt || ledger.audit_violations > 0) return false;
+    for (const BoundCheck& bound : bounds[id]) {
+      if (!bound.holds) return false;
+    }
+  }
+  return true;
+}
+
+std::string_view status_name(RunStatus status) {
+  switch (status) {
+    case RunStatus::kDone:
+      return "done";
+    case RunStatus::kLimit:
+      return "limit";
+    case RunStatus::kInterrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+}  // namespace kinex

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a scene as the program does: all that it maintains, samples on the way, bounds at the end.
+#ifndef KINEX_EXPERIMENTS_SCENE_RUN_H
+#define KINEX_EXPERIMENTS_SCENE_RUN_H
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/simulator.h"
+
+namespace kinex {
+
+// A simulator with every structure that scene.maintain asks for, not started. The scene must
+// outlive it. Throws InputError for an unknown arithmetic.
+std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string& arithmetic,
+                                          SimulatorOptions options);
+
+// The attribute right after now; an empty object (null) for a structure that was led astray.
+Attribute value_now(const Simulator& simulator, StructureId id);
+
+struct Sample {
+  Rational t;
+  std::vector<Attribute> values;  // by StructureId, right after t
+};
+
+struct RunOutcome {
+  RunStatus status = RunStatus::kDone;
+  std::optional<Rational> end;  // of the run that was asked for; nullopt: until no event is left
+  std::vector<Sample> samples;
+  std::vector<std::vector<BoundCheck>> bounds;  // by StructureId
+
+  // Every bound holds, no audit found anything wrong, no structure is corrupt.
+  bool clean(const Simulator& simulator) const;
+};
+
+// Starts the simulator, runs it to `end`, takes a sample at each of `times` (ascending, within the
+// run), and audits at the end unless `audit` is false. A run that stops at a limit is not audited.
+RunOutcome run_scene(Simulator& simulator, const std::optional<Rational>& end,
+                     const std::vector<Rational>& times, bool audit);
+
+std::string_view status_name(RunStatus status);  // "done", "limit", "interrupted"
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/summary.h"
+
+#include "experiments/attribute_json.h"
+#include "experiments/event_log.h"
+#include "experiments/json_writer.h"
+
+namespace kinex {
+
+namespace {
+
+void write_counts(JsonWriter& json, const StructureLedger& ledger) {
+  json.key("processed").number(ledger.processed).key("external").number(ledger.external);
+  json.key("internal").number(ledger.internal).key("rebuilds").number(ledger.rebuilds);
+  json.key("simultaneous_groups").number(ledger.simultaneous_groups);
+  json.key("largest_group").number(ledger.largest_group);
+  json.key("motion_updates").number(ledger.motion_updates);
+  json.key("insertions").number(ledger.insertions).key("erasures").number(ledger.erasures);
+  json.key("by_kind").begin_object();
+  for (const auto& [kind, count] : ledger.by_kind) json.key(kind).number(count);
+  json.end_object();
+  json.key("certificates").begin_object();
+  json.key("created").number(ledger.certificates_created);
+  json.key("retracted").number(ledger.certificates_retracted);
+  json.key("max_live").number(ledger.max_live).key("max_per_object").number(ledger.max_per_object);
+  json.key("max_created_per_event").number(ledger.created_per_event.max);
+  json.key("max_retracted_per_event").number(ledger.retracted_per_event.max).end_object();
+  json.key("audit").begin_object().key("checks").number(ledger.audit_checks);
+  json.key("violations").number(ledger.audit_violations).end_object();
+  json.key("corrupt");
+  if (ledger.corrupt) {
+    json.string(ledger.corruption);
+  } else {
+    json.boolean(false);
+  }
+}
+
+void write_bounds(JsonWriter& json, const std::vector<BoundCheck>& bounds) {
+  json.key("bounds").begin_array();
+  for (const BoundCheck& bound : bounds) {
+    json.begin_object().key("id").string(bound.id).key("bound").string(bound.bound.to_string());
+    json.key("observed").string(bound.observed.to_string()).key("holds").boolean(bound.holds);
+    json.key("source").string(bound.source).end_object();
+  }
+  json.end_array();
+}
+
+void write_stages(JsonWriter& json, const StageCounts& counts) {
+  json.begin_array();
+  for (const std::uint64_t count : counts) json.number(count);
+  json.end_array();
+}
+
+// By stage: [double, multiprecision, exact].
+void write_numbers(JsonWriter& json, const Arithmetic& arithmetic) {
+  const ArithmeticCounters& counters = arithmetic.counters();
+  json.key("numbers").begin_object().key("predicates").begin_array();
+  for (std::size_t id = 0; id < counters.by_predicate.size(); ++id) {
+    json.begin_object().key("name");
+    json.string(arithmetic.predicate(static_cast<PredicateId>(id)).name()).key("signs");
+    write_stages(json, counters.by_predicate[id].signs);
+    json.key("failures");
+    write_stages(json, counters.by_predicate[id].failures);
+    json.end_object();
+  }
+  json.end_array().key("comparisons");
+  write_stages(json, counters.comparisons);
+  json.key("polynomials_solved").begin_array();
+  for (const std::uint64_t count : counters.polynomials_solved) json.number(count);
+  json.end_array().key("roots_made_exact").number(counters.roots_made_exact);
+  json.key("refinements").number(counters.refinements).key("gcds").number(counters.gcds);
+  json.key("max_bits").number(counters.max_bits).end_object();
+}
+
+}  // namespace
+
+std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
+                          const std::string& scene_hash, const std::string& log_digest) {
+  const Scene& scene = simulator.scene();
+  std::string text;
+  JsonWriter json(text);
+  json.begin_object().key("scene").string(scene.name).key("scene_hash").string(scene_hash);
+  json.key("arithmetic").string(simulator.kernel().arithmetic().name());
+  json.key("build").string(build_name()).key("status").string(status_name(outcome.status));
+  json.key("time").begin_object().key("start").string(scene.start.to_string()).key("end");
+  if (outcome.end) {
+    json.string(outcome.end->to_string());
+  } else {
+    json.null();
+  }
+  json.end_object().key("objects").number(static_cast<std::uint64_t>(scene.objects.size()));
+  json.key("events").number(simulator.ledger().events);
+  json.key("instants").number(simulator.ledger().instants);
+  json.key("log_digest").string(log_digest);
+  json.line(1).key("structures").begin_object();
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    json.line(2).key(simulator.label(id)).begin_object();
+    write_counts(json, simulator.kernel().ledger(id));
+    write_bounds(json, outcome.bounds[id]);
+    json.key("attribute");
+    write_attribute(json, value_now(simulator, id), scene);
+    json.end_object();
+  }
+  json.end_object();
+  json.line(1).key("samples").begin_array();
+  for (const Sample& sample : outcome.samples) {
+    json.line(2).begin_object().key("t").string(sample.t.to_string());
+    for (StructureId id = 0; id < simulator.structures(); ++id) {
+      json.key(simulator.label(id));
+      write_attribute(json, sample.values[id], scene);
+    }
+    json.end_object();
+  }
+  json.end_array().line(1);
+  write_numbers(json, simulator.kernel().arithmetic());
+  json.line(1).key("violations").begin_array();
+  for (const std::string& violation : simulator.violations()) json.string(violation);
+  json.end_array();
+  json.line(1).key("seconds").begin_object().key("setup").real(simulator.seconds_setup());
+  json.key("simulate").real(simulator.seconds_simulate()).key("audit");
+  json.real(simulator.seconds_audit()).end_object();
+  json.key("peak_bytes").number(simulator.ledger().peak_bytes).end_object();
+  text += '\n';
+  return text;
+}
+
+}  // namespace kinex

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The summary of a run as JSON: what other programs read.
+#ifndef KINEX_EXPERIMENTS_SUMMARY_H
+#define KINEX_EXPERIMENTS_SUMMARY_H
+
+#include <string>
+
+#include "experiments/scene_run.h"
+
+namespace kinex {
+
+// Everything but "seconds" and "peak_bytes" is the same on every machine in an exact arithmetic.
+// {"scene", "scene_hash", "arithmetic", "status", "time", "objects", "events", "log_digest",
+//  "structures": {LABEL: {counts, "by_kind", "certificates", "audit", "bounds", "attribute"}},
+//  "samples", "numbers", "seconds", "peak_bytes"}; ends with a newline.
+std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
+                          const std::string& scene_hash, const std::string& log_digest);
+
+}  // namespace kinex
+
+#endif

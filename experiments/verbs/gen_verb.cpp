@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex gen: writes a scene of a named family.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiments/input_error.h"
+#include "experiments/scene_reader.h"
+#include "experiments/scene_writer.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+#include "experiments/workload.h"
+
+namespace kinex {
+
+namespace {
+
+struct GenOptions {
+  std::string workload;
+  WorkloadParameters parameters;
+  std::vector<std::string> maintain;
+  std::string name, output;
+  bool force = false;
+  bool list = false;
+};
+
+std::string listed() {
+  std::string text;
+  for (const Workload& workload : workloads()) {
+    std::string line = "  " + std::string(workload.name);
+    line.resize(std::max<std::size_t>(line.size() + 1, 26), ' ');
+    text += line + std::string(workload.summary) + "\n";
+  }
+  return text;
+}
+
+void generate(const GenOptions& options) {
+  if (options.list) {
+    print(listed());
+    return;
+  }
+  const Workload* workload = find_workload(options.workload);
+  if (workload == nullptr) {
+    throw InputError("gen", "", show_text(options.workload) + " is not a workload",
+                     "known are:\n" + listed());
+  }
+  Scene scene = generate_scene(*workload, options.parameters);
+  if (!options.name.empty()) scene.name = options.name;
+  if (!options.maintain.empty()) set_maintain(scene, options.maintain);
+  write_result(options.output, options.force, write_scene(scene));
+}
+
+}  // namespace
+
+void add_gen_verb(CLI::App& app, int&) {
+  auto options = std::make_shared<GenOptions>();
+  CLI::App* verb = app.add_subcommand("gen", "Writes a scene of a named family");
+  verb->add_option("WORKLOAD", options->workload, "The family");
+  verb->add_flag("--list", options->list, "List the families and stop");
+  verb->add_option("--n", options->parameters.n, "Objects (100)");
+  verb->add_option("--m", options->parameters.m, "Second size of hull-worst (same as --n)");
+  verb->add_option("--seed", options->parameters.seed, "Seed of the random families (1)");
+  verb->add_option("--degree", options->parameters.degree, "Degree of the motion (1)");
+  verb->add_option("--dimension", options->parameters.dimension, "Axes, 1 to 3");
+  verb->add_option("--maintain", options->maintain, "What to maintain: NAME or NAME:AXIS, ..")
+      ->delimiter(',');
+  verb->add_option("--name", options->name, "Name of the scene");
+  verb->add_option("-o,--output", options->output, "File to write (standard output)");
+  verb->add_flag("--force", options->force, "Replace the file if it exists");
+  verb->footer("Families:\n" + listed() +
+               "\nExample:\n  kinex gen uniform-square --n 100 --seed 7 -o square.json");
+  verb->callback([options] {
+    if (options->workload.empty() && !options->list) throw CLI::RequiredError("WORKLOAD");
+    generate(*options);
+  });
+}
+
+}  // namespace kinex

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/verbs/option_values.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+
+#include "experiments/file_io.h"
+#include "experiments/input_error.h"
+
+namespace kinex {
+
+Rational rational_option(const char* option, const std::string& text) {
+  std::optional<Rational> value = Rational::parse(text);
+  if (!value) {
+    throw InputError(option, "", show_text(text) + " is not a number",
+                     "write an integer, a fraction 1/3 or a decimal");
+  }
+  return *std::move(value);
+}
+
+void write_result(const std::string& path, bool force, const std::string& text) {
+  if (path.empty() || path == "-") {
+    print(text);
+    return;
+  }
+  OutputFile file(path, force);
+  file.write(text);
+  file.commit();
+}
+
+void print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!written || std::fflush(stdout) != 0) {
+    throw InputError("standard output", "",
+                     std::string("cannot be written: ") + std::strerror(errno), "");
+  }
+}
+
+}  // namespace kinex

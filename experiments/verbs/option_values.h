@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values of command-line options, read with the same care as files.
+#ifndef KINEX_EXPERIMENTS_VERBS_OPTION_VALUES_H
+#define KINEX_EXPERIMENTS_VERBS_OPTION_VALUES_H
+
+#include <string>
+#include <vector>
+
+#include "core/rational.h"
+
+namespace kinex {
+
+// An exact number as in a scene. Throws InputError that names the option.
+Rational rational_option(const char* option, const std::string& text);
+
+// Writes a result to `path`, or to standard output if it is empty or "-".
+void write_result(const std::string& path, bool force, const std::string& text);
+
+// Prints to standard output; throws InputError if that fails (a closed pipe, a full disk).
+void print(const std::string& text);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/verbs/verbs.h"
+
+namespace kinex {
+
+void add_verbs(CLI::App& app, int& exit_code) {
+  add_run_verb(app, exit_code);
+  add_check_verb(app, exit_code);
+  add_diff_verb(app, exit_code);
+  add_gen_verb(app, exit_code);
+  add_import_verb(app, exit_code);
+  add_roots_verb(app, exit_code);
+}
+
+}  // namespace kinex

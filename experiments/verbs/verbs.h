@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verbs of the program: one file each. A verb registers itself with add_NAME_verb, which adds a
+// subcommand (options, help with an example, callback); its callback runs after the command line
+// has been parsed, prints, and sets `exit_code`. To add a verb: write its file, declare it here,
+// and call it in add_verbs (verbs.cpp).
+#ifndef KINEX_EXPERIMENTS_VERBS_VERBS_H
+#define KINEX_EXPERIMENTS_VERBS_VERBS_H
+
+namespace CLI {
+class App;
+}
+
+namespace kinex {
+
+// What the program tells its caller.
+inline constexpr int kExitFine = 0;
+inline constexpr int kExitFailed = 1;    // a claim, bound or audit failed; two logs differ
+inline constexpr int kExitBadInput = 2;  // bad input or usage
+inline constexpr int kExitGaveUp = 3;    // at a stated limit, or interrupted
+
+void add_run_verb(CLI::App& app, int& exit_code);
+void add_check_verb(CLI::App& app, int& exit_code);
+void add_diff_verb(CLI::App& app, int& exit_code);
+void add_gen_verb(CLI::App& app, int& exit_code);
+void add_import_verb(CLI::App& app, int& exit_code);
+void add_roots_verb(CLI::App& app, int& exit_code);
+
+// All of them.
+void add_verbs(CLI::App& app, int& exit_code);
+
+}  // namespace kinex
+
+#endif
