@@ -73,6 +73,7 @@ class Kernel {
   EventQueue& queue() { return queue_; }
   const EventQueue& queue() const { return queue_; }
   StructureId add_structure();
+  std::size_t structures() const { return ledgers_.size(); }
   StructureLedger& ledger(StructureId id) { return ledgers_[id]; }
   const StructureLedger& ledger(StructureId id) const { return ledgers_[id]; }
   // Starts counting one failure; ends it (retracting `failed` if it is still there).

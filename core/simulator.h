@@ -1,9 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simulator: runs structures over one scene, from instant to instant.
+//
+// An instant is the failure time of a certificate or the rational time of a flight-plan change. State
+// is always read from the right: at an instant, failures are handled until every certificate is
+// non-negative right after it. At the instant of changes the order is: motions (every certificate of the
+// changed objects is scheduled anew, once), failures, erasures, failures, insertions, failures. An
+// update to another position is an erasure and an insertion.
+//
+// Guard: a structure may make 1000 + 64 c + c^2 repairs at one instant, where c is the largest number of
+// certificates that it has had. No correct structure needs more: a sorted list of n keys has n - 1
+// certificates and swaps each pair once at most, C(n,2) <= c^2; Delaunay flips never bring an edge back,
+// C(n,2) <= c^2 again; winners in a tournament or a heap only grow, at most c per certificate. In an
+// exact arithmetic the structure is built anew when the guard fires, and if that does not help at the
+// same instant, std::logic_error is thrown. In an inexact one it is corrupt, and instants closer
+// together than 2^-40 of the run count as one.
 #ifndef KINEX_CORE_SIMULATOR_H
 #define KINEX_CORE_SIMULATOR_H
 
+#include <chrono>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -46,32 +62,43 @@ class Simulator final : private EventReporter {
 
   // Reserves the id that a structure is constructed with; then hand the structure over.
   StructureId reserve() { return kernel_.add_structure(); }
-  // `watches`: ids of structures whose external events it is told of.
+  // `watches`: ids of structures whose external events it is told of; they must be smaller than `id`
+  // and have been added.
   void add(StructureId id, std::unique_ptr<Structure> structure, std::string label,
            std::vector<StructureId> watches = {});
   std::size_t structures() const { return entries_.size(); }
   Structure& structure(StructureId id) { return *entries_[id].structure; }
   const Structure& structure(StructureId id) const { return *entries_[id].structure; }
   const std::string& label(StructureId id) const { return entries_[id].label; }
+  // All event kinds by rank, the common ones included.
+  std::vector<std::string_view> event_kinds(StructureId id) const;
 
   void set_sink(EventSink* sink) { sink_ = sink; }
 
-  // Sets the motions in force right after the scene's start and builds every structure.
+  // Sets the motions in force right after the scene's start and builds every structure, in the order of
+  // ids.
   void start();
-  // Handles all flight-plan changes and failures at instants <= t (at all instants if nullopt); then
-  // now = t. Can be called again with later times; t before now throws std::invalid_argument.
+  // Handles all flight-plan changes and failures at instants <= t; then now = t. nullopt: up to the
+  // scene's end, or all of them if it has none (now is then a rational time after the last). Can be
+  // called again with later times; t before reached() or after the scene's end throws
+  // std::invalid_argument. Where the scene ends (or, in a scene without end, at every t) the run is
+  // audited as AuditLevel says. If it stops early, it does so between two instants.
   RunStatus run_until(const std::optional<Rational>& t);
   // The full audit at a rational time right after now; adds to the ledgers. True if nothing is wrong.
   bool audit();
 
   // ---- changes from outside, at a rational instant t >= the time run so far ---------------------
+  // From t on they take the place of the scene's own flight plan for the object. They throw
+  // std::invalid_argument if t has passed or lies after the scene's end; a change that does not fit
+  // (an insertion of an object that is there) throws it from run_until.
   // A flight-plan change; the position must be continuous at t, or the object is erased and inserted.
   void schedule_update(const Rational& t, ObjectId object, Trajectory trajectory);
   // The object appears with this motion; it must not be alive then.
   void schedule_insertion(const Rational& t, ObjectId object, Trajectory trajectory);
   void schedule_erasure(const Rational& t, ObjectId object);
 
-  // The exact time the run has reached (the last t of run_until, or the last flight-plan instant).
+  // The exact time the run has reached (the last t of run_until, or, inside it, the last flight-plan
+  // instant).
   const Rational& reached() const { return reached_; }
   bool alive(ObjectId object) const { return alive_[object]; }
   Snapshot snapshot(const Rational& t) const;
@@ -90,27 +117,68 @@ class Simulator final : private EventReporter {
     std::unique_ptr<Structure> structure;
     std::string label;
     std::vector<StructureId> watchers;
+    std::vector<std::uint64_t*> kind_counts;  // by rank, into the ledger's by_kind
+    std::uint8_t first_common = 0;            // rank of CommonEvent::kMotion
+    bool abandoned = false;                   // corrupt, and all that follows from it is done
   };
   struct Change {
     enum class Kind { kUpdate, kErase, kInsert };
     Rational t;
     Kind kind;
     ObjectId object;
-    Trajectory trajectory;
+    const Trajectory* trajectory;  // in the scene, or in given_; none for kErase
     std::optional<Rational> until;
+    bool planned;  // by the scene
   };
+  struct Notice {
+    StructureId structure;
+    bool has_event;
+    Event event;
+  };
+  static constexpr StructureId kNoStructure = 0xff;
 
+  // simulator.cpp
   void reported(const Event& event) override;
-  void plan_changes();
-  void queue_change(Change change);
-  void apply_changes(const Rational& t);
+  void rebuilt(StructureId id) override;
+  void report_change(StructureId id, CommonEvent kind, ObjectId object);
+  template <class Call>
+  void guarded(StructureId id, const Call& function);
+  void call(StructureId id, const std::function<void(Structure&)>& function);
+  void abandon(StructureId id);
+  void tell_watchers();
+  void charge(StructureId id);
+  bool fails_now();
+  void mark_shared();
+  void failure_instant();
   void handle_failure();
-  void settle_instant();
-  void report_change(StructureId id, std::uint8_t kind, ObjectId object);
-  void audit_between();
-  void full_audit(const Rational& t);
-  void after_corruption();
+  void guard_fired(StructureId id);
+  void repair();
+  void settle();
+  void end_instant();
+  void run_failures(const Rational* stop, bool inclusive);
+  bool stop_early();
+  void stop_between();
   void note_peak();
+  // simulator_changes.cpp
+  void plan_changes();
+  void check_trajectory(const Trajectory& trajectory) const;
+  void queue_change(Change change);
+  const Rational* next_change() const {
+    return next_change_ < changes_.size() ? &changes_[next_change_].t : nullptr;
+  }
+  void change_instant();
+  void put_in_force(ObjectId object, const Trajectory& trajectory,
+                    const std::optional<Rational>& until);
+  void apply_updates(const std::vector<Change>& updates);
+  void apply_erasures(const std::vector<ObjectId>& objects);
+  void apply_insertions(const std::vector<Change>& insertions);
+  // simulator_audit.cpp
+  void violation(StructureId id, const std::string& what);
+  void audit_certificates();
+  bool certificates_hold(const Snapshot& positions) const;
+  std::optional<Rational> rational_after_now();
+  std::optional<Rational> audit_time();
+  bool run_audit(bool certificates);
 
   const Scene& scene_;
   SimulatorOptions options_;
@@ -119,19 +187,32 @@ class Simulator final : private EventReporter {
   EventSink* sink_ = nullptr;
   std::vector<Change> changes_;  // ascending in (t, kind, object) from next_change_ on
   std::size_t next_change_ = 0;
+  std::deque<Trajectory> given_;  // from outside
   std::vector<bool> alive_;
   std::vector<Trajectory> trajectory_;  // in force
   std::vector<int> pieces_;
+  int degree_ = 0;
   bool dynamic_ = false;
   bool started_ = false;
   Rational reached_;
   // the present instant
   bool at_failure_instant_ = false;  // now is the instant of a failure (not only a rational time)
+  double now_hi_ = 0;                // now <= now_hi_
+  int order_to_now_ = 0;             // of the first failure, from the last fails_now()
   std::vector<std::uint64_t> failures_at_instant_;
-  std::uint64_t repairs_at_instant_ = 0;
-  bool motions_changed_at_instant_ = false;
+  std::vector<std::uint64_t> repairs_;  // since the guard was last set back
+  std::vector<std::uint8_t> guard_fired_;
+  std::vector<StructureId> touched_;  // structures with failures at the instant
+  double guard_window_end_ = 0;       // inexact arithmetics
+  std::vector<CertificateId> first_instant_;
+  std::vector<Notice> notices_;
   RunLedger ledger_;
   std::vector<std::string> violations_;
+  StructureId charged_ = kNoStructure;
+  std::chrono::steady_clock::time_point charged_since_;
+  std::chrono::steady_clock::time_point run_since_;
+  std::uint64_t next_look_ = 0;  // at limits and progress
+  RunStatus status_ = RunStatus::kDone;
   double seconds_setup_ = 0, seconds_simulate_ = 0, seconds_audit_ = 0;
 };
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Audits: all certificates right after now, and independent recomputation at a rational time.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/check.h"
+#include "core/simulator.h"
+
+namespace kinex {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Where nothing is known of the future, the time 2^-k after the end for these k.
+constexpr std::array<unsigned long, 14> kSteps{0,  1,   2,   4,   8,    16,   32,
+                                               64, 128, 256, 512, 1024, 2048, 4096};
+constexpr std::size_t kInexactSteps = 8;
+
+}  // namespace
+
+Snapshot Simulator::snapshot(const Rational& t) const {
+  Snapshot result(t, scene_.dimension, alive_.size());
+  for (ObjectId object = 0; object < alive_.size(); ++object) {
+    if (!alive_[object]) continue;
+    for (int axis = 0; axis < scene_.dimension; ++axis) {
+      result.set(object, axis, trajectory_[object].position(axis, t));
+    }
+  }
+  return result;
+}
+
+void Simulator::violation(StructureId id, const std::string& what) {
+  ++kernel_.ledger(id).audit_violations;
+  if (violations_.size() < kMaxMessages) violations_.push_back(entries_[id].label + ": " + what);
+}
+
+void Simulator::audit_certificates() {
+  const EventQueue& queue = kernel_.queue();
+  for (std::size_t i = 0; i < queue.capacity(); ++i) {
+    const Certificate& c = queue.certificate(static_cast<CertificateId>(i));
+    if (!c.live) continue;
+    ++kernel_.ledger(c.structure).audit_checks;
+    if (kernel_.arithmetic().sign_after(c.query) != Sign::kNegative) continue;
+    std::string what =
+        "negative right after now: " + std::string(kernel_.arithmetic().predicate(c.query.predicate).name());
+    for (std::size_t k = 0; k < c.query.arity; ++k) {
+      what += (k == 0 ? "(" : ", ") + scene_.objects[c.query.ids[k]].id;
+    }
+    violation(c.structure, what + ")");
+  }
+}
+
+// True if every certificate is positive at these positions (zero, where it is zero for ever): then
+// there is no doubt about what the structures should say.
+bool Simulator::certificates_hold(const Snapshot& positions) const {
+  const EventQueue& queue = kernel_.queue();
+  std::array<MotionView<Rational>, kMaxArity> points;
+  for (std::size_t i = 0; i < queue.capacity(); ++i) {
+    const Certificate& c = queue.certificate(static_cast<CertificateId>(i));
+    if (!c.live || c.outlook == Outlook::kIdenticallyZero) continue;
+    for (std::size_t k = 0; k < c.query.arity; ++k) points[k] = &positions.position(c.query.ids[k], 0);
+    const Predicate& predicate = kernel_.arithmetic().predicate(c.query.predicate);
+    if (predicate.rational(0, points.data()).front().sign() <= 0) return false;
+  }
+  return true;
+}
+
+// A rational strictly between now and whatever comes next: a failure, a change, the end. nullopt if
+// none is found (in an exact arithmetic only just before a change).
+std::optional<Rational> Simulator::rational_after_now() {
+  Arithmetic& arithmetic = kernel_.arithmetic();
+  EventQueue& queue = kernel_.queue();
+  std::optional<Rational> result;
+  if (queue.empty()) {
+    result = arithmetic.rational_between(nullptr, nullptr);
+  } else {
+    FailureTime time = queue.time(queue.top());
+    result = arithmetic.rational_between(&kernel_.query(queue.top()), &time);
+    queue.set_time(queue.top(), time);
+  }
+  if (!result) return result;
+  const Rational* limit = next_change();
+  if (scene_.end && (limit == nullptr || *scene_.end < *limit)) limit = &*scene_.end;
+  if (limit == nullptr || *result < *limit) return result;
+  std::optional<Rational> now = reached_;
+  if (at_failure_instant_) {
+    now = Rational::from_double(now_hi_);
+    if (now && !(*now < *limit)) now = Rational::parse(arithmetic.describe_now().upper);
+  }
+  if (!now || !(*now < *limit)) return std::nullopt;
+  return (*now + *limit) / Rational(2);
+}
+
+// A rational time right after now at which every certificate is strict, if there is one among a few.
+std::optional<Rational> Simulator::audit_time() {
+  if (!at_failure_instant_ && scene_.end && *scene_.end <= reached_) {
+    // Failures after the end are not scheduled: look for a time before the first of them.
+    std::optional<Rational> t;
+    for (std::size_t i = 0; i < kSteps.size(); ++i) {
+      if (!kernel_.is_exact() && i == kInexactSteps) break;
+      t = reached_ + Rational(Integer(1), Integer::power_of_two(kSteps[i]));
+      if (certificates_hold(snapshot(*t))) break;
+    }
+    return t;
+  }
+  const std::optional<Rational> first = rational_after_now();
+  if (!first || certificates_hold(snapshot(*first))) return first;
+  const std::optional<Rational> now =
+      at_failure_instant_ ? Rational::from_double(now_hi_) : std::optional<Rational>(reached_);
+  if (now && *now < *first) {
+    for (const int part : {3, 5, 7, 11}) {
+      const Rational t = *now + (*first - *now) / Rational(part);
+      if (certificates_hold(snapshot(t))) return t;
+    }
+  }
+  return first;
+}
+
+bool Simulator::run_audit(bool certificates) {
+  charge(kNoStructure);
+  const auto begin = Clock::now();
+  const auto count = [this] {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      sum += kernel_.ledger(static_cast<StructureId>(i)).audit_violations;
+    }
+    return sum;
+  };
+  const std::uint64_t before = count();
+  if (certificates) audit_certificates();
+  const std::optional<Rational> t = audit_time();
+  std::optional<Snapshot> positions;
+  if (t) positions = snapshot(*t);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const StructureId id = static_cast<StructureId>(i);
+    AuditReport report;
+    if (kernel_.ledger(id).corrupt) {
+      report.check(false, [&] { return "corrupt: " + kernel_.ledger(id).corruption; });
+    } else {
+      entries_[i].structure->check_invariants(report);
+      if (positions) entries_[i].structure->audit(*positions, report);
+    }
+    kernel_.ledger(id).audit_checks += report.checks;
+    for (const std::string& what : report.violations) {
+      violation(id, t ? what + " (at t = " + t->to_string() + ")" : what);
+    }
+  }
+  seconds_audit_ += std::chrono::duration<double>(Clock::now() - begin).count();
+  return count() == before;
+}
+
+bool Simulator::audit() {
+  require(started_, "a run has to be started");
+  return run_audit(true);
+}
+
+}  // namespace kinex
