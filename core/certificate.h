@@ -4,6 +4,7 @@
 #define KINEX_CORE_CERTIFICATE_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 
@@ -28,6 +29,18 @@ struct Query {
   }
   friend bool operator==(const Query&, const Query&) = default;
 };
+
+// The arguments in ascending order (unused places keep their zeros at the end).
+inline std::array<ObjectId, kMaxArity> sorted_ids(const Query& query) {
+  std::array<ObjectId, kMaxArity> ids = query.ids;
+  for (std::size_t i = 1; i < query.arity; ++i) {
+    const ObjectId id = ids[i];
+    std::size_t j = i;
+    for (; j > 0 && ids[j - 1] > id; --j) ids[j] = ids[j - 1];
+    ids[j] = id;
+  }
+  return ids;
+}
 
 // A failure time as it is kept in the queue: [lo, hi] holds the exact instant, and `root` names the
 // exact number in the arithmetic's own table (0: not made, and rarely ever needed).

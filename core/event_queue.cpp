@@ -117,9 +117,7 @@ bool EventQueue::ties_before(CertificateId a, CertificateId b) const {
   const Certificate& cb = certificates_[b];
   if (ca.structure != cb.structure) return ca.structure < cb.structure;
   if (ca.query.predicate != cb.query.predicate) return ca.query.predicate < cb.query.predicate;
-  auto sa = ca.query.ids, sb = cb.query.ids;
-  std::sort(sa.begin(), sa.begin() + ca.query.arity);
-  std::sort(sb.begin(), sb.begin() + cb.query.arity);
+  const auto sa = sorted_ids(ca.query), sb = sorted_ids(cb.query);
   if (sa != sb) return sa < sb;
   if (ca.query.ids != cb.query.ids) return ca.query.ids < cb.query.ids;
   return a < b;
