@@ -45,8 +45,7 @@ EventLog::EventLog(const Simulator& simulator, std::string_view scene_hash, Outp
     : simulator_(simulator), file_(file) {
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     std::vector<std::string>& kinds = kinds_.emplace_back();
-    for (const std::string_view kind : simulator.structure(id).event_kinds())
-      kinds.emplace_back(kind);
+    for (const std::string_view kind : simulator.event_kinds(id)) kinds.emplace_back(kind);
   }
   if (file_ == nullptr) return;
   const Arithmetic& arithmetic = simulator.kernel().arithmetic();

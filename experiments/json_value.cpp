@@ -202,26 +202,36 @@ TextPosition position_in(std::string_view text, std::size_t offset) {
 
 std::string_view kind_name(JsonValue::Kind kind) {
   switch (kind) {
-    case JsonValue::Kind::kNull: return "null";
-    case JsonValue::Kind::kBoolean: return "true or false";
-    case JsonValue::Kind::kNumber: return "a number";
-    case JsonValue::Kind::kString: return "a string";
-    case JsonValue::Kind::kArray: return "an array";
-    case JsonValue::Kind::kObject: return "an object";
+    case JsonValue::Kind::kNull:
+      return "null";
+    case JsonValue::Kind::kBoolean:
+      return "true or false";
+    case JsonValue::Kind::kNumber:
+      return "a number";
+    case JsonValue::Kind::kString:
+      return "a string";
+    case JsonValue::Kind::kArray:
+      return "an array";
+    case JsonValue::Kind::kObject:
+      return "an object";
   }
   return "";
 }
 
 std::string shown(const JsonValue& value) {
   switch (value.kind) {
-    case JsonValue::Kind::kNull: return "null";
-    case JsonValue::Kind::kBoolean: return value.boolean ? "true" : "false";
-    case JsonValue::Kind::kString: return show_text(value.text);
+    case JsonValue::Kind::kNull:
+      return "null";
+    case JsonValue::Kind::kBoolean:
+      return value.boolean ? "true" : "false";
+    case JsonValue::Kind::kString:
+      return show_text(value.text);
     case JsonValue::Kind::kNumber:
       if (value.text.size() <= 40) return value.text;
       return value.text.substr(0, 40) + "... (" + std::to_string(value.text.size()) +
              " characters)";
-    default: return std::string(kind_name(value.kind));
+    default:
+      return std::string(kind_name(value.kind));
   }
 }
 

@@ -31,10 +31,8 @@ Attribute value_now(const Simulator& simulator, StructureId id) {
   return simulator.structure(id).attribute();
 }
 
-RunOutcome run_scene(Simulator& simulator, const std::optional<Rational>& end,
-                     const std::vector<Rational>& times, bool audit) {
+RunOutcome run_scene(Simulator& simulator, const std::vector<Rational>& times) {
   RunOutcome outcome;
-  outcome.end = end;
   simulator.start();
   for (const Rational& t : times) {
     outcome.status = simulator.run_until(t);
@@ -45,8 +43,7 @@ RunOutcome run_scene(Simulator& simulator, const std::optional<Rational>& end,
     }
     outcome.samples.push_back(std::move(sample));
   }
-  if (outcome.status == RunStatus::kDone) outcome.status = simulator.run_until(end);
-  if (outcome.status == RunStatus::kDone && audit) simulator.audit();
+  if (outcome.status == RunStatus::kDone) outcome.status = simulator.run_until(std::nullopt);
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     outcome.bounds.push_back(simulator.bounds(id));
   }

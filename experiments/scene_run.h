@@ -27,7 +27,6 @@ struct Sample {
 
 struct RunOutcome {
   RunStatus status = RunStatus::kDone;
-  std::optional<Rational> end;  // of the run that was asked for; nullopt: until no event is left
   std::vector<Sample> samples;
   std::vector<std::vector<BoundCheck>> bounds;  // by StructureId
 
@@ -35,10 +34,10 @@ struct RunOutcome {
   bool clean(const Simulator& simulator) const;
 };
 
-// Starts the simulator, runs it to `end`, takes a sample at each of `times` (ascending, within the
-// run), and audits at the end unless `audit` is false. A run that stops at a limit is not audited.
-RunOutcome run_scene(Simulator& simulator, const std::optional<Rational>& end,
-                     const std::vector<Rational>& times, bool audit);
+// Starts the simulator, runs it to the end of its scene, and takes a sample at each of `times`
+// (ascending, within the scene's time). Audits as the simulator's options say; a run
+// that stops at a limit is not audited at its end.
+RunOutcome run_scene(Simulator& simulator, const std::vector<Rational>& times);
 
 std::string_view status_name(RunStatus status);  // "done", "limit", "interrupted"
 

@@ -55,7 +55,9 @@ void write_motion(JsonWriter& json, const Motion& motion) {
 
 void write_key(JsonWriter& json, const Key& key, const Scene& scene) {
   switch (key.kind) {
-    case Key::Kind::kCoordinate: json.string(std::string(1, "xyz"[key.axis])); break;
+    case Key::Kind::kCoordinate:
+      json.string(std::string(1, "xyz"[key.axis]));
+      break;
     case Key::Kind::kDirection:
       json.begin_object().key("direction").begin_array();
       for (const Rational& entry : key.direction) write_number(json, entry);

@@ -83,8 +83,8 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
   json.key("arithmetic").string(simulator.kernel().arithmetic().name());
   json.key("build").string(build_name()).key("status").string(status_name(outcome.status));
   json.key("time").begin_object().key("start").string(scene.start.to_string()).key("end");
-  if (outcome.end) {
-    json.string(outcome.end->to_string());
+  if (scene.end) {
+    json.string(scene.end->to_string());
   } else {
     json.null();
   }

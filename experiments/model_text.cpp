@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/model_text.h"
+
+#include <cstddef>
+
+#include "experiments/scene_writer.h"
+#include "structures/registry.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr std::size_t kShownDigits = 30;
+
+// What happens to the objects within the scene's time.
+struct PlanCounts {
+  std::size_t at_rest = 0;
+  std::size_t updates = 0, insertions = 0, erasures = 0;
+};
+
+bool within(const Rational& t, const Scene& scene) {
+  return t > scene.start && (!scene.end || t <= *scene.end);
+}
+
+PlanCounts count_plans(const Scene& scene) {
+  PlanCounts counts;
+  for (const SceneObject& object : scene.objects) {
+    const std::vector<MotionPiece>& pieces = object.motion.pieces;
+    if (object.motion.degree() == 0) ++counts.at_rest;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const bool joined = i > 0 && *pieces[i - 1].to == *pieces[i].from;
+      const bool goes_on = i + 1 < pieces.size() && *pieces[i].to == *pieces[i + 1].from;
+      if (pieces[i].from && within(*pieces[i].from, scene)) {
+        ++(joined ? counts.updates : counts.insertions);
+      }
+      if (pieces[i].to && !goes_on && within(*pieces[i].to, scene)) ++counts.erasures;
+    }
+  }
+  return counts;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string short_number(const Rational& value) {
+  std::string text = value.to_string();
+  if (text.size() <= kShownDigits) return text;
+  return "about " + decimal(value, 6);
+}
+
+std::string maintained(const Scene& scene) {
+  std::string text;
+  for (const Request& request : scene.maintain) {
+    if (!text.empty()) text += ", ";
+    text += request.structure;
+    const StructureInfo* info = find_structure_info(request.structure);
+    if (info != nullptr && info->uses_key) text += " by " + key_json(request.key, scene);
+    if (request.label != request.structure) text += " as \"" + request.label + "\"";
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+std::string left_out(const Scene& scene, const PlanCounts& counts) {
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
+  if (counts.at_rest == scene.objects.size()) {
+    add("all scheduling (nothing moves)");
+  } else if (counts.at_rest > 0) {
+    add("failure times among the " + counted(counts.at_rest, "object", "objects") + " at rest");
+  }
+  if (counts.updates == 0) add("flight-plan changes");
+  if (counts.insertions + counts.erasures == 0) add("insertions and erasures");
+  std::size_t others = 0;
+  for (const StructureInfo& info : structure_infos()) {
+    bool asked = false;
+    for (const Request& request : scene.maintain) asked = asked || request.structure == info.name;
+    if (!asked) ++others;
+  }
+  if (others > 0) add(counted(others, "structure", "structures") + " nobody asked for");
+  return text.empty() ? "nothing" : text;
+}
+
+}  // namespace
+
+std::string describe_model(const Scene& scene, const std::string& hash) {
+  const PlanCounts counts = count_plans(scene);
+  std::string text = "scene     " + (scene.name.empty() ? "(no name)" : scene.name) + "\n";
+  text += "hash      " + hash + "\n";
+  text += "time      " + short_number(scene.start) +
+          (scene.end ? " to " + short_number(*scene.end) : " until no event is left") + "\n";
+  text += "objects   " + std::to_string(scene.objects.size()) + " in " +
+          counted(static_cast<std::size_t>(scene.dimension), "axis", "axes") + ": " +
+          std::to_string(scene.objects.size() - counts.at_rest) + " moving in degree " +
+          std::to_string(scene.degree()) + " at most, " + std::to_string(counts.at_rest) +
+          " at rest\n";
+  text += "plan      " + counted(counts.updates, "change", "changes") + ", " +
+          counted(counts.insertions, "insertion", "insertions") + ", " +
+          counted(counts.erasures, "erasure", "erasures") + "\n";
+  text += "maintain  " + maintained(scene) + "\n";
+  text += "left out  " + left_out(scene, counts) + "\n";
+  return text;
+}
+
+}  // namespace kinex

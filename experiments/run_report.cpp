@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/run_report.h"
+
+#include <cstdio>
+
+#include "experiments/attribute_json.h"
+
+namespace kinex {
+
+namespace {
+
+std::string shortened(std::string text) {
+  constexpr std::size_t kLongest = 100;
+  if (text.size() > kLongest) text = text.substr(0, kLongest) + " ..";
+  return text;
+}
+
+std::string cell(const std::string& text, std::size_t width) {
+  return text.size() < width ? std::string(width - text.size(), ' ') + text : " " + text;
+}
+
+std::string row_of(const StructureLedger& ledger) {
+  std::string text;
+  for (const std::uint64_t count : {ledger.processed, ledger.external, ledger.internal,
+                                    ledger.rebuilds, ledger.simultaneous_groups, ledger.max_live,
+                                    ledger.max_per_object, ledger.audit_violations}) {
+    text += cell(std::to_string(count), 11);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string describe_results(const Simulator& simulator, const RunOutcome& outcome) {
+  std::string text = "\n" + cell("", 24);
+  for (const char* column : {"processed", "external", "internal", "rebuilds", "groups", "max live",
+                             "max/object", "violations"}) {
+    text += cell(column, 11);
+  }
+  text += "\n";
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    std::string label = simulator.label(id);
+    if (label.size() < 24) label.resize(24, ' ');
+    text += label + row_of(simulator.kernel().ledger(id)) + "\n";
+  }
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    for (const BoundCheck& bound : outcome.bounds[id]) {
+      text += "bound     " + bound.id + ": " + bound.observed.to_string() +
+              " <= " + shortened(bound.bound.to_string()) +
+              (bound.holds ? " holds" : " DOES NOT HOLD") + "\n";
+    }
+  }
+  for (const Sample& sample : outcome.samples) {
+    for (StructureId id = 0; id < simulator.structures(); ++id) {
+      std::string value;
+      JsonWriter json(value);
+      write_attribute(json, sample.values[id], simulator.scene());
+      text += "at " + sample.t.to_string() + "  " + simulator.label(id) + " " + value + "\n";
+    }
+  }
+  char times[160];
+  std::snprintf(times, sizeof times,
+                "%s: %llu events at %llu instants; setup %.3f s, simulate %.3f s, audit %.3f s\n",
+                std::string(status_name(outcome.status)).c_str(),
+                static_cast<unsigned long long>(simulator.ledger().events),
+                static_cast<unsigned long long>(simulator.ledger().instants),
+                simulator.seconds_setup(), simulator.seconds_simulate(), simulator.seconds_audit());
+  return text + times;
+}
+
+std::vector<std::string> failures_of(const Simulator& simulator, const RunOutcome& outcome) {
+  std::vector<std::string> failures;
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    const StructureLedger& ledger = simulator.kernel().ledger(id);
+    if (ledger.corrupt)
+      failures.push_back(simulator.label(id) + " is corrupt: " + ledger.corruption);
+    for (const BoundCheck& bound : outcome.bounds[id]) {
+      if (bound.holds) continue;
+      failures.push_back(simulator.label(id) + ": bound " + bound.id + " is broken: observed " +
+                         bound.observed.to_string() + ", bound " + bound.bound.to_string() + " (" +
+                         bound.source + ")");
+    }
+  }
+  for (const std::string& violation : simulator.violations())
+    failures.push_back("audit: " + violation);
+  return failures;
+}
+
+}  // namespace kinex

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex check: validates a scene, or re-verifies an event log.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "experiments/file_io.h"
+#include "experiments/log_check.h"
+#include "experiments/model_text.h"
+#include "experiments/scene_reader.h"
+#include "experiments/scene_writer.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+
+namespace kinex {
+
+namespace {
+
+void report_log(const LogVerdict& verdict, int& exit_code) {
+  std::string text = "log       " + verdict.header.scene + ", " + verdict.header.arithmetic + ", " +
+                     verdict.header.build + "\n";
+  text += "scene     " + verdict.header.scene_hash + "\n";
+  text += "events    " + std::to_string(verdict.events) + ", " + std::to_string(verdict.external) +
+          " external";
+  if (verdict.header.exact) text += ", at " + std::to_string(verdict.instants) + " instants";
+  text += "\ndigest    " + verdict.digest + "\n";
+  text += "run       " + (verdict.status.empty() ? "cut off" : verdict.status) + "\n";
+  if (verdict.problems.empty()) {
+    text += verdict.header.exact ? "verified  names, order, every root and the order of time\n"
+                                 : "verified  names and order (inexact: times are not checked)\n";
+  }
+  print(text);
+  for (const std::string& problem : verdict.problems) {
+    std::fprintf(stderr, "kinex: %s\n", problem.c_str());
+  }
+  if (!verdict.problems.empty()) exit_code = kExitFailed;
+}
+
+void check(const std::string& path, int& exit_code) {
+  const std::string text = read_text_file(path);
+  if (looks_like_log(text)) {
+    report_log(check_log(text, path), exit_code);
+    return;
+  }
+  const Scene scene = parse_scene(text, path);
+  print(describe_model(scene, scene_hash(scene)) + "valid\n");
+}
+
+}  // namespace
+
+void add_check_verb(CLI::App& app, int& exit_code) {
+  auto path = std::make_shared<std::string>();
+  CLI::App* verb = app.add_subcommand("check", "Validates a scene, or re-verifies an event log");
+  verb->add_option("FILE", *path, "A scene or an event log, - reads standard input")->required();
+  verb->footer(
+      "Of a log it checks sequence, names, digest and, by Sturm's theorem, that every interval\n"
+      "holds the root that it claims and that times never decrease.\n"
+      "Example:\n  kinex check square.log");
+  verb->callback([path, &exit_code] { check(*path, exit_code); });
+}
+
+}  // namespace kinex

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex run: simulates a scene and reports what happened.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/event_log.h"
+#include "experiments/file_io.h"
+#include "experiments/input_error.h"
+#include "experiments/model_text.h"
+#include "experiments/progress.h"
+#include "experiments/run_report.h"
+#include "experiments/scene_reader.h"
+#include "experiments/scene_run.h"
+#include "experiments/scene_writer.h"
+#include "experiments/summary.h"
+#include "experiments/verbs/interrupt.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+
+namespace kinex {
+
+namespace {
+
+struct RunOptions {
+  std::string scene, until, events, summary;
+  std::string arithmetic = "exact";
+  std::string audit = "end";
+  std::vector<std::string> maintain, at;
+  long long max_events = 0;
+  double max_seconds = 0;
+  bool json = false;
+  bool force = false;
+};
+
+AuditLevel audit_level(const std::string& name) {
+  if (name == "none") return AuditLevel::kNone;
+  if (name == "end") return AuditLevel::kEnd;
+  if (name == "events") return AuditLevel::kEvents;
+  throw InputError("--audit", "", show_text(name) + " is not a level", "write end, events or none");
+}
+
+void shorten(Scene& scene, const std::string& until) {
+  if (until.empty()) return;
+  const Rational end = rational_option("--until", until);
+  if (end <= scene.start || (scene.end && end > *scene.end)) {
+    throw InputError("--until", "", show_text(until) + " is outside of the scene's time",
+                     "write a time after " + scene.start.to_string() +
+                         (scene.end ? ", at most " + scene.end->to_string() : ""));
+  }
+  scene.end = end;
+}
+
+std::vector<Rational> sample_times(const Scene& scene, const std::vector<std::string>& texts) {
+  std::vector<Rational> times;
+  for (const std::string& text : texts) {
+    times.push_back(rational_option("--at", text));
+    if (times.back() < scene.start || (scene.end && times.back() > *scene.end)) {
+      throw InputError("--at", "", show_text(text) + " is outside of the run's time",
+                       "write a time within it");
+    }
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+void run(const RunOptions& options, int& exit_code) {
+  if (options.max_events < 0 || !(options.max_seconds >= 0)) {
+    throw InputError("--max-events, --max-seconds", "", "a limit below 0", "write 0 for no limit");
+  }
+  SimulatorOptions simulator_options;
+  simulator_options.audit = audit_level(options.audit);
+  simulator_options.max_events = static_cast<std::uint64_t>(options.max_events);
+  simulator_options.max_seconds = options.max_seconds;
+
+  Scene scene = read_scene(options.scene);
+  const std::string hash = scene_hash(scene);  // of the file, whatever the options change
+  if (!options.maintain.empty()) set_maintain(scene, options.maintain);
+  if (scene.maintain.empty()) {
+    throw InputError(options.scene, "/maintain", "nothing is to be maintained",
+                     "fill \"maintain\" in the scene, or give --maintain");
+  }
+  shorten(scene, options.until);
+  const std::vector<Rational> times = sample_times(scene, options.at);
+
+  std::optional<OutputFile> events_file, summary_file;
+  if (!options.events.empty()) events_file.emplace(options.events, options.force);
+  const bool json = options.json || options.summary == "-";
+  if (!options.summary.empty() && options.summary != "-") {
+    summary_file.emplace(options.summary, options.force);
+  }
+
+  InterruptGuard interrupt;
+  RunOutcome outcome;
+  std::unique_ptr<Simulator> simulator;
+  std::optional<EventLog> log;
+  {
+    Progress progress;
+    simulator_options.progress = [&](const Simulator& running) {
+      progress.show(running);
+      return !interrupt.interrupted();
+    };
+    simulator = make_simulator(scene, options.arithmetic, simulator_options);
+    const std::string model =
+        describe_model(scene, hash) + "numbers   " + simulator->kernel().arithmetic().name() + "\n";
+    if (json) {
+      std::fputs(model.c_str(), stderr);
+    } else {
+      print(model);
+    }
+    if (events_file || summary_file || json) {
+      log.emplace(*simulator, hash, events_file ? &*events_file : nullptr);
+      simulator->set_sink(&*log);
+    }
+    outcome = run_scene(*simulator, times);
+  }
+  if (log) log->finish(outcome.status);
+  const std::string digest = log ? log->digest() : "";
+  if (summary_file || json) {
+    const std::string summary = write_summary(*simulator, outcome, hash, digest);
+    if (json) print(summary);
+    if (summary_file) {
+      summary_file->write(summary);
+      summary_file->commit();
+    }
+  }
+  if (!json) print(describe_results(*simulator, outcome));
+  if (outcome.status != RunStatus::kDone) {
+    std::fprintf(stderr, "kinex: the run was stopped (%s); what was finished is written\n",
+                 std::string(status_name(outcome.status)).c_str());
+    exit_code = kExitGaveUp;
+  }
+  if (!outcome.clean(*simulator)) {
+    for (const std::string& problem : failures_of(*simulator, outcome)) {
+      std::fprintf(stderr, "kinex: %s\n", problem.c_str());
+    }
+    exit_code = kExitFailed;
+  }
+}
+
+}  // namespace
+
+void add_run_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* verb = app.add_subcommand("run", "Simulates a scene");
+  verb->add_option("SCENE", options->scene, "Scene file, - reads standard input")->required();
+  verb->add_option("--maintain", options->maintain,
+                   "What to maintain instead of what the scene says: NAME or NAME:AXIS, ..")
+      ->delimiter(',');
+  verb->add_option("--arithmetic", options->arithmetic,
+                   "exact (default), sturm, double, gsl or mpfr:P");
+  verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
+  verb->add_option("--events", options->events, "Write the event log to this file");
+  verb->add_option("--summary", options->summary, "Write the summary to this file, - prints it");
+  verb->add_option("--at", options->at, "Sample the attributes right after these times: T, ..")
+      ->delimiter(',');
+  verb->add_option("--audit", options->audit, "end (default), events (after every one) or none");
+  verb->add_flag("--json", options->json, "Print the summary, as --summary - does");
+  verb->add_option("--max-events", options->max_events, "Give up after so many events (no limit)");
+  verb->add_option("--max-seconds", options->max_seconds, "Give up after this time (no limit)");
+  verb->add_flag("--force", options->force, "Replace output files that exist");
+  verb->footer("Example:\n  kinex run square.json --arithmetic exact --events square.log --at 1/3");
+  verb->callback([options, &exit_code] { run(*options, exit_code); });
+}
+
+}  // namespace kinex
