@@ -35,12 +35,13 @@ Integer davenport_schinzel_bound(int s, const Integer& n) {
   return Integer(s) * pairs(n) + Integer(1);
 }
 
-Integer pair_sign_changes(const BoundContext& context, int degree) {
-  const Integer n(static_cast<std::int64_t>(context.objects()));
-  Integer sum(0);
-  for (const int p : context.pieces) sum += Integer(p);
-  // sum over pairs of (p_i + p_j - 1): every object is in n - 1 pairs.
-  const Integer joint = n.sign() > 0 ? (n - Integer(1)) * sum - pairs(n) : Integer(0);
+Integer pair_sign_changes(const std::vector<int>& pieces, int degree, int common) {
+  const Integer n(static_cast<std::int64_t>(pieces.size()));
+  if (n.is_zero()) return n;
+  Integer joint(0);
+  for (const int p : pieces) joint += Integer(p);
+  // Sum over pairs of p_i + p_j + (common - 1) - 1: every object is in n - 1 pairs.
+  joint = (n - Integer(1)) * joint + pairs(n) * Integer(common - 2);
   return Integer(degree + 1) * joint - pairs(n);
 }
 

@@ -49,8 +49,9 @@ Integer pairs(const Integer& n);
 // run: its values are polynomials of degree `degree` on each joint piece of the two motions and
 // continuous where pieces meet (or one of the two is absent). m pieces have at most degree * m roots
 // and m - 1 meeting points, and pieces a and b make at most a + b - 1 joint pieces. A run in which
-// nobody has more than one piece gives degree * n(n-1)/2. O(n).
-Integer pair_sign_changes(const BoundContext& context, int degree);
+// nobody has more than one piece gives degree * n(n-1)/2. `common`: pieces of one more motion that the
+// functions of all pairs depend on. O(n).
+Integer pair_sign_changes(const std::vector<int>& pieces, int degree, int common = 1);
 
 }  // namespace kinex
 

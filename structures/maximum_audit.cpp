@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Audits of the structures that maintain a maximum or minimum.
+#include <string>
+
+#include "structures/key_value.h"
+#include "structures/maximum_heap.h"
+#include "structures/maximum_tournament.h"
+
+namespace kinex {
+namespace {
+
+// The best (key, id): of equal keys the smallest id.
+void audit_extremum(const Contest& contest, std::size_t objects, const Attribute& attribute,
+                    const Snapshot& snapshot, AuditReport& report) {
+  const bool maximum = contest.extremum() == Extremum::kMaximum;
+  const auto keys = sorted_keys(contest.order().key(), snapshot, objects);
+  Attribute expected{Attribute::Shape::kObject, {}};
+  if (!keys.empty()) {
+    std::size_t best = 0;
+    if (maximum) {
+      best = keys.size() - 1;
+      while (best > 0 && keys[best - 1].first == keys[best].first) --best;
+    }
+    expected.ids.push_back(keys[best].second);
+  }
+  report.check(expected == attribute, [&] {
+    const auto text = [](const Attribute& a) {
+      return a.ids.empty() ? std::string("none") : std::to_string(a.ids[0]);
+    };
+    return "the " + std::string(maximum ? "maximum" : "minimum") + " is object " + text(expected) +
+           ", not " + text(attribute);
+  });
+}
+
+}  // namespace
+
+void MaximumTournament::check_invariants(AuditReport& report) const {
+  for (Node v = 1; v < leaves_; ++v) {
+    const auto where = [&] { return " at node " + std::to_string(v); };
+    const ObjectId a = winner_[2 * v], b = winner_[2 * v + 1];
+    report.check(winner_[v] == a || winner_[v] == b,
+                 [&] { return "a winner who did not play" + where(); });
+    const CertificateId c = certificate_[v];
+    report.check(c != kNoCertificate && kernel_->tag(c) == v &&
+                     kernel_->query(c) == contest_.claim(winner_[v], loser(v)),
+                 [&] { return "a certificate of something else" + where(); });
+    report.check(c == kNoCertificate || kernel_->outlook(c) != Outlook::kIdenticallyZero ||
+                     winner_[v] < loser(v),
+                 [&] { return "a tie with the wrong winner" + where(); });
+  }
+  for (std::size_t v = leaves_; v < 2 * leaves_; ++v) {
+    report.check(leaf_of_[winner_[v]] == v,
+                 [&] { return "a lost object at leaf " + std::to_string(v); });
+  }
+}
+
+void MaximumTournament::audit(const Snapshot& snapshot, AuditReport& report) const {
+  audit_extremum(contest_, leaf_of_.size(), attribute(), snapshot, report);
+}
+
+void MaximumHeap::check_invariants(AuditReport& report) const {
+  for (Place i = 0; i < heap_.size(); ++i) {
+    const auto where = [&] { return " at place " + std::to_string(i); };
+    report.check(place_of_[heap_[i]] == i, [&] { return "a lost object" + where(); });
+    if (i == 0) {
+      report.check(certificate_[0] == kNoCertificate,
+                   [] { return std::string("the top has a certificate"); });
+      continue;
+    }
+    const ObjectId parent = heap_[(i - 1) / 2];
+    const CertificateId c = certificate_[i];
+    report.check(c != kNoCertificate && kernel_->tag(c) == i &&
+                     kernel_->query(c) == contest_.claim(parent, heap_[i]),
+                 [&] { return "a certificate of something else" + where(); });
+    report.check(c == kNoCertificate || kernel_->outlook(c) != Outlook::kIdenticallyZero ||
+                     parent < heap_[i],
+                 [&] { return "a tie in the wrong order" + where(); });
+  }
+}
+
+void MaximumHeap::audit(const Snapshot& snapshot, AuditReport& report) const {
+  audit_extremum(contest_, place_of_.size(), attribute(), snapshot, report);
+}
+
+}  // namespace kinex

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MaximumTournament: the object with the largest (or smallest) key, by a tournament tree.
+//
+// Certificates. The tree is complete and lies in an array: the children of node v are 2v and 2v + 1,
+// the leaves are n .. 2n - 1 (in the scene's order at the start). One certificate per inner node: the
+// winner of one child is at least as good as the winner of the other; degree D in t, that of the key.
+//
+// Quality, for n objects: compactness n - 1 certificates. Locality: ceil(log2 n) per object, the depth.
+// Responsiveness: a failure renews the certificates on the path up to where the new winner loses,
+// O(log n) of them. Insertion and erasure move at most two objects: O(log n) certificates.
+// Events, without flight-plan changes: at most the sum over inner nodes v of lambda_D(m_v) - 1, with m_v
+// the number of leaves under v: n log2 n - n + 1 for lines and n a power of two, which is reached. The
+// maximum changes at most lambda_D(n) - 1 times. (Several failures at one instant count one by one: the
+// winners of a node form a Davenport-Schinzel sequence of order D all the same, since each is strictly
+// better than the last right after the instant and equal to it at it; roots counted with multiplicity.)
+// Not strongly efficient: the maximum may change O(1) times while Theta(n) events are processed.
+//
+// Ties. Of objects whose keys are equal for ever the smallest id wins.
+//
+// Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5; Basch,
+// Guibas, Hershberger, "Data structures for mobile data" (1999).
+#ifndef KINEX_STRUCTURES_MAXIMUM_TOURNAMENT_H
+#define KINEX_STRUCTURES_MAXIMUM_TOURNAMENT_H
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/kernel.h"
+#include "core/scene.h"
+#include "core/structure.h"
+#include "structures/key_order.h"
+
+namespace kinex {
+
+class MaximumTournament final : public Structure {
+ public:
+  enum Kind : std::uint8_t {
+    kReplace,  // another winner at a node: the old one, the new one
+    kTie,      // the same, because the two keys have become equal for ever
+  };
+
+  MaximumTournament(Kernel& kernel, StructureId id, const Key& key, const Scene& scene,
+                    Extremum extremum);
+
+  std::string_view name() const override;
+  std::vector<std::string_view> event_kinds() const override;
+  void build(std::span<const ObjectId> objects) override;
+  void rebuild() override;
+  void certificate_failed(CertificateId failed) override;
+  void insert(ObjectId object) override;
+  void erase(ObjectId object) override;
+  void motions_changed(std::span<const ObjectId> objects) override;
+  Attribute attribute() const override;
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  std::size_t bytes() const override;
+
+  // kNoObject if there is none.
+  ObjectId winner() const { return leaves_ == 0 ? kNoObject : winner_[1]; }
+
+ private:
+  using Node = std::uint32_t;
+
+  void construct(std::vector<ObjectId> members);
+  ObjectId loser(Node v) const {
+    return winner_[2 * v] == winner_[v] ? winner_[2 * v + 1] : winner_[2 * v];
+  }
+  void set_node(Node v, ObjectId winner, ObjectId loser);
+  void flip(Node v);
+  void decide(Node v);
+  void replay(Node a, Node b);
+
+  Kernel* kernel_;
+  StructureId id_;
+  Contest contest_;
+  std::size_t leaves_ = 0;
+  std::vector<ObjectId> winner_;           // per node from 1; at a leaf its object
+  std::vector<CertificateId> certificate_;  // per inner node from 1
+  std::vector<Node> leaf_of_;              // per object; 0: not a member
+};
+
+}  // namespace kinex
+
+#endif

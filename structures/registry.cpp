@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/registry.h"
+
+#include <stdexcept>
+
+#include "structures/delaunay_2.h"
+#include "structures/maximum_heap.h"
+#include "structures/maximum_tournament.h"
+#include "structures/sorted_list.h"
+
+namespace kinex {
+namespace {
+
+using Maker = std::unique_ptr<Structure> (*)(const Request&, const Scene&, Kernel&, StructureId);
+
+std::unique_ptr<Structure> make_sorted_list(const Request& request, const Scene& scene, Kernel& kernel,
+                                            StructureId id) {
+  return std::make_unique<SortedList>(kernel, id, request.key, scene);
+}
+
+template <class S, Extremum kExtremum>
+std::unique_ptr<Structure> make_extremum(const Request& request, const Scene& scene, Kernel& kernel,
+                                         StructureId id) {
+  return std::make_unique<S>(kernel, id, request.key, scene, kExtremum);
+}
+
+std::unique_ptr<Structure> make_delaunay_2(const Request&, const Scene& scene, Kernel& kernel,
+                                           StructureId id) {
+  return std::make_unique<Delaunay2>(kernel, id, scene);
+}
+
+struct Entry {
+  StructureInfo info;
+  Maker make;
+};
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> kEntries{
+      {{"sorted_list", "objects in the order of a key, by certificates between neighbours", 1, true},
+       make_sorted_list},
+      {{"maximum_tournament", "the object with the largest key, by a tournament tree", 1, true},
+       make_extremum<MaximumTournament, Extremum::kMaximum>},
+      {{"minimum_tournament", "the object with the smallest key, by a tournament tree", 1, true},
+       make_extremum<MaximumTournament, Extremum::kMinimum>},
+      {{"maximum_heap", "the object with the largest key, by a binary heap", 1, true},
+       make_extremum<MaximumHeap, Extremum::kMaximum>},
+      {{"minimum_heap", "the object with the smallest key, by a binary heap", 1, true},
+       make_extremum<MaximumHeap, Extremum::kMinimum>},
+      {{"delaunay_2", "the Delaunay triangulation of points in the plane", 2, false}, make_delaunay_2},
+  };
+  return kEntries;
+}
+
+const Entry* find_entry(std::string_view name) {
+  for (const Entry& entry : entries()) {
+    if (entry.info.name == name) return &entry;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const std::vector<StructureInfo>& structure_infos() {
+  static const std::vector<StructureInfo> kInfos = [] {
+    std::vector<StructureInfo> infos;
+    for (const Entry& entry : entries()) infos.push_back(entry.info);
+    return infos;
+  }();
+  return kInfos;
+}
+
+const StructureInfo* find_structure_info(std::string_view name) {
+  const Entry* entry = find_entry(name);
+  return entry == nullptr ? nullptr : &entry->info;
+}
+
+std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene, Kernel& kernel,
+                                          StructureId id) {
+  const Entry* entry = find_entry(request.structure);
+  if (entry == nullptr) {
+    std::string names;
+    for (const StructureInfo& info : structure_infos()) {
+      names += (names.empty() ? "" : ", ") + std::string(info.name);
+    }
+    throw std::invalid_argument("unknown structure \"" + request.structure + "\"; choose one of " + names);
+  }
+  if (scene.dimension < entry->info.min_dimension) {
+    throw std::invalid_argument(request.structure + " needs a scene of dimension " +
+                                std::to_string(entry->info.min_dimension) + " or more, not " +
+                                std::to_string(scene.dimension));
+  }
+  return entry->make(request, scene, kernel, id);
+}
+
+}  // namespace kinex
