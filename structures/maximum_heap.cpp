@@ -58,7 +58,7 @@ void MaximumHeap::set_certificate(Place i) {
     const Kernel::Created created = kernel_->create(id_, query, i);
     c = created.id;
     outlook = created.outlook;
-  } else if (kernel_->query(c) == query && kernel_->outlook(c) != Outlook::kFailsNow) {
+  } else if (kernel_->query(c) == query) {
     return;
   } else {
     outlook = kernel_->replace(c, query, i);
