@@ -104,7 +104,7 @@ class DoubleArithmetic final : public Arithmetic {
       t = -c[0] / c[1];
     } else {
       filter::Enclosure enclosure;
-      if (filter::first_sign_change<false>(c.data(), nullptr, degree, from, until, enclosure) !=
+      if (filter::first_sign_change<false>(c.data(), nullptr, degree, 0.0, from, until, enclosure) !=
           filter::Search::kFound) {
         return Outlook::kNever;
       }
@@ -163,7 +163,7 @@ class DoubleArithmetic final : public Arithmetic {
     if (degree >= kRoom) return -1;
     std::array<MotionView<double>, kMaxArity> points;
     for (std::size_t i = 0; i < query.arity; ++i) points[i] = &coefficients_[query.ids[i] * stride_];
-    predicate.plain(degree_, points.data(), c.data());
+    predicate.plain(degree_, points.data(), 0.0, c.data());
     while (degree >= 0 && c[static_cast<std::size_t>(degree)] == 0) --degree;
     return degree;
   }

@@ -48,13 +48,57 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   const NumberModel& numbers = motions_.model();
   model.degree = p.degree(numbers.degree);
   model.alternating = p.alternating();
+  model.homogeneity = p.homogeneity();
   if (numbers.narrow) {
     model.narrow = p.narrow_fits(numbers.degree, numbers.magnitude.data());
-    p.plain_error(numbers.degree, numbers.magnitude.data(), model.error_over_gamma.data());
+    p.unit_error(numbers.degree, model.unit_error.data());
     // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
-    for (double& e : model.error_over_gamma) e *= (1 + 0x1p-40) / filter::gamma(0);
+    for (double& e : model.unit_error) e *= (1 + 0x1p-40) / filter::gamma(0);
   }
   models_.push_back(model);
+}
+
+// The shifted motions are exact if all their coefficients are multiples of step^degree (the origin is a
+// multiple of step <= 1, or an integer) of at most 53 bits; one bit is kept for differences.
+bool ExactArithmetic::shift_is_exact(double origin, double step) const {
+  const NumberModel& numbers = motions_.model();
+  double unit = 1;
+  for (int k = 0; k < numbers.degree; ++k) unit *= std::min(step, 1.0);
+  const double reach = std::fabs(origin);
+  for (int i = 0; i <= numbers.degree; ++i) {
+    double sum = 0, binomial = 1, power = 1;
+    for (int j = i; j <= numbers.degree; ++j) {
+      sum += binomial * power * numbers.magnitude[static_cast<std::size_t>(j)];
+      power *= reach;
+      binomial = binomial * (j + 1) / (j + 1 - i);
+    }
+    if (!(sum <= 0x1p52 * unit)) return false;
+  }
+  return true;
+}
+
+void ExactArithmetic::update_origin() {
+  const double now = now_.lo;
+  if (now >= origin_ && now < origin_end_) return;
+  origin_ = 0;
+  if (!motions_.model().narrow) {
+    origin_end_ = kInfinity;
+    return;
+  }
+  if (now == 0) {
+    origin_end_ = end_upper_ < kInfinity ? end_upper_ * 0x1p-10 : 0x1p-20;
+    return;
+  }
+  const int exponent = std::ilogb(now);
+  for (int e = exponent - 12; e <= exponent; ++e) {
+    const double step = std::ldexp(1.0, e);
+    const double origin = std::floor(now / step) * step;
+    if (!shift_is_exact(origin, step)) continue;
+    origin_ = origin;
+    origin_end_ = origin + step;
+    return;
+  }
+  origin_end_ = 2 * std::fabs(now);
 }
 
 void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
@@ -105,19 +149,42 @@ void ExactArithmetic::wide_coefficients(const Query& query, Int128* out) const {
   predicates_[query.predicate]->narrow(motions_.degree(), points.data(), out);
 }
 
+void ExactArithmetic::approximate_shifted(const Query& query, Approximation& p) const {
+  const PredicateModel& model = models_[query.predicate];
+  std::array<MotionView<double>, kMaxArity> points;
+  for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
+  double reach[kMaxFixedDegree + 1];
+  const int d = motions_.degree();
+  predicates_[query.predicate]->plain_with_reach(d, points.data(), origin_, p.c, reach);
+  p.origin = origin_;
+  // r and s with reach[k] <= r s^k.
+  double largest = 0;
+  for (int k = 1; k <= d; ++k) largest = std::max(largest, reach[k]);
+  const double r = std::max(reach[0], largest * 0x1p-20);
+  double s = 0;
+  if (r > 0) {
+    s = reach[1] / r;
+    if (d >= 2) s = std::max(s, std::sqrt(reach[2] / r));
+    if (d >= 3) s = std::max(s, std::cbrt(reach[3] / r));
+    s *= 1 + 0x1p-30;
+  }
+  double scale = 1;
+  for (int i = 0; i < model.homogeneity; ++i) scale *= r;
+  for (int i = 0; i <= model.degree; ++i) {
+    p.m[i] = std::fabs(p.c[i]) + model.unit_error[static_cast<std::size_t>(i)] * scale;
+    scale *= s;
+  }
+}
+
 bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation& p) const {
   const PredicateModel& model = models_[query.predicate];
   const Predicate& predicate = *predicates_[query.predicate];
   const int degree = model.degree;
   p.degree = degree;
+  p.origin = 0;
   if (all_narrow(query)) {
     if (stage == Stage::kDouble) {
-      std::array<MotionView<double>, kMaxArity> points;
-      for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
-      predicate.plain(motions_.degree(), points.data(), p.c);
-      for (int i = 0; i <= degree; ++i) {
-        p.m[i] = std::fabs(p.c[i]) + model.error_over_gamma[static_cast<std::size_t>(i)];
-      }
+      approximate_shifted(query, p);
     } else {
       if (!model.narrow) return false;
       Int128 out[kMaxFixedCoefficients];
@@ -154,8 +221,8 @@ int ExactArithmetic::relation_to_now(const Query& query) const {
 // The sign of p on all of [now.lo, now.hi], if it is one and the same for certain; it is then the sign
 // at now and right after it.
 std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const {
-  const double t = now_.hi;
-  const double bound = std::max(std::fabs(now_.lo), std::fabs(now_.hi));
+  const double t = now_.hi - p.origin;
+  const double bound = std::max(std::fabs(now_.lo - p.origin), std::fabs(t));
   const int d = p.degree;
   double value = p.c[d], magnitude = p.m[d], slope = d * p.m[d];
   for (int i = d - 1; i >= 0; --i) {
@@ -201,10 +268,11 @@ std::optional<Outlook> ExactArithmetic::linear_failure(const Query& query, const
   }
   // |r - root| <= (e0 + |r| e1) / (|c1| - e1) + u |r|.
   const double r = -c0 / c1;
+  const double t = p.origin + r;
   const double error = (p.m[0] + std::fabs(r) * p.m[1]) * filter::gamma(1) /
                            (std::fabs(c1) - lead_error) * (1 + 0x1p-20) +
-                       std::fabs(r) * 0x1p-52 + 0x1p-1000;
-  const double lo = r - error, hi = r + error;
+                       std::fabs(r) * 0x1p-52 + std::fabs(t) * 0x1p-51 + 0x1p-1000;
+  const double lo = t - error, hi = t + error;
   if (c1 < 0) {
     if (lo > now_.hi) {
       if (lo > horizon(query)) return Outlook::kNever;
@@ -256,8 +324,8 @@ std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& que
     const auto sign = sign_over_now(p);
     if (sign == Sign::kNegative) return fails_now(time);
     if (!sign) {
-      // A root exactly at the origin of time shows in the coefficients.
-      if (!(now_.lo == 0 && now_.hi == 0) || m[0] != 0) return std::nullopt;
+      // A root exactly at the origin shows in the coefficients.
+      if (!(now_.lo == p.origin && now_.hi == p.origin) || m[0] != 0) return std::nullopt;
       int k = 0;
       while (m[k] == 0) ++k;
       if (!(std::fabs(c[k]) > m[k] * filter::gamma(degree))) return std::nullopt;
@@ -270,7 +338,10 @@ std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& que
     }
   }
   filter::Enclosure enclosure;
-  switch (filter::first_sign_change<true>(c, m, degree, now_.hi, horizon(query), enclosure)) {
+  // now.hi - origin is exact; the horizon may be too late by a little, never too early.
+  const double until = std::nextafter(horizon(query) - p.origin, kInfinity);
+  switch (filter::first_sign_change<true>(c, m, degree, p.origin, now_.hi - p.origin, until,
+                                          enclosure)) {
     case filter::Search::kNone: return Outlook::kNever;
     case filter::Search::kFound:
       time = {enclosure.lo, enclosure.hi, 0};

@@ -2,11 +2,12 @@
 // ExactArithmetic (`exact`): every answer is exact; a filter in doubles gives nearly all of them.
 //
 // Stages, cheapest first; a stage may abstain, none may be wrong, and the ledger counts who answered.
-//   kDouble: the certificate polynomial in doubles on the scene's integers, with an error bound that is
-//     computed once per scene and predicate (zero for most low coefficients); where the scene's numbers
-//     are not small integers over a common denominator, in doubles with running error bounds. Its sign
-//     or first root is then certified in doubles.
-//   kWide: the same with coefficients computed exactly in 128-bit integers.
+//   kDouble: where the scene's numbers are small integers over a common denominator, the certificate
+//     polynomial is computed in plain doubles in t - origin, for an origin of few bits just before now:
+//     shifted motions and their differences are exact, and the rounding errors of the rest are bounded
+//     by the predicate's unit errors times the reach of the points. Other scenes: doubles with running
+//     error bounds. The sign or the first root is then certified in doubles.
+//   kWide: the same with coefficients in t computed exactly in 128-bit integers.
 //   kExact: integers of any size, isolating intervals, gcds.
 #ifndef KINEX_CORE_EXACT_ARITHMETIC_H
 #define KINEX_CORE_EXACT_ARITHMETIC_H
@@ -58,6 +59,7 @@ class ExactArithmetic final : public Arithmetic {
   struct Approximation {
     double c[kRoomForCoefficients];
     double m[kRoomForCoefficients];
+    double origin;    // the polynomial is in t - origin
     int degree;       // trailing coefficients that are exactly zero are stripped; -1: all are zero
   };
   struct Now {
@@ -71,13 +73,17 @@ class ExactArithmetic final : public Arithmetic {
     bool narrow = false;  // 128-bit integers hold the polynomial of any narrow motions
     int degree = 0;
     int alternating = 0;
-    // Bounds on the rounding errors of the plain formula, divided by gamma (core/first_root.h).
-    std::array<double, kMaxFixedCoefficients> error_over_gamma{};
+    int homogeneity = 0;
+    // Predicate::unit_error divided by gamma (core/first_root.h).
+    std::array<double, kMaxFixedCoefficients> unit_error{};
   };
 
   bool all_narrow(const Query& query) const;
   // The polynomial in the form of one stage (kDouble or kWide); false if the stage cannot have it.
   bool approximate(const Query& query, Stage stage, Approximation& p) const;
+  void approximate_shifted(const Query& query, Approximation& p) const;
+  void update_origin();
+  bool shift_is_exact(double origin, double step) const;
   void wide_coefficients(const Query& query, Int128* out) const;
   std::optional<Outlook> failure_in(Stage stage, const Query& query, FailureTime& time);
   Polynomial exact_polynomial(const Query& query) const;
@@ -112,6 +118,9 @@ class ExactArithmetic final : public Arithmetic {
   std::optional<Rational> end_;
   double end_upper_;
   Now now_;
+  // The origin in use for all now_.lo in [origin_, origin_end_).
+  double origin_ = 0;
+  double origin_end_ = 0;
   RootTable roots_;
   RootCounters root_counters_;
 };

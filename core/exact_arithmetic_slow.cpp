@@ -46,6 +46,7 @@ void ExactArithmetic::set_now(const Rational& t) {
   now_.lo = t.lower_double();
   now_.hi = t.upper_double();
   now_.root = roots_.add(RealRoot(t));
+  update_origin();
 }
 
 void ExactArithmetic::advance(const Query& query, FailureTime& time) {
@@ -57,6 +58,7 @@ void ExactArithmetic::advance(const Query& query, FailureTime& time) {
   now_.isolated = (time.root & kFlags) == 0;
   now_.root = time.root & ~kFlags;
   time.root = 0;
+  update_origin();
 }
 
 // The root that [lo, hi] isolates: the filter has proved opposite signs at the ends and one root.

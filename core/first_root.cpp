@@ -24,8 +24,8 @@ double root_bound(const double* c, const double* m, int degree) {
 }
 
 template <bool kCertify>
-Search first_sign_change(const double* c, const double* m, int degree, double a, double b,
-                         Enclosure& out) {
+Search first_sign_change(const double* c, const double* m, int degree, double origin, double a,
+                         double b, Enclosure& out) {
   constexpr Search give_up = kCertify ? Search::kUnknown : Search::kNone;
   if (!(b < std::numeric_limits<double>::infinity())) {
     b = root_bound(c, m, degree);
@@ -33,22 +33,22 @@ Search first_sign_change(const double* c, const double* m, int degree, double a,
   }
   if (!(a < b)) return Search::kNone;
   switch (degree) {
-    case 2: return FirstRoot<2, kCertify>(c, m, 2)(a, b, out);
-    case 3: return FirstRoot<3, kCertify>(c, m, 3)(a, b, out);
-    case 4: return FirstRoot<4, kCertify>(c, m, 4)(a, b, out);
-    case 5: return FirstRoot<5, kCertify>(c, m, 5)(a, b, out);
-    case 6: return FirstRoot<6, kCertify>(c, m, 6)(a, b, out);
-    case 8: return FirstRoot<8, kCertify>(c, m, 8)(a, b, out);
-    case 12: return FirstRoot<12, kCertify>(c, m, 12)(a, b, out);
+    case 2: return FirstRoot<2, kCertify>(c, m, 2, origin)(a, b, out);
+    case 3: return FirstRoot<3, kCertify>(c, m, 3, origin)(a, b, out);
+    case 4: return FirstRoot<4, kCertify>(c, m, 4, origin)(a, b, out);
+    case 5: return FirstRoot<5, kCertify>(c, m, 5, origin)(a, b, out);
+    case 6: return FirstRoot<6, kCertify>(c, m, 6, origin)(a, b, out);
+    case 8: return FirstRoot<8, kCertify>(c, m, 8, origin)(a, b, out);
+    case 12: return FirstRoot<12, kCertify>(c, m, 12, origin)(a, b, out);
     default: break;
   }
   if (degree > kMaxFilterDegree) return give_up;
-  return FirstRoot<-1, kCertify>(c, m, degree)(a, b, out);
+  return FirstRoot<-1, kCertify>(c, m, degree, origin)(a, b, out);
 }
 
 template Search first_sign_change<true>(const double*, const double*, int, double, double,
-                                        Enclosure&);
+                                        double, Enclosure&);
 template Search first_sign_change<false>(const double*, const double*, int, double, double,
-                                         Enclosure&);
+                                         double, Enclosure&);
 
 }  // namespace kinex::filter

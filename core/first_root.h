@@ -14,6 +14,8 @@
 // (3d + 24) u covers the conversion of c_j from 128-bit integers (3u) and the roundings of m(T) itself.
 // Underflow adds at most 2^-1074 per operation, times T^d 2^d: harmless because 2^-300 <= m(T) <= 2^900
 // and T <= 2^(600/d) are checked, and d <= kMaxFilterDegree.
+// Time. The polynomial is in s = t - origin, where origin is a double and a multiple of a power of two
+// not below the units of the times involved, so that t - origin is exact for every double t that matters.
 // Source: Bernstein bisection as in Mehlhorn and Sagraloff's surveys of real root isolation; the bounds
 // are derived here.
 #ifndef KINEX_CORE_FIRST_ROOT_H
@@ -59,9 +61,10 @@ class FirstRoot {
   static constexpr int kRoom = D >= 0 ? D + 1 : kMaxFilterDegree + 1;
 
   // c, m: degree + 1 entries; m is not read without kCertify.
-  FirstRoot(const double* c, const double* m, int degree) : c_(c), m_(m), degree_(degree) {}
+  FirstRoot(const double* c, const double* m, int degree, double origin)
+      : c_(c), m_(m), degree_(degree), origin_(origin) {}
 
-  // The first t in (a, b] where the polynomial changes sign, given that it is positive right after a
+  // a, b are times s = t - origin; out is in t. The first time in (a, b] where the polynomial changes sign, given that it is positive right after a
   // and that b - a is finite. kFound: exactly one root lies in out, the polynomial is positive at
   // out.lo and negative at out.hi, and no sign change lies in (a, out.lo). kNone: it is positive on
   // (a, b]. A root slightly beyond b may be found as well.
@@ -212,7 +215,7 @@ class FirstRoot {
       if (step <= 0x1p-28 * std::fabs(t) && i > 0) break;
     }
     if constexpr (!kCertify) {
-      out = {t, t};
+      out = {origin_ + t, origin_ + t};
       return Search::kFound;
     } else {
       return certify(x, y, t, slope, out);
@@ -222,19 +225,20 @@ class FirstRoot {
   Search certify(double x, double y, double t, double slope, Enclosure& out) const {
     const double base = error_at(std::fabs(t));
     if (!(base >= 0)) return Search::kUnknown;
-    double width = 2 * base / std::fabs(slope) + 0x1p-51 * std::fabs(t) + 0x1p-900;
+    double width = 2 * base / std::fabs(slope) + 0x1p-51 * std::fabs(origin_ + t) + 0x1p-900;
     for (int attempt = 0; attempt < 5; ++attempt, width *= 8) {
       if (!(width < y - x)) return Search::kUnknown;
       // Within 2^-20 of |t| the bound grows by less than (1 + 2^-20)^d < 1 + 2^-12.
       const double error =
-          width <= 0x1p-20 * std::fabs(t) ? base * (1 + 0x1p-10) : error_at(std::fabs(t) + width);
+          width <= 0x1p-21 * std::fabs(t) ? base * (1 + 0x1p-10) : error_at(std::fabs(t) + 2 * width);
       if (!(error >= 0)) return Search::kUnknown;
-      const double lo = std::max(t - width, x);
-      const double hi = std::min(t + width, y);
-      if (value(lo) > error && value(hi) < -error) {
-        out = {lo, hi};
-        return Search::kFound;
-      }
+      out = {origin_ + (t - width), origin_ + (t + width)};
+      const double lo = out.lo - origin_;
+      const double hi = out.hi - origin_;
+      // The differences must be exact (they are, unless the root is absurdly far away).
+      if (out.lo - lo != origin_ || out.hi - hi != origin_) return Search::kUnknown;
+      if (!(lo >= x && hi <= y)) return Search::kUnknown;
+      if (value(lo) > error && value(hi) < -error) return Search::kFound;
     }
     return Search::kUnknown;
   }
@@ -242,21 +246,22 @@ class FirstRoot {
   const double* c_;
   const double* m_;
   int degree_;
+  double origin_;
 };
 
 // A bound beyond which there is no real root (Fujiwara): a power of two; +infinity if the leading
 // coefficient's sign is not certain. e: absolute errors implied by m (see above).
 double root_bound(const double* c, const double* m, int degree);
 
-// Dispatches on the degree. Requires degree >= 2; b may be +infinity.
+// Dispatches on the degree. Requires degree >= 2; a, b are t - origin, b may be +infinity.
 template <bool kCertify>
-Search first_sign_change(const double* c, const double* m, int degree, double a, double b,
-                         Enclosure& out);
+Search first_sign_change(const double* c, const double* m, int degree, double origin, double a,
+                         double b, Enclosure& out);
 
 extern template Search first_sign_change<true>(const double*, const double*, int, double, double,
-                                               Enclosure&);
+                                               double, Enclosure&);
 extern template Search first_sign_change<false>(const double*, const double*, int, double, double,
-                                                Enclosure&);
+                                                double, Enclosure&);
 
 }  // namespace kinex::filter
 

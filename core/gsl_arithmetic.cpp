@@ -25,6 +25,10 @@ constexpr double kImaginary = 1e-9;
 // fraction of now behind it (64 units in the last place).
 constexpr double kSameRoot = 0x1p-46;
 
+// gsl_poly_complex_solve balances the companion matrix in a loop that never ends once a norm overflows
+// (GSL 2.7). Balancing shrinks norms, so entries in this range are safe at any degree that matters.
+constexpr double kLargestRatio = 1e150;
+
 struct FreeWorkspace {
   void operator()(gsl_poly_complex_workspace* w) const { gsl_poly_complex_workspace_free(w); }
 };
@@ -179,7 +183,7 @@ class GslArithmetic final : public Arithmetic {
       points[i] = &coefficients_[query.ids[i] * stride()];
     }
     c_.assign(static_cast<std::size_t>(predicate.degree(degree_)) + 1, 0.0);
-    predicate.plain(degree_, points.data(), c_.data());
+    predicate.plain(degree_, points.data(), 0.0, c_.data());
     while (!c_.empty() && c_.back() == 0) c_.pop_back();
   }
 
@@ -215,12 +219,11 @@ class GslArithmetic final : public Arithmetic {
     return kInfinity;
   }
 
-  // roots_ := the real roots of c_ in ascending order; none if GSL fails or if a coefficient is not
-  // finite, or not after division by the leading one.
+  // roots_ := the real roots of c_ in ascending order; none if GSL fails or a coefficient is not finite.
   void find_real_roots() {
     roots_.clear();
     for (double v : c_) {
-      if (!std::isfinite(v) || !std::isfinite(v / c_.back())) return;
+      if (!std::isfinite(v)) return;
     }
     const std::size_t degree = c_.empty() ? 0 : c_.size() - 1;
     double r[3] = {};
@@ -246,6 +249,10 @@ class GslArithmetic final : public Arithmetic {
   }
 
   void solve_complex(std::size_t degree) {
+    for (double v : c_) {
+      const double ratio = std::fabs(v / c_.back());
+      if (ratio != 0 && !(ratio >= 1 / kLargestRatio && ratio <= kLargestRatio)) return;
+    }
     if (workspaces_.size() <= degree) workspaces_.resize(degree + 1);
     Workspace& workspace = workspaces_[degree];
     if (!workspace) workspace.reset(gsl_poly_complex_workspace_alloc(degree + 1));

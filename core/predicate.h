@@ -51,14 +51,22 @@ class Predicate {
   // True if `narrow` cannot overflow for motions whose coefficient of t^k is at most magnitude[k] in
   // absolute value on every axis (the predicate's own constants included).
   virtual bool narrow_fits(int motion_degree, const double* magnitude) const = 0;
-  // A bound on the error of every coefficient that `plain` computes for integer-valued motions whose
-  // coefficient of t^k is at most magnitude[k] <= 2^53 in absolute value on every axis; 0 where the
-  // coefficient is exact. motion_degree <= kMaxFixedDegree.
-  virtual void plain_error(int motion_degree, const double* magnitude, double* out) const = 0;
   // Doubles with proven error bounds.
   virtual void ball(int motion_degree, const MotionView<Ball>* points, Ball* out) const = 0;
-  // Plain doubles, no error accounting.
-  virtual void plain(int motion_degree, const MotionView<double>* points, double* out) const = 0;
+  // Plain doubles, as a polynomial in t - shift, no error accounting. The motions are shifted first, so
+  // that differences of positions near that time are small; motion_degree > kMaxFixedDegree: shift = 0.
+  virtual void plain(int motion_degree, const MotionView<double>* points, double shift,
+                     double* out) const = 0;
+  // The same, and reach[k] = the largest |difference| from the reference argument in the coefficient of
+  // (t - shift)^k, over the other arguments and all axes. motion_degree <= kMaxFixedDegree.
+  virtual void plain_with_reach(int motion_degree, const MotionView<double>* points, double shift,
+                                double* out, double* reach) const = 0;
+  // If the shifted motions and their differences are exact in doubles and reach[k] <= r s^k for all k,
+  // then coefficient k of plain_with_reach is off by at most out[k] * r^homogeneity() * s^k (underflow
+  // aside). motion_degree <= kMaxFixedDegree.
+  virtual void unit_error(int motion_degree, double* out) const = 0;
+  // The formula's degree in the coordinates.
+  virtual int homogeneity() const = 0;
   // MPFR numbers of the points' precision.
   virtual void multiprecision(int motion_degree, const MotionView<MpFloat>* points,
                               MpFloat* out) const = 0;

@@ -2,15 +2,19 @@
 // FormulaPredicate: adapts one formula, written once over any ring, to the Predicate interface.
 //
 // A Formula is a class with
-//   static constexpr int kArity, kDimension, kDegree (in units of the motion's degree), kAlternating;
-//   static constexpr const char* kName;                      or a member name()
+//   static constexpr int kArity, kDegree (in units of the motion's degree), kAlternating;
+//   static constexpr int kReference;         index of the argument that differences are taken from
+//   static constexpr bool kOnlyToReference;  every coordinate enters as a difference to that argument
+//   name(), dimension();
 //   template <class Points> auto value(const Points& p) const;
 // where p(i, axis) is the polynomial of the i-th argument on that axis and value() returns a polynomial
-// in the wide ring (through widen or wide_product). The formula must be homogeneous in the coordinates
-// of its arguments: exact() is called with coordinates multiplied by a common positive denominator.
+// in the wide ring (through widen or wide_product). The formula must be homogeneous of degree kDegree in
+// the coordinates of its arguments and use them only through differences of two arguments on one axis.
 #ifndef KINEX_CORE_PREDICATE_FORMULA_H
 #define KINEX_CORE_PREDICATE_FORMULA_H
 
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,10 +57,25 @@ struct MagnitudePoints {
 
 template <int D>
 struct RoundingPoints {
-  const double* magnitude;
+  double magnitude;
   FixedPolynomial<RoundingBound, D> operator()(int, int) const {
     FixedPolynomial<RoundingBound, D> p;
-    for (int k = 0; k <= D; ++k) p.c[k] = {magnitude[k], 0};
+    for (int k = 0; k <= D; ++k) p.c[k] = {magnitude, 0, true};
+    return p;
+  }
+};
+
+// Motions as polynomials in t - shift.
+template <int D>
+struct ShiftedPoints {
+  const MotionView<double>* points;
+  double shift;
+  FixedPolynomial<double, D> operator()(int i, int axis) const {
+    FixedPolynomial<double, D> p;
+    for (int k = 0; k <= D; ++k) p.c[k] = points[i][axis * (D + 1) + k];
+    for (int k = 0; k < D; ++k) {
+      for (int j = D - 1; j >= k; --j) p.c[j] += shift * p.c[j + 1];
+    }
     return p;
   }
 };
@@ -85,7 +104,32 @@ class FormulaPredicate final : public Predicate {
     }
   }
 
-  void plain_error(int d, const double* magnitude, double* out) const override {
+  void ball(int d, const MotionView<Ball>* points, Ball* out) const override {
+    if (d > kMaxFixedDegree) return dynamic(d, points, out);
+    fixed<Ball>(d, points, out);
+  }
+
+  void plain(int d, const MotionView<double>* points, double shift, double* out) const override {
+    switch (d) {
+      case 1: return store(formula_.value(ShiftedPoints<1>{points, shift}), out);
+      case 2: return store(formula_.value(ShiftedPoints<2>{points, shift}), out);
+      case 3: return store(formula_.value(ShiftedPoints<3>{points, shift}), out);
+      default: return dynamic(d, points, out);
+    }
+  }
+
+  void plain_with_reach(int d, const MotionView<double>* points, double shift, double* out,
+                        double* reach) const override {
+    switch (d) {
+      case 1: return reaching(ShiftedPoints<1>{points, shift}, out, reach);
+      case 2: return reaching(ShiftedPoints<2>{points, shift}, out, reach);
+      default: return reaching(ShiftedPoints<3>{points, shift}, out, reach);
+    }
+  }
+
+  void unit_error(int d, double* out) const override {
+    // Differences are at most the reach, or twice that where they are not taken from the reference.
+    const double magnitude = Formula::kOnlyToReference ? 0.5 : 1.0;
     switch (d) {
       case 1: return store_errors(formula_.value(RoundingPoints<1>{magnitude}), out);
       case 2: return store_errors(formula_.value(RoundingPoints<2>{magnitude}), out);
@@ -93,15 +137,7 @@ class FormulaPredicate final : public Predicate {
     }
   }
 
-  void ball(int d, const MotionView<Ball>* points, Ball* out) const override {
-    if (d > kMaxFixedDegree) return dynamic(d, points, out);
-    fixed<Ball>(d, points, out);
-  }
-
-  void plain(int d, const MotionView<double>* points, double* out) const override {
-    if (d > kMaxFixedDegree) return dynamic(d, points, out);
-    fixed<double>(d, points, out);
-  }
+  int homogeneity() const override { return Formula::kDegree; }
 
   void multiprecision(int d, const MotionView<MpFloat>* points, MpFloat* out) const override {
     dynamic(d, points, out);
@@ -128,6 +164,23 @@ class FormulaPredicate final : public Predicate {
   template <class R, int D>
   static void store(const FixedPolynomial<R, D>& p, R* out) {
     for (int i = 0; i <= D; ++i) out[i] = p.c[i];
+  }
+
+  template <int D>
+  void reaching(const ShiftedPoints<D>& points, double* out, double* reach) const {
+    for (int k = 0; k <= D; ++k) reach[k] = 0;
+    for (int axis = 0; axis < formula_.dimension(); ++axis) {
+      const auto reference = points(Formula::kReference, axis);
+      for (int i = 0; i < Formula::kArity; ++i) {
+        if (i == Formula::kReference) continue;
+        const auto p = points(i, axis);
+        for (int k = 0; k <= D; ++k) {
+          const double r = std::fabs(p.c[k] - reference.c[k]);
+          reach[k] = r > reach[k] ? r : reach[k];
+        }
+      }
+    }
+    store(formula_.value(points), out);
   }
 
   template <int D>

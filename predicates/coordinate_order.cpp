@@ -14,6 +14,8 @@ struct CoordinateOrder {
   static constexpr int kArity = 2;
   static constexpr int kDegree = 1;
   static constexpr int kAlternating = 2;
+  static constexpr int kReference = 0;
+  static constexpr bool kOnlyToReference = true;
 
   int axis = 0;
 

@@ -15,6 +15,8 @@ struct DirectionOrder {
   static constexpr int kArity = 2;
   static constexpr int kDegree = 1;
   static constexpr int kAlternating = 2;
+  static constexpr int kReference = 0;
+  static constexpr bool kOnlyToReference = true;
 
   std::vector<FormulaConstant> direction;
 

@@ -13,6 +13,8 @@ struct InCircle2 {
   static constexpr int kArity = 4;
   static constexpr int kDegree = 4;
   static constexpr int kAlternating = 4;
+  static constexpr int kReference = 3;
+  static constexpr bool kOnlyToReference = true;
 
   std::string_view name() const { return "in_circle_2"; }
   int dimension() const { return 2; }

@@ -12,6 +12,8 @@ struct Orientation2 {
   static constexpr int kArity = 3;
   static constexpr int kDegree = 2;
   static constexpr int kAlternating = 3;
+  static constexpr int kReference = 0;
+  static constexpr bool kOnlyToReference = true;
 
   std::string_view name() const { return "orientation_2"; }
   int dimension() const { return 2; }

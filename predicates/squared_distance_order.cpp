@@ -16,6 +16,8 @@ struct SquaredDistanceOrder {
   static constexpr int kArity = 3;
   static constexpr int kDegree = 2;
   static constexpr int kAlternating = 2;
+  static constexpr int kReference = 2;
+  static constexpr bool kOnlyToReference = false;
 
   std::string_view name() const { return "order_squared_distance"; }
   int dimension() const { return Dimension; }

@@ -43,7 +43,7 @@ void check_one(const std::vector<std::int64_t>& coefficients, double a, double b
   }
   if (p.sign_at(start) == Sign::kZero) return;
   Enclosure out{};
-  const Search answer = filter::first_sign_change<true>(c.data(), m.data(), p.degree(), a, b, out);
+  const Search answer = filter::first_sign_change<true>(c.data(), m.data(), p.degree(), 0, a, b, out);
   RootCounters counters;
   RealRoot from(start);
   std::optional<Rational> until;
@@ -156,7 +156,7 @@ TEST(FirstRoot, RootExactlyAtTheEndIsFound) {
   // (2 - t)(t + 5), until 2.
   const double c[] = {10, -3, -1}, m[] = {10, 3, 1};
   Enclosure out{};
-  ASSERT_EQ(filter::first_sign_change<true>(c, m, 2, 0, 2, out), Search::kFound);
+  ASSERT_EQ(filter::first_sign_change<true>(c, m, 2, 0, 0, 2, out), Search::kFound);
   EXPECT_LT(out.lo, 2);
   EXPECT_GT(out.hi, 2);
 }
@@ -165,12 +165,12 @@ TEST(FirstRoot, OverflowAndUnderflowAbstain) {
   const double big[] = {1e307, -1e308, 1e308}, tiny[] = {1e-310, -1e-309, 1e-310};
   const double bm[] = {1e307, 1e308, 1e308}, tm[] = {1e-310, 1e-309, 1e-310};
   Enclosure out{};
-  EXPECT_EQ(filter::first_sign_change<true>(big, bm, 2, 0, 1e10, out), Search::kUnknown);
-  EXPECT_EQ(filter::first_sign_change<true>(tiny, tm, 2, 0, 1, out), Search::kUnknown);
+  EXPECT_EQ(filter::first_sign_change<true>(big, bm, 2, 0, 0, 1e10, out), Search::kUnknown);
+  EXPECT_EQ(filter::first_sign_change<true>(tiny, tm, 2, 0, 0, 1, out), Search::kUnknown);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double c[] = {1, nan, -1}, m[] = {1, nan, 1};
-  EXPECT_EQ(filter::first_sign_change<true>(c, m, 2, 0, 1, out), Search::kUnknown);
-  EXPECT_EQ(filter::first_sign_change<false>(c, m, 2, 0, 1, out), Search::kNone);
+  EXPECT_EQ(filter::first_sign_change<true>(c, m, 2, 0, 0, 1, out), Search::kUnknown);
+  EXPECT_EQ(filter::first_sign_change<false>(c, m, 2, 0, 0, 1, out), Search::kNone);
 }
 
 }  // namespace
