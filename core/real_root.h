@@ -4,6 +4,7 @@
 #define KINEX_CORE_REAL_ROOT_H
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ class RealRoot {
   RealRoot(Polynomial polynomial, const Rational& lower, const Rational& upper);
 
   bool is_rational() const { return rational_; }
-  const Polynomial& polynomial() const { return polynomial_; }
+  const Polynomial& polynomial() const { return *polynomial_; }
   Rational lower() const;  // both ends equal value() when rational
   Rational upper() const;
   Rational value() const;  // requires is_rational()
@@ -48,14 +49,40 @@ class RealRoot {
   double upper_double() const;
 
  private:
-  // interval is [lower_, upper_] / 2^exponent_; see real_root.cpp
-  Polynomial polynomial_;
+  friend class RootFinder;
+  friend int compare(RealRoot& a, RealRoot& b, RootCounters& counters);
+  friend int compare(RealRoot& a, const Rational& b, RootCounters& counters);
+  friend Sign sign_at(const Polynomial& q, RealRoot& root, RootCounters& counters);
+
+  // An approximate value mantissa * 2^exponent of the polynomial at an end; mantissa 0: not known.
+  struct Value {
+    Integer mantissa;
+    long exponent = 0;
+  };
+  // Both ends are known to satisfy the invariant.
+  RealRoot(std::shared_ptr<const Polynomial> polynomial, Integer lower, Integer upper, long exponent,
+           Sign sign_at_lower);
+
+  void become_rational(const Rational& value);
+  // One step of quadratic interval refinement into at most 2^max_bits parts.
+  void step(unsigned max_bits, RootCounters& counters);
+  Sign evaluate(const Integer& numerator, Value& value) const;
+  Integer guess(const Integer& width);
+  bool width_at_most(long bits) const;  // upper - lower <= 2^-bits
+  // -1, 0, +1 as the interval lies below the other one, meets it in an interval, or lies above.
+  int side_of(const RealRoot& other) const;
+  // Whether `g` changes sign between the ends of the overlap of both intervals.
+  bool changes_sign_on_overlap(const Polynomial& g, const RealRoot& other) const;
+
+  // The interval is [lower_, upper_] / 2^exponent_; both are 0 when rational.
+  std::shared_ptr<const Polynomial> polynomial_;
   Integer lower_, upper_;
   long exponent_ = 0;       // may be negative (large numbers)
   unsigned qir_bits_ = 1;   // log2 of the number of parts the next refinement tries
   Sign sign_at_lower_ = Sign::kZero;
   bool rational_ = false;
-  Rational value_;
+  std::optional<Rational> value_;
+  Value value_at_lower_, value_at_upper_;
 };
 
 // -1, 0, +1: exact. Disjoint intervals answer at once; equality is proved by a gcd.

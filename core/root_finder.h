@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// RootFinder: isolates the real roots above a point one by one, from left to right.
+// Source: Descartes' rule of signs in the Bernstein basis with bisection (Lane, Riesenfeld 1981; the
+// method of Vincent, Collins and Akritas), integer arithmetic.
+#ifndef KINEX_CORE_ROOT_FINDER_H
+#define KINEX_CORE_ROOT_FINDER_H
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/real_root.h"
+
+namespace kinex {
+
+class RootFinder {
+ public:
+  enum class Status {
+    kPoint,     // a root at a dyadic point, with its multiplicity
+    kInterval,  // one simple root between the ends, which are no roots
+    kStuck,     // reached the depth limit with several roots in sight; raise it and go on
+    kFinished   // no more roots (up to the limit)
+  };
+
+  // Roots of p strictly above origin / 2^exponent (exponent >= 0); p of positive degree. Nothing above
+  // limit / 2^exponent needs to be found. It need not be square-free, but then the search does not get
+  // past a multiple root that is no dyadic number: see kStuck.
+  RootFinder(std::shared_ptr<const Polynomial> p, Integer origin, long exponent,
+             std::optional<Integer> limit);
+
+  Status next();
+  void set_depth_limit(long limit) { depth_limit_ = limit; }
+
+  // What the last next() found.
+  Rational point() const;
+  int multiplicity() const { return multiplicity_; }
+  RealRoot root() const;
+  // The negative of the last found root, as a root of `mirrored`(t) = +-p(-t).
+  RealRoot mirrored_root(const std::shared_ptr<const Polynomial>& mirrored) const;
+
+ private:
+  // Bernstein coefficients (times a positive constant) on the cell [cell, cell + 1] * 2^(width - depth)
+  // above the origin, in units of 2^-exponent.
+  struct Node {
+    std::vector<Integer> b;
+    Integer cell;
+    long depth = 0;
+    bool lower_done = false;  // a root at the lower end has been reported (or is not wanted)
+  };
+
+  void start(const Polynomial& p);
+  void split(Node&& node);
+  bool beyond_limit(const Node& node) const;
+  Integer end_of(const Integer& cell, long depth) const;
+
+  std::shared_ptr<const Polynomial> p_;
+  Integer origin_;
+  long exponent_;
+  std::optional<Integer> limit_;  // relative to the origin
+  long width_ = 0;
+  long depth_limit_ = -1;  // none
+  std::vector<Node> stack_;
+  // the last root
+  Integer cell_;
+  long depth_ = 0;
+  int multiplicity_ = 0;
+  Sign sign_at_lower_ = Sign::kZero;
+};
+
+}  // namespace kinex
+
+#endif
