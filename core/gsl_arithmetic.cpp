@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A computed root counts as real if its imaginary part is at most this fraction of its real part. GSL's
-// roots are eigenvalues, off by some units of 2^-52: a double root comes out as a pair about 2^-26 apart,
-// one of a cluster further.
+// roots are eigenvalues: those of a double root come out about 2^-26 apart, on the real axis or off it,
+// and so may count or not. Where they are true double roots that changes no sign.
 constexpr double kImaginary = 1e-9;
 // A root of the polynomial that has just failed is taken for the known root at now if it is at most this
 // fraction of now behind it (64 units in the last place).

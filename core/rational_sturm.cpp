@@ -57,8 +57,13 @@ RationalPolynomial RationalPolynomial::derivative() const {
 
 void RationalPolynomial::normalise() {
   if (is_zero()) return;
-  const Rational divisor = leading().sign() < 0 ? -leading() : leading();
-  for (Rational& c : c_) c /= divisor;
+  Integer denominator(1), common;
+  for (const Rational& c : c_) {
+    denominator = lcm(denominator, c.denominator());
+    common = kinex::gcd(common, c.numerator());
+  }
+  const Rational factor(denominator, common);
+  for (Rational& c : c_) c *= factor;
 }
 
 std::uint64_t RationalPolynomial::max_bits() const {

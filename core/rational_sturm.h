@@ -37,7 +37,8 @@ class RationalPolynomial {
   Sign sign_at(const Rational& t) const { return to_sign(value_at(t).sign()); }
   Sign sign_at_plus_infinity() const { return to_sign(is_zero() ? 0 : leading().sign()); }
   RationalPolynomial derivative() const;
-  // Divided by the absolute value of the leading coefficient: no sign changes. Zero stays zero.
+  // Multiplied by the positive number that makes the coefficients coprime integers: no sign changes, and
+  // values at dyadic points stay small. Zero stays zero.
   void normalise();
   std::uint64_t max_bits() const;
 
