@@ -81,6 +81,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       problem_ = show_text(token) + " is beyond the range of a bare JSON number";
       remedy_ = "put it in double quotes; then it is read exactly";
     } else if (offset() >= text_.size() && (token.empty() || token.back() != '\n')) {
+      where_ = text_.size();
       problem_ = text_.empty() ? "the file is empty" : "the text ends too early";
       if (!text_.empty()) problem_ += ", after " + show_text(tail());
       remedy_ = "complete it to one JSON value";

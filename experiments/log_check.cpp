@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/polynomial_gcd.h"
 #include "core/real_root.h"
 #include "core/sturm_sequence.h"
 #include "experiments/event_log.h"
@@ -25,7 +26,7 @@ std::string instant_problem(const LogInstant& instant) {
     return "the polynomial is not primitive with a positive leading coefficient";
   if (instant.upper < instant.lower) return "the ends of the interval are in the wrong order";
   const SturmSequence sturm(p);
-  if (sturm.sequence().back().degree() > 0) return "the polynomial is not square-free";
+  if (!(square_free_part(p) == p)) return "the polynomial is not square-free";
   const bool point = instant.lower == instant.upper;
   if (point) {
     if (p.sign_at(instant.lower) != Sign::kZero) return "the rational is no root of the polynomial";
