@@ -92,16 +92,16 @@ class DoubleArithmetic final : public Arithmetic {
       // Its root at now is known: start a few units behind it.
       if (degree == 1) return Outlook::kNever;
       from = now_ + 0x1p-49 * std::fabs(now_) + 0x1p-1000;
-    } else if (relation > 0 || sign_at_now(c, degree) == Sign::kNegative) {
-      time = {now_, now_, 1};
-      return Outlook::kFailsNow;
+    } else if (relation > 0 || (degree != 1 && sign_at_now(c, degree) == Sign::kNegative)) {
+      return fails_now(time);
     }
     const double until = horizon(query);
     double t;
     if (degree == 0) return Outlook::kNever;
     if (degree == 1) {
-      if (!(c[1] < 0)) return Outlook::kNever;
       t = -c[0] / c[1];
+      if (c[1] > 0) return t > now_ ? fails_now(time) : Outlook::kNever;
+      if (t <= now_) return fails_now(time);
     } else {
       filter::Enclosure enclosure;
       if (filter::first_sign_change<false>(c.data(), nullptr, degree, 0.0, from, until, enclosure) !=
@@ -140,6 +140,11 @@ class DoubleArithmetic final : public Arithmetic {
   }
 
  private:
+  Outlook fails_now(FailureTime& time) const {
+    time = {now_, now_, 1};
+    return Outlook::kFailsNow;
+  }
+
   void widen(int degree) {
     const std::size_t objects = coefficients_.size() / stride_;
     const std::size_t axes = static_cast<std::size_t>(dimension_);

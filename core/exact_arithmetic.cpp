@@ -28,6 +28,25 @@ double to_double(Int128 value) {
   return negative ? -d : d;
 }
 
+// The coefficients of (reach[0] + .. + reach[d] t^d)^h.
+void reach_power(const double* reach, int d, int h, double* out) {
+  std::copy(reach, reach + d + 1, out);
+  int degree = d;
+  const auto multiply = [&](const double* factor, int factor_degree) {
+    double product[kMaxFixedCoefficients] = {};
+    for (int i = 0; i <= degree; ++i) {
+      for (int j = 0; j <= factor_degree; ++j) product[i + j] += out[i] * factor[j];
+    }
+    degree += factor_degree;
+    std::copy(product, product + degree + 1, out);
+  };
+  if (h == 4) {
+    for (int squaring = 0; squaring < 2; ++squaring) multiply(out, degree);
+  } else {
+    for (int i = 1; i < h; ++i) multiply(reach, d);
+  }
+}
+
 }  // namespace
 
 ExactArithmetic::ExactArithmetic(const Scene& scene)
@@ -51,9 +70,8 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   model.homogeneity = p.homogeneity();
   if (numbers.narrow) {
     model.narrow = p.narrow_fits(numbers.degree, numbers.magnitude.data());
-    p.unit_error(numbers.degree, model.unit_error.data());
     // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
-    for (double& e : model.unit_error) e *= (1 + 0x1p-40) / filter::gamma(0);
+    model.reach_error = p.reach_error(numbers.degree) * (1 + 0x1p-20) / filter::gamma(0);
   }
   models_.push_back(model);
 }
@@ -81,10 +99,6 @@ void ExactArithmetic::update_origin() {
   const double now = now_.lo;
   if (now >= origin_ && now < origin_end_) return;
   origin_ = 0;
-  if (!motions_.model().narrow) {
-    origin_end_ = kInfinity;
-    return;
-  }
   if (now == 0) {
     origin_end_ = end_upper_ < kInfinity ? end_upper_ * 0x1p-10 : 0x1p-20;
     return;
@@ -93,7 +107,7 @@ void ExactArithmetic::update_origin() {
   for (int e = exponent - 12; e <= exponent; ++e) {
     const double step = std::ldexp(1.0, e);
     const double origin = std::floor(now / step) * step;
-    if (!shift_is_exact(origin, step)) continue;
+    if (motions_.model().narrow && !shift_is_exact(origin, step)) continue;
     origin_ = origin;
     origin_end_ = origin + step;
     return;
@@ -157,23 +171,13 @@ void ExactArithmetic::approximate_shifted(const Query& query, Approximation& p) 
   const int d = motions_.degree();
   predicates_[query.predicate]->plain_with_reach(d, points.data(), origin_, p.c, reach);
   p.origin = origin_;
-  // r and s with reach[k] <= r s^k.
-  double largest = 0;
-  for (int k = 1; k <= d; ++k) largest = std::max(largest, reach[k]);
-  const double r = std::max(reach[0], largest * 0x1p-20);
-  double s = 0;
-  if (r > 0) {
-    s = reach[1] / r;
-    if (d >= 2) s = std::max(s, std::sqrt(reach[2] / r));
-    if (d >= 3) s = std::max(s, std::cbrt(reach[3] / r));
-    s *= 1 + 0x1p-30;
+  if (model.reach_error == 0) {
+    for (int i = 0; i <= model.degree; ++i) p.m[i] = std::fabs(p.c[i]);
+    return;
   }
-  double scale = 1;
-  for (int i = 0; i < model.homogeneity; ++i) scale *= r;
-  for (int i = 0; i <= model.degree; ++i) {
-    p.m[i] = std::fabs(p.c[i]) + model.unit_error[static_cast<std::size_t>(i)] * scale;
-    scale *= s;
-  }
+  double power[kMaxFixedCoefficients];
+  reach_power(reach, d, model.homogeneity, power);
+  for (int i = 0; i <= model.degree; ++i) p.m[i] = std::fabs(p.c[i]) + model.reach_error * power[i];
 }
 
 bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation& p) const {
@@ -199,7 +203,8 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
     std::array<MotionView<Ball>, kMaxArity> points;
     for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.ball(query.ids[i]);
     Ball out[kRoomForCoefficients];
-    predicate.ball(motions_.degree(), points.data(), out);
+    predicate.ball(motions_.degree(), points.data(), origin_, out);
+    p.origin = motions_.degree() <= kMaxFixedDegree ? origin_ : 0;
     // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
     const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(0);
     double sum = 0;

@@ -5,7 +5,7 @@
 //   kDouble: where the scene's numbers are small integers over a common denominator, the certificate
 //     polynomial is computed in plain doubles in t - origin, for an origin of few bits just before now:
 //     shifted motions and their differences are exact, and the rounding errors of the rest are bounded
-//     by the predicate's unit errors times the reach of the points. Other scenes: doubles with running
+//     by the predicate's relative error times the reach of the points. Other scenes: doubles with running
 //     error bounds. The sign or the first root is then certified in doubles.
 //   kWide: the same with coefficients in t computed exactly in 128-bit integers.
 //   kExact: integers of any size, isolating intervals, gcds.
@@ -74,8 +74,7 @@ class ExactArithmetic final : public Arithmetic {
     int degree = 0;
     int alternating = 0;
     int homogeneity = 0;
-    // Predicate::unit_error divided by gamma (core/first_root.h).
-    std::array<double, kMaxFixedCoefficients> unit_error{};
+    double reach_error = 0;  // Predicate::reach_error divided by gamma (core/first_root.h)
   };
 
   bool all_narrow(const Query& query) const;

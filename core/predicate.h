@@ -51,8 +51,10 @@ class Predicate {
   // True if `narrow` cannot overflow for motions whose coefficient of t^k is at most magnitude[k] in
   // absolute value on every axis (the predicate's own constants included).
   virtual bool narrow_fits(int motion_degree, const double* magnitude) const = 0;
-  // Doubles with proven error bounds.
-  virtual void ball(int motion_degree, const MotionView<Ball>* points, Ball* out) const = 0;
+  // Doubles with proven error bounds, as a polynomial in t - shift (in t if motion_degree >
+  // kMaxFixedDegree).
+  virtual void ball(int motion_degree, const MotionView<Ball>* points, double shift,
+                    Ball* out) const = 0;
   // Plain doubles, as a polynomial in t - shift, no error accounting. The motions are shifted first, so
   // that differences of positions near that time are small; motion_degree > kMaxFixedDegree: shift = 0.
   virtual void plain(int motion_degree, const MotionView<double>* points, double shift,
@@ -61,10 +63,10 @@ class Predicate {
   // (t - shift)^k, over the other arguments and all axes. motion_degree <= kMaxFixedDegree.
   virtual void plain_with_reach(int motion_degree, const MotionView<double>* points, double shift,
                                 double* out, double* reach) const = 0;
-  // If the shifted motions and their differences are exact in doubles and reach[k] <= r s^k for all k,
-  // then coefficient k of plain_with_reach is off by at most out[k] * r^homogeneity() * s^k (underflow
-  // aside). motion_degree <= kMaxFixedDegree.
-  virtual void unit_error(int motion_degree, double* out) const = 0;
+  // If the shifted motions and their differences are exact in doubles, then coefficient k of
+  // plain_with_reach is off by at most this number times coefficient k of
+  // (reach[0] + reach[1] t + ..)^homogeneity() (underflow aside). motion_degree <= kMaxFixedDegree.
+  virtual double reach_error(int motion_degree) const = 0;
   // The formula's degree in the coordinates.
   virtual int homogeneity() const = 0;
   // MPFR numbers of the points' precision.

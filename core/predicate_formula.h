@@ -13,6 +13,7 @@
 #ifndef KINEX_CORE_PREDICATE_FORMULA_H
 #define KINEX_CORE_PREDICATE_FORMULA_H
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -66,12 +67,12 @@ struct RoundingPoints {
 };
 
 // Motions as polynomials in t - shift.
-template <int D>
+template <class R, int D>
 struct ShiftedPoints {
-  const MotionView<double>* points;
-  double shift;
-  FixedPolynomial<double, D> operator()(int i, int axis) const {
-    FixedPolynomial<double, D> p;
+  const MotionView<R>* points;
+  R shift;
+  FixedPolynomial<R, D> operator()(int i, int axis) const {
+    FixedPolynomial<R, D> p;
     for (int k = 0; k <= D; ++k) p.c[k] = points[i][axis * (D + 1) + k];
     for (int k = 0; k < D; ++k) {
       for (int j = D - 1; j >= k; --j) p.c[j] += shift * p.c[j + 1];
@@ -104,16 +105,21 @@ class FormulaPredicate final : public Predicate {
     }
   }
 
-  void ball(int d, const MotionView<Ball>* points, Ball* out) const override {
-    if (d > kMaxFixedDegree) return dynamic(d, points, out);
-    fixed<Ball>(d, points, out);
+  void ball(int d, const MotionView<Ball>* points, double shift, Ball* out) const override {
+    const Ball s{shift, 0};
+    switch (d) {
+      case 1: return store(formula_.value(ShiftedPoints<Ball, 1>{points, s}), out);
+      case 2: return store(formula_.value(ShiftedPoints<Ball, 2>{points, s}), out);
+      case 3: return store(formula_.value(ShiftedPoints<Ball, 3>{points, s}), out);
+      default: return dynamic(d, points, out);
+    }
   }
 
   void plain(int d, const MotionView<double>* points, double shift, double* out) const override {
     switch (d) {
-      case 1: return store(formula_.value(ShiftedPoints<1>{points, shift}), out);
-      case 2: return store(formula_.value(ShiftedPoints<2>{points, shift}), out);
-      case 3: return store(formula_.value(ShiftedPoints<3>{points, shift}), out);
+      case 1: return store(formula_.value(ShiftedPoints<double, 1>{points, shift}), out);
+      case 2: return store(formula_.value(ShiftedPoints<double, 2>{points, shift}), out);
+      case 3: return store(formula_.value(ShiftedPoints<double, 3>{points, shift}), out);
       default: return dynamic(d, points, out);
     }
   }
@@ -121,19 +127,19 @@ class FormulaPredicate final : public Predicate {
   void plain_with_reach(int d, const MotionView<double>* points, double shift, double* out,
                         double* reach) const override {
     switch (d) {
-      case 1: return reaching(ShiftedPoints<1>{points, shift}, out, reach);
-      case 2: return reaching(ShiftedPoints<2>{points, shift}, out, reach);
-      default: return reaching(ShiftedPoints<3>{points, shift}, out, reach);
+      case 1: return reaching(ShiftedPoints<double, 1>{points, shift}, out, reach);
+      case 2: return reaching(ShiftedPoints<double, 2>{points, shift}, out, reach);
+      default: return reaching(ShiftedPoints<double, 3>{points, shift}, out, reach);
     }
   }
 
-  void unit_error(int d, double* out) const override {
+  double reach_error(int d) const override {
     // Differences are at most the reach, or twice that where they are not taken from the reference.
     const double magnitude = Formula::kOnlyToReference ? 0.5 : 1.0;
     switch (d) {
-      case 1: return store_errors(formula_.value(RoundingPoints<1>{magnitude}), out);
-      case 2: return store_errors(formula_.value(RoundingPoints<2>{magnitude}), out);
-      default: return store_errors(formula_.value(RoundingPoints<3>{magnitude}), out);
+      case 1: return relative_error(formula_.value(RoundingPoints<1>{magnitude}));
+      case 2: return relative_error(formula_.value(RoundingPoints<2>{magnitude}));
+      default: return relative_error(formula_.value(RoundingPoints<3>{magnitude}));
     }
   }
 
@@ -167,7 +173,7 @@ class FormulaPredicate final : public Predicate {
   }
 
   template <int D>
-  void reaching(const ShiftedPoints<D>& points, double* out, double* reach) const {
+  void reaching(const ShiftedPoints<double, D>& points, double* out, double* reach) const {
     for (int k = 0; k <= D; ++k) reach[k] = 0;
     for (int axis = 0; axis < formula_.dimension(); ++axis) {
       const auto reference = points(Formula::kReference, axis);
@@ -183,9 +189,13 @@ class FormulaPredicate final : public Predicate {
     store(formula_.value(points), out);
   }
 
+  // With every difference bounded by one and the same polynomial R(t) the formula's absolute values add
+  // up to C R^homogeneity, and C is what the lowest coefficient shows for R = 1 + t + ..
   template <int D>
-  static void store_errors(const FixedPolynomial<RoundingBound, D>& p, double* out) {
-    for (int i = 0; i <= D; ++i) out[i] = p.c[i].error;
+  static double relative_error(const FixedPolynomial<RoundingBound, D>& p) {
+    double roundings = 0;
+    for (const RoundingBound& c : p.c) roundings = std::max(roundings, c.roundings);
+    return roundings * 0x1p-53 * (1 + 0x1p-30) * p.c[0].magnitude;
   }
 
   template <class R>

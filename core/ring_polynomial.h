@@ -44,27 +44,24 @@ struct Magnitude {
   Magnitude& operator+=(const Magnitude& b) { return *this = *this + b; }
 };
 
-// The ring of rounding errors: it follows a formula that is evaluated in plain doubles, and bounds the
-// error of every coefficient. Inputs are exact, and so are differences of two inputs (they are integers
-// of few bits, or multiples of one power of two); everything else is rounded once per operation.
+// The ring of rounding errors: it follows a formula that is evaluated in plain doubles. Every value is a
+// sum of monomials; `magnitude` bounds the sum of their absolute values and `roundings` how many factors
+// (1 + delta), |delta| <= 2^-53, any one of them carries. Inputs are exact, and so are differences of two
+// inputs (they are integers of few bits, or multiples of one power of two).
 struct RoundingBound {
   double magnitude = 0;
-  double error = 0;
+  double roundings = 0;
   bool input = false;
 
-  static RoundingBound rounded(double magnitude, double error) {
-    return {magnitude * (1 + 0x1p-50), (error + 0x1p-53 * (magnitude + error)) * (1 + 0x1p-50), false};
-  }
   friend RoundingBound operator+(const RoundingBound& a, const RoundingBound& b) {
-    return rounded(a.magnitude + b.magnitude, a.error + b.error);
+    return {a.magnitude + b.magnitude, std::max(a.roundings, b.roundings) + 1, false};
   }
   friend RoundingBound operator-(const RoundingBound& a, const RoundingBound& b) {
     if (a.input && b.input) return {a.magnitude + b.magnitude, 0, false};
     return a + b;
   }
   friend RoundingBound operator*(const RoundingBound& a, const RoundingBound& b) {
-    return rounded(a.magnitude * b.magnitude,
-                   a.magnitude * b.error + b.magnitude * a.error + a.error * b.error);
+    return {a.magnitude * b.magnitude, a.roundings + b.roundings + 1, false};
   }
   RoundingBound& operator+=(const RoundingBound& b) { return *this = *this + b; }
 };
@@ -223,7 +220,7 @@ class FormulaConstant {
   }
   RoundingBound in(const RoundingBound&) const {
     const double bound = approximate_ < 0 ? -approximate_ : approximate_;
-    return {bound * (1 + 0x1p-50), exact_.bit_length() <= 53 ? 0.0 : bound * 0x1p-51, false};
+    return {bound * (1 + 0x1p-50), exact_.bit_length() <= 53 ? 0.0 : 2.0, false};
   }
   Integer in(const Integer&) const { return exact_; }
   Rational in(const Rational&) const { return Rational(exact_); }
