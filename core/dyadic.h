@@ -3,6 +3,8 @@
 #ifndef KINEX_CORE_DYADIC_H
 #define KINEX_CORE_DYADIC_H
 
+#include <optional>
+
 #include "core/polynomial.h"
 
 namespace kinex {
@@ -46,6 +48,10 @@ inline Sign sign_at_dyadic(const Polynomial& p, const Integer& numerator, long e
 inline long dyadic_exponent(const Rational& value) {
   return static_cast<long>(mpz_scan1(mpq_denref(value.raw()), 0));
 }
+
+// The sign q has on all of [lower, upper] / 2^exponent, by interval arithmetic; nullopt if that does not
+// tell. q not zero.
+std::optional<Sign> sign_on_interval(const Polynomial& q, Integer lower, Integer upper, long exponent);
 
 }  // namespace kinex
 

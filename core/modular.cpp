@@ -56,7 +56,24 @@ PrimeField::PrimeField(std::uint64_t prime) : p_(prime) {
   r2_ = static_cast<std::uint64_t>(static_cast<unsigned __int128>(r) * r % prime);
 }
 
-std::uint64_t PrimeField::inverse(std::uint64_t a) const { return power(*this, a, p_ - 2); }
+std::uint64_t PrimeField::inverse(std::uint64_t a) const {
+  // Euclid on the representative a = r 2^64 finds r^-1 2^-64; the result is r^-1 2^64. The factors
+  // stay below p in absolute value.
+  std::uint64_t older = p_;
+  std::uint64_t newer = a;
+  std::int64_t older_factor = 0;
+  std::int64_t newer_factor = 1;
+  while (newer != 0) {
+    const std::uint64_t quotient = older / newer;
+    older -= quotient * newer;
+    older_factor -= static_cast<std::int64_t>(quotient) * newer_factor;
+    std::swap(older, newer);
+    std::swap(older_factor, newer_factor);
+  }
+  const std::uint64_t plain = older_factor < 0 ? p_ - static_cast<std::uint64_t>(-older_factor)
+                                               : static_cast<std::uint64_t>(older_factor);
+  return multiply(multiply(plain, r2_), r2_);
+}
 
 std::uint64_t PrimeSequence::next() {
   if (last_ == 0) return last_ = kFirstPrime;

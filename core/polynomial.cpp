@@ -48,6 +48,10 @@ Sign Polynomial::sign_at(const Rational& t) const {
   if (t.is_zero()) return to_sign(c_.front().sign());
   const mpz_srcptr numerator = mpq_numref(t.raw());
   const mpz_srcptr denominator = mpq_denref(t.raw());
+  const std::size_t twos = mpz_scan1(denominator, 0);
+  if (twos + 1 == mpz_sizeinbase(denominator, 2)) {
+    return to_sign(scaled_value_at_dyadic(t.numerator(), twos).sign());
+  }
   // Homogeneous Horner: c_d n^d + c_{d-1} n^{d-1} m + ... with m > 0.
   Integer value = c_.back();
   Integer weight(1);
@@ -62,15 +66,25 @@ Sign Polynomial::sign_at(const Rational& t) const {
 Integer Polynomial::scaled_value_at_dyadic(const Integer& numerator, unsigned long exponent) const {
   Integer value;
   if (c_.empty()) return value;
-  value = c_.back();
+  // Room for the results from the start: growing numbers step by step costs more than the products.
+  const std::size_t bits =
+      max_bits() + (c_.size() - 1) * std::max<std::size_t>(numerator.bit_length(), exponent) + 128;
+  Integer product;
   Integer term;
+  mpz_realloc2(value.raw(), bits);
+  mpz_realloc2(product.raw(), bits);
+  mpz_realloc2(term.raw(), bits);
+  mpz_set(value.raw(), c_.back().raw());
   unsigned long shift = 0;
   for (std::size_t i = c_.size() - 1; i-- > 0;) {
-    value *= numerator;
+    mpz_mul(product.raw(), value.raw(), numerator.raw());
     shift += exponent;
-    if (c_[i].is_zero()) continue;
-    mpz_mul_2exp(term.raw(), c_[i].raw(), shift);
-    value += term;
+    if (c_[i].is_zero()) {
+      mpz_swap(value.raw(), product.raw());
+    } else {
+      mpz_mul_2exp(term.raw(), c_[i].raw(), shift);
+      mpz_add(value.raw(), product.raw(), term.raw());
+    }
   }
   return value;
 }

@@ -52,6 +52,11 @@ class ChineseRemainder {
   // True if no coefficient changed.
   bool add(const PrimeField& field, const Residues& image) {
     if (values_.empty()) values_.resize(image.size());
+    if (modulus_ == Integer(1)) {
+      for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = symmetric(field, image[i]);
+      modulus_ = Integer(static_cast<std::int64_t>(field.prime()));
+      return false;
+    }
     const std::uint64_t inverse = field.inverse(field.from_integer(modulus_));
     const Integer next_modulus = modulus_ * Integer(static_cast<std::int64_t>(field.prime()));
     const Integer half = next_modulus >> 1;
@@ -69,28 +74,41 @@ class ChineseRemainder {
   Polynomial polynomial() const { return Polynomial(values_); }
 
  private:
+  static Integer symmetric(const PrimeField& field, std::uint64_t residue) {
+    const auto word = static_cast<std::int64_t>(field.to_word(residue));
+    const auto prime = static_cast<std::int64_t>(field.prime());
+    return Integer(word > prime / 2 ? word - prime : word);
+  }
   std::vector<Integer> values_;
   Integer modulus_{1};
 };
 
-// gcd of two primitive polynomials of positive degree.
+// gcd of two polynomials of positive degree. A common content only makes `leading` larger than it
+// need be.
 Polynomial modular_gcd(const Polynomial& a, const Polynomial& b) {
-  const Integer leading = gcd(a.leading(), b.leading());
+  Integer leading;
   PrimeSequence primes;
   ChineseRemainder images;
   for (int used = 0;;) {
     const PrimeField field(primes.next());
-    const std::uint64_t lead = field.from_integer(leading);
-    if (lead == 0) continue;
-    Residues image = gcd(field, residues(field, a), residues(field, b));
+    Residues image_a = residues(field, a);
+    Residues image_b = residues(field, b);
+    // The prime must not divide both leading coefficients, or a common factor may be missed.
+    if (static_cast<int>(image_a.size()) <= a.degree() &&
+        static_cast<int>(image_b.size()) <= b.degree()) {
+      continue;
+    }
+    Residues image = gcd(field, std::move(image_a), std::move(image_b));
     if (image.size() <= 1) return constant(1);
+    if (leading.is_zero()) leading = gcd(a.leading(), b.leading());
     // An image of too high a degree comes from an unlucky prime; of too low, all earlier ones did.
     if (!images.empty() && image.size() > images.size()) continue;
     if (!images.empty() && image.size() < images.size()) {
       images.restart();
       used = 0;
     }
-    const std::uint64_t scale = field.multiply(lead, field.inverse(image.back()));
+    const std::uint64_t scale =
+        field.multiply(field.from_integer(leading), field.inverse(image.back()));
     for (std::uint64_t& r : image) r = field.multiply(r, scale);
     const bool stable = images.add(field, image);
     ++used;
@@ -121,10 +139,7 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   if (a.is_zero()) return b.canonical();
   if (b.is_zero()) return a.canonical();
   if (a.degree() == 0 || b.degree() == 0) return constant(1);
-  const Polynomial first = a.canonical();
-  const Polynomial second = b.canonical();
-  if (first == second) return first;
-  return modular_gcd(first, second);
+  return modular_gcd(a, b);
 }
 
 bool coprime_modulo_prime(const Polynomial& a, const Polynomial& b) {

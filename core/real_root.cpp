@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/approximate_root.h"
 #include "core/check.h"
 #include "core/dyadic.h"
 
@@ -16,6 +17,7 @@ namespace kinex {
 namespace {
 
 constexpr unsigned kMaxQirBits = 1u << 20;
+constexpr unsigned kFirstQirBits = 4;  // where doubles are of no use
 
 double rounded(const Integer& numerator, long exponent, mpfr_rnd_t mode) {
   MPFR_DECL_INIT(x, 53);
@@ -46,13 +48,27 @@ RealRoot::RealRoot(std::shared_ptr<const Polynomial> polynomial, Integer lower, 
       upper_(std::move(upper)),
       exponent_(exponent),
       sign_at_lower_(sign_at_lower) {
-  const std::size_t common = std::min(lower_.is_zero() ? upper_.trailing_zeros() : lower_.trailing_zeros(),
-                                      upper_.is_zero() ? lower_.trailing_zeros() : upper_.trailing_zeros());
-  if (common > 0) {
-    lower_ >>= common;
-    upper_ >>= common;
-    exponent_ -= static_cast<long>(common);
-  }
+  shorten();
+}
+
+// Removes common factors two.
+void RealRoot::shorten() {
+  if (!lower_.is_even() || !upper_.is_even()) return;
+  const std::size_t common = lower_.is_zero()   ? upper_.trailing_zeros()
+                             : upper_.is_zero() ? lower_.trailing_zeros()
+                                                : std::min(lower_.trailing_zeros(), upper_.trailing_zeros());
+  lower_ >>= common;
+  upper_ >>= common;
+  exponent_ -= static_cast<long>(common);
+}
+
+// Requires exponent >= exponent_.
+void RealRoot::set_exponent(long exponent) {
+  if (exponent == exponent_) return;
+  const auto shift = static_cast<unsigned long>(exponent - exponent_);
+  lower_ <<= shift;
+  upper_ <<= shift;
+  exponent_ = exponent;
 }
 
 void RealRoot::become_rational(const Rational& value) {
@@ -150,31 +166,46 @@ Integer RealRoot::guess(const Integer& width) {
   return low;
 }
 
-void RealRoot::step(unsigned max_bits, RootCounters& counters) {
-  ++counters.refinements;
-  const unsigned bits = std::max(1u, std::min(qir_bits_, max_bits));
-  Integer width = upper_ - lower_;
-  // Points of the grid are the multiples of 2^spacing; between width/2^(bits+1) and width/2^bits.
-  long spacing = static_cast<long>(width.bit_length()) - 1 - static_cast<long>(bits);
-  // Room for the guess to fall between the points, so that rounding to the nearest makes sense.
-  const long fine = spacing - 1;
-  if (fine < 0) {
-    const auto shift = static_cast<unsigned long>(-fine);
-    lower_ <<= shift;
-    upper_ <<= shift;
-    width <<= shift;
-    exponent_ -= fine;
-    spacing -= fine;
-  }
-  const auto grid = static_cast<unsigned long>(spacing);
+bool RealRoot::narrow_around(const Integer& guess, unsigned long grid, bool try_neighbour) {
   const Integer pitch = Integer::power_of_two(grid);
-  // The point of the grid nearest to the guess, strictly inside.
-  Integer x = lower_ + guess(width) + (pitch >> 1);
+  // The multiple nearest to the guess, strictly inside.
+  Integer x = guess;
+  if (grid > 0) mpz_add(x.raw(), x.raw(), (pitch >> 1).raw());
   x >>= grid;
   x <<= grid;
   while (x <= lower_) x += pitch;
   while (x >= upper_) x -= pitch;
+  Value value;
+  Sign sign = evaluate(x, value);
+  if (sign == Sign::kZero) {
+    become_rational(dyadic(x, exponent_));
+    return true;
+  }
+  const bool root_above = sign == sign_at_lower_;
+  Integer neighbour = root_above ? x + pitch : x - pitch;
+  (root_above ? lower_ : upper_) = std::move(x);
+  (root_above ? value_at_lower_ : value_at_upper_) = std::move(value);
+  if (root_above ? neighbour >= upper_ : neighbour <= lower_) return true;
+  if (!try_neighbour) return false;
+  sign = evaluate(neighbour, value);
+  if (sign == Sign::kZero) {
+    become_rational(dyadic(neighbour, exponent_));
+    return true;
+  }
+  const bool below_root = sign == sign_at_lower_;
+  (below_root ? lower_ : upper_) = std::move(neighbour);
+  (below_root ? value_at_lower_ : value_at_upper_) = std::move(value);
+  return below_root != root_above;
+}
 
+void RealRoot::cut_at(const Integer& numerator, long exponent, RootCounters& counters) {
+  if (rational_ || compare_dyadic(numerator, exponent, lower_, exponent_) <= 0 ||
+      compare_dyadic(numerator, exponent, upper_, exponent_) >= 0) {
+    return;
+  }
+  ++counters.refinements;
+  set_exponent(std::max(exponent, exponent_));
+  Integer x = scaled_by_power(numerator, exponent_ - exponent);
   Value value;
   const Sign sign = evaluate(x, value);
   if (sign == Sign::kZero) {
@@ -182,45 +213,56 @@ void RealRoot::step(unsigned max_bits, RootCounters& counters) {
     return;
   }
   const bool root_above = sign == sign_at_lower_;
-  Integer neighbour = root_above ? x + pitch : x - pitch;
-  if (root_above) {
-    lower_ = std::move(x);
-    value_at_lower_ = std::move(value);
-  } else {
-    upper_ = std::move(x);
-    value_at_upper_ = std::move(value);
+  (root_above ? lower_ : upper_) = std::move(x);
+  (root_above ? value_at_lower_ : value_at_upper_) = std::move(value);
+  shorten();
+}
+
+bool RealRoot::step_from_double() {
+  const std::optional<ApproximateRoot> root =
+      approximate_root(*polynomial_, lower_, upper_, exponent_, to_int(sign_at_lower_));
+  if (!root) return false;
+  const Integer width = upper_ - lower_;
+  // log2 of the width of the interval and of the parts wanted.
+  const long bits = static_cast<long>(width.bit_length()) - 1 - exponent_ - root->log_error;
+  if (bits < 3) return false;
+  const long exponent = std::max(exponent_, std::max(-root->log_error, root->center_exponent));
+  set_exponent(exponent);
+  const Integer center = root->center << static_cast<unsigned long>(exponent - root->center_exponent);
+  qir_bits_ = static_cast<unsigned>(bits);
+  if (!narrow_around(center, static_cast<unsigned long>(exponent + root->log_error), true)) {
+    qir_bits_ = 2;
   }
-  bool success = true;
-  if (bits > 1 && (root_above ? neighbour < upper_ : neighbour > lower_)) {
-    Value neighbour_value;
-    const Sign neighbour_sign = evaluate(neighbour, neighbour_value);
-    if (neighbour_sign == Sign::kZero) {
-      become_rational(dyadic(neighbour, exponent_));
-      return;
-    }
-    if (neighbour_sign == sign_at_lower_) {
-      lower_ = std::move(neighbour);
-      value_at_lower_ = std::move(neighbour_value);
-      success = !root_above;
-    } else {
-      upper_ = std::move(neighbour);
-      value_at_upper_ = std::move(neighbour_value);
-      success = root_above;
-    }
+  if (!rational_) shorten();
+  return true;
+}
+
+void RealRoot::step(unsigned max_bits, RootCounters& counters) {
+  ++counters.refinements;
+  if (!tried_double_) {
+    tried_double_ = true;
+    if (step_from_double()) return;
+    qir_bits_ = kFirstQirBits;
   }
-  if (!success) {
+  const unsigned bits = std::max(1u, std::min(qir_bits_, max_bits));
+  Integer width = upper_ - lower_;
+  // The grid is between width/2^(bits+1) and width/2^bits; with one bit to spare for the guess.
+  long grid = static_cast<long>(width.bit_length()) - 1 - static_cast<long>(bits);
+  if (grid < 1) {
+    const long shift = 1 - grid;
+    set_exponent(exponent_ + shift);
+    width <<= static_cast<unsigned long>(shift);
+    grid = 1;
+  }
+  const bool success =
+      narrow_around(lower_ + guess(width), static_cast<unsigned long>(grid), bits > 1);
+  if (rational_) return;
+  if (!success && bits > 1) {
     qir_bits_ = std::max(1u, qir_bits_ / 2);
   } else if (bits == qir_bits_) {
     qir_bits_ = std::min(2 * qir_bits_, kMaxQirBits);
   }
-  // Keep the numbers short.
-  const unsigned long common = std::min(lower_.is_zero() ? upper_.trailing_zeros() : lower_.trailing_zeros(),
-                                        upper_.is_zero() ? lower_.trailing_zeros() : upper_.trailing_zeros());
-  if (common > 0) {
-    lower_ >>= common;
-    upper_ >>= common;
-    exponent_ -= static_cast<long>(common);
-  }
+  shorten();
 }
 
 void RealRoot::refine(RootCounters& counters) {

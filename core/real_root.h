@@ -66,13 +66,22 @@ class RealRoot {
   void become_rational(const Rational& value);
   // One step of quadratic interval refinement into at most 2^max_bits parts.
   void step(unsigned max_bits, RootCounters& counters);
+  // The first step: an approximate root in doubles, then two exact signs around it.
+  bool step_from_double();
+  // Moves the ends to the multiples of 2^grid nearest to `guess`; false if the root is not between
+  // two neighbouring ones.
+  bool narrow_around(const Integer& guess, unsigned long grid, bool try_neighbour);
+  // Moves one end to the given point, if that is inside.
+  void cut_at(const Integer& numerator, long exponent, RootCounters& counters);
+  void set_exponent(long exponent);
+  void shorten();
   Sign evaluate(const Integer& numerator, Value& value) const;
   Integer guess(const Integer& width);
   bool width_at_most(long bits) const;  // upper - lower <= 2^-bits
   // -1, 0, +1 as the interval lies below the other one, meets it in an interval, or lies above.
   int side_of(const RealRoot& other) const;
-  // Whether `g` changes sign between the ends of the overlap of both intervals.
-  bool changes_sign_on_overlap(const Polynomial& g, const RealRoot& other) const;
+  // Whether `g` has opposite signs at the ends.
+  bool changes_sign(const Polynomial& g) const;
 
   // The interval is [lower_, upper_] / 2^exponent_; both are 0 when rational.
   std::shared_ptr<const Polynomial> polynomial_;
@@ -81,6 +90,7 @@ class RealRoot {
   unsigned qir_bits_ = 1;   // log2 of the number of parts the next refinement tries
   Sign sign_at_lower_ = Sign::kZero;
   bool rational_ = false;
+  bool tried_double_ = false;
   std::optional<Rational> value_;
   Value value_at_lower_, value_at_upper_;
 };

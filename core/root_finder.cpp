@@ -7,11 +7,15 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/close_pair.h"
 #include "core/dyadic.h"
 
 namespace kinex {
 
 namespace {
+
+// Bisections that keep exactly two sign variations before the derivative is asked.
+constexpr int kLevelsBeforePair = 4;
 
 // lcm of the binomials C(d, 0..d) = lcm(1..d+1) / (d+1), for all d where it fits a word easily.
 constexpr int kTableDegree = 32;
@@ -110,8 +114,12 @@ int count_variations(const std::vector<Integer>& b, int enough) {
 }  // namespace
 
 RootFinder::RootFinder(std::shared_ptr<const Polynomial> p, Integer origin, long exponent,
-                       std::optional<Integer> limit)
-    : p_(std::move(p)), origin_(std::move(origin)), exponent_(exponent), limit_(std::move(limit)) {
+                       std::optional<Integer> limit, RootCounters& counters)
+    : p_(std::move(p)),
+      origin_(std::move(origin)),
+      exponent_(exponent),
+      limit_(std::move(limit)),
+      counters_(counters) {
   require(p_->degree() > 0 && exponent_ >= 0, "RootFinder: constant polynomial or bad exponent");
   if (limit_) *limit_ -= origin_;
   start(*p_);
@@ -159,6 +167,7 @@ void RootFinder::split(Node&& node) {
   remove_common_power(w);
   left.cell = node.cell << 1;
   left.depth = node.depth + 1;
+  left.levels_with_two = node.levels_with_two;
   left.lower_done = true;
   node.cell = left.cell + Integer(1);
   node.depth = left.depth;
@@ -167,13 +176,18 @@ void RootFinder::split(Node&& node) {
   stack_.push_back(std::move(left));
 }
 
-// The cell's lower end times 2^(-min(0, width - depth)), relative to the origin.
 bool RootFinder::beyond_limit(const Node& node) const {
   if (!limit_) return false;
   return compare_dyadic(node.cell, node.depth - width_, *limit_, 0) > 0;
 }
 
 RootFinder::Status RootFinder::next() {
+  multiplicity_ = 1;
+  if (pending_) {
+    found_ = std::move(*pending_);
+    pending_.reset();
+    return Status::kInterval;
+  }
   while (!stack_.empty()) {
     Node& top = stack_.back();
     if (!top.lower_done) {
@@ -185,54 +199,82 @@ RootFinder::Status RootFinder::next() {
       int zeros = 0;
       while (top.b[static_cast<std::size_t>(zeros)].is_zero()) ++zeros;
       if (zeros > 0) {
-        cell_ = top.cell;
-        depth_ = top.depth;
+        found_.lower = end_of(top.cell, top.depth);
+        found_.exponent = exponent_at(top.depth);
         multiplicity_ = zeros;
         return Status::kPoint;
       }
     }
-    const int variations = count_variations(top.b, 2);
+    const int variations = count_variations(top.b, 3);
     if (variations == 0) {
       stack_.pop_back();
       continue;
     }
-    if (variations == 1 && !top.b.front().is_zero() && !top.b.back().is_zero()) {
-      cell_ = std::move(top.cell);
-      depth_ = top.depth;
-      multiplicity_ = 1;
-      sign_at_lower_ = to_sign(top.b.front().sign());
+    const bool ends_are_roots = top.b.front().is_zero() || top.b.back().is_zero();
+    if (variations == 1 && !ends_are_roots) {
+      found_ = {end_of(top.cell, top.depth), end_of(top.cell + Integer(1), top.depth),
+                exponent_at(top.depth), to_sign(top.b.front().sign())};
       stack_.pop_back();
       return Status::kInterval;
     }
     if (variations > 1 && depth_limit_ >= 0 && top.depth >= depth_limit_) return Status::kStuck;
     Node node = std::move(top);
     stack_.pop_back();
+    node.levels_with_two = variations == 2 ? node.levels_with_two + 1 : 0;
+    if (depth_limit_ < 0 && node.levels_with_two > kLevelsBeforePair && !ends_are_roots &&
+        settle_pair(node)) {
+      if (!pending_) continue;
+      return Status::kInterval;
+    }
     split(std::move(node));
   }
   return Status::kFinished;
 }
 
-// The lower end of the cell, in units of 2^-(exponent + max(0, depth - width)).
+bool RootFinder::settle_pair(const Node& node) {
+  std::vector<Integer> differences;
+  for (std::size_t i = 1; i < node.b.size(); ++i) differences.push_back(node.b[i] - node.b[i - 1]);
+  if (differences.front().is_zero() || differences.back().is_zero() ||
+      count_variations(differences, 2) != 1) {
+    return false;
+  }
+  const std::optional<ClosePair> pair =
+      separate_close_pair(*p_, dyadic(end_of(node.cell, node.depth), exponent_at(node.depth)),
+                          dyadic(end_of(node.cell + Integer(1), node.depth), exponent_at(node.depth)),
+                          counters_);
+  if (!pair) return true;
+  const Sign outside = to_sign(node.b.front().sign());
+  const auto interval = [](const Rational& lower, const Rational& upper, Sign sign) {
+    const long exponent = std::max(dyadic_exponent(lower), dyadic_exponent(upper));
+    const auto up = [exponent](const Rational& x) {
+      return x.numerator() << static_cast<unsigned long>(exponent - dyadic_exponent(x));
+    };
+    return Interval{up(lower), up(upper), exponent, sign};
+  };
+  found_ = interval(pair->first_lower, pair->first_upper, outside);
+  pending_ = interval(pair->second_lower, pair->second_upper, -outside);
+  return true;
+}
+
+// The lower end of the cell, in units of 2^-exponent_at(depth).
 Integer RootFinder::end_of(const Integer& cell, long depth) const {
   const long scale = width_ - depth;
   if (scale >= 0) return origin_ + (cell << static_cast<unsigned long>(scale));
   return (origin_ << static_cast<unsigned long>(-scale)) + cell;
 }
 
-Rational RootFinder::point() const {
-  return dyadic(end_of(cell_, depth_), exponent_ + std::max(0L, depth_ - width_));
-}
+long RootFinder::exponent_at(long depth) const { return exponent_ + std::max(0L, depth - width_); }
+
+Rational RootFinder::point() const { return dyadic(found_.lower, found_.exponent); }
 
 RealRoot RootFinder::root() const {
-  return RealRoot(p_, end_of(cell_, depth_), end_of(cell_ + Integer(1), depth_),
-                  exponent_ + std::max(0L, depth_ - width_), sign_at_lower_);
+  return RealRoot(p_, found_.lower, found_.upper, found_.exponent, found_.sign_at_lower);
 }
 
 RealRoot RootFinder::mirrored_root(const std::shared_ptr<const Polynomial>& mirrored) const {
-  Integer lower = -end_of(cell_ + Integer(1), depth_);
-  const long exponent = exponent_ + std::max(0L, depth_ - width_);
-  const Sign sign = sign_at_dyadic(*mirrored, lower, exponent);
-  return RealRoot(mirrored, std::move(lower), -end_of(cell_, depth_), exponent, sign);
+  Integer lower = -found_.upper;
+  const Sign sign = sign_at_dyadic(*mirrored, lower, found_.exponent);
+  return RealRoot(mirrored, std::move(lower), -found_.lower, found_.exponent, sign);
 }
 
 }  // namespace kinex

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RootFinder: isolates the real roots above a point one by one, from left to right.
 // Source: Descartes' rule of signs in the Bernstein basis with bisection (Lane, Riesenfeld 1981; the
-// method of Vincent, Collins and Akritas), integer arithmetic.
+// method of Vincent, Collins and Akritas), integer arithmetic; pairs of very close roots are separated at
+// the root of the derivative between them (close_pair.h).
 #ifndef KINEX_CORE_ROOT_FINDER_H
 #define KINEX_CORE_ROOT_FINDER_H
 
@@ -23,10 +24,10 @@ class RootFinder {
   };
 
   // Roots of p strictly above origin / 2^exponent (exponent >= 0); p of positive degree. Nothing above
-  // limit / 2^exponent needs to be found. It need not be square-free, but then the search does not get
+  // limit / 2^exponent needs to be found. p need not be square-free, but then the search does not get
   // past a multiple root that is no dyadic number: see kStuck.
   RootFinder(std::shared_ptr<const Polynomial> p, Integer origin, long exponent,
-             std::optional<Integer> limit);
+             std::optional<Integer> limit, RootCounters& counters);
 
   Status next();
   void set_depth_limit(long limit) { depth_limit_ = limit; }
@@ -45,6 +46,7 @@ class RootFinder {
     std::vector<Integer> b;
     Integer cell;
     long depth = 0;
+    int levels_with_two = 0;  // how many cells around this one had two sign variations
     bool lower_done = false;  // a root at the lower end has been reported (or is not wanted)
   };
 
@@ -52,6 +54,9 @@ class RootFinder {
   void split(Node&& node);
   bool beyond_limit(const Node& node) const;
   Integer end_of(const Integer& cell, long depth) const;
+  long exponent_at(long depth) const;
+  // Settles a node with two sign variations, if the derivative has one root in it.
+  bool settle_pair(const Node& node);
 
   std::shared_ptr<const Polynomial> p_;
   Integer origin_;
@@ -61,10 +66,15 @@ class RootFinder {
   long depth_limit_ = -1;  // none
   std::vector<Node> stack_;
   // the last root
-  Integer cell_;
-  long depth_ = 0;
+  struct Interval {
+    Integer lower, upper;
+    long exponent = 0;
+    Sign sign_at_lower = Sign::kZero;
+  };
+  Interval found_;
   int multiplicity_ = 0;
-  Sign sign_at_lower_ = Sign::kZero;
+  std::optional<Interval> pending_;  // the upper one of a pair
+  RootCounters& counters_;
 };
 
 }  // namespace kinex

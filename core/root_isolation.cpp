@@ -17,7 +17,7 @@ namespace {
 // The depth at which a search asks whether its polynomial is square-free at all.
 constexpr long kDepthBeforeGcd = 8;
 // Bits after the binary point of the point where a search starts.
-constexpr long kOriginBits = 32;
+constexpr long kOriginBits = 16;
 
 using PolynomialPointer = std::shared_ptr<const Polynomial>;
 
@@ -40,7 +40,7 @@ RealRoot current_root(const RootFinder& finder, RootFinder::Status status) {
 }
 
 // p square-free and of positive degree.
-std::vector<RealRoot> isolate_square_free(const PolynomialPointer& p) {
+std::vector<RealRoot> isolate_square_free(const PolynomialPointer& p, RootCounters& counters) {
   using Status = RootFinder::Status;
   std::vector<RealRoot> roots;
   if (p->degree() == 1) {
@@ -48,7 +48,7 @@ std::vector<RealRoot> isolate_square_free(const PolynomialPointer& p) {
     return roots;
   }
   std::vector<RealRoot> positive;
-  RootFinder above(p, Integer(), 0, std::nullopt);
+  RootFinder above(p, Integer(), 0, std::nullopt, counters);
   const bool symmetric = is_symmetric(*p);
   for (Status status; (status = above.next()) != Status::kFinished;) {
     positive.push_back(current_root(above, status));
@@ -56,7 +56,8 @@ std::vector<RealRoot> isolate_square_free(const PolynomialPointer& p) {
     roots.push_back(status == Status::kPoint ? RealRoot(-above.point()) : above.mirrored_root(p));
   }
   if (!symmetric) {
-    RootFinder below(std::make_shared<const Polynomial>(mirrored(*p)), Integer(), 0, std::nullopt);
+    RootFinder below(std::make_shared<const Polynomial>(mirrored(*p)), Integer(), 0, std::nullopt,
+                     counters);
     for (Status status; (status = below.next()) != Status::kFinished;) {
       roots.push_back(status == Status::kPoint ? RealRoot(-below.point()) : below.mirrored_root(p));
     }
@@ -99,7 +100,7 @@ std::vector<RootWithMultiplicity> isolate_real_roots(const Polynomial& p, RootCo
     if (factors[i].degree() < 1) continue;
     std::vector<RootWithMultiplicity> found;
     for (RealRoot& root :
-         isolate_square_free(std::make_shared<const Polynomial>(std::move(factors[i])))) {
+         isolate_square_free(std::make_shared<const Polynomial>(std::move(factors[i])), counters)) {
       found.push_back({std::move(root), static_cast<int>(i) + 1});
     }
     all = all.empty() ? std::move(found) : merge(std::move(all), std::move(found), counters);
@@ -132,7 +133,7 @@ std::optional<RealRoot> first_sign_change_after(const Polynomial& p, RealRoot& a
   // A dyadic starting point at or below `after`.
   const Rational lower = after.lower();
   long exponent = dyadic_exponent(lower);
-  const bool starts_at_after = after.is_rational() && lower.is_dyadic() && exponent <= 2 * kOriginBits;
+  const bool starts_at_after = after.is_rational() && lower.is_dyadic() && exponent <= 4 * kOriginBits;
   Integer origin;
   if (starts_at_after || (lower.is_dyadic() && exponent <= kOriginBits)) {
     origin = lower.numerator();
@@ -150,7 +151,7 @@ std::optional<RealRoot> first_sign_change_after(const Polynomial& p, RealRoot& a
   auto polynomial = std::make_shared<const Polynomial>(p);
   using Status = RootFinder::Status;
   for (bool square_free_known = false;;) {
-    RootFinder finder(polynomial, origin, exponent, limit);
+    RootFinder finder(polynomial, origin, exponent, limit, counters);
     if (!square_free_known) finder.set_depth_limit(kDepthBeforeGcd);
     Status status;
     while ((status = finder.next()) != Status::kFinished) {
@@ -191,6 +192,7 @@ RootName name_root(const Polynomial& p, RealRoot& root, RootCounters& counters) 
       index = i;
     }
     require(candidates > 0, "name_root: not a root of the polynomial");
+    require(candidates == 1 || !root.is_rational(), "name_root: not a root of the polynomial");
     if (candidates == 1) {
       const RealRoot& found = all[index].root;
       return {std::move(square_free), static_cast<int>(index) + 1, found.lower(), found.upper()};
