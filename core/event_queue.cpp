@@ -13,6 +13,7 @@ CertificateId EventQueue::allocate(StructureId structure, const Query& query, st
     require(certificates_.size() < kNoCertificate, "more certificates than ids");
     id = static_cast<CertificateId>(certificates_.size());
     certificates_.emplace_back();
+    position_.push_back(kNotQueued);
   } else {
     id = free_.back();
     free_.pop_back();
@@ -42,14 +43,14 @@ void EventQueue::push(CertificateId id, const FailureTime& time) {
 }
 
 void EventQueue::reset(CertificateId id, const FailureTime& time) {
-  const std::uint32_t position = certificates_[id].position;
+  const std::uint32_t position = position_[id];
   if (position == kNotQueued) return push(id, time);
   certificates_[id].root = time.root;
   settle(position, Entry{time.lo, time.hi, id});
 }
 
 void EventQueue::remove(CertificateId id) {
-  const std::uint32_t position = certificates_[id].position;
+  const std::uint32_t position = position_[id];
   if (position == kNotQueued) return;
   if (certificates_[id].root != 0) {
     FailureTime t = time(id);
@@ -60,33 +61,63 @@ void EventQueue::remove(CertificateId id) {
 }
 
 FailureTime EventQueue::time(CertificateId id) const {
-  const Certificate& c = certificates_[id];
-  const Entry& e = heap_[c.position];
-  return {e.lo, e.hi, c.root};
+  const Entry& e = heap_[position_[id]];
+  return {e.lo, e.hi, certificates_[id].root};
 }
 
 void EventQueue::set_time(CertificateId id, const FailureTime& time) {
-  Certificate& c = certificates_[id];
-  Entry& e = heap_[c.position];
+  Entry& e = heap_[position_[id]];
   e.lo = time.lo;
   e.hi = time.hi;
-  c.root = time.root;
+  certificates_[id].root = time.root;
 }
 
+// The hole sinks to a leaf, and the last entry, which nearly always belongs far down, fills it from
+// below.
 FailureTime EventQueue::pop() {
-  const Entry& e = heap_.front();
-  Certificate& c = certificates_[e.certificate];
-  const FailureTime result{e.lo, e.hi, c.root};
+  const Entry& top = heap_.front();
+  Certificate& c = certificates_[top.certificate];
+  const FailureTime result{top.lo, top.hi, c.root};
   c.root = 0;
-  take_out(0);
+  position_[top.certificate] = kNotQueued;
+  const Entry last = heap_.back();
+  heap_.pop_back();
+  if (heap_.empty()) return result;
+  std::size_t hole = 0;
+  for (std::size_t first = 1; first < heap_.size(); first = kArity * hole + 1) {
+    const std::size_t least = least_child(first, std::min(first + kArity, heap_.size()));
+    place(hole, heap_[least]);
+    hole = least;
+  }
+  sift_up(hole, last);
   return result;
 }
 
 void EventQueue::take_out(std::size_t i) {
-  certificates_[heap_[i].certificate].position = kNotQueued;
+  position_[heap_[i].certificate] = kNotQueued;
   const Entry last = heap_.back();
   heap_.pop_back();
   if (i < heap_.size()) settle(i, last);
+}
+
+// The least of heap_[first .. end). Among four, without branches while the least enclosure lies apart
+// from the others, which is nearly always so.
+std::size_t EventQueue::least_child(std::size_t first, std::size_t end) {
+  std::size_t least = first;
+  if (end - first == kArity) {
+    const Entry* e = &heap_[first];
+    const std::size_t left = e[1].lo < e[0].lo ? 1u : 0u;
+    const std::size_t right = 2u + (e[3].lo < e[2].lo ? 1u : 0u);
+    const std::size_t i = left + (right - left) * (e[right].lo < e[left].lo ? 1u : 0u);
+    const double hi = e[i].hi;
+    const int reached = (e[0].lo <= hi ? 1 : 0) + (e[1].lo <= hi ? 1 : 0) + (e[2].lo <= hi ? 1 : 0) +
+                        (e[3].lo <= hi ? 1 : 0);
+    if (reached == 1) return first + i;
+  }
+  for (std::size_t c = first + 1; c < end; ++c) {
+    if (less(heap_[c], heap_[least])) least = c;
+  }
+  return least;
 }
 
 int EventQueue::compare_times(Entry& a, Entry& b) {
@@ -138,11 +169,7 @@ void EventQueue::sift_down(std::size_t i, Entry e) {
   for (;;) {
     const std::size_t first = kArity * i + 1;
     if (first >= size) break;
-    const std::size_t end = std::min(first + kArity, size);
-    std::size_t least = first;
-    for (std::size_t c = first + 1; c < end; ++c) {
-      if (less(heap_[c], heap_[least])) least = c;
-    }
+    const std::size_t least = least_child(first, std::min(first + kArity, size));
     if (!less(heap_[least], e)) break;
     place(i, heap_[least]);
     i = least;
@@ -157,6 +184,12 @@ void EventQueue::settle(std::size_t i, Entry e) {
 
 bool EventQueue::first_instant_is_shared() {
   const std::size_t end = std::min(heap_.size(), kArity + 1);
+  if (end == kArity + 1) {
+    const double hi = heap_[0].hi;
+    if (std::min(std::min(heap_[1].lo, heap_[2].lo), std::min(heap_[3].lo, heap_[4].lo)) > hi) {
+      return false;
+    }
+  }
   for (std::size_t c = 1; c < end; ++c) {
     if (compare_times(heap_[0], heap_[c]) == 0) return true;
   }
@@ -180,7 +213,7 @@ void EventQueue::collect_first_instant(std::vector<CertificateId>& out) {
 
 std::size_t EventQueue::bytes() const {
   return certificates_.capacity() * sizeof(Certificate) + heap_.capacity() * sizeof(Entry) +
-         free_.capacity() * sizeof(CertificateId);
+         position_.capacity() * sizeof(std::uint32_t) + free_.capacity() * sizeof(CertificateId);
 }
 
 }  // namespace kinex

@@ -18,7 +18,6 @@ struct Certificate {
   Outlook outlook = Outlook::kNever;
   bool live = false;
   std::uint32_t tag = 0;
-  std::uint32_t position = 0xffffffffu;  // in the heap; kNotQueued if it never fails
   std::uint32_t root = 0;                // FailureTime::root
 };
 
@@ -27,8 +26,6 @@ struct Certificate {
 // ids). Insertion and retraction take O(log n) comparisons.
 class EventQueue {
  public:
-  static constexpr std::uint32_t kNotQueued = 0xffffffffu;
-
   explicit EventQueue(Arithmetic& arithmetic) : arithmetic_(&arithmetic) {}
 
   CertificateId allocate(StructureId structure, const Query& query, std::uint32_t tag);
@@ -47,7 +44,7 @@ class EventQueue {
   // The certificate fails at another time: push, or an update in place that needs fewer comparisons
   // than remove and push. The former number must have been released.
   void reset(CertificateId id, const FailureTime& time);
-  bool queued(CertificateId id) const { return certificates_[id].position != kNotQueued; }
+  bool queued(CertificateId id) const { return position_[id] != kNotQueued; }
   bool empty() const { return heap_.empty(); }
   std::size_t size() const { return heap_.size(); }
   CertificateId top() const { return heap_.front().certificate; }
@@ -74,6 +71,7 @@ class EventQueue {
     CertificateId certificate;
   };
   static constexpr std::size_t kArity = 4;
+  static constexpr std::uint32_t kNotQueued = 0xffffffffu;
 
   bool less(Entry& a, Entry& b) {
     if (a.hi < b.lo) return true;
@@ -83,18 +81,20 @@ class EventQueue {
   bool less_slow(Entry& a, Entry& b);
   int compare_times(Entry& a, Entry& b);
   bool ties_before(CertificateId a, CertificateId b) const;
+  std::size_t least_child(std::size_t first, std::size_t end);
   void sift_up(std::size_t i, Entry e);
   void sift_down(std::size_t i, Entry e);
   // Fills the hole at i with e, which may belong above or below.
   void settle(std::size_t i, Entry e);
   void place(std::size_t i, const Entry& e) {
     heap_[i] = e;
-    certificates_[e.certificate].position = static_cast<std::uint32_t>(i);
+    position_[e.certificate] = static_cast<std::uint32_t>(i);
   }
   void take_out(std::size_t i);
 
   Arithmetic* arithmetic_;
   std::vector<Certificate> certificates_;
+  std::vector<std::uint32_t> position_;  // in the heap, per certificate; kNotQueued
   std::vector<CertificateId> free_;
   std::vector<Entry> heap_;
   std::size_t live_ = 0;

@@ -17,7 +17,7 @@ PredicateId Kernel::bind(std::shared_ptr<const Predicate> predicate) {
 
 StructureId Kernel::add_structure() {
   require(ledgers_.size() < std::numeric_limits<StructureId>::max(), "too many structures");
-  ledgers_.emplace_back();
+  ledgers_.push_back(std::make_unique<StructureLedger>());
   live_per_object_.emplace_back(objects_, 0u);
   shared_.push_back(0);
   return static_cast<StructureId>(ledgers_.size() - 1);
@@ -60,8 +60,7 @@ void Kernel::retract(CertificateId id) {
 Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag) {
   Certificate& c = queue_.certificate(id);
   require(c.live, "a retracted certificate was replaced");
-  count_retracted(c.structure, c.query);
-  count_created(c.structure, query);
+  count_replaced(c.structure, c.query, query);
   if (indexed_) index_remove(id);
   if (c.root != 0) {
     FailureTime old = queue_.time(id);
@@ -86,34 +85,50 @@ void Kernel::clear_structure(StructureId structure) {
 // ---- counting
 
 void Kernel::note_live(StructureId structure, ObjectId object) {
-  StructureLedger& ledger = ledgers_[structure];
+  StructureLedger& ledger = *ledgers_[structure];
   if (ledger.live > ledger.max_live) ledger.max_live = ledger.live;
   const std::uint32_t live = live_per_object_[structure][object];
   if (live > ledger.max_per_object) ledger.max_per_object = live;
 }
 
 void Kernel::count_created(StructureId structure, const Query& query) {
-  StructureLedger& ledger = ledgers_[structure];
+  StructureLedger& ledger = *ledgers_[structure];
   ++ledger.certificates_created;
   ++ledger.live;
   std::vector<std::uint32_t>& live = live_per_object_[structure];
   for (std::size_t i = 0; i < query.arity; ++i) {
     const ObjectId object = query.ids[i];
     ++live[object];
-    if (deferred_) {
-      touched_.emplace_back(structure, object);
-    } else {
-      note_live(structure, object);
-    }
+    note_or_defer(structure, object);
   }
 }
 
 void Kernel::count_retracted(StructureId structure, const Query& query) {
-  StructureLedger& ledger = ledgers_[structure];
+  StructureLedger& ledger = *ledgers_[structure];
   ++ledger.certificates_retracted;
   --ledger.live;
   std::vector<std::uint32_t>& live = live_per_object_[structure];
   for (std::size_t i = 0; i < query.arity; ++i) --live[query.ids[i]];
+}
+
+// Most objects of a certificate stay: they need no counting.
+void Kernel::count_replaced(StructureId structure, const Query& before, const Query& after) {
+  if (before.arity != 2 || after.arity != 2) {
+    count_retracted(structure, before);
+    count_created(structure, after);
+    return;
+  }
+  StructureLedger& ledger = *ledgers_[structure];
+  ++ledger.certificates_created;
+  ++ledger.certificates_retracted;
+  for (const std::size_t i : {0u, 1u}) {
+    const ObjectId gone = before.ids[i], come = after.ids[i];
+    if (gone != after.ids[0] && gone != after.ids[1]) --live_per_object_[structure][gone];
+    if (come != before.ids[0] && come != before.ids[1]) {
+      ++live_per_object_[structure][come];
+      note_or_defer(structure, come);
+    }
+  }
 }
 
 void Kernel::end_change() {
@@ -123,7 +138,7 @@ void Kernel::end_change() {
 }
 
 void Kernel::begin_event(StructureId structure, CertificateId failed) {
-  const StructureLedger& ledger = ledgers_[structure];
+  const StructureLedger& ledger = *ledgers_[structure];
   failing_ = failed;
   failing_structure_ = structure;
   failing_query_ = queue_.certificate(failed).query;
@@ -137,7 +152,7 @@ void Kernel::begin_event(StructureId structure, CertificateId failed) {
 void Kernel::end_event() {
   if (failing_ != kNoCertificate) retract(failing_);
   handling_ = false;
-  StructureLedger& ledger = ledgers_[failing_structure_];
+  StructureLedger& ledger = *ledgers_[failing_structure_];
   ++ledger.processed;
   ++(event_external_ ? ledger.external : ledger.internal);
   ledger.created_per_event.add(ledger.certificates_created - created_before_);
@@ -166,7 +181,7 @@ void Kernel::report(StructureId structure, std::uint8_t kind, std::initializer_l
 bool Kernel::instant_is_shared(StructureId structure) const { return shared_[structure] != 0; }
 
 void Kernel::count_rebuild(StructureId structure, const std::string& reason) {
-  StructureLedger& ledger = ledgers_[structure];
+  StructureLedger& ledger = *ledgers_[structure];
   ++ledger.rebuilds;
   ++ledger.rebuild_reasons[reason];
   if (reporter_ != nullptr) reporter_->rebuilt(structure);
@@ -176,7 +191,7 @@ void Kernel::corrupt(StructureId structure, const std::string& what) {
   if (arithmetic_->is_exact()) {
     throw std::logic_error("impossible in an exact arithmetic: " + what);
   }
-  StructureLedger& ledger = ledgers_[structure];
+  StructureLedger& ledger = *ledgers_[structure];
   if (!ledger.corrupt) ledger.corruption = what;
   ledger.corrupt = true;
   clear_structure(structure);

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <initializer_list>
 #include <memory>
 #include <span>
@@ -74,8 +73,8 @@ class Kernel {
   const EventQueue& queue() const { return queue_; }
   StructureId add_structure();
   std::size_t structures() const { return ledgers_.size(); }
-  StructureLedger& ledger(StructureId id) { return ledgers_[id]; }
-  const StructureLedger& ledger(StructureId id) const { return ledgers_[id]; }
+  StructureLedger& ledger(StructureId id) { return *ledgers_[id]; }
+  const StructureLedger& ledger(StructureId id) const { return *ledgers_[id]; }
   // Starts counting one failure; ends it (retracting `failed` if it is still there).
   void begin_event(StructureId structure, CertificateId failed);
   void end_event();
@@ -107,13 +106,21 @@ class Kernel {
   Outlook schedule(CertificateId id);
   void count_created(StructureId structure, const Query& query);
   void count_retracted(StructureId structure, const Query& query);
+  void count_replaced(StructureId structure, const Query& before, const Query& after);
   void note_live(StructureId structure, ObjectId object);
+  void note_or_defer(StructureId structure, ObjectId object) {
+    if (deferred_) {
+      touched_.emplace_back(structure, object);
+    } else {
+      note_live(structure, object);
+    }
+  }
   void index_add(CertificateId id);
   void index_remove(CertificateId id);
 
   std::unique_ptr<Arithmetic> arithmetic_;
   EventQueue queue_;
-  std::deque<StructureLedger> ledgers_;  // references stay valid
+  std::vector<std::unique_ptr<StructureLedger>> ledgers_;  // references stay valid
   // live_per_object_[structure][object]
   std::vector<std::vector<std::uint32_t>> live_per_object_;
   std::vector<std::uint8_t> shared_;
