@@ -19,7 +19,7 @@ Delaunay2::Delaunay2(Kernel& kernel, StructureId id, const Scene& scene)
       representative_(scene.objects.size(), kNoObject) {}
 
 std::vector<std::string_view> Delaunay2::event_kinds() const {
-  return {"flip", "enter", "leave", "pass", "reinsert"};
+  return common_event_kinds({"flip", "enter", "leave", "pass", "blocked", "reinsert"});
 }
 
 void Delaunay2::give_up(const std::string& what) {
@@ -104,9 +104,9 @@ bool Delaunay2::wants_other_diagonal(HalfEdge h) const {
 
 // Gives cocircular points their fans. Each flip raises the degree of the smallest of its four
 // points, which no later flip lowers again, so k cocircular points need O(k^2) flips.
-bool Delaunay2::settle_ties() {
+void Delaunay2::settle_ties(bool report) {
   std::uint64_t left = 64 + 4 * static_cast<std::uint64_t>(store_.triangles()) * store_.triangles();
-  while (!ties_.empty()) {
+  while (!ties_.empty() && !corrupt_) {
     const HalfEdge h = ties_.back();
     ties_.pop_back();
     if (!store_.live(Triangulation2::triangle(h)) || !wants_other_diagonal(h)) continue;
@@ -117,11 +117,16 @@ bool Delaunay2::settle_ties() {
       for (const ObjectId w : {u, v, p, q}) suspect(w);  // flat or turned over: see instant_settled
       continue;
     }
-    if (left-- == 0) return false;
+    if (left-- == 0) return give_up("cocircular points without end");
     flip(h);
     ++tie_flips_;
+    if (report) report_flip(u, v, p, q);
   }
-  return true;
+}
+
+void Delaunay2::report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q) {
+  kernel_->report(id_, kFlip, {std::min(u, v), std::max(u, v), std::min(p, q), std::max(p, q)},
+                  true);
 }
 
 void Delaunay2::certificate_failed(CertificateId failed) {
@@ -144,15 +149,14 @@ void Delaunay2::certificate_failed(CertificateId failed) {
     has_last_quad_ = true;
   }
   flip(h);
-  if (!ties_.empty() && !settle_ties()) return give_up("endless ties");
   if (u == infinity || v == infinity) {
     kernel_->report(id_, kLeave, {u == infinity ? v : u, std::min(p, q), std::max(p, q)}, true);
   } else if (p == infinity || q == infinity) {
     kernel_->report(id_, kEnter, {p == infinity ? q : p, std::min(u, v), std::max(u, v)}, true);
   } else {
-    kernel_->report(id_, kFlip, {std::min(u, v), std::max(u, v), std::min(p, q), std::max(p, q)},
-                    true);
+    report_flip(u, v, p, q);
   }
+  if (!ties_.empty()) settle_ties(true);
 }
 
 // A failure that no flip can repair. At a degenerate instant the edge does without a certificate
@@ -165,12 +169,12 @@ void Delaunay2::blocked(HalfEdge h, bool shared) {
   for (const ObjectId v : ids) suspect(v);
   store_.set_label(h, kNoCertificate);
   blocked_ = true;
-  if (!shared) rebuild_because("a flip to an edge that is there already");
   if (ids[3] == store_.infinity()) {
-    kernel_->report(id_, kReinsert, {ids[0], ids[1], ids[2]}, !shared);
+    kernel_->report(id_, kBlocked, {ids[0], ids[1], ids[2]}, false);
   } else {
-    kernel_->report(id_, kReinsert, {ids[0], ids[1], ids[2], ids[3]}, !shared);
+    kernel_->report(id_, kBlocked, {ids[0], ids[1], ids[2], ids[3]}, false);
   }
+  if (!shared) rebuild_because("a flip to an edge that is there already");
 }
 
 // On a line: the points at `place` and place + 1 change places.

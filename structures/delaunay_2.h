@@ -57,7 +57,9 @@ class Delaunay2 final : public Structure {
     kEnter,     // a point becomes a hull vertex: the point, the hull edge that it splits
     kLeave,     // a point stops being a hull vertex: the point, the new hull edge
     kPass,      // on a line: two neighbours change places
-    kReinsert,  // a degenerate instant: the certificate's points; see "Degenerate instants"
+    kBlocked,   // internal, at a degenerate instant: no flip repairs it yet: the certificate's
+                // points
+    kReinsert,  // when the instant is settled: a point that was taken out and put in again
   };
 
   Delaunay2(Kernel& kernel, StructureId id, const Scene& scene);
@@ -96,7 +98,8 @@ class Delaunay2 final : public Structure {
   void drop_certificate(HalfEdge h);
   bool flippable(HalfEdge h) const;
   void flip(HalfEdge h);
-  bool settle_ties();
+  void settle_ties(bool report);
+  void report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q);
   bool wants_other_diagonal(HalfEdge h) const;
   void pass(std::uint32_t place);
   void blocked(HalfEdge h, bool shared);
@@ -143,6 +146,7 @@ class Delaunay2 final : public Structure {
   bool take_out(ObjectId vertex);
   bool reexamine_hidden();
   void collect_turned(std::vector<Triangle>& turned);
+  std::vector<ObjectId> neighbours(ObjectId v) const;
   bool mend();
   bool hull_turns_once() const;
 

@@ -122,8 +122,11 @@ void Delaunay2::check_invariants(AuditReport& report) const {
   for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
     if (!store_.live(Triangulation2::triangle(h)) || h > store_.twin(h)) continue;
     const CertificateId label = store_.label(h);
-    const bool good = label != kNoCertificate && kernel_->query(label) == query_of(h) &&
-                      (kernel_->tag(label) == h || kernel_->tag(label) == store_.twin(h));
+    bool good = label != kNoCertificate;
+    if (good) {
+      const std::uint32_t tag = kernel_->tag(label);
+      good = (tag == h || tag == store_.twin(h)) && kernel_->query(label) == query_of(tag);
+    }
     report.check(good, [&] {
       return "edge " + std::to_string(store_.origin(h)) + " " + std::to_string(store_.target(h)) +
              " has no certificate or another edge's";

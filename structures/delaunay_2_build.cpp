@@ -61,8 +61,8 @@ void Delaunay2::rebuild() {
 
 void Delaunay2::rebuild_because(const std::string& reason) {
   if (corrupt_) return;
-  kernel_->count_rebuild(id_, reason);
   construct();
+  kernel_->count_rebuild(id_, reason);
 }
 
 void Delaunay2::retract_all() {
@@ -196,7 +196,7 @@ void Delaunay2::build_plane(const std::vector<ObjectId>& order) {
   for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
     if (h < store_.twin(h)) set_certificate(h);
   }
-  if (!settle_ties()) give_up("endless ties");
+  settle_ties(false);
 }
 
 }  // namespace kinex

@@ -20,7 +20,7 @@ void Delaunay2::insert(ObjectId object) {
   present_[object] = true;
   if (on_line_) return rebuild_because("insertion while all points are on one line");
   if (!put_in(object)) rebuild_because("insertion at a degenerate instant");
-  if (!settle_ties()) give_up("endless ties");
+  settle_ties(false);
 }
 
 void Delaunay2::erase(ObjectId object) {
@@ -33,7 +33,7 @@ void Delaunay2::erase(ObjectId object) {
   }
   if (on_line_) return rebuild_because("erasure while all points are on one line");
   if (!take_out(object)) return rebuild_because("erasure leaves all points on one line");
-  if (!settle_ties()) give_up("endless ties");
+  settle_ties(false);
 }
 
 void Delaunay2::motions_changed(std::span<const ObjectId> objects) {
@@ -98,6 +98,7 @@ bool Delaunay2::reexamine_hidden() {
   for (const ObjectId v : parted) reveal(v);
   for (const ObjectId v : parted) {
     if (!put_in(v)) return false;
+    kernel_->report(id_, kReinsert, {v}, true);
   }
   return true;
 }
@@ -120,7 +121,7 @@ void Delaunay2::instant_settled() {
       ties_.push_back(Triangulation2::next(h));
     }
   }
-  if (!corrupt_ && !settle_ties()) give_up("endless ties");
+  if (!corrupt_) settle_ties(true);
   moved_.clear();
   suspects_.clear();
   has_last_quad_ = false;
@@ -143,6 +144,19 @@ void Delaunay2::collect_turned(std::vector<Triangle>& turned) {
   }
 }
 
+std::vector<ObjectId> Delaunay2::neighbours(ObjectId v) const {
+  std::vector<ObjectId> result;
+  if (!store_.has(v)) return result;
+  const HalfEdge first = store_.out(v);
+  HalfEdge h = first;
+  do {
+    result.push_back(store_.target(h));
+    h = store_.around(h);
+  } while (h != first);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 // Takes the points out whose triangles have turned over and puts them in again. False if everything
 // was built anew instead.
 bool Delaunay2::mend() {
@@ -155,6 +169,11 @@ bool Delaunay2::mend() {
                                              : "triangles turn over";
   const bool unclear = turned.empty();
   blocked_ = false;
+  std::map<ObjectId, std::vector<ObjectId>> before;
+  for (const Triangle t : turned) {
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) before[store_.origin(h)];
+  }
+  for (auto& [v, list] : before) list = neighbours(v);
   std::vector<ObjectId> taken;
   bool good = !unclear && turned.size() <= std::max<std::size_t>(16, store_.vertices() / 8);
   while (good && !turned.empty()) {
@@ -188,6 +207,9 @@ bool Delaunay2::mend() {
     return false;
   }
   reinsertions_ += taken.size();
+  for (const ObjectId v : taken) {
+    kernel_->report(id_, kReinsert, {v}, neighbours(v) != before[v]);
+  }
   // Edges whose certificate was given up because their flip was impossible then.
   for (const ObjectId v : suspects_) {
     if (!store_.has(v)) continue;
