@@ -105,10 +105,7 @@ std::optional<Rational> parse_unsigned(std::string_view text) {
 }  // namespace
 
 Rational::Rational(const Integer& numerator, const Integer& denominator) : Rational() {
-  if (denominator.is_zero()) {
-    mpq_clear(q_);
-    throw std::logic_error("Rational: the denominator is zero");
-  }
+  require(!denominator.is_zero(), "Rational: the denominator is zero");
   mpz_set(mpq_numref(q_), numerator.raw());
   mpz_set(mpq_denref(q_), denominator.raw());
   mpq_canonicalize(q_);

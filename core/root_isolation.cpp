@@ -105,13 +105,13 @@ std::vector<RootWithMultiplicity> isolate_real_roots(const Polynomial& p, RootCo
     }
     all = all.empty() ? std::move(found) : merge(std::move(all), std::move(found), counters);
   }
-  // No interval ends at a root.
+  // Comparison with a rational root need not have narrowed an interval. No interval ends at a root.
   for (std::size_t i = 1; i < all.size(); ++i) {
     RealRoot& below = all[i - 1].root;
     RealRoot& above = all[i].root;
     if (below.is_rational() == above.is_rational()) continue;
     RealRoot& narrowed = below.is_rational() ? above : below;
-    while (below.upper() == above.lower()) narrowed.refine(counters);
+    while (below.upper() >= above.lower()) narrowed.refine(counters);
   }
   return all;
 }
