@@ -17,16 +17,17 @@ namespace kinex {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A computed root counts as real if its imaginary part is at most this fraction of its real part. GSL's
-// roots are eigenvalues: those of a double root come out about 2^-26 apart, on the real axis or off it,
-// and so may count or not. Where they are true double roots that changes no sign.
+// A computed root counts as real if its imaginary part is at most this fraction of its real part.
+// GSL's roots are eigenvalues: those of a double root come out about 2^-26 apart, on the real axis
+// or off it, and so may count or not. Where they are true double roots that changes no sign.
 constexpr double kImaginary = 1e-9;
-// A root of the polynomial that has just failed is taken for the known root at now if it is at most this
-// fraction of now behind it (64 units in the last place).
+// A root of the polynomial that has just failed is taken for the known root at now if it is at most
+// this fraction of now behind it (64 units in the last place).
 constexpr double kSameRoot = 0x1p-46;
 
-// gsl_poly_complex_solve balances the companion matrix in a loop that never ends once a norm overflows
-// (GSL 2.7). Balancing shrinks norms, so entries in this range are safe at any degree that matters.
+// gsl_poly_complex_solve balances the companion matrix in a loop that never ends once a norm
+// overflows (GSL 2.7). Balancing shrinks norms, so entries in this range are safe at any degree
+// that matters.
 constexpr double kLargestRatio = 1e150;
 
 struct FreeWorkspace {
@@ -158,7 +159,8 @@ class GslArithmetic final : public Arithmetic {
   }
 
  private:
-  // Set in FailureTime::root for certificates that were negative at their birth: now is no root of theirs.
+  // Set in FailureTime::root for certificates that were negative at their birth: now is no root of
+  // theirs.
   static constexpr std::uint32_t kBornFailing = 1;
 
   std::size_t powers() const { return static_cast<std::size_t>(degree_) + 1; }
@@ -170,7 +172,8 @@ class GslArithmetic final : public Arithmetic {
     degree_ = degree;
     std::vector<double> wider(rows * powers(), 0.0);
     for (std::size_t row = 0; row < rows; ++row) {
-      for (std::size_t k = 0; k < from; ++k) wider[row * powers() + k] = coefficients_[row * from + k];
+      for (std::size_t k = 0; k < from; ++k)
+        wider[row * powers() + k] = coefficients_[row * from + k];
     }
     coefficients_ = std::move(wider);
   }
@@ -219,7 +222,8 @@ class GslArithmetic final : public Arithmetic {
     return kInfinity;
   }
 
-  // roots_ := the real roots of c_ in ascending order; none if GSL fails or a coefficient is not finite.
+  // roots_ := the real roots of c_ in ascending order; none if GSL fails or a coefficient is not
+  // finite.
   void find_real_roots() {
     roots_.clear();
     for (double v : c_) {
@@ -228,7 +232,8 @@ class GslArithmetic final : public Arithmetic {
     const std::size_t degree = c_.empty() ? 0 : c_.size() - 1;
     double r[3] = {};
     switch (degree) {
-      case 0: return;
+      case 0:
+        return;
       case 1:
         roots_.push_back(-c_[0] / c_[1]);
         break;
@@ -242,7 +247,8 @@ class GslArithmetic final : public Arithmetic {
         roots_.assign(r, r + count);
         break;
       }
-      default: solve_complex(degree);
+      default:
+        solve_complex(degree);
     }
     std::erase_if(roots_, [](double t) { return !std::isfinite(t); });
     std::sort(roots_.begin(), roots_.end());
@@ -258,7 +264,8 @@ class GslArithmetic final : public Arithmetic {
     if (!workspace) workspace.reset(gsl_poly_complex_workspace_alloc(degree + 1));
     if (!workspace) return;
     packed_.assign(2 * degree, 0.0);
-    if (gsl_poly_complex_solve(c_.data(), degree + 1, workspace.get(), packed_.data()) != GSL_SUCCESS) {
+    if (gsl_poly_complex_solve(c_.data(), degree + 1, workspace.get(), packed_.data()) !=
+        GSL_SUCCESS) {
       return;
     }
     for (std::size_t i = 0; i < degree; ++i) {
@@ -270,8 +277,9 @@ class GslArithmetic final : public Arithmetic {
 
   int degree_;
   std::size_t axes_;
-  std::vector<double> coefficients_;  // of t^k on axis a of object i at [(i * axes + a) * powers + k]
-  std::vector<double> until_;         // per object
+  std::vector<double>
+      coefficients_;           // of t^k on axis a of object i at [(i * axes + a) * powers + k]
+  std::vector<double> until_;  // per object
   double end_;
   double now_;
   Query failed_;  // now is a failure time found for it; arity 0: none

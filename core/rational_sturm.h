@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polynomials over the rationals and their Sturm sequences: the whole root finding of the `sturm`
-// arithmetic. It is the reference that the fast arithmetic is compared with, so it is plain and shares
-// nothing with it beyond Integer and Rational.
+// arithmetic. It is the reference that the fast arithmetic is compared with, so it is plain and
+// shares nothing with it beyond Integer and Rational.
 #ifndef KINEX_CORE_RATIONAL_STURM_H
 #define KINEX_CORE_RATIONAL_STURM_H
 
@@ -37,8 +37,8 @@ class RationalPolynomial {
   Sign sign_at(const Rational& t) const { return to_sign(value_at(t).sign()); }
   Sign sign_at_plus_infinity() const { return to_sign(is_zero() ? 0 : leading().sign()); }
   RationalPolynomial derivative() const;
-  // Multiplied by the positive number that makes the coefficients coprime integers: no sign changes, and
-  // values at dyadic points stay small. Zero stays zero.
+  // Multiplied by the positive number that makes the coefficients coprime integers: no sign
+  // changes, and values at dyadic points stay small. Zero stays zero.
   void normalise();
   std::uint64_t max_bits() const;
 
@@ -49,7 +49,8 @@ class RationalPolynomial {
   std::vector<Rational> c_;
 };
 
-// a = quotient * b + remainder with degree(remainder) < degree(b). Requires b != 0. O(d^2) operations.
+// a = quotient * b + remainder with degree(remainder) < degree(b). Requires b != 0. O(d^2)
+// operations.
 struct Division {
   RationalPolynomial quotient, remainder;
 };
@@ -69,8 +70,8 @@ class RationalSturm {
 
   // The same real roots as p, each once; a positive multiple of p where p is square-free.
   const RationalPolynomial& square_free() const { return sequence_.front(); }
-  // Sign changes along the sequence. variations(a) - variations(b) is the number of distinct real roots
-  // in (a, b].
+  // Sign changes along the sequence. variations(a) - variations(b) is the number of distinct real
+  // roots in (a, b].
   int variations(const Rational& t) const;
   int variations_at_plus_infinity() const;
   // Distinct real roots in (a, b]; requires a <= b.

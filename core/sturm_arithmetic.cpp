@@ -101,8 +101,8 @@ class SturmArithmetic final : public Arithmetic {
   }
 
  private:
-  // Set in FailureTime::root of a certificate that was negative at its birth: its polynomial need not
-  // vanish at that instant.
+  // Set in FailureTime::root of a certificate that was negative at its birth: its polynomial need
+  // not vanish at that instant.
   static constexpr std::uint32_t kBornFailing = 0x80000000u;
 
   static std::uint32_t handle(const FailureTime& time) { return time.root & ~kBornFailing; }
@@ -120,7 +120,8 @@ class SturmArithmetic final : public Arithmetic {
 
   int degree_;
   std::size_t axes_;
-  std::vector<Rational> coefficients_;  // of t^k on axis a of object i at [(i * axes + a) * powers + k]
+  std::vector<Rational>
+      coefficients_;  // of t^k on axis a of object i at [(i * axes + a) * powers + k]
   std::vector<std::optional<Rational>> until_;  // per object
   std::optional<Rational> end_;
   InstantPool instants_;
@@ -294,7 +295,8 @@ std::optional<Rational> SturmArithmetic::rational_between(const Query* query, Fa
   return dyadic_near_middle(now().upper(), next.lower());
 }
 
-// Only the text comes from the other root finder, so that both exact arithmetics print the same bytes.
+// Only the text comes from the other root finder, so that both exact arithmetics print the same
+// bytes.
 InstantText SturmArithmetic::describe_now() {
   RootCounters text_counters;
   while (!now().is_rational() && !(now().lower().is_dyadic() && now().upper().is_dyadic())) {

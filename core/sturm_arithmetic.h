@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `sturm`: rationals and Sturm sequences only, no filter, no floating point. The reference for `exact`:
-// the same answers, from code that shares none of its root finding (only the text of describe_now does).
+// `sturm`: rationals and Sturm sequences only, no filter; doubles are but the queue's enclosures of
+// instants that are known exactly. The reference for `exact`: the same answers, from code that
+// shares none of its root finding (only the text of describe_now does).
 //
-// Failures beyond the scene's end, or beyond the motions of the objects involved, are reported as never;
-// one exactly at the end is reported. Cost of a failure time: O(d^2) rational operations for the sequence
-// and O(d^2) for each step of the search, on numbers of O(d b) bits for motions of b bits.
+// Failures beyond the scene's end, or beyond the motions of the objects involved, are reported as
+// never; one exactly at the end is reported. Cost of a failure time: O(d^2) rational operations for
+// the sequence and O(d^2) for each step of the search, on numbers of O(d b) bits for motions of b
+// bits.
 #ifndef KINEX_CORE_STURM_ARITHMETIC_H
 #define KINEX_CORE_STURM_ARITHMETIC_H
 

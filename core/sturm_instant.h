@@ -12,8 +12,8 @@ namespace kinex {
 
 // Invariant, one of:
 //   rational: lower() == upper() == the number; polynomial() is t - number;
-//   isolated: polynomial() is square-free, has opposite non-zero signs at lower() < upper(), and exactly
-//             one root between them.
+//   isolated: polynomial() is square-free, has opposite non-zero signs at lower() < upper(), and
+//             exactly one root between them.
 class SturmInstant {
  public:
   explicit SturmInstant(const Rational& value);
@@ -42,20 +42,21 @@ class SturmInstant {
 // -1, 0, +1: exact. Equality is proved by a root of the gcd in the overlap of the intervals.
 int compare(SturmInstant& a, SturmInstant& b, SturmWork& work);
 
-// Sign of p on (x, x + eps), where `sturm` is the sequence of p. p not zero. Afterwards p has no root in
-// (x, x.upper()].
+// Sign of p on (x, x + eps), where `sturm` is the sequence of p. p not zero. Afterwards p has no
+// root in (x, x.upper()].
 Sign sign_after(const RationalPolynomial& p, const RationalSturm& sturm, SturmInstant& x,
                 SturmWork& work);
 
 // True if p(x) = 0. p not zero.
 bool vanishes_at(const RationalPolynomial& p, const SturmInstant& x, SturmWork& work);
 
-// The first root of p beyond `from` and at most `until` (no limit if nullopt) where p turns from + to -.
-// Requires: p positive right after `from`.
-// Doubles a step until there is a root, and bisects until there is one: the 1998 report, section 10.
+// The first root of p beyond `from` and at most `until` (no limit if nullopt) where p turns from +
+// to -. Requires: p positive right after `from`. Doubles a step until there is a root, and bisects
+// until there is one: the 1998 report, section 10.
 std::optional<SturmInstant> first_failure_after(const RationalPolynomial& p,
                                                 const RationalSturm& sturm, const Rational& from,
-                                                const std::optional<Rational>& until, SturmWork& work);
+                                                const std::optional<Rational>& until,
+                                                SturmWork& work);
 
 // A dyadic number in the middle half of [a, b]. Requires a < b.
 Rational dyadic_near_middle(const Rational& a, const Rational& b);
