@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex verify: the bound-verification experiments.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "experiments/file_io.h"
+#include "experiments/input_error.h"
+#include "experiments/verbs/interrupt.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+#include "experiments/verify/catalogue.h"
+#include "experiments/verify/database.h"
+#include "experiments/verify/page.h"
+#include "experiments/verify/plots.h"
+#include "experiments/verify/report_text.h"
+#include "experiments/verify/verify_progress.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr int kMostJobs = 256;
+constexpr int kMostSeeds = 1000000;
+
+struct Options {
+  std::string structure = "all";
+  std::string folder = ".";
+  int jobs = 1;
+  int seeds = 0;
+  bool quick = false;
+  bool force = false;
+  bool json = false;
+};
+
+void check_range(const char* option, int value, int low, int high) {
+  if (value >= low && value <= high) return;
+  throw InputError(option, "", std::to_string(value) + " is out of range",
+                   "write a number from " + std::to_string(low) + " to " + std::to_string(high));
+}
+
+std::string command_of(const Options& options) {
+  std::string command = "kinex verify " + options.structure;
+  if (options.quick) command += " --quick";
+  if (options.seeds > 0) command += " --seeds " + std::to_string(options.seeds);
+  if (options.jobs != 1) command += " --jobs " + std::to_string(options.jobs);
+  return command;
+}
+
+int exit_code_of(const VerifyResult& result) {
+  if (result.verdict() == Verdict::kFail) return kExitFailed;
+  if (result.interrupted || result.verdict() != Verdict::kPass) return kExitGaveUp;
+  return kExitFine;
+}
+
+void verify(const Options& options, int& exit_code) {
+  const auto began = std::chrono::steady_clock::now();
+  check_range("--jobs", options.jobs, 1, kMostJobs);
+  if (options.seeds != 0) check_range("--seeds", options.seeds, 1, kMostSeeds);
+  const Catalogue catalogue =
+      make_catalogue(options.structure, options.quick ? Extent::kQuick : Extent::kFull);
+  std::error_code error;
+  std::filesystem::create_directories(options.folder, error);  // what is wrong is told below
+  OutputFile database(options.folder + "/verify.sqlite", options.force);
+  OutputFile page(options.folder + "/verify.html", options.force);
+
+  InterruptGuard interrupt;
+  VerifyResult result;
+  {
+    VerifyProgress progress(catalogue);
+    VerifyOptions running;
+    running.jobs = options.jobs;
+    if (options.seeds > 0) running.seeds = options.seeds;
+    running.keep_folder = options.folder;
+    running.go_on = [&] { return !interrupt.interrupted(); };
+    running.on_scene = [&](std::size_t index, int seed) { progress.show(index, seed); };
+    running.on_cell = [&](std::size_t index, const CellResult& cell) {
+      progress.finished(index);
+      progress.wipe();
+      print(options.json ? json_row(cell) : table_row(cell));
+    };
+    if (!options.json) print(table_header());
+    result = run_catalogue(catalogue, running);
+  }
+  for (const GrowthResult& growth : result.growths) {
+    print(options.json ? json_row(growth) : table_row(growth));
+  }
+  if (!options.json) print(closing_line(result));
+
+  PageFacts facts;
+  facts.build = build_facts();
+  facts.machine = machine_facts();
+  facts.command = command_of(options);
+  database.write(verify_database(result, facts.build, facts.machine));
+  database.commit();
+  const std::vector<Figure> figures = verify_figures(result);
+  const Drawings drawings = draw(figures);
+  facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  page.write(verify_page(result, figures, drawings, facts));
+  page.commit();
+  if (!drawings.problem.empty()) {
+    std::fprintf(stderr, "kinex: no plots: %s\n", drawings.problem.c_str());
+  }
+  std::fprintf(stderr, "kinex: %s and %s are written%s\n", database.path().c_str(),
+               page.path().c_str(),
+               result.interrupted ? "; it was interrupted, and holds what was finished" : "");
+  exit_code = exit_code_of(result);
+}
+
+}  // namespace
+
+void add_verify_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand(
+      "verify", "The bound-verification experiments: writes verify.sqlite and verify.html");
+  verb->add_option("STRUCTURE", options->structure, "A structure, or all (default)");
+  verb->add_flag("--quick", options->quick, "Smaller sizes: a few minutes on one core");
+  verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
+  verb->add_flag("--force", options->force, "Replace results that exist");
+  verb->add_option("--jobs", options->jobs,
+                   "Experiments at a time (1: more make time ratios noisy)");
+  verb->add_option("--seeds", options->seeds,
+                   "So many scenes for every random experiment, not as many as it needs");
+  verb->add_flag("--json", options->json, "Print a JSON object per row instead of the table");
+  verb->footer(
+      "Exit codes: 1 an expectation, bound or audit failed (the scene is kept beside the "
+      "results);\n"
+      "3 interrupted, stopped at a limit, or not enough seeds to tell.\n"
+      "Example:\n  kinex verify delaunay_2 --quick -o results");
+  verb->callback([options, &exit_code] { verify(*options, exit_code); });
+}
+
+}  // namespace kinex

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/verify/catalogue.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/input_error.h"
+
+namespace kinex {
+
+namespace {
+
+// In the registry's order; those of one structure keep theirs.
+template <class Item>
+void select(std::vector<Item>& items, std::string_view structure) {
+  std::vector<Item> selected;
+  for (const StructureInfo& info : structure_infos()) {
+    if (structure != "all" && structure != info.name) continue;
+    for (Item& item : items) {
+      if (item.structure == info.name) selected.push_back(std::move(item));
+    }
+  }
+  items = std::move(selected);
+}
+
+// How many means of a structure are judged under one claim.
+void count_comparisons(std::vector<Cell>& cells) {
+  std::map<std::pair<std::string, std::string>, int> means;
+  for (const bool counting : {true, false}) {
+    for (Cell& cell : cells) {
+      for (Expectation& expectation : cell.expectations) {
+        if (expectation.kind != ExpectationKind::kMean) continue;
+        int& count = means[{cell.structure, expectation.claim}];
+        if (counting) {
+          ++count;
+        } else {
+          expectation.comparisons = count;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Catalogue make_catalogue(std::string_view structure, Extent extent) {
+  if (structure != "all" && find_structure_info(structure) == nullptr) {
+    std::string names = "all";
+    for (const StructureInfo& info : structure_infos()) names += ", " + std::string(info.name);
+    throw InputError("verify", "", show_text(structure) + " is not a structure",
+                     "choose one of " + names);
+  }
+  Catalogue catalogue;
+  add_worst_cases(catalogue, extent);
+  add_random_motion(catalogue, extent);
+  for (const StructureInfo& info : structure_infos()) add_common_cells(catalogue, info, extent);
+  select(catalogue.cells, structure);
+  count_comparisons(catalogue.cells);
+  select(catalogue.growths, structure);
+  return catalogue;
+}
+
+}  // namespace kinex

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cell: one experiment as data: what is run, on which scenes, and what should come out.
+#ifndef KINEX_EXPERIMENTS_VERIFY_CELL_H
+#define KINEX_EXPERIMENTS_VERIFY_CELL_H
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/integer.h"
+#include "core/scene.h"
+#include "core/simulator.h"
+#include "experiments/workload.h"
+
+namespace kinex {
+
+// A quantity is a count of a run by name: "processed", "external", "internal", "kind.NAME" for the
+// events of a kind, or a sum of these: "kind.enter+kind.leave".
+using Quantity = std::string;
+
+enum class ExpectationKind {
+  kExact,    // every run counts exactly this
+  kWitness,  // every run counts exactly what `witness` finds in its scene, without simulating it
+  kMean,     // the mean over seeds agrees with a reference mean
+};
+
+struct Expectation {
+  std::string claim;  // stable id, for example "sorted_list.worst_case"
+  ExpectationKind kind = ExpectationKind::kExact;
+  Quantity quantity;
+  Integer exact;                                     // kExact
+  Integer (*witness)(const Scene& scene) = nullptr;  // kWitness
+  // kMean: |mean - reference| <= z sqrt(se^2 + reference_error^2) + tolerance; see allowed_errors.
+  double reference = 0;
+  double reference_error = 0;  // standard error of the reference; 0 if it is a proven expectation
+  double tolerance = 0;        // of a reference that is known in a few digits only
+  int comparisons = 1;  // how many means are compared under this claim: the sizes of a family
+  std::string source;
+};
+
+struct Cell {
+  std::string question;
+  std::string structure;
+  std::string workload;
+  WorkloadParameters parameters;  // its seed is the first; scene k has seed + k
+  bool mirrored = false;          // all coordinates negated: a maximum's scene becomes a minimum's
+  std::string family;             // the curve that it is a point of, for plots and growth claims
+  bool random = false;
+  // Random families: seeds are added until the standard error of the mean of every quantity in
+  // `precise` is below its relative error times the mean, from min_seeds to max_seeds.
+  int min_seeds = 1;
+  int max_seeds = 1;
+  struct Precise {
+    Quantity quantity;
+    double relative_error;
+  };
+  std::vector<Precise> precise;
+  AuditLevel audit = AuditLevel::kEnd;
+  double max_seconds = 600;  // a run that takes longer gives up
+  double cost = 0.01;        // expected seconds of the whole cell, for progress
+  std::vector<Expectation> expectations;
+
+  // "worst-case family, degree 2": the workload and what is not its default, without n.
+  std::string workload_text() const;
+};
+
+// The counts of the cells of one family of a structure grow like n^exponent.
+struct GrowthClaim {
+  std::string claim;
+  std::string structure;
+  std::string family;
+  Quantity quantity;
+  double smallest = 1;  // n from which on the law is expected to show
+  double exponent = 1;
+  double tolerance = 0.03;
+  std::string source;
+};
+
+struct Catalogue {
+  std::vector<Cell> cells;
+  std::vector<GrowthClaim> growths;
+};
+
+// The scene of a cell for its k-th seed, asking for the cell's structure only.
+Scene scene_of(const Cell& cell, int k);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contest: what exactness costs on one scene: CPU time in `exact` over CPU time in `double`.
+#ifndef KINEX_EXPERIMENTS_VERIFY_CONTEST_H
+#define KINEX_EXPERIMENTS_VERIFY_CONTEST_H
+
+#include <functional>
+#include <optional>
+
+#include "experiments/verify/measurement.h"
+
+namespace kinex {
+
+struct Contest {
+  Measurement rival;  // the run in `double`
+  // Simulation only, best of the rounds; nullopt if the time is too short to be measured, or a run
+  // gave up.
+  std::optional<double> ratio;
+  // `double` handled as many events as `exact` and ended with the same attribute.
+  bool same_counts = false;
+};
+
+// `exact`: what the scene gives in exact arithmetic. Rounds in the two arithmetics take turns until
+// each has taken 20 ms, at least one and at most 40. nullopt if `go_on` says to stop.
+std::optional<Contest> compare_with_double(const Scene& scene, const Measurement& exact,
+                                           const std::function<bool()>& go_on);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The results as a SQLite database.
+//
+// STRICT tables, foreign keys: exact values are TEXT, counts INTEGER, and REAL is for seconds only.
+//   build, machine   what made the results: one row each
+//   cell             one experiment: structure, workload, parameters, verdict
+//   run              one simulated scene in one arithmetic (number_mode)
+//   counter          run_id, name, stage, value: every count of the ledger that is not 0; `stage`
+//   is
+//                    the stage that answered, the degree of the polynomials, or empty
+//   extreme          run_id, name, value_text: largest values
+//   claim_result     what was expected of a cell, and what came out; run_id: the run that decided
+//   growth           fitted exponents
+// Unique keys make a second insertion of the same result impossible.
+#ifndef KINEX_EXPERIMENTS_VERIFY_DATABASE_H
+#define KINEX_EXPERIMENTS_VERIFY_DATABASE_H
+
+#include <string>
+
+#include "experiments/verify/machine.h"
+#include "experiments/verify/runner.h"
+
+namespace kinex {
+
+// The bytes of the database file.
+std::string verify_database(const VerifyResult& result, const BuildFacts& build,
+                            const MachineFacts& machine);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs gnuplot, if there is one.
+#ifndef KINEX_EXPERIMENTS_VERIFY_GNUPLOT_H
+#define KINEX_EXPERIMENTS_VERIFY_GNUPLOT_H
+
+#include <string>
+#include <vector>
+
+namespace kinex {
+
+// A picture that gnuplot draws: commands and data, without "set terminal" and "set output".
+struct Figure {
+  std::string title;    // of the page's caption
+  std::string caption;  // what is to be seen
+  std::string script;
+  int width = 640, height = 460;
+};
+
+struct Drawings {
+  std::vector<std::string> svg;  // by figure; empty if it could not be drawn
+  std::string problem;           // why not, in words; empty if all is well
+};
+
+// Draws all figures as SVG in one run of `program`, in a fresh temporary folder that is removed.
+Drawings draw(const std::vector<Figure>& figures, const std::string& program = "gnuplot");
+
+}  // namespace kinex
+
+#endif

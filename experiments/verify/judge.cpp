@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/verify/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "experiments/scene_run.h"
+
+namespace kinex {
+
+namespace {
+
+Integer whole(std::uint64_t count) { return Integer(static_cast<std::int64_t>(count)); }
+
+std::string of_all(std::size_t good, std::size_t all) {
+  return "in " + std::to_string(good) + " of " + std::to_string(all);
+}
+
+// Every run must count `expected(trial)`.
+Check check_counts(const Expectation& expectation, std::size_t index,
+                   const std::vector<Trial>& trials) {
+  const bool witness = expectation.kind == ExpectationKind::kWitness;
+  Check check{expectation.claim,
+              witness ? "witness" : "exact",
+              expectation.quantity,
+              "",
+              "",
+              expectation.source,
+              Verdict::kPass,
+              std::nullopt};
+  std::size_t good = 0;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const Integer& expected = witness ? trials[i].witnessed[index] : expectation.exact;
+    const Integer observed = whole(trials[i].measurement.count_of(expectation.quantity));
+    if (observed == expected) {
+      ++good;
+      if (check.trial || !check.expected.empty()) continue;
+    } else if (check.trial) {
+      continue;
+    } else {
+      check.trial = i;
+      check.verdict = Verdict::kFail;
+    }
+    check.expected = expected.to_string();
+    check.observed = observed.to_string();
+  }
+  if (trials.size() > 1 && check.verdict == Verdict::kPass) {
+    check.expected = "as the scenes say";
+    check.observed = "equal " + of_all(good, trials.size());
+  } else if (trials.size() > 1) {
+    check.observed += ", equal " + of_all(good, trials.size());
+  }
+  return check;
+}
+
+Check check_mean(const Cell& cell, const Expectation& expectation,
+                 const std::vector<Trial>& trials) {
+  const RunningMean mean = mean_of(trials, expectation.quantity);
+  Check check{expectation.claim,  "mean",         expectation.quantity, "", "",
+              expectation.source, Verdict::kPass, std::nullopt};
+  check.expected = expectation.reference_error > 0
+                       ? mean_text(expectation.reference, expectation.reference_error)
+                       : number_text(expectation.reference, 6);
+  if (expectation.tolerance > 0)
+    check.expected += " (to " + number_text(expectation.tolerance, 3) + ")";
+  check.observed = mean_text(mean.mean(), mean.standard_error());
+  const double distance =
+      distance_in_errors(mean.mean(), mean.standard_error(), expectation.reference,
+                         expectation.reference_error, expectation.tolerance);
+  char text[48];
+  std::snprintf(text, sizeof text, " (%.1f se)", distance);
+  check.observed += text;
+  if (distance > allowed_errors(expectation.comparisons)) {
+    check.verdict = Verdict::kFail;
+  } else if (!precise_enough(cell, trials)) {
+    check.verdict = Verdict::kInconclusive;
+  }
+  return check;
+}
+
+// Exact comparison of observed / bound; a bound of 0 counts as reached.
+bool nearer(const BoundCheck& a, const BoundCheck& b) {
+  return a.observed * b.bound > b.observed * a.bound;
+}
+
+void add_bounds(const std::vector<Trial>& trials, std::vector<Check>& checks) {
+  std::vector<std::string> order;
+  std::map<std::string, std::pair<BoundCheck, std::size_t>> worst;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    for (const BoundCheck& bound : trials[i].measurement.bounds) {
+      const auto found = worst.find(bound.id);
+      if (found == worst.end()) {
+        order.push_back(bound.id);
+        worst.emplace(bound.id, std::pair(bound, i));
+      } else if (found->second.first.holds &&
+                 (!bound.holds || nearer(bound, found->second.first))) {
+        found->second = {bound, i};
+      }
+    }
+  }
+  for (const std::string& id : order) {
+    const auto& [bound, trial] = worst.at(id);
+    checks.push_back({id, "bound", "", "<= " + bound.bound.to_string(), bound.observed.to_string(),
+                      bound.source, bound.holds ? Verdict::kPass : Verdict::kFail, trial});
+  }
+}
+
+void add_runs(const std::vector<Trial>& trials, std::vector<Check>& checks) {
+  Check audit{"audit", "audit", "", "0 violations", "", "", Verdict::kPass, std::nullopt};
+  std::optional<Check> stopped;
+  std::uint64_t checked = 0, violations = 0;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const Measurement& run = trials[i].measurement;
+    checked += run.ledger.audit_checks;
+    violations += run.ledger.audit_violations;
+    if (run.status != RunStatus::kDone && !stopped) {
+      stopped = Check{"run", "run", "", "runs to the end", "stopped: ", "", Verdict::kGaveUp, i};
+      stopped->observed += status_name(run.status);
+    }
+    if (!run.clean() && !audit.trial) {
+      audit.trial = i;
+      audit.verdict = Verdict::kFail;
+      audit.source = run.violations.empty() ? run.ledger.corruption : run.violations.front();
+    }
+  }
+  audit.observed =
+      std::to_string(violations) + " violations in " + std::to_string(checked) + " checks";
+  checks.push_back(std::move(audit));
+  if (stopped) checks.push_back(*std::move(stopped));
+}
+
+bool ends_with(const std::string& text, std::string_view end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+}  // namespace
+
+std::string_view verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kPass:
+      return "PASS";
+    case Verdict::kInconclusive:
+      return "INCONCLUSIVE";
+    case Verdict::kGaveUp:
+      return "GAVE UP";
+    case Verdict::kFail:
+      return "FAIL";
+  }
+  return "";
+}
+
+Verdict CellResult::verdict() const {
+  Verdict worst = Verdict::kPass;
+  for (const Check& check : checks) worst = std::max(worst, check.verdict);
+  return worst;
+}
+
+RunningMean mean_of(const std::vector<Trial>& trials, const Quantity& quantity) {
+  RunningMean mean;
+  for (const Trial& trial : trials) {
+    mean.add(static_cast<double>(trial.measurement.count_of(quantity)));
+  }
+  return mean;
+}
+
+bool precise_enough(const Cell& cell, const std::vector<Trial>& trials) {
+  if (static_cast<int>(trials.size()) < cell.min_seeds) return false;
+  return std::all_of(cell.precise.begin(), cell.precise.end(), [&](const Cell::Precise& precise) {
+    const RunningMean mean = mean_of(trials, precise.quantity);
+    return mean.standard_error() <= precise.relative_error * mean.mean();
+  });
+}
+
+std::vector<Check> judge(const Cell& cell, const std::vector<Trial>& trials) {
+  std::vector<Check> checks;
+  for (std::size_t i = 0; i < cell.expectations.size(); ++i) {
+    const Expectation& expectation = cell.expectations[i];
+    checks.push_back(expectation.kind == ExpectationKind::kMean
+                         ? check_mean(cell, expectation, trials)
+                         : check_counts(expectation, i, trials));
+  }
+  add_bounds(trials, checks);
+  add_runs(trials, checks);
+  return checks;
+}
+
+const BoundCheck* event_bound(const Measurement& measurement) {
+  for (const BoundCheck& bound : measurement.bounds) {
+    if (ends_with(bound.id, ".events") || ends_with(bound.id, ".swaps") ||
+        ends_with(bound.id, ".passes")) {
+      return &bound;
+    }
+  }
+  return nullptr;
+}
+
+GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells) {
+  GrowthResult result{claim, {}, std::nullopt, {}};
+  for (const CellResult& cell : cells) {
+    if (cell.cell.structure != claim.structure || cell.cell.family != claim.family) continue;
+    if (cell.trials.empty()) continue;
+    if (static_cast<double>(cell.trials.front().measurement.objects) < claim.smallest) continue;
+    const RunningMean mean = mean_of(cell.trials, claim.quantity);
+    result.points.push_back({static_cast<double>(cell.trials.front().measurement.objects),
+                             mean.mean(), mean.standard_error()});
+  }
+  std::sort(result.points.begin(), result.points.end(),
+            [](const FitPoint& a, const FitPoint& b) { return a.n < b.n; });
+  result.fit = fit_power(result.points);
+  Check& check = result.check;
+  check.claim = claim.claim;
+  check.kind = "growth";
+  check.quantity = claim.quantity;
+  check.source = claim.source;
+  check.expected =
+      "n^(" + number_text(claim.exponent, 4) + " +-" + number_text(claim.tolerance, 3) + ")";
+  if (!result.fit) {
+    check.observed = "too few sizes";
+    check.verdict = Verdict::kInconclusive;
+    return result;
+  }
+  char text[96];
+  std::snprintf(text, sizeof text, "n^%.4f, 95%% in [%.4f, %.4f]", result.fit->exponent,
+                result.fit->lower, result.fit->upper);
+  check.observed = text;
+  if (std::fabs(result.fit->exponent - claim.exponent) > claim.tolerance) {
+    check.verdict = Verdict::kFail;
+  } else if (result.fit->upper - result.fit->lower > 2 * claim.tolerance) {
+    check.verdict = Verdict::kInconclusive;
+  }
+  return result;
+}
+
+std::string number_text(double value, int digits) {
+  char text[64];
+  if (value == std::floor(value) && std::fabs(value) < 1e15) {
+    std::snprintf(text, sizeof text, "%.0f", value);
+  } else {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+  }
+  return text;
+}
+
+std::string mean_text(double mean, double error) {
+  if (!(error > 0)) return number_text(mean, 6);
+  const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 9);
+  char text[96];
+  std::snprintf(text, sizeof text, "%.*f +-%.*f", places, mean, places, error);
+  return text;
+}
+
+}  // namespace kinex

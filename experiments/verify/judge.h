@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Judge: compares what the runs of a cell counted with what was expected, and fits growth claims.
+#ifndef KINEX_EXPERIMENTS_VERIFY_JUDGE_H
+#define KINEX_EXPERIMENTS_VERIFY_JUDGE_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/verify/cell.h"
+#include "experiments/verify/contest.h"
+#include "experiments/verify/measurement.h"
+#include "experiments/verify/statistics.h"
+
+namespace kinex {
+
+// From best to worst: the verdict of several is the largest.
+enum class Verdict {
+  kPass,
+  kInconclusive,  // agrees, but the data are too few to say so with the precision asked for
+  kGaveUp,        // a run stopped at a limit
+  kFail,
+};
+std::string_view verdict_name(Verdict verdict);  // "PASS", "INCONCLUSIVE", "GAVE UP", "FAIL"
+
+struct Check {
+  std::string claim;     // of an expectation, or the id of a hard bound, "audit", "run", "error"
+  std::string kind;      // "exact", "witness", "mean", "bound", "audit", "run", "growth"
+  std::string quantity;  // what was counted; empty for bounds and audits
+  std::string expected;
+  std::string observed;
+  std::string source;
+  Verdict verdict = Verdict::kPass;
+  std::optional<std::size_t> trial;  // the run that decided, where one did
+};
+
+// One scene of a cell.
+struct Trial {
+  Measurement measurement;
+  std::vector<Integer> witnessed;  // by expectation; 0 where it is not kWitness
+};
+
+struct CellResult {
+  Cell cell;
+  std::vector<Trial> trials;
+  std::optional<Contest> contest;  // on the first scene
+  std::vector<Check> checks;
+  std::vector<std::string> kept;  // files: scenes that failed
+  double seconds = 0;             // all of it, wall clock
+
+  Verdict verdict() const;
+};
+
+RunningMean mean_of(const std::vector<Trial>& trials, const Quantity& quantity);
+
+// True if the cell has the seeds it needs.
+bool precise_enough(const Cell& cell, const std::vector<Trial>& trials);
+
+// All expectations, then all hard bounds of the structure (each over all trials: the trial that
+// comes nearest to the bound, or breaks it), then the audits. Requires at least one trial.
+std::vector<Check> judge(const Cell& cell, const std::vector<Trial>& trials);
+
+// The hard bound on the number of events: the one whose id ends in ".events", ".swaps" or
+// ".passes". nullptr if the run has none.
+const BoundCheck* event_bound(const Measurement& measurement);
+
+struct GrowthResult {
+  GrowthClaim claim;
+  std::vector<FitPoint> points;  // ascending n
+  std::optional<PowerFit> fit;
+  Check check;
+};
+
+// Fits the counts of the family over its cells. The verdict: FAIL if the exponent is not within the
+// tolerance; INCONCLUSIVE if its confidence interval is wider than the tolerance to either side, or
+// there are fewer than three sizes.
+GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells);
+
+// A number for people: integers whole, others with about `digits` significant digits.
+std::string number_text(double value, int digits);
+// "586 +-6": the error with two digits, the mean to the same place.
+std::string mean_text(double mean, double error);
+
+}  // namespace kinex
+
+#endif

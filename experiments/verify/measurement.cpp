@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/verify/measurement.h"
+
+#include <algorithm>
+#include <ctime>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/scene_run.h"
+#include "experiments/scene_writer.h"
+
+namespace kinex {
+
+namespace {
+
+double cpu_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts;
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+std::uint64_t one_count(const StructureLedger& ledger, const std::string& name) {
+  if (name == "processed") return ledger.processed;
+  if (name == "external") return ledger.external;
+  if (name == "internal") return ledger.internal;
+  if (name.rfind("kind.", 0) == 0) {
+    const auto found = ledger.by_kind.find(name.substr(5));
+    return found == ledger.by_kind.end() ? 0 : found->second;
+  }
+  throw std::invalid_argument("no quantity " + name);
+}
+
+}  // namespace
+
+std::uint64_t Measurement::count_of(const Quantity& quantity) const {
+  std::uint64_t sum = 0;
+  std::size_t begin = 0;
+  while (begin <= quantity.size()) {
+    const std::size_t end = std::min(quantity.find('+', begin), quantity.size());
+    sum += one_count(ledger, quantity.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return sum;
+}
+
+Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOptions options) {
+  Measurement result;
+  result.started = utc_now();
+  result.scene_name = scene.name;
+  result.objects = scene.objects.size();
+  // The audit at the end is made apart, so that it takes no part of the time.
+  const bool audit_end = options.audit == AuditLevel::kEnd;
+  if (audit_end) options.audit = AuditLevel::kNone;
+  const std::unique_ptr<Simulator> simulator =
+      make_simulator(scene, std::string(arithmetic), std::move(options));
+  simulator->start();
+  const double begin = cpu_seconds();
+  result.status = simulator->run_until(std::nullopt);
+  result.seconds = cpu_seconds() - begin;
+  if (audit_end && result.status == RunStatus::kDone) simulator->audit();
+  const Kernel& kernel = simulator->kernel();
+  result.arithmetic = kernel.arithmetic().name();
+  result.ledger = kernel.ledger(0);
+  result.run = simulator->ledger();
+  result.numbers = kernel.arithmetic().counters();
+  for (std::size_t id = 0; id < result.numbers.by_predicate.size(); ++id) {
+    result.predicates.push_back(
+        std::string(kernel.arithmetic().predicate(static_cast<PredicateId>(id)).name()));
+  }
+  result.bounds = simulator->bounds(0);
+  result.violations = simulator->violations();
+  result.attribute = value_now(*simulator, 0);
+  return result;
+}
+
+}  // namespace kinex

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measurement: everything that one run of one structure over one scene counted.
+#ifndef KINEX_EXPERIMENTS_VERIFY_MEASUREMENT_H
+#define KINEX_EXPERIMENTS_VERIFY_MEASUREMENT_H
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/simulator.h"
+#include "experiments/verify/cell.h"
+
+namespace kinex {
+
+struct Measurement {
+  std::string arithmetic;
+  std::string scene_name;
+  std::string scene_hash;
+  std::uint64_t seed = 0;
+  std::size_t objects = 0;
+  RunStatus status = RunStatus::kDone;
+  StructureLedger ledger;
+  RunLedger run;
+  ArithmeticCounters numbers;
+  std::vector<std::string> predicates;  // names, by PredicateId
+  std::vector<BoundCheck> bounds;
+  std::vector<std::string> violations;  // of audits
+  Attribute attribute;                  // at the end
+  std::string started;                  // UTC
+  double seconds = 0;                   // CPU time of the simulation, without set-up and audits
+
+  // No audit found anything wrong and the structure is not corrupt (bounds are judged apart).
+  bool clean() const {
+    return violations.empty() && !ledger.corrupt && ledger.audit_violations == 0;
+  }
+  // A quantity (cell.h). Throws std::invalid_argument for a name that there is not.
+  std::uint64_t count_of(const Quantity& quantity) const;
+};
+
+// Runs the scene, which asks for one structure, to its end. With AuditLevel::kEvents audits take
+// part of `seconds`.
+Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOptions options);
+
+}  // namespace kinex
+
+#endif

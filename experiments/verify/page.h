@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The results as one HTML page that needs nothing else.
+#ifndef KINEX_EXPERIMENTS_VERIFY_PAGE_H
+#define KINEX_EXPERIMENTS_VERIFY_PAGE_H
+
+#include <string>
+
+#include "experiments/verify/gnuplot.h"
+#include "experiments/verify/machine.h"
+#include "experiments/verify/runner.h"
+
+namespace kinex {
+
+struct PageFacts {
+  std::string command;  // how to get it again
+  double seconds = 0;   // all of it, wall clock
+  BuildFacts build;
+  MachineFacts machine;
+};
+
+// Verdicts, what failed, fits, plots, and the table of all cells with all their checks. Where plots
+// could not be drawn the page says why.
+std::string verify_page(const VerifyResult& result, const std::vector<Figure>& figures,
+                        const Drawings& drawings, const PageFacts& facts);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/verify/plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace kinex {
+
+namespace {
+
+constexpr std::size_t kFewestSizes = 3;
+
+// Told apart with any colour vision, and by their symbols (Okabe and Ito, 2008).
+struct Look {
+  const char* colour;
+  int symbol;
+};
+constexpr Look kLooks[] = {{"#0072B2", 7},  {"#D55E00", 5},  {"#009E73", 9},
+                           {"#CC79A7", 13}, {"#E69F00", 11}, {"#56B4E9", 15}};
+constexpr const char* kBoundColour = "#000000";
+
+const Look& look(std::size_t i) { return kLooks[i % std::size(kLooks)]; }
+
+struct Point {
+  double n, count, error;
+  double bound;  // 0: none
+};
+
+// In gnuplot's notation, single quotes doubled and without markup.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&') {
+      if (c == '\'') {
+        result += "''";
+        continue;
+      }
+      result += '\\';
+    }
+    result += c;
+  }
+  return result + "'";
+}
+
+constexpr const char* kCommon =
+    "set logscale x\nset grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\n"
+    "set tics nomirror\nset xlabel 'objects n'\n"
+    "set key outside below center horizontal Left reverse samplen 2.5 maxcols 2 width 2\n";
+
+// "set xrange" a little beyond the points.
+std::string x_range(double low, double high) {
+  return fmt::format("set xrange [{:.6g}:{:.6g}]\n", low * 0.8, high * 1.25);
+}
+
+// All families of one structure, by name, in the order of the cells.
+std::vector<std::pair<std::string, std::vector<Point>>> families_of(
+    const std::vector<CellResult>& cells, const std::string& structure) {
+  std::vector<std::pair<std::string, std::vector<Point>>> families;
+  for (const CellResult& cell : cells) {
+    if (cell.cell.structure != structure || cell.trials.empty()) continue;
+    const RunningMean mean = mean_of(cell.trials, "processed");
+    if (!(mean.mean() > 0)) continue;  // nothing to be seen on a logarithmic axis
+    const Measurement& run = cell.trials.front().measurement;
+    const BoundCheck* bound = event_bound(run);
+    auto found = std::find_if(families.begin(), families.end(),
+                              [&](const auto& family) { return family.first == cell.cell.family; });
+    if (found == families.end()) found = families.insert(families.end(), {cell.cell.family, {}});
+    found->second.push_back({static_cast<double>(run.objects), mean.mean(), mean.standard_error(),
+                             bound == nullptr ? 0 : bound->bound.to_double()});
+  }
+  families.erase(
+      std::remove_if(families.begin(), families.end(),
+                     [](const auto& family) { return family.second.size() < kFewestSizes; }),
+      families.end());
+  for (auto& [name, points] : families) {
+    std::sort(points.begin(), points.end(),
+              [](const Point& a, const Point& b) { return a.n < b.n; });
+  }
+  return families;
+}
+
+std::string data_block(const std::string& name, const std::vector<Point>& points) {
+  std::string text = "$" + name + " << EOD\n";
+  for (const Point& point : points) {
+    text += fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", point.n, point.count, 2 * point.error,
+                        point.bound);
+  }
+  return text + "EOD\n";
+}
+
+// Families of one degree share a bound: their bound curves are drawn as one.
+std::vector<std::vector<Point>> bound_curves(
+    const std::vector<std::pair<std::string, std::vector<Point>>>& families) {
+  std::vector<std::map<double, double>> curves;
+  for (const auto& [name, points] : families) {
+    if (points.front().bound <= 0) continue;
+    const auto agrees = [&points = points](const std::map<double, double>& curve) {
+      bool shared = false;
+      for (const Point& point : points) {
+        const auto at = curve.find(point.n);
+        if (at == curve.end()) continue;
+        if (at->second != point.bound) return false;
+        shared = true;
+      }
+      return shared;
+    };
+    auto curve = std::find_if(curves.begin(), curves.end(), agrees);
+    if (curve == curves.end()) curve = curves.insert(curves.end(), {});
+    for (const Point& point : points) (*curve)[point.n] = point.bound;
+  }
+  std::vector<std::vector<Point>> result;
+  for (const auto& curve : curves) {
+    std::vector<Point>& points = result.emplace_back();
+    for (const auto& [n, bound] : curve) points.push_back({n, bound, 0, bound});
+  }
+  return result;
+}
+
+std::string fit_title(const GrowthResult& growth) {
+  return fmt::format("fit n^{{{:.3f}}}, 95% in [{:.3f}, {:.3f}]", growth.fit->exponent,
+                     growth.fit->lower, growth.fit->upper);
+}
+
+Figure counts_figure(const VerifyResult& result, const std::string& structure) {
+  const auto families = families_of(result.cells, structure);
+  Figure figure;
+  if (families.empty()) return figure;
+  figure.title = structure + ": events over n";
+  figure.caption =
+      "Points: observed events (mean over seeds, bars of two standard errors where they "
+      "can be seen). Dashed: hard bounds, which no run may exceed.";
+  const auto curves = bound_curves(families);
+  std::string& script = figure.script;
+  script = kCommon;
+  script += "set logscale y\nset format y '10^{%L}'\nset ylabel 'events'\n";
+  double low = families.front().second.front().n, high = low, most = 0, fewest = 1e300;
+  std::string plot;
+  const auto add = [&](const std::string& item) {
+    plot += (plot.empty() ? "plot " : ", \\\n  ") + item;
+  };
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    script += data_block("bound" + std::to_string(i), curves[i]);
+    add(fmt::format("$bound{} using 1:2 with lines lw 1.5 dt {} lc rgb '{}' title '{}'", i, i + 2,
+                    kBoundColour,
+                    curves.size() == 1 ? "hard bound" : fmt::format("hard bound {}", i + 1)));
+  }
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    const auto& [name, points] = families[i];
+    low = std::min(low, points.front().n);
+    high = std::max(high, points.back().n);
+    for (const Point& point : points) {
+      most = std::max({most, point.count, point.bound});
+      fewest = std::min(fewest, point.count);
+    }
+    script += data_block("family" + std::to_string(i), points);
+    for (const GrowthResult& growth : result.growths) {
+      if (growth.claim.structure != structure || growth.claim.family != name || !growth.fit)
+        continue;
+      add(fmt::format("[{:.6g}:{:.6g}] {:.17g}*x**{:.17g} with lines lw 1.5 lc rgb '{}' title '{}'",
+                      growth.points.front().n, growth.points.back().n, growth.fit->factor,
+                      growth.fit->exponent, look(i).colour, fit_title(growth)));
+    }
+    add(fmt::format(
+        "$family{} using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title {}", i,
+        look(i).symbol, look(i).colour, quoted(name)));
+  }
+  script += x_range(low, high);
+  script += fmt::format("set yrange [{:.6g}:{:.6g}]\n", fewest / 2, most * 3) + plot + "\n";
+  figure.height = 440 + 20 * static_cast<int>((families.size() + curves.size() + 2) / 2);
+  return figure;
+}
+
+// What cells of the family were compared with, as departures from the fit.
+std::vector<Point> references_of(const VerifyResult& result, const GrowthResult& growth) {
+  std::vector<Point> references;
+  for (const CellResult& cell : result.cells) {
+    if (cell.cell.structure != growth.claim.structure || cell.cell.family != growth.claim.family ||
+        cell.trials.empty()) {
+      continue;
+    }
+    const auto n = static_cast<double>(cell.trials.front().measurement.objects);
+    if (n < growth.claim.smallest) continue;
+    for (const Expectation& expectation : cell.cell.expectations) {
+      if (expectation.kind != ExpectationKind::kMean ||
+          expectation.quantity != growth.claim.quantity) {
+        continue;
+      }
+      const double fitted = growth.fit->at(n);
+      references.push_back({n * 1.03, 100 * (expectation.reference / fitted - 1),
+                            100 * expectation.reference_error / fitted, 0});
+    }
+  }
+  return references;
+}
+
+Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
+  Figure figure;
+  figure.title = growth.claim.structure + ": residuals of the fit, " + growth.claim.family;
+  figure.caption = fmt::format(
+      "Expected {}, fitted {}: {}. chi^2 = {:.1f} on {} degrees of freedom. Bars: two standard "
+      "errors. A trend in the residuals is a departure from a pure power of n.",
+      growth.check.expected, growth.check.observed, verdict_name(growth.check.verdict),
+      growth.fit->chi_square, growth.fit->degrees);
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < growth.points.size(); ++i) {
+    const FitPoint& point = growth.points[i];
+    points.push_back(
+        {point.n, 100 * growth.fit->residuals[i], 100 * point.error / growth.fit->at(point.n), 0});
+  }
+  const std::vector<Point> references = references_of(result, growth);
+  figure.script = std::string(kCommon) + "set ylabel 'count / fit - 1, in %'\n" +
+                  "set xzeroaxis lt 1 lw 1.5 lc rgb '#444444'\nset offsets 0, 0, 0.5, 0.5\n" +
+                  x_range(points.front().n, points.back().n) + data_block("seen", points);
+  if (!references.empty()) figure.script += data_block("reference", references);
+  figure.script += fmt::format(
+      "plot $seen using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title 'observed'",
+      look(0).symbol, look(0).colour);
+  if (!references.empty()) {
+    figure.script += fmt::format(
+        ", \\\n  $reference using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title "
+        "'reference'",
+        look(1).symbol, look(1).colour);
+  }
+  figure.script += "\n";
+  figure.height = 340;
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> verify_figures(const VerifyResult& result) {
+  std::vector<std::string> structures;
+  for (const CellResult& cell : result.cells) {
+    if (std::find(structures.begin(), structures.end(), cell.cell.structure) == structures.end()) {
+      structures.push_back(cell.cell.structure);
+    }
+  }
+  std::vector<Figure> figures;
+  for (const std::string& structure : structures) {
+    Figure figure = counts_figure(result, structure);
+    if (!figure.script.empty()) figures.push_back(std::move(figure));
+    for (const GrowthResult& growth : result.growths) {
+      if (growth.claim.structure == structure && growth.fit) {
+        figures.push_back(residual_figure(result, growth));
+      }
+    }
+  }
+  return figures;
+}
+
+}  // namespace kinex

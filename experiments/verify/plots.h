@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn of the results: for every structure the observed counts and the hard bounds over n,
+// on logarithmic axes, with fitted lines; and the residuals of every fit.
+#ifndef KINEX_EXPERIMENTS_VERIFY_PLOTS_H
+#define KINEX_EXPERIMENTS_VERIFY_PLOTS_H
+
+#include <vector>
+
+#include "experiments/verify/gnuplot.h"
+#include "experiments/verify/runner.h"
+
+namespace kinex {
+
+// Families with fewer than three sizes are left out.
+std::vector<Figure> verify_figures(const VerifyResult& result);
+
+}  // namespace kinex
+
+#endif

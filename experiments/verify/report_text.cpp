@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/verify/report_text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace kinex {
+
+namespace {
+
+constexpr const char* kRowFormat =
+    "{:<18} {:<30} {:>5} {:>4} {:>9} {:>8} {:>15} {:>15} {:<26} {:>6} {:>7}  {}\n";
+
+std::string mean_count(const CellResult& cell, const Quantity& quantity) {
+  const double mean = mean_of(cell.trials, quantity).mean();
+  return cell.trials.size() == 1 ? fmt::format("{:.0f}", mean) : fmt::format("{:.1f}", mean);
+}
+
+std::string ratio_text(const CellResult& cell) {
+  if (!cell.contest) return "-";
+  if (!cell.contest->same_counts) return "differs";
+  if (!cell.contest->ratio) return "-";
+  return fmt::format("{:.2f}", *cell.contest->ratio);
+}
+
+// A fault is explained in full, other bounds need no words.
+std::string explain(const Check& check) {
+  return fmt::format("  {} {} {}: expected {}, observed {}{}\n", verdict_name(check.verdict),
+                     check.claim, check.quantity, check.expected, check.observed,
+                     check.source.empty() ? "" : " (" + check.source + ")");
+}
+
+}  // namespace
+
+CellRow cell_row(const CellResult& cell) {
+  CellRow row;
+  row.structure = cell.cell.structure;
+  row.workload = cell.cell.workload_text();
+  row.n = std::to_string(cell.cell.parameters.n);
+  row.runs = std::to_string(cell.trials.size());
+  row.verdict = verdict_name(cell.verdict());
+  row.ratio = ratio_text(cell);
+  row.bound = row.expected = row.observed = row.external = row.internal = "-";
+  std::size_t good = 0;
+  for (const Check& check : cell.checks) good += check.verdict == Verdict::kPass ? 1 : 0;
+  row.checks = fmt::format("{}/{}", good, cell.checks.size());
+  if (cell.trials.empty()) return row;
+  row.n = std::to_string(cell.trials.front().measurement.objects);
+  row.external = mean_count(cell, "external");
+  row.internal = mean_count(cell, "internal");
+  if (const BoundCheck* bound = event_bound(cell.trials.front().measurement)) {
+    row.bound = bound->bound.to_string();
+  }
+  row.observed = mean_count(cell, "processed");
+  if (!cell.cell.expectations.empty()) {
+    row.expected = cell.checks.front().expected;
+    row.observed = cell.checks.front().observed;
+  }
+  return row;
+}
+
+std::string table_header() {
+  return fmt::format(fmt::runtime(kRowFormat), "structure", "workload", "n", "runs", "external",
+                     "internal", "bound", "expected", "observed", "checks", "ex/dbl", "verdict");
+}
+
+std::string table_row(const CellResult& cell) {
+  const CellRow row = cell_row(cell);
+  std::string text = fmt::format(fmt::runtime(kRowFormat), row.structure, row.workload, row.n,
+                                 row.runs, row.external, row.internal, row.bound, row.expected,
+                                 row.observed, row.checks, row.ratio, row.verdict);
+  for (const Check& check : cell.checks) {
+    if (check.verdict != Verdict::kPass) text += explain(check);
+  }
+  for (const std::string& file : cell.kept) text += "  kept: " + file + "\n";
+  return text;
+}
+
+std::string table_row(const GrowthResult& growth) {
+  return fmt::format("{:<18} {:<30} expected {}, fitted {}  {}\n", growth.claim.structure,
+                     "growth, " + growth.claim.family, growth.check.expected, growth.check.observed,
+                     verdict_name(growth.check.verdict));
+}
+
+std::string closing_line(const VerifyResult& result) {
+  std::array<std::size_t, 4> by_verdict{};
+  std::size_t checks = result.growths.size(), runs = 0;
+  std::uint64_t events = 0;
+  for (const CellResult& cell : result.cells) {
+    ++by_verdict[static_cast<std::size_t>(cell.verdict())];
+    checks += cell.checks.size();
+    runs += cell.trials.size();
+    for (const Trial& trial : cell.trials) events += trial.measurement.ledger.processed;
+  }
+  for (const GrowthResult& growth : result.growths) {
+    ++by_verdict[static_cast<std::size_t>(growth.check.verdict)];
+  }
+  std::string text =
+      fmt::format("{} cells and {} fits:", result.cells.size(), result.growths.size());
+  for (const Verdict verdict :
+       {Verdict::kPass, Verdict::kInconclusive, Verdict::kGaveUp, Verdict::kFail}) {
+    text += fmt::format("{} {} {}", verdict == Verdict::kPass ? "" : ",",
+                        by_verdict[static_cast<std::size_t>(verdict)], verdict_name(verdict));
+  }
+  return text + fmt::format("; {} checks, {} runs, {} events\n", checks, runs, events);
+}
+
+}  // namespace kinex

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The results as a table for people and as JSON lines for programs.
+#ifndef KINEX_EXPERIMENTS_VERIFY_REPORT_TEXT_H
+#define KINEX_EXPERIMENTS_VERIFY_REPORT_TEXT_H
+
+#include <string>
+
+#include "experiments/verify/runner.h"
+
+namespace kinex {
+
+// The columns of a cell's row, as text. Means over its scenes where there are several.
+struct CellRow {
+  std::string structure, workload, n, runs, external, internal;
+  std::string bound;     // hard bound on the events; "-" if there is none with known constants
+  std::string expected;  // of its first expectation; "-" if it has none
+  std::string observed;  // likewise; the events if it has none
+  std::string checks;    // "5/5": how many hold
+  std::string verdict;
+  std::string ratio;  // CPU time in `exact` over `double`; "-" too short; "differs": other events
+};
+CellRow cell_row(const CellResult& cell);
+
+std::string table_header();
+// One line, and one more for each check that is not a PASS, and for each scene kept.
+std::string table_row(const CellResult& cell);
+std::string table_row(const GrowthResult& growth);
+// Cells by verdict, checks, runs, and events over all of them.
+std::string closing_line(const VerifyResult& result);
+
+// {"row": "cell", ..} and {"row": "growth", ..}, with a newline.
+std::string json_row(const CellResult& cell);
+std::string json_row(const GrowthResult& growth);
+
+}  // namespace kinex
+
+#endif

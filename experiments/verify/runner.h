@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runner: runs the cells of a catalogue, several at a time where asked to. What comes out does not
+// depend on how many, times aside: cells share nothing, and are handed over in the catalogue's
+// order.
+#ifndef KINEX_EXPERIMENTS_VERIFY_RUNNER_H
+#define KINEX_EXPERIMENTS_VERIFY_RUNNER_H
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/verify/judge.h"
+
+namespace kinex {
+
+struct VerifyOptions {
+  int jobs = 1;              // more than one makes time ratios noisy
+  std::optional<int> seeds;  // exactly so many for every random cell
+  std::string keep_folder;   // where scenes that fail are kept; empty: nowhere
+  std::function<bool()> go_on = [] { return true; };  // called from all threads
+  // A scene of cell `index` is about to be run. Called from all threads.
+  std::function<void(std::size_t index, int seed)> on_scene;
+  // In the catalogue's order, one at a time.
+  std::function<void(std::size_t index, const CellResult&)> on_cell;
+};
+
+struct VerifyResult {
+  std::vector<CellResult> cells;  // those that were finished
+  std::vector<GrowthResult> growths;
+  bool interrupted = false;
+
+  Verdict verdict() const;
+};
+
+// One cell with all its seeds; nullopt if it was interrupted. Whatever a run throws is a failed
+// check.
+std::optional<CellResult> run_cell(const Cell& cell, const VerifyOptions& options,
+                                   const std::function<void(int seed)>& on_scene);
+
+VerifyResult run_catalogue(const Catalogue& catalogue, const VerifyOptions& options);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// VerifyProgress: one line on standard error, only where that is a terminal.
+#ifndef KINEX_EXPERIMENTS_VERIFY_VERIFY_PROGRESS_H
+#define KINEX_EXPERIMENTS_VERIFY_VERIFY_PROGRESS_H
+
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+
+#include "experiments/verify/cell.h"
+
+namespace kinex {
+
+// All functions may be called from any thread.
+class VerifyProgress {
+ public:
+  explicit VerifyProgress(const Catalogue& catalogue);
+  ~VerifyProgress() { wipe(); }
+  VerifyProgress(const VerifyProgress&) = delete;
+  VerifyProgress& operator=(const VerifyProgress&) = delete;
+
+  // "cell 12 of 130: delaunay_2, uniform-square 2d, n = 400, seed 3; 45 s left", a few times a
+  // second.
+  void show(std::size_t cell, int seed);
+  // The cell is done: what it was expected to cost counts for the time left.
+  void finished(std::size_t cell);
+  // Takes the line away, before something else is printed.
+  void wipe();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const Catalogue& catalogue_;
+  const bool terminal_;
+  std::mutex mutex_;
+  bool shown_ = false;
+  double cost_ = 0, done_ = 0;
+  Clock::time_point began_ = Clock::now();
+  Clock::time_point last_ = began_ - std::chrono::seconds(1);
+};
+
+}  // namespace kinex
+
+#endif
