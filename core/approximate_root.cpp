@@ -37,8 +37,7 @@ std::optional<ApproximateRoot> approximate_root(const Polynomial& p, const Integ
   const int d = p.degree();
   if (d > kMaxDegree) return std::nullopt;
   // In units of 2^unit the interval lies in [-1, 1].
-  const long bits =
-      static_cast<long>(std::max(lower.bit_length(), upper.bit_length()));
+  const long bits = static_cast<long>(std::max(lower.bit_length(), upper.bit_length()));
   const long unit = bits - exponent;
   const Scaled low = scaled(lower);
   const Scaled high = scaled(upper);

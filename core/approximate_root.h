@@ -16,8 +16,8 @@ struct ApproximateRoot {
 };
 
 // A root of p between lower / 2^exponent and upper / 2^exponent, where p changes its sign from
-// `sign_at_lower`; nullopt if double precision is of no use. Deterministic: only + - * / and scaling
-// by powers of two.
+// `sign_at_lower`; nullopt if double precision is of no use. Deterministic: only + - * / and
+// scaling by powers of two.
 std::optional<ApproximateRoot> approximate_root(const Polynomial& p, const Integer& lower,
                                                 const Integer& upper, long exponent,
                                                 int sign_at_lower);

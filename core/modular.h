@@ -20,7 +20,9 @@ class PrimeField {
     const std::uint64_t s = a + b;
     return s >= p_ ? s - p_ : s;
   }
-  std::uint64_t subtract(std::uint64_t a, std::uint64_t b) const { return a >= b ? a - b : a + p_ - b; }
+  std::uint64_t subtract(std::uint64_t a, std::uint64_t b) const {
+    return a >= b ? a - b : a + p_ - b;
+  }
   std::uint64_t multiply(std::uint64_t a, std::uint64_t b) const {
     return reduce(static_cast<unsigned __int128>(a) * b);
   }

@@ -13,9 +13,7 @@ namespace {
 
 Polynomial constant(int value) { return Polynomial({Integer(value)}); }
 
-bool divides(const Integer& b, const Integer& a) {
-  return mpz_divisible_p(a.raw(), b.raw()) != 0;
-}
+bool divides(const Integer& b, const Integer& a) { return mpz_divisible_p(a.raw(), b.raw()) != 0; }
 
 // a / b if b divides a over the integers.
 std::optional<Polynomial> divide(const Polynomial& a, const Polynomial& b) {
@@ -150,7 +148,8 @@ bool coprime_modulo_prime(const Polynomial& a, const Polynomial& b) {
   Residues first = residues(field, a);
   Residues second = residues(field, b);
   // If the prime divides both leading coefficients the image may miss a common factor.
-  if (static_cast<int>(first.size()) <= a.degree() && static_cast<int>(second.size()) <= b.degree()) {
+  if (static_cast<int>(first.size()) <= a.degree() &&
+      static_cast<int>(second.size()) <= b.degree()) {
     return false;
   }
   return gcd(field, std::move(first), std::move(second)).size() == 1;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr mpfr_prec_t kDoubleBits = 53;
 
-// Both roundings go the same way and the grid of doubles (subnormal or not) is a part of the grid of
-// 53-bit numbers, so rounding twice is rounding once.
+// Both roundings go the same way and the grid of doubles (subnormal or not) is a part of the grid
+// of 53-bit numbers, so rounding twice is rounding once.
 double rounded_double(mpq_srcptr value, mpfr_rnd_t mode) {
   MPFR_DECL_INIT(x, kDoubleBits);
   mpfr_set_q(x, value, mode);

@@ -54,9 +54,10 @@ RealRoot::RealRoot(std::shared_ptr<const Polynomial> polynomial, Integer lower, 
 // Removes common factors two.
 void RealRoot::shorten() {
   if (!lower_.is_even() || !upper_.is_even()) return;
-  const std::size_t common = lower_.is_zero()   ? upper_.trailing_zeros()
-                             : upper_.is_zero() ? lower_.trailing_zeros()
-                                                : std::min(lower_.trailing_zeros(), upper_.trailing_zeros());
+  const std::size_t common = lower_.is_zero() ? upper_.trailing_zeros()
+                             : upper_.is_zero()
+                                 ? lower_.trailing_zeros()
+                                 : std::min(lower_.trailing_zeros(), upper_.trailing_zeros());
   lower_ >>= common;
   upper_ >>= common;
   exponent_ -= static_cast<long>(common);
@@ -228,7 +229,8 @@ bool RealRoot::step_from_double() {
   if (bits < 3) return false;
   const long exponent = std::max(exponent_, std::max(-root->log_error, root->center_exponent));
   set_exponent(exponent);
-  const Integer center = root->center << static_cast<unsigned long>(exponent - root->center_exponent);
+  const Integer center = root->center
+                         << static_cast<unsigned long>(exponent - root->center_exponent);
   qir_bits_ = static_cast<unsigned>(bits);
   if (!narrow_around(center, static_cast<unsigned long>(exponent + root->log_error), true)) {
     qir_bits_ = 2;

@@ -15,18 +15,19 @@ namespace kinex {
 
 // How much exact work was done; a plain value owned by the caller and passed by reference.
 struct RootCounters {
-  std::uint64_t isolations = 0;     // calls that isolated roots of a polynomial
-  std::uint64_t refinements = 0;    // refinement steps of an interval
-  std::uint64_t gcds = 0;           // exact polynomial gcds
-  std::uint64_t max_bits = 0;       // largest coefficient bit length that was met
+  std::uint64_t isolations = 0;   // calls that isolated roots of a polynomial
+  std::uint64_t refinements = 0;  // refinement steps of an interval
+  std::uint64_t gcds = 0;         // exact polynomial gcds
+  std::uint64_t max_bits = 0;     // largest coefficient bit length that was met
 };
 
 // Invariant, one of:
 //   rational: the number is known to be the rational value(); polynomial() is den*t - num;
-//   isolated: polynomial() has opposite non-zero signs at lower() < upper() (finite, dyadic) and exactly
+//   isolated: polynomial() has opposite non-zero signs at lower() < upper() (finite, dyadic) and
+//   exactly
 //             one real root between them (it need not be square-free elsewhere).
-// Refinement is explicit: a function that may narrow the interval takes the root by non-const reference.
-// A refinement that hits the root exactly turns the representation into `rational`.
+// Refinement is explicit: a function that may narrow the interval takes the root by non-const
+// reference. A refinement that hits the root exactly turns the representation into `rational`.
 class RealRoot {
  public:
   explicit RealRoot(const Rational& value);
@@ -37,7 +38,7 @@ class RealRoot {
   const Polynomial& polynomial() const { return *polynomial_; }
   Rational lower() const;  // both ends equal value() when rational
   Rational upper() const;
-  Rational value() const;  // requires is_rational()
+  Rational value() const;                                // requires is_rational()
   Sign sign_at_lower() const { return sign_at_lower_; }  // of polynomial(); kZero when rational
 
   // Halves the interval at least (quadratic interval refinement: Abbott 2006).
@@ -60,8 +61,8 @@ class RealRoot {
     long exponent = 0;
   };
   // Both ends are known to satisfy the invariant.
-  RealRoot(std::shared_ptr<const Polynomial> polynomial, Integer lower, Integer upper, long exponent,
-           Sign sign_at_lower);
+  RealRoot(std::shared_ptr<const Polynomial> polynomial, Integer lower, Integer upper,
+           long exponent, Sign sign_at_lower);
 
   void become_rational(const Rational& value);
   // One step of quadratic interval refinement into at most 2^max_bits parts.
@@ -86,8 +87,8 @@ class RealRoot {
   // The interval is [lower_, upper_] / 2^exponent_; both are 0 when rational.
   std::shared_ptr<const Polynomial> polynomial_;
   Integer lower_, upper_;
-  long exponent_ = 0;       // may be negative (large numbers)
-  unsigned qir_bits_ = 1;   // log2 of the number of parts the next refinement tries
+  long exponent_ = 0;      // may be negative (large numbers)
+  unsigned qir_bits_ = 1;  // log2 of the number of parts the next refinement tries
   Sign sign_at_lower_ = Sign::kZero;
   bool rational_ = false;
   bool tried_double_ = false;
@@ -99,15 +100,16 @@ class RealRoot {
 int compare(RealRoot& a, RealRoot& b, RootCounters& counters);
 int compare(RealRoot& a, const Rational& b, RootCounters& counters);
 
-// Sign of q at the root, and on (root, root + eps), and on (root - eps, root). kZero of the last two
-// only if q is the zero polynomial.
+// Sign of q at the root, and on (root, root + eps), and on (root - eps, root). kZero of the last
+// two only if q is the zero polynomial.
 Sign sign_at(const Polynomial& q, RealRoot& root, RootCounters& counters);
 Sign sign_after(const Polynomial& q, RealRoot& root, RootCounters& counters);
 Sign sign_before(const Polynomial& q, RealRoot& root, RootCounters& counters);
 
-// All distinct real roots in ascending order, with pairwise disjoint isolating intervals (their closed
-// intervals may share an end point only if that end is no root). The RealRoots carry the square-free
-// factor they come from. Any degree; Descartes' rule in the Bernstein basis, integer arithmetic.
+// All distinct real roots in ascending order, with pairwise disjoint isolating intervals (their
+// closed intervals may share an end point only if that end is no root). The RealRoots carry the
+// square-free factor they come from. Any degree; Descartes' rule in the Bernstein basis, integer
+// arithmetic.
 struct RootWithMultiplicity {
   RealRoot root;
   int multiplicity;
@@ -120,9 +122,10 @@ std::optional<RealRoot> first_sign_change_after(const Polynomial& p, RealRoot& a
                                                 const std::optional<Rational>& until,
                                                 RootCounters& counters);
 
-// One name for a number, the same however it was computed: `polynomial` is the canonical square-free
-// part of p, `index` (from 1) counts its real roots in ascending order, and [lower, upper] is the
-// isolating interval that isolate_real_roots gives for it (equal ends for a rational root found so).
+// One name for a number, the same however it was computed: `polynomial` is the canonical
+// square-free part of p, `index` (from 1) counts its real roots in ascending order, and [lower,
+// upper] is the isolating interval that isolate_real_roots gives for it (equal ends for a rational
+// root found so).
 struct RootName {
   Polynomial polynomial;
   int index;

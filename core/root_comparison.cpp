@@ -67,9 +67,9 @@ int compare(RealRoot& a, RealRoot& b, RootCounters& counters) {
       if (a.polynomial_ == b.polynomial_ || *a.polynomial_ == *b.polynomial_) return 0;
       count_bits(*a.polynomial_, counters);
       count_bits(*b.polynomial_, counters);
-      // Both intervals are the same now. The gcd g is not zero at its ends, and a root of g inside is
-      // a root of both polynomials, so it is a and b; its multiplicity in g is the smaller of two odd
-      // ones. So a = b if and only if g changes sign.
+      // Both intervals are the same now. The gcd g is not zero at its ends, and a root of g inside
+      // is a root of both polynomials, so it is a and b; its multiplicity in g is the smaller of
+      // two odd ones. So a = b if and only if g changes sign.
       const Polynomial g = gcd(*a.polynomial_, *b.polynomial_);
       if (g.degree() > 0) {
         ++counters.gcds;
@@ -85,8 +85,7 @@ Sign sign_at(const Polynomial& q, RealRoot& root, RootCounters& counters) {
   if (q.degree() <= 0) return q.sign_at_plus_infinity();
   for (bool gcd_done = false;;) {
     if (root.rational_) return q.sign_at(*root.value_);
-    const std::optional<Sign> sign =
-        sign_on_interval(q, root.lower_, root.upper_, root.exponent_);
+    const std::optional<Sign> sign = sign_on_interval(q, root.lower_, root.upper_, root.exponent_);
     if (sign) return *sign;
     if (!gcd_done) {
       gcd_done = true;

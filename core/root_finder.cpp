@@ -82,8 +82,9 @@ std::vector<Integer> shifted(const Polynomial& p, const Integer& origin, long ex
 
 long ceil_divide(long a, long b) { return a >= 0 ? (a + b - 1) / b : -((-a) / b); }
 
-// k such that all positive roots are below 2^k; nullopt if there is no positive root. With b = max of
-// |c_i / c_d|^(1/(d-i)) over the i of sign opposite to c_d, all are below 2b (Kioustelidis 1986).
+// k such that all positive roots are below 2^k; nullopt if there is no positive root. With b = max
+// of |c_i / c_d|^(1/(d-i)) over the i of sign opposite to c_d, all are below 2b (Kioustelidis
+// 1986).
 std::optional<long> positive_root_bound(const std::vector<Integer>& c) {
   const std::size_t d = c.size() - 1;
   const int lead_sign = c[d].sign();
@@ -238,10 +239,9 @@ bool RootFinder::settle_pair(const Node& node) {
       count_variations(differences, 2) != 1) {
     return false;
   }
-  const std::optional<ClosePair> pair =
-      separate_close_pair(*p_, dyadic(end_of(node.cell, node.depth), exponent_at(node.depth)),
-                          dyadic(end_of(node.cell + Integer(1), node.depth), exponent_at(node.depth)),
-                          counters_);
+  const std::optional<ClosePair> pair = separate_close_pair(
+      *p_, dyadic(end_of(node.cell, node.depth), exponent_at(node.depth)),
+      dyadic(end_of(node.cell + Integer(1), node.depth), exponent_at(node.depth)), counters_);
   if (!pair) return true;
   const Sign outside = to_sign(node.b.front().sign());
   const auto interval = [](const Rational& lower, const Rational& upper, Sign sign) {

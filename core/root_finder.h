@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RootFinder: isolates the real roots above a point one by one, from left to right.
-// Source: Descartes' rule of signs in the Bernstein basis with bisection (Lane, Riesenfeld 1981; the
-// method of Vincent, Collins and Akritas), integer arithmetic; pairs of very close roots are separated at
-// the root of the derivative between them (close_pair.h).
+// Source: Descartes' rule of signs in the Bernstein basis with bisection (Lane, Riesenfeld 1981;
+// the method of Vincent, Collins and Akritas), integer arithmetic; pairs of very close roots are
+// separated at the root of the derivative between them (close_pair.h).
 #ifndef KINEX_CORE_ROOT_FINDER_H
 #define KINEX_CORE_ROOT_FINDER_H
 
@@ -23,9 +23,9 @@ class RootFinder {
     kFinished   // no more roots (up to the limit)
   };
 
-  // Roots of p strictly above origin / 2^exponent (exponent >= 0); p of positive degree. Nothing above
-  // limit / 2^exponent needs to be found. p need not be square-free, but then the search does not get
-  // past a multiple root that is no dyadic number: see kStuck.
+  // Roots of p strictly above origin / 2^exponent (exponent >= 0); p of positive degree. Nothing
+  // above limit / 2^exponent needs to be found. p need not be square-free, but then the search does
+  // not get past a multiple root that is no dyadic number: see kStuck.
   RootFinder(std::shared_ptr<const Polynomial> p, Integer origin, long exponent,
              std::optional<Integer> limit, RootCounters& counters);
 
@@ -40,8 +40,8 @@ class RootFinder {
   RealRoot mirrored_root(const std::shared_ptr<const Polynomial>& mirrored) const;
 
  private:
-  // Bernstein coefficients (times a positive constant) on the cell [cell, cell + 1] * 2^(width - depth)
-  // above the origin, in units of 2^-exponent.
+  // Bernstein coefficients (times a positive constant) on the cell [cell, cell + 1] * 2^(width -
+  // depth) above the origin, in units of 2^-exponent.
   struct Node {
     std::vector<Integer> b;
     Integer cell;

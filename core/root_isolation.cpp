@@ -133,7 +133,8 @@ std::optional<RealRoot> first_sign_change_after(const Polynomial& p, RealRoot& a
   // A dyadic starting point at or below `after`.
   const Rational lower = after.lower();
   long exponent = dyadic_exponent(lower);
-  const bool starts_at_after = after.is_rational() && lower.is_dyadic() && exponent <= 4 * kOriginBits;
+  const bool starts_at_after =
+      after.is_rational() && lower.is_dyadic() && exponent <= 4 * kOriginBits;
   Integer origin;
   if (starts_at_after || (lower.is_dyadic() && exponent <= kOriginBits)) {
     origin = lower.numerator();

@@ -56,9 +56,9 @@ void expect_isolated(const Polynomial& p, const std::vector<RootWithMultiplicity
 TEST(RealRoot, ConstructorChecksItsArguments) {
   const Polynomial p = polynomial({-2, 0, 1});
   EXPECT_NO_THROW(RealRoot(p, Rational(1), rational("3/2")));
-  EXPECT_THROW(RealRoot(p, Rational(1), rational("4/3")), std::logic_error);     // same sign
-  EXPECT_THROW(RealRoot(p, Rational(1), rational("5/3")), std::logic_error);     // not dyadic
-  EXPECT_THROW(RealRoot(p, Rational(2), Rational(1)), std::logic_error);         // wrong order
+  EXPECT_THROW(RealRoot(p, Rational(1), rational("4/3")), std::logic_error);  // same sign
+  EXPECT_THROW(RealRoot(p, Rational(1), rational("5/3")), std::logic_error);  // not dyadic
+  EXPECT_THROW(RealRoot(p, Rational(2), Rational(1)), std::logic_error);      // wrong order
   EXPECT_THROW(RealRoot(polynomial({-1, 1}), Rational(1), Rational(2)), std::logic_error);
   EXPECT_THROW(square_root_of(2).value(), std::logic_error);
 }
@@ -138,7 +138,7 @@ TEST(RealRoot, DoubleEnclosure) {
 
 TEST(IsolateRealRoots, ConstructedRationalRoots) {
   RootCounters counters;
-  const std::vector<Rational> expected = {rational("-1000"), rational("-22/7"), rational("-1/3"),
+  const std::vector<Rational> expected = {rational("-1000"), rational("-22/7"),  rational("-1/3"),
                                           Rational(0),       rational("1/1024"), rational("2/3"),
                                           Rational(1),       rational("355/113")};
   const Polynomial rootless = polynomial({3, 1, 1}) * polynomial({1, 0, 0, 0, 5});
@@ -183,10 +183,9 @@ TEST(IsolateRealRoots, RootsAtZeroAndAtSplittingPoints) {
 TEST(IsolateRealRoots, Families) {
   RootCounters counters;
   const std::pair<Polynomial, std::size_t> cases[] = {
-      {chebyshev(50), 50},           {chebyshev(51), 51},     {wilkinson(30, 1), 30},
-      {wilkinson(20, 1000), 20},     {mignotte(9, 1000), 3},  {mignotte(20, 1000), 4},
-      {mignotte(12, 1000000), 4},    {mignotte(101, 1000), 3},
-      {chebyshev(12) * mignotte(8, 1000), 16},
+      {chebyshev(50), 50},        {chebyshev(51), 51},      {wilkinson(30, 1), 30},
+      {wilkinson(20, 1000), 20},  {mignotte(9, 1000), 3},   {mignotte(20, 1000), 4},
+      {mignotte(12, 1000000), 4}, {mignotte(101, 1000), 3}, {chebyshev(12) * mignotte(8, 1000), 16},
   };
   for (const auto& [p, count] : cases) {
     const std::vector<RootWithMultiplicity> roots = isolate_real_roots(p, counters);
@@ -235,7 +234,7 @@ TEST(Compare, SameNumberFromDifferentPolynomials) {
   const Polynomial f = polynomial({-2, 0, 1});
   RealRoot a = square_root_of(2);
   RealRoot b(f * polynomial({7, 1, 3}), Rational(1), Rational(2));
-  RealRoot c(power(f, 3), Rational(1), rational("3/2"));               // a triple root
+  RealRoot c(power(f, 3), Rational(1), rational("3/2"));  // a triple root
   RealRoot d(power(f, 3) * polynomial({-3, 0, 1}), Rational(1), rational("3/2"));
   RealRoot* const all[] = {&a, &b, &c, &d};
   for (RealRoot* x : all) {
@@ -250,7 +249,8 @@ TEST(Compare, SameNumberFromDifferentPolynomials) {
 
 TEST(Compare, CommonFactorWithoutACommonRootInTheOverlap) {
   RootCounters counters;
-  // Both have t - 5 and t^2 - 7 in common; the roots compared are sqrt(2) and sqrt(2) + 2^-40 or so.
+  // Both have t - 5 and t^2 - 7 in common; the roots compared are sqrt(2) and sqrt(2) + 2^-40 or
+  // so.
   const Polynomial common = with_root(Rational(5)) * polynomial({-7, 0, 1});
   RealRoot a(polynomial({-2, 0, 1}) * common, Rational(1), Rational(2));
   std::vector<Integer> moved = {-(Integer(2) << 40) - Integer(1), Integer(0), Integer(1) << 40};
@@ -265,10 +265,12 @@ TEST(Compare, RootsVeryCloseTogether) {
     // sqrt(2) against the root of 2^k t^2 - 2^(k+1) - 1, and against sqrt(2)'s rational neighbours.
     RealRoot a = square_root_of(2);
     const Integer scale = Integer::power_of_two(k);
-    RealRoot b(Polynomial({-(scale << 1) - Integer(1), Integer(0), scale}), Rational(1), Rational(2));
+    RealRoot b(Polynomial({-(scale << 1) - Integer(1), Integer(0), scale}), Rational(1),
+               Rational(2));
     EXPECT_EQ(compare(a, b, counters), -1) << k;
     RealRoot fresh = square_root_of(2);
-    RealRoot c(Polynomial({-(scale << 1) + Integer(1), Integer(0), scale}), Rational(1), Rational(2));
+    RealRoot c(Polynomial({-(scale << 1) + Integer(1), Integer(0), scale}), Rational(1),
+               Rational(2));
     EXPECT_EQ(compare(fresh, c, counters), 1) << k;
     fresh.refine_to(static_cast<long>(k), counters);
     const Rational below = fresh.lower();
@@ -440,8 +442,12 @@ TEST(FirstSignChange, NextRootIsVeryNearTheStart) {
 
 TEST(FirstSignChange, VisitsAllOddRootsInOrder) {
   RootCounters counters;
-  const Polynomial cases[] = {chebyshev(12), wilkinson(12, -4), mignotte(12, 1000), mignotte(8, 1000000),
-                              wilkinson(5, 1) * power(chebyshev(5), 2), chebyshev(9) * chebyshev(3)};
+  const Polynomial cases[] = {chebyshev(12),
+                              wilkinson(12, -4),
+                              mignotte(12, 1000),
+                              mignotte(8, 1000000),
+                              wilkinson(5, 1) * power(chebyshev(5), 2),
+                              chebyshev(9) * chebyshev(3)};
   for (const Polynomial& p : cases) {
     std::vector<RootWithMultiplicity> expected = isolate_real_roots(p, counters);
     RealRoot now{Rational(-1000000)};

@@ -113,10 +113,15 @@ TEST(RootOracle, CountsAgreeWithFlint) {
 TEST(RootOracle, CountsOfHardFamiliesAgreeWithFlint) {
   RootCounters counters;
   const Polynomial cases[] = {
-      chebyshev(30), wilkinson(25, -7),   wilkinson(12, 1000), mignotte(11, 1000),
-      mignotte(16, 1000000), mignotte(30, 1000), chebyshev(9) * mignotte(7, 1000),
-      wilkinson(8, 1) - fixture::polynomial({1}), wilkinson(15, 1) * fixture::polynomial({1 << 20}) +
-                                                  fixture::polynomial({0, 0, 0, 0, 0, 1})};
+      chebyshev(30),
+      wilkinson(25, -7),
+      wilkinson(12, 1000),
+      mignotte(11, 1000),
+      mignotte(16, 1000000),
+      mignotte(30, 1000),
+      chebyshev(9) * mignotte(7, 1000),
+      wilkinson(8, 1) - fixture::polynomial({1}),
+      wilkinson(15, 1) * fixture::polynomial({1 << 20}) + fixture::polynomial({0, 0, 0, 0, 0, 1})};
   for (const Polynomial& p : cases) {
     const int expected = flint_root_count(p);
     EXPECT_EQ(static_cast<int>(isolate_real_roots(p, counters).size()), expected) << p.to_string();

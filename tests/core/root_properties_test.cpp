@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Identities that hold for all polynomials, on small coefficients (many coincidences) and large ones.
+// Identities that hold for all polynomials, on small coefficients (many coincidences) and large
+// ones.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -40,13 +41,14 @@ std::vector<RealRoot> roots_of(const Polynomial& p, RootCounters& counters) {
 RC_GTEST_PROP(RootProperties, IsolationFindsAsManyRootsAsSturm, ()) {
   RootCounters counters;
   const Polynomial p = any_polynomial(4, 6) * power(any_polynomial(2, 3), 2);
-  RC_ASSERT(static_cast<int>(isolate_real_roots(p, counters).size()) == SturmSequence(p).count_all());
+  RC_ASSERT(static_cast<int>(isolate_real_roots(p, counters).size()) ==
+            SturmSequence(p).count_all());
 }
 
 RC_GTEST_PROP(RootProperties, PolynomialIsZeroAtItsRootsAndSignChangesHaveOddMultiplicity, ()) {
   RootCounters counters;
-  const Polynomial p = any_polynomial(3, 6) * power(any_polynomial(1, 5), 2) *
-                       power(any_polynomial(1, 3), 3);
+  const Polynomial p =
+      any_polynomial(3, 6) * power(any_polynomial(1, 5), 2) * power(any_polynomial(1, 3), 3);
   for (RootWithMultiplicity& entry : isolate_real_roots(p, counters)) {
     RC_ASSERT(sign_at(p, entry.root, counters) == Sign::kZero);
     const Sign parity = entry.multiplicity % 2 == 0 ? Sign::kPositive : Sign::kNegative;
