@@ -98,6 +98,10 @@ LogReader::LogReader(std::string_view text, std::string file)
     : rest_(text), file_(std::move(file)) {
   std::string_view line;
   if (!next_line(line)) throw InputError(file_, "", "the file is empty", "give an event log");
+  if (!looks_like_log(line)) {
+    throw InputError(file_, "line 1", show_text(line) + " does not begin an event log",
+                     "make one with kinex run SCENE --events FILE");
+  }
   read_header(line);
 }
 

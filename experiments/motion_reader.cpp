@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -9,6 +10,9 @@
 namespace kinex {
 
 namespace {
+
+// Bits of the numbers that the check of one seam may need; real scenes stay far below.
+constexpr std::size_t kMaxSeamBits = std::size_t{1} << 22;
 
 constexpr const char* kMotionRemedy =
     "write one coefficient list per axis, [[x0, x1, ..], [y0, y1, ..]], or a list of pieces";
@@ -68,6 +72,13 @@ void check_seam(const MotionPiece& before, const MotionPiece& after, const JsonN
                              "pieces ascend in time and do not overlap");
   }
   if (jumps || seam != *before.to) return;
+  const auto degree =
+      static_cast<std::size_t>(std::max(before.trajectory.degree(), after.trajectory.degree()));
+  const std::size_t bits = seam.numerator().bit_length() + seam.denominator().bit_length();
+  if (degree * bits > kMaxSeamBits) {
+    node.fail("whether the pieces meet takes numbers of " + std::to_string(degree * bits) + " bits",
+              "write a shorter time or a smaller degree");
+  }
   for (int axis = 0; axis < after.trajectory.dimension(); ++axis) {
     const Rational there = before.trajectory.position(axis, seam);
     const Rational here = after.trajectory.position(axis, seam);

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/scene_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "experiments/scene_writer.h"
+#include "tests/experiments/expect_input_error.h"
+
+namespace kinex {
+namespace {
+
+Scene parse(const std::string& text) { return parse_scene(text, "s.json"); }
+
+Scene with_coefficient(const std::string& token) {
+  return parse(R"({"kinex": 1, "dimension": 1, "time": {"start": 0},
+                   "objects": [{"id": "a", "motion": [[)" +
+               token + "]]}]}");
+}
+
+Rational coefficient(const std::string& token) {
+  return with_coefficient(token).objects[0].motion.pieces[0].trajectory.coordinates[0][0];
+}
+
+Rational ratio(int p, int q) { return Rational(Integer(p), Integer(q)); }
+
+TEST(SceneReader, NumbersAreReadExactly) {
+  EXPECT_EQ(coefficient("0.1"), ratio(1, 10));
+  EXPECT_EQ(coefficient("1e2"), Rational(100));
+  EXPECT_EQ(coefficient("1E2"), Rational(100));
+  EXPECT_EQ(coefficient("-2.50"), ratio(-5, 2));
+  EXPECT_EQ(coefficient("\"2/6\""), ratio(1, 3));
+  EXPECT_EQ(coefficient("\"0x1.8p+3\""), Rational(12));
+  EXPECT_EQ(coefficient("\"1e-300\""), Rational(Integer(1), power(Integer(10), 300)));
+  EXPECT_EQ(coefficient("1e-400"), Rational(Integer(1), power(Integer(10), 400)));
+  EXPECT_EQ(coefficient("9007199254740993").to_string(), "9007199254740993");
+  EXPECT_EQ(coefficient("123456789012345678901234567890").to_string(),
+            "123456789012345678901234567890");
+}
+
+constexpr const char* kExample = R"(
+  {"kinex": 1, "name": "two-crossing", "dimension": 2, "time": {"start": 0, "end": 1},
+   "objects": [
+     {"id": "a", "motion": [[0, 1], ["1/3", 0, -1]]},
+     {"id": "b", "motion": [{"from": 0, "to": "1/2", "coordinates": [[1, -1], [0]]},
+                            {"from": "1/2", "to": 1, "coordinates": [["1/2"], [0, "0.0"]]}]}],
+   "maintain": ["sorted_list", {"structure": "sorted_list", "key": {"direction": ["3", "4"]},
+                "as": "along"}, {"structure": "sorted_list", "key": "y", "as": "by y"},
+                {"structure": "sorted_list", "key": {"squared_distance_to": "a"}, "as": "far"}]})";
+
+TEST(SceneReader, ReadsTheExample) {
+  const Scene scene = parse(kExample);
+  EXPECT_EQ(scene.name, "two-crossing");
+  EXPECT_EQ(scene.dimension, 2);
+  EXPECT_EQ(scene.start, Rational(0));
+  EXPECT_EQ(*scene.end, Rational(1));
+  EXPECT_EQ(scene.degree(), 2);
+  ASSERT_EQ(scene.objects.size(), 2u);
+  const Motion& b = scene.objects[1].motion;
+  ASSERT_EQ(b.pieces.size(), 2u);
+  EXPECT_EQ(*b.pieces[0].to, ratio(1, 2));
+  EXPECT_EQ(b.pieces[1].trajectory.degree(), 0);
+  ASSERT_EQ(scene.maintain.size(), 4u);
+  EXPECT_EQ(scene.maintain[0].label, "sorted_list");
+  EXPECT_EQ(scene.maintain[1].key.kind, Key::Kind::kDirection);
+  EXPECT_EQ(scene.maintain[1].key.direction[1], Rational(4));
+  EXPECT_EQ(scene.maintain[2].key.axis, 1);
+  EXPECT_EQ(scene.maintain[3].key.object, 0u);
+}
+
+TEST(SceneReader, GapsSeparateLivesAndSeamsMustMeet) {
+  const auto pieces = [](const char* second_from, const char* x, const char* extra) {
+    return parse(std::string(R"({"kinex": 1, "dimension": 1, "time": {"start": 0})") + extra +
+                 R"(, "objects": [{"id": "a", "motion": [
+                   {"from": 0, "to": 1, "coordinates": [[0, 1]]},
+                   {"from": )" +
+                 second_from + R"(, "coordinates": [[)" + x + "]]}]}]}");
+  };
+  EXPECT_NO_THROW(pieces("1", "1", ""));
+  EXPECT_NO_THROW(pieces("2", "7", ""));
+  EXPECT_NO_THROW(pieces("1", "7", ", \"jumps\": true"));
+  EXPECT_INPUT_ERROR(pieces("1", "7", ""), "/objects/0/motion/1: the object jumps at \"1\"");
+  EXPECT_INPUT_ERROR(pieces("0.5", "7", ", \"jumps\": true"), "/objects/0/motion/1/from");
+}
+
+TEST(SceneReader, ErrorsNameFilePathTextAndRemedy) {
+  EXPECT_INPUT_ERROR(
+      with_coefficient("\"0.1.2\""),
+      "s.json: /objects/0/motion/0/0: \"0.1.2\" is not a number; write an integer, a "
+      "fraction \"1/3\" or a decimal (line 2)");
+}
+
+TEST(SceneWriter, RoundTrip) {
+  const Scene scene = parse(kExample);
+  const std::string text = write_scene(scene);
+  const Scene again = parse(text);
+  EXPECT_EQ(write_scene(again), text);
+  ASSERT_EQ(again.objects.size(), scene.objects.size());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    EXPECT_EQ(again.objects[i].id, scene.objects[i].id);
+    ASSERT_EQ(again.objects[i].motion.pieces.size(), scene.objects[i].motion.pieces.size());
+    for (std::size_t k = 0; k < scene.objects[i].motion.pieces.size(); ++k) {
+      const MotionPiece& before = scene.objects[i].motion.pieces[k];
+      const MotionPiece& after = again.objects[i].motion.pieces[k];
+      EXPECT_EQ(before.from, after.from);
+      EXPECT_EQ(before.to, after.to);
+      EXPECT_EQ(before.trajectory, after.trajectory);
+    }
+  }
+  EXPECT_EQ(again.maintain[3].key.object, 0u);
+  EXPECT_EQ(again.maintain[1].key.direction, scene.maintain[1].key.direction);
+}
+
+TEST(SceneHash, DependsOnContentNotOnForm) {
+  const std::string hash = scene_hash(with_coefficient("\"1/2\""));
+  EXPECT_EQ(hash.size(), 64u);
+  for (const char* same : {"0.5", "\"2/4\"", " 5e-1 ", "\"0x1p-1\"", "0.5, 0, 0"}) {
+    EXPECT_EQ(scene_hash(with_coefficient(same)), hash) << same;
+  }
+  EXPECT_NE(scene_hash(with_coefficient("0.50000000000000000001")), hash);
+  EXPECT_NE(scene_hash(with_coefficient("0.5, 1")), hash);
+}
+
+TEST(SceneReader, MaintainOption) {
+  Scene scene = parse(kExample);
+  set_maintain(scene, {"sorted_list", "sorted_list:y", "delaunay_2"});
+  ASSERT_EQ(scene.maintain.size(), 3u);
+  EXPECT_EQ(scene.maintain[1].label, "sorted_list:y");
+  EXPECT_EQ(scene.maintain[1].key.axis, 1);
+  EXPECT_INPUT_ERROR(set_maintain(scene, {"tap"}), "--maintain: \"tap\" is not a known structure");
+  EXPECT_INPUT_ERROR(set_maintain(scene, {"sorted_list:z"}), "\"z\" is not a key");
+  EXPECT_INPUT_ERROR(set_maintain(scene, {"delaunay_2:x"}), "\"x\" is not a key");
+  EXPECT_INPUT_ERROR(set_maintain(scene, {"delaunay_2", "delaunay_2"}), "stands twice");
+}
+
+}  // namespace
+}  // namespace kinex

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every file of tests/corpus is a test of its own: the program must give the exit code that
+// index.json says, and for a bad file name it, the place, the text and the remedy. A corpus that is
+// missing, empty, or not what the index says, fails.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "experiments/file_io.h"
+#include "experiments/json_value.h"
+#include "tests/program/spawn.h"
+
+namespace kinex {
+namespace {
+
+const std::filesystem::path kCorpus = std::filesystem::path(KINEX_SOURCE_DIR) / "tests" / "corpus";
+constexpr std::size_t kFewestBadFiles = 50;
+
+struct Entry {
+  std::string file;
+  int exit_code;
+  std::vector<std::string> message;
+};
+
+std::vector<Entry> read_index() {
+  std::vector<Entry> entries;
+  const std::string path = (kCorpus / "index.json").string();
+  for (const JsonValue& item : parse_json(read_text_file(path), path).items) {
+    Entry entry{item.find("file")->text, std::stoi(item.find("exit")->text), {}};
+    for (const JsonValue& part : item.find("message")->items) entry.message.push_back(part.text);
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+class CorpusTest : public testing::Test {
+ public:
+  explicit CorpusTest(Entry entry) : entry_(std::move(entry)) {}
+  void TestBody() override {
+    const std::string path = (kCorpus / entry_.file).string();
+    const bool polynomials = entry_.file.rfind("polynomials/", 0) == 0;
+    const Finished finished = run_kinex({polynomials ? "roots" : "check", path});
+    EXPECT_EQ(finished.exit_code, entry_.exit_code) << finished.err;
+    for (const std::string& part : entry_.message) {
+      EXPECT_THAT(finished.err, testing::HasSubstr(part));
+    }
+    if (entry_.exit_code == 2) {
+      EXPECT_THAT(finished.err, testing::StartsWith("kinex: " + path + ": "));
+      EXPECT_THAT(finished.err, testing::HasSubstr("; "));  // before the remedy
+      EXPECT_EQ(finished.out, "");
+    }
+    if (entry_.exit_code == 0) {
+      EXPECT_EQ(finished.err, "");
+    }
+  }
+
+ private:
+  Entry entry_;
+};
+
+TEST(Corpus, IsWhatTheIndexSays) {
+  const std::vector<Entry> entries = read_index();
+  std::set<std::string> listed, found;
+  std::size_t bad = 0;
+  for (const Entry& entry : entries) {
+    EXPECT_TRUE(listed.insert(entry.file).second) << entry.file << " is listed twice";
+    const bool in_bad = entry.file.find("/bad/") != std::string::npos;
+    EXPECT_EQ(entry.exit_code != 0, in_bad) << entry.file;
+    EXPECT_EQ(entry.message.empty(), !in_bad) << entry.file;
+    if (in_bad) ++bad;
+  }
+  for (const auto& file : std::filesystem::recursive_directory_iterator(kCorpus)) {
+    if (!file.is_regular_file() || file.path().filename() == "index.json") continue;
+    found.insert(std::filesystem::relative(file.path(), kCorpus).string());
+  }
+  EXPECT_EQ(listed, found);
+  EXPECT_GE(bad, kFewestBadFiles);
+}
+
+// Registered before main runs; a corpus that cannot be read leaves only the test above, which
+// fails.
+const bool kRegistered = [] {
+  try {
+    for (const Entry& entry : read_index()) {
+      std::string name = entry.file;
+      for (char& c : name) {
+        if (c == '/' || c == '.' || c == '-') c = '_';
+      }
+      testing::RegisterTest("CorpusFile", name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+                            [entry]() -> testing::Test* { return new CorpusTest(entry); });
+    }
+  } catch (const std::exception&) {
+    return false;
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace kinex

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The built program from outside: verbs, files, exit codes, messages.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "experiments/json_value.h"
+#include "tests/program/spawn.h"
+
+namespace kinex {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+void expect_bad_input(const std::vector<std::string>& arguments, const std::string& message) {
+  const Finished finished = run_kinex(arguments);
+  EXPECT_EQ(finished.exit_code, 2) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr(message));
+}
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Finished made =
+        run_kinex({"gen", "uniform-square", "--n", "12", "--seed", "3", "-o", scene_});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+  ScratchFolder scratch_;
+  std::string scene_ = scratch_.file("scene.json");
+};
+
+TEST_F(Program, UsageErrorsExitWith2) {
+  EXPECT_EQ(run_kinex({}).exit_code, 2);
+  EXPECT_EQ(run_kinex({"dance"}).exit_code, 2);
+  EXPECT_EQ(run_kinex({"run"}).exit_code, 2);
+  EXPECT_EQ(run_kinex({"run", scene_, "--unheard-of"}).exit_code, 2);
+  EXPECT_EQ(run_kinex({"gen"}).exit_code, 2);
+  EXPECT_EQ(run_kinex({"gen", "uniform-square", "--n", "many"}).exit_code, 2);
+  EXPECT_EQ(run_kinex({"--version"}).exit_code, 0);
+}
+
+TEST_F(Program, EveryVerbHasHelpWithAnExample) {
+  for (const char* verb : {"run", "check", "diff", "gen", "import", "roots"}) {
+    const Finished help = run_kinex({verb, "--help"});
+    EXPECT_EQ(help.exit_code, 0) << verb;
+    EXPECT_THAT(help.out, HasSubstr("Example:")) << verb;
+    EXPECT_THAT(help.out, HasSubstr(std::string("kinex ") + verb)) << verb;
+  }
+}
+
+TEST_F(Program, RunWritesLogAndSummary) {
+  const std::string log = scratch_.file("run.log");
+  const std::string summary = scratch_.file("run.json");
+  const Finished run = run_kinex({"run", scene_, "--events", log, "--summary", summary, "--at",
+                                  "1/3,0.5", "--audit", "events"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");  // no progress where there is no terminal
+  EXPECT_THAT(run.out, HasSubstr("left out"));
+  EXPECT_THAT(run.out, HasSubstr("numbers   exact"));
+  const JsonValue parsed = parse_json(read_file(summary), summary);
+  EXPECT_EQ(parsed.find("samples")->items.size(), 2u);
+  const Finished check = run_kinex({"check", log});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr(parsed.find("log_digest")->text));
+  EXPECT_EQ(run_kinex({"diff", log, log}).exit_code, 0);
+  for (const auto& file : std::filesystem::directory_iterator(scratch_.path())) {
+    EXPECT_EQ(file.path().string().find("partial"), std::string::npos) << file.path();
+  }
+}
+
+TEST_F(Program, StandardOutputIsJsonWhenAskedFor) {
+  for (const std::vector<std::string>& option :
+       {std::vector<std::string>{"--json"}, std::vector<std::string>{"--summary", "-"}}) {
+    std::vector<std::string> arguments{"run", scene_};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const Finished run = run_kinex(arguments);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_NO_THROW(parse_json(run.out, "out")) << run.out;
+    EXPECT_THAT(run.err, HasSubstr("left out"));
+  }
+}
+
+TEST_F(Program, FilesAreNotOverwritten) {
+  const std::string log = scratch_.file("run.log");
+  write_file(log, "precious");
+  expect_bad_input({"run", scene_, "--events", log}, log + ": exists already; give another name");
+  expect_bad_input({"gen", "grid", "-o", log}, "exists already");
+  EXPECT_EQ(read_file(log), "precious");
+  EXPECT_EQ(run_kinex({"run", scene_, "--events", log, "--force"}).exit_code, 0);
+  EXPECT_THAT(read_file(log), StartsWith("{\"format\": \"kinex-log\""));
+}
+
+TEST_F(Program, UnwritableOutputs) {
+  expect_bad_input({"run", scene_, "--events", scratch_.file("no/such/folder.log")},
+                   "cannot be written: No such file or directory");
+  expect_bad_input({"run", scene_, "--summary", scratch_.path().string()}, "it is a directory");
+  expect_bad_input({"gen", "grid", "--n", "2000", "-o", "/dev/full"},
+                   "cannot be written: No space left");
+  if (::geteuid() != 0) {
+    expect_bad_input({"gen", "grid", "-o", "/proc/version"}, "/proc/version");
+  }
+}
+
+TEST_F(Program, UnreadableInputs) {
+  for (const char* verb : {"run", "check", "roots", "import"}) {
+    expect_bad_input({verb, scratch_.file("missing")}, "missing: cannot be read: No such file");
+    expect_bad_input({verb, scratch_.path().string()}, "it is a directory; give a file");
+  }
+  expect_bad_input({"diff", scene_, scene_}, "does not begin an event log; make one with");
+}
+
+// Ten megabytes that are nothing: refused soon, by every verb that reads.
+TEST_F(Program, BinaryGarbage) {
+  std::string garbage(10 << 20, '\0');
+  std::uint64_t state = 88172645463325252u;  // xorshift64
+  for (char& byte : garbage) {
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    byte = static_cast<char>(state >> 32);
+  }
+  const std::string path = scratch_.file("garbage");
+  write_file(path, garbage);
+  for (const char* verb : {"run", "check", "roots", "import"}) {
+    expect_bad_input({verb, path}, "kinex: " + path + ": line ");
+  }
+  expect_bad_input({"diff", path, path}, path + ": line 1");
+}
+
+TEST_F(Program, DeepNestingAndLongNumbers) {
+  const std::string deep = scratch_.file("deep.json");
+  write_file(deep, std::string(5000000, '['));
+  expect_bad_input({"check", deep}, "nested deeper than 64 levels");
+  const std::string text =
+      R"({"kinex": 1, "dimension": 1, "time": {"start": 0}, "objects": [{"id": "a", "motion": [[")";
+  write_file(deep, text + std::string(1000001, '7') + "\"]]}]}");
+  expect_bad_input({"check", deep}, "/objects/0/motion/0/0: a number of more than 1000000");
+  write_file(deep, text + std::string(100000, '7') + "\"]]}]}");
+  EXPECT_EQ(run_kinex({"check", deep}).exit_code, 0);
+}
+
+TEST_F(Program, BadOptionValues) {
+  expect_bad_input({"run", scene_, "--arithmetic", "abacus"}, "--arithmetic");
+  expect_bad_input({"run", scene_, "--arithmetic", "mpfr:1"}, "--arithmetic");
+  expect_bad_input({"run", scene_, "--maintain", "tap"}, "known are sorted_list");
+  expect_bad_input({"run", scene_, "--until", "soon"}, "--until: \"soon\" is not a number");
+  expect_bad_input({"run", scene_, "--until", "2"}, "--until: \"2\" is outside");
+  expect_bad_input({"run", scene_, "--at", "1/2,-1"}, "--at: \"-1\" is outside");
+  expect_bad_input({"run", scene_, "--audit", "never"}, "--audit: \"never\" is not a level");
+  expect_bad_input({"run", scene_, "--max-events", "-1"}, "a limit below 0");
+  expect_bad_input({"gen", "swarm"}, "\"swarm\" is not a workload");
+  expect_bad_input({"roots", scene_, "--digits", "-1"}, "--digits");
+}
+
+TEST_F(Program, LimitsExitWith3AndLeaveAReadableLog) {
+  const std::string log = scratch_.file("run.log");
+  const Finished run = run_kinex({"run", scene_, "--events", log, "--max-events", "5"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.err, HasSubstr("stopped (limit)"));
+  const Finished check = run_kinex({"check", log});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("run       limit"));
+  EXPECT_THAT(check.out, HasSubstr("events    5,"));
+}
+
+TEST_F(Program, InterruptLeavesAReadableLog) {
+  const std::string large = scratch_.file("large.json");
+  ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "4000", "-o", large}).exit_code, 0);
+  const std::string log = scratch_.file("large.log");
+  const Finished run = run_kinex({"run", large, "--events", log}, "", 1.5);
+  EXPECT_EQ(run.exit_code, 3) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("stopped (interrupted)"));
+  const std::string text = read_file(log);
+  EXPECT_THAT(text.substr(text.size() - 200), HasSubstr("{\"end\": \"interrupted\""));
+  EXPECT_EQ(run_kinex({"diff", log, log}).exit_code, 0);
+}
+
+TEST_F(Program, DiffShowsBothLines) {
+  const std::string a = scratch_.file("a.log");
+  const std::string b = scratch_.file("b.log");
+  ASSERT_EQ(run_kinex({"run", scene_, "--events", a}).exit_code, 0);
+  ASSERT_EQ(run_kinex({"run", scene_, "--events", b, "--until", "1/2"}).exit_code, 0);
+  const Finished diff = run_kinex({"diff", a, b});
+  EXPECT_EQ(diff.exit_code, 1);
+  EXPECT_THAT(diff.out, HasSubstr(b + ": has ended"));
+  EXPECT_THAT(diff.out, HasSubstr(" 0 invented, 0 out of order, 0 at another instant"));
+}
+
+TEST_F(Program, RootsInJson) {
+  const Finished roots = run_kinex({"roots", "-", "--json", "--digits", "8"},
+                                   "2 -2 0 1\n3 2/9 -11/9 4/3 1\n2 1 0 1\n");
+  EXPECT_EQ(roots.exit_code, 0) << roots.err;
+  std::vector<JsonValue> lines;
+  for (std::size_t at = 0; at < roots.out.size(); at = roots.out.find('\n', at) + 1) {
+    lines.push_back(parse_json(roots.out.substr(at, roots.out.find('\n', at) - at), "out"));
+  }
+  ASSERT_EQ(lines.size(), 3u);
+  const std::vector<JsonValue>& first = lines[0].find("roots")->items;
+  ASSERT_EQ(first.size(), 2u);
+  EXPECT_EQ(first[0].find("decimal")->text, "-1.41421356");
+  EXPECT_EQ(first[1].find("decimal")->text, "1.41421356");
+  EXPECT_EQ(first[1].find("interval")->items.size(), 2u);
+  const std::vector<JsonValue>& second = lines[1].find("roots")->items;  // (t - 1/3)^2 (t + 2)
+  ASSERT_EQ(second.size(), 2u);
+  EXPECT_EQ(second[0].find("multiplicity")->text, "1");
+  EXPECT_EQ(second[1].find("multiplicity")->text, "2");
+  EXPECT_EQ(second[1].find("decimal")->text, "0.33333333");
+  EXPECT_TRUE(lines[2].find("roots")->items.empty());
+}
+
+TEST_F(Program, ImportMakesAScene) {
+  const Finished made = run_kinex({"import", "-", "--name", "two"},
+                                  "id,t,x,y\na,0,0,0\na,1,1,1\nb,0.5,0,1\nb,1,0,0\nc,0,0,0\n");
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("1 traces of a single fix were left out"));
+  const Finished run = run_kinex({"run", "-", "--audit", "events"}, made.out);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("1 insertion"));
+}
+
+// Inexact arithmetics may fail, but in an orderly way.
+TEST_F(Program, EveryArithmeticRuns) {
+  for (const char* arithmetic : {"exact", "sturm", "double", "gsl", "mpfr:100"}) {
+    const std::string log = scratch_.file(std::string(arithmetic, 3) + ".log");
+    const Finished run = run_kinex({"run", scene_, "--arithmetic", arithmetic, "--events", log});
+    EXPECT_EQ(run.exit_code, 0) << arithmetic << run.err;
+    EXPECT_EQ(run_kinex({"check", log}).exit_code, 0) << arithmetic;
+  }
+  EXPECT_EQ(run_kinex({"diff", scratch_.file("exa.log"), scratch_.file("stu.log")}).exit_code, 0);
+  EXPECT_EQ(run_kinex({"diff", scratch_.file("exa.log"), scratch_.file("dou.log")}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace kinex

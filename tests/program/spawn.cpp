@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/program/spawn.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace kinex {
+
+namespace {
+
+void redirect(const std::string& path, int flags, int target) {
+  const int file = ::open(path.c_str(), flags, 0600);
+  if (file < 0 || ::dup2(file, target) < 0) ::_exit(126);
+  ::close(file);
+}
+
+}  // namespace
+
+Finished run_kinex(const std::vector<std::string>& arguments, const std::string& input,
+                   double interrupt_after) {
+  const ScratchFolder scratch;
+  write_file(scratch.file("in"), input);
+  std::vector<char*> argv{const_cast<char*>(KINEX_PROGRAM)};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error("fork failed");
+  if (child == 0) {
+    redirect(scratch.file("in"), O_RDONLY, STDIN_FILENO);
+    redirect(scratch.file("out"), O_WRONLY | O_CREAT, STDOUT_FILENO);
+    redirect(scratch.file("err"), O_WRONLY | O_CREAT, STDERR_FILENO);
+    ::execv(KINEX_PROGRAM, argv.data());
+    ::_exit(127);
+  }
+  if (interrupt_after > 0) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_after));
+    ::kill(child, SIGINT);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  Finished finished;
+  finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  finished.out = read_file(scratch.file("out"));
+  finished.err = read_file(scratch.file("err"));
+  return finished;
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "kinex-test-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::string read_file(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+}  // namespace kinex
