@@ -23,6 +23,7 @@ extern "C" void __sanitizer_set_death_callback(void (*callback)()) __attribute__
 namespace {
 
 constexpr std::size_t kLongestInput = 4096;
+constexpr int kGoodWeight = 20;
 
 unsigned long long current_input = 0;
 
@@ -44,7 +45,9 @@ std::vector<std::string> read_corpus(int count, char** folders) {
   for (const auto& path : paths) {
     std::ostringstream text;
     text << std::ifstream(path, std::ios::binary).rdbuf();
-    texts.push_back(text.str());
+    // Mutations of good files get deeper.
+    const int copies = path.string().find("/good/") == std::string::npos ? 1 : kGoodWeight;
+    for (int i = 0; i < copies; ++i) texts.push_back(text.str());
   }
   return texts;
 }
