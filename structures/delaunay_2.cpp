@@ -143,7 +143,8 @@ void Delaunay2::certificate_failed(CertificateId failed) {
     if (has_last_quad_) suspects_.insert(suspects_.end(), last_quad_.begin(), last_quad_.end());
     has_last_quad_ = false;
     for (const ObjectId w : {u, v, p, q}) suspect(w);
-    if (!upright(p, u, q) || !upright(q, v, p)) return blocked(h, true);
+    const bool there = store_.adjacent(std::min(p, q), std::max(p, q));
+    if (there || !upright(p, u, q) || !upright(q, v, p)) return blocked(h, true);
   } else {
     last_quad_ = {u, v, p, q};
     has_last_quad_ = true;

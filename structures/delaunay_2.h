@@ -136,6 +136,7 @@ class Delaunay2 final : public Structure {
   bool remove_vertex(ObjectId v);
   bool plan_ears();
   bool is_ear(std::uint32_t corner);
+  bool ears_fit();
 
   // ---- delaunay_2_update.cpp: changes from outside and degenerate instants
   void suspect(ObjectId v) {
@@ -145,7 +146,7 @@ class Delaunay2 final : public Structure {
   bool put_in(ObjectId object);
   bool take_out(ObjectId vertex);
   bool reexamine_hidden();
-  void collect_turned(std::vector<Triangle>& turned);
+  bool collect_turned(std::vector<Triangle>& turned);
   std::vector<ObjectId> neighbours(ObjectId v) const;
   bool mend();
   bool hull_turns_once() const;
@@ -189,6 +190,7 @@ class Delaunay2 final : public Structure {
   std::vector<HalfEdge> rim_, link_;
   std::vector<ObjectId> corners_;
   std::vector<std::uint32_t> corner_next_, corner_previous_, witness_;
+  std::vector<bool> ghost_beyond_;
   std::vector<Triangulation2::Ear> ears_;
 };
 

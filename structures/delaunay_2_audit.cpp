@@ -215,8 +215,15 @@ void Delaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {
   do corners.push_back(around->info());
   while (--around != first);  // counter-clockwise around infinity is clockwise around the hull
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  report.check(corners == hull(),
-               [&] { return named("the hull differs from the witness", {}, snapshot); });
+  const auto listed = [](const std::vector<ObjectId>& ids) {
+    std::string text;
+    for (const ObjectId id : ids) text += " " + std::to_string(id);
+    return text;
+  };
+  report.check(corners == hull(), [&] {
+    return named("the hull differs from the witness:", {}, snapshot) + ":" + listed(hull()) +
+           " instead of" + listed(corners);
+  });
 }
 
 }  // namespace kinex

@@ -187,6 +187,31 @@ bool Delaunay2::plan_ears() {
   return upright(corners_[before], corners_[at], corners_[after]);
 }
 
+// The planned ears make a triangulation together with what is around them: no edge twice, and no
+// edge that is a hull edge on both sides. In a valid triangulation this is so unless all others are
+// on one line.
+bool Delaunay2::ears_fit() {
+  const ObjectId infinity = store_.infinity();
+  ghost_beyond_.clear();  // beyond the side from corner i to the next one
+  for (const HalfEdge h : link_) {
+    ghost_beyond_.push_back(store_.ghost(Triangulation2::triangle(store_.twin(h))));
+  }
+  for (std::size_t i = 0; i < ears_.size(); ++i) {
+    const auto [before, at, after] = ears_[i];
+    const ObjectId a = corners_[before], b = corners_[at], c = corners_[after];
+    const bool ghost = a == infinity || b == infinity || c == infinity;
+    const bool last = i + 1 == ears_.size();
+    if (ghost && ((a != infinity && b != infinity && ghost_beyond_[before]) ||
+                  (b != infinity && c != infinity && ghost_beyond_[at]) ||
+                  (last && c != infinity && a != infinity && ghost_beyond_[after]))) {
+      return false;
+    }
+    if (!last && store_.adjacent(std::min(a, c), std::max(a, c))) return false;
+    ghost_beyond_[before] = ghost;
+  }
+  return true;
+}
+
 // False, with nothing changed, if the hole cannot be filled or all others are on one line.
 bool Delaunay2::remove_vertex(ObjectId v) {
   store_.link(v, link_);
@@ -195,19 +220,9 @@ bool Delaunay2::remove_vertex(ObjectId v) {
   std::vector<ObjectId> sorted = corners_;
   std::sort(sorted.begin(), sorted.end());
   if (sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end() ||
-      std::binary_search(sorted.begin(), sorted.end(), v) || !plan_ears()) {
+      std::binary_search(sorted.begin(), sorted.end(), v) || !plan_ears() || !ears_fit()) {
     return false;
   }
-  const ObjectId infinity = store_.infinity();
-  bool plane = false;
-  for (const Triangulation2::Ear& ear : ears_) {
-    plane = plane || (corners_[ear[0]] != infinity && corners_[ear[1]] != infinity &&
-                      corners_[ear[2]] != infinity);
-  }
-  for (std::size_t i = 0; i < link_.size() && !plane; ++i) {
-    plane = !store_.ghost(Triangulation2::triangle(store_.twin(link_[i])));
-  }
-  if (!plane) return false;
   for (const HalfEdge h : link_) drop_certificate(Triangulation2::next(h));
   store_.fill(v, ears_, filled_);
   representative_[v] = kNoObject;

@@ -127,9 +127,11 @@ void Delaunay2::instant_settled() {
   has_last_quad_ = false;
 }
 
-// Finite triangles around the suspects that are not positively oriented right after now.
-void Delaunay2::collect_turned(std::vector<Triangle>& turned) {
+// Finite triangles around the suspects that are not positively oriented right after now. True if a
+// suspect is on the hull.
+bool Delaunay2::collect_turned(std::vector<Triangle>& turned) {
   turned.clear();
+  bool hull = false;
   mark_.resize(store_.triangle_capacity(), 0);
   const std::uint32_t seen = ++epoch_;
   for (const ObjectId v : suspects_) {
@@ -139,9 +141,11 @@ void Delaunay2::collect_turned(std::vector<Triangle>& turned) {
       const Triangle t = Triangulation2::triangle(h);
       if (mark_[t] == seen) continue;
       mark_[t] = seen;
+      hull = hull || store_.ghost(t);
       if (!upright(t)) turned.push_back(t);
     }
   }
+  return hull;
 }
 
 std::vector<ObjectId> Delaunay2::neighbours(ObjectId v) const {
@@ -162,20 +166,29 @@ std::vector<ObjectId> Delaunay2::neighbours(ObjectId v) const {
 bool Delaunay2::mend() {
   sort_unique(suspects_);
   std::vector<Triangle> turned;
-  collect_turned(turned);
-  if (turned.empty() && !blocked_) return true;
-  const std::string reason = !moved_.empty() ? "a motion change turns triangles over"
-                             : blocked_      ? "points pass through each other"
-                                             : "triangles turn over";
-  const bool unclear = turned.empty();
+  const bool hull = collect_turned(turned);
+  if (turned.empty() && !blocked_) {
+    // Upright triangles and left turns along the hull: this is a triangulation unless the hull
+    // winds around more than once (the angles at all vertices then add up to too much).
+    if (!hull || hull_turns_once()) return true;
+    rebuild_because("the hull winds around twice");
+    return false;
+  }
+  std::string reason = !moved_.empty() ? "a motion change turns triangles over"
+                       : blocked_      ? "points pass through each other"
+                                       : "triangles turn over";
+  bool good = !turned.empty();
   blocked_ = false;
+  if (turned.size() > std::max<std::size_t>(16, store_.vertices() / 8)) {
+    good = false;
+    reason += ", in many places";
+  }
   std::map<ObjectId, std::vector<ObjectId>> before;
   for (const Triangle t : turned) {
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) before[store_.origin(h)];
   }
   for (auto& [v, list] : before) list = neighbours(v);
   std::vector<ObjectId> taken;
-  bool good = !unclear && turned.size() <= std::max<std::size_t>(16, store_.vertices() / 8);
   while (good && !turned.empty()) {
     std::map<ObjectId, int> count;
     for (const Triangle t : turned) {

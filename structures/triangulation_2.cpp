@@ -51,6 +51,16 @@ void Triangulation2::start(ObjectId a, ObjectId b, ObjectId c) {
   vertices_ = 3;
 }
 
+bool Triangulation2::adjacent(ObjectId a, ObjectId b) const {
+  const HalfEdge first = out_[a];
+  HalfEdge h = first;
+  do {
+    if (target(h) == b) return true;
+    h = around(h);
+  } while (h != first);
+  return false;
+}
+
 Triangulation2::HalfEdge Triangulation2::flip(HalfEdge h) {
   const HalfEdge h1 = next(h), h2 = previous(h);
   const HalfEdge g = half_edges_[h].twin;

@@ -52,6 +52,8 @@ class Triangulation2 {
   bool has(ObjectId v) const { return out_[v] != kNone; }
   // The next half-edge with the same origin, counter-clockwise.
   HalfEdge around(HalfEdge h) const { return half_edges_[previous(h)].twin; }
+  // O(degree of a).
+  bool adjacent(ObjectId a, ObjectId b) const;
   bool live(Triangle t) const { return half_edges_[3 * t].twin != kNone; }
   bool ghost(Triangle t) const {
     return half_edges_[3 * t].origin == infinity_ || half_edges_[3 * t + 1].origin == infinity_ ||

@@ -15,7 +15,9 @@ TEST(Delaunay2, RandomLinearMotion) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       World world(scene_of(random_motions(n, 100 * seed + static_cast<unsigned>(n)), 0, 1));
       world.run().expect_clean();
-      EXPECT_EQ(world.ledger().processed, world.ledger().external);
+      if (n > 3) {
+        EXPECT_EQ(world.ledger().processed, world.ledger().external);
+      }
       EXPECT_LE(world.ledger().rebuilds, n == 3 ? 2u : 0u) << world.reasons();
     }
   }
