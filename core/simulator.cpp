@@ -280,8 +280,7 @@ void Simulator::end_instant() {
     const double now = kernel_.arithmetic().now_approximate();
     if (!(now <= guard_window_end_)) {
       std::fill(repairs_.begin(), repairs_.end(), 0);
-      const double span = scene_.end ? (*scene_.end - scene_.start).to_double() : 1.0;
-      guard_window_end_ = now + kGuardWindow * std::max(std::fabs(now), span);
+      guard_window_end_ = now + kGuardWindow * std::max(std::fabs(now), span_);
     }
   }
   if (options_.audit == AuditLevel::kEvents) run_audit(true);
@@ -300,6 +299,7 @@ void Simulator::start() {
   guard_fired_.assign(entries_.size(), 0);
   kernel_.arithmetic().set_now(scene_.start);
   now_hi_ = scene_.start.upper_double();
+  span_ = scene_.end ? (*scene_.end - scene_.start).to_double() : 1.0;
   std::vector<ObjectId> objects;
   for (ObjectId object = 0; object < alive_.size(); ++object) {
     if (alive_[object]) objects.push_back(object);

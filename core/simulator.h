@@ -204,6 +204,7 @@ class Simulator final : private EventReporter {
   std::vector<std::uint8_t> guard_fired_;
   std::vector<StructureId> touched_;  // structures with failures at the instant
   double guard_window_end_ = 0;       // inexact arithmetics
+  double span_ = 1;  // length of the scene in time, for that window
   std::vector<CertificateId> first_instant_;
   std::vector<Notice> notices_;
   RunLedger ledger_;
