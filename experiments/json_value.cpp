@@ -30,7 +30,6 @@ struct TrackedBytes {
     return *this;
   }
   friend bool operator==(const TrackedBytes& a, const TrackedBytes& b) { return a.at == b.at; }
-  friend bool operator!=(const TrackedBytes& a, const TrackedBytes& b) { return a.at != b.at; }
 };
 
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
