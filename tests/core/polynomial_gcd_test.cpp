@@ -59,6 +59,18 @@ TEST(PolynomialGcd, UnluckyFirstPrimeIsOvercome) {
   EXPECT_EQ(gcd(Polynomial({prime, prime}), polynomial({1, 1})), polynomial({1, 1}));
 }
 
+TEST(PolynomialGcd, UnluckyLaterPrimeIsOvercome) {
+  Random random(6);
+  PrimeSequence primes;
+  primes.next();
+  const Integer second(static_cast<std::int64_t>(primes.next()));
+  const Integer third(static_cast<std::int64_t>(primes.next()));
+  const Polynomial g = random.polynomial(3, 400);  // several primes are needed
+  for (const Integer& prime : {second, third}) {
+    EXPECT_EQ(gcd(g * polynomial({0, 1}), g * Polynomial({prime, Integer(1)})), g.canonical());
+  }
+}
+
 TEST(PolynomialGcd, CoprimeModuloAPrimeIsAProof) {
   EXPECT_TRUE(coprime_modulo_prime(polynomial({1, 1}), polynomial({2, 1})));
   EXPECT_TRUE(coprime_modulo_prime(polynomial({5}), polynomial({2, 1})));

@@ -75,6 +75,15 @@ TEST(RealRoot, RefinesToAnyWidth) {
   EXPECT_GT(counters.refinements, 0U);
 }
 
+TEST(RealRoot, WidthsThatAreNoPowerOfTwo) {
+  RootCounters counters;
+  RealRoot r(polynomial({-2, 0, 1}), Rational(0), Rational(3));
+  r.refine_to(-2, counters);
+  EXPECT_EQ(r.upper(), Rational(3));  // narrow enough as it is
+  r.refine_to(-1, counters);
+  EXPECT_LE(r.upper() - r.lower(), Rational(2));
+}
+
 TEST(RealRoot, EveryRefinementHalvesAtLeast) {
   RootCounters counters;
   Random random(21);
@@ -389,6 +398,18 @@ TEST(FirstSignChange, TheStartIsExcludedAndTheEndIncluded) {
   RealRoot before{rational("3/4")};
   EXPECT_TRUE(first_sign_change_after(p, before, Rational(1), counters));
   EXPECT_FALSE(first_sign_change_after(p, before, rational("99/100"), counters));
+}
+
+TEST(FirstSignChange, EndBetweenTheUnitsOfTheSearch) {
+  RootCounters counters;
+  const Polynomial p = with_roots({rational("5/8"), rational("11/16")});
+  RealRoot zero{Rational(0)};
+  std::optional<RealRoot> root = first_sign_change_after(p, zero, rational("3/4"), counters);
+  ASSERT_TRUE(root);
+  EXPECT_EQ(compare(*root, rational("5/8"), counters), 0);
+  root = first_sign_change_after(p, *root, rational("11/16"), counters);
+  ASSERT_TRUE(root);
+  EXPECT_EQ(compare(*root, rational("11/16"), counters), 0);
 }
 
 TEST(FirstSignChange, LinearPolynomials) {
