@@ -148,6 +148,7 @@ void Delaunay2::certificate_failed(CertificateId failed) {
   } else {
     last_quad_ = {u, v, p, q};
     has_last_quad_ = true;
+    retries_ = repairs_ = 0;
   }
   flip(h);
   if (u == infinity || v == infinity) {

@@ -150,6 +150,7 @@ class Delaunay2 final : public Structure {
   std::vector<ObjectId> neighbours(ObjectId v) const;
   bool mend();
   bool hull_turns_once() const;
+  void restore_certificates();
 
   Kernel* kernel_;
   StructureId id_;
@@ -175,9 +176,14 @@ class Delaunay2 final : public Structure {
   std::vector<ObjectId> moved_;
   std::array<ObjectId, 4> last_quad_{};
   bool has_last_quad_ = false;
-  bool blocked_ = false;        // a flip was impossible: an edge is without certificate
+  bool blocked_ = false;  // a flip was impossible: an edge is without certificate
+  int retries_ = 0;       // of impossible flips
+  static constexpr int kMostRetries = 2;
   std::vector<HalfEdge> ties_;  // edges to be compared with the rule for cocircular points
 
+  // Inexact arithmetics: repairs since the last ordinary flip, and how many are too many.
+  int repairs_ = 0;
+  static constexpr int kMostRepairs = 64;
   bool corrupt_ = false;
   bool certify_ = true;  // false while the static algorithm runs: certificates come at its end
   std::uint64_t tie_flips_ = 0;

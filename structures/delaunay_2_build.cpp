@@ -61,6 +61,7 @@ void Delaunay2::rebuild() {
 
 void Delaunay2::rebuild_because(const std::string& reason) {
   if (corrupt_) return;
+  if (!kernel_->is_exact() && ++repairs_ > kMostRepairs) return give_up("no end of rebuilds");
   construct();
   kernel_->count_rebuild(id_, reason);
 }

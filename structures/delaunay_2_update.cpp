@@ -167,17 +167,25 @@ bool Delaunay2::mend() {
   sort_unique(suspects_);
   std::vector<Triangle> turned;
   const bool hull = collect_turned(turned);
-  if (turned.empty() && !blocked_) {
+  if (turned.empty()) {
     // Upright triangles and left turns along the hull: this is a triangulation unless the hull
     // winds around more than once (the angles at all vertices then add up to too much).
-    if (!hull || hull_turns_once()) return true;
-    rebuild_because("the hull winds around twice");
+    const bool winds = hull && !hull_turns_once();
+    if (!winds && (!blocked_ || retries_ < kMostRetries)) {
+      if (blocked_) {
+        ++retries_;
+        blocked_ = false;
+        restore_certificates();
+      }
+      return true;
+    }
+    rebuild_because(winds ? "the hull winds around twice" : "points pass through each other");
     return false;
   }
   std::string reason = !moved_.empty() ? "a motion change turns triangles over"
                        : blocked_      ? "points pass through each other"
                                        : "triangles turn over";
-  bool good = !turned.empty();
+  bool good = true;
   blocked_ = false;
   if (turned.size() > std::max<std::size_t>(16, store_.vertices() / 8)) {
     good = false;
@@ -190,24 +198,34 @@ bool Delaunay2::mend() {
   for (auto& [v, list] : before) list = neighbours(v);
   std::vector<ObjectId> taken;
   while (good && !turned.empty()) {
+    // The vertex of most of them, the largest id first, of those that can be taken out.
     std::map<ObjectId, int> count;
     for (const Triangle t : turned) {
       for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) ++count[store_.origin(h)];
     }
-    ObjectId worst = count.begin()->first;
-    for (const auto& [v, times] : count) {
-      if (times >= count[worst]) worst = v;
+    std::vector<std::pair<int, ObjectId>> candidates;
+    for (const auto& [v, times] : count) candidates.emplace_back(times, v);
+    std::sort(candidates.rbegin(), candidates.rend());
+    std::vector<Triangle> left;
+    good = false;
+    for (const auto& [times, v] : candidates) {
+      left.clear();
+      for (const Triangle t : turned) {
+        if (store_.origin(3 * t) != v && store_.origin(3 * t + 1) != v &&
+            store_.origin(3 * t + 2) != v) {
+          left.push_back(t);
+        }
+      }
+      good = remove_vertex(v);
+      if (!good) continue;
+      taken.push_back(v);
+      if (const auto it = hidden_.find(v); it != hidden_.end()) {
+        taken.insert(taken.end(), it->second.begin(), it->second.end());
+        hidden_.erase(it);
+      }
+      break;
     }
-    std::erase_if(turned, [&](Triangle t) {
-      return store_.origin(3 * t) == worst || store_.origin(3 * t + 1) == worst ||
-             store_.origin(3 * t + 2) == worst;
-    });
-    taken.push_back(worst);
-    if (const auto it = hidden_.find(worst); it != hidden_.end()) {
-      taken.insert(taken.end(), it->second.begin(), it->second.end());
-      hidden_.erase(it);
-    }
-    good = remove_vertex(worst);
+    turned = left;
   }
   good = good && hull_turns_once();
   std::sort(taken.begin(), taken.end());
@@ -219,11 +237,20 @@ bool Delaunay2::mend() {
     rebuild_because(reason);
     return false;
   }
+  if (!kernel_->is_exact() && ++repairs_ > kMostRepairs) {
+    give_up("no end of repairs");
+    return false;
+  }
   reinsertions_ += taken.size();
   for (const ObjectId v : taken) {
     kernel_->report(id_, kReinsert, {v}, neighbours(v) != before[v]);
   }
-  // Edges whose certificate was given up because their flip was impossible then.
+  restore_certificates();
+  return true;
+}
+
+// Around the suspects: edges whose certificate was given up because their flip was impossible then.
+void Delaunay2::restore_certificates() {
   for (const ObjectId v : suspects_) {
     if (!store_.has(v)) continue;
     store_.link(v, link_);
@@ -233,7 +260,6 @@ bool Delaunay2::mend() {
       if (store_.label(spoke) == kNoCertificate) set_certificate(spoke);
     }
   }
-  return true;
 }
 
 // Along the hull the direction turns from left to right once: with left turns everywhere the hull
