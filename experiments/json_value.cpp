@@ -79,7 +79,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     if (error.id == kNumberOverflow) {
       problem_ = show_text(token) + " is beyond the range of a bare JSON number";
       remedy_ = "put it in double quotes; then it is read exactly";
-    } else if (offset() >= text_.size() && (token.empty() || token.back() != '\n')) {
+    } else if (ends_early(error.what())) {
       where_ = text_.size();
       problem_ = text_.empty() ? "the file is empty" : "the text ends too early";
       if (!text_.empty()) problem_ += ", after " + show_text(tail());
@@ -95,6 +95,11 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   std::size_t offset() const { return static_cast<std::size_t>(*reached_ - text_.data()); }
   std::string_view tail() const {
     return text_.substr(text_.size() - std::min<std::size_t>(16, text_.size()));
+  }
+
+  bool ends_early(std::string_view message) const {
+    if (message.find("end of input") != std::string_view::npos) return true;
+    return offset() >= text_.size() && message.find("invalid ") != std::string_view::npos;
   }
 
   // nlohmann's message after its last "; " or " - ".

@@ -168,5 +168,32 @@ TEST(LogDiff, CountsByHand) {
   EXPECT_EQ(difference.out_of_order, 1u);  // b or c
 }
 
+// The same events at other times: a difference between exact logs, where an instant has one name.
+TEST(LogDiff, InstantsCountInExactLogs) {
+  const auto log = [](const char* exact, const char* time) {
+    return std::string(R"({"format": "kinex-log", "version": 1, "scene": "s", "scene_hash": "", )"
+                       R"("arithmetic": "a", "exact": )") +
+           exact + R"(, "build": "", "structures": []})" +
+           "\n"
+           R"({"seq": 1, "structure": "l", "kind": "swap", "ids": ["a"], "certificate": null, )"
+           R"("external": true, "time": )" +
+           time + "}\n";
+  };
+  const std::string one =
+      R"({"polynomial": ["-2", "0", "1"], "root": 2, "interval": ["1", "2"], "decimal": ""})";
+  const std::string narrow =
+      R"({"polynomial": ["-2", "0", "1"], "root": 2, "interval": ["1", "3/2"], "decimal": ""})";
+  const std::string other =
+      R"({"polynomial": ["-2", "0", "1"], "root": 1, "interval": ["-2", "-1"], "decimal": ""})";
+  EXPECT_TRUE(diff_logs(log("true", one.c_str()), "a", log("true", narrow.c_str()), "b").equal());
+  const LogDifference difference =
+      diff_logs(log("true", one.c_str()), "a", log("true", other.c_str()), "b");
+  EXPECT_EQ(difference.first, 1u);
+  EXPECT_EQ(difference.other_instants, 1u);
+  EXPECT_EQ(difference.missing + difference.invented + difference.out_of_order, 0u);
+  const char* inexact = R"({"decimal": "1"})";
+  EXPECT_TRUE(diff_logs(log("true", one.c_str()), "a", log("false", inexact), "b").equal());
+}
+
 }  // namespace
 }  // namespace kinex

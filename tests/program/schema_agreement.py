@@ -2,8 +2,8 @@
 """The scene schema and the reader give the same verdict, as far as a schema can.
 
 usage: schema_agreement.py PROGRAM SOURCE_FOLDER
-Exit code 77: jsonschema is not there. For every scene of the corpus index.json says what the schema must
-do; in that the program itself gives the verdict of the reader. A good scene, and every scene that the
+Exit code 77: jsonschema is not there. For every scene of the corpus index.json says what the schema
+must do; the program itself gives the verdict of the reader. A good scene, and every scene that the
 program generates or that lies in experiments/scenes, must validate.
 """
 import json
