@@ -2,6 +2,7 @@
 # Writes kinex_commit.h: the commit of the sources and whether they have been changed since.
 #   cmake -DSOURCE=FOLDER -DOUTPUT=FILE -P commit.cmake
 # The file is left alone when nothing has changed, so that nothing is compiled again.
+cmake_minimum_required(VERSION 3.25)
 set(commit unknown)
 set(dirty 0)
 find_program(GIT git)

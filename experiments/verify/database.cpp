@@ -16,7 +16,8 @@ namespace {
 constexpr const char* kSchema = R"(
 PRAGMA foreign_keys = ON;
 CREATE TABLE build(id INTEGER PRIMARY KEY, program TEXT NOT NULL, git_commit TEXT NOT NULL,
-  dirty INTEGER NOT NULL, compiler TEXT NOT NULL, flags TEXT NOT NULL, libraries TEXT NOT NULL) STRICT;
+  dirty INTEGER NOT NULL, compiler TEXT NOT NULL, flags TEXT NOT NULL,
+  libraries TEXT NOT NULL) STRICT;
 CREATE TABLE machine(id INTEGER PRIMARY KEY, cpu TEXT NOT NULL, cores INTEGER NOT NULL,
   memory_kb INTEGER NOT NULL, kernel TEXT NOT NULL) STRICT;
 CREATE TABLE cell(id INTEGER PRIMARY KEY, structure TEXT NOT NULL, workload TEXT NOT NULL,
@@ -31,7 +32,8 @@ CREATE TABLE run(id INTEGER PRIMARY KEY, cell_id INTEGER NOT NULL REFERENCES cel
   started_utc TEXT NOT NULL, cpu_s REAL NOT NULL, peak_kb INTEGER NOT NULL,
   UNIQUE(cell_id, seed, number_mode)) STRICT;
 CREATE TABLE counter(run_id INTEGER NOT NULL REFERENCES run(id), name TEXT NOT NULL,
-  stage TEXT NOT NULL, value INTEGER NOT NULL, PRIMARY KEY(run_id, name, stage)) STRICT, WITHOUT ROWID;
+  stage TEXT NOT NULL, value INTEGER NOT NULL,
+  PRIMARY KEY(run_id, name, stage)) STRICT, WITHOUT ROWID;
 CREATE TABLE extreme(run_id INTEGER NOT NULL REFERENCES run(id), name TEXT NOT NULL,
   value_text TEXT NOT NULL, PRIMARY KEY(run_id, name)) STRICT, WITHOUT ROWID;
 CREATE TABLE claim_result(claim_id TEXT NOT NULL, cell_id INTEGER NOT NULL REFERENCES cell(id),

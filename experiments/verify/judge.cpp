@@ -30,28 +30,29 @@ Check check_counts(const Expectation& expectation, std::size_t index,
               expectation.source,
               Verdict::kPass,
               std::nullopt};
+  const auto expected = [&](std::size_t i) {
+    return witness ? trials[i].witnessed[index] : expectation.exact;
+  };
+  const auto observed = [&](std::size_t i) {
+    return whole(trials[i].measurement.count_of(expectation.quantity));
+  };
   std::size_t good = 0;
+  std::optional<std::size_t> shown;  // the first that is wrong, or else the first
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    const Integer& expected = witness ? trials[i].witnessed[index] : expectation.exact;
-    const Integer observed = whole(trials[i].measurement.count_of(expectation.quantity));
-    if (observed == expected) {
+    if (trials[i].measurement.status != RunStatus::kDone) {
+      check.verdict = std::max(check.verdict, Verdict::kGaveUp);
+    } else if (observed(i) == expected(i)) {
       ++good;
-      if (check.trial || !check.expected.empty()) continue;
-    } else if (check.trial) {
-      continue;
-    } else {
-      check.trial = i;
+      if (!shown) shown = i;
+    } else if (check.verdict != Verdict::kFail) {
       check.verdict = Verdict::kFail;
+      check.trial = shown = i;
     }
-    check.expected = expected.to_string();
-    check.observed = observed.to_string();
   }
-  if (trials.size() > 1 && check.verdict == Verdict::kPass) {
-    check.expected = "as the scenes say";
-    check.observed = "equal " + of_all(good, trials.size());
-  } else if (trials.size() > 1) {
-    check.observed += ", equal " + of_all(good, trials.size());
-  }
+  const bool each_its_own = witness && trials.size() > 1 && check.verdict != Verdict::kFail;
+  check.expected = each_its_own ? "as the scenes say" : shown ? expected(*shown).to_string() : "-";
+  check.observed = each_its_own ? "equal" : shown ? observed(*shown).to_string() : "-";
+  if (trials.size() > 1) check.observed += " (right " + of_all(good, trials.size()) + ")";
   return check;
 }
 
@@ -72,7 +73,11 @@ Check check_mean(const Cell& cell, const Expectation& expectation,
   char text[48];
   std::snprintf(text, sizeof text, " (%.1f se)", distance);
   check.observed += text;
-  if (distance > allowed_errors(expectation.comparisons)) {
+  if (std::any_of(trials.begin(), trials.end(), [](const Trial& trial) {
+        return trial.measurement.status != RunStatus::kDone;
+      })) {
+    check.verdict = Verdict::kGaveUp;
+  } else if (distance > allowed_errors(expectation.comparisons)) {
     check.verdict = Verdict::kFail;
   } else if (!precise_enough(cell, trials)) {
     check.verdict = Verdict::kInconclusive;

@@ -27,7 +27,8 @@ p.facts { color: #555; margin: .2rem 0; }
 .verdicts b { font-size: 1.4rem; margin-right: .3rem; }
 .v { font-weight: 600; white-space: nowrap; }
 .PASS { color: #00583f; } .FAIL { color: #a33a00; } .INCONCLUSIVE, .GAVE { color: #6b5500; }
-.grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(560px, 1fr)); gap: 1.2rem; }
+.grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(560px, 1fr)); gap: 1.2rem;
+  align-items: start; }
 figure { margin: 0; border: 1px solid #ddd; border-radius: 6px; padding: .8rem; }
 figure img { width: 100%; height: auto; }
 figcaption b { display: block; } figcaption { color: #333; font-size: .87rem; }

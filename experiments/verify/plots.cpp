@@ -48,7 +48,7 @@ std::string quoted(const std::string& text) {
 
 constexpr const char* kCommon =
     "set logscale x\nset grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\n"
-    "set tics nomirror\nset xlabel 'objects n'\n"
+    "set tics nomirror\nset xlabel \"objects n\\n \"\n"
     "set key outside below center horizontal Left reverse samplen 2.5 maxcols 2 width 2\n";
 
 // "set xrange" a little beyond the points.
@@ -56,28 +56,38 @@ std::string x_range(double low, double high) {
   return fmt::format("set xrange [{:.6g}:{:.6g}]\n", low * 0.8, high * 1.25);
 }
 
-// All families of one structure, by name, in the order of the cells.
-std::vector<std::pair<std::string, std::vector<Point>>> families_of(
-    const std::vector<CellResult>& cells, const std::string& structure) {
-  std::vector<std::pair<std::string, std::vector<Point>>> families;
+struct Family {
+  std::string name;
+  int degree;
+  std::vector<Point> points;  // ascending n
+};
+
+// All families of one structure, in the order of the cells.
+std::vector<Family> families_of(const std::vector<CellResult>& cells,
+                                const std::string& structure) {
+  std::vector<Family> families;
   for (const CellResult& cell : cells) {
     if (cell.cell.structure != structure || cell.trials.empty()) continue;
     const RunningMean mean = mean_of(cell.trials, "processed");
     if (!(mean.mean() > 0)) continue;  // nothing to be seen on a logarithmic axis
     const Measurement& run = cell.trials.front().measurement;
     const BoundCheck* bound = event_bound(run);
-    auto found = std::find_if(families.begin(), families.end(),
-                              [&](const auto& family) { return family.first == cell.cell.family; });
-    if (found == families.end()) found = families.insert(families.end(), {cell.cell.family, {}});
-    found->second.push_back({static_cast<double>(run.objects), mean.mean(), mean.standard_error(),
+    auto found = std::find_if(families.begin(), families.end(), [&](const Family& family) {
+      return family.name == cell.cell.family;
+    });
+    if (found == families.end()) {
+      families.push_back({cell.cell.family, cell.cell.parameters.degree, {}});
+      found = families.end() - 1;
+    }
+    found->points.push_back({static_cast<double>(run.objects), mean.mean(), mean.standard_error(),
                              bound == nullptr ? 0 : bound->bound.to_double()});
   }
   families.erase(
       std::remove_if(families.begin(), families.end(),
-                     [](const auto& family) { return family.second.size() < kFewestSizes; }),
+                     [](const Family& family) { return family.points.size() < kFewestSizes; }),
       families.end());
-  for (auto& [name, points] : families) {
-    std::sort(points.begin(), points.end(),
+  for (Family& family : families) {
+    std::sort(family.points.begin(), family.points.end(),
               [](const Point& a, const Point& b) { return a.n < b.n; });
   }
   return families;
@@ -93,29 +103,16 @@ std::string data_block(const std::string& name, const std::vector<Point>& points
 }
 
 // Families of one degree share a bound: their bound curves are drawn as one.
-std::vector<std::vector<Point>> bound_curves(
-    const std::vector<std::pair<std::string, std::vector<Point>>>& families) {
-  std::vector<std::map<double, double>> curves;
-  for (const auto& [name, points] : families) {
-    if (points.front().bound <= 0) continue;
-    const auto agrees = [&points = points](const std::map<double, double>& curve) {
-      bool shared = false;
-      for (const Point& point : points) {
-        const auto at = curve.find(point.n);
-        if (at == curve.end()) continue;
-        if (at->second != point.bound) return false;
-        shared = true;
-      }
-      return shared;
-    };
-    auto curve = std::find_if(curves.begin(), curves.end(), agrees);
-    if (curve == curves.end()) curve = curves.insert(curves.end(), {});
-    for (const Point& point : points) (*curve)[point.n] = point.bound;
+std::map<int, std::vector<Point>> bound_curves(const std::vector<Family>& families) {
+  std::map<int, std::map<double, double>> curves;
+  for (const Family& family : families) {
+    for (const Point& point : family.points) {
+      if (point.bound > 0) curves[family.degree][point.n] = point.bound;
+    }
   }
-  std::vector<std::vector<Point>> result;
-  for (const auto& curve : curves) {
-    std::vector<Point>& points = result.emplace_back();
-    for (const auto& [n, bound] : curve) points.push_back({n, bound, 0, bound});
+  std::map<int, std::vector<Point>> result;
+  for (const auto& [degree, curve] : curves) {
+    for (const auto& [n, bound] : curve) result[degree].push_back({n, bound, 0, bound});
   }
   return result;
 }
@@ -126,52 +123,61 @@ std::string fit_title(const GrowthResult& growth) {
 }
 
 Figure counts_figure(const VerifyResult& result, const std::string& structure) {
-  const auto families = families_of(result.cells, structure);
+  const std::vector<Family> families = families_of(result.cells, structure);
   Figure figure;
   if (families.empty()) return figure;
   figure.title = structure + ": events over n";
   figure.caption =
-      "Points: observed events (mean over seeds, bars of two standard errors where they "
-      "can be seen). Dashed: hard bounds, which no run may exceed.";
-  const auto curves = bound_curves(families);
+      "Points: observed events (mean over seeds, bars of two standard errors where they can be "
+      "seen). Dashed: hard bounds, which no run may exceed.";
+  const std::map<int, std::vector<Point>> curves = bound_curves(families);
   std::string& script = figure.script;
   script = kCommon;
   script += "set logscale y\nset format y '10^{%L}'\nset ylabel 'events'\n";
-  double low = families.front().second.front().n, high = low, most = 0, fewest = 1e300;
+  double low = families.front().points.front().n, high = low, most = 0, fewest = 1e300;
   std::string plot;
   const auto add = [&](const std::string& item) {
     plot += (plot.empty() ? "plot " : ", \\\n  ") + item;
   };
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    script += data_block("bound" + std::to_string(i), curves[i]);
-    add(fmt::format("$bound{} using 1:2 with lines lw 1.5 dt {} lc rgb '{}' title '{}'", i, i + 2,
-                    kBoundColour,
-                    curves.size() == 1 ? "hard bound" : fmt::format("hard bound {}", i + 1)));
+  int dash = 2;
+  for (const auto& [degree, points] : curves) {
+    script += data_block("bound" + std::to_string(degree), points);
+    add(fmt::format("$bound{} using 1:2 with lines lw 1.5 dt {} lc rgb '{}' title '{}'", degree,
+                    dash++, kBoundColour,
+                    degree == 1 ? "hard bound" : fmt::format("hard bound, degree {}", degree)));
   }
   for (std::size_t i = 0; i < families.size(); ++i) {
-    const auto& [name, points] = families[i];
-    low = std::min(low, points.front().n);
-    high = std::max(high, points.back().n);
-    for (const Point& point : points) {
+    const Family& family = families[i];
+    low = std::min(low, family.points.front().n);
+    high = std::max(high, family.points.back().n);
+    for (const Point& point : family.points) {
       most = std::max({most, point.count, point.bound});
       fewest = std::min(fewest, point.count);
     }
-    script += data_block("family" + std::to_string(i), points);
+    script += data_block("family" + std::to_string(i), family.points);
     for (const GrowthResult& growth : result.growths) {
-      if (growth.claim.structure != structure || growth.claim.family != name || !growth.fit)
-        continue;
+      if (growth.claim.structure != structure || growth.claim.family != family.name) continue;
+      if (!growth.fit) continue;
       add(fmt::format("[{:.6g}:{:.6g}] {:.17g}*x**{:.17g} with lines lw 1.5 lc rgb '{}' title '{}'",
                       growth.points.front().n, growth.points.back().n, growth.fit->factor,
                       growth.fit->exponent, look(i).colour, fit_title(growth)));
     }
     add(fmt::format(
         "$family{} using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title {}", i,
-        look(i).symbol, look(i).colour, quoted(name)));
+        look(i).symbol, look(i).colour, quoted(family.name)));
   }
   script += x_range(low, high);
   script += fmt::format("set yrange [{:.6g}:{:.6g}]\n", fewest / 2, most * 3) + plot + "\n";
   figure.height = 440 + 20 * static_cast<int>((families.size() + curves.size() + 2) / 2);
   return figure;
+}
+
+// A tic at every size.
+std::string size_tics(const std::vector<Point>& points) {
+  std::string text;
+  for (const Point& point : points)
+    text += fmt::format("{}{:.6g}", text.empty() ? "" : ", ", point.n);
+  return "set xtics (" + text + ")\n";
 }
 
 // What cells of the family were compared with, as departures from the fit.
@@ -213,12 +219,19 @@ Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
   }
   const std::vector<Point> references = references_of(result, growth);
   figure.script = std::string(kCommon) + "set ylabel 'count / fit - 1, in %'\n" +
-                  "set xzeroaxis lt 1 lw 1.5 lc rgb '#444444'\nset offsets 0, 0, 0.5, 0.5\n" +
-                  x_range(points.front().n, points.back().n) + data_block("seen", points);
+                  "set xzeroaxis lt 1 lw 1.5 lc rgb '#444444'\nset samples 200\n" +
+                  x_range(points.front().n, points.back().n) + size_tics(points) +
+                  data_block("seen", points);
   if (!references.empty()) figure.script += data_block("reference", references);
+  // With the exponents at the ends of the interval, through the centre of the fit.
+  const double centre = growth.fit->centre;
+  const double below = growth.fit->lower - growth.fit->exponent;
+  const double above = growth.fit->upper - growth.fit->exponent;
   figure.script += fmt::format(
-      "plot $seen using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title 'observed'",
-      look(0).symbol, look(0).colour);
+      "plot '+' using 1:(100*(($1/{0:.17g})**{1:.17g}-1)):(100*(($1/{0:.17g})**{2:.17g}-1)) "
+      "with filledcurves fc rgb '#dcdcdc' title '95% interval of the exponent', \\\n"
+      "  $seen using 1:2:3 with yerrorbars pt {3} ps 0.9 lw 1.2 lc rgb '{4}' title 'observed'",
+      centre, below, above, look(0).symbol, look(0).colour);
   if (!references.empty()) {
     figure.script += fmt::format(
         ", \\\n  $reference using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title "
@@ -226,7 +239,7 @@ Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
         look(1).symbol, look(1).colour);
   }
   figure.script += "\n";
-  figure.height = 340;
+  figure.height = 380;
   return figure;
 }
 

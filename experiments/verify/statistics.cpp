@@ -77,6 +77,13 @@ std::optional<PowerFit> fit_power(std::span<const FitPoint> points) {
   fit.lower = fit.exponent - half;
   fit.upper = fit.exponent + half;
   fit.factor = std::exp(offset);
+  double weights = 0, weighted_x = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double w = weighted ? weight[i] : 1;
+    weights += w;
+    weighted_x += w * x[i];
+  }
+  fit.centre = std::exp(weighted_x / weights);
   for (const FitPoint& point : points) fit.residuals.push_back(point.count / fit.at(point.n) - 1);
   return fit;
 }

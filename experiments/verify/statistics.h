@@ -51,8 +51,9 @@ struct PowerFit {
   double exponent_error = 0;
   double lower = 0, upper = 0;  // 95 % confidence interval of the exponent
   double factor = 0;
-  double chi_square = 0;          // weighted sum of squares; unweighted if a point is exact
-  int degrees = 0;                // of freedom: points - 2
+  double centre = 0;      // the n at which the fit is surest: its logarithm is the (weighted) mean
+  double chi_square = 0;  // weighted sum of squares; unweighted if a point is exact
+  int degrees = 0;        // of freedom: points - 2
   std::vector<double> residuals;  // count / fit - 1, in the order of the points
 
   double at(double n) const;
