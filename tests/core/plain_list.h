@@ -53,8 +53,7 @@ class PlainList : public Structure {
   }
   void certificate_failed(CertificateId failed) override {
     const std::uint32_t i = kernel_->tag(failed);
-    calls.push_back("failed " + std::to_string(order_[i]) + " " + std::to_string(order_[i + 1]) +
-                    (kernel_->instant_is_shared(id_) ? " shared" : ""));
+    note("failed", {order_[i], order_[i + 1]}, kernel_->instant_is_shared(id_) ? " shared" : "");
     std::swap(order_[i], order_[i + 1]);
     for (std::uint32_t k = i == 0 ? 0 : i - 1; k <= i + 1 && k + 1 < order_.size(); ++k) {
       kernel_->replace(certificates_[k], Query(less_, {order_[k], order_[k + 1]}), k);
@@ -62,19 +61,17 @@ class PlainList : public Structure {
     kernel_->report(id_, 0, {order_[i + 1], order_[i]}, true);
   }
   void insert(ObjectId object) override {
-    calls.push_back("insert " + std::to_string(object));
+    note("insert", {object});
     put(object);
     certify();
   }
   void erase(ObjectId object) override {
-    calls.push_back("erase " + std::to_string(object));
+    note("erase", {object});
     order_.erase(std::find(order_.begin(), order_.end(), object));
     certify();
   }
   void motions_changed(std::span<const ObjectId> objects) override {
-    std::string call = "motions";
-    for (const ObjectId o : objects) call += " " + std::to_string(o);
-    calls.push_back(call);
+    note("motions", {objects.begin(), objects.end()});
   }
   void instant_settled() override { calls.push_back("settled"); }
   Attribute attribute() const override { return {Attribute::Shape::kSequence, order_}; }
@@ -96,6 +93,10 @@ class PlainList : public Structure {
   mutable BoundContext last_context;
 
  protected:
+  void note(std::string call, const std::vector<ObjectId>& ids, const char* end = "") {
+    for (const ObjectId id : ids) call.append(" ").append(std::to_string(id));
+    calls.push_back(call.append(end));
+  }
   void put(ObjectId object) {
     std::size_t i = 0;
     while (i < order_.size() && kernel_->sign_after(less_, {order_[i], object}) != Sign::kNegative) ++i;

@@ -141,6 +141,7 @@ TEST(Simulator, ABounceIsNoFailure) {
   f.simulator.run_until(std::nullopt);
   EXPECT_EQ(f.ledger().processed, 0u);
   EXPECT_EQ(f.ledger().motion_updates, 1u);
+  EXPECT_THAT(f.list->calls, ElementsAre("motions 1", "settled"));
   f.expect_clean();
 }
 

@@ -61,6 +61,36 @@ TEST(MaximumHeap, WorstCase) {
   }
 }
 
+TEST(MaximumTournament, ANewWinnerGoesUpWithoutFurtherFailures) {
+  // 0 overtakes 1, the winner of all eight, in the match at the bottom.
+  std::vector<Trajectory> t{path({{0, 1}}), path({{1}})};
+  for (int i = 2; i < 8; ++i) t.push_back(path({{-i}}));
+  const Scene scene = scene_of(t, 0, Rational(2));
+  Trial run(scene, "maximum_tournament");
+  run.to_end().expect_clean();
+  EXPECT_EQ(run.ids(), std::vector<ObjectId>{0});
+  EXPECT_EQ(run.ledger().processed, 1u);
+  EXPECT_EQ(run.ledger().external, 1u);
+  EXPECT_EQ(run.ledger().created_per_event.max, 3u);
+}
+
+TEST(Maximum, SeveralBecomeEqualAtOnce) {
+  for (const char* name : {"maximum_tournament", "maximum_heap"}) {
+    // At 1 the last three meet and go on together.
+    Scene scene = scene_of({path({{0}}), path({{1}}), path({{2}}), path({{3}})}, 0, Rational(2));
+    for (ObjectId i = 1; i < 4; ++i) {
+      const int v = static_cast<int>(i);
+      scene.objects[i].motion.pieces = {{std::nullopt, Rational(1), path({{v, 4 - v}})},
+                                        {Rational(1), std::nullopt, path({{4}})}};
+    }
+    Trial run(scene, name);
+    SCOPED_TRACE(name);
+    EXPECT_EQ(run.ids(), std::vector<ObjectId>{3});
+    run.to_end().expect_clean();
+    EXPECT_EQ(run.ids(), std::vector<ObjectId>{1});
+  }
+}
+
 TEST(Maximum, MinimumIsTheMirrorImage) {
   Scene scene = bit_reversed_lines(5);
   for (SceneObject& object : scene.objects) {
@@ -179,7 +209,7 @@ TEST(Maximum, ChangesAreLocal) {
     for (int i = 0; i < n; ++i) t.push_back(path({{random.between(-100000, 100000)}}));
     Scene scene = scene_of(t, 0, std::nullopt);
     for (int i = 0; i < 20; ++i) {
-      scene.objects.push_back(moving("late" + std::to_string(i),
+      scene.objects.push_back(moving(std::string("late").append(std::to_string(i)),
                                      path({{random.between(-100000, 100000)}})));
       scene.objects.back().motion.pieces[0].from = Rational(1 + i);
     }

@@ -68,6 +68,16 @@ TEST(SortedList, TouchingIsNoEvent) {
   EXPECT_EQ(run.ids().front(), 3u);
 }
 
+TEST(SortedList, AuditsKeepClearOfTouchingPoints) {
+  // Half way between start and end 0 touches 1, where positions alone would put 0 first; 2 and 3 are
+  // equal for ever.
+  const Scene scene =
+      scene_of({path({{0, 0, 1}}), path({{0}}), path({{5}}), path({{5}})}, -1, Rational(1));
+  Trial run(scene, kName);
+  EXPECT_EQ(run.ids(), (std::vector<ObjectId>{1, 0, 2, 3}));
+  run.to_end().expect_clean();
+}
+
 TEST(SortedList, StartsDegenerate) {
   // All at 0 when the scene starts: the order is that of the velocities, then of the ids.
   const Scene scene = scene_of({path({{0, 2}}), path({{0, -1}}), path({{0, 2}}), path({{0, 0, -1}})}, 0,

@@ -25,6 +25,8 @@ inline SceneObject moving(std::string id, Trajectory trajectory) {
   return {std::move(id), {{{std::nullopt, std::nullopt, std::move(trajectory)}}}};
 }
 
+inline std::string name_of(std::size_t i) { return std::string("o").append(std::to_string(i)); }
+
 inline Scene scene_of(const std::vector<Trajectory>& trajectories, Rational start,
                       std::optional<Rational> end) {
   Scene scene;
@@ -33,7 +35,7 @@ inline Scene scene_of(const std::vector<Trajectory>& trajectories, Rational star
   scene.start = std::move(start);
   scene.end = std::move(end);
   for (std::size_t i = 0; i < trajectories.size(); ++i) {
-    scene.objects.push_back(moving("o" + std::to_string(i), trajectories[i]));
+    scene.objects.push_back(moving(name_of(i), trajectories[i]));
   }
   return scene;
 }
@@ -142,7 +144,7 @@ inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree
       }
     }
     SceneObject object;
-    object.id = "o" + std::to_string(i);
+    object.id = name_of(static_cast<std::size_t>(i));
     for (std::size_t p = 0; p < cuts.size(); ++p) {
       Trajectory t = random.small_path(dimension, random.between(0, degree), 2);
       if (p == 0 && i > 0 && random.chance(25)) {
