@@ -3,6 +3,7 @@
 // is not found again, and no input whatever crashes it or yields a NaN.
 #include "core/gsl_arithmetic.h"
 
+#include <gsl/gsl_errno.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -67,6 +68,35 @@ TEST(GslArithmetic, FindsFirstFailures) {
     EXPECT_EQ(a.outlook, Outlook::kNever) << roots;
     EXPECT_EQ(a.t, INFINITY);
   }
+}
+
+TEST(GslArithmetic, SolvesCubicsThatAreNotMonic) {
+  for (int lead : {-6, -2}) {
+    const Answer a =
+        solve(with_roots({Rational(1), Rational(2), Rational(3)}, {Rational(lead)}), Rational(0));
+    EXPECT_EQ(a.outlook, Outlook::kFails);
+    EXPECT_NEAR(a.t, 1, 1e-12);
+  }
+}
+
+TEST(GslArithmetic, PassesOverGrazingRoots) {
+  for (const Coefficients& factor : {kMinus, times(kMinus, kRootless)}) {
+    const Answer a =
+        solve(with_roots({Rational(1), Rational(1), Rational(4)}, factor), Rational(0));
+    EXPECT_EQ(a.outlook, Outlook::kFails);
+    EXPECT_NEAR(a.t, 4, 1e-6);
+  }
+}
+
+TEST(GslArithmetic, InfiniteCoefficientsNeverFail) {
+  EXPECT_EQ(solve({Rational(1), rational("-1e400")}, Rational(-1)).outlook, Outlook::kNever);
+  EXPECT_EQ(solve({rational("1e400"), Rational(-1)}, Rational(-1)).outlook, Outlook::kNever);
+}
+
+// GSL aborts by default.
+TEST(GslArithmetic, TurnsOffTheErrorHandler) {
+  solve({Rational(1)}, Rational(0));
+  gsl_error("provoked by a test", __FILE__, __LINE__, GSL_EFAILED);
 }
 
 TEST(GslArithmetic, DegreesDropAndVanish) {

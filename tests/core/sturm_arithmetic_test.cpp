@@ -222,6 +222,7 @@ TEST_P(ExactArithmetics, AlgebraicNow) {
 TEST_P(ExactArithmetics, OrdersInstantsExactly) {
   const Rational tiny(Integer(1), Integer::power_of_two(80));
   const Rational one(1);
+  const Coefficients three{Rational(3), Rational(0), Rational(-1)};
   Tracks t(name(),
            {
                {one, Rational(-1)},                                // 0: 1
@@ -236,6 +237,8 @@ TEST_P(ExactArithmetics, OrdersInstantsExactly) {
                with_roots({one, one + tiny}, kMinus),                       // 9: negative now
                {Rational(-2), Rational(3), Rational(-1)},                   // 10: negative now
                times(kMinusTwo, {Rational(-5), Rational(0), Rational(1)}),  // 11: negative now
+               times(kMinusTwo, three),                                     // 12: sqrt 2, shares a
+               times({Rational(2) + tiny, Rational(0), Rational(-1)}, three),  // 13: factor, later
            },
            Rational(0));
   EXPECT_EQ(t.order(0, 1), -1);
@@ -247,6 +250,9 @@ TEST_P(ExactArithmetics, OrdersInstantsExactly) {
     EXPECT_EQ(t.order(i, 6), -1) << i;
     EXPECT_EQ(t.order(0, i), -1) << i;
   }
+  EXPECT_EQ(t.order(12, 13), -1);
+  EXPECT_EQ(t.order(12, 3), 0);
+  EXPECT_EQ(t.order(13, 6), 0);
   for (ObjectId i : {9u, 10u, 11u}) EXPECT_EQ(t.failure(i), Outlook::kFailsNow) << i;
 }
 
