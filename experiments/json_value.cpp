@@ -98,8 +98,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool ends_early(std::string_view message) const {
-    if (message.find("end of input") != std::string_view::npos) return true;
-    return offset() >= text_.size() && message.find("invalid ") != std::string_view::npos;
+    return offset() >= text_.size() &&
+           (message.find("unexpected end of input") != std::string_view::npos ||
+            message.find("invalid ") != std::string_view::npos);
   }
 
   // nlohmann's message after its last "; " or " - ".

@@ -97,6 +97,8 @@ TEST_F(Program, UnwritableOutputs) {
   expect_bad_input({"run", scene_, "--summary", scratch_.path().string()}, "it is a directory");
   expect_bad_input({"gen", "grid", "--n", "2000", "-o", "/dev/full"},
                    "cannot be written: No space left");
+  // Small enough to fail only when the file is closed.
+  expect_bad_input({"gen", "grid", "--n", "2", "-o", "/dev/full"}, "/dev/full: cannot be written");
   if (::geteuid() != 0) {
     expect_bad_input({"gen", "grid", "-o", "/proc/version"}, "/proc/version");
   }
