@@ -81,7 +81,7 @@ const std::vector<Workload>& workloads() {
       {"heap-worst", "as many failures of a kinetic heap as the sum of its depths", 1, 1, 1, false,
        false, false, "maximum_heap", generate_heap_worst},
       {"hull-worst", "a convex hull of --m slow and --n moving points that changes 2nm - 1 times",
-       2, 2, 2, false, false, true, "convex_hull_2", generate_hull_worst},
+       2, 2, 2, false, false, true, "delaunay_2", generate_hull_worst},
       {"meet", "objects meet in pairs at t = 1/2", 2, 1, 3, true, false, false, "", generate_meet},
       {"through-one-point", "all objects pass through one point at t = 1/2", 2, 1, 3, true, false,
        false, "", generate_through_one_point},
