@@ -100,8 +100,8 @@ void EventQueue::take_out(std::size_t i) {
   if (i < heap_.size()) settle(i, last);
 }
 
-// The least of heap_[first .. end). Among four, without branches while the least enclosure lies apart
-// from the others, which is nearly always so.
+// The least of heap_[first .. end). Among four, without branches while the least enclosure lies
+// apart from the others, which is nearly always so.
 std::size_t EventQueue::least_child(std::size_t first, std::size_t end) {
   std::size_t least = first;
   if (end - first == kArity) {
@@ -110,8 +110,8 @@ std::size_t EventQueue::least_child(std::size_t first, std::size_t end) {
     const std::size_t right = 2u + (e[3].lo < e[2].lo ? 1u : 0u);
     const std::size_t i = left + (right - left) * (e[right].lo < e[left].lo ? 1u : 0u);
     const double hi = e[i].hi;
-    const int reached = (e[0].lo <= hi ? 1 : 0) + (e[1].lo <= hi ? 1 : 0) + (e[2].lo <= hi ? 1 : 0) +
-                        (e[3].lo <= hi ? 1 : 0);
+    const int reached = (e[0].lo <= hi ? 1 : 0) + (e[1].lo <= hi ? 1 : 0) +
+                        (e[2].lo <= hi ? 1 : 0) + (e[3].lo <= hi ? 1 : 0);
     if (reached == 1) return first + i;
   }
   for (std::size_t c = first + 1; c < end; ++c) {

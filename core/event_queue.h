@@ -18,12 +18,12 @@ struct Certificate {
   Outlook outlook = Outlook::kNever;
   bool live = false;
   std::uint32_t tag = 0;
-  std::uint32_t root = 0;                // FailureTime::root
+  std::uint32_t root = 0;  // FailureTime::root
 };
 
-// A 4-ary heap over (interval key, certificate). Keys are compared by their enclosures; only when two
-// overlap is the arithmetic asked. Equal instants are ordered by value: (structure, predicate, sorted
-// ids). Insertion and retraction take O(log n) comparisons.
+// A 4-ary heap over (interval key, certificate). Keys are compared by their enclosures; only when
+// two overlap is the arithmetic asked. Equal instants are ordered by value: (structure, predicate,
+// sorted ids). Insertion and retraction take O(log n) comparisons.
 class EventQueue {
  public:
   explicit EventQueue(Arithmetic& arithmetic) : arithmetic_(&arithmetic) {}

@@ -36,9 +36,9 @@ class Kernel {
     CertificateId id;
     Outlook outlook;
   };
-  // A new certificate "predicate(ids) >= 0" of `structure`. `tag` is the structure's own word. It is
-  // scheduled if it fails by the horizon; one that is negative right after now fails next.
-  // O(log queue) plus one failure time.
+  // A new certificate "predicate(ids) >= 0" of `structure`. `tag` is the structure's own word. It
+  // is scheduled if it fails by the horizon; one that is negative right after now fails next. O(log
+  // queue) plus one failure time.
   Created create(StructureId structure, const Query& query, std::uint32_t tag);
   // Withdraws a certificate. O(log queue).
   void retract(CertificateId id);
@@ -54,15 +54,16 @@ class Kernel {
   // are logged too. `external`: the attribute changed. At most kMaxArity ids.
   void report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
               bool external);
-  // True while more than one certificate of `structure` fails at this instant, or motions changed at
-  // it: the instant may be degenerate.
+  // True while more than one certificate of `structure` fails at this instant, or motions changed
+  // at it: the instant may be degenerate.
   bool instant_is_shared(StructureId structure) const;
-  // The structure was rebuilt from its static algorithm at this instant, and why. Logged as the common
-  // event "rebuild"; those who watch the structure are told when its present call has returned.
+  // The structure was rebuilt from its static algorithm at this instant, and why. Logged as the
+  // common event "rebuild"; those who watch the structure are told when its present call has
+  // returned.
   void count_rebuild(StructureId structure, const std::string& reason);
   // An inexact arithmetic has led the structure into a state that no exact answer allows. The
-  // structure's certificates are retracted; it is not called again. Throws std::logic_error in an exact
-  // arithmetic, where this can only be a bug.
+  // structure's certificates are retracted; it is not called again. Throws std::logic_error in an
+  // exact arithmetic, where this can only be a bug.
   void corrupt(StructureId structure, const std::string& what);
   bool is_exact() const { return arithmetic_->is_exact(); }
 

@@ -10,8 +10,8 @@
 
 namespace kinex {
 
-// coordinates[axis][power]: coefficient of t^power (absolute t), low degree first. Every axis has at
-// least one coefficient; trailing zeros are stripped by normalise().
+// coordinates[axis][power]: coefficient of t^power (absolute t), low degree first. Every axis has
+// at least one coefficient; trailing zeros are stripped by normalise().
 struct Trajectory {
   std::vector<std::vector<Rational>> coordinates;
 

@@ -59,7 +59,8 @@ void Simulator::add(StructureId id, std::unique_ptr<Structure> structure, std::s
     entry.kind_counts.push_back(&kernel_.ledger(id).by_kind[std::string(kind)]);
   }
   for (const StructureId w : watches) {
-    require(w < id && w < entries_.size() && entries_[w].structure != nullptr, "a structure watches one that was added before");
+    require(w < id && w < entries_.size() && entries_[w].structure != nullptr,
+            "a structure watches one that was added before");
     entries_[w].watchers.push_back(id);
   }
 }
@@ -245,7 +246,8 @@ void Simulator::failure_instant() {
   end_instant();
 }
 
-// Structures whose instant was shared look at what single failures cannot break, until nothing fails.
+// Structures whose instant was shared look at what single failures cannot break, until nothing
+// fails.
 void Simulator::settle() {
   for (;;) {
     bool looked = false;
@@ -316,8 +318,8 @@ void Simulator::start() {
   end_instant();
 }
 
-// Handles all failures before `stop` (at it too, if inclusive; all if there is none) until a limit is
-// reached.
+// Handles all failures before `stop` (at it too, if inclusive; all if there is none) until a limit
+// is reached.
 void Simulator::run_failures(const Rational* stop, bool inclusive) {
   EventQueue& queue = kernel_.queue();
   const double lo = stop != nullptr ? stop->lower_double() : 0;
@@ -373,8 +375,7 @@ RunStatus Simulator::run_until(const std::optional<Rational>& t) {
   charge(kNoStructure);
   const bool ended = !scene_.end || *scene_.end == reached_;
   if (status_ == RunStatus::kDone && ended && options_.audit != AuditLevel::kNone) run_audit(false);
-  seconds_simulate_ +=
-      seconds_between(run_since_, Clock::now()) - (seconds_audit_ - audit_before);
+  seconds_simulate_ += seconds_between(run_since_, Clock::now()) - (seconds_audit_ - audit_before);
   return status_;
 }
 

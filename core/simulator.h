@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simulator: runs structures over one scene, from instant to instant.
 //
-// An instant is the failure time of a certificate or the rational time of a flight-plan change. State
-// is always read from the right: at an instant, failures are handled until every certificate is
-// non-negative right after it. At the instant of changes the order is: motions (every certificate of the
-// changed objects is scheduled anew, once), failures, erasures, failures, insertions, failures. An
-// update to another position is an erasure and an insertion.
+// An instant is the failure time of a certificate or the rational time of a flight-plan change.
+// State is always read from the right: at an instant, failures are handled until every certificate
+// is non-negative right after it. At the instant of changes the order is: motions (every
+// certificate of the changed objects is scheduled anew, once), failures, erasures, failures,
+// insertions, failures. An update to another position is an erasure and an insertion.
 //
-// Guard: a structure may make 1000 + 64 c + c^2 repairs at one instant, where c is the largest number of
-// certificates that it has had. No correct structure needs more: a sorted list of n keys has n - 1
-// certificates and swaps each pair once at most, C(n,2) <= c^2; Delaunay flips never bring an edge back,
-// C(n,2) <= c^2 again; winners in a tournament or a heap only grow, at most c per certificate. In an
-// exact arithmetic the structure is built anew when the guard fires, and if that does not help at the
-// same instant, std::logic_error is thrown. In an inexact one it is corrupt, and instants closer
-// together than 2^-40 of the run count as one.
+// Guard: a structure may make 1000 + 64 c + c^2 repairs at one instant, where c is the largest
+// number of certificates that it has had. No correct structure needs more: a sorted list of n keys
+// has n - 1 certificates and swaps each pair once at most, C(n,2) <= c^2; Delaunay flips never
+// bring an edge back, C(n,2) <= c^2 again; winners in a tournament or a heap only grow, at most c
+// per certificate. In an exact arithmetic the structure is built anew when the guard fires, and if
+// that does not help at the same instant, std::logic_error is thrown. In an inexact one it is
+// corrupt, and instants closer together than 2^-40 of the run count as one.
 #ifndef KINEX_CORE_SIMULATOR_H
 #define KINEX_CORE_SIMULATOR_H
 
@@ -37,7 +37,8 @@ namespace kinex {
 enum class AuditLevel {
   kNone,
   kEnd,     // one full audit at the end of the run
-  kEvents,  // invariants and certificates after every instant, a full audit between every two instants
+  kEvents,  // invariants and certificates after every instant, a full audit between every two
+            // instants
 };
 
 struct SimulatorOptions {
@@ -53,7 +54,8 @@ enum class RunStatus { kDone, kLimit, kInterrupted };
 class Simulator final : private EventReporter {
  public:
   // Keeps a reference to the scene, which must outlive it.
-  Simulator(const Scene& scene, std::unique_ptr<Arithmetic> arithmetic, SimulatorOptions options = {});
+  Simulator(const Scene& scene, std::unique_ptr<Arithmetic> arithmetic,
+            SimulatorOptions options = {});
   ~Simulator() override;
 
   Kernel& kernel() { return kernel_; }
@@ -62,8 +64,8 @@ class Simulator final : private EventReporter {
 
   // Reserves the id that a structure is constructed with; then hand the structure over.
   StructureId reserve() { return kernel_.add_structure(); }
-  // `watches`: ids of structures whose external events it is told of; they must be smaller than `id`
-  // and have been added.
+  // `watches`: ids of structures whose external events it is told of; they must be smaller than
+  // `id` and have been added.
   void add(StructureId id, std::unique_ptr<Structure> structure, std::string label,
            std::vector<StructureId> watches = {});
   std::size_t structures() const { return entries_.size(); }
@@ -75,8 +77,8 @@ class Simulator final : private EventReporter {
 
   void set_sink(EventSink* sink) { sink_ = sink; }
 
-  // Sets the motions in force right after the scene's start and builds every structure, in the order of
-  // ids.
+  // Sets the motions in force right after the scene's start and builds every structure, in the
+  // order of ids.
   void start();
   // Handles all flight-plan changes and failures at instants <= t; then now = t. nullopt: up to the
   // scene's end, or all of them if it has none (now is then a rational time after the last). Can be
@@ -84,21 +86,23 @@ class Simulator final : private EventReporter {
   // std::invalid_argument. Where the scene ends (or, in a scene without end, at every t) the run is
   // audited as AuditLevel says. If it stops early, it does so between two instants.
   RunStatus run_until(const std::optional<Rational>& t);
-  // The full audit at a rational time right after now; adds to the ledgers. True if nothing is wrong.
+  // The full audit at a rational time right after now; adds to the ledgers. True if nothing is
+  // wrong.
   bool audit();
 
   // ---- changes from outside, at a rational instant t >= the time run so far ---------------------
   // From t on they take the place of the scene's own flight plan for the object. They throw
   // std::invalid_argument if t has passed or lies after the scene's end; a change that does not fit
   // (an insertion of an object that is there) throws it from run_until.
-  // A flight-plan change; the position must be continuous at t, or the object is erased and inserted.
+  // A flight-plan change; the position must be continuous at t, or the object is erased and
+  // inserted.
   void schedule_update(const Rational& t, ObjectId object, Trajectory trajectory);
   // The object appears with this motion; it must not be alive then.
   void schedule_insertion(const Rational& t, ObjectId object, Trajectory trajectory);
   void schedule_erasure(const Rational& t, ObjectId object);
 
-  // The exact time the run has reached (the last t of run_until, or, inside it, the last flight-plan
-  // instant).
+  // The exact time the run has reached (the last t of run_until, or, inside it, the last
+  // flight-plan instant).
   const Rational& reached() const { return reached_; }
   bool alive(ObjectId object) const { return alive_[object]; }
   Snapshot snapshot(const Rational& t) const;
@@ -204,7 +208,7 @@ class Simulator final : private EventReporter {
   std::vector<std::uint8_t> guard_fired_;
   std::vector<StructureId> touched_;  // structures with failures at the instant
   double guard_window_end_ = 0;       // inexact arithmetics
-  double span_ = 1;  // length of the scene in time, for that window
+  double span_ = 1;                   // length of the scene in time, for that window
   std::vector<CertificateId> first_instant_;
   std::vector<Notice> notices_;
   RunLedger ledger_;

@@ -42,8 +42,8 @@ void Simulator::audit_certificates() {
     if (!c.live) continue;
     ++kernel_.ledger(c.structure).audit_checks;
     if (kernel_.arithmetic().sign_after(c.query) != Sign::kNegative) continue;
-    std::string what =
-        "negative right after now: " + std::string(kernel_.arithmetic().predicate(c.query.predicate).name());
+    std::string what = "negative right after now: " +
+                       std::string(kernel_.arithmetic().predicate(c.query.predicate).name());
     for (std::size_t k = 0; k < c.query.arity; ++k) {
       what += (k == 0 ? "(" : ", ") + scene_.objects[c.query.ids[k]].id;
     }
@@ -59,7 +59,8 @@ bool Simulator::certificates_hold(const Snapshot& positions) const {
   for (std::size_t i = 0; i < queue.capacity(); ++i) {
     const Certificate& c = queue.certificate(static_cast<CertificateId>(i));
     if (!c.live || c.outlook == Outlook::kIdenticallyZero) continue;
-    for (std::size_t k = 0; k < c.query.arity; ++k) points[k] = &positions.position(c.query.ids[k], 0);
+    for (std::size_t k = 0; k < c.query.arity; ++k)
+      points[k] = &positions.position(c.query.ids[k], 0);
     const Predicate& predicate = kernel_.arithmetic().predicate(c.query.predicate);
     if (predicate.rational(0, points.data()).front().sign() <= 0) return false;
   }
@@ -92,7 +93,8 @@ std::optional<Rational> Simulator::rational_after_now() {
   return (*now + *limit) / Rational(2);
 }
 
-// A rational time right after now at which every certificate is strict, if there is one among a few.
+// A rational time right after now at which every certificate is strict, if there is one among a
+// few.
 std::optional<Rational> Simulator::audit_time() {
   if (!at_failure_instant_ && scene_.end && *scene_.end <= reached_) {
     // Failures after the end are not scheduled: look for a time before the first of them.

@@ -24,8 +24,8 @@ void Simulator::put_in_force(ObjectId object, const Trajectory& trajectory,
   ++pieces_[object];
 }
 
-// The pieces that start or end inside the scene's time become changes; those in force right after its
-// start are put in force. A piece that ends with the scene or later has no end.
+// The pieces that start or end inside the scene's time become changes; those in force right after
+// its start are put in force. A piece that ends with the scene or later has no end.
 void Simulator::plan_changes() {
   for (ObjectId object = 0; object < scene_.objects.size(); ++object) {
     bool present = false;
@@ -78,13 +78,13 @@ void Simulator::queue_change(Change change) {
                                   return c.planned && c.object == change.object && c.t >= change.t;
                                 }),
                  changes_.end());
-  const auto place = std::upper_bound(
-      changes_.begin() + static_cast<std::ptrdiff_t>(next_change_), changes_.end(), change,
-      [](const Change& a, const Change& b) {
-        if (const auto order = a.t <=> b.t; order != 0) return order < 0;
-        if (a.kind != b.kind) return a.kind < b.kind;
-        return a.object < b.object;
-      });
+  const auto place = std::upper_bound(changes_.begin() + static_cast<std::ptrdiff_t>(next_change_),
+                                      changes_.end(), change, [](const Change& a, const Change& b) {
+                                        if (const auto order = a.t <=> b.t; order != 0)
+                                          return order < 0;
+                                        if (a.kind != b.kind) return a.kind < b.kind;
+                                        return a.object < b.object;
+                                      });
   changes_.insert(place, std::move(change));
 }
 

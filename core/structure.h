@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Structure: a kinetic data structure. Pure combinatorics: it asks a Kernel for signs and certificates
-// and never sees a coordinate, a polynomial or a time.
+// Structure: a kinetic data structure. Pure combinatorics: it asks a Kernel for signs and
+// certificates and never sees a coordinate, a polynomial or a time.
 #ifndef KINEX_CORE_STRUCTURE_H
 #define KINEX_CORE_STRUCTURE_H
 
@@ -31,8 +31,8 @@ struct Attribute {
   friend bool operator==(const Attribute&, const Attribute&) = default;
 };
 
-// Events that every structure has: they come last in its event_kinds(), in this order. They name the
-// object (a rebuild none), are not external, and are not counted as processed.
+// Events that every structure has: they come last in its event_kinds(), in this order. They name
+// the object (a rebuild none), are not external, and are not counted as processed.
 enum class CommonEvent : std::uint8_t { kMotion, kInsert, kErase, kRebuild };
 inline constexpr std::size_t kCommonEvents = 4;
 // `own` followed by "motion", "insert", "erase", "rebuild".
@@ -53,20 +53,21 @@ class Structure {
   // Throws the proof away (its certificates are retracted) and builds it anew right after now.
   virtual void rebuild() = 0;
   // `failed` is negative right after now and out of the queue, but still readable. The structure
-  // repairs its state, reports one event (Kernel::report), and may retract or replace `failed`; if it
-  // does neither, the kernel retracts it on return.
+  // repairs its state, reports one event (Kernel::report), and may retract or replace `failed`; if
+  // it does neither, the kernel retracts it on return.
   virtual void certificate_failed(CertificateId failed) = 0;
   virtual void insert(ObjectId object) = 0;
   virtual void erase(ObjectId object) = 0;
-  // The motions of these objects have changed at now (positions did not jump); all their certificates
-  // have been rescheduled, those that are negative right after now fail next.
+  // The motions of these objects have changed at now (positions did not jump); all their
+  // certificates have been rescheduled, those that are negative right after now fail next.
   virtual void motions_changed(std::span<const ObjectId>) {}
-  // All certificates are non-negative right after now, after an instant at which two or more failed or
-  // motions changed. A place to check what single failures cannot break.
+  // All certificates are non-negative right after now, after an instant at which two or more failed
+  // or motions changed. A place to check what single failures cannot break.
   virtual void instant_settled() {}
-  // A structure it watches changed its attribute (`event` is external), or gained or lost an object or
-  // was rebuilt (nullptr). Called when the watched structure has done its work; at the start and when
-  // objects come or go, the watched structure is built, told or repaired before those that watch it.
+  // A structure it watches changed its attribute (`event` is external), or gained or lost an object
+  // or was rebuilt (nullptr). Called when the watched structure has done its work; at the start and
+  // when objects come or go, the watched structure is built, told or repaired before those that
+  // watch it.
   virtual void watched_changed(const Event* event) { (void)event; }
 
   virtual Attribute attribute() const = 0;

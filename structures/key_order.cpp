@@ -20,7 +20,8 @@ const Key& checked(const Key& key, const Scene& scene) {
       throw std::invalid_argument("a key's direction needs one entry per axis of the scene");
     case Key::Kind::kSquaredDistance:
       if (key.object < scene.objects.size()) return key;
-      throw std::invalid_argument("a key's squared distance is to an object that is not in the scene");
+      throw std::invalid_argument(
+          "a key's squared distance is to an object that is not in the scene");
   }
   throw std::invalid_argument("unknown kind of key");
 }
@@ -54,7 +55,8 @@ void KeyOrder::check_erasure(ObjectId object) const {
 
 std::vector<int> KeyOrder::member_pieces(const BoundContext& context) const {
   std::vector<int> pieces = context.pieces;
-  if (reference_ != kNoObject) pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(reference_));
+  if (reference_ != kNoObject)
+    pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(reference_));
   return pieces;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// KeyOrder and Contest: the order of objects that a 1-D structure keeps, as certificates and answers.
-// Ties: objects whose keys are equal for ever are ordered by id; the smaller one comes first, and wins.
+// KeyOrder and Contest: the order of objects that a 1-D structure keeps, as certificates and
+// answers. Ties: objects whose keys are equal for ever are ordered by id; the smaller one comes
+// first, and wins.
 #ifndef KINEX_STRUCTURES_KEY_ORDER_H
 #define KINEX_STRUCTURES_KEY_ORDER_H
 
@@ -25,14 +26,16 @@ class KeyOrder {
   ObjectId reference() const { return reference_; }
   // "key(a) <= key(b)".
   Query query(ObjectId a, ObjectId b) const {
-    return reference_ == kNoObject ? Query(predicate_, {a, b}) : Query(predicate_, {a, b, reference_});
+    return reference_ == kNoObject ? Query(predicate_, {a, b})
+                                   : Query(predicate_, {a, b, reference_});
   }
   // True if a comes before b right after now, ties by id.
   bool before(ObjectId a, ObjectId b) const {
     const Sign sign = kernel_->arithmetic().sign_after(query(a, b));
     return sign == Sign::kPositive || (sign == Sign::kZero && a < b);
   }
-  // `objects` without the reference. Throws std::invalid_argument if the reference is not among them.
+  // `objects` without the reference. Throws std::invalid_argument if the reference is not among
+  // them.
   std::vector<ObjectId> members(std::span<const ObjectId> objects) const;
   // Throws std::invalid_argument if `object` is the reference.
   void check_erasure(ObjectId object) const;
@@ -62,7 +65,8 @@ class Contest {
   Extremum extremum() const { return extremum_; }
   // "winner's key is at least as good as loser's".
   Query claim(ObjectId winner, ObjectId loser) const {
-    return extremum_ == Extremum::kMaximum ? order_.query(loser, winner) : order_.query(winner, loser);
+    return extremum_ == Extremum::kMaximum ? order_.query(loser, winner)
+                                           : order_.query(winner, loser);
   }
   // True if a wins right after now, ties by id.
   bool beats(ObjectId a, ObjectId b) const {

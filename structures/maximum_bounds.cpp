@@ -19,10 +19,11 @@ std::vector<BoundCheck> maximum_bounds(std::string_view name, const KeyOrder& or
   Integer changes = davenport_schinzel_bound(order.degree(context.degree), n);
   if (!changes.is_zero()) changes -= Integer(1);
   if (ties != ledger.by_kind.end()) changes += counted(ties->second);
-  result.push_back(at_most(std::string(name) + ".external",
-                           "pieces of the upper envelope of n functions, Davenport-Schinzel numbers; "
-                           "Guibas 1998, section 5",
-                           changes, counted(ledger.external)));
+  result.push_back(
+      at_most(std::string(name) + ".external",
+              "pieces of the upper envelope of n functions, Davenport-Schinzel numbers; "
+              "Guibas 1998, section 5",
+              changes, counted(ledger.external)));
   return result;
 }
 

@@ -90,8 +90,8 @@ void MaximumHeap::certificate_failed(CertificateId failed) {
   kernel_->report(id_, kSwap, {down, up}, heap_[0] != top_before);
 }
 
-// Each exchange moves a smaller id up: it ends after at most as many as there are pairs of an ancestor
-// and a descendant.
+// Each exchange moves a smaller id up: it ends after at most as many as there are pairs of an
+// ancestor and a descendant.
 void MaximumHeap::settle_ties() {
   while (!ties_.empty()) {
     const Place i = ties_.back();
@@ -196,8 +196,8 @@ std::vector<BoundCheck> MaximumHeap::bounds(const BoundContext& context) const {
   std::vector<BoundCheck> result = maximum_bounds(name(), contest_.order(), context);
   const auto counted = [](std::uint64_t k) { return Integer(static_cast<std::int64_t>(k)); };
   if (contest_.order().reference() == kNoObject) {
-    result.push_back(at_most(std::string(name()) + ".locality", "a parent and two children", Integer(3),
-                             counted(context.ledger->max_per_object)));
+    result.push_back(at_most(std::string(name()) + ".locality", "a parent and two children",
+                             Integer(3), counted(context.ledger->max_per_object)));
   }
   if (context.plain() && contest_.order().degree(context.degree) <= 1) {
     std::uint64_t depths = 0;
@@ -206,10 +206,11 @@ std::vector<BoundCheck> MaximumHeap::bounds(const BoundContext& context) const {
       if (i >= std::uint64_t{2} << depth) ++depth;
       depths += depth;
     }
-    result.push_back(at_most(std::string(name()) + ".events",
-                             "affine motions: pairs of an ancestor and a descendant in the heap; Basch, "
-                             "Guibas, Ramkumar 1996",
-                             counted(depths), counted(context.ledger->processed)));
+    result.push_back(
+        at_most(std::string(name()) + ".events",
+                "affine motions: pairs of an ancestor and a descendant in the heap; Basch, "
+                "Guibas, Ramkumar 1996",
+                counted(depths), counted(context.ledger->processed)));
   }
   return result;
 }

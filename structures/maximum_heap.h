@@ -5,19 +5,19 @@
 // least as good as the one at i; degree D in t, that of the key.
 //
 // Quality, for n objects: compactness n - 1 certificates. Locality: 3 per object. Responsiveness: a
-// failure exchanges parent and child and renews at most 5 certificates, O(log n). Insertion and erasure
-// sift along one path: O(log n) certificates.
-// Events: for affine motions without flight-plan changes at most the number of (ancestor, descendant)
-// pairs, sum of the depths, (k - 2) 2^k + 2 for n = 2^k - 1, which is reached: each event removes a pair
-// whose descendant has the larger slope, and makes none. For other motions no bound with known
-// constants is proven, and none is checked. The maximum changes at most lambda_D(n) - 1 times.
+// failure exchanges parent and child and renews at most 5 certificates, O(log n). Insertion and
+// erasure sift along one path: O(log n) certificates. Events: for affine motions without
+// flight-plan changes at most the number of (ancestor, descendant) pairs, sum of the depths, (k -
+// 2) 2^k + 2 for n = 2^k - 1, which is reached: each event removes a pair whose descendant has the
+// larger slope, and makes none. For other motions no bound with known constants is proven, and none
+// is checked. The maximum changes at most lambda_D(n) - 1 times.
 //
-// Ties. Of objects whose keys are equal for ever the smaller id is above the larger, where one is above
-// the other; so at the top it is the smallest.
+// Ties. Of objects whose keys are equal for ever the smaller id is above the larger, where one is
+// above the other; so at the top it is the smallest.
 //
-// Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5; events: Basch,
-// Guibas, Ramkumar, "Reporting red-blue intersections between two sets of connected line segments"
-// (1996); da Fonseca, de Figueiredo, "Kinetic heap-ordered trees" (2003).
+// Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5; events:
+// Basch, Guibas, Ramkumar, "Reporting red-blue intersections between two sets of connected line
+// segments" (1996); da Fonseca, de Figueiredo, "Kinetic heap-ordered trees" (2003).
 #ifndef KINEX_STRUCTURES_MAXIMUM_HEAP_H
 #define KINEX_STRUCTURES_MAXIMUM_HEAP_H
 
@@ -39,7 +39,8 @@ class MaximumHeap final : public Structure {
     kTie,   // the same, because their keys have become equal for ever
   };
 
-  MaximumHeap(Kernel& kernel, StructureId id, const Key& key, const Scene& scene, Extremum extremum);
+  MaximumHeap(Kernel& kernel, StructureId id, const Key& key, const Scene& scene,
+              Extremum extremum);
 
   std::string_view name() const override;
   std::vector<std::string_view> event_kinds() const override;

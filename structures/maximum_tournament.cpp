@@ -68,7 +68,8 @@ void MaximumTournament::set_node(Node v, ObjectId winner, ObjectId loser) {
 }
 
 // The other child's winner becomes the winner of v; so upwards to where it loses. Wherever the old
-// winner won it was at least as good as its opponent, and the new one is better still right after now.
+// winner won it was at least as good as its opponent, and the new one is better still right after
+// now.
 void MaximumTournament::flip(Node v) {
   ObjectId old = winner_[v], fresh = loser(v);
   set_node(v, fresh, old);
@@ -155,7 +156,8 @@ void MaximumTournament::insert(ObjectId object) {
   replay(v, 0);
 }
 
-// The last two leaves give way: one moves up into their parent, the other to the place of the object.
+// The last two leaves give way: one moves up into their parent, the other to the place of the
+// object.
 void MaximumTournament::erase(ObjectId object) {
   contest_.order().check_erasure(object);
   const Node hole = leaf_of_[object];
@@ -211,7 +213,8 @@ std::vector<BoundCheck> MaximumTournament::bounds(const BoundContext& context) c
     result.push_back(at_most(std::string(name()) + ".events",
                              "sum over nodes of the changes of the upper envelope of their leaves, "
                              "Davenport-Schinzel numbers; Guibas 1998, section 5",
-                             events, Integer(static_cast<std::int64_t>(context.ledger->processed))));
+                             events,
+                             Integer(static_cast<std::int64_t>(context.ledger->processed))));
   }
   return result;
 }

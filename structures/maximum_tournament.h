@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MaximumTournament: the object with the largest (or smallest) key, by a tournament tree.
 //
-// Certificates. The tree is complete and lies in an array: the children of node v are 2v and 2v + 1,
-// the leaves are n .. 2n - 1 (in the scene's order at the start). One certificate per inner node: the
-// winner of one child is at least as good as the winner of the other; degree D in t, that of the key.
+// Certificates. The tree is complete and lies in an array: the children of node v are 2v and 2v +
+// 1, the leaves are n .. 2n - 1 (in the scene's order at the start). One certificate per inner
+// node: the winner of one child is at least as good as the winner of the other; degree D in t, that
+// of the key.
 //
-// Quality, for n objects: compactness n - 1 certificates. Locality: ceil(log2 n) per object, the depth.
-// Responsiveness: a failure renews the certificates on the path up to where the new winner loses,
-// O(log n) of them. Insertion and erasure move at most two objects: O(log n) certificates.
-// Events, without flight-plan changes: at most the sum over inner nodes v of lambda_D(m_v) - 1, with m_v
-// the number of leaves under v: n log2 n - n + 1 for lines and n a power of two, which is reached. The
-// maximum changes at most lambda_D(n) - 1 times. (Several failures at one instant count one by one: the
-// winners of a node form a Davenport-Schinzel sequence of order D all the same, since each is strictly
-// better than the last right after the instant and equal to it at it; roots counted with multiplicity.)
-// Not strongly efficient: the maximum may change O(1) times while Theta(n) events are processed.
+// Quality, for n objects: compactness n - 1 certificates. Locality: ceil(log2 n) per object, the
+// depth. Responsiveness: a failure renews the certificates on the path up to where the new winner
+// loses, O(log n) of them. Insertion and erasure move at most two objects: O(log n) certificates.
+// Events, without flight-plan changes: at most the sum over inner nodes v of lambda_D(m_v) - 1,
+// with m_v the number of leaves under v: n log2 n - n + 1 for lines and n a power of two, which is
+// reached. The maximum changes at most lambda_D(n) - 1 times. (Several failures at one instant
+// count one by one: the winners of a node form a Davenport-Schinzel sequence of order D all the
+// same, since each is strictly better than the last right after the instant and equal to it at it;
+// roots counted with multiplicity.) Not strongly efficient: the maximum may change O(1) times while
+// Theta(n) events are processed.
 //
 // Ties. Of objects whose keys are equal for ever the smallest id wins.
 //
@@ -76,9 +78,9 @@ class MaximumTournament final : public Structure {
   StructureId id_;
   Contest contest_;
   std::size_t leaves_ = 0;
-  std::vector<ObjectId> winner_;           // per node from 1; at a leaf its object
+  std::vector<ObjectId> winner_;            // per node from 1; at a leaf its object
   std::vector<CertificateId> certificate_;  // per inner node from 1
-  std::vector<Node> leaf_of_;              // per object; 0: not a member
+  std::vector<Node> leaf_of_;               // per object; 0: not a member
 };
 
 }  // namespace kinex

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OrderTree: a balanced search tree over places in a sequence, not over keys: what stands at a place
-// is not its concern, so two neighbours can change places without touching it.
+// OrderTree: a balanced search tree over places in a sequence, not over keys: what stands at a
+// place is not its concern, so two neighbours can change places without touching it.
 //
-// A treap. Priorities are a fixed function of the place's number, so the shape depends on nothing but
-// the sequence; expected depth O(log n) (Seidel and Aragon, "Randomized search trees", 1996).
+// A treap. Priorities are a fixed function of the place's number, so the shape depends on nothing
+// but the sequence; expected depth O(log n) (Seidel and Aragon, "Randomized search trees", 1996).
 #ifndef KINEX_STRUCTURES_ORDER_TREE_H
 #define KINEX_STRUCTURES_ORDER_TREE_H
 

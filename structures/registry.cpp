@@ -13,8 +13,8 @@ namespace {
 
 using Maker = std::unique_ptr<Structure> (*)(const Request&, const Scene&, Kernel&, StructureId);
 
-std::unique_ptr<Structure> make_sorted_list(const Request& request, const Scene& scene, Kernel& kernel,
-                                            StructureId id) {
+std::unique_ptr<Structure> make_sorted_list(const Request& request, const Scene& scene,
+                                            Kernel& kernel, StructureId id) {
   return std::make_unique<SortedList>(kernel, id, request.key, scene);
 }
 
@@ -36,7 +36,8 @@ struct Entry {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> kEntries{
-      {{"sorted_list", "objects in the order of a key, by certificates between neighbours", 1, true},
+      {{"sorted_list", "objects in the order of a key, by certificates between neighbours", 1,
+        true},
        make_sorted_list},
       {{"maximum_tournament", "the object with the largest key, by a tournament tree", 1, true},
        make_extremum<MaximumTournament, Extremum::kMaximum>},
@@ -46,7 +47,8 @@ const std::vector<Entry>& entries() {
        make_extremum<MaximumHeap, Extremum::kMaximum>},
       {{"minimum_heap", "the object with the smallest key, by a binary heap", 1, true},
        make_extremum<MaximumHeap, Extremum::kMinimum>},
-      {{"delaunay_2", "the Delaunay triangulation of points in the plane", 2, false}, make_delaunay_2},
+      {{"delaunay_2", "the Delaunay triangulation of points in the plane", 2, false},
+       make_delaunay_2},
   };
   return kEntries;
 }
@@ -74,15 +76,16 @@ const StructureInfo* find_structure_info(std::string_view name) {
   return entry == nullptr ? nullptr : &entry->info;
 }
 
-std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene, Kernel& kernel,
-                                          StructureId id) {
+std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene,
+                                          Kernel& kernel, StructureId id) {
   const Entry* entry = find_entry(request.structure);
   if (entry == nullptr) {
     std::string names;
     for (const StructureInfo& info : structure_infos()) {
       names += (names.empty() ? "" : ", ") + std::string(info.name);
     }
-    throw std::invalid_argument("unknown structure \"" + request.structure + "\"; choose one of " + names);
+    throw std::invalid_argument("unknown structure \"" + request.structure + "\"; choose one of " +
+                                names);
   }
   if (scene.dimension < entry->info.min_dimension) {
     throw std::invalid_argument(request.structure + " needs a scene of dimension " +

@@ -15,10 +15,10 @@
 namespace kinex {
 
 struct StructureInfo {
-  std::string_view name;         // as in "maintain"
-  std::string_view summary;      // one line
-  int min_dimension;             // axes that a scene must have
-  bool uses_key;                 // a "key" makes sense for it
+  std::string_view name;     // as in "maintain"
+  std::string_view summary;  // one line
+  int min_dimension;         // axes that a scene must have
+  bool uses_key;             // a "key" makes sense for it
 };
 
 // All structures, in the order in which they are listed to people.
@@ -26,10 +26,10 @@ const std::vector<StructureInfo>& structure_infos();
 // nullptr if there is no such structure.
 const StructureInfo* find_structure_info(std::string_view name);
 
-// Makes the structure that `request` asks for, with id `id` in `kernel`. The request must be valid for
-// the scene (checked by the scene reader): otherwise std::invalid_argument.
-std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene, Kernel& kernel,
-                                          StructureId id);
+// Makes the structure that `request` asks for, with id `id` in `kernel`. The request must be valid
+// for the scene (checked by the scene reader): otherwise std::invalid_argument.
+std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene,
+                                          Kernel& kernel, StructureId id);
 
 }  // namespace kinex
 

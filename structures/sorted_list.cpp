@@ -212,7 +212,8 @@ std::vector<BoundCheck> SortedList::bounds(const BoundContext& context) const {
   const auto counted = [](std::uint64_t k) { return Integer(static_cast<std::int64_t>(k)); };
   std::vector<BoundCheck> result;
   result.push_back(at_most(
-      "sorted_list.swaps", "every pair changes places at each sign change of its key difference at most",
+      "sorted_list.swaps",
+      "every pair changes places at each sign change of its key difference at most",
       pair_sign_changes(pieces, order_.degree(context.degree), order_.reference_pieces(context)),
       counted(context.ledger->processed)));
   result.push_back(at_most("sorted_list.certificates", "one certificate per pair of neighbours",

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SortedList: moving objects in the order of a key.
 //
-// Certificates. One per pair of neighbours (a, b): key(a) <= key(b), of the key's degree D in t (D = d
-// for coordinates and directions of motions of degree d, 2d for squared distances).
+// Certificates. One per pair of neighbours (a, b): key(a) <= key(b), of the key's degree D in t (D
+// = d for coordinates and directions of motions of degree d, 2d for squared distances).
 //
 // Quality, for n objects: compactness n - 1 certificates. Locality: 2 per object. Responsiveness: a
 // failure exchanges two neighbours and renews 3 certificates, O(log n). Efficiency: every event is
 // external. Insertion O(log n) signs and 2 certificates; erasure 1 certificate.
 // Events: every pair changes places at most D times, so at most D n(n-1)/2, reached by n lines of
-// which any two cross; with flight plans see pair_sign_changes in core/bound.h. As a structure for the
-// maximum alone it is not efficient: n(n-1)/2 events against n - 1.
+// which any two cross; with flight plans see pair_sign_changes in core/bound.h. As a structure for
+// the maximum alone it is not efficient: n(n-1)/2 events against n - 1.
 //
 // Ties. Objects whose keys are equal for ever stand in the order of their ids.
 //
@@ -85,7 +85,7 @@ class SortedList final : public Structure {
   std::vector<Place> free_;
   Place first_ = kNone, last_ = kNone;
   std::size_t size_ = 0;
-  OrderTree tree_;        // built by the first insertion, kept from then on
+  OrderTree tree_;  // built by the first insertion, kept from then on
   bool has_tree_ = false;
   std::vector<Place> ties_;  // certificates that are zero for ever, not yet looked at
 };

@@ -19,9 +19,10 @@ void SortedList::check_invariants(AuditReport& report) const {
     report.check(has_next == (slot.certificate != kNoCertificate),
                  [&] { return "a certificate too many or too few" + where(); });
     if (has_next && slot.certificate != kNoCertificate) {
-      report.check(kernel_->query(slot.certificate) == order_.query(slot.object, object_at(slot.next)) &&
-                       kernel_->tag(slot.certificate) == s,
-                   [&] { return "a certificate of something else" + where(); });
+      report.check(
+          kernel_->query(slot.certificate) == order_.query(slot.object, object_at(slot.next)) &&
+              kernel_->tag(slot.certificate) == s,
+          [&] { return "a certificate of something else" + where(); });
       report.check(kernel_->outlook(slot.certificate) != Outlook::kIdenticallyZero ||
                        slot.object < object_at(slot.next),
                    [&] { return "a tie in the wrong order" + where(); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An arithmetic in which the failure time of a query is simply looked up: for tests of the queue and
-// the kernel.
+// An arithmetic in which the failure time of a query is simply looked up: for tests of the queue
+// and the kernel.
 #ifndef KINEX_TESTS_CORE_FAKE_ARITHMETIC_H
 #define KINEX_TESTS_CORE_FAKE_ARITHMETIC_H
 
@@ -17,8 +17,8 @@ namespace kinex::test {
 
 class FakeArithmetic final : public Arithmetic {
  public:
-  // The failure time of every query over these ids; none: it never fails. In steps of 1; the enclosures
-  // handed out are `slack` wider on both sides.
+  // The failure time of every query over these ids; none: it never fails. In steps of 1; the
+  // enclosures handed out are `slack` wider on both sides.
   std::map<std::array<ObjectId, kMaxArity>, int> times;
   double slack = 0;
   int now = 0;

@@ -21,7 +21,9 @@ struct Fixture {
     a = kernel->add_structure();
     b = kernel->add_structure();
   }
-  void fails(std::initializer_list<ObjectId> ids, int t) { arithmetic->times[Query(0, ids).ids] = t; }
+  void fails(std::initializer_list<ObjectId> ids, int t) {
+    arithmetic->times[Query(0, ids).ids] = t;
+  }
 
   FakeArithmetic* arithmetic;
   std::unique_ptr<Kernel> kernel;

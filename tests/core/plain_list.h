@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PlainList: the plainest kinetic structure, a sorted array, for tests of the simulator. It writes down
-// every call, and does not care how ties stand.
+// PlainList: the plainest kinetic structure, a sorted array, for tests of the simulator. It writes
+// down every call, and does not care how ties stand.
 #ifndef KINEX_TESTS_CORE_PLAIN_LIST_H
 #define KINEX_TESTS_CORE_PLAIN_LIST_H
 
@@ -33,13 +33,16 @@ struct Difference {
 class PlainList : public Structure {
  public:
   PlainList(Kernel& kernel, StructureId id)
-      : kernel_(&kernel), id_(id),
+      : kernel_(&kernel),
+        id_(id),
         less_(kernel.bind(std::make_shared<FormulaPredicate<Difference>>())) {}
 
   std::vector<std::string> calls;
 
   std::string_view name() const override { return "plain_list"; }
-  std::vector<std::string_view> event_kinds() const override { return common_event_kinds({"swap"}); }
+  std::vector<std::string_view> event_kinds() const override {
+    return common_event_kinds({"swap"});
+  }
   void build(std::span<const ObjectId> objects) override {
     for (const ObjectId o : objects) put(o);
     certify();
@@ -99,7 +102,8 @@ class PlainList : public Structure {
   }
   void put(ObjectId object) {
     std::size_t i = 0;
-    while (i < order_.size() && kernel_->sign_after(less_, {order_[i], object}) != Sign::kNegative) ++i;
+    while (i < order_.size() && kernel_->sign_after(less_, {order_[i], object}) != Sign::kNegative)
+      ++i;
     order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(i), object);
   }
   void certify() {

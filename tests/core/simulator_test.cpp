@@ -42,7 +42,8 @@ struct Fixture {
 Rational ratio(int a, int b) { return Rational(Integer(a), Integer(b)); }
 
 TEST(Simulator, HandlesFailuresUpToAndAtT) {
-  const Scene scene = scene_of({path({{0, 1}}), path({{1}}), path({{2}}), path({{3}})}, 0, Rational(5));
+  const Scene scene =
+      scene_of({path({{0, 1}}), path({{1}}), path({{2}}), path({{3}})}, 0, Rational(5));
   Fixture f(scene);
   f.simulator.run_until(ratio(1, 2));
   EXPECT_EQ(f.ledger().processed, 0u);
@@ -109,9 +110,8 @@ TEST(Simulator, OrderOfThingsAtOneInstant) {
   scene.objects[6].motion.pieces[0].from = Rational(2);
   Fixture f(scene);
   f.simulator.run_until(std::nullopt);
-  EXPECT_THAT(f.list->calls,
-              ElementsAre("motions 3", "failed 0 1 shared", "failed 3 4 shared", "settled", "erase 5",
-                          "insert 6"));
+  EXPECT_THAT(f.list->calls, ElementsAre("motions 3", "failed 0 1 shared", "failed 3 4 shared",
+                                         "settled", "erase 5", "insert 6"));
   EXPECT_EQ(f.simulator.ledger().instants, 1u);
   EXPECT_EQ(f.ledger().simultaneous_groups, 1u);
   EXPECT_EQ(f.ledger().by_kind.at("motion"), 1u);
@@ -121,12 +121,13 @@ TEST(Simulator, OrderOfThingsAtOneInstant) {
 }
 
 TEST(Simulator, SharedInstantsAreKnownBeforeTheFirstFailure) {
-  const Scene scene =
-      scene_of({path({{0, 1}}), path({{1}}), path({{5, 1}}), path({{6}}), path({{9, 1}}), path({{11}})},
-               0, Rational(4));
+  const Scene scene = scene_of(
+      {path({{0, 1}}), path({{1}}), path({{5, 1}}), path({{6}}), path({{9, 1}}), path({{11}})}, 0,
+      Rational(4));
   Fixture f(scene);
   f.simulator.run_until(std::nullopt);
-  EXPECT_THAT(f.list->calls, ElementsAre("failed 0 1 shared", "failed 2 3 shared", "settled", "failed 4 5"));
+  EXPECT_THAT(f.list->calls,
+              ElementsAre("failed 0 1 shared", "failed 2 3 shared", "settled", "failed 4 5"));
   EXPECT_EQ(f.ledger().simultaneous_groups, 1u);
   EXPECT_EQ(f.ledger().largest_group, 2u);
   EXPECT_EQ(f.simulator.ledger().instants, 2u);
@@ -188,7 +189,8 @@ TEST(Simulator, RefusesWhatMakesNoSense) {
   EXPECT_THROW(f.simulator.schedule_erasure(Rational(1), 0), std::invalid_argument);
   EXPECT_THROW(f.simulator.schedule_erasure(Rational(10), 0), std::invalid_argument);
   EXPECT_THROW(f.simulator.schedule_erasure(Rational(3), 2), std::invalid_argument);
-  EXPECT_THROW(f.simulator.schedule_update(Rational(3), 0, path({{1}, {2}})), std::invalid_argument);
+  EXPECT_THROW(f.simulator.schedule_update(Rational(3), 0, path({{1}, {2}})),
+               std::invalid_argument);
   f.simulator.schedule_insertion(Rational(3), 0, path({{1}}));
   EXPECT_THROW(f.simulator.run_until(Rational(3)), std::invalid_argument);
   Fixture g(scene);
@@ -380,10 +382,11 @@ class First final : public PlainList {
 
 struct Composition {
   template <class Watched = PlainList>
-  static std::unique_ptr<Composition> make(const Scene& scene, const std::string& arithmetic = "exact") {
+  static std::unique_ptr<Composition> make(const Scene& scene,
+                                           const std::string& arithmetic = "exact") {
     auto c = std::make_unique<Composition>();
-    c->simulator = std::make_unique<Simulator>(scene, make_arithmetic(arithmetic, scene),
-                                               Fixture<>::every());
+    c->simulator =
+        std::make_unique<Simulator>(scene, make_arithmetic(arithmetic, scene), Fixture<>::every());
     Simulator& s = *c->simulator;
     auto list = std::make_unique<Watched>(s.kernel(), s.reserve());
     PlainList* watched = list.get();

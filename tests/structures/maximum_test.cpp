@@ -12,12 +12,13 @@
 namespace kinex::test {
 namespace {
 
-constexpr std::array<const char*, 4> kAll{"maximum_tournament", "minimum_tournament", "maximum_heap",
-                                          "minimum_heap"};
+constexpr std::array<const char*, 4> kAll{"maximum_tournament", "minimum_tournament",
+                                          "maximum_heap", "minimum_heap"};
 
 const BoundCheck* bound_of(const std::vector<BoundCheck>& bounds, const std::string& id) {
-  const auto at = std::find_if(bounds.begin(), bounds.end(),
-                               [&](const BoundCheck& b) { return b.id.find(id) != std::string::npos; });
+  const auto at = std::find_if(bounds.begin(), bounds.end(), [&](const BoundCheck& b) {
+    return b.id.find(id) != std::string::npos;
+  });
   return at == bounds.end() ? nullptr : &*at;
 }
 
@@ -47,8 +48,8 @@ TEST(MaximumTournament, WorstCaseOf256) {
 }
 
 TEST(MaximumHeap, WorstCase) {
-  for (const auto& [n, events] : {std::pair{7, 10u}, std::pair{15, 34u}, std::pair{31, 98u},
-                                  std::pair{63, 258u}}) {
+  for (const auto& [n, events] :
+       {std::pair{7, 10u}, std::pair{15, 34u}, std::pair{31, 98u}, std::pair{63, 258u}}) {
     const Scene scene = steep_lines(n);
     Trial run(scene, "maximum_heap", "exact", n <= 15 ? AuditLevel::kEvents : AuditLevel::kEnd);
     run.to_end().expect_clean();
@@ -115,7 +116,8 @@ TEST(Maximum, AllMeetAtOneInstant) {
 
 TEST(Maximum, TouchingIsNoEvent) {
   for (const char* name : {"minimum_tournament", "minimum_heap"}) {
-    const Scene scene = scene_of({path({{0}}), path({{1, -2, 1}}), path({{4, -4, 1}})}, 0, Rational(5));
+    const Scene scene =
+        scene_of({path({{0}}), path({{1, -2, 1}}), path({{4, -4, 1}})}, 0, Rational(5));
     Trial run(scene, name);
     run.to_end().expect_clean();
     EXPECT_EQ(run.ids(), std::vector<ObjectId>{0});
@@ -128,8 +130,8 @@ TEST(Maximum, OfEqualKeysTheSmallestIdWins) {
     // 2, 4 and 5 are equal and best at the start; at 1 object 1 joins them, at 2 object 0 does.
     const int s = std::string(name).substr(0, 3) == "min" ? -1 : 1;
     const auto flip = [s](int a, int b) { return path({{s * a, s * b}}); };
-    Scene scene = scene_of({flip(3, 1), flip(4, 1), flip(5, 0), flip(0, 0), flip(5, 0), flip(5, 0)}, 0,
-                           Rational(4));
+    Scene scene = scene_of({flip(3, 1), flip(4, 1), flip(5, 0), flip(0, 0), flip(5, 0), flip(5, 0)},
+                           0, Rational(4));
     scene.objects[1].motion.pieces = {{std::nullopt, Rational(1), flip(4, 1)},
                                       {Rational(1), std::nullopt, flip(5, 0)}};
     scene.objects[0].motion.pieces = {{std::nullopt, Rational(2), flip(3, 1)},
@@ -148,7 +150,8 @@ TEST(Maximum, OfEqualKeysTheSmallestIdWins) {
 TEST(Maximum, RandomFlights) {
   for (const char* name : kAll) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-      const Scene scene = random_flights(seed, 11, 1, 1 + static_cast<int>(seed % 3), seed % 2 == 0);
+      const Scene scene =
+          random_flights(seed, 11, 1, 1 + static_cast<int>(seed % 3), seed % 2 == 0);
       Trial run(scene, name);
       SCOPED_TRACE(std::string(name) + " seed " + std::to_string(seed));
       run.to_end().expect_clean();
@@ -191,7 +194,8 @@ TEST(Maximum, InexactArithmeticsEnd) {
   for (const char* name : kAll) {
     for (const char* arithmetic : {"double", "gsl", "mpfr:4"}) {
       for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        const Scene scene = random_flights(seed, 9, 1, 1 + static_cast<int>(seed % 3), seed % 2 == 0);
+        const Scene scene =
+            random_flights(seed, 9, 1, 1 + static_cast<int>(seed % 3), seed % 2 == 0);
         Trial run(scene, name, arithmetic);
         run.to_end();
         EXPECT_EQ(run.simulator.reached(), Rational(4)) << name << " " << arithmetic << " " << seed;
@@ -236,7 +240,8 @@ TEST(Maximum, EmptyAndBack) {
     const Scene scene = scene_of({path({{0, 1}}), path({{1}}), path({{2, -1}})}, 0, std::nullopt);
     Trial run(scene, name);
     SCOPED_TRACE(name);
-    for (ObjectId i = 0; i < 3; ++i) run.simulator.schedule_erasure(Rational(1 + static_cast<int>(i)), i);
+    for (ObjectId i = 0; i < 3; ++i)
+      run.simulator.schedule_erasure(Rational(1 + static_cast<int>(i)), i);
     run.simulator.run_until(Rational(4));
     EXPECT_TRUE(run.ids().empty());
     for (ObjectId i = 0; i < 3; ++i) {

@@ -13,7 +13,8 @@ namespace {
 constexpr const char* kName = "sorted_list";
 
 const BoundCheck& bound_of(const std::vector<BoundCheck>& bounds, const std::string& id) {
-  return *std::find_if(bounds.begin(), bounds.end(), [&](const BoundCheck& b) { return b.id == id; });
+  return *std::find_if(bounds.begin(), bounds.end(),
+                       [&](const BoundCheck& b) { return b.id == id; });
 }
 
 TEST(SortedList, EveryPairOfLinesCrossesOnce) {
@@ -39,7 +40,8 @@ TEST(SortedList, EveryPairOfCurvesCrossesDegreeTimes) {
     const Scene scene = weaving_curves(n, d);
     Trial run(scene, kName);
     run.to_end().expect_clean();
-    EXPECT_EQ(run.ledger().processed, static_cast<std::uint64_t>(d * n * (n - 1) / 2)) << n << " " << d;
+    EXPECT_EQ(run.ledger().processed, static_cast<std::uint64_t>(d * n * (n - 1) / 2))
+        << n << " " << d;
     const BoundCheck swaps = bound_of(run.simulator.bounds(0), "sorted_list.swaps");
     EXPECT_EQ(swaps.bound, swaps.observed);
   }
@@ -58,9 +60,9 @@ TEST(SortedList, AllMeetAtOneInstant) {
 
 TEST(SortedList, TouchingIsNoEvent) {
   // (t - 1)^2 and (t - 2)^4 touch 0 and turn back; (t - 3)^3 goes through.
-  const Scene scene = scene_of({path({{0}}), path({{1, -2, 1}}), path({{16, -32, 24, -8, 1}}),
-                                path({{27, -27, 9, -1}})},
-                               0, Rational(10));
+  const Scene scene = scene_of(
+      {path({{0}}), path({{1, -2, 1}}), path({{16, -32, 24, -8, 1}}), path({{27, -27, 9, -1}})}, 0,
+      Rational(10));
   Trial run(scene, kName);
   run.simulator.run_until(Rational(Integer(5), Integer(2)));
   EXPECT_EQ(run.ids().front(), 0u);
@@ -69,8 +71,8 @@ TEST(SortedList, TouchingIsNoEvent) {
 }
 
 TEST(SortedList, AuditsKeepClearOfTouchingPoints) {
-  // Half way between start and end 0 touches 1, where positions alone would put 0 first; 2 and 3 are
-  // equal for ever.
+  // Half way between start and end 0 touches 1, where positions alone would put 0 first; 2 and 3
+  // are equal for ever.
   const Scene scene =
       scene_of({path({{0, 0, 1}}), path({{0}}), path({{5}}), path({{5}})}, -1, Rational(1));
   Trial run(scene, kName);
@@ -80,8 +82,8 @@ TEST(SortedList, AuditsKeepClearOfTouchingPoints) {
 
 TEST(SortedList, StartsDegenerate) {
   // All at 0 when the scene starts: the order is that of the velocities, then of the ids.
-  const Scene scene = scene_of({path({{0, 2}}), path({{0, -1}}), path({{0, 2}}), path({{0, 0, -1}})}, 0,
-                               Rational(1));
+  const Scene scene = scene_of(
+      {path({{0, 2}}), path({{0, -1}}), path({{0, 2}}), path({{0, 0, -1}})}, 0, Rational(1));
   Trial run(scene, kName);
   EXPECT_EQ(run.ids(), (std::vector<ObjectId>{1, 3, 0, 2}));
   // -t and -t^2 meet at the end, which is read from the right.
@@ -115,8 +117,9 @@ TEST(SortedList, ObjectsThatBecomeEqualArePutInOrder) {
 }
 
 TEST(SortedList, Keys) {
-  const Scene scene = scene_of({path({{0, 1}, {0}}), path({{3}, {1}}), path({{0}, {5, -1}}), path({{0}, {0}})},
-                               0, Rational(8));
+  const Scene scene =
+      scene_of({path({{0, 1}, {0}}), path({{3}, {1}}), path({{0}, {5, -1}}), path({{0}, {0}})}, 0,
+               Rational(8));
   Key y;
   y.axis = 1;
   Trial by_y(scene, kName, "exact", AuditLevel::kEvents, y);
@@ -135,7 +138,6 @@ TEST(SortedList, Keys) {
   EXPECT_EQ(around.ids(), (std::vector<ObjectId>{0, 1, 2}));
   around.to_end().expect_clean();
   EXPECT_EQ(around.ids(), (std::vector<ObjectId>{2, 1, 0}));
-  
 }
 
 TEST(SortedList, TheReferenceMustStay) {

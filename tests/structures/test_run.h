@@ -34,7 +34,7 @@ class LogSink final : public EventSink {
 
 struct Trial {
   Trial(const Scene& scene, const std::string& structure, const std::string& arithmetic = "exact",
-      AuditLevel audit = AuditLevel::kEvents, const Key& key = {})
+        AuditLevel audit = AuditLevel::kEvents, const Key& key = {})
       : simulator(scene, make_arithmetic(arithmetic, scene), options(audit)), sink(simulator) {
     const StructureId id = simulator.reserve();
     Request request{structure, structure, key};

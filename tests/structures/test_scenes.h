@@ -40,12 +40,13 @@ inline Scene scene_of(const std::vector<Trajectory>& trajectories, Rational star
   return scene;
 }
 
-// f_j(t) = j t - (2n)^j: all n(n-1)/2 pairs cross after 0, at distinct times; a max-heap in this order
-// has the largest possible number of events: the sum over j of floor(log2(j + 1)).
+// f_j(t) = j t - (2n)^j: all n(n-1)/2 pairs cross after 0, at distinct times; a max-heap in this
+// order has the largest possible number of events: the sum over j of floor(log2(j + 1)).
 inline Scene steep_lines(int n) {
   std::vector<Trajectory> t;
   Integer p(1);
-  for (int j = 0; j < n; ++j, p = p * Integer(2 * n)) t.push_back(path({{Rational(-p), Rational(j)}}));
+  for (int j = 0; j < n; ++j, p = p * Integer(2 * n))
+    t.push_back(path({{Rational(-p), Rational(j)}}));
   return scene_of(t, 0, std::nullopt);
 }
 
@@ -56,13 +57,14 @@ inline Scene bit_reversed_lines(int k) {
   for (int place = 0; place < 1 << k; ++place) {
     int i = 0;
     for (int bit = 0; bit < k; ++bit) i |= ((place >> bit) & 1) << (k - 1 - bit);
-    t.push_back(path({{Rational(-Integer::power_of_two(static_cast<unsigned long>(i))), Rational(i)}}));
+    t.push_back(
+        path({{Rational(-Integer::power_of_two(static_cast<unsigned long>(i))), Rational(i)}}));
   }
   return scene_of(t, 0, std::nullopt);
 }
 
-// x_i(t) = i q(t) + 2^(i - 2n - 8) with q = (t - 1)(t - 2)...(t - d): every pair crosses d times, at
-// distinct times.
+// x_i(t) = i q(t) + 2^(i - 2n - 8) with q = (t - 1)(t - 2)...(t - d): every pair crosses d times,
+// at distinct times.
 inline Scene weaving_curves(int n, int d) {
   std::vector<Rational> q{1};
   for (int root = 1; root <= d; ++root) {
@@ -122,8 +124,8 @@ inline Trajectory continued(const Trajectory& before, Trajectory next, const Rat
   return next;
 }
 
-// Objects on one scene's time 0 .. 4 with random flight plans: pieces that join, lives that begin late
-// and end early, and pairs with equal motions.
+// Objects on one scene's time 0 .. 4 with random flight plans: pieces that join, lives that begin
+// late and end early, and pairs with equal motions.
 inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree, bool lives) {
   Random random(seed);
   Scene scene;
@@ -148,7 +150,9 @@ inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree
     for (std::size_t p = 0; p < cuts.size(); ++p) {
       Trajectory t = random.small_path(dimension, random.between(0, degree), 2);
       if (p == 0 && i > 0 && random.chance(25)) {
-        t = scene.objects[static_cast<std::size_t>(random.between(0, i - 1))].motion.pieces[0].trajectory;
+        t = scene.objects[static_cast<std::size_t>(random.between(0, i - 1))]
+                .motion.pieces[0]
+                .trajectory;
       }
       if (p > 0) t = continued(object.motion.pieces.back().trajectory, t, cuts[p]);
       const Rational to = p + 1 < cuts.size() ? cuts[p + 1] : Rational(Integer(stop), Integer(4));
