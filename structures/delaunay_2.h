@@ -23,10 +23,14 @@
 //
 // Degenerate instants. A certificate that fails alone is one flip. Where several fail at one
 // instant, triangles may turn over without any certificate showing it (points that meet and pass
-// through each other; all points on one line). So at such instants a flip is made only if both new
-// triangles are positively oriented right after, and when the instant is settled the triangles
-// around all points that took part are checked. What is found turned over is mended by taking
-// points out and putting them in again, or, where that is not enough, by building everything anew.
+// through each other; all points on one line), or the hull may end up winding around twice. So at
+// such instants a flip is made only if its edge is not there yet and both new triangles are upright
+// (positively oriented right after now); else the edge does without a certificate for the moment
+// ("blocked"). When the instant is settled, the triangles around all points that took part and the
+// number of turns of the hull are checked. All triangles upright, left turns along the hull and one
+// turn in all make a triangulation: otherwise the angles do not add up. Points of triangles that
+// have turned over are taken out and put in again; where that is not enough, or not possible,
+// everything is built anew, with a reason in the ledger.
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Guibas,
 // Mitchell, Roos, "Voronoi diagrams of moving points in the plane" (1991); insertion: Bowyer
