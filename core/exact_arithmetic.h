@@ -120,6 +120,11 @@ class ExactArithmetic final : public Arithmetic {
   // The origin in use for all now_.lo in [origin_, origin_end_).
   double origin_ = 0;
   double origin_end_ = 0;
+  // What names the present instant: the query whose root it was popped as (arity 0: a rational), and
+  // the queries that were born failing at it since.
+  Query name_;
+  Rational name_value_;
+  std::vector<Query> born_failing_;
   RootTable roots_;
   RootCounters root_counters_;
 };

@@ -46,6 +46,9 @@ void ExactArithmetic::set_now(const Rational& t) {
   now_.lo = t.lower_double();
   now_.hi = t.upper_double();
   now_.root = roots_.add(RealRoot(t));
+  name_ = Query();
+  name_value_ = t;
+  born_failing_.clear();
   update_origin();
 }
 
@@ -58,6 +61,12 @@ void ExactArithmetic::advance(const Query& query, FailureTime& time) {
   now_.isolated = (time.root & kFlags) == 0;
   now_.root = time.root & ~kFlags;
   time.root = 0;
+  if (now_.own) {
+    name_ = query;
+    if (!born_failing_.empty()) born_failing_.clear();
+  } else {
+    born_failing_.push_back(query);
+  }
   update_origin();
 }
 
@@ -233,10 +242,16 @@ std::optional<Rational> ExactArithmetic::rational_between(const Query* query, Fa
 
 InstantText ExactArithmetic::describe_now() {
   RealRoot& now = roots_[now_root()];
-  Polynomial p = now.polynomial();
-  if (now_.query.arity > 0) {
-    const Polynomial own = exact_polynomial(now_.query);
-    if (!own.is_zero() && kinex::sign_at(own, now, root_counters_) == Sign::kZero) p = own;
+  // The last query that vanishes now gives the name; so the name does not depend on which of several
+  // equal instants was made exact first.
+  Polynomial p = name_.arity > 0
+                     ? exact_polynomial(name_)
+                     : Polynomial({-name_value_.numerator(), name_value_.denominator()});
+  for (auto q = born_failing_.rbegin(); q != born_failing_.rend(); ++q) {
+    const Polynomial own = exact_polynomial(*q);
+    if (own.is_zero() || kinex::sign_at(own, now, root_counters_) != Sign::kZero) continue;
+    p = own;
+    break;
   }
   const RootName name = name_root(p, now, root_counters_);
   InstantText text;
