@@ -63,7 +63,9 @@ std::vector<BoundCheck> Delaunay2::bounds(const BoundContext& context) const {
     checks.push_back(std::move(check));
   }
   // The theorems count flips in general position; degenerate instants may fail more certificates.
-  const bool degenerate = ledger.by_kind.count("blocked") != 0 || reinsertions_ != 0;
+  const auto blocked = ledger.by_kind.find("blocked");
+  const bool degenerate =
+      (blocked != ledger.by_kind.end() && blocked->second != 0) || reinsertions_ != 0;
   if (!context.plain() || ledger.rebuilds != 0 || degenerate) return checks;
   const Integer n(static_cast<std::int64_t>(context.objects()));
   const Integer d(context.degree);

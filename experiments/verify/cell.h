@@ -56,6 +56,7 @@ struct Cell {
   };
   std::vector<Precise> precise;
   AuditLevel audit = AuditLevel::kEnd;
+  bool bounded = false;      // a hard bound on the events is known and must have been checked
   double max_seconds = 600;  // a run that takes longer gives up
   double cost = 0.01;        // expected seconds of the whole cell, for progress
   std::vector<Expectation> expectations;

@@ -112,6 +112,16 @@ void add_bounds(const std::vector<Trial>& trials, std::vector<Check>& checks) {
   }
 }
 
+// A bound that a structure no longer checks is not a bound that holds.
+void add_missing_bound(const std::vector<Trial>& trials, std::vector<Check>& checks) {
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (event_bound(trials[i].measurement) != nullptr) continue;
+    checks.push_back({"bounded", "bound", "", "a hard bound on the events", "none is checked", "",
+                      Verdict::kFail, i});
+    return;
+  }
+}
+
 void add_runs(const std::vector<Trial>& trials, std::vector<Check>& checks) {
   Check audit{"audit", "audit", "", "0 violations", "", "", Verdict::kPass, std::nullopt};
   std::optional<Check> stopped;
@@ -187,6 +197,7 @@ std::vector<Check> judge(const Cell& cell, const std::vector<Trial>& trials) {
                          : check_counts(expectation, i, trials));
   }
   add_bounds(trials, checks);
+  if (cell.bounded) add_missing_bound(trials, checks);
   add_runs(trials, checks);
   return checks;
 }

@@ -26,7 +26,8 @@ enum class Verdict {
 std::string_view verdict_name(Verdict verdict);  // "PASS", "INCONCLUSIVE", "GAVE UP", "FAIL"
 
 struct Check {
-  std::string claim;     // of an expectation, or the id of a hard bound, "audit", "run", "error"
+  std::string claim;     // of an expectation, or the id of a hard bound, "bounded", "audit",
+                         // "run", "error"
   std::string kind;      // "exact", "witness", "mean", "bound", "audit", "run", "growth"
   std::string quantity;  // what was counted; empty for bounds and audits
   std::string expected;

@@ -19,7 +19,8 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
 <style>
 :root { color-scheme: light; }
 body { font: 15px/1.45 system-ui, "Helvetica Neue", Arial, sans-serif; color: #1a1a1a;
-  background: #fff; margin: 2rem auto; padding: 0 1.5rem; max-width: 1360px; }
+  background: #fff; margin: 2rem auto; padding: 0 1.5rem; max-width: 1360px;
+  position: relative; }
 h1 { font-size: 1.6rem; margin-bottom: .2rem; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
 p.facts { color: #555; margin: .2rem 0; }
 .verdicts { display: flex; gap: .8rem; flex-wrap: wrap; margin: 1rem 0; }
@@ -39,7 +40,9 @@ th { position: sticky; top: 0; background: #f3f3f3; border-bottom: 2px solid #bb
 td.r, th.r { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 tr.first td { border-top: 2px solid #bbb; }
 details summary { cursor: pointer; color: #0b5394; white-space: nowrap; }
-details table { margin: .3rem 0; width: auto; } details th { position: static; }
+details div { position: absolute; right: 1.5rem; max-width: 900px; z-index: 2; background: #fff;
+  border: 1px solid #999; border-radius: 6px; padding: .5rem; box-shadow: 0 2px 12px #0004; }
+details table { width: auto; } details th { position: static; }
 code { background: #f3f3f3; padding: .1rem .3rem; border-radius: 3px; overflow-wrap: anywhere; }
 </style></head><body>
 )";
@@ -192,7 +195,7 @@ std::string cells_part(const VerifyResult& result) {
         "<tr{}><td>{}</td><td>{}</td><td class=\"r\">{}</td><td class=\"r\">{}</td>"
         "<td class=\"r\">{}</td><td class=\"r\">{}</td><td "
         "class=\"r\">{}</td><td>{}</td><td>{}</td>"
-        "<td><details><summary>{}</summary>{}</details></td><td "
+        "<td><details><summary>{}</summary><div>{}</div></details></td><td "
         "class=\"r\">{}</td><td>{}</td></tr>\n",
         first ? " class=\"first\"" : "", escape(row.structure), escape(row.workload), row.n,
         row.runs, row.external, row.internal, row.bound, escape(row.expected), escape(row.observed),

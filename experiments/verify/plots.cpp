@@ -219,9 +219,8 @@ Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
   }
   const std::vector<Point> references = references_of(result, growth);
   figure.script = std::string(kCommon) + "set ylabel 'count / fit - 1, in %'\n" +
-                  "set xzeroaxis lt 1 lw 1.5 lc rgb '#444444'\nset samples 200\n" +
-                  x_range(points.front().n, points.back().n) + size_tics(points) +
-                  data_block("seen", points);
+                  "set samples 200\n" + x_range(points.front().n, points.back().n) +
+                  size_tics(points) + data_block("seen", points);
   if (!references.empty()) figure.script += data_block("reference", references);
   // With the exponents at the ends of the interval, through the centre of the fit.
   const double centre = growth.fit->centre;
@@ -230,6 +229,7 @@ Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
   figure.script += fmt::format(
       "plot '+' using 1:(100*(($1/{0:.17g})**{1:.17g}-1)):(100*(($1/{0:.17g})**{2:.17g}-1)) "
       "with filledcurves fc rgb '#dcdcdc' title '95% interval of the exponent', \\\n"
+      "  0 with lines lw 1.2 lc rgb '#444444' notitle, \\\n"
       "  $seen using 1:2:3 with yerrorbars pt {3} ps 0.9 lw 1.2 lc rgb '{4}' title 'observed'",
       centre, below, above, look(0).symbol, look(0).colour);
   if (!references.empty()) {

@@ -37,6 +37,7 @@ Cell uniform(std::string structure, int n, int dimension) {
   cell.parameters.n = n;
   cell.parameters.dimension = dimension;
   cell.family = "uniform";
+  cell.bounded = true;
   cell.random = true;
   cell.min_seeds = kFewestSeeds;
   cell.max_seeds = kMostSeeds;
@@ -84,14 +85,14 @@ void add_sorting(Catalogue& catalogue, Extent extent) {
     Cell cell = uniform("sorted_list", n, 1);
     cell.precise = {{"processed", kSortingError}};
     cell.expectations.push_back(mean("sorted_list.uniform", "processed", n * (n - 1) / 4.0,
-                                     "E = n(n-1)/4: independent orders; report section 9"));
+                                     "E = n(n-1)/4: independent orders; Guibas 1998, section 9"));
     cell.expectations.push_back(witness("sorted_list.inversions", "processed", inversions,
                                         "inversions between the first and the last order"));
     cell.cost = 0.3;
     catalogue.cells.push_back(std::move(cell));
   }
   add_growth(catalogue, "sorted_list.uniform.growth", "sorted_list", 16, 2,
-             "Theta(n^2) swaps even in expectation; report section 9");
+             "Theta(n^2) swaps even in expectation; Guibas 1998, section 9");
 }
 
 void add_maximum(Catalogue& catalogue, bool minimum, bool heap, Extent extent) {
@@ -123,7 +124,7 @@ void add_maximum(Catalogue& catalogue, bool minimum, bool heap, Extent extent) {
   }
   if (!heap) {
     add_growth(catalogue, "tournament.uniform.growth", structure, 64, 1,
-               "Theta(n) events in expectation; report section 9");
+               "Theta(n) events in expectation; Guibas 1998, section 9");
   }
 }
 
@@ -143,13 +144,13 @@ void add_delaunay(Catalogue& catalogue) {
     Cell cell = uniform("delaunay_2", reference.n, 2);
     cell.expectations.push_back(
         mean("delaunay_2.uniform", "processed", reference.mean,
-             "independent Monte Carlo in doubles; report section 9: Theta(n^1.5)"));
+             "independent Monte Carlo in doubles; Guibas 1998, section 9: Theta(n^1.5)"));
     cell.expectations.back().reference_error = reference.error;
     cell.cost = reference.cost;
     catalogue.cells.push_back(std::move(cell));
   }
   add_growth(catalogue, "delaunay_2.uniform.growth", "delaunay_2", 50, 1.5,
-             "Theta(n^1.5) events in expectation; report section 9");
+             "Theta(n^1.5) events in expectation; Guibas 1998, section 9");
 }
 
 }  // namespace

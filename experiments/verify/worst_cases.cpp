@@ -37,6 +37,7 @@ Cell worst_case(std::string structure, std::string workload, int n, int degree, 
   cell.parameters.n = n;
   cell.parameters.degree = degree;
   cell.family = "worst case";
+  cell.bounded = true;
   if (degree > 1) cell.family += ", degree " + std::to_string(degree);
   cell.audit = n <= kAuditedSize ? AuditLevel::kEvents : AuditLevel::kEnd;
   cell.cost = cost;
@@ -59,11 +60,12 @@ void add_tournament(Catalogue& catalogue, std::string structure, bool mirrored, 
   cell.mirrored = mirrored;
   int levels = 0;
   while ((1 << levels) < n) ++levels;
+  cell.expectations.push_back(exactly(
+      "tournament.worst_case", "processed", whole(n * levels - n + 1),
+      "sum over nodes with m leaves of m - 1 changes: n log2 n - n + 1; Guibas 1998, section 5"));
   cell.expectations.push_back(
-      exactly("tournament.worst_case", "processed", whole(n * levels - n + 1),
-              "sum over nodes with m leaves of m - 1 changes: n log2 n - n + 1; report section 5"));
-  cell.expectations.push_back(exactly("maximum.worst_case", "external", whole(n - 1),
-                                      "all lines are on the envelope: n - 1; report section 5"));
+      exactly("maximum.worst_case", "external", whole(n - 1),
+              "all lines are on the envelope: n - 1; Guibas 1998, section 5"));
   catalogue.cells.push_back(std::move(cell));
 }
 
@@ -77,9 +79,9 @@ void add_heap(Catalogue& catalogue, std::string structure, bool mirrored, int n,
   }
   cell.expectations.push_back(
       exactly("heap.worst_case", "processed", whole(depths),
-              "sum of the depths: (ancestor, descendant) pairs; report section 5"));
+              "sum of the depths: (ancestor, descendant) pairs; Guibas 1998, section 5"));
   cell.expectations.push_back(exactly("maximum.worst_case", "external", whole(n - 1),
-                                      "the root changes n - 1 times; report section 5"));
+                                      "the root changes n - 1 times; Guibas 1998, section 5"));
   catalogue.cells.push_back(std::move(cell));
 }
 
@@ -87,6 +89,7 @@ void add_heap(Catalogue& catalogue, std::string structure, bool mirrored, int n,
 // there is no reference.
 void add_hull(Catalogue& catalogue, int size, int flips, double cost) {
   Cell cell = worst_case("delaunay_2", "hull-worst", size, 1, cost);
+  cell.family = "quadratic family";
   cell.audit = size <= 8 ? AuditLevel::kEvents : AuditLevel::kEnd;
   if (flips > 0) {
     cell.expectations.push_back(
@@ -96,8 +99,9 @@ void add_hull(Catalogue& catalogue, int size, int flips, double cost) {
   cell.expectations.push_back(exactly("delaunay_2.quadratic.hull", "kind.enter+kind.leave",
                                       whole(2 * size * size - 1),
                                       "hull changes of m slow and n moving points: 2nm - 1"));
-  cell.expectations.push_back(exactly("delaunay_2.ratio_1", "internal", 0,
-                                      "every event changes the triangulation; report section 7"));
+  cell.expectations.push_back(
+      exactly("delaunay_2.ratio_1", "internal", 0,
+              "every event changes the triangulation; Guibas 1998, section 7"));
   catalogue.cells.push_back(std::move(cell));
 }
 

@@ -185,6 +185,22 @@ TEST(Judge, SeesABrokenBoundInAnyTrial) {
   EXPECT_TRUE(seen);
 }
 
+TEST(Judge, MissesABoundThatIsNotChecked) {
+  Cell cell = random_cell(8, 2);
+  std::vector<Trial> trials = run(cell).trials;
+  const auto verdict = [&] {
+    Verdict worst = Verdict::kPass;
+    for (const Check& check : judge(cell, trials)) worst = std::max(worst, check.verdict);
+    return worst;
+  };
+  cell.bounded = true;
+  EXPECT_EQ(verdict(), Verdict::kPass);
+  trials[1].measurement.bounds.clear();
+  EXPECT_EQ(verdict(), Verdict::kFail);
+  cell.bounded = false;
+  EXPECT_EQ(verdict(), Verdict::kPass);
+}
+
 TEST(Judge, SeesAFailedAudit) {
   Cell cell = random_cell(8, 2);
   std::vector<Trial> trials = run(cell).trials;
