@@ -13,7 +13,13 @@
 namespace kinex {
 namespace {
 
-using namespace test;
+using test::Coefficients;
+using test::rational;
+using test::times;
+using test::with_roots;
+
+const Coefficients kMinus{Rational(-1)};
+const Coefficients kRootless{Rational(1), Rational(1), Rational(1)};
 
 TEST(RationalSturm, CountsDistinctRoots) {
   SturmWork work;
