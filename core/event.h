@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "core/certificate.h"
 
@@ -20,6 +21,7 @@ struct Event {
   std::array<ObjectId, kMaxArity> ids{};
   // The certificate whose failure caused it; arity 0 for updates, insertions, erasures.
   Query certificate;
+  std::string_view reason;  // of a rebuild, else empty; lives as long as the run
 };
 
 // Receives every event of a run as it is processed; `arithmetic` can describe the present instant.

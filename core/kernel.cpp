@@ -183,8 +183,9 @@ bool Kernel::instant_is_shared(StructureId structure) const { return shared_[str
 void Kernel::count_rebuild(StructureId structure, const std::string& reason) {
   StructureLedger& ledger = *ledgers_[structure];
   ++ledger.rebuilds;
-  ++ledger.rebuild_reasons[reason];
-  if (reporter_ != nullptr) reporter_->rebuilt(structure);
+  const auto counted = ledger.rebuild_reasons.try_emplace(reason).first;
+  ++counted->second;
+  if (reporter_ != nullptr) reporter_->rebuilt(structure, counted->first);
 }
 
 void Kernel::corrupt(StructureId structure, const std::string& what) {

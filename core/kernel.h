@@ -151,7 +151,7 @@ class EventReporter {
  public:
   virtual ~EventReporter() = default;
   virtual void reported(const Event& event) = 0;
-  virtual void rebuilt(StructureId) {}
+  virtual void rebuilt(StructureId, std::string_view) {}
 };
 
 }  // namespace kinex

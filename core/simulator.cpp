@@ -83,13 +83,15 @@ void Simulator::reported(const Event& event) {
   if (event.external && !entry.watchers.empty()) notices_.push_back({event.structure, true, event});
 }
 
-void Simulator::rebuilt(StructureId id) {
-  report_change(id, CommonEvent::kRebuild, kNoObject);
+void Simulator::rebuilt(StructureId id, std::string_view reason) {
+  report_change(id, CommonEvent::kRebuild, kNoObject, reason);
   if (!entries_[id].watchers.empty()) notices_.push_back({id, false, {}});
 }
 
-void Simulator::report_change(StructureId id, CommonEvent kind, ObjectId object) {
+void Simulator::report_change(StructureId id, CommonEvent kind, ObjectId object,
+                              std::string_view reason) {
   Event event;
+  event.reason = reason;
   event.structure = id;
   event.kind = static_cast<std::uint8_t>(entries_[id].first_common + static_cast<int>(kind));
   if (object != kNoObject) {

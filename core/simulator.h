@@ -143,8 +143,9 @@ class Simulator final : private EventReporter {
 
   // simulator.cpp
   void reported(const Event& event) override;
-  void rebuilt(StructureId id) override;
-  void report_change(StructureId id, CommonEvent kind, ObjectId object);
+  void rebuilt(StructureId id, std::string_view reason) override;
+  void report_change(StructureId id, CommonEvent kind, ObjectId object,
+                     std::string_view reason = {});
   template <class Call>
   void guarded(StructureId id, const Call& function);
   void call(StructureId id, const std::function<void(Structure&)>& function);

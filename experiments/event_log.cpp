@@ -95,7 +95,9 @@ void EventLog::write_line(const Event& event, std::string_view kind, Arithmetic&
     write_ids(json, scene, certificate.ids.data(), certificate.arity);
     json.end_object();
   }
-  json.key("external").boolean(event.external).key("time");
+  json.key("external").boolean(event.external);
+  if (!event.reason.empty()) json.key("reason").string(event.reason);
+  json.key("time");
   write_instant(json, arithmetic.describe_now());
   json.end_object();
   line_ += '\n';

@@ -71,7 +71,8 @@ LogInstant read_instant(const JsonNode& node, bool exact) {
 }
 
 void read_event(const JsonNode& node, bool exact, LogEvent& event) {
-  node.require_object({"seq", "structure", "kind", "ids", "certificate", "external", "time"});
+  node.require_object(
+      {"seq", "structure", "kind", "ids", "certificate", "external", "reason", "time"});
   event.sequence = read_count(node.member("seq"));
   event.structure = node.member("structure").string();
   event.kind = node.member("kind").string();
@@ -84,6 +85,7 @@ void read_event(const JsonNode& node, bool exact, LogEvent& event) {
     read_strings(certificate.member("ids"));
   }
   event.external = node.member("external").boolean();
+  if (const std::optional<JsonNode> reason = node.find("reason")) reason->string();
   event.time = read_instant(node.member("time"), exact);
 }
 

@@ -44,6 +44,12 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
     text += label + row_of(simulator.kernel().ledger(id)) + "\n";
   }
   for (StructureId id = 0; id < simulator.structures(); ++id) {
+    for (const auto& [reason, count] : simulator.kernel().ledger(id).rebuild_reasons) {
+      text += "rebuilt   " + simulator.label(id) + ", " + std::to_string(count) +
+              " times: " + reason + "\n";
+    }
+  }
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
     for (const BoundCheck& bound : outcome.bounds[id]) {
       text += "bound     " + bound.id + ": " + bound.observed.to_string() +
               " <= " + shortened(bound.bound.to_string()) +

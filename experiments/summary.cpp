@@ -9,11 +9,28 @@ namespace kinex {
 
 namespace {
 
+// Certificates changed per event: histogram[k] counts the events with k; its last place, where it
+// has all of ChangeStatistics::kBins, those with that many or more.
+void write_changes(JsonWriter& json, const ChangeStatistics& changes) {
+  json.begin_object().key("mean");
+  json.real(changes.events == 0
+                ? 0.0
+                : static_cast<double>(changes.total) / static_cast<double>(changes.events));
+  json.key("max").number(changes.max).key("histogram").begin_array();
+  std::size_t used = changes.histogram.size();
+  while (used != 0 && changes.histogram[used - 1] == 0) --used;
+  for (std::size_t k = 0; k < used; ++k) json.number(changes.histogram[k]);
+  json.end_array().end_object();
+}
+
 void write_counts(JsonWriter& json, const StructureLedger& ledger) {
   json.key("processed").number(ledger.processed).key("external").number(ledger.external);
   json.key("internal").number(ledger.internal).key("rebuilds").number(ledger.rebuilds);
   json.key("simultaneous_groups").number(ledger.simultaneous_groups);
   json.key("largest_group").number(ledger.largest_group);
+  json.key("rebuild_reasons").begin_object();
+  for (const auto& [reason, count] : ledger.rebuild_reasons) json.key(reason).number(count);
+  json.end_object();
   json.key("motion_updates").number(ledger.motion_updates);
   json.key("insertions").number(ledger.insertions).key("erasures").number(ledger.erasures);
   json.key("by_kind").begin_object();
@@ -23,8 +40,12 @@ void write_counts(JsonWriter& json, const StructureLedger& ledger) {
   json.key("created").number(ledger.certificates_created);
   json.key("retracted").number(ledger.certificates_retracted);
   json.key("max_live").number(ledger.max_live).key("max_per_object").number(ledger.max_per_object);
-  json.key("max_created_per_event").number(ledger.created_per_event.max);
-  json.key("max_retracted_per_event").number(ledger.retracted_per_event.max).end_object();
+  json.end_object();
+  json.key("responsiveness").begin_object().key("created");
+  write_changes(json, ledger.created_per_event);
+  json.key("retracted");
+  write_changes(json, ledger.retracted_per_event);
+  json.end_object().key("efficiency").real(ledger.efficiency());
   json.key("audit").begin_object().key("checks").number(ledger.audit_checks);
   json.key("violations").number(ledger.audit_violations).end_object();
   json.key("corrupt");
@@ -51,7 +72,7 @@ void write_stages(JsonWriter& json, const StageCounts& counts) {
   json.end_array();
 }
 
-// By stage: [double, multiprecision, exact].
+// By stage, in the order of Stage: [double, wide, multiprecision, exact].
 void write_numbers(JsonWriter& json, const Arithmetic& arithmetic) {
   const ArithmeticCounters& counters = arithmetic.counters();
   json.key("numbers").begin_object().key("predicates").begin_array();
@@ -91,6 +112,7 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
   json.end_object().key("objects").number(static_cast<std::uint64_t>(scene.objects.size()));
   json.key("events").number(simulator.ledger().events);
   json.key("instants").number(simulator.ledger().instants);
+  json.key("max_queue").number(simulator.ledger().max_queue);
   json.key("log_digest").string(log_digest);
   json.line(1).key("structures").begin_object();
   for (StructureId id = 0; id < simulator.structures(); ++id) {
@@ -118,7 +140,17 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
   json.end_array();
   json.line(1).key("seconds").begin_object().key("setup").real(simulator.seconds_setup());
   json.key("simulate").real(simulator.seconds_simulate()).key("audit");
-  json.real(simulator.seconds_audit()).end_object();
+  json.real(simulator.seconds_audit()).key("structures").begin_object();
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    json.key(simulator.label(id)).real(simulator.kernel().ledger(id).seconds);
+  }
+  json.end_object().key("per_event").begin_object();
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    const StructureLedger& ledger = simulator.kernel().ledger(id);
+    json.key(simulator.label(id));
+    json.real(ledger.processed == 0 ? 0.0 : ledger.seconds / static_cast<double>(ledger.processed));
+  }
+  json.end_object().end_object();
   json.key("peak_bytes").number(simulator.ledger().peak_bytes).end_object();
   text += '\n';
   return text;

@@ -118,6 +118,7 @@ class Delaunay2 final : public Structure {
   // ---- delaunay_2_build.cpp: the static algorithm
   void construct();
   void rebuild_because(const std::string& reason);
+  void remake_line(const std::string& reason);
   void retract_all();
   std::vector<std::uint32_t> ranks(const std::vector<ObjectId>& objects, PredicateId order) const;
   void build_line();

@@ -18,7 +18,7 @@ void sort_unique(std::vector<ObjectId>& ids) {
 void Delaunay2::insert(ObjectId object) {
   if (corrupt_) return;
   present_[object] = true;
-  if (on_line_) return rebuild_because("insertion while all points are on one line");
+  if (on_line_) return remake_line("insertion while all points are on one line");
   if (!put_in(object)) rebuild_because("insertion at a degenerate instant");
   settle_ties(false);
 }
@@ -31,9 +31,17 @@ void Delaunay2::erase(ObjectId object) {
     reveal(object);
     return;
   }
-  if (on_line_) return rebuild_because("erasure while all points are on one line");
-  if (!take_out(object)) return rebuild_because("erasure leaves all points on one line");
+  if (on_line_) return remake_line("erasure while all points are on one line");
+  if (!take_out(object)) return remake_line("erasure leaves all points on one line");
   settle_ties(false);
+}
+
+// With at most three points there is nothing to keep: the static algorithm is the update, in
+// constant time. More points on one line are built anew, which is counted.
+void Delaunay2::remake_line(const std::string& reason) {
+  const std::size_t before = on_line_ ? line_.size() : store_.vertices();
+  if (before > 3 || !hidden_.empty()) return rebuild_because(reason);
+  construct();
 }
 
 void Delaunay2::motions_changed(std::span<const ObjectId> objects) {
@@ -107,7 +115,15 @@ void Delaunay2::instant_settled() {
   if (corrupt_) return;
   sort_unique(moved_);
   if (on_line_) {
-    if (!moved_.empty()) rebuild_because("motion change while all points are on one line");
+    if (!moved_.empty()) {
+      const bool apart = hidden_.empty();
+      remake_line("motion change while all points are on one line");
+      for (const auto& [vertex, behind] : hidden_) {
+        for (const ObjectId v : behind) {
+          if (apart) kernel_->report(id_, kReinsert, {v}, true);
+        }
+      }
+    }
     moved_.clear();
     return;
   }
@@ -182,9 +198,10 @@ bool Delaunay2::mend() {
     rebuild_because(winds ? "the hull winds around twice" : "points pass through each other");
     return false;
   }
-  std::string reason = !moved_.empty() ? "a motion change turns triangles over"
-                       : blocked_      ? "points pass through each other"
-                                       : "triangles turn over";
+  std::string reason = store_.vertices() == 3 ? "the only three points pass through one line"
+                       : !moved_.empty()      ? "a motion change turns triangles over"
+                       : blocked_             ? "points pass through each other"
+                                              : "triangles turn over";
   bool good = true;
   blocked_ = false;
   if (turned.size() > std::max<std::size_t>(16, store_.vertices() / 8)) {
