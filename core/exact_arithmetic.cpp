@@ -167,14 +167,15 @@ void ExactArithmetic::approximate_shifted(const Query& query, Approximation& p) 
   const PredicateModel& model = models_[query.predicate];
   std::array<MotionView<double>, kMaxArity> points;
   for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
-  double reach[kMaxFixedDegree + 1];
   const int d = motions_.degree();
-  predicates_[query.predicate]->plain_with_reach(d, points.data(), origin_, p.c, reach);
   p.origin = origin_;
   if (model.reach_error == 0) {
+    predicates_[query.predicate]->plain(d, points.data(), origin_, p.c);
     for (int i = 0; i <= model.degree; ++i) p.m[i] = std::fabs(p.c[i]);
     return;
   }
+  double reach[kMaxFixedDegree + 1];
+  predicates_[query.predicate]->plain_with_reach(d, points.data(), origin_, p.c, reach);
   double power[kMaxFixedCoefficients];
   reach_power(reach, d, model.homogeneity, power);
   for (int i = 0; i <= model.degree; ++i) p.m[i] = std::fabs(p.c[i]) + model.reach_error * power[i];
