@@ -26,6 +26,7 @@ enum class Outlook : std::uint8_t {
   kNever,            // no failure up to the horizon
   kFails,            // fails at a later instant
   kFailsNow,         // negative right after now
+  kLater,            // no failure up to a limit, beyond which nobody has looked
   kIdenticallyZero,  // zero for ever (under the motions in force): never fails, a tie
 };
 
@@ -68,6 +69,18 @@ class Arithmetic {
   // The first instant >= now right after which the value is negative. `time` is filled for kFails and
   // kFailsNow and else set to never.
   virtual Outlook failure(const Query& query, FailureTime& time) = 0;
+  // The same for somebody who does not care beyond `limit` (a double, +infinity: cares): may answer
+  // kLater, with time = {limit, limit, 0}, for a proof that the certificate does not fail in
+  // (now, limit]. An arithmetic that gains nothing by it looks as far as failure() does.
+  virtual Outlook look_ahead(const Query& query, double limit, FailureTime& time) {
+    static_cast<void>(limit);
+    return failure(query, time);
+  }
+  // Goes on from a kLater at `from`; now <= from unless the arithmetic is inexact.
+  virtual Outlook look_further(const Query& query, double from, double limit, FailureTime& time) {
+    static_cast<void>(from);
+    return look_ahead(query, limit, time);
+  }
   // Order of two failure times: -1, 0, +1. May refine both (enclosures only ever shrink).
   virtual int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) = 0;
   // Order of a failure time and now.

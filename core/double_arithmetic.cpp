@@ -76,6 +76,19 @@ class DoubleArithmetic final : public Arithmetic {
   }
 
   Outlook failure(const Query& query, FailureTime& time) override {
+    return look_ahead(query, kInfinity, time);
+  }
+
+  Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override {
+    time = {kInfinity, kInfinity, 0};
+    ++counters_.by_predicate[query.predicate].failures[static_cast<int>(Stage::kDouble)];
+    std::array<double, kRoom> c;
+    const int degree = polynomial(query, c);
+    if (degree < 2) return failure(query, time);
+    return first_failure(query, c, degree, from, limit, time);
+  }
+
+  Outlook look_ahead(const Query& query, double limit, FailureTime& time) override {
     time = {kInfinity, kInfinity, 0};
     ++counters_.by_predicate[query.predicate].failures[static_cast<int>(Stage::kDouble)];
     std::array<double, kRoom> c;
@@ -95,23 +108,12 @@ class DoubleArithmetic final : public Arithmetic {
     } else if (relation > 0 || (degree != 1 && sign_at_now(c, degree) == Sign::kNegative)) {
       return fails_now(time);
     }
-    const double until = horizon(query);
-    double t;
     if (degree == 0) return Outlook::kNever;
-    if (degree == 1) {
-      t = -c[0] / c[1];
-      if (c[1] > 0) return t > now_ ? fails_now(time) : Outlook::kNever;
-      if (t <= now_) return fails_now(time);
-    } else {
-      filter::Enclosure enclosure;
-      if (filter::first_sign_change<false>(c.data(), nullptr, degree, 0.0, from, until, enclosure) !=
-          filter::Search::kFound) {
-        return Outlook::kNever;
-      }
-      t = enclosure.lo;
-    }
-    if (!(t <= until)) return Outlook::kNever;
-    if (!(t > now_)) t = now_;
+    if (degree > 1) return first_failure(query, c, degree, from, limit, time);
+    const double t = -c[0] / c[1];
+    if (c[1] > 0) return t > now_ ? fails_now(time) : Outlook::kNever;
+    if (t <= now_) return fails_now(time);
+    if (!(t <= horizon(query))) return Outlook::kNever;
     time = {t, t, 0};
     return Outlook::kFails;
   }
@@ -159,6 +161,23 @@ class DoubleArithmetic final : public Arithmetic {
     coefficients_ = std::move(wider);
     degree_ = degree;
     stride_ = axes * powers;
+  }
+
+  Outlook first_failure(const Query& query, const std::array<double, kRoom>& c, int degree,
+                        double from, double limit, FailureTime& time) const {
+    const double end = horizon(query);
+    const double until = std::min(end, limit);
+    filter::Enclosure enclosure;
+    if (filter::first_sign_change<false>(c.data(), nullptr, degree, 0.0, from, until, enclosure) !=
+            filter::Search::kFound ||
+        !(enclosure.lo <= until)) {
+      if (!(limit < end)) return Outlook::kNever;
+      time = {limit, limit, 0};
+      return Outlook::kLater;
+    }
+    const double t = std::max(enclosure.lo, now_);
+    time = {t, t, 0};
+    return Outlook::kFails;
   }
 
   // The degree after exact zeros are stripped; -1 for zero, and for degrees beyond the filter's.

@@ -120,11 +120,26 @@ std::size_t EventQueue::least_child(std::size_t first, std::size_t end) {
   return least;
 }
 
+// A failure that is known against the end of what is known of another certificate: never 0.
+int EventQueue::compare_to_limit(Entry& e, double limit) {
+  Certificate& c = certificates_[e.certificate];
+  FailureTime t{e.lo, e.hi, c.root};
+  const int order = arithmetic_->compare(c.query, t, *Rational::from_double(limit));
+  e.lo = t.lo;
+  e.hi = t.hi;
+  c.root = t.root;
+  return order > 0 ? 1 : -1;
+}
+
 int EventQueue::compare_times(Entry& a, Entry& b) {
   if (a.hi < b.lo) return -1;
   if (b.hi < a.lo) return 1;
   Certificate& ca = certificates_[a.certificate];
   Certificate& cb = certificates_[b.certificate];
+  const bool later_a = ca.outlook == Outlook::kLater, later_b = cb.outlook == Outlook::kLater;
+  if (later_a && later_b) return a.lo < b.lo ? -1 : a.lo > b.lo ? 1 : 0;
+  if (later_a) return -compare_to_limit(b, a.lo);
+  if (later_b) return compare_to_limit(a, b.lo);
   FailureTime ta{a.lo, a.hi, ca.root};
   FailureTime tb{b.lo, b.hi, cb.root};
   const int order = arithmetic_->compare(ca.query, ta, cb.query, tb);
@@ -146,6 +161,7 @@ bool EventQueue::less_slow(Entry& a, Entry& b) {
 bool EventQueue::ties_before(CertificateId a, CertificateId b) const {
   const Certificate& ca = certificates_[a];
   const Certificate& cb = certificates_[b];
+  if (ca.outlook == Outlook::kLater) return a < b;  // no events: any order that is the same everywhere
   if (ca.structure != cb.structure) return ca.structure < cb.structure;
   if (ca.query.predicate != cb.query.predicate) return ca.query.predicate < cb.query.predicate;
   const auto sa = sorted_ids(ca.query), sb = sorted_ids(cb.query);

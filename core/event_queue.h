@@ -17,13 +17,16 @@ struct Certificate {
   StructureId structure = 0;
   Outlook outlook = Outlook::kNever;
   bool live = false;
+  std::uint8_t looks = 0;  // how often a kLater was looked into further
   std::uint32_t tag = 0;
   std::uint32_t root = 0;  // FailureTime::root
 };
 
 // A 4-ary heap over (interval key, certificate). Keys are compared by their enclosures; only when
 // two overlap is the arithmetic asked. Equal instants are ordered by value: (structure, predicate,
-// sorted ids). Insertion and retraction take O(log n) comparisons.
+// sorted ids). Insertion and retraction take O(log n) comparisons. A certificate whose outlook is
+// kLater is queued at the (double) time up to which it is known not to fail; failures at that very
+// instant come first.
 class EventQueue {
  public:
   explicit EventQueue(Arithmetic& arithmetic) : arithmetic_(&arithmetic) {}
@@ -48,6 +51,8 @@ class EventQueue {
   bool empty() const { return heap_.empty(); }
   std::size_t size() const { return heap_.size(); }
   CertificateId top() const { return heap_.front().certificate; }
+  // The first entry is no failure but the end of what is known of a certificate (Outlook::kLater).
+  bool top_is_later() const { return is_later(heap_.front()); }
   // The enclosure of the first failure time; requires !empty().
   double top_lo() const { return heap_.front().lo; }
   double top_hi() const { return heap_.front().hi; }
@@ -78,8 +83,12 @@ class EventQueue {
     if (b.hi < a.lo) return false;
     return less_slow(a, b);
   }
+  bool is_later(const Entry& e) const {
+    return certificates_[e.certificate].outlook == Outlook::kLater;
+  }
   bool less_slow(Entry& a, Entry& b);
   int compare_times(Entry& a, Entry& b);
+  int compare_to_limit(Entry& e, double limit);
   bool ties_before(CertificateId a, CertificateId b) const;
   std::size_t least_child(std::size_t first, std::size_t end);
   void sift_up(std::size_t i, Entry e);

@@ -28,22 +28,42 @@ double to_double(Int128 value) {
   return negative ? -d : d;
 }
 
-// The coefficients of (reach[0] + .. + reach[d] t^d)^h.
-void reach_power(const double* reach, int d, int h, double* out) {
-  std::copy(reach, reach + d + 1, out);
-  int degree = d;
-  const auto multiply = [&](const double* factor, int factor_degree) {
+// The coefficients of p^2 for p of degree D.
+template <int D>
+void square(const double* p, double* out) {
+  for (int i = 0; i <= 2 * D; ++i) out[i] = 0;
+  for (int i = 0; i <= D; ++i) {
+    out[2 * i] += p[i] * p[i];
+    for (int j = i + 1; j <= D; ++j) out[i + j] += 2 * (p[i] * p[j]);
+  }
+}
+
+template <int D>
+void power_of(const double* p, int h, double* out) {
+  double squared[2 * D + 1];
+  square<D>(p, squared);
+  if (h == 4) return square<2 * D>(squared, out);
+  if (h == 2) {
+    for (int i = 0; i <= 2 * D; ++i) out[i] = squared[i];
+    return;
+  }
+  for (int i = 0; i <= D; ++i) out[i] = p[i];
+  for (int k = 1; k < h; ++k) {
     double product[kMaxFixedCoefficients] = {};
-    for (int i = 0; i <= degree; ++i) {
-      for (int j = 0; j <= factor_degree; ++j) product[i + j] += out[i] * factor[j];
+    for (int i = 0; i <= k * D; ++i) {
+      for (int j = 0; j <= D; ++j) product[i + j] += out[i] * p[j];
     }
-    degree += factor_degree;
-    std::copy(product, product + degree + 1, out);
-  };
-  if (h == 4) {
-    for (int squaring = 0; squaring < 2; ++squaring) multiply(out, degree);
-  } else {
-    for (int i = 1; i < h; ++i) multiply(reach, d);
+    for (int i = 0; i <= (k + 1) * D; ++i) out[i] = product[i];
+  }
+}
+
+// The coefficients of (reach[0] + .. + reach[d] t^d)^h; all summands are positive, so that every
+// order of summation is off by a few units only (see bound_predicate).
+void reach_power(const double* reach, int d, int h, double* out) {
+  switch (d) {
+    case 1: return power_of<1>(reach, h, out);
+    case 2: return power_of<2>(reach, h, out);
+    default: return power_of<3>(reach, h, out);
   }
 }
 
@@ -176,7 +196,7 @@ void ExactArithmetic::approximate_shifted(const Query& query, Approximation& p) 
   }
   double reach[kMaxFixedDegree + 1];
   predicates_[query.predicate]->plain_with_reach(d, points.data(), origin_, p.c, reach);
-  double power[kMaxFixedCoefficients];
+  double power[kMaxFixedCoefficients + 1];
   reach_power(reach, d, model.homogeneity, power);
   for (int i = 0; i <= model.degree; ++i) p.m[i] = std::fabs(p.c[i]) + model.reach_error * power[i];
 }
@@ -294,10 +314,14 @@ std::optional<Outlook> ExactArithmetic::linear_failure(const Query& query, const
 }
 
 Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
+  return look_ahead(query, kInfinity, time);
+}
+
+Outlook ExactArithmetic::look_ahead(const Query& query, double limit, FailureTime& time) {
   time = {kInfinity, kInfinity, 0};
   StageCounts& counts = count(query).failures;
   for (const Stage stage : {Stage::kDouble, Stage::kWide}) {
-    if (const auto outlook = failure_in(stage, query, time)) {
+    if (const auto outlook = failure_in(stage, query, limit, time)) {
       ++counts[static_cast<int>(stage)];
       return *outlook;
     }
@@ -306,7 +330,25 @@ Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
   return exact_failure(query, time);
 }
 
-std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& query,
+// The certificate is positive at `from`: nothing need be known of now.
+Outlook ExactArithmetic::look_further(const Query& query, double from, double limit,
+                                      FailureTime& time) {
+  Approximation p;
+  if (approximate(query, Stage::kDouble, p) && p.degree >= 2) {
+    const double a = from - p.origin;
+    if (from - a == p.origin && p.origin + a == from) {
+      if (const auto outlook =
+              first_failure(query, p.c, p.m, p.degree, p.origin, a, limit, time)) {
+        count_solved(p.degree);
+        ++count(query).failures[static_cast<int>(Stage::kDouble)];
+        return *outlook;
+      }
+    }
+  }
+  return failure(query, time);
+}
+
+std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& query, double limit,
                                                    FailureTime& time) {
   Approximation p;
   if (!approximate(query, stage, p)) return std::nullopt;
@@ -343,12 +385,27 @@ std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& que
       if (degree == 1) return std::nullopt;
     }
   }
+  // now.hi - origin is exact.
+  return first_failure(query, c, m, degree, p.origin, now_.hi - p.origin, limit, time);
+}
+
+// The first sign change after `from` (in t - origin), where the polynomial is positive right after it.
+std::optional<Outlook> ExactArithmetic::first_failure(const Query& query, const double* c,
+                                                      const double* m, int degree, double origin,
+                                                      double from, double limit,
+                                                      FailureTime& time) const {
   filter::Enclosure enclosure;
-  // now.hi - origin is exact; the horizon may be too late by a little, never too early.
-  const double until = std::nextafter(horizon(query) - p.origin, kInfinity);
-  switch (filter::first_sign_change<true>(c, m, degree, p.origin, now_.hi - p.origin, until,
-                                          enclosure)) {
-    case filter::Search::kNone: return Outlook::kNever;
+  const double end = horizon(query);
+  // The end may be too late by a little, never too early.
+  const double until = std::nextafter(std::min(end, limit) - origin, kInfinity);
+  switch (filter::first_sign_change<true>(c, m, degree, origin, from, until, enclosure)) {
+    case filter::Search::kNone:
+      if (limit < end) {
+        time = {limit, limit, 0};
+        return Outlook::kLater;
+      }
+      time = {kInfinity, kInfinity, 0};
+      return Outlook::kNever;
     case filter::Search::kFound:
       time = {enclosure.lo, enclosure.hi, 0};
       return Outlook::kFails;

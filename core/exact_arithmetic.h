@@ -36,6 +36,8 @@ class ExactArithmetic final : public Arithmetic {
   InstantText describe_now() override;
   Sign sign_after(const Query& query) override;
   Outlook failure(const Query& query, FailureTime& time) override;
+  Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;
+  Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override;
   int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) override;
   int compare_with_now(const Query& a, FailureTime& ta) override;
   int compare(const Query& a, FailureTime& ta, const Rational& t) override;
@@ -84,7 +86,11 @@ class ExactArithmetic final : public Arithmetic {
   void update_origin();
   bool shift_is_exact(double origin, double step) const;
   void wide_coefficients(const Query& query, Int128* out) const;
-  std::optional<Outlook> failure_in(Stage stage, const Query& query, FailureTime& time);
+  std::optional<Outlook> failure_in(Stage stage, const Query& query, double limit,
+                                    FailureTime& time);
+  std::optional<Outlook> first_failure(const Query& query, const double* c, const double* m,
+                                       int degree, double origin, double from, double limit,
+                                       FailureTime& time) const;
   Polynomial exact_polynomial(const Query& query) const;
   std::uint32_t now_root();
   std::uint32_t make_root(const Query& query, const FailureTime& time);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/kernel.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -8,8 +10,27 @@
 
 namespace kinex {
 
-Kernel::Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects)
-    : arithmetic_(std::move(arithmetic)), queue_(*arithmetic_), objects_(objects) {}
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// A window is so many lifetimes long; windows that follow are each kGrowth times as long, and the last
+// one of kMostLooks has no end.
+constexpr double kLifetimes = 2;
+constexpr double kGrowth = 4;
+constexpr int kMostLooks = 6;
+// Limits have so many bits below the length of a window: different ones for most certificates, and
+// few enough for differences to them to be exact.
+constexpr int kWindowBits = 16;
+// An estimate is made from at least so many retractions.
+constexpr std::uint64_t kSample = 64;
+
+}  // namespace
+
+Kernel::Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects, Scheduling scheduling)
+    : arithmetic_(std::move(arithmetic)),
+      queue_(*arithmetic_),
+      scheduling_(scheduling),
+      objects_(objects) {}
 
 PredicateId Kernel::bind(std::shared_ptr<const Predicate> predicate) {
   return arithmetic_->bind(std::move(predicate));
@@ -20,6 +41,7 @@ StructureId Kernel::add_structure() {
   ledgers_.push_back(std::make_unique<StructureLedger>());
   live_per_object_.emplace_back(objects_, 0u);
   shared_.push_back(0);
+  windows_.push_back({kInfinity, 0, kInfinity, 0, 0});
   return static_cast<StructureId>(ledgers_.size() - 1);
 }
 
@@ -28,17 +50,70 @@ StructureId Kernel::add_structure() {
 // The former number of the certificate must have been released. A failure time that is not a number
 // (inexact arithmetics) counts as never.
 Outlook Kernel::schedule(CertificateId id) {
+  Certificate& c = queue_.certificate(id);
+  c.looks = 0;
   FailureTime time;
-  Outlook outlook = arithmetic_->failure(queue_.certificate(id).query, time);
+  const double limit = limit_of(c.structure, 0);
+  const Outlook outlook = limit < kInfinity ? arithmetic_->look_ahead(c.query, limit, time)
+                                            : arithmetic_->failure(c.query, time);
+  return enqueue(id, outlook, time);
+}
+
+Outlook Kernel::enqueue(CertificateId id, Outlook outlook, const FailureTime& time) {
   const bool fails = outlook == Outlook::kFails || outlook == Outlook::kFailsNow;
-  if (fails && time.lo <= time.hi) {
+  if ((fails || outlook == Outlook::kLater) && time.lo <= time.hi) {
+    queue_.certificate(id).outlook = outlook;  // the queue asks for it
     queue_.reset(id, time);
-  } else {
-    if (fails) outlook = Outlook::kNever;
-    queue_.remove(id);
+    return outlook;
   }
+  if (fails) outlook = Outlook::kNever;
+  queue_.remove(id);
   queue_.certificate(id).outlook = outlook;
   return outlook;
+}
+
+void Kernel::look_further() {
+  const CertificateId id = queue_.top();
+  Certificate& c = queue_.certificate(id);
+  FailureTime time = queue_.time(id);
+  const double from = time.lo;
+  if (c.looks < kMostLooks) ++c.looks;
+  double limit = limit_of(c.structure, c.looks);
+  if (!(limit > from)) limit = kInfinity;
+  enqueue(id, arithmetic_->look_further(c.query, from, limit, time), time);
+}
+
+// The end of the window from now on, as a double of few bits, so that differences to it are exact.
+double Kernel::limit_of(StructureId structure, int looks) const {
+  const Window& window = windows_[structure];
+  double length = window.length;
+  if (!(length < kInfinity) || looks == kMostLooks) return kInfinity;
+  for (int i = 0; i < looks; ++i) length *= kGrowth;
+  const double now = arithmetic_->now_approximate();
+  const double limit = std::floor((now + length) / window.step) * window.step;
+  return limit > now ? limit : kInfinity;
+}
+
+// A certificate lives, on the average, as long as it takes to retract as many as are alive.
+void Kernel::update_window(StructureId structure) {
+  if (scheduling_ == Scheduling::kEager) return;
+  const StructureLedger& ledger = *ledgers_[structure];
+  Window& window = windows_[structure];
+  const double now = arithmetic_->now_approximate();
+  const double elapsed = now - window.since;
+  const double retracted = static_cast<double>(ledger.certificates_retracted - window.retracted);
+  if (elapsed > 0 && retracted > 0) {
+    window.length = kLifetimes * elapsed * static_cast<double>(ledger.live) / retracted;
+    if (window.length > 0x1p-900) {
+      const int unit = std::ilogb(window.length) - kWindowBits;
+      window.step = std::ldexp(1.0, std::max(unit, std::ilogb(now + window.length) - 46));
+    } else {
+      window.length = kInfinity;
+    }
+  }
+  window.since = now;
+  window.retracted = ledger.certificates_retracted;
+  window.next = ledger.certificates_retracted + std::max(kSample, ledger.live / 4);
 }
 
 Kernel::Created Kernel::create(StructureId structure, const Query& query, std::uint32_t tag) {
@@ -156,6 +231,9 @@ void Kernel::end_event() {
   ++ledger.processed;
   ++(event_external_ ? ledger.external : ledger.internal);
   ledger.created_per_event.add(ledger.certificates_created - created_before_);
+  if (ledger.certificates_retracted >= windows_[failing_structure_].next) {
+    update_window(failing_structure_);
+  }
   ledger.retracted_per_event.add(ledger.certificates_retracted - retracted_before_);
   end_change();
 }

@@ -20,9 +20,18 @@
 
 namespace kinex {
 
+// How far ahead certificates are looked at. Most are retracted long before they would fail, so it can
+// pay to prove only that they hold for a while: for a window of a few typical lifetimes, then for four
+// times as long, and so on (section 10 of Guibas's report). The events are the same.
+enum class Scheduling : std::uint8_t {
+  kEager,  // the failure time is found at once
+  kLazy,
+};
+
 class Kernel {
  public:
-  Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects);
+  Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects,
+         Scheduling scheduling = Scheduling::kLazy);
 
   // ---- for structures ------------------------------------------------------------------------
   PredicateId bind(std::shared_ptr<const Predicate> predicate);
@@ -68,6 +77,8 @@ class Kernel {
   bool is_exact() const { return arithmetic_->is_exact(); }
 
   // ---- for the simulator ---------------------------------------------------------------------
+  // The first in the queue is the end of a window: looks further.
+  void look_further();
   Arithmetic& arithmetic() { return *arithmetic_; }
   const Arithmetic& arithmetic() const { return *arithmetic_; }
   EventQueue& queue() { return queue_; }
@@ -104,7 +115,19 @@ class Kernel {
   std::size_t bytes() const;
 
  private:
+  // What is known of the lifetimes of a structure's certificates: the present estimate of the window
+  // and when to make the next one.
+  struct Window {
+    double length;  // +infinity: nothing is known, look as far as can be
+    double step;    // limits are multiples of it
+    double since;   // a double near the time of this estimate
+    std::uint64_t retracted = 0;  // certificates retracted by then
+    std::uint64_t next = 0;       // the number at which a new estimate is made
+  };
   Outlook schedule(CertificateId id);
+  Outlook enqueue(CertificateId id, Outlook outlook, const FailureTime& time);
+  double limit_of(StructureId structure, int looks) const;
+  void update_window(StructureId structure);
   void count_created(StructureId structure, const Query& query);
   void count_retracted(StructureId structure, const Query& query);
   void count_replaced(StructureId structure, const Query& before, const Query& after);
@@ -125,6 +148,8 @@ class Kernel {
   // live_per_object_[structure][object]
   std::vector<std::vector<std::uint32_t>> live_per_object_;
   std::vector<std::uint8_t> shared_;
+  Scheduling scheduling_;
+  std::vector<Window> windows_;
   // index_[object]: its certificates in no particular, but reproducible, order;
   // index_position_[certificate][i]: the place of the certificate among those of its i-th object.
   std::vector<std::vector<CertificateId>> index_;

@@ -172,21 +172,33 @@ class FormulaPredicate final : public Predicate {
     for (int i = 0; i <= D; ++i) out[i] = p.c[i];
   }
 
+  // The motions are shifted once, for both.
   template <int D>
   void reaching(const ShiftedPoints<double, D>& points, double* out, double* reach) const {
+    constexpr int kMostAxes = 3;
+    constexpr int kPowers = D + 1;
+    const int axes = formula_.dimension();
+    double shifted[Formula::kArity][kMostAxes * kPowers];
+    MotionView<double> views[Formula::kArity];
+    for (int i = 0; i < Formula::kArity; ++i) {
+      views[i] = shifted[i];
+      for (int axis = 0; axis < axes; ++axis) {
+        const auto p = points(i, axis);
+        for (int k = 0; k <= D; ++k) shifted[i][axis * kPowers + k] = p.c[k];
+      }
+    }
     for (int k = 0; k <= D; ++k) reach[k] = 0;
-    for (int axis = 0; axis < formula_.dimension(); ++axis) {
-      const auto reference = points(Formula::kReference, axis);
+    for (int axis = 0; axis < axes; ++axis) {
       for (int i = 0; i < Formula::kArity; ++i) {
         if (i == Formula::kReference) continue;
-        const auto p = points(i, axis);
         for (int k = 0; k <= D; ++k) {
-          const double r = std::fabs(p.c[k] - reference.c[k]);
+          const int at = axis * kPowers + k;
+          const double r = std::fabs(shifted[i][at] - shifted[Formula::kReference][at]);
           reach[k] = r > reach[k] ? r : reach[k];
         }
       }
     }
-    store(formula_.value(points), out);
+    store(formula_.value(FixedPoints<double, D>{views}), out);
   }
 
   // With every difference bounded by one and the same polynomial R(t) the formula's absolute values add

@@ -163,7 +163,11 @@ void Simulator::charge(StructureId id) {
 // True if the first failure is at the present instant (or, inexact arithmetics, before it).
 bool Simulator::fails_now() {
   EventQueue& queue = kernel_.queue();
-  if (queue.empty() || queue.top_lo() > now_hi_) return false;
+  for (;;) {
+    if (queue.empty() || queue.top_lo() > now_hi_) return false;
+    if (!queue.top_is_later()) break;
+    kernel_.look_further();
+  }
   const CertificateId first = queue.top();
   FailureTime time = queue.time(first);
   order_to_now_ = kernel_.arithmetic().compare_with_now(kernel_.query(first), time);
@@ -329,11 +333,19 @@ void Simulator::run_failures(const Rational* stop, bool inclusive) {
   while (!queue.empty()) {
     if (stop != nullptr && !(queue.top_hi() < lo)) {
       if (queue.top_lo() > hi) return;
+      if (queue.top_is_later()) {
+        kernel_.look_further();
+        continue;
+      }
       const CertificateId first = queue.top();
       FailureTime time = queue.time(first);
       const int order = kernel_.arithmetic().compare(kernel_.query(first), time, *stop);
       queue.set_time(first, time);
       if (order > 0 || (order == 0 && !inclusive)) return;
+    }
+    if (queue.top_is_later()) {
+      kernel_.look_further();
+      continue;
     }
     if (stop_early()) return;
     failure_instant();

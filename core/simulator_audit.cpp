@@ -73,6 +73,7 @@ std::optional<Rational> Simulator::rational_after_now() {
   Arithmetic& arithmetic = kernel_.arithmetic();
   EventQueue& queue = kernel_.queue();
   std::optional<Rational> result;
+  while (!queue.empty() && queue.top_is_later()) kernel_.look_further();
   if (queue.empty()) {
     result = arithmetic.rational_between(nullptr, nullptr);
   } else {
