@@ -13,7 +13,7 @@ CertificateId EventQueue::allocate(StructureId structure, const Query& query, st
     require(certificates_.size() < kNoCertificate, "more certificates than ids");
     id = static_cast<CertificateId>(certificates_.size());
     certificates_.emplace_back();
-    position_.push_back(kNotQueued);
+    places_.emplace_back();
   } else {
     id = free_.back();
     free_.pop_back();
@@ -37,38 +37,54 @@ void EventQueue::free(CertificateId id) {
 
 void EventQueue::push(CertificateId id, const FailureTime& time) {
   certificates_[id].root = time.root;
-  heap_.emplace_back();
-  if (heap_.size() > max_size_) max_size_ = heap_.size();
-  sift_up(heap_.size() - 1, Entry{time.lo, time.hi, id});
+  add(Entry{time.lo, time.hi, id});
+  max_size_ = std::max(max_size_, size());
+  prepare();
 }
 
 void EventQueue::reset(CertificateId id, const FailureTime& time) {
-  const std::uint32_t position = position_[id];
-  if (position == kNotQueued) return push(id, time);
+  const std::uint32_t where = places_[id].where;
+  if (where == kNotQueued) return push(id, time);
   certificates_[id].root = time.root;
-  settle(position, Entry{time.lo, time.hi, id});
+  const Entry e{time.lo, time.hi, id};
+  if (where == kFar) {
+    unlink(id);
+    add(e);
+  } else if (bucket_of(e.lo) <= poured_) {
+    settle(where, e);
+  } else {
+    take_out(where);
+    add(e);
+  }
+  prepare();
 }
 
 void EventQueue::remove(CertificateId id) {
-  const std::uint32_t position = position_[id];
-  if (position == kNotQueued) return;
+  const std::uint32_t where = places_[id].where;
+  if (where == kNotQueued) return;
   if (certificates_[id].root != 0) {
     FailureTime t = time(id);
     arithmetic_->release(t);
     certificates_[id].root = 0;
   }
-  take_out(position);
+  if (where == kFar) return unlink(id);
+  take_out(where);
+  prepare();
 }
 
 FailureTime EventQueue::time(CertificateId id) const {
-  const Entry& e = heap_[position_[id]];
+  const Place& p = places_[id];
+  if (p.where == kFar) return {p.lo, p.hi, certificates_[id].root};
+  const Entry& e = heap_[p.where];
   return {e.lo, e.hi, certificates_[id].root};
 }
 
 void EventQueue::set_time(CertificateId id, const FailureTime& time) {
-  Entry& e = heap_[position_[id]];
-  e.lo = time.lo;
-  e.hi = time.hi;
+  Place& p = places_[id];
+  double& lo = p.where == kFar ? p.lo : heap_[p.where].lo;
+  double& hi = p.where == kFar ? p.hi : heap_[p.where].hi;
+  lo = time.lo;
+  hi = time.hi;
   certificates_[id].root = time.root;
 }
 
@@ -79,10 +95,13 @@ FailureTime EventQueue::pop() {
   Certificate& c = certificates_[top.certificate];
   const FailureTime result{top.lo, top.hi, c.root};
   c.root = 0;
-  position_[top.certificate] = kNotQueued;
+  places_[top.certificate].where = kNotQueued;
   const Entry last = heap_.back();
   heap_.pop_back();
-  if (heap_.empty()) return result;
+  if (heap_.empty()) {
+    prepare();
+    return result;
+  }
   std::size_t hole = 0;
   for (std::size_t first = 1; first < heap_.size(); first = kArity * hole + 1) {
     const std::size_t least = least_child(first, std::min(first + kArity, heap_.size()));
@@ -90,11 +109,12 @@ FailureTime EventQueue::pop() {
     hole = least;
   }
   sift_up(hole, last);
+  prepare();
   return result;
 }
 
 void EventQueue::take_out(std::size_t i) {
-  position_[heap_[i].certificate] = kNotQueued;
+  places_[heap_[i].certificate].where = kNotQueued;
   const Entry last = heap_.back();
   heap_.pop_back();
   if (i < heap_.size()) settle(i, last);
@@ -229,7 +249,8 @@ void EventQueue::collect_first_instant(std::vector<CertificateId>& out) {
 
 std::size_t EventQueue::bytes() const {
   return certificates_.capacity() * sizeof(Certificate) + heap_.capacity() * sizeof(Entry) +
-         position_.capacity() * sizeof(std::uint32_t) + free_.capacity() * sizeof(CertificateId);
+         places_.capacity() * sizeof(Place) + buckets_.capacity() * sizeof(std::uint32_t) +
+         (free_.capacity() + pool_.capacity()) * sizeof(CertificateId);
 }
 
 }  // namespace kinex

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/arithmetic.h"
@@ -22,14 +23,20 @@ struct Certificate {
   std::uint32_t root = 0;  // FailureTime::root
 };
 
-// A 4-ary heap over (interval key, certificate). Keys are compared by their enclosures; only when
-// two overlap is the arithmetic asked. Equal instants are ordered by value: (structure, predicate,
-// sorted ids). Insertion and retraction take O(log n) comparisons. A certificate whose outlook is
-// kLater is queued at the (double) time up to which it is known not to fail; failures at that very
-// instant come first.
+// Keys are enclosures of failure times; only when two overlap is the arithmetic asked. Equal instants
+// are ordered by value: (structure, predicate, sorted ids). A certificate whose outlook is kLater is
+// queued at the (double) time up to which it is known not to fail; failures at that very instant come
+// first.
+//
+// Two levels: a 4-ary heap of what comes soon, and behind it unsorted buckets of equal width in time,
+// by the lower ends of the keys, for what comes later; what comes after the last bucket waits in one
+// list. When the heap's first key reaches beyond the buckets that were poured into it, the next one
+// is; when there is none left, the list is cut into buckets anew. Most certificates are retracted
+// before their bucket's turn comes, in O(1). Insertion and retraction take O(log n) comparisons at
+// most (all times in one bucket: a heap), and O(1) where times are spread.
 class EventQueue {
  public:
-  explicit EventQueue(Arithmetic& arithmetic) : arithmetic_(&arithmetic) {}
+  explicit EventQueue(Arithmetic& arithmetic) : arithmetic_(&arithmetic), spill_at_(kSmall) {}
 
   CertificateId allocate(StructureId structure, const Query& query, std::uint32_t tag);
   // The certificate leaves the heap, its number is released, and its id may be used again.
@@ -47,9 +54,9 @@ class EventQueue {
   // The certificate fails at another time: push, or an update in place that needs fewer comparisons
   // than remove and push. The former number must have been released.
   void reset(CertificateId id, const FailureTime& time);
-  bool queued(CertificateId id) const { return position_[id] != kNotQueued; }
+  bool queued(CertificateId id) const { return places_[id].where != kNotQueued; }
   bool empty() const { return heap_.empty(); }
-  std::size_t size() const { return heap_.size(); }
+  std::size_t size() const { return heap_.size() + far_; }
   CertificateId top() const { return heap_.front().certificate; }
   // The first entry is no failure but the end of what is known of a certificate (Outlook::kLater).
   bool top_is_later() const { return is_later(heap_.front()); }
@@ -75,8 +82,18 @@ class EventQueue {
     double lo, hi;
     CertificateId certificate;
   };
+  // Where a certificate waits: in the heap at `where`, or (kFar) in the list of a bucket.
+  struct Place {
+    double lo = 0, hi = 0;  // in a list
+    std::uint32_t next = kNone, previous = kNone;
+    std::uint32_t where = kNotQueued;
+    std::uint32_t bucket = 0;
+  };
   static constexpr std::size_t kArity = 4;
+  static constexpr std::size_t kSmall = 128;  // no buckets for fewer entries
+  static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::uint32_t kNotQueued = 0xffffffffu;
+  static constexpr std::uint32_t kFar = 0xfffffffeu;
 
   bool less(Entry& a, Entry& b) {
     if (a.hi < b.lo) return true;
@@ -97,15 +114,38 @@ class EventQueue {
   void settle(std::size_t i, Entry e);
   void place(std::size_t i, const Entry& e) {
     heap_[i] = e;
-    position_[e.certificate] = static_cast<std::uint32_t>(i);
+    places_[e.certificate].where = static_cast<std::uint32_t>(i);
   }
   void take_out(std::size_t i);
 
+  // ---- event_queue_buckets.cpp
+  std::uint32_t bucket_of(double lo) const;
+  void add(const Entry& e);
+  void link(const Entry& e, std::uint32_t bucket);
+  void unlink(CertificateId id);
+  // Pours buckets into the heap until its first entry is the first of all.
+  void prepare() {
+    if (far_ != 0 && (heap_.empty() || !(heap_.front().hi <= edge_))) pour();
+  }
+  void pour();
+  void pour_bucket(std::uint32_t bucket);
+  void cut();
+  void spill();
+  void find_edge();
+
   Arithmetic* arithmetic_;
   std::vector<Certificate> certificates_;
-  std::vector<std::uint32_t> position_;  // in the heap, per certificate; kNotQueued
+  std::vector<Place> places_;  // per certificate
   std::vector<CertificateId> free_;
   std::vector<Entry> heap_;
+  // Buckets 0 .. poured_ are in the heap; all other entries have buckets beyond, and lo > edge_.
+  std::vector<std::uint32_t> buckets_;  // heads of lists; the last one is for all that comes later
+  std::uint32_t poured_ = 0;
+  double base_ = 0, per_time_ = 0;  // bucket = (lo - base) * per_time
+  double edge_ = std::numeric_limits<double>::infinity();
+  std::size_t far_ = 0;             // entries in lists
+  std::size_t spill_at_;            // size of the heap that is worth cutting anew
+  std::vector<CertificateId> pool_;  // scratch of cut()
   std::size_t live_ = 0;
   std::size_t max_size_ = 0;
 };

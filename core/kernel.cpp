@@ -90,7 +90,7 @@ double Kernel::limit_of(StructureId structure, int looks) const {
   if (!(length < kInfinity) || looks == kMostLooks) return kInfinity;
   for (int i = 0; i < looks; ++i) length *= kGrowth;
   const double now = arithmetic_->now_approximate();
-  const double limit = std::floor((now + length) / window.step) * window.step;
+  const double limit = (now + length + window.rounder) - window.rounder;
   return limit > now ? limit : kInfinity;
 }
 
@@ -106,7 +106,9 @@ void Kernel::update_window(StructureId structure) {
     window.length = kLifetimes * elapsed * static_cast<double>(ledger.live) / retracted;
     if (window.length > 0x1p-900) {
       const int unit = std::ilogb(window.length) - kWindowBits;
-      window.step = std::ldexp(1.0, std::max(unit, std::ilogb(now + window.length) - 46));
+      // The longest window ends before now + 2^13 lengths.
+      const double reach = std::fabs(now) + 0x1p13 * window.length;
+      window.rounder = std::ldexp(1.5, 52 + std::max(unit, std::ilogb(reach) - 46));
     } else {
       window.length = kInfinity;
     }

@@ -119,7 +119,7 @@ class Kernel {
   // and when to make the next one.
   struct Window {
     double length;  // +infinity: nothing is known, look as far as can be
-    double step;    // limits are multiples of it
+    double rounder;  // added and subtracted, it leaves a number of few bits
     double since;   // a double near the time of this estimate
     std::uint64_t retracted = 0;  // certificates retracted by then
     std::uint64_t next = 0;       // the number at which a new estimate is made

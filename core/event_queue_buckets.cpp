@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// EventQueue: the buckets behind the heap.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/event_queue.h"
+
+namespace kinex {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Entries in a bucket, on the average; the part of all entries that is cut into buckets at once, and
+// how many entries are looked at to find where that part ends.
+constexpr std::size_t kPerBucket = 4;
+constexpr double kPart = 0.75;
+constexpr std::size_t kLookedAt = 128;
+
+}  // namespace
+
+// Grows with lo, and is computed in one way only: so the order of buckets is an order of times.
+std::uint32_t EventQueue::bucket_of(double lo) const {
+  if (lo <= edge_) return poured_;
+  const double x = (lo - base_) * per_time_;
+  const double last = static_cast<double>(buckets_.size() - 1);
+  return x < last ? std::max(poured_, static_cast<std::uint32_t>(x))
+                  : static_cast<std::uint32_t>(buckets_.size() - 1);
+}
+
+void EventQueue::add(const Entry& e) {
+  const std::uint32_t bucket = bucket_of(e.lo);
+  if (bucket > poured_) return link(e, bucket);
+  heap_.emplace_back();
+  sift_up(heap_.size() - 1, e);
+  if (heap_.size() > spill_at_) spill();
+}
+
+void EventQueue::link(const Entry& e, std::uint32_t bucket) {
+  Place& p = places_[e.certificate];
+  std::uint32_t& head = buckets_[bucket];
+  p = Place{e.lo, e.hi, head, kNone, kFar, bucket};
+  if (head != kNone) places_[head].previous = e.certificate;
+  head = e.certificate;
+  ++far_;
+}
+
+void EventQueue::unlink(CertificateId id) {
+  Place& p = places_[id];
+  if (p.next != kNone) places_[p.next].previous = p.previous;
+  (p.previous != kNone ? places_[p.previous].next : buckets_[p.bucket]) = p.next;
+  p.where = kNotQueued;
+  --far_;
+}
+
+void EventQueue::pour() {
+  while (far_ != 0 && (heap_.empty() || !(heap_.front().hi <= edge_))) {
+    std::uint32_t bucket = poured_ + 1;
+    const auto last = static_cast<std::uint32_t>(buckets_.size() - 1);
+    while (bucket < last && buckets_[bucket] == kNone) ++bucket;
+    if (bucket == last) {
+      cut();
+    } else {
+      pour_bucket(bucket);
+    }
+  }
+}
+
+void EventQueue::pour_bucket(std::uint32_t bucket) {
+  poured_ = bucket;
+  find_edge();
+  for (std::uint32_t id = buckets_[bucket]; id != kNone;) {
+    const Place p = places_[id];
+    heap_.emplace_back();
+    sift_up(heap_.size() - 1, Entry{p.lo, p.hi, id});
+    --far_;
+    id = p.next;
+  }
+  buckets_[bucket] = kNone;
+  spill_at_ = std::max(kSmall, 2 * heap_.size());
+}
+
+// The largest time of the buckets poured, or a little less.
+void EventQueue::find_edge() {
+  const double guess = base_ + (static_cast<double>(poured_) + 1) / per_time_;
+  double edge = std::min(guess, kInfinity);
+  edge_ = -kInfinity;  // bucket_of computes
+  const std::uint32_t poured = poured_;
+  poured_ = 0;
+  for (double back = 0x1p-52; edge > base_ && bucket_of(edge) > poured; back *= 2) {
+    edge = guess - back * std::max(std::fabs(guess), 0x1p-1000);
+  }
+  poured_ = poured;
+  edge_ = edge;
+}
+
+// Cuts what is in the last list into buckets, all before a certain time, and pours the first.
+void EventQueue::cut() {
+  pool_.clear();
+  double least = kInfinity;
+  for (std::uint32_t id = buckets_.back(); id != kNone; id = places_[id].next) {
+    pool_.push_back(id);
+    least = std::min(least, places_[id].lo);
+  }
+  std::array<double, kLookedAt> sample{};
+  const std::size_t stride = pool_.size() / kLookedAt + 1;
+  std::size_t looked_at = 0;
+  for (std::size_t i = 0; i < pool_.size(); i += stride) sample[looked_at++] = places_[pool_[i]].lo;
+  const auto end = sample.begin() + static_cast<std::ptrdiff_t>(looked_at);
+  const auto part = sample.begin() + static_cast<std::ptrdiff_t>(kPart * static_cast<double>(looked_at));
+  std::nth_element(sample.begin(), part, end);
+  const auto count = static_cast<std::size_t>(kPart * static_cast<double>(pool_.size() / kPerBucket)) + 1;
+  base_ = least;
+  per_time_ = static_cast<double>(count) / (*part - least);
+  poured_ = 0;
+  // Few entries, or times too close together to be told apart: all of them go into the heap.
+  const bool all = pool_.size() <= kSmall || !(per_time_ < 0x1p500) || !(per_time_ > 0x1p-500);
+  buckets_.assign(all ? 2 : count + 1, kNone);
+  edge_ = kInfinity;
+  if (!all) find_edge();
+  far_ -= pool_.size();
+  for (const CertificateId id : pool_) {
+    const Entry e{places_[id].lo, places_[id].hi, id};
+    const std::uint32_t bucket = bucket_of(e.lo);
+    if (bucket > poured_) {
+      link(e, bucket);
+    } else {
+      heap_.emplace_back();
+      sift_up(heap_.size() - 1, e);
+    }
+  }
+  spill_at_ = std::max(kSmall, 2 * heap_.size());
+}
+
+// The heap has become large: everything is cut anew.
+void EventQueue::spill() {
+  if (buckets_.empty()) buckets_.assign(2, kNone);
+  const auto last = static_cast<std::uint32_t>(buckets_.size() - 1);
+  const std::size_t heap_size = heap_.size();
+  for (std::uint32_t bucket = 0; bucket < last; ++bucket) {
+    for (std::uint32_t id = buckets_[bucket]; id != kNone;) {
+      const Place p = places_[id];
+      --far_;
+      link(Entry{p.lo, p.hi, id}, last);
+      id = p.next;
+    }
+    buckets_[bucket] = kNone;
+  }
+  for (const Entry& e : heap_) link(e, last);
+  heap_.clear();
+  cut();
+  spill_at_ = std::max(spill_at_, heap_.size() * 2 > heap_size ? 2 * heap_size : kSmall);
+}
+
+}  // namespace kinex
