@@ -186,7 +186,8 @@ class DoubleArithmetic final : public Arithmetic {
     int degree = predicate.degree(degree_);
     if (degree >= kRoom) return -1;
     std::array<MotionView<double>, kMaxArity> points;
-    for (std::size_t i = 0; i < query.arity; ++i) points[i] = &coefficients_[query.ids[i] * stride_];
+    for (std::size_t i = 0; i < query.arity; ++i)
+      points[i] = &coefficients_[query.ids[i] * stride_];
     predicate.plain(degree_, points.data(), 0.0, c.data());
     while (degree >= 0 && c[static_cast<std::size_t>(degree)] == 0) --degree;
     return degree;

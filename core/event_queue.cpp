@@ -12,6 +12,13 @@ CertificateId EventQueue::allocate(StructureId structure, const Query& query, st
   if (free_.empty()) {
     require(certificates_.size() < kNoCertificate, "more certificates than ids");
     id = static_cast<CertificateId>(certificates_.size());
+    if (certificates_.size() == certificates_.capacity()) {
+      // By a quarter, not by doubling: memory per certificate is one of the things that are
+      // measured.
+      const std::size_t room = certificates_.size() + certificates_.size() / 4 + 16;
+      certificates_.reserve(room);
+      places_.reserve(room);
+    }
     certificates_.emplace_back();
     places_.emplace_back();
   } else {
@@ -181,7 +188,8 @@ bool EventQueue::less_slow(Entry& a, Entry& b) {
 bool EventQueue::ties_before(CertificateId a, CertificateId b) const {
   const Certificate& ca = certificates_[a];
   const Certificate& cb = certificates_[b];
-  if (ca.outlook == Outlook::kLater) return a < b;  // no events: any order that is the same everywhere
+  if (ca.outlook == Outlook::kLater)
+    return a < b;  // no events: any order that is the same everywhere
   if (ca.structure != cb.structure) return ca.structure < cb.structure;
   if (ca.query.predicate != cb.query.predicate) return ca.query.predicate < cb.query.predicate;
   const auto sa = sorted_ids(ca.query), sb = sorted_ids(cb.query);
@@ -250,7 +258,7 @@ void EventQueue::collect_first_instant(std::vector<CertificateId>& out) {
 std::size_t EventQueue::bytes() const {
   return certificates_.capacity() * sizeof(Certificate) + heap_.capacity() * sizeof(Entry) +
          places_.capacity() * sizeof(Place) + buckets_.capacity() * sizeof(std::uint32_t) +
-         (free_.capacity() + pool_.capacity()) * sizeof(CertificateId);
+         free_.capacity() * sizeof(CertificateId);
 }
 
 }  // namespace kinex

@@ -23,17 +23,17 @@ struct Certificate {
   std::uint32_t root = 0;  // FailureTime::root
 };
 
-// Keys are enclosures of failure times; only when two overlap is the arithmetic asked. Equal instants
-// are ordered by value: (structure, predicate, sorted ids). A certificate whose outlook is kLater is
-// queued at the (double) time up to which it is known not to fail; failures at that very instant come
-// first.
+// Keys are enclosures of failure times; only when two overlap is the arithmetic asked. Equal
+// instants are ordered by value: (structure, predicate, sorted ids). A certificate whose outlook is
+// kLater is queued at the (double) time up to which it is known not to fail; failures at that very
+// instant come first.
 //
-// Two levels: a 4-ary heap of what comes soon, and behind it unsorted buckets of equal width in time,
-// by the lower ends of the keys, for what comes later; what comes after the last bucket waits in one
-// list. When the heap's first key reaches beyond the buckets that were poured into it, the next one
-// is; when there is none left, the list is cut into buckets anew. Most certificates are retracted
-// before their bucket's turn comes, in O(1). Insertion and retraction take O(log n) comparisons at
-// most (all times in one bucket: a heap), and O(1) where times are spread.
+// Two levels: a 4-ary heap of what comes soon, and behind it unsorted buckets of equal width in
+// time, by the lower ends of the keys, for what comes later; what comes after the last bucket waits
+// in one list. When the heap's first key reaches beyond the buckets that were poured into it, the
+// next one is; when there is none left, the list is cut into buckets anew. Most certificates are
+// retracted before their bucket's turn comes, in O(1). Insertion and retraction take O(log n)
+// comparisons at most (all times in one bucket: a heap), and O(1) where times are spread.
 class EventQueue {
  public:
   explicit EventQueue(Arithmetic& arithmetic) : arithmetic_(&arithmetic), spill_at_(kSmall) {}
@@ -143,9 +143,8 @@ class EventQueue {
   std::uint32_t poured_ = 0;
   double base_ = 0, per_time_ = 0;  // bucket = (lo - base) * per_time
   double edge_ = std::numeric_limits<double>::infinity();
-  std::size_t far_ = 0;             // entries in lists
-  std::size_t spill_at_;            // size of the heap that is worth cutting anew
-  std::vector<CertificateId> pool_;  // scratch of cut()
+  std::size_t far_ = 0;   // entries in lists
+  std::size_t spill_at_;  // size of the heap that is worth cutting anew
   std::size_t live_ = 0;
   std::size_t max_size_ = 0;
 };

@@ -10,8 +10,8 @@ namespace kinex {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Entries in a bucket, on the average; the part of all entries that is cut into buckets at once, and
-// how many entries are looked at to find where that part ends.
+// Entries in a bucket, on the average; the part of all entries that is cut into buckets at once,
+// and how many entries are looked at to find where that part ends.
 constexpr std::size_t kPerBucket = 4;
 constexpr double kPart = 0.75;
 constexpr std::size_t kLookedAt = 128;
@@ -95,31 +95,34 @@ void EventQueue::find_edge() {
 
 // Cuts what is in the last list into buckets, all before a certain time, and pours the first.
 void EventQueue::cut() {
-  pool_.clear();
-  double least = kInfinity;
-  for (std::uint32_t id = buckets_.back(); id != kNone; id = places_[id].next) {
-    pool_.push_back(id);
-    least = std::min(least, places_[id].lo);
-  }
+  const std::uint32_t first = buckets_.back();
+  const std::size_t size = far_;  // nothing is in the other lists
+  const std::size_t stride = size / kLookedAt + 1;
   std::array<double, kLookedAt> sample{};
-  const std::size_t stride = pool_.size() / kLookedAt + 1;
-  std::size_t looked_at = 0;
-  for (std::size_t i = 0; i < pool_.size(); i += stride) sample[looked_at++] = places_[pool_[i]].lo;
+  std::size_t looked_at = 0, at = 0;
+  double least = kInfinity;
+  for (std::uint32_t id = first; id != kNone; id = places_[id].next) {
+    const double lo = places_[id].lo;
+    least = std::min(least, lo);
+    if (at++ % stride == 0) sample[looked_at++] = lo;
+  }
   const auto end = sample.begin() + static_cast<std::ptrdiff_t>(looked_at);
-  const auto part = sample.begin() + static_cast<std::ptrdiff_t>(kPart * static_cast<double>(looked_at));
+  const auto part =
+      sample.begin() + static_cast<std::ptrdiff_t>(kPart * static_cast<double>(looked_at));
   std::nth_element(sample.begin(), part, end);
-  const auto count = static_cast<std::size_t>(kPart * static_cast<double>(pool_.size() / kPerBucket)) + 1;
+  const auto count = static_cast<std::size_t>(kPart * static_cast<double>(size / kPerBucket)) + 1;
   base_ = least;
   per_time_ = static_cast<double>(count) / (*part - least);
   poured_ = 0;
   // Few entries, or times too close together to be told apart: all of them go into the heap.
-  const bool all = pool_.size() <= kSmall || !(per_time_ < 0x1p500) || !(per_time_ > 0x1p-500);
+  const bool all = size <= kSmall || !(per_time_ < 0x1p500) || !(per_time_ > 0x1p-500);
   buckets_.assign(all ? 2 : count + 1, kNone);
   edge_ = kInfinity;
   if (!all) find_edge();
-  far_ -= pool_.size();
-  for (const CertificateId id : pool_) {
+  far_ = 0;
+  for (std::uint32_t id = first, next; id != kNone; id = next) {
     const Entry e{places_[id].lo, places_[id].hi, id};
+    next = places_[id].next;
     const std::uint32_t bucket = bucket_of(e.lo);
     if (bucket > poured_) {
       link(e, bucket);

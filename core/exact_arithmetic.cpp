@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first stage of ExactArithmetic: what doubles can prove. The rest is in exact_arithmetic_slow.cpp.
+// The first stage of ExactArithmetic: what doubles can prove. The rest is in
+// exact_arithmetic_slow.cpp.
 #include "core/exact_arithmetic.h"
 
 #include <array>
@@ -61,9 +62,12 @@ void power_of(const double* p, int h, double* out) {
 // order of summation is off by a few units only (see bound_predicate).
 void reach_power(const double* reach, int d, int h, double* out) {
   switch (d) {
-    case 1: return power_of<1>(reach, h, out);
-    case 2: return power_of<2>(reach, h, out);
-    default: return power_of<3>(reach, h, out);
+    case 1:
+      return power_of<1>(reach, h, out);
+    case 2:
+      return power_of<2>(reach, h, out);
+    default:
+      return power_of<3>(reach, h, out);
   }
 }
 
@@ -96,8 +100,8 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   models_.push_back(model);
 }
 
-// The shifted motions are exact if all their coefficients are multiples of step^degree (the origin is a
-// multiple of step <= 1, or an integer) of at most 53 bits; one bit is kept for differences.
+// The shifted motions are exact if all their coefficients are multiples of step^degree (the origin
+// is a multiple of step <= 1, or an integer) of at most 53 bits; one bit is kept for differences.
 bool ExactArithmetic::shift_is_exact(double origin, double step) const {
   const NumberModel& numbers = motions_.model();
   double unit = 1;
@@ -244,8 +248,8 @@ int ExactArithmetic::relation_to_now(const Query& query) const {
   return now_.own ? query_relation(query, now_.query, models_[query.predicate].alternating) : 0;
 }
 
-// The sign of p on all of [now.lo, now.hi], if it is one and the same for certain; it is then the sign
-// at now and right after it.
+// The sign of p on all of [now.lo, now.hi], if it is one and the same for certain; it is then the
+// sign at now and right after it.
 std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const {
   const double t = now_.hi - p.origin;
   const double bound = std::max(std::fabs(now_.lo - p.origin), std::fabs(t));
@@ -257,11 +261,11 @@ std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const
     if (i > 0) slope = slope * bound + i * p.m[i];
   }
   if (d == 0) slope = 0;
-  if (!(magnitude >= 0x1p-300 && magnitude <= 0x1p900 && std::fabs(bound) <= 0x1p200)) return std::nullopt;
+  if (!(magnitude >= 0x1p-300 && magnitude <= 0x1p900 && std::fabs(bound) <= 0x1p200))
+    return std::nullopt;
   if (d > 3 && !(bound <= std::exp2(600.0 / d))) return std::nullopt;
   // The value moves by at most slope * width between now.lo and now.hi.
-  const double error =
-      filter::gamma(d) * magnitude + slope * (now_.hi - now_.lo) * (1 + 0x1p-20);
+  const double error = filter::gamma(d) * magnitude + slope * (now_.hi - now_.lo) * (1 + 0x1p-20);
   if (value > error) return Sign::kPositive;
   if (value < -error) return Sign::kNegative;
   return std::nullopt;
@@ -337,8 +341,7 @@ Outlook ExactArithmetic::look_further(const Query& query, double from, double li
   if (approximate(query, Stage::kDouble, p) && p.degree >= 2) {
     const double a = from - p.origin;
     if (from - a == p.origin && p.origin + a == from) {
-      if (const auto outlook =
-              first_failure(query, p.c, p.m, p.degree, p.origin, a, limit, time)) {
+      if (const auto outlook = first_failure(query, p.c, p.m, p.degree, p.origin, a, limit, time)) {
         count_solved(p.degree);
         ++count(query).failures[static_cast<int>(Stage::kDouble)];
         return *outlook;
@@ -389,7 +392,8 @@ std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& que
   return first_failure(query, c, m, degree, p.origin, now_.hi - p.origin, limit, time);
 }
 
-// The first sign change after `from` (in t - origin), where the polynomial is positive right after it.
+// The first sign change after `from` (in t - origin), where the polynomial is positive right after
+// it.
 std::optional<Outlook> ExactArithmetic::first_failure(const Query& query, const double* c,
                                                       const double* m, int degree, double origin,
                                                       double from, double limit,
@@ -409,7 +413,8 @@ std::optional<Outlook> ExactArithmetic::first_failure(const Query& query, const 
     case filter::Search::kFound:
       time = {enclosure.lo, enclosure.hi, 0};
       return Outlook::kFails;
-    case filter::Search::kUnknown: break;
+    case filter::Search::kUnknown:
+      break;
   }
   return std::nullopt;
 }

@@ -13,8 +13,8 @@ namespace kinex {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A window is so many lifetimes long; windows that follow are each kGrowth times as long, and the last
-// one of kMostLooks has no end.
+// A window is so many lifetimes long; windows that follow are each kGrowth times as long, and the
+// last one of kMostLooks has no end.
 constexpr double kLifetimes = 2;
 constexpr double kGrowth = 4;
 constexpr int kMostLooks = 6;

@@ -20,9 +20,9 @@
 
 namespace kinex {
 
-// How far ahead certificates are looked at. Most are retracted long before they would fail, so it can
-// pay to prove only that they hold for a while: for a window of a few typical lifetimes, then for four
-// times as long, and so on (section 10 of Guibas's report). The events are the same.
+// How far ahead certificates are looked at. Most are retracted long before they would fail, so it
+// can pay to prove only that they hold for a while: for a window of a few typical lifetimes, then
+// for four times as long, and so on (section 10 of Guibas's report). The events are the same.
 enum class Scheduling : std::uint8_t {
   kEager,  // the failure time is found at once
   kLazy,
@@ -115,12 +115,12 @@ class Kernel {
   std::size_t bytes() const;
 
  private:
-  // What is known of the lifetimes of a structure's certificates: the present estimate of the window
-  // and when to make the next one.
+  // What is known of the lifetimes of a structure's certificates: the present estimate of the
+  // window and when to make the next one.
   struct Window {
-    double length;  // +infinity: nothing is known, look as far as can be
-    double rounder;  // added and subtracted, it leaves a number of few bits
-    double since;   // a double near the time of this estimate
+    double length;                // +infinity: nothing is known, look as far as can be
+    double rounder;               // added and subtracted, it leaves a number of few bits
+    double since;                 // a double near the time of this estimate
     std::uint64_t retracted = 0;  // certificates retracted by then
     std::uint64_t next = 0;       // the number at which a new estimate is made
   };
