@@ -2,8 +2,9 @@
 // Event logs are the same on every machine, with every compiler and in both exact arithmetics, byte
 // by byte: those of the table are reproduced.
 //
-// A log that is meant to change: KINEX_GOLDEN_WRITE=1 kinex_golden_tests writes the table anew. Read
-// the difference before you commit it: every changed line is a changed answer, or a changed format.
+// A log that is meant to change: KINEX_GOLDEN_WRITE=1 kinex_golden_tests writes the table anew.
+// Read the difference before you commit it: every changed line is a changed answer, or a changed
+// format.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -139,7 +139,7 @@ TEST(Maximum, OfEqualKeysTheSmallestIdWins) {
     Trial run(scene, name);
     SCOPED_TRACE(name);
     EXPECT_EQ(run.ids(), std::vector<ObjectId>{2});
-    run.simulator.run_until(Rational(1));
+    run.run_until(Rational(1));
     EXPECT_EQ(run.ids(), std::vector<ObjectId>{1});
     run.to_end();
     EXPECT_EQ(run.ids(), std::vector<ObjectId>{0});
@@ -219,12 +219,12 @@ TEST(Maximum, ChangesAreLocal) {
     }
     Trial run(scene, name, "exact", AuditLevel::kEnd);
     for (int i = 0; i < 20; ++i) {
-      run.simulator.schedule_erasure(Rational(Integer(2 * i + 1), Integer(2)),
+      run.erase(Rational(Integer(2 * i + 1), Integer(2)),
                                      static_cast<ObjectId>(40 * i + 3));
     }
     std::uint64_t last = run.ledger().certificates_created;
     for (int half = 1; half <= 40; ++half) {
-      run.simulator.run_until(Rational(Integer(half), Integer(2)));
+      run.run_until(Rational(Integer(half), Integer(2)));
       EXPECT_LE(run.ledger().certificates_created - last, 32u) << name << " at " << half << "/2";
       last = run.ledger().certificates_created;
     }
@@ -241,11 +241,11 @@ TEST(Maximum, EmptyAndBack) {
     Trial run(scene, name);
     SCOPED_TRACE(name);
     for (ObjectId i = 0; i < 3; ++i)
-      run.simulator.schedule_erasure(Rational(1 + static_cast<int>(i)), i);
-    run.simulator.run_until(Rational(4));
+      run.erase(Rational(1 + static_cast<int>(i)), i);
+    run.run_until(Rational(4));
     EXPECT_TRUE(run.ids().empty());
     for (ObjectId i = 0; i < 3; ++i) {
-      run.simulator.schedule_insertion(Rational(5), i, path({{static_cast<int>(i), -1}}));
+      run.insert(Rational(5), i, path({{static_cast<int>(i), -1}}));
     }
     run.to_end().expect_clean();
     EXPECT_EQ(run.ids().front(), std::string(name).substr(0, 3) == "max" ? 2u : 0u);

@@ -64,7 +64,7 @@ TEST(SortedList, TouchingIsNoEvent) {
       {path({{0}}), path({{1, -2, 1}}), path({{16, -32, 24, -8, 1}}), path({{27, -27, 9, -1}})}, 0,
       Rational(10));
   Trial run(scene, kName);
-  run.simulator.run_until(Rational(Integer(5), Integer(2)));
+  run.run_until(Rational(Integer(5), Integer(2)));
   EXPECT_EQ(run.ids().front(), 0u);
   run.to_end().expect_clean();
   EXPECT_EQ(run.ids().front(), 3u);
@@ -146,7 +146,7 @@ TEST(SortedList, TheReferenceMustStay) {
   key.kind = Key::Kind::kSquaredDistance;
   key.object = 1;
   Trial run(scene, kName, "exact", AuditLevel::kEvents, key);
-  run.simulator.schedule_erasure(Rational(1), 1);
+  run.erase(Rational(1), 1);
   EXPECT_THROW(run.to_end(), std::invalid_argument);
   key.object = 3;
   EXPECT_THROW(Trial(scene, kName, "exact", AuditLevel::kEvents, key), std::invalid_argument);
