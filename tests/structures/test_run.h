@@ -73,6 +73,11 @@ struct Trial {
     thrown_ = false;
     return *this;
   }
+  // For a run that has been made, and compared, before.
+  Trial& without_twin() {
+    twin_ = false;
+    return *this;
+  }
   void insert(const Rational& t, ObjectId object, Trajectory trajectory) {
     changes_.insert(simulator, t, object, std::move(trajectory));
   }
