@@ -321,6 +321,28 @@ TEST(Delaunay2Degenerate, DegenerateAtTheStart) {
   }
 }
 
+TEST(Delaunay2Degenerate, LargeAndSmallNumbersInOnePoint) {
+  const Rational large = *Rational::parse("1e150"), small = *Rational::parse("1e-150");
+  for (int round = 0; round < 6; ++round) {
+    Random random(200 + static_cast<unsigned>(round));
+    std::vector<Trajectory> motions;
+    const int degree = 1 + round % 2;
+    for (std::int64_t i = 0; i < (degree == 1 ? 12 : 7); ++i) {
+      Coefficients axis[2];
+      for (int a = 0; a < 2; ++a) {
+        for (int k = 0; k <= degree; ++k) {
+          const bool big = ((i >> ((a + k + round) % 3)) & 1) != 0;
+          axis[a].push_back(Rational(random.between(-2, 2)) * (big ? large : small));
+        }
+      }
+      motions.push_back(moving(axis[0], axis[1]));
+    }
+    motions.push_back(motions[2]);
+    run_clean(motions, -2, 2, 2);
+    if (degree == 1) expect_same_as_static(motions, -2, steps(-1, 2, 1));
+  }
+}
+
 TEST(Delaunay2Degenerate, AddedCommonMotionChangesNothing) {
   const std::vector<Trajectory> motions = moving_grid(4, 90, 2);
   std::vector<Trajectory> carried = motions;
