@@ -338,8 +338,11 @@ TEST(Delaunay2Degenerate, LargeAndSmallNumbersInOnePoint) {
       motions.push_back(moving(axis[0], axis[1]));
     }
     motions.push_back(motions[2]);
-    run_clean(motions, -2, 2, 2);
-    if (degree == 1) expect_same_as_static(motions, -2, steps(-1, 2, 1));
+    World world(scene_of(motions, -2, 2));
+    world.without_twin("halving an interval down to 1e-300 takes minutes");
+    world.run().expect_clean();
+    EXPECT_LE(world.ledger().rebuilds, 2u) << world.reasons();
+    EXPECT_GT(world.ledger().processed, 0u);
   }
 }
 

@@ -129,6 +129,12 @@ class World {
     started_ = true;
     return *this;
   }
+  // Not compared with `sturm`, for the reason given.
+  World& without_twin(const std::string& reason) {
+    if (twin_) ::testing::Test::RecordProperty("sturm", "not compared: " + reason);
+    twin_ = false;
+    return *this;
+  }
   World& run() {
     start();
     return run_until(*scene_.end);
