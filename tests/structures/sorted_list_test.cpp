@@ -18,7 +18,7 @@ const BoundCheck& bound_of(const std::vector<BoundCheck>& bounds, const std::str
 }
 
 TEST(SortedList, EveryPairOfLinesCrossesOnce) {
-  for (const int n : {2, 3, 8, 15}) {
+  for (const int n : {2, 3, 8, 15, 40}) {
     const Scene scene = steep_lines(n);
     Trial run(scene, kName);
     run.to_end().expect_clean();
@@ -36,7 +36,8 @@ TEST(SortedList, EveryPairOfLinesCrossesOnce) {
 }
 
 TEST(SortedList, EveryPairOfCurvesCrossesDegreeTimes) {
-  for (const auto& [n, d] : {std::pair{5, 2}, std::pair{6, 3}, std::pair{4, 4}}) {
+  for (const auto& [n, d] :
+       {std::pair{5, 2}, std::pair{6, 3}, std::pair{4, 4}, std::pair{12, 2}, std::pair{9, 5}}) {
     const Scene scene = weaving_curves(n, d);
     Trial run(scene, kName);
     run.to_end().expect_clean();
@@ -78,6 +79,20 @@ TEST(SortedList, AuditsKeepClearOfTouchingPoints) {
   Trial run(scene, kName);
   EXPECT_EQ(run.ids(), (std::vector<ObjectId>{1, 0, 2, 3}));
   run.to_end().expect_clean();
+}
+
+TEST(SortedList, InstantsBeyondTheDoubles) {
+  // -t and -t^2 pass the others at 1e400, 1e500, and at their square roots.
+  const Scene scene =
+      scene_of({path({{0, -1}}), path({{0, 0, -1}}), path({{*Rational::parse("-1e400")}}),
+                path({{*Rational::parse("-1e500")}})},
+               2, std::nullopt);
+  Trial run(scene, kName);
+  EXPECT_EQ(run.ids(), (std::vector<ObjectId>{3, 2, 1, 0}));
+  run.to_end().expect_clean();
+  EXPECT_EQ(run.ids(), (std::vector<ObjectId>{1, 0, 3, 2}));
+  EXPECT_EQ(run.ledger().processed, 4u);
+  EXPECT_GT(run.simulator.reached(), *Rational::parse("1e500"));
 }
 
 TEST(SortedList, StartsDegenerate) {
