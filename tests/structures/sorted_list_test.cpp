@@ -93,6 +93,10 @@ TEST(SortedList, InstantsBeyondTheDoubles) {
   EXPECT_EQ(run.ids(), (std::vector<ObjectId>{1, 0, 3, 2}));
   EXPECT_EQ(run.ledger().processed, 4u);
   EXPECT_GT(run.simulator.reached(), *Rational::parse("1e500"));
+  for (const char* arithmetic : {"double", "gsl", "mpfr:20"}) {
+    Trial inexact(scene, kName, arithmetic);
+    inexact.to_end();
+  }
 }
 
 TEST(SortedList, StartsDegenerate) {
