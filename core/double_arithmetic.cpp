@@ -131,7 +131,10 @@ class DoubleArithmetic final : public Arithmetic {
   void release(FailureTime& time) override { time.root = 0; }
 
   std::optional<Rational> rational_between(const Query*, FailureTime* time) override {
-    if (time == nullptr || time->lo == kInfinity) return *Rational::from_double(now_) + Rational(1);
+    if (time == nullptr || time->lo == kInfinity) {
+      const auto from = Rational::from_double(now_);  // none if now is infinite
+      return from ? std::optional<Rational>(*from + Rational(1)) : std::nullopt;
+    }
     const double middle = now_ + 0.5 * (time->lo - now_);
     if (!(middle > now_ && middle < time->lo)) return std::nullopt;
     return Rational::from_double(middle);

@@ -225,7 +225,8 @@ void ExactArithmetic::release(FailureTime& time) {
 
 std::optional<Rational> ExactArithmetic::rational_between(const Query* query, FailureTime* time) {
   if (query == nullptr || time == nullptr || time->lo == kInfinity) {
-    return *Rational::from_double(now_.hi) + Rational(1);
+    const auto now = Rational::from_double(now_.hi);  // none if now is beyond the doubles
+    return (now ? *now : roots_[now_root()].upper()) + Rational(1);
   }
   if (!(now_.hi < time->lo)) {
     if (compare_with_now(*query, *time) <= 0) return std::nullopt;

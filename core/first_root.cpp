@@ -7,12 +7,13 @@ double root_bound(const double* c, const double* m, int degree) {
   const double infinity = std::numeric_limits<double>::infinity();
   // m_j = |c_j| + e_j / gamma, so e_j = gamma (m_j - |c_j|) up to rounding: be generous by a factor 2.
   const double g = 2 * gamma(degree);
-  const double lead = std::fabs(c[degree]) - g * m[degree];
-  if (!(lead > 0)) return infinity;
+  const auto error = [&](int i) { return m == nullptr ? 0 : g * m[i]; };
+  const double lead = std::fabs(c[degree]) - error(degree);
+  if (!(lead > 0 && lead < infinity)) return infinity;
   int exponent = -1100;
   const int lead_exponent = std::ilogb(lead);
   for (int i = 0; i < degree; ++i) {
-    const double magnitude = std::fabs(c[i]) + g * m[i];
+    const double magnitude = std::fabs(c[i]) + error(i);
     if (!(magnitude < infinity)) return infinity;
     if (magnitude == 0) continue;
     const int e = std::ilogb(magnitude) + 1 - lead_exponent;  // |c_i / c_d| < 2^e

@@ -250,7 +250,7 @@ class FirstRoot {
 };
 
 // A bound beyond which there is no real root (Fujiwara): a power of two; +infinity if the leading
-// coefficient's sign is not certain. e: absolute errors implied by m (see above).
+// coefficient's sign is not certain. e: absolute errors implied by m (see above); none if m is null.
 double root_bound(const double* c, const double* m, int degree);
 
 // Dispatches on the degree. Requires degree >= 2; a, b are t - origin, b may be +infinity.

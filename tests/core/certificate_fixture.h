@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tests of arithmetics share: predicates, scenes and polynomials with chosen roots.
+// What tests of arithmetics share: predicates, scenes, polynomials with chosen roots and
+// certificates on them.
 #ifndef KINEX_TESTS_CORE_CERTIFICATE_FIXTURE_H
 #define KINEX_TESTS_CORE_CERTIFICATE_FIXTURE_H
 
+#include <gtest/gtest.h>
+
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/arithmetic.h"
 #include "core/predicate_formula.h"
 #include "core/scene.h"
 
@@ -121,14 +126,78 @@ inline Scene make_track_scene(const std::vector<Coefficients>& tracks, const Rat
 }
 
 // Puts the motions of a scene made above in force.
-template <class AnyArithmetic>
-void set_motions(const Scene& scene, AnyArithmetic& arithmetic) {
+inline void set_motions(const Scene& scene, Arithmetic& arithmetic) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const MotionPiece& piece = scene.objects[i].motion.pieces.front();
     arithmetic.set_motion(static_cast<ObjectId>(i), piece.trajectory, piece.to);
   }
   arithmetic.set_now(scene.start);
 }
+
+// A few polynomials.
+inline const Coefficients kPlus{Rational(1)};
+inline const Coefficients kMinus{Rational(-1)};
+// t^2 + t + 1: no real root.
+inline const Coefficients kRootless{Rational(1), Rational(1), Rational(1)};
+inline const Coefficients kTwo{Rational(-2), Rational(0), Rational(1)};       // t^2 - 2
+inline const Coefficients kMinusTwo{Rational(2), Rational(0), Rational(-1)};  // 2 - t^2
+
+// Certificates "track(i) >= 0" for given polynomials, in the arithmetic of the given name.
+class Tracks {
+ public:
+  Tracks(const std::string& name, std::vector<Coefficients> tracks, const Rational& now,
+         std::optional<Rational> end = std::nullopt)
+      : scene_(make_track_scene(tracks, now)), zero_(static_cast<ObjectId>(tracks.size())) {
+    scene_.end = end;
+    arithmetic_ = make_arithmetic(name, scene_);
+    predicate_ = arithmetic_->bind(make_predicate<Order>());
+    set_motions(scene_, *arithmetic_);
+  }
+  Query query(ObjectId i) const { return Query(predicate_, {zero_, i}); }
+  Outlook failure(ObjectId i, FailureTime& time) { return arithmetic_->failure(query(i), time); }
+  Outlook failure(ObjectId i) {
+    FailureTime time;
+    const Outlook outlook = failure(i, time);
+    arithmetic_->release(time);
+    return outlook;
+  }
+  Sign sign(ObjectId i) { return arithmetic_->sign_after(query(i)); }
+  // True if the certificate fails exactly at t.
+  bool fails_at(ObjectId i, const Rational& t) {
+    FailureTime time;
+    if (failure(i, time) != Outlook::kFails) return false;
+    const bool equal = arithmetic_->compare(query(i), time, t) == 0;
+    EXPECT_LE(time.lo, t.upper_double());
+    EXPECT_GE(time.hi, t.lower_double());
+    arithmetic_->release(time);
+    return equal;
+  }
+  int order(ObjectId i, ObjectId j) {
+    FailureTime a, b;
+    EXPECT_EQ(failure(i, a), Outlook::kFails);
+    EXPECT_EQ(failure(j, b), Outlook::kFails);
+    const int forth = arithmetic_->compare(query(i), a, query(j), b);
+    EXPECT_EQ(arithmetic_->compare(query(j), b, query(i), a), -forth);
+    arithmetic_->release(a);
+    arithmetic_->release(b);
+    return forth;
+  }
+  void advance(ObjectId i) {
+    FailureTime time;
+    const Outlook outlook = failure(i, time);
+    ASSERT_TRUE(outlook == Outlook::kFails || outlook == Outlook::kFailsNow);
+    arithmetic_->advance(query(i), time);
+    ASSERT_EQ(time.root, 0u);
+  }
+  Arithmetic& operator*() { return *arithmetic_; }
+  Arithmetic* operator->() { return arithmetic_.get(); }
+
+ private:
+  Scene scene_;
+  ObjectId zero_;
+  std::unique_ptr<Arithmetic> arithmetic_;
+  PredicateId predicate_ = 0;
+};
 
 }  // namespace kinex::test
 

@@ -15,14 +15,7 @@
 namespace kinex {
 namespace {
 
-using test::Coefficients;
-using test::rational;
-using test::times;
-using test::with_roots;
-
-const Coefficients kPlus{Rational(1)};
-const Coefficients kMinus{Rational(-1)};
-const Coefficients kRootless{Rational(1), Rational(1), Rational(1)};
+using namespace test;
 
 struct Answer {
   Outlook outlook;
@@ -32,11 +25,11 @@ struct Answer {
 // The failure of "track >= 0" after `now`.
 Answer solve(const Coefficients& track, const Rational& now,
              const std::optional<Rational>& end = std::nullopt) {
-  Scene scene = test::make_track_scene({track}, now);
+  Scene scene = make_track_scene({track}, now);
   scene.end = end;
   const auto arithmetic = make_gsl_arithmetic(scene);
-  const PredicateId id = arithmetic->bind(test::make_predicate<test::Order>());
-  test::set_motions(scene, *arithmetic);
+  const PredicateId id = arithmetic->bind(make_predicate<Order>());
+  set_motions(scene, *arithmetic);
   FailureTime time;
   const Outlook outlook = arithmetic->failure(Query(id, {1, 0}), time);
   EXPECT_EQ(time.lo, time.hi);
@@ -107,11 +100,11 @@ TEST(GslArithmetic, DegreesDropAndVanish) {
   EXPECT_EQ(solve({zero, Rational(-1)}, zero).outlook, Outlook::kFailsNow);
   EXPECT_EQ(solve({zero, Rational(1)}, zero).outlook, Outlook::kNever);
   // Two objects that move alike: the quadratic terms cancel.
-  Scene scene = test::make_track_scene(
-      {{zero, zero, Rational(3)}, {Rational(4), Rational(-2), Rational(3)}}, zero);
+  Scene scene =
+      make_track_scene({{zero, zero, Rational(3)}, {Rational(4), Rational(-2), Rational(3)}}, zero);
   const auto arithmetic = make_gsl_arithmetic(scene);
-  const PredicateId id = arithmetic->bind(test::make_predicate<test::Order>());
-  test::set_motions(scene, *arithmetic);
+  const PredicateId id = arithmetic->bind(make_predicate<Order>());
+  set_motions(scene, *arithmetic);
   FailureTime time;
   EXPECT_EQ(arithmetic->failure(Query(id, {0, 1}), time), Outlook::kFails);
   EXPECT_DOUBLE_EQ(time.lo, 2);
@@ -138,10 +131,10 @@ TEST(GslArithmetic, PassesTheRootAtNow) {
       p.push_back(draw());
       q.push_back(draw());
     }
-    Scene scene = test::make_track_scene({p, q}, Rational(0));
+    Scene scene = make_track_scene({p, q}, Rational(0));
     const auto arithmetic = make_gsl_arithmetic(scene);
-    const PredicateId id = arithmetic->bind(test::make_predicate<test::Order>());
-    test::set_motions(scene, *arithmetic);
+    const PredicateId id = arithmetic->bind(make_predicate<Order>());
+    set_motions(scene, *arithmetic);
     Query current(id, {0, 1});
     if (arithmetic->sign_after(current) == Sign::kNegative) current = Query(id, {1, 0});
     // A polynomial of degree d turns at most d times.
@@ -163,11 +156,11 @@ TEST(GslArithmetic, PassesTheRootAtNow) {
 }
 
 TEST(GslArithmetic, DoubleArithmeticOfInstants) {
-  Scene scene = test::make_track_scene({{Rational(1), Rational(-1)}, {Rational(2), Rational(-1)}},
-                                       Rational(0));
+  Scene scene =
+      make_track_scene({{Rational(1), Rational(-1)}, {Rational(2), Rational(-1)}}, Rational(0));
   const auto arithmetic = make_gsl_arithmetic(scene);
-  const PredicateId id = arithmetic->bind(test::make_predicate<test::Order>());
-  test::set_motions(scene, *arithmetic);
+  const PredicateId id = arithmetic->bind(make_predicate<Order>());
+  set_motions(scene, *arithmetic);
   const Query qa(id, {2, 0}), qb(id, {2, 1});
   FailureTime a, b;
   arithmetic->failure(qa, a);
@@ -205,14 +198,13 @@ TEST(GslArithmetic, SurvivesAnyNumbers) {
           axis.push_back(rational(pool[random() % std::size(pool)]));
       }
     }
-    Scene scene = test::make_scene(objects, rational(pool[random() % std::size(pool)]));
+    Scene scene = make_scene(objects, rational(pool[random() % std::size(pool)]));
     const auto arithmetic = make_gsl_arithmetic(scene);
-    const Query queries[] = {
-        Query(arithmetic->bind(test::make_predicate<test::Order>()), {0, 1}),
-        Query(arithmetic->bind(test::make_predicate<test::DistanceOrder>()), {0, 1, 2}),
-        Query(arithmetic->bind(test::make_predicate<test::Orientation>()), {0, 1, 2}),
-        Query(arithmetic->bind(test::make_predicate<test::InCircle>()), {0, 1, 2, 3})};
-    test::set_motions(scene, *arithmetic);
+    const Query queries[] = {Query(arithmetic->bind(make_predicate<Order>()), {0, 1}),
+                             Query(arithmetic->bind(make_predicate<DistanceOrder>()), {0, 1, 2}),
+                             Query(arithmetic->bind(make_predicate<Orientation>()), {0, 1, 2}),
+                             Query(arithmetic->bind(make_predicate<InCircle>()), {0, 1, 2, 3})};
+    set_motions(scene, *arithmetic);
     for (const Query& query : queries) {
       FailureTime time;
       const Outlook outlook = arithmetic->failure(query, time);

@@ -13,13 +13,7 @@
 namespace kinex {
 namespace {
 
-using test::Coefficients;
-using test::rational;
-using test::times;
-using test::with_roots;
-
-const Coefficients kMinus{Rational(-1)};
-const Coefficients kRootless{Rational(1), Rational(1), Rational(1)};
+using namespace test;
 
 TEST(RationalSturm, CountsDistinctRoots) {
   SturmWork work;

@@ -128,7 +128,7 @@ TEST(Delaunay2Dynamic, ErasesEveryKindOfVertex) {
     for (ObjectId i = 0; i < 40; ++i) order.push_back(i);
     random.shuffle(order);
     for (std::size_t i = 0; i < order.size(); ++i) {
-      world.simulator().schedule_erasure(Rational(static_cast<int>(i) + 1), order[i]);
+      world.erase(Rational(static_cast<int>(i) + 1), order[i]);
     }
     world.run_until(41);
     world.expect_clean();
@@ -150,7 +150,7 @@ TEST(Delaunay2Dynamic, ErasesAHubOfHighDegree) {
   World world(scene_of(motions, 0, 2));
   world.start();
   EXPECT_GE(world.structure().attribute().ids.size(), 2u * n);
-  world.simulator().schedule_erasure(1, 0);
+  world.erase(1, 0);
   world.run_until(2);
   world.expect_clean();
   EXPECT_EQ(world.ledger().rebuilds, 0u);
@@ -164,12 +164,11 @@ TEST(Delaunay2Dynamic, EqualPointsComeAndGo) {
   World world(scene_of(motions, 0, 10));
   world.start();
   EXPECT_EQ(world.structure().representative(6), 0u);
-  Simulator& s = world.simulator();
-  s.schedule_erasure(1, 1);                       // hidden
-  s.schedule_erasure(2, 0);                       // the vertex
-  s.schedule_insertion(3, 0, there);              // a smaller id takes over
-  s.schedule_update(4, 3, integers(5, 0, 2, 0));  // parts from the others: x = 5 at t = 4
-  s.schedule_update(5, 0, moving({Rational(-9), Rational(3)}, {Rational(2)}));  // the vertex parts
+  world.erase(1, 1);                         // hidden
+  world.erase(2, 0);                         // the vertex
+  world.insert(3, 0, there);                 // a smaller id takes over
+  world.update(4, 3, integers(5, 0, 2, 0));  // parts from the others: x = 5 at t = 4
+  world.update(5, 0, moving({Rational(-9), Rational(3)}, {Rational(2)}));  // the vertex parts
   world.run_until(Rational(1));
   EXPECT_EQ(world.structure().representative(1), kNoObject);
   world.run_until(fraction(5, 2));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <random>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "core/simulator.h"
 #include "structures/delaunay_2.h"
+#include "tests/structures/sturm_twin.h"
 
 namespace kinex::delaunay_2_test {
 
@@ -90,37 +92,16 @@ inline std::vector<Trajectory> random_motions(int n, std::uint64_t seed, int deg
   return motions;
 }
 
-struct Recorded {
-  std::uint8_t kind;
-  std::vector<ObjectId> ids;
-  bool external;
-  std::vector<std::string> polynomial;
-  int root;
-  friend bool operator==(const Recorded&, const Recorded&) = default;
-};
+using test::Recorded;
+using test::Recorder;
 
-class Recorder final : public EventSink {
- public:
-  void event(const Event& event, Arithmetic& arithmetic) override {
-    Recorded r{event.kind, {}, event.external, {}, 0};
-    for (int i = 0; i < event.count; ++i) r.ids.push_back(event.ids[static_cast<std::size_t>(i)]);
-    if (instants) {
-      const InstantText text = arithmetic.describe_now();
-      r.polynomial = text.polynomial;
-      r.root = text.root;
-    }
-    events.push_back(std::move(r));
-  }
-  bool instants = false;
-  std::vector<Recorded> events;
-};
-
-// One run of one scene with this structure alone.
+// One run of one scene with this structure alone. A run in `exact` is compared with `sturm` when it
+// is over (sturm_twin.h).
 class World {
  public:
   explicit World(Scene scene, std::string_view arithmetic = "exact",
                  AuditLevel audit = AuditLevel::kEvents)
-      : scene_(std::move(scene)) {
+      : scene_(std::move(scene)), twin_(test::has_twin(scene_, std::string(arithmetic))) {
     SimulatorOptions options;
     options.audit = audit;
     options.max_events = 1000000;
@@ -130,10 +111,28 @@ class World {
     auto structure = std::make_unique<Delaunay2>(simulator_->kernel(), id_, scene_);
     structure_ = structure.get();
     simulator_->add(id_, std::move(structure), "delaunay_2");
+    if (twin_) recorder.instants = 2 * test::twin_failures(scene_, "delaunay_2");
+  }
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+  ~World() {
+    if (!twin_ || !started_) return;
+    try {
+      test::expect_same_in_sturm(*simulator_, recorder, {"delaunay_2", "delaunay_2", {}}, changes_);
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << "in sturm: " << error.what();
+    }
   }
 
   World& start() {
     simulator_->start();
+    started_ = true;
+    return *this;
+  }
+  // Not compared with `sturm`, for the reason given.
+  World& without_twin(const std::string& reason) {
+    if (twin_) ::testing::Test::RecordProperty("sturm", "not compared: " + reason);
+    twin_ = false;
     return *this;
   }
   World& run() {
@@ -144,6 +143,13 @@ class World {
     status = simulator_->run_until(t);
     return *this;
   }
+  void update(const Rational& t, ObjectId object, Trajectory trajectory) {
+    changes_.update(*simulator_, t, object, std::move(trajectory));
+  }
+  void insert(const Rational& t, ObjectId object, Trajectory trajectory) {
+    changes_.insert(*simulator_, t, object, std::move(trajectory));
+  }
+  void erase(const Rational& t, ObjectId object) { changes_.erase(*simulator_, t, object); }
   // Audits once more; nothing may be wrong, and every bound must hold.
   void expect_clean() {
     EXPECT_EQ(status, RunStatus::kDone);
@@ -180,6 +186,9 @@ class World {
   std::unique_ptr<Simulator> simulator_;
   StructureId id_ = 0;
   Delaunay2* structure_ = nullptr;
+  test::OutsideChanges changes_;
+  bool twin_;
+  bool started_ = false;
 };
 
 // Runs to each time and compares with the static algorithm started there.

@@ -49,7 +49,8 @@ TEST(MaximumTournament, WorstCaseOf256) {
 
 TEST(MaximumHeap, WorstCase) {
   for (const auto& [n, events] :
-       {std::pair{7, 10u}, std::pair{15, 34u}, std::pair{31, 98u}, std::pair{63, 258u}}) {
+       {std::pair{7, 10u}, std::pair{15, 34u}, std::pair{31, 98u}, std::pair{63, 258u},
+        std::pair{100, 480u}, std::pair{127, 642u}, std::pair{255, 1538u}}) {
     const Scene scene = steep_lines(n);
     Trial run(scene, "maximum_heap", "exact", n <= 15 ? AuditLevel::kEvents : AuditLevel::kEnd);
     run.to_end().expect_clean();
@@ -59,6 +60,26 @@ TEST(MaximumHeap, WorstCase) {
     EXPECT_LE(run.ledger().created_per_event.max, 5u);
     const auto bounds = run.simulator.bounds(0);
     EXPECT_EQ(bound_of(bounds, ".events")->bound, bound_of(bounds, ".events")->observed);
+  }
+}
+
+// f_i(t) = i t - i^2: the tangents of a parabola, any two of which meet at an integer i + j. The
+// maximum changes n - 1 times, each time alone, while much happens at one instant below.
+TEST(Maximum, TangentsMeetManyAtATime) {
+  for (const char* name : {"maximum_tournament", "maximum_heap"}) {
+    for (const int n : {4, 8, 31, 64}) {
+      std::vector<Trajectory> t;
+      for (int i = 0; i < n; ++i)
+        t.push_back(path({{-((5 * i) % n) * ((5 * i) % n), (5 * i) % n}}));
+      const Scene scene = scene_of(t, 0, std::nullopt);
+      Trial run(scene, name);
+      SCOPED_TRACE(std::string(name) + " of " + std::to_string(n));
+      run.to_end().expect_clean();
+      EXPECT_EQ(run.ledger().external, static_cast<std::uint64_t>(n - 1));
+      if (n > 8) {
+        EXPECT_GT(run.ledger().simultaneous_groups, 0u);
+      }
+    }
   }
 }
 
@@ -139,7 +160,7 @@ TEST(Maximum, OfEqualKeysTheSmallestIdWins) {
     Trial run(scene, name);
     SCOPED_TRACE(name);
     EXPECT_EQ(run.ids(), std::vector<ObjectId>{2});
-    run.simulator.run_until(Rational(1));
+    run.run_until(Rational(1));
     EXPECT_EQ(run.ids(), std::vector<ObjectId>{1});
     run.to_end();
     EXPECT_EQ(run.ids(), std::vector<ObjectId>{0});
@@ -219,12 +240,11 @@ TEST(Maximum, ChangesAreLocal) {
     }
     Trial run(scene, name, "exact", AuditLevel::kEnd);
     for (int i = 0; i < 20; ++i) {
-      run.simulator.schedule_erasure(Rational(Integer(2 * i + 1), Integer(2)),
-                                     static_cast<ObjectId>(40 * i + 3));
+      run.erase(Rational(Integer(2 * i + 1), Integer(2)), static_cast<ObjectId>(40 * i + 3));
     }
     std::uint64_t last = run.ledger().certificates_created;
     for (int half = 1; half <= 40; ++half) {
-      run.simulator.run_until(Rational(Integer(half), Integer(2)));
+      run.run_until(Rational(Integer(half), Integer(2)));
       EXPECT_LE(run.ledger().certificates_created - last, 32u) << name << " at " << half << "/2";
       last = run.ledger().certificates_created;
     }
@@ -240,12 +260,11 @@ TEST(Maximum, EmptyAndBack) {
     const Scene scene = scene_of({path({{0, 1}}), path({{1}}), path({{2, -1}})}, 0, std::nullopt);
     Trial run(scene, name);
     SCOPED_TRACE(name);
-    for (ObjectId i = 0; i < 3; ++i)
-      run.simulator.schedule_erasure(Rational(1 + static_cast<int>(i)), i);
-    run.simulator.run_until(Rational(4));
+    for (ObjectId i = 0; i < 3; ++i) run.erase(Rational(1 + static_cast<int>(i)), i);
+    run.run_until(Rational(4));
     EXPECT_TRUE(run.ids().empty());
     for (ObjectId i = 0; i < 3; ++i) {
-      run.simulator.schedule_insertion(Rational(5), i, path({{static_cast<int>(i), -1}}));
+      run.insert(Rational(5), i, path({{static_cast<int>(i), -1}}));
     }
     run.to_end().expect_clean();
     EXPECT_EQ(run.ids().front(), std::string(name).substr(0, 3) == "max" ? 2u : 0u);

@@ -18,7 +18,7 @@ const BoundCheck& bound_of(const std::vector<BoundCheck>& bounds, const std::str
 }
 
 TEST(SortedList, EveryPairOfLinesCrossesOnce) {
-  for (const int n : {2, 3, 8, 15}) {
+  for (const int n : {2, 3, 8, 15, 40}) {
     const Scene scene = steep_lines(n);
     Trial run(scene, kName);
     run.to_end().expect_clean();
@@ -36,7 +36,8 @@ TEST(SortedList, EveryPairOfLinesCrossesOnce) {
 }
 
 TEST(SortedList, EveryPairOfCurvesCrossesDegreeTimes) {
-  for (const auto& [n, d] : {std::pair{5, 2}, std::pair{6, 3}, std::pair{4, 4}}) {
+  for (const auto& [n, d] :
+       {std::pair{5, 2}, std::pair{6, 3}, std::pair{4, 4}, std::pair{12, 2}, std::pair{9, 5}}) {
     const Scene scene = weaving_curves(n, d);
     Trial run(scene, kName);
     run.to_end().expect_clean();
@@ -64,7 +65,7 @@ TEST(SortedList, TouchingIsNoEvent) {
       {path({{0}}), path({{1, -2, 1}}), path({{16, -32, 24, -8, 1}}), path({{27, -27, 9, -1}})}, 0,
       Rational(10));
   Trial run(scene, kName);
-  run.simulator.run_until(Rational(Integer(5), Integer(2)));
+  run.run_until(Rational(Integer(5), Integer(2)));
   EXPECT_EQ(run.ids().front(), 0u);
   run.to_end().expect_clean();
   EXPECT_EQ(run.ids().front(), 3u);
@@ -78,6 +79,24 @@ TEST(SortedList, AuditsKeepClearOfTouchingPoints) {
   Trial run(scene, kName);
   EXPECT_EQ(run.ids(), (std::vector<ObjectId>{1, 0, 2, 3}));
   run.to_end().expect_clean();
+}
+
+TEST(SortedList, InstantsBeyondTheDoubles) {
+  // -t and -t^2 pass the others at 1e400, 1e500, and at their square roots.
+  const Scene scene =
+      scene_of({path({{0, -1}}), path({{0, 0, -1}}), path({{*Rational::parse("-1e400")}}),
+                path({{*Rational::parse("-1e500")}})},
+               2, std::nullopt);
+  Trial run(scene, kName);
+  EXPECT_EQ(run.ids(), (std::vector<ObjectId>{3, 2, 1, 0}));
+  run.to_end().expect_clean();
+  EXPECT_EQ(run.ids(), (std::vector<ObjectId>{1, 0, 3, 2}));
+  EXPECT_EQ(run.ledger().processed, 4u);
+  EXPECT_GT(run.simulator.reached(), *Rational::parse("1e500"));
+  for (const char* arithmetic : {"double", "gsl", "mpfr:20"}) {
+    Trial inexact(scene, kName, arithmetic);
+    inexact.to_end();
+  }
 }
 
 TEST(SortedList, StartsDegenerate) {
@@ -146,7 +165,7 @@ TEST(SortedList, TheReferenceMustStay) {
   key.kind = Key::Kind::kSquaredDistance;
   key.object = 1;
   Trial run(scene, kName, "exact", AuditLevel::kEvents, key);
-  run.simulator.schedule_erasure(Rational(1), 1);
+  run.erase(Rational(1), 1);
   EXPECT_THROW(run.to_end(), std::invalid_argument);
   key.object = 3;
   EXPECT_THROW(Trial(scene, kName, "exact", AuditLevel::kEvents, key), std::invalid_argument);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Event logs are the same on every machine, with every compiler and in both exact arithmetics, byte
+// by byte: those of the table are reproduced.
+//
+// A log that is meant to change: KINEX_GOLDEN_WRITE=1 kinex_golden_tests writes the table anew.
+// Read the difference before you commit it: every changed line is a changed answer, or a changed
+// format.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "experiments/workload.h"
+#include "structures/registry.h"
+#include "tests/golden/golden_scene.h"
+
+namespace kinex::golden {
+namespace {
+
+constexpr std::size_t kFewestRows = 60;
+
+void expect_rows(const std::string& arithmetic) {
+  for (const Row& row : read_table().rows) {
+    if (arithmetic == "sturm" && !row.sturm) continue;
+    SCOPED_TRACE(row.scene + " in " + arithmetic);
+    const Golden found = run(make_scene(row.scene), arithmetic);
+    EXPECT_EQ(found.events, row.golden.events);
+    EXPECT_EQ(found.digest, row.golden.digest);
+    EXPECT_EQ(found.body, row.golden.body);
+  }
+}
+
+TEST(Golden, ExactReproducesTheTable) {
+  const char* write = std::getenv("KINEX_GOLDEN_WRITE");
+  if (write != nullptr && std::string(write) == "1") {
+    Table table = read_table();
+    for (Row& row : table.rows) row.golden = run(make_scene(row.scene), "exact");
+    write_table(table);
+    GTEST_SKIP() << table_path() << " has been written anew";
+  }
+  expect_rows("exact");
+}
+
+TEST(Golden, SturmReproducesTheTable) { expect_rows("sturm"); }
+
+// A table that has lost its rows proves nothing.
+TEST(Golden, TheTableCoversWhatThereIs) {
+  const Table table = read_table();
+  EXPECT_GE(table.rows.size(), kFewestRows);
+  std::set<std::string> families, structures, keys, degrees, written;
+  for (const Row& row : table.rows) {
+    EXPECT_TRUE(written.insert(row.scene).second) << row.scene << " is there twice";
+    families.insert(row.scene.substr(0, row.scene.find(' ')));
+    const Scene scene = make_scene(row.scene);
+    degrees.insert(std::to_string(scene.degree()));
+    for (const Request& request : scene.maintain) {
+      structures.insert(request.structure);
+      if (request.structure == "delaunay_2") continue;
+      keys.insert(request.structure + std::to_string(static_cast<int>(request.key.kind)));
+    }
+  }
+  for (const Workload& workload : workloads()) {
+    EXPECT_EQ(families.count(std::string(workload.name)), 1u) << workload.name;
+  }
+  for (const StructureInfo& info : structure_infos()) {
+    EXPECT_EQ(structures.count(std::string(info.name)), 1u) << info.name;
+  }
+  EXPECT_EQ(keys.size(), 3 * (structure_infos().size() - 1));  // three kinds of key for each
+  for (const char* degree : {"1", "2", "3"}) EXPECT_EQ(degrees.count(degree), 1u) << degree;
+}
+
+}  // namespace
+}  // namespace kinex::golden

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inexact arithmetics promise nothing but to end: every structure, with and without an end of the
+// scene, from small numbers to numbers beyond the doubles.
+#include <string>
+
+#include "tests/structures/test_run.h"
+#include "tests/structures/test_scenes.h"
+
+namespace kinex::test {
+namespace {
+
+constexpr const char* kInexact[] = {"double", "gsl", "mpfr:4", "mpfr:53"};
+
+void expect_end(const Scene& scene) {
+  for (const StructureInfo& info : structure_infos()) {
+    for (const char* arithmetic : kInexact) {
+      SCOPED_TRACE(std::string(info.name) + " in " + arithmetic);
+      Trial run(scene, std::string(info.name), arithmetic, AuditLevel::kEnd);
+      EXPECT_EQ(run.simulator.run_until(std::nullopt), RunStatus::kDone);
+    }
+  }
+}
+
+TEST(Inexact, ScenesWithoutEnd) {
+  for (const int degree : {1, 2, 3}) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      Random random(100 * seed + static_cast<std::uint64_t>(degree));
+      std::vector<Trajectory> paths;
+      for (int i = 0; i < 8; ++i) paths.push_back(random.small_path(2, degree, 3 + 200 * (i % 2)));
+      expect_end(scene_of(paths, -1, std::nullopt));
+    }
+  }
+}
+
+TEST(Inexact, NumbersBeyondTheDoubles) {
+  for (const int degree : {1, 2, 3}) {
+    for (const char* size : {"1e150", "1e-150", "1e308", "1e400", "1e-400"}) {
+      Random random(static_cast<std::uint64_t>(degree));
+      std::vector<Trajectory> paths;
+      for (int i = 0; i < 7; ++i) {
+        Trajectory p = random.small_path(2, degree, 5);
+        if (i % 2 == 0) {
+          for (auto& axis : p.coordinates)
+            axis[static_cast<std::size_t>(i) % axis.size()] *= *Rational::parse(size);
+        }
+        paths.push_back(std::move(p));
+      }
+      expect_end(scene_of(paths, 0, std::nullopt));
+      expect_end(scene_of(paths, 0, Rational(1)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinex::test
