@@ -8,6 +8,7 @@
 #ifndef KINEX_EXPERIMENTS_SCENE_READER_H
 #define KINEX_EXPERIMENTS_SCENE_READER_H
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,17 +19,17 @@ namespace kinex {
 
 inline constexpr int kMaxDimension = 3;
 inline constexpr int kMaxMotionDegree = 1000;
+inline constexpr std::size_t kMaxIdBytes = 1000;
 
 // `file` is for messages only.
 Scene parse_scene(std::string_view text, const std::string& file);
 // "-" reads standard input.
 Scene read_scene(const std::string& path);
 
-// Replaces scene.maintain by what --maintain says: names, each with an optional coordinate to order
-// by
-// ("sorted_list", "sorted_list:y", whose label is then "sorted_list:y"). Throws InputError that
-// names the option.
-void set_maintain(Scene& scene, const std::vector<std::string>& entries);
+// Replaces scene.maintain by what --maintain says, in one or several texts: entries with commas
+// between them. An entry is a name, a name and a coordinate to order by ("sorted_list:y", which is
+// then the label too), or a JSON object as in a scene. Throws InputError that names the option.
+void set_maintain(Scene& scene, const std::vector<std::string>& texts);
 
 }  // namespace kinex
 

@@ -47,7 +47,7 @@ void generate(const GenOptions& options) {
                      "known are:\n" + listed());
   }
   Scene scene = generate_scene(*workload, options.parameters);
-  if (!options.name.empty()) scene.name = options.name;
+  if (!options.name.empty()) scene.name = name_option(options.name);
   if (!options.maintain.empty()) set_maintain(scene, options.maintain);
   write_result(options.output, options.force, write_scene(scene));
 }
@@ -64,8 +64,7 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_option("--seed", options->parameters.seed, "Seed of the random families (1)");
   verb->add_option("--degree", options->parameters.degree, "Degree of the motion (1)");
   verb->add_option("--dimension", options->parameters.dimension, "Axes, 1 to 3");
-  verb->add_option("--maintain", options->maintain, "What to maintain: NAME or NAME:AXIS, ..")
-      ->delimiter(',');
+  add_maintain_option(*verb, options->maintain, "What to maintain");
   verb->add_option("--name", options->name, "Name of the scene");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/verbs/option_values.h"
 
+#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -8,6 +9,7 @@
 
 #include "experiments/file_io.h"
 #include "experiments/input_error.h"
+#include "experiments/utf8.h"
 
 namespace kinex {
 
@@ -18,6 +20,11 @@ Rational rational_option(const char* option, const std::string& text) {
                      "write an integer, a fraction 1/3 or a decimal");
   }
   return *std::move(value);
+}
+
+const std::string& name_option(const std::string& text) {
+  if (is_utf8(text)) return text;
+  throw InputError("--name", "", show_text(text) + " is not UTF-8", "give a name in UTF-8");
 }
 
 void write_result(const std::string& path, bool force, const std::string& text) {
@@ -36,6 +43,13 @@ void print(const std::string& text) {
     throw InputError("standard output", "",
                      std::string("cannot be written: ") + std::strerror(errno), "");
   }
+}
+
+void add_maintain_option(CLI::App& verb, std::vector<std::string>& entries, const char* what) {
+  verb.add_option("--maintain", entries,
+                  std::string(what) +
+                      ": NAME, NAME:AXIS or a JSON object as in scenes, with commas between them")
+      ->allow_extra_args(false);
 }
 
 }  // namespace kinex

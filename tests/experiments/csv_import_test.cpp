@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <set>
 
 #include "experiments/csv_table.h"
 #include "experiments/file_io.h"
 #include "experiments/scene_reader.h"
 #include "experiments/scene_writer.h"
+#include "experiments/utf8.h"
 #include "tests/experiments/expect_input_error.h"
+#include "tests/shared_data.h"
 
 namespace kinex {
 namespace {
@@ -95,16 +95,63 @@ TEST(CsvImport, RefusesWithFileAndLine) {
   EXPECT_INPUT_ERROR(import("id,x,vx\na,0,0\na,0,0\n"), "the id \"a\" is that of line 2 too");
 }
 
-// Real data, where the folder is there: KINEX_SHARED_DATA, or ../shared/data beside the sources.
-std::filesystem::path shared_data() {
-  const char* folder = std::getenv("KINEX_SHARED_DATA");
-  if (folder != nullptr) return folder;
-  return std::filesystem::path(KINEX_SOURCE_DIR).parent_path() / "shared" / "data";
+TEST(CsvImport, FixedObjects) {
+  ImportOptions options;
+  options.fixed = {"Sun,0,1/3", "\"a, b\",-0.5,1e-2"};
+  const Scene scene = import_csv("id,t,x,y\na,1,0,0\na,2,1,1\n", "t", options).scene;
+  ASSERT_EQ(scene.objects.size(), 3u);
+  EXPECT_EQ(scene.objects[1].id, "Sun");
+  EXPECT_EQ(scene.objects[2].id, "a, b");
+  const Motion& sun = scene.objects[1].motion;
+  EXPECT_EQ(sun.degree(), 0);
+  ASSERT_EQ(sun.pieces.size(), 1u);
+  EXPECT_FALSE(sun.pieces[0].from || sun.pieces[0].to);  // there at all times
+  EXPECT_EQ(sun.pieces[0].trajectory.position(0, Rational(7)), Rational(0));
+  EXPECT_EQ(sun.pieces[0].trajectory.position(1, Rational(7)), ratio(1, 3));
+  EXPECT_EQ(scene.objects[2].motion.pieces[0].trajectory.position(0, Rational(0)), ratio(-1, 2));
+  EXPECT_EQ(scene.objects[2].motion.pieces[0].trajectory.position(1, Rational(0)), ratio(1, 100));
+}
+
+TEST(CsvImport, IdsAreThoseThatAScenesReaderTakes) {
+  for (const char* id : {"\xff", "a\x80", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80",
+                         "\xe0\x80\xaf", "\xf0\x80\x80\xaf", "\xf8\x88\x80\x80\x80"}) {
+    EXPECT_INPUT_ERROR(import("id,x,vx\na,0,0\n" + std::string(id) + ",0,1\n"),
+                       "t.csv: line 3: the id");
+    EXPECT_FALSE(is_utf8(id));
+  }
+  const std::string longest(kMaxIdBytes, 'a');
+  EXPECT_INPUT_ERROR(import("id,x,vx\na" + longest + ",0,1\n"),
+                     "t.csv: line 2: an id of 1001 bytes");
+  for (const std::string id : {"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9d\x84\x9e", "\xf4\x8f\xbf\xbf",
+                               "tab\t\x01", longest.c_str()}) {
+    const std::string text = write_scene(import("id,x,vx\n" + id + ",0,1\n").scene);
+    EXPECT_EQ(parse_scene(text, "again").objects[0].id, id);
+  }
+}
+
+TEST(CsvImport, FixedObjectsAreRefusedWithARemedy) {
+  const auto fixed = [](const std::string& row) {
+    ImportOptions options;
+    options.fixed = {"first,0,0", row};
+    import_csv("id,x,y,vx,vy\na,0,0,1,1\n", "t.csv", options);
+  };
+  EXPECT_NO_THROW(fixed("Sun,0,0"));
+  EXPECT_INPUT_ERROR(fixed("Sun,0"), "--fixed: \"Sun,0\" has 2 fields, not 3; write ID,X,Y");
+  EXPECT_INPUT_ERROR(fixed("Sun,0,0,0"), "--fixed: \"Sun,0,0,0\" has 4 fields, not 3");
+  EXPECT_INPUT_ERROR(fixed(""), "--fixed: \"\" has 1 fields, not 3");
+  EXPECT_INPUT_ERROR(fixed(",0,0"), "--fixed: an empty id; write a name");
+  EXPECT_INPUT_ERROR(fixed("a,0,0"), "--fixed: there is an object \"a\" already; ids are unique");
+  EXPECT_INPUT_ERROR(fixed("first,1,0"), "there is an object \"first\" already");
+  EXPECT_INPUT_ERROR(fixed("Sun,0,zero"), "\"zero\" in \"Sun,0,zero\" is not a number; write an");
+  EXPECT_INPUT_ERROR(fixed("Sun,1/0,0"), "\"1/0\" in");
+  EXPECT_INPUT_ERROR(fixed("Sun,inf,0"), "\"inf\" in");
+  EXPECT_INPUT_ERROR(fixed("\"Sun,0,0"), "--fixed: line 1: a quote is not closed; close it");
+  EXPECT_INPUT_ERROR(fixed("Sun,0,0\nMoon,1,1"), "a second line: \"Moon\"; write one row");
 }
 
 TEST(CsvImport, Hurricanes) {
-  const std::string file = (shared_data() / "hurricanes.csv").string();
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << "; set KINEX_SHARED_DATA";
+  const std::string file = shared_data("hurricanes.csv");
+  KINEX_REQUIRE_DATA(file);
   const ImportReport report = import_csv(read_text_file(file), file, {});
   EXPECT_EQ(report.rows, 49105u);
   EXPECT_EQ(report.scene.objects.size() + report.single_fixes, 1814u);
@@ -114,8 +161,8 @@ TEST(CsvImport, Hurricanes) {
 }
 
 TEST(CsvImport, Stars) {
-  const std::string file = (shared_data() / "nearest_stars.csv").string();
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << "; set KINEX_SHARED_DATA";
+  const std::string file = shared_data("nearest_stars.csv");
+  KINEX_REQUIRE_DATA(file);
   const Scene scene = import_csv(read_text_file(file), file, {}).scene;
   EXPECT_EQ(scene.objects.size(), 294u);
   EXPECT_EQ(scene.dimension, 3);
