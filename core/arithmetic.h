@@ -26,8 +26,8 @@ enum class Outlook : std::uint8_t {
   kNever,            // no failure up to the horizon
   kFails,            // fails at a later instant
   kFailsNow,         // negative right after now
-  kLater,            // no failure up to a limit, beyond which nobody has looked
   kIdenticallyZero,  // zero for ever (under the motions in force): never fails, a tie
+  kLater,            // no failure up to a limit, beyond which nobody has looked
 };
 
 // The present instant in words: for logs.

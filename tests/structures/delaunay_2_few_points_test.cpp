@@ -11,16 +11,15 @@ namespace {
 TEST(Delaunay2FewPoints, ComeAndGoWithoutARebuild) {
   World world(scene_of({integers(0, 1, 0, 0), integers(6, 0, 0, 1), integers(0, 0, 6, 1)}, 0, 20));
   world.start();
-  Simulator& s = world.simulator();
-  s.schedule_erasure(1, 2);
-  s.schedule_update(2, 0, integers(4, -1, -4, 2));
-  s.schedule_erasure(3, 1);
-  s.schedule_insertion(4, 1, integers(0, 1, 0, 2));
-  s.schedule_erasure(5, 0);
-  s.schedule_erasure(6, 1);
-  s.schedule_insertion(7, 1, integers(0, 0, 0, 0));
-  s.schedule_insertion(8, 2, integers(1, 0, 1, 0));
-  s.schedule_insertion(9, 0, integers(2, 0, 5, 0));
+  world.erase(1, 2);
+  world.update(2, 0, integers(4, -1, -4, 2));
+  world.erase(3, 1);
+  world.insert(4, 1, integers(0, 1, 0, 2));
+  world.erase(5, 0);
+  world.erase(6, 1);
+  world.insert(7, 1, integers(0, 0, 0, 0));
+  world.insert(8, 2, integers(1, 0, 1, 0));
+  world.insert(9, 0, integers(2, 0, 5, 0));
   world.run_until(20);
   world.expect_clean();
   EXPECT_EQ(world.ledger().rebuilds, 0u);
@@ -31,13 +30,13 @@ TEST(Delaunay2FewPoints, TwoThatBecomeOneAreAnEvent) {
   World world(scene_of({integers(0, 1, 0, 1), integers(4, 0, 4, 0)}, 0, 9));
   world.start();
   EXPECT_EQ(world.structure().attribute().ids.size(), 2u);
-  world.simulator().schedule_update(4, 0, integers(4, 0, 4, 0));
+  world.update(4, 0, integers(4, 0, 4, 0));
   world.run_until(5);
   EXPECT_EQ(world.structure().representative(1), 0u);
   EXPECT_TRUE(world.structure().attribute().ids.empty());
   ASSERT_FALSE(world.recorder.events.empty());
   EXPECT_TRUE(world.recorder.events.back().external);
-  world.simulator().schedule_update(6, 1, integers(-2, 1, 4, 0));
+  world.update(6, 1, integers(-2, 1, 4, 0));
   world.run_until(7);
   EXPECT_EQ(world.structure().attribute().ids.size(), 2u);
   world.expect_clean();
@@ -58,7 +57,7 @@ TEST(Delaunay2FewPoints, FourOnALineAreCounted) {
                         integers(3, 0, 0, 0)},
                        0, 4));
   world.start();
-  world.simulator().schedule_update(1, 2, integers(1, 1, 0, 0));
+  world.update(1, 2, integers(1, 1, 0, 0));
   world.run_until(4);
   world.expect_clean();
   EXPECT_EQ(world.ledger().rebuilds, 1u);
