@@ -46,6 +46,8 @@ void expect_sums(const Trial& run) {
   EXPECT_LE(l.max_per_object, l.max_live);
   expect_sums(l.created_per_event, l.processed);
   expect_sums(l.retracted_per_event, l.processed);
+  EXPECT_LE(l.created_per_event.total, l.certificates_created);
+  EXPECT_LE(l.retracted_per_event.total, l.certificates_retracted);
   std::uint64_t kinds = 0;
   for (const auto& [kind, count] : l.by_kind) kinds += count;
   EXPECT_EQ(kinds, run.sink.lines.size());
@@ -91,6 +93,8 @@ TEST(Ledger, ByHand) {
   b.to_end();
   EXPECT_EQ(b.ledger().created_per_event.histogram[2], 3u);
   EXPECT_EQ(b.ledger().created_per_event.total, 6u);
+  EXPECT_EQ(b.ledger().retracted_per_event.histogram[2], 3u);
+  EXPECT_EQ(b.ledger().retracted_per_event.total, 6u);
   EXPECT_EQ(b.ledger().certificates_created, 8u);
   EXPECT_EQ(b.ledger().max_per_object, 2u);
 
