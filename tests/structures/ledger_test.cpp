@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run counts: by hand where that can be done, and the sums that must agree everywhere.
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "tests/structures/test_run.h"
+#include "tests/structures/test_scenes.h"
+
+namespace kinex::test {
+namespace {
+
+const ArithmeticCounters& numbers(const Trial& run) {
+  return run.simulator.kernel().arithmetic().counters();
+}
+
+template <class Counts>
+std::uint64_t sum(const Counts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+void expect_sums(const ChangeStatistics& changes, std::uint64_t processed) {
+  EXPECT_EQ(changes.events, processed);
+  EXPECT_EQ(sum(changes.histogram), processed);
+  std::uint64_t weighted = 0, largest = 0;
+  for (std::uint64_t k = 0; k < changes.histogram.size(); ++k) {
+    weighted += k * changes.histogram[k];
+    if (changes.histogram[k] != 0) largest = k;
+  }
+  if (largest + 1 < changes.histogram.size()) {  // nothing in the bin for all the rest
+    EXPECT_EQ(weighted, changes.total);
+    EXPECT_EQ(largest, changes.max);
+  } else {
+    EXPECT_GE(changes.total, weighted);
+    EXPECT_GE(changes.max, largest);
+  }
+}
+
+void expect_sums(const Trial& run) {
+  const StructureLedger& l = run.ledger();
+  EXPECT_EQ(l.processed, l.external + l.internal);
+  EXPECT_EQ(l.live, l.certificates_created - l.certificates_retracted);
+  EXPECT_GE(l.max_live, l.live);
+  EXPECT_LE(l.max_per_object, l.max_live);
+  expect_sums(l.created_per_event, l.processed);
+  expect_sums(l.retracted_per_event, l.processed);
+  EXPECT_LE(l.created_per_event.total, l.certificates_created);
+  EXPECT_LE(l.retracted_per_event.total, l.certificates_retracted);
+  std::uint64_t kinds = 0;
+  for (const auto& [kind, count] : l.by_kind) kinds += count;
+  EXPECT_EQ(kinds, run.sink.lines.size());
+  EXPECT_EQ(run.simulator.ledger().events, l.processed);
+  EXPECT_LE(l.largest_group, l.processed);
+  EXPECT_LE(2 * l.simultaneous_groups, l.processed);
+  EXPECT_LE(run.simulator.ledger().max_queue, l.max_live);
+  EXPECT_GT(run.simulator.ledger().peak_bytes, 0u);
+  // Every certificate's failure time is asked for when it is made (and when a motion changes).
+  std::uint64_t failures = 0;
+  for (const PredicateCounters& p : numbers(run).by_predicate) failures += sum(p.failures);
+  EXPECT_GE(failures, l.certificates_created);
+  if (l.motion_updates == 0) {
+    EXPECT_EQ(failures, l.certificates_created);
+  }
+  // All but those of polynomials that are zero.
+  EXPECT_LE(sum(numbers(run).polynomials_solved), failures);
+}
+
+TEST(Ledger, ByHand) {
+  // Two that meet: one certificate, replaced once.
+  const Scene two = scene_of({path({{0, 1}}), path({{1}})}, 0, Rational(2));
+  Trial a(two, "sorted_list");
+  a.to_end();
+  EXPECT_EQ(a.ledger().processed, 1u);
+  EXPECT_EQ(a.ledger().external, 1u);
+  EXPECT_EQ(a.ledger().certificates_created, 2u);
+  EXPECT_EQ(a.ledger().certificates_retracted, 1u);
+  EXPECT_EQ(a.ledger().live, 1u);
+  EXPECT_EQ(a.ledger().max_live, 1u);
+  EXPECT_EQ(a.ledger().max_per_object, 1u);
+  EXPECT_EQ(a.ledger().created_per_event.histogram[1], 1u);
+  EXPECT_EQ(a.ledger().efficiency(), 1.0);
+  EXPECT_EQ(a.simulator.ledger().max_queue, 1u);
+  EXPECT_EQ(numbers(a).polynomials_solved, (std::vector<std::uint64_t>{0, 2}));
+  EXPECT_EQ(numbers(a).by_predicate.size(), 1u);
+  EXPECT_EQ(sum(numbers(a).by_predicate[0].failures), 2u);
+  EXPECT_EQ(sum(numbers(a).comparisons), 0u);
+
+  // Three lines: three swaps, each renews both certificates.
+  const Scene three = steep_lines(3);
+  Trial b(three, "sorted_list");
+  b.to_end();
+  EXPECT_EQ(b.ledger().created_per_event.histogram[2], 3u);
+  EXPECT_EQ(b.ledger().created_per_event.total, 6u);
+  EXPECT_EQ(b.ledger().retracted_per_event.histogram[2], 3u);
+  EXPECT_EQ(b.ledger().retracted_per_event.total, 6u);
+  EXPECT_EQ(b.ledger().certificates_created, 8u);
+  EXPECT_EQ(b.ledger().max_per_object, 2u);
+
+  // 0 wins at 1 and loses again at 2.
+  const Scene touch = scene_of({path({{0, 3, -1}}), path({{2}})}, 0, Rational(3));
+  Trial c(touch, "maximum_tournament");
+  c.to_end();
+  EXPECT_EQ(c.ledger().processed, 2u);
+  EXPECT_EQ(c.ledger().external, 2u);
+  EXPECT_EQ(numbers(c).polynomials_solved, (std::vector<std::uint64_t>{0, 0, 3}));
+
+  // Internal: 2 and 3 change places below 0.
+  const Scene below =
+      scene_of({path({{9}}), path({{8}}), path({{0, 1}}), path({{1}})}, 0, Rational(3));
+  Trial d(below, "maximum_tournament");
+  d.to_end();
+  EXPECT_EQ(d.ledger().processed, 1u);
+  EXPECT_EQ(d.ledger().internal, 1u);
+  EXPECT_EQ(d.ledger().efficiency(), 0.0);
+  EXPECT_EQ(d.ledger().by_kind.at("replace"), 1u);
+}
+
+TEST(Ledger, SimultaneousGroups) {
+  // Three through one point at 1, and two pairs of others at 1: five swaps at one instant.
+  const Scene scene = scene_of({path({{0, 1}}), path({{1}}), path({{2, -1}}), path({{10, 1}}),
+                                path({{11}}), path({{20, 1}}), path({{21}})},
+                               0, Rational(2));
+  Trial run(scene, "sorted_list");
+  run.to_end().expect_clean();
+  EXPECT_EQ(run.ledger().processed, 5u);
+  EXPECT_EQ(run.ledger().simultaneous_groups, 1u);
+  EXPECT_EQ(run.ledger().largest_group, 5u);
+  EXPECT_EQ(run.simulator.ledger().instants, 1u);
+  expect_sums(run);
+}
+
+TEST(Ledger, SumsAgree) {
+  for (const StructureInfo& info : structure_infos()) {
+    for (const char* arithmetic : {"exact", "sturm"}) {
+      for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        SCOPED_TRACE(std::string(info.name) + " in " + arithmetic + ", seed " +
+                     std::to_string(seed));
+        const int degree = 1 + static_cast<int>(seed % 2);
+        const Scene scene = random_flights(seed, 7, 2, degree, seed % 2 == 0);
+        Trial run(scene, std::string(info.name), arithmetic, AuditLevel::kEnd);
+        run.to_end();
+        expect_sums(run);
+        Random random(seed);
+        std::vector<Trajectory> paths;
+        for (int i = 0; i < 8; ++i) paths.push_back(random.small_path(2, degree, 50));
+        const Scene plain = scene_of(paths, -1, Rational(1));
+        Trial other(plain, std::string(info.name), arithmetic, AuditLevel::kEnd);
+        other.to_end();
+        expect_sums(other);
+      }
+    }
+  }
+}
+
+TEST(Ledger, CountsBitsAndStages) {
+  const Scene scene = scene_of({path({{0, 1, 1}}), path({{3}}), path({{7, -1}})}, 0, Rational(9));
+  Trial run(scene, "sorted_list", "sturm");
+  run.to_end();
+  const ArithmeticCounters& counters = numbers(run);
+  EXPECT_GE(counters.max_bits, 3u);
+  EXPECT_EQ(counters.polynomials_solved.size(), 3u);
+  for (const PredicateCounters& p : counters.by_predicate) {
+    EXPECT_EQ(sum(p.signs), p.signs[static_cast<int>(Stage::kExact)]);
+    EXPECT_EQ(sum(p.failures), p.failures[static_cast<int>(Stage::kExact)]);
+  }
+}
+
+}  // namespace
+}  // namespace kinex::test
