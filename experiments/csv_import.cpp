@@ -17,6 +17,13 @@ namespace {
 constexpr const char* kColumns =
     "name the columns id,t,x[,y[,z]] (traces) or id,x[,y[,z]],vx[,vy[,vz]] (velocities)";
 
+constexpr const char* kNumberRemedy = "write an integer, a fraction 1/3 or a decimal";
+
+std::optional<Rational> parse_number(const std::string& field) {
+  if (field.size() > kMaxNumberLength) return std::nullopt;
+  return Rational::parse(field);
+}
+
 std::string place(const CsvRow& row) { return "line " + std::to_string(row.line); }
 
 class Importer {
@@ -73,15 +80,11 @@ class Importer {
 
   Rational number(const CsvRow& row, std::size_t column) const {
     const std::string& field = row.fields[column];
-    std::optional<Rational> value;
-    if (field.size() <= kMaxNumberLength) value = Rational::parse(field);
-    if (!value) {
-      throw InputError(
-          file_, place(row),
-          show_text(field) + " in column " + show_text(table_.columns[column]) + " is not a number",
-          "write an integer, a fraction 1/3 or a decimal");
-    }
-    return *std::move(value);
+    if (std::optional<Rational> value = parse_number(field)) return *std::move(value);
+    throw InputError(
+        file_, place(row),
+        show_text(field) + " in column " + show_text(table_.columns[column]) + " is not a number",
+        kNumberRemedy);
   }
 
   const std::string& id(const CsvRow& row) const {
@@ -190,12 +193,49 @@ class Importer {
   ImportReport report_;
 };
 
+// An object that stands still, at all times.
+void add_fixed(const std::string& text, Scene& scene) {
+  const std::string option = "--fixed";
+  const std::vector<std::string> fields = parse_csv_row(text, option);
+  const auto axes = static_cast<std::size_t>(scene.dimension);
+  if (fields.size() != axes + 1) {
+    throw InputError(option, "",
+                     show_text(text) + " has " + std::to_string(fields.size()) + " fields, not " +
+                         std::to_string(axes + 1),
+                     "write " + std::string("ID,X,Y,Z").substr(0, 2 + 2 * axes));
+  }
+  if (fields[0].empty()) {
+    throw InputError(option, "", "an empty id in " + show_text(text),
+                     "write a name before the first comma");
+  }
+  for (const SceneObject& object : scene.objects) {
+    if (object.id != fields[0]) continue;
+    throw InputError(option, "", "there is an object " + show_text(fields[0]) + " already",
+                     "ids are unique; give another name");
+  }
+  Trajectory trajectory;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    std::optional<Rational> value = parse_number(fields[axis + 1]);
+    if (!value) {
+      throw InputError(option, "",
+                       show_text(fields[axis + 1]) + " in " + show_text(text) + " is not a number",
+                       kNumberRemedy);
+    }
+    trajectory.coordinates.push_back({*std::move(value)});
+  }
+  trajectory.normalise();
+  Motion motion;
+  motion.pieces.push_back({std::nullopt, std::nullopt, std::move(trajectory)});
+  scene.objects.push_back({fields[0], std::move(motion)});
+}
+
 }  // namespace
 
 ImportReport import_csv(std::string_view text, const std::string& file,
                         const ImportOptions& options) {
   ImportReport report = Importer(parse_csv(text, file), file).import(options);
-  const Scene& scene = report.scene;
+  Scene& scene = report.scene;
+  for (const std::string& row : options.fixed) add_fixed(row, scene);
   if (scene.end && *scene.end <= scene.start) {
     throw InputError(file, "",
                      "the scene would end at " + scene.end->to_string() +

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/scene.h"
 
@@ -15,6 +16,7 @@ namespace kinex {
 
 struct ImportOptions {
   std::optional<Rational> start, end;  // of the scene; default below
+  std::vector<std::string> fixed;      // rows "id,x[,y[,z]]" of objects that stand still
 };
 
 struct ImportReport {
@@ -32,9 +34,9 @@ struct ImportReport {
 // rows need not be in the order of time. Two fixes of one id at one time must be identical. The
 // scene's time is that of all fixes together, unless the options say otherwise. Velocities: x(t) =
 // x + vx t from time 0 on unless the options say otherwise; without an end the scene runs until no
-// event is left.
+// event is left. The fixed objects come last, and are there at all times.
 //
-// Throws InputError that names the line.
+// Throws InputError that names the line, or "--fixed".
 ImportReport import_csv(std::string_view text, const std::string& file,
                         const ImportOptions& options);
 

@@ -115,4 +115,14 @@ CsvTable parse_csv(std::string_view text, const std::string& file) {
   return table;
 }
 
+std::vector<std::string> parse_csv_row(std::string_view text, const std::string& source) {
+  CsvParser parser(text, source);
+  CsvRow row{1, {}}, other;
+  if (!parser.next(row)) row.fields.assign(1, "");
+  if (parser.next(other)) {
+    throw InputError(source, "", "a second line: " + show_text(other.fields[0]), "write one row");
+  }
+  return std::move(row.fields);
+}
+
 }  // namespace kinex

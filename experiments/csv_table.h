@@ -27,6 +27,9 @@ struct CsvTable {
 // than there are columns, or a quote that is not closed. Empty lines are skipped; CRLF is fine.
 CsvTable parse_csv(std::string_view text, const std::string& file);
 
+// The fields of one row; `source` is for messages. A line end outside of quotes is refused.
+std::vector<std::string> parse_csv_row(std::string_view text, const std::string& source);
+
 }  // namespace kinex
 
 #endif

@@ -20,6 +20,12 @@ int run(int argc, char** argv) {
       "kinex");
   app.set_version_flag("--version", kinex::build_name());
   app.require_subcommand(1);
+  app.footer(
+      "Example: a scene, its run, and how floating point differs (kinex VERB --help has more)\n"
+      "  kinex gen uniform-square --n 100 --seed 7 -o square.json\n"
+      "  kinex run square.json --events exact.jsonl\n"
+      "  kinex run square.json --arithmetic double --events double.jsonl\n"
+      "  kinex diff exact.jsonl double.jsonl");
   int exit_code = kinex::kExitFine;
   kinex::add_verbs(app, exit_code);
   try {

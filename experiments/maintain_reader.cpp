@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "experiments/input_error.h"
 #include "experiments/scene_parts.h"
@@ -14,6 +16,7 @@ namespace kinex {
 namespace {
 
 constexpr std::string_view kAxisNames = "xyz";
+const std::string kOption = "--maintain";  // the place of what is not in a file
 
 std::string known_structures() {
   std::string result;
@@ -151,6 +154,60 @@ void read_entry(const JsonNode& node, Scene& scene) {
   scene.maintain.push_back(std::move(request));
 }
 
+// Splits at commas, but not at those inside of JSON: of braces, brackets and strings.
+std::vector<std::string> split_entries(std::string_view text) {
+  std::vector<std::string> entries;
+  std::string entry;
+  int depth = 0;
+  bool quoted = false;
+  const auto finish = [&] {
+    const std::size_t begin = entry.find_first_not_of(" \t\r\n");
+    const std::size_t end = entry.find_last_not_of(" \t\r\n");
+    entries.push_back(begin == std::string::npos ? "" : entry.substr(begin, end + 1 - begin));
+    entry.clear();
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == ',' && depth <= 0 && !quoted) {
+      finish();
+      continue;
+    }
+    entry += c;
+    if (quoted && c == '\\' && i + 1 < text.size()) entry += text[++i];
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == '{' || c == '[')) ++depth;
+    if (!quoted && (c == '}' || c == ']')) --depth;
+  }
+  finish();
+  return entries;
+}
+
+// NAME or NAME:AXIS.
+void read_short_entry(const std::string& entry, Scene& scene) {
+  const std::size_t colon = entry.find(':');
+  Request request;
+  request.structure = entry.substr(0, colon);
+  request.label = entry;
+  if (const auto complaint = complaint_about(request.structure, scene.dimension)) {
+    throw InputError(kOption, "", complaint->problem, complaint->remedy);
+  }
+  if (colon != std::string::npos) {
+    const std::string axis_name = entry.substr(colon + 1);
+    const std::optional<int> axis = axis_of(axis_name, scene.dimension);
+    if (!axis || !find_structure_info(request.structure)->uses_key) {
+      throw InputError(kOption, "",
+                       show_text(axis_name) + " is not a key of " + show_text(request.structure),
+                       "a 1-D structure takes " + axes_of(scene.dimension) +
+                           "; other keys are written as in a scene, {\"structure\": NAME, ..}");
+    }
+    request.key.axis = *axis;
+  }
+  if (label_is_taken(scene, request.label)) {
+    throw InputError(kOption, "", show_text(entry) + " stands twice", "remove one");
+  }
+  scene.maintain.push_back(std::move(request));
+}
+
 }  // namespace
 
 void read_maintain(const JsonNode& node, Scene& scene) {
@@ -158,30 +215,18 @@ void read_maintain(const JsonNode& node, Scene& scene) {
   for (std::size_t i = 0; i < node.size(); ++i) read_entry(node.at(i), scene);
 }
 
-void set_maintain(Scene& scene, const std::vector<std::string>& entries) {
+void set_maintain(Scene& scene, const std::vector<std::string>& texts) {
   scene.maintain.clear();
-  for (const std::string& entry : entries) {
-    const std::size_t colon = entry.find(':');
-    Request request;
-    request.structure = entry.substr(0, colon);
-    request.label = entry;
-    if (const auto complaint = complaint_about(request.structure, scene.dimension)) {
-      throw InputError("--maintain", "", complaint->problem, complaint->remedy);
-    }
-    if (colon != std::string::npos) {
-      const std::string axis_name = entry.substr(colon + 1);
-      const std::optional<int> axis = axis_of(axis_name, scene.dimension);
-      if (!axis || !find_structure_info(request.structure)->uses_key) {
-        throw InputError("--maintain", "",
-                         show_text(axis_name) + " is not a key of " + show_text(request.structure),
-                         "a 1-D structure takes " + axes_of(scene.dimension));
+  for (const std::string& text : texts) {
+    for (const std::string& entry : split_entries(text)) {
+      if (!entry.empty() && entry[0] == '{') {
+        const JsonValue tree = parse_json(entry, kOption);
+        const JsonSource source{kOption, entry};
+        read_entry(JsonNode(tree, source), scene);
+      } else {
+        read_short_entry(entry, scene);
       }
-      request.key.axis = *axis;
     }
-    if (label_is_taken(scene, request.label)) {
-      throw InputError("--maintain", "", show_text(entry) + " stands twice", "remove one");
-    }
-    scene.maintain.push_back(std::move(request));
   }
 }
 

@@ -24,11 +24,10 @@ Scene parse_scene(std::string_view text, const std::string& file);
 // "-" reads standard input.
 Scene read_scene(const std::string& path);
 
-// Replaces scene.maintain by what --maintain says: names, each with an optional coordinate to order
-// by
-// ("sorted_list", "sorted_list:y", whose label is then "sorted_list:y"). Throws InputError that
-// names the option.
-void set_maintain(Scene& scene, const std::vector<std::string>& entries);
+// Replaces scene.maintain by what --maintain says, in one or several texts: entries with commas
+// between them. An entry is a name, a name and a coordinate to order by ("sorted_list:y", which is
+// then the label too), or a JSON object as in a scene. Throws InputError that names the option.
+void set_maintain(Scene& scene, const std::vector<std::string>& texts);
 
 }  // namespace kinex
 

@@ -64,8 +64,7 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_option("--seed", options->parameters.seed, "Seed of the random families (1)");
   verb->add_option("--degree", options->parameters.degree, "Degree of the motion (1)");
   verb->add_option("--dimension", options->parameters.dimension, "Axes, 1 to 3");
-  verb->add_option("--maintain", options->maintain, "What to maintain: NAME or NAME:AXIS, ..")
-      ->delimiter(',');
+  add_maintain_option(*verb, options->maintain, "What to maintain");
   verb->add_option("--name", options->name, "Name of the scene");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");

@@ -20,7 +20,7 @@ namespace {
 
 struct ImportVerbOptions {
   std::string file, start, end, name, output;
-  std::vector<std::string> maintain;
+  std::vector<std::string> maintain, fixed;
   bool force = false;
 };
 
@@ -28,6 +28,7 @@ void import_file(const ImportVerbOptions& options) {
   ImportOptions import_options;
   if (!options.start.empty()) import_options.start = rational_option("--start", options.start);
   if (!options.end.empty()) import_options.end = rational_option("--end", options.end);
+  import_options.fixed = options.fixed;
   const std::string text = read_text_file(options.file);
   ImportReport report = import_csv(text, options.file, import_options);
   Scene& scene = report.scene;
@@ -57,12 +58,18 @@ void add_import_verb(CLI::App& app, int&) {
       ->required();
   verb->add_option("--start", options->start, "Start of the scene (first fix; 0 for velocities)");
   verb->add_option("--end", options->end, "End of the scene (last fix; none for velocities)");
-  verb->add_option("--maintain", options->maintain, "What to maintain: NAME or NAME:AXIS, ..")
-      ->delimiter(',');
+  add_maintain_option(*verb, options->maintain, "What to maintain");
+  verb->add_option("--fixed", options->fixed,
+                   "Add an object that stands still: ID,X[,Y[,Z]]; can be given several times")
+      ->allow_extra_args(false);
   verb->add_option("--name", options->name, "Name of the scene (the file's)");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
-  verb->footer("Example:\n  kinex import storms.csv --maintain sorted_list:x -o storms.json");
+  verb->footer(
+      "Example:\n"
+      "  kinex import storms.csv --maintain sorted_list:x -o storms.json\n"
+      "  kinex import stars.csv --fixed Sun,0,0,0 -o stars.json --maintain \\\n"
+      "    '{\"structure\": \"minimum_tournament\", \"key\": {\"squared_distance_to\": \"Sun\"}}'");
   verb->callback([options] { import_file(*options); });
 }
 

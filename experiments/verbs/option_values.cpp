@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/verbs/option_values.h"
 
+#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -36,6 +37,13 @@ void print(const std::string& text) {
     throw InputError("standard output", "",
                      std::string("cannot be written: ") + std::strerror(errno), "");
   }
+}
+
+void add_maintain_option(CLI::App& verb, std::vector<std::string>& entries, const char* what) {
+  verb.add_option("--maintain", entries,
+                  std::string(what) +
+                      ": NAME, NAME:AXIS or a JSON object as in scenes, with commas between them")
+      ->allow_extra_args(false);
 }
 
 }  // namespace kinex

@@ -8,6 +8,10 @@
 
 #include "core/rational.h"
 
+namespace CLI {
+class App;
+}
+
 namespace kinex {
 
 // An exact number as in a scene. Throws InputError that names the option.
@@ -18,6 +22,9 @@ void write_result(const std::string& path, bool force, const std::string& text);
 
 // Prints to standard output; throws InputError if that fails (a closed pipe, a full disk).
 void print(const std::string& text);
+
+// Adds --maintain, as set_maintain reads it. The option can be given several times.
+void add_maintain_option(CLI::App& verb, std::vector<std::string>& entries, const char* what);
 
 }  // namespace kinex
 

@@ -149,9 +149,7 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* verb = app.add_subcommand("run", "Simulates a scene");
   verb->add_option("SCENE", options->scene, "Scene file, - reads standard input")->required();
-  verb->add_option("--maintain", options->maintain,
-                   "What to maintain instead of what the scene says: NAME or NAME:AXIS, ..")
-      ->delimiter(',');
+  add_maintain_option(*verb, options->maintain, "What to maintain instead of what the scene says");
   verb->add_option("--arithmetic", options->arithmetic,
                    "exact (default), sturm, double, gsl or mpfr:P");
   verb->add_option("--until", options->until, "Stop at this time, before the scene's end");

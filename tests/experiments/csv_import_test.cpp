@@ -95,6 +95,43 @@ TEST(CsvImport, RefusesWithFileAndLine) {
   EXPECT_INPUT_ERROR(import("id,x,vx\na,0,0\na,0,0\n"), "the id \"a\" is that of line 2 too");
 }
 
+TEST(CsvImport, FixedObjects) {
+  ImportOptions options;
+  options.fixed = {"Sun,0,1/3", "\"a, b\",-0.5,1e-2"};
+  const Scene scene = import_csv("id,t,x,y\na,1,0,0\na,2,1,1\n", "t", options).scene;
+  ASSERT_EQ(scene.objects.size(), 3u);
+  EXPECT_EQ(scene.objects[1].id, "Sun");
+  EXPECT_EQ(scene.objects[2].id, "a, b");
+  const Motion& sun = scene.objects[1].motion;
+  EXPECT_EQ(sun.degree(), 0);
+  ASSERT_EQ(sun.pieces.size(), 1u);
+  EXPECT_FALSE(sun.pieces[0].from || sun.pieces[0].to);  // there at all times
+  EXPECT_EQ(sun.pieces[0].trajectory.position(0, Rational(7)), Rational(0));
+  EXPECT_EQ(sun.pieces[0].trajectory.position(1, Rational(7)), ratio(1, 3));
+  EXPECT_EQ(scene.objects[2].motion.pieces[0].trajectory.position(0, Rational(0)), ratio(-1, 2));
+  EXPECT_EQ(scene.objects[2].motion.pieces[0].trajectory.position(1, Rational(0)), ratio(1, 100));
+}
+
+TEST(CsvImport, FixedObjectsAreRefusedWithARemedy) {
+  const auto fixed = [](const std::string& row) {
+    ImportOptions options;
+    options.fixed = {"first,0,0", row};
+    import_csv("id,x,y,vx,vy\na,0,0,1,1\n", "t.csv", options);
+  };
+  EXPECT_NO_THROW(fixed("Sun,0,0"));
+  EXPECT_INPUT_ERROR(fixed("Sun,0"), "--fixed: \"Sun,0\" has 2 fields, not 3; write ID,X,Y");
+  EXPECT_INPUT_ERROR(fixed("Sun,0,0,0"), "--fixed: \"Sun,0,0,0\" has 4 fields, not 3");
+  EXPECT_INPUT_ERROR(fixed(""), "--fixed: \"\" has 1 fields, not 3");
+  EXPECT_INPUT_ERROR(fixed(",0,0"), "--fixed: an empty id in \",0,0\"; write a name");
+  EXPECT_INPUT_ERROR(fixed("a,0,0"), "--fixed: there is an object \"a\" already; ids are unique");
+  EXPECT_INPUT_ERROR(fixed("first,1,0"), "there is an object \"first\" already");
+  EXPECT_INPUT_ERROR(fixed("Sun,0,zero"), "\"zero\" in \"Sun,0,zero\" is not a number; write an");
+  EXPECT_INPUT_ERROR(fixed("Sun,1/0,0"), "\"1/0\" in");
+  EXPECT_INPUT_ERROR(fixed("Sun,inf,0"), "\"inf\" in");
+  EXPECT_INPUT_ERROR(fixed("\"Sun,0,0"), "--fixed: line 1: a quote is not closed; close it");
+  EXPECT_INPUT_ERROR(fixed("Sun,0,0\nMoon,1,1"), "a second line: \"Moon\"; write one row");
+}
+
 // Real data, where the folder is there: KINEX_SHARED_DATA, or ../shared/data beside the sources.
 std::filesystem::path shared_data() {
   const char* folder = std::getenv("KINEX_SHARED_DATA");

@@ -130,6 +130,37 @@ TEST(SceneReader, MaintainOption) {
   EXPECT_INPUT_ERROR(set_maintain(scene, {"sorted_list:z"}), "\"z\" is not a key");
   EXPECT_INPUT_ERROR(set_maintain(scene, {"delaunay_2:x"}), "\"x\" is not a key");
   EXPECT_INPUT_ERROR(set_maintain(scene, {"delaunay_2", "delaunay_2"}), "stands twice");
+  EXPECT_INPUT_ERROR(set_maintain(scene, {"sorted_list,"}), "\"\" is not a known structure");
+}
+
+// Commas inside of JSON belong to it, be they in brackets, braces or strings.
+TEST(SceneReader, MaintainOptionInJson) {
+  Scene scene = parse(kExample);
+  set_maintain(scene, {R"( sorted_list , {"structure": "sorted_list", "key": {"direction":
+      ["3", 4]}, "as": "a,}\"{,b"},{"structure":"minimum_tournament","key":)"
+                       R"({"squared_distance_to":"a"}},delaunay_2)",
+                       "sorted_list:y"});
+  ASSERT_EQ(scene.maintain.size(), 5u);
+  EXPECT_EQ(scene.maintain[0].label, "sorted_list");
+  EXPECT_EQ(scene.maintain[1].label, "a,}\"{,b");
+  EXPECT_EQ(scene.maintain[1].key.direction, (std::vector<Rational>{Rational(3), Rational(4)}));
+  EXPECT_EQ(scene.maintain[2].label, "minimum_tournament");
+  EXPECT_EQ(scene.maintain[2].key.kind, Key::Kind::kSquaredDistance);
+  EXPECT_EQ(scene.maintain[2].key.object, 0u);
+  EXPECT_EQ(scene.maintain[3].structure, "delaunay_2");
+  EXPECT_EQ(scene.maintain[4].key.axis, 1);
+  const auto refused = [&](const std::string& entry) { set_maintain(scene, {entry}); };
+  EXPECT_INPUT_ERROR(refused("{"), "--maintain: line 1, column 2: the text ends too early");
+  EXPECT_INPUT_ERROR(refused("{}"), "--maintain: /: \"structure\" is missing; add it");
+  EXPECT_INPUT_ERROR(refused(R"({"structure": "sorted_list"} x)"), "--maintain: line 1");
+  EXPECT_INPUT_ERROR(refused(R"({"structure": "tap"})"), "--maintain: /structure: \"tap\"");
+  EXPECT_INPUT_ERROR(refused(R"({"structure": "sorted_list", "key": "z"})"), "/key: \"z\"");
+  EXPECT_INPUT_ERROR(
+      refused(R"({"structure": "sorted_list", "key": {"squared_distance_to": "Sun"}})"),
+      "/key/squared_distance_to: there is no object \"Sun\"");
+  EXPECT_INPUT_ERROR(refused(R"({"structure": "sorted_list"},sorted_list)"), "stands twice");
+  EXPECT_INPUT_ERROR(refused(R"(sorted_list,{"structure": "sorted_list"})"), "is used twice");
+  EXPECT_INPUT_ERROR(refused("sorted_list:{"), "other keys are written as in a scene");
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "experiments/json_value.h"
 #include "tests/program/spawn.h"
 
@@ -41,12 +44,25 @@ TEST_F(Program, UsageErrorsExitWith2) {
 }
 
 TEST_F(Program, EveryVerbHasHelpWithAnExample) {
-  for (const char* verb : {"run", "check", "diff", "gen", "import", "roots"}) {
+  const Finished top = run_kinex({"--help"});
+  EXPECT_EQ(top.exit_code, 0);
+  EXPECT_THAT(top.out, HasSubstr("Example:"));
+  EXPECT_THAT(top.out, HasSubstr("\n  kinex gen uniform-square"));
+  // The verbs are those that the top level lists.
+  std::size_t verbs = 0;
+  std::istringstream list(top.out.substr(top.out.find("Subcommands:")));
+  std::string line;
+  for (std::getline(list, line); std::getline(list, line) && !line.empty(); ++verbs) {
+    std::string verb;
+    std::istringstream(line) >> verb;
     const Finished help = run_kinex({verb, "--help"});
     EXPECT_EQ(help.exit_code, 0) << verb;
     EXPECT_THAT(help.out, HasSubstr("Example:")) << verb;
-    EXPECT_THAT(help.out, HasSubstr(std::string("kinex ") + verb)) << verb;
+    const std::string examples =
+        help.out.substr(std::min(help.out.find("Example:"), help.out.size()));
+    EXPECT_THAT(examples, HasSubstr("kinex " + verb + " ")) << verb;
   }
+  EXPECT_GE(verbs, 7u);
 }
 
 TEST_F(Program, RunWritesLogAndSummary) {
@@ -219,6 +235,41 @@ TEST_F(Program, ImportMakesAScene) {
   const Finished run = run_kinex({"run", "-", "--audit", "events"}, made.out);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("1 insertion"));
+}
+
+// --maintain and --fixed as they are written on a command line.
+TEST_F(Program, MaintainInJsonAndFixedObjects) {
+  const std::string table = "id,x,y,vx,vy\na,1,0,1,0\nb,3,0,-1,0\n";
+  const std::string entry =
+      R"({"structure":"minimum_tournament","key":{"squared_distance_to":"Sun"},"as":"nearest"})";
+  const std::vector<std::string> import_arguments{
+      "import", "-", "--fixed", "Sun,0,0", "--fixed", "Moon,2.25,0", "--end", "3", "--maintain"};
+  const auto with = [](std::vector<std::string> arguments, const std::string& last) {
+    arguments.push_back(last);
+    return arguments;
+  };
+  const Finished made = run_kinex(with(import_arguments, entry + ",sorted_list:y"), table);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("2 rows, 4 objects"));
+  // |1 + t| = |3 - t| at 1: a is the nearest until then, b afterwards; the Sun itself never is.
+  const Finished run = run_kinex({"run", "-", "--at", "0,1/2,3/2,3"}, made.out);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  for (const char* line : {"at 0  nearest \"a\"", "at 1/2  nearest \"a\"", "at 3/2  nearest \"b\"",
+                           "at 3  nearest \"b\""}) {
+    EXPECT_THAT(run.out, HasSubstr(line));
+  }
+  const Finished other = run_kinex({"run", "-", "--maintain", entry, "--at", "2"}, made.out);
+  EXPECT_THAT(other.out, HasSubstr("at 2  nearest \"b\""));
+  EXPECT_THAT(other.out, testing::Not(HasSubstr("sorted_list")));
+  const Finished generated =
+      run_kinex({"gen", "grid", "--n", "4", "--maintain",
+                 R"({"structure":"sorted_list","key":{"direction":[1,2]}},delaunay_2)"});
+  EXPECT_EQ(generated.exit_code, 0) << generated.err;
+  EXPECT_THAT(generated.out, HasSubstr(R"({"direction": [1, 2]}}, "delaunay_2"])"));
+  const Finished refused = run_kinex({"import", "-", "--fixed", "Sun,0"}, table);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_THAT(refused.err, HasSubstr("--fixed: \"Sun,0\" has 2 fields, not 3; write ID,X,Y"));
 }
 
 // Inexact arithmetics may fail, but in an orderly way.
