@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <set>
 
 #include "experiments/csv_table.h"
@@ -12,6 +10,7 @@
 #include "experiments/scene_reader.h"
 #include "experiments/scene_writer.h"
 #include "tests/experiments/expect_input_error.h"
+#include "tests/shared_data.h"
 
 namespace kinex {
 namespace {
@@ -132,16 +131,9 @@ TEST(CsvImport, FixedObjectsAreRefusedWithARemedy) {
   EXPECT_INPUT_ERROR(fixed("Sun,0,0\nMoon,1,1"), "a second line: \"Moon\"; write one row");
 }
 
-// Real data, where the folder is there: KINEX_SHARED_DATA, or ../shared/data beside the sources.
-std::filesystem::path shared_data() {
-  const char* folder = std::getenv("KINEX_SHARED_DATA");
-  if (folder != nullptr) return folder;
-  return std::filesystem::path(KINEX_SOURCE_DIR).parent_path() / "shared" / "data";
-}
-
 TEST(CsvImport, Hurricanes) {
-  const std::string file = (shared_data() / "hurricanes.csv").string();
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << "; set KINEX_SHARED_DATA";
+  const std::string file = shared_data("hurricanes.csv");
+  KINEX_REQUIRE_DATA(file);
   const ImportReport report = import_csv(read_text_file(file), file, {});
   EXPECT_EQ(report.rows, 49105u);
   EXPECT_EQ(report.scene.objects.size() + report.single_fixes, 1814u);
@@ -151,8 +143,8 @@ TEST(CsvImport, Hurricanes) {
 }
 
 TEST(CsvImport, Stars) {
-  const std::string file = (shared_data() / "nearest_stars.csv").string();
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << "; set KINEX_SHARED_DATA";
+  const std::string file = shared_data("nearest_stars.csv");
+  KINEX_REQUIRE_DATA(file);
   const Scene scene = import_csv(read_text_file(file), file, {}).scene;
   EXPECT_EQ(scene.objects.size(), 294u);
   EXPECT_EQ(scene.dimension, 3);
