@@ -33,7 +33,9 @@ PlanCounts count_plans(const Scene& scene) {
       if (pieces[i].from && within(*pieces[i].from, scene)) {
         ++(joined ? counts.updates : counts.insertions);
       }
-      if (pieces[i].to && !goes_on && within(*pieces[i].to, scene)) ++counts.erasures;
+      // What ends with the scene is there to the last.
+      const bool ends = pieces[i].to && (!scene.end || *pieces[i].to < *scene.end);
+      if (ends && !goes_on && within(*pieces[i].to, scene)) ++counts.erasures;
     }
   }
   return counts;

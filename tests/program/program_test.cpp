@@ -234,7 +234,7 @@ TEST_F(Program, ImportMakesAScene) {
   EXPECT_THAT(made.err, HasSubstr("1 traces of a single fix were left out"));
   const Finished run = run_kinex({"run", "-", "--audit", "events"}, made.out);
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("1 insertion"));
+  EXPECT_THAT(run.out, HasSubstr("0 changes, 1 insertion, 0 erasures\n"));
 }
 
 // --maintain and --fixed as they are written on a command line.
