@@ -137,12 +137,12 @@ TEST(SceneReader, MaintainOption) {
 TEST(SceneReader, MaintainOptionInJson) {
   Scene scene = parse(kExample);
   set_maintain(scene, {R"( sorted_list , {"structure": "sorted_list", "key": {"direction":
-      ["3", 4]}, "as": "a,}\"{,b"},{"structure":"minimum_tournament","key":)"
+      ["3", 4]}, "as": "a,}\",{b"},{"structure":"minimum_tournament","key":)"
                        R"({"squared_distance_to":"a"}},delaunay_2)",
                        "sorted_list:y"});
   ASSERT_EQ(scene.maintain.size(), 5u);
   EXPECT_EQ(scene.maintain[0].label, "sorted_list");
-  EXPECT_EQ(scene.maintain[1].label, "a,}\"{,b");
+  EXPECT_EQ(scene.maintain[1].label, "a,}\",{b");
   EXPECT_EQ(scene.maintain[1].key.direction, (std::vector<Rational>{Rational(3), Rational(4)}));
   EXPECT_EQ(scene.maintain[2].label, "minimum_tournament");
   EXPECT_EQ(scene.maintain[2].key.kind, Key::Kind::kSquaredDistance);
