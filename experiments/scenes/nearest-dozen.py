@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes nearest-dozen.csv: the Sun and thirteen stars as points in linear motion.
+"""Writes nearest-dozen.csv: thirteen stars near the Sun as points in linear motion.
 
 Source of the values: astrometry and radial velocities as published in Gaia DR2/DR3, Hipparcos (2007)
 and, for Scholz's star, Mamajek et al. 2015 / Gaia DR2, rounded: right ascension (h, m, s), declination
@@ -48,6 +48,5 @@ def row(name, ra, dec, parallax, pm_ra, pm_dec, radial):
 
 
 print("id,x,y,z,vx,vy,vz")
-print("Sun,0,0,0,0,0,0")
 for star in STARS:
     print(row(*star))
