@@ -9,6 +9,8 @@
 #include "experiments/csv_table.h"
 #include "experiments/input_error.h"
 #include "experiments/json_value.h"
+#include "experiments/scene_reader.h"
+#include "experiments/utf8.h"
 
 namespace kinex {
 
@@ -25,6 +27,19 @@ std::optional<Rational> parse_number(const std::string& field) {
 }
 
 std::string place(const CsvRow& row) { return "line " + std::to_string(row.line); }
+
+// What is an id in a table must be one in a scene.
+void check_id(const std::string& id, const std::string& file, const std::string& where) {
+  if (id.empty()) throw InputError(file, where, "an empty id", "write a name");
+  if (id.size() > kMaxIdBytes) {
+    throw InputError(file, where, "an id of " + std::to_string(id.size()) + " bytes",
+                     "write at most 1000");
+  }
+  if (!is_utf8(id)) {
+    throw InputError(file, where, "the id " + show_text(id) + " is not UTF-8",
+                     "convert the file to UTF-8");
+  }
+}
 
 class Importer {
  public:
@@ -88,7 +103,7 @@ class Importer {
   }
 
   const std::string& id(const CsvRow& row) const {
-    if (row.fields[id_].empty()) throw InputError(file_, place(row), "an empty id", "write a name");
+    check_id(row.fields[id_], file_, place(row));
     return row.fields[id_];
   }
 
@@ -204,10 +219,7 @@ void add_fixed(const std::string& text, Scene& scene) {
                          std::to_string(axes + 1),
                      "write " + std::string("ID,X,Y,Z").substr(0, 2 + 2 * axes));
   }
-  if (fields[0].empty()) {
-    throw InputError(option, "", "an empty id in " + show_text(text),
-                     "write a name before the first comma");
-  }
+  check_id(fields[0], option, "");
   for (const SceneObject& object : scene.objects) {
     if (object.id != fields[0]) continue;
     throw InputError(option, "", "there is an object " + show_text(fields[0]) + " already",

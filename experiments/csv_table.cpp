@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "experiments/input_error.h"
+#include "experiments/utf8.h"
 
 namespace kinex {
 
@@ -97,6 +98,10 @@ CsvTable parse_csv(std::string_view text, const std::string& file) {
     throw InputError(file, "", "the file is empty", "name the columns in line 1");
   for (const std::string& field : row.fields) {
     std::string name = trimmed(field);
+    if (!is_utf8(name)) {
+      throw InputError(file, "line " + std::to_string(row.line),
+                       "column " + show_text(name) + " is not UTF-8", "convert the file to UTF-8");
+    }
     if (table.column(name)) {
       throw InputError(file, "line " + std::to_string(row.line),
                        "column " + show_text(name) + " stands twice", "remove one");

@@ -14,8 +14,6 @@ namespace kinex {
 
 namespace {
 
-constexpr std::size_t kMaxIdBytes = 1000;
-
 void read_version(const JsonNode& scene) {
   const JsonNode version = scene.member("kinex");
   if (version.is(JsonValue::Kind::kNumber) && version.value().text == "1") return;

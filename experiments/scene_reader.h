@@ -8,6 +8,7 @@
 #ifndef KINEX_EXPERIMENTS_SCENE_READER_H
 #define KINEX_EXPERIMENTS_SCENE_READER_H
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ namespace kinex {
 
 inline constexpr int kMaxDimension = 3;
 inline constexpr int kMaxMotionDegree = 1000;
+inline constexpr std::size_t kMaxIdBytes = 1000;
 
 // `file` is for messages only.
 Scene parse_scene(std::string_view text, const std::string& file);

@@ -47,7 +47,7 @@ void generate(const GenOptions& options) {
                      "known are:\n" + listed());
   }
   Scene scene = generate_scene(*workload, options.parameters);
-  if (!options.name.empty()) scene.name = options.name;
+  if (!options.name.empty()) scene.name = name_option(options.name);
   if (!options.maintain.empty()) set_maintain(scene, options.maintain);
   write_result(options.output, options.force, write_scene(scene));
 }

@@ -32,8 +32,8 @@ void import_file(const ImportVerbOptions& options) {
   const std::string text = read_text_file(options.file);
   ImportReport report = import_csv(text, options.file, import_options);
   Scene& scene = report.scene;
-  scene.name =
-      options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name;
+  scene.name = name_option(
+      options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
   std::vector<std::string> maintain = options.maintain;
   if (maintain.empty()) maintain = {scene.dimension == 2 ? "delaunay_2" : "sorted_list"};
   set_maintain(scene, maintain);

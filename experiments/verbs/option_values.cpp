@@ -9,6 +9,7 @@
 
 #include "experiments/file_io.h"
 #include "experiments/input_error.h"
+#include "experiments/utf8.h"
 
 namespace kinex {
 
@@ -19,6 +20,11 @@ Rational rational_option(const char* option, const std::string& text) {
                      "write an integer, a fraction 1/3 or a decimal");
   }
   return *std::move(value);
+}
+
+const std::string& name_option(const std::string& text) {
+  if (is_utf8(text)) return text;
+  throw InputError("--name", "", show_text(text) + " is not UTF-8", "give a name in UTF-8");
 }
 
 void write_result(const std::string& path, bool force, const std::string& text) {

@@ -17,6 +17,9 @@ namespace kinex {
 // An exact number as in a scene. Throws InputError that names the option.
 Rational rational_option(const char* option, const std::string& text);
 
+// A name for a scene. Throws InputError if it is not UTF-8.
+const std::string& name_option(const std::string& text);
+
 // Writes a result to `path`, or to standard output if it is empty or "-".
 void write_result(const std::string& path, bool force, const std::string& text);
 

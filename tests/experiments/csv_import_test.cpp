@@ -9,6 +9,7 @@
 #include "experiments/file_io.h"
 #include "experiments/scene_reader.h"
 #include "experiments/scene_writer.h"
+#include "experiments/utf8.h"
 #include "tests/experiments/expect_input_error.h"
 #include "tests/shared_data.h"
 
@@ -111,6 +112,23 @@ TEST(CsvImport, FixedObjects) {
   EXPECT_EQ(scene.objects[2].motion.pieces[0].trajectory.position(1, Rational(0)), ratio(1, 100));
 }
 
+TEST(CsvImport, IdsAreThoseThatAScenesReaderTakes) {
+  for (const char* id : {"\xff", "a\x80", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80",
+                         "\xe0\x80\xaf", "\xf0\x80\x80\xaf", "\xf8\x88\x80\x80\x80"}) {
+    EXPECT_INPUT_ERROR(import("id,x,vx\na,0,0\n" + std::string(id) + ",0,1\n"),
+                       "t.csv: line 3: the id");
+    EXPECT_FALSE(is_utf8(id));
+  }
+  const std::string longest(kMaxIdBytes, 'a');
+  EXPECT_INPUT_ERROR(import("id,x,vx\na" + longest + ",0,1\n"),
+                     "t.csv: line 2: an id of 1001 bytes");
+  for (const std::string id : {"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9d\x84\x9e", "\xf4\x8f\xbf\xbf",
+                               "tab\t\x01", longest.c_str()}) {
+    const std::string text = write_scene(import("id,x,vx\n" + id + ",0,1\n").scene);
+    EXPECT_EQ(parse_scene(text, "again").objects[0].id, id);
+  }
+}
+
 TEST(CsvImport, FixedObjectsAreRefusedWithARemedy) {
   const auto fixed = [](const std::string& row) {
     ImportOptions options;
@@ -121,7 +139,7 @@ TEST(CsvImport, FixedObjectsAreRefusedWithARemedy) {
   EXPECT_INPUT_ERROR(fixed("Sun,0"), "--fixed: \"Sun,0\" has 2 fields, not 3; write ID,X,Y");
   EXPECT_INPUT_ERROR(fixed("Sun,0,0,0"), "--fixed: \"Sun,0,0,0\" has 4 fields, not 3");
   EXPECT_INPUT_ERROR(fixed(""), "--fixed: \"\" has 1 fields, not 3");
-  EXPECT_INPUT_ERROR(fixed(",0,0"), "--fixed: an empty id in \",0,0\"; write a name");
+  EXPECT_INPUT_ERROR(fixed(",0,0"), "--fixed: an empty id; write a name");
   EXPECT_INPUT_ERROR(fixed("a,0,0"), "--fixed: there is an object \"a\" already; ids are unique");
   EXPECT_INPUT_ERROR(fixed("first,1,0"), "there is an object \"first\" already");
   EXPECT_INPUT_ERROR(fixed("Sun,0,zero"), "\"zero\" in \"Sun,0,zero\" is not a number; write an");

@@ -16,7 +16,14 @@ namespace kinex {
 namespace {
 
 const std::filesystem::path kCorpus = std::filesystem::path(KINEX_SOURCE_DIR) / "tests" / "corpus";
-constexpr std::size_t kFewestBadFiles = 50;
+constexpr std::size_t kFewestBadScenes = 80, kFewestBadTraces = 40;
+
+// The verb that reads such a file.
+std::string verb_for(const std::string& file) {
+  if (file.rfind("polynomials/", 0) == 0) return "roots";
+  if (file.rfind("traces/", 0) == 0) return "import";
+  return "check";
+}
 
 struct Entry {
   std::string file;
@@ -40,8 +47,8 @@ class CorpusTest : public testing::Test {
   explicit CorpusTest(Entry entry) : entry_(std::move(entry)) {}
   void TestBody() override {
     const std::string path = (kCorpus / entry_.file).string();
-    const bool polynomials = entry_.file.rfind("polynomials/", 0) == 0;
-    const Finished finished = run_kinex({polynomials ? "roots" : "check", path});
+    const std::string verb = verb_for(entry_.file);
+    const Finished finished = run_kinex({verb, path});
     EXPECT_EQ(finished.exit_code, entry_.exit_code) << finished.err;
     for (const std::string& part : entry_.message) {
       EXPECT_THAT(finished.err, testing::HasSubstr(part));
@@ -51,7 +58,11 @@ class CorpusTest : public testing::Test {
       EXPECT_THAT(finished.err, testing::HasSubstr("; "));  // before the remedy
       EXPECT_EQ(finished.out, "");
     }
-    if (entry_.exit_code == 0) {
+    if (entry_.exit_code != 0) return;
+    if (verb == "import") {  // it counts what it read, and what it makes must be a scene
+      const Finished check = run_kinex({"check", "-"}, finished.out);
+      EXPECT_EQ(check.exit_code, 0) << check.err;
+    } else {
       EXPECT_EQ(finished.err, "");
     }
   }
@@ -63,20 +74,22 @@ class CorpusTest : public testing::Test {
 TEST(Corpus, IsWhatTheIndexSays) {
   const std::vector<Entry> entries = read_index();
   std::set<std::string> listed, found;
-  std::size_t bad = 0;
+  std::size_t bad_scenes = 0, bad_traces = 0;
   for (const Entry& entry : entries) {
     EXPECT_TRUE(listed.insert(entry.file).second) << entry.file << " is listed twice";
     const bool in_bad = entry.file.find("/bad/") != std::string::npos;
     EXPECT_EQ(entry.exit_code != 0, in_bad) << entry.file;
     EXPECT_EQ(entry.message.empty(), !in_bad) << entry.file;
-    if (in_bad) ++bad;
+    if (entry.file.rfind("scenes/bad/", 0) == 0) ++bad_scenes;
+    if (entry.file.rfind("traces/bad/", 0) == 0) ++bad_traces;
   }
   for (const auto& file : std::filesystem::recursive_directory_iterator(kCorpus)) {
     if (!file.is_regular_file() || file.path().filename() == "index.json") continue;
     found.insert(std::filesystem::relative(file.path(), kCorpus).string());
   }
   EXPECT_EQ(listed, found);
-  EXPECT_GE(bad, kFewestBadFiles);
+  EXPECT_GE(bad_scenes, kFewestBadScenes);
+  EXPECT_GE(bad_traces, kFewestBadTraces);
 }
 
 // Registered before main runs; a corpus that cannot be read leaves only the test above, which
