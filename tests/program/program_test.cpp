@@ -2,8 +2,6 @@
 // The built program from outside: verbs, files, exit codes, messages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <sstream>
 
@@ -94,29 +92,6 @@ TEST_F(Program, StandardOutputIsJsonWhenAskedFor) {
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_NO_THROW(parse_json(run.out, "out")) << run.out;
     EXPECT_THAT(run.err, HasSubstr("left out"));
-  }
-}
-
-TEST_F(Program, FilesAreNotOverwritten) {
-  const std::string log = scratch_.file("run.log");
-  write_file(log, "precious");
-  expect_bad_input({"run", scene_, "--events", log}, log + ": exists already; give another name");
-  expect_bad_input({"gen", "grid", "-o", log}, "exists already");
-  EXPECT_EQ(read_file(log), "precious");
-  EXPECT_EQ(run_kinex({"run", scene_, "--events", log, "--force"}).exit_code, 0);
-  EXPECT_THAT(read_file(log), StartsWith("{\"format\": \"kinex-log\""));
-}
-
-TEST_F(Program, UnwritableOutputs) {
-  expect_bad_input({"run", scene_, "--events", scratch_.file("no/such/folder.log")},
-                   "cannot be written: No such file or directory");
-  expect_bad_input({"run", scene_, "--summary", scratch_.path().string()}, "it is a directory");
-  expect_bad_input({"gen", "grid", "--n", "2000", "-o", "/dev/full"},
-                   "cannot be written: No space left");
-  // Small enough to fail only when the file is closed.
-  expect_bad_input({"gen", "grid", "--n", "2", "-o", "/dev/full"}, "/dev/full: cannot be written");
-  if (::geteuid() != 0) {
-    expect_bad_input({"gen", "grid", "-o", "/proc/version"}, "/proc/version");
   }
 }
 
