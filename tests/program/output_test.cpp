@@ -51,6 +51,10 @@ class Output : public testing::Test {
     EXPECT_THAT(finished.err, HasSubstr(message)) << command;
     EXPECT_THAT(finished.err, HasSubstr("; ")) << command;  // before the remedy
     EXPECT_EQ(files(), before) << command;
+    // Seen before any work is done; only a full disk is seen late.
+    if (file != "/dev/full") {
+      EXPECT_EQ(finished.out, "") << command;
+    }
   }
   ScratchFolder scratch_;
   const std::string scene_ = scratch_.file("scene.json");
