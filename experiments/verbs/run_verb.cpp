@@ -104,6 +104,7 @@ void run(const RunOptions& options, int& exit_code) {
   shorten(scene, options.until);
   const std::vector<Rational> times = sample_times(scene, options.at);
 
+  InterruptGuard interrupt;  // before there is a temporary file
   std::optional<OutputFile> events_file, summary_file;
   if (!options.events.empty()) events_file.emplace(options.events, options.force);
   const bool json = options.json || options.summary == "-";
@@ -111,7 +112,6 @@ void run(const RunOptions& options, int& exit_code) {
     summary_file.emplace(options.summary, options.force);
   }
 
-  InterruptGuard interrupt;
   RunOutcome outcome;
   std::unique_ptr<Simulator> simulator;
   std::optional<EventLog> log;

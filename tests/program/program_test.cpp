@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
 #include <sstream>
 
 #include "experiments/json_value.h"
@@ -160,13 +162,38 @@ TEST_F(Program, LimitsExitWith3AndLeaveAReadableLog) {
 TEST_F(Program, InterruptLeavesAReadableLog) {
   const std::string large = scratch_.file("large.json");
   ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "4000", "-o", large}).exit_code, 0);
-  const std::string log = scratch_.file("large.log");
-  const Finished run = run_kinex({"run", large, "--events", log}, "", 1.5);
-  EXPECT_EQ(run.exit_code, 3) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("stopped (interrupted)"));
-  const std::string text = read_file(log);
-  EXPECT_THAT(text.substr(text.size() - 200), HasSubstr("{\"end\": \"interrupted\""));
-  EXPECT_EQ(run_kinex({"diff", log, log}).exit_code, 0);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string log = scratch_.file("large-" + std::to_string(signal) + ".log");
+    const std::string summary = scratch_.file("large-" + std::to_string(signal) + ".json");
+    const Finished run =
+        run_kinex({"run", large, "--events", log, "--summary", summary}, "", 1.5, "", signal);
+    EXPECT_EQ(run.exit_code, 3) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("stopped (interrupted)"));
+    const std::string text = read_file(log);
+    ASSERT_GT(text.size(), 200u);
+    EXPECT_THAT(text.substr(text.size() - 200), HasSubstr("{\"end\": \"interrupted\""));
+    EXPECT_EQ(run_kinex({"diff", log, log}).exit_code, 0);
+    EXPECT_EQ(parse_json(read_file(summary), summary).find("status")->text, "interrupted");
+  }
+}
+
+// Long enough for several lines of progress: they are for people, not for files.
+TEST_F(Program, ProgressIsForTerminalsOnly) {
+  const std::string large = scratch_.file("large.json");
+  ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "4000", "-o", large}).exit_code, 0);
+  const Finished plain = run_kinex({"run", large, "--max-seconds", "1.5"});
+  EXPECT_EQ(plain.exit_code, 3) << plain.err;
+  EXPECT_THAT(plain.err, testing::Not(HasSubstr("events/s")));
+  EXPECT_THAT(plain.out, testing::Not(HasSubstr("events/s")));
+  const std::string command =
+      std::string(KINEX_PROGRAM) + " run " + large + " --max-seconds 1.5 --json > /dev/null";
+  const std::string terminal = scratch_.file("terminal");
+  const std::string script =
+      "script -qc '" + command + "' " + terminal + " < /dev/null > /dev/null";
+  ASSERT_EQ(std::system(script.c_str()), 0);
+  const std::string shown = read_file(terminal);
+  EXPECT_THAT(shown, testing::ContainsRegex("\r.*events, t = 0[.0-9]*, .* events/s, .* s left"));
+  EXPECT_THAT(shown, HasSubstr("\r\x1b[K"));  // and the line is wiped
 }
 
 TEST_F(Program, DiffShowsBothLines) {

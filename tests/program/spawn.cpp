@@ -26,7 +26,7 @@ void redirect(const std::string& path, int flags, int target) {
 }  // namespace
 
 Finished run_kinex(const std::vector<std::string>& arguments, const std::string& input,
-                   double interrupt_after, const std::string& output) {
+                   double interrupt_after, const std::string& output, int signal) {
   const ScratchFolder scratch;
   write_file(scratch.file("in"), input);
   std::vector<char*> argv{const_cast<char*>(KINEX_PROGRAM)};
@@ -43,7 +43,7 @@ Finished run_kinex(const std::vector<std::string>& arguments, const std::string&
   }
   if (interrupt_after > 0) {
     std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_after));
-    ::kill(child, SIGINT);
+    ::kill(child, signal);
   }
   int status = 0;
   ::waitpid(child, &status, 0);
