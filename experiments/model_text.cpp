@@ -68,8 +68,8 @@ std::string left_out(const Scene& scene, const PlanCounts& counts) {
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
   if (counts.at_rest == scene.objects.size()) {
     add("all scheduling (nothing moves)");
-  } else if (counts.at_rest > 0) {
-    add("failure times among the " + counted(counts.at_rest, "object", "objects") + " at rest");
+  } else if (counts.at_rest > 1) {
+    add("failure times among the " + std::to_string(counts.at_rest) + " objects at rest");
   }
   if (counts.updates == 0) add("flight-plan changes");
   if (counts.insertions + counts.erasures == 0) add("insertions and erasures");

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// InterruptGuard: while it lives, the first Ctrl-C sets a flag instead of ending the program.
+// InterruptGuard: while it lives, the first Ctrl-C (SIGINT) or SIGTERM sets a flag instead of
+// ending the program.
 #ifndef KINEX_EXPERIMENTS_VERBS_INTERRUPT_H
 #define KINEX_EXPERIMENTS_VERBS_INTERRUPT_H
 
+#include <array>
 #include <csignal>
 
 namespace kinex {
 
-// One at a time: a signal's handler has no owner. A second Ctrl-C ends the program as usual.
+// One at a time: a signal's handler has no owner. A second signal of the kind ends the program.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -17,7 +19,8 @@ class InterruptGuard {
   bool interrupted() const;
 
  private:
-  struct sigaction before_;
+  static constexpr std::array<int, 2> kSignals{SIGINT, SIGTERM};
+  std::array<struct sigaction, kSignals.size()> before_;
 };
 
 }  // namespace kinex

@@ -41,7 +41,8 @@ void print(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0) {
     throw InputError("standard output", "",
-                     std::string("cannot be written: ") + std::strerror(errno), "");
+                     std::string("cannot be written: ") + std::strerror(errno),
+                     "check where it is redirected to");
   }
 }
 

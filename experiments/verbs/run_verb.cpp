@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "experiments/event_log.h"
@@ -69,10 +71,24 @@ std::vector<Rational> sample_times(const Scene& scene, const std::vector<std::st
   return times;
 }
 
+// Two results in one file would spoil each other; a device (/dev/null) takes both.
+void check_outputs(const RunOptions& options) {
+  if (options.events.empty() || options.summary.empty()) return;
+  std::error_code error;
+  const auto events = std::filesystem::weakly_canonical(options.events, error);
+  const auto summary = std::filesystem::weakly_canonical(options.summary, error);
+  if (error || events != summary) return;
+  const std::filesystem::file_status status = std::filesystem::status(events, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;
+  throw InputError("--summary", "", show_text(options.summary) + " is the file of --events too",
+                   "give two names");
+}
+
 void run(const RunOptions& options, int& exit_code) {
   if (options.max_events < 0 || !(options.max_seconds >= 0)) {
     throw InputError("--max-events, --max-seconds", "", "a limit below 0", "write 0 for no limit");
   }
+  check_outputs(options);
   SimulatorOptions simulator_options;
   simulator_options.audit = audit_level(options.audit);
   simulator_options.max_events = static_cast<std::uint64_t>(options.max_events);
@@ -88,6 +104,7 @@ void run(const RunOptions& options, int& exit_code) {
   shorten(scene, options.until);
   const std::vector<Rational> times = sample_times(scene, options.at);
 
+  InterruptGuard interrupt;  // before there is a temporary file
   std::optional<OutputFile> events_file, summary_file;
   if (!options.events.empty()) events_file.emplace(options.events, options.force);
   const bool json = options.json || options.summary == "-";
@@ -95,7 +112,6 @@ void run(const RunOptions& options, int& exit_code) {
     summary_file.emplace(options.summary, options.force);
   }
 
-  InterruptGuard interrupt;
   RunOutcome outcome;
   std::unique_ptr<Simulator> simulator;
   std::optional<EventLog> log;

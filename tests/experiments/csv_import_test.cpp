@@ -122,8 +122,9 @@ TEST(CsvImport, IdsAreThoseThatAScenesReaderTakes) {
   const std::string longest(kMaxIdBytes, 'a');
   EXPECT_INPUT_ERROR(import("id,x,vx\na" + longest + ",0,1\n"),
                      "t.csv: line 2: an id of 1001 bytes");
-  for (const std::string id : {"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9d\x84\x9e", "\xf4\x8f\xbf\xbf",
-                               "tab\t\x01", longest.c_str()}) {
+  for (const std::string& id :
+       std::initializer_list<std::string>{"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9d\x84\x9e",
+                                          "\xf4\x8f\xbf\xbf", "tab\t\x01", longest}) {
     const std::string text = write_scene(import("id,x,vx\n" + id + ",0,1\n").scene);
     EXPECT_EQ(parse_scene(text, "again").objects[0].id, id);
   }

@@ -42,7 +42,8 @@ def main():
         same_output(files["text"], run(folder / "build" / "mine"), "the project")
         version = run(prefix / "bin" / "kinex", "--version").strip()
         scenes = prefix / "share" / "kinex" / "scenes"
-        run(prefix / "bin" / "kinex", "import", scenes / "nearest-dozen.csv", "-o", folder / "s.json")
+        stars = scenes / "nearest-dozen.csv"
+        run(prefix / "bin" / "kinex", "import", stars, "-o", folder / "stars.json")
         print(f"installed {version}, built and ran README's project")
 
 

@@ -2,7 +2,10 @@
 // The built program from outside: verbs, files, exit codes, messages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <sstream>
 
 #include <algorithm>
 #include <sstream>
@@ -97,29 +100,6 @@ TEST_F(Program, StandardOutputIsJsonWhenAskedFor) {
   }
 }
 
-TEST_F(Program, FilesAreNotOverwritten) {
-  const std::string log = scratch_.file("run.log");
-  write_file(log, "precious");
-  expect_bad_input({"run", scene_, "--events", log}, log + ": exists already; give another name");
-  expect_bad_input({"gen", "grid", "-o", log}, "exists already");
-  EXPECT_EQ(read_file(log), "precious");
-  EXPECT_EQ(run_kinex({"run", scene_, "--events", log, "--force"}).exit_code, 0);
-  EXPECT_THAT(read_file(log), StartsWith("{\"format\": \"kinex-log\""));
-}
-
-TEST_F(Program, UnwritableOutputs) {
-  expect_bad_input({"run", scene_, "--events", scratch_.file("no/such/folder.log")},
-                   "cannot be written: No such file or directory");
-  expect_bad_input({"run", scene_, "--summary", scratch_.path().string()}, "it is a directory");
-  expect_bad_input({"gen", "grid", "--n", "2000", "-o", "/dev/full"},
-                   "cannot be written: No space left");
-  // Small enough to fail only when the file is closed.
-  expect_bad_input({"gen", "grid", "--n", "2", "-o", "/dev/full"}, "/dev/full: cannot be written");
-  if (::geteuid() != 0) {
-    expect_bad_input({"gen", "grid", "-o", "/proc/version"}, "/proc/version");
-  }
-}
-
 TEST_F(Program, UnreadableInputs) {
   for (const char* verb : {"run", "check", "roots", "import"}) {
     expect_bad_input({verb, scratch_.file("missing")}, "missing: cannot be read: No such file");
@@ -185,13 +165,38 @@ TEST_F(Program, LimitsExitWith3AndLeaveAReadableLog) {
 TEST_F(Program, InterruptLeavesAReadableLog) {
   const std::string large = scratch_.file("large.json");
   ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "4000", "-o", large}).exit_code, 0);
-  const std::string log = scratch_.file("large.log");
-  const Finished run = run_kinex({"run", large, "--events", log}, "", 1.5);
-  EXPECT_EQ(run.exit_code, 3) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("stopped (interrupted)"));
-  const std::string text = read_file(log);
-  EXPECT_THAT(text.substr(text.size() - 200), HasSubstr("{\"end\": \"interrupted\""));
-  EXPECT_EQ(run_kinex({"diff", log, log}).exit_code, 0);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string log = scratch_.file("large-" + std::to_string(signal) + ".log");
+    const std::string summary = scratch_.file("large-" + std::to_string(signal) + ".json");
+    const Finished run =
+        run_kinex({"run", large, "--events", log, "--summary", summary}, "", 1.5, "", signal);
+    EXPECT_EQ(run.exit_code, 3) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("stopped (interrupted)"));
+    const std::string text = read_file(log);
+    ASSERT_GT(text.size(), 200u);
+    EXPECT_THAT(text.substr(text.size() - 200), HasSubstr("{\"end\": \"interrupted\""));
+    EXPECT_EQ(run_kinex({"diff", log, log}).exit_code, 0);
+    EXPECT_EQ(parse_json(read_file(summary), summary).find("status")->text, "interrupted");
+  }
+}
+
+// Long enough for several lines of progress: they are for people, not for files.
+TEST_F(Program, ProgressIsForTerminalsOnly) {
+  const std::string large = scratch_.file("large.json");
+  ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "4000", "-o", large}).exit_code, 0);
+  const Finished plain = run_kinex({"run", large, "--max-seconds", "1.5"});
+  EXPECT_EQ(plain.exit_code, 3) << plain.err;
+  EXPECT_THAT(plain.err, testing::Not(HasSubstr("events/s")));
+  EXPECT_THAT(plain.out, testing::Not(HasSubstr("events/s")));
+  const std::string command =
+      std::string(KINEX_PROGRAM) + " run " + large + " --max-seconds 1.5 --json > /dev/null";
+  const std::string terminal = scratch_.file("terminal");
+  const std::string script =
+      "script -qc '" + command + "' " + terminal + " < /dev/null > /dev/null";
+  ASSERT_EQ(std::system(script.c_str()), 0);
+  const std::string shown = read_file(terminal);
+  EXPECT_THAT(shown, testing::ContainsRegex("\r.*events, t = 0[.0-9]*, .* events/s, .* s left"));
+  EXPECT_THAT(shown, HasSubstr("\r\x1b[K"));  // and the line is wiped
 }
 
 TEST_F(Program, DiffShowsBothLines) {

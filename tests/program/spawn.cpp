@@ -26,7 +26,7 @@ void redirect(const std::string& path, int flags, int target) {
 }  // namespace
 
 Finished run_kinex(const std::vector<std::string>& arguments, const std::string& input,
-                   double interrupt_after) {
+                   double interrupt_after, const std::string& output, int signal) {
   const ScratchFolder scratch;
   write_file(scratch.file("in"), input);
   std::vector<char*> argv{const_cast<char*>(KINEX_PROGRAM)};
@@ -36,14 +36,14 @@ Finished run_kinex(const std::vector<std::string>& arguments, const std::string&
   if (child < 0) throw std::runtime_error("fork failed");
   if (child == 0) {
     redirect(scratch.file("in"), O_RDONLY, STDIN_FILENO);
-    redirect(scratch.file("out"), O_WRONLY | O_CREAT, STDOUT_FILENO);
+    redirect(output.empty() ? scratch.file("out") : output, O_WRONLY | O_CREAT, STDOUT_FILENO);
     redirect(scratch.file("err"), O_WRONLY | O_CREAT, STDERR_FILENO);
     ::execv(KINEX_PROGRAM, argv.data());
     ::_exit(127);
   }
   if (interrupt_after > 0) {
     std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_after));
-    ::kill(child, SIGINT);
+    ::kill(child, signal);
   }
   int status = 0;
   ::waitpid(child, &status, 0);

@@ -3,6 +3,7 @@
 #ifndef KINEX_TESTS_PROGRAM_SPAWN_H
 #define KINEX_TESTS_PROGRAM_SPAWN_H
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,9 +16,10 @@ struct Finished {
 };
 
 // Runs `kinex` with these arguments and `input` as standard input; with `interrupt_after` > 0 it
-// gets SIGINT after so many seconds.
+// gets `signal` after so many seconds. What it prints goes to `output` if that is given, and is not
+// kept.
 Finished run_kinex(const std::vector<std::string>& arguments, const std::string& input = "",
-                   double interrupt_after = 0);
+                   double interrupt_after = 0, const std::string& output = "", int signal = SIGINT);
 
 // A fresh folder that is removed at the end of the test.
 class ScratchFolder {

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Outputs: never over a file that is there, never half a file, and where one cannot be written the
+// program says so and exits with 2.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/program/spawn.h"
+
+namespace kinex {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using Words = std::vector<std::string>;
+
+class Output : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "12", "-o", scene_}).exit_code, 0);
+    write_file(table_, "id,x,y,vx,vy\na,0,0,1,1\nb,1,0,-1,1\n");
+  }
+  // Every way to make the program write to a file.
+  std::vector<Words> writers() const {
+    return {{"gen", "grid", "-o"},
+            {"import", table_, "-o"},
+            {"run", scene_, "--events"},
+            {"run", scene_, "--summary"}};
+  }
+  std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(scratch_.path())) {
+      names.insert(file.path().string());
+    }
+    return names;
+  }
+  // The writer with this file is refused with the message, and the folder is what it was.
+  void expect_refused(Words writer, const std::string& file, const std::string& message) const {
+    writer.push_back(file);
+    const std::set<std::string> before = files();
+    const Finished finished = run_kinex(writer);
+    const std::string command = testing::PrintToString(writer);
+    EXPECT_EQ(finished.exit_code, 2) << command;
+    EXPECT_THAT(finished.err, StartsWith("kinex: " + file + ": ")) << command;
+    EXPECT_THAT(finished.err, HasSubstr(message)) << command;
+    EXPECT_THAT(finished.err, HasSubstr("; ")) << command;  // before the remedy
+    EXPECT_EQ(files(), before) << command;
+    // Seen before any work is done; only a full disk is seen late.
+    if (file != "/dev/full") {
+      EXPECT_EQ(finished.out, "") << command;
+    }
+  }
+  ScratchFolder scratch_;
+  const std::string scene_ = scratch_.file("scene.json");
+  const std::string table_ = scratch_.file("table.csv");
+};
+
+TEST_F(Output, FilesAreNotReplacedUnlessForced) {
+  const std::string file = scratch_.file("precious");
+  for (const Words& writer : writers()) {
+    write_file(file, "precious");
+    expect_refused(writer, file, "exists already; give another name, or --force");
+    EXPECT_EQ(read_file(file), "precious");
+    Words forced = writer;
+    forced.insert(forced.end(), {file, "--force"});
+    EXPECT_EQ(run_kinex(forced).exit_code, 0);
+    EXPECT_THAT(read_file(file), StartsWith("{\""));
+  }
+}
+
+TEST_F(Output, FoldersThatAreMissingOrAreThere) {
+  for (const Words& writer : writers()) {
+    expect_refused(writer, scratch_.file("no/such/folder"),
+                   "cannot be written: No such file or directory");
+    expect_refused(writer, scratch_.path().string(), "cannot be written: it is a directory");
+    expect_refused(writer, scene_ + "/in-a-file", "cannot be written: Not a directory");
+    expect_refused(writer, scratch_.file(std::string(300, 'a')), "File name too long");
+  }
+}
+
+TEST_F(Output, ReadOnlyFolders) {
+  // To root only a file system like that of /proc is read-only.
+  const bool root = ::geteuid() == 0;
+  const std::string folder = root ? "/proc" : scratch_.file("locked");
+  if (!root) {
+    std::filesystem::create_directory(folder);
+    std::filesystem::permissions(folder, std::filesystem::perms(0555));
+  }
+  for (const Words& writer : writers()) {
+    expect_refused(writer, folder + "/kinex-output", "cannot be written: ");
+  }
+}
+
+TEST_F(Output, FullDisks) {
+  for (const Words& writer : writers()) {
+    expect_refused(writer, "/dev/full", "cannot be written: No space left on device");
+  }
+  // Enough to fail before the file is closed.
+  expect_refused({"gen", "grid", "--n", "2000", "-o"}, "/dev/full", "No space left on device");
+  expect_refused({"run", scene_, "--summary", "/dev/full", "--events"}, "/dev/full",
+                 "No space left on device");
+}
+
+TEST_F(Output, StandardOutputThatIsFull) {
+  for (const Words& command :
+       {Words{"gen", "grid"}, Words{"import", table_}, Words{"run", scene_},
+        Words{"run", scene_, "--json"}, Words{"check", scene_}, Words{"gen", "--list"}}) {
+    const Finished finished = run_kinex(command, "", 0, "/dev/full");
+    EXPECT_EQ(finished.exit_code, 2) << command[0];
+    EXPECT_THAT(finished.err, HasSubstr("standard output: cannot be written: No space left"));
+  }
+}
+
+// What goes wrong after the output has been opened leaves neither it nor its temporary.
+TEST_F(Output, FailedRunsLeaveNothing) {
+  const std::string log = scratch_.file("run.log"), summary = scratch_.file("run.json");
+  const std::set<std::string> before = files();
+  for (const Words& wrong :
+       {Words{"--arithmetic", "abacus"}, Words{"--audit", "never"}, Words{"--until", "7"},
+        Words{"--at", "7"}, Words{"--maintain", "tap"}, Words{"--max-events", "-1"}}) {
+    Words command{"run", scene_, "--events", log, "--summary", summary};
+    command.insert(command.end(), wrong.begin(), wrong.end());
+    EXPECT_EQ(run_kinex(command).exit_code, 2) << wrong[0];
+    EXPECT_EQ(files(), before) << wrong[0];
+  }
+  // The other output cannot be written, before the run or after it.
+  for (const std::string& other : {scratch_.file("no/such/folder"), std::string("/dev/full")}) {
+    EXPECT_EQ(run_kinex({"run", scene_, "--events", other, "--summary", summary}).exit_code, 2);
+    EXPECT_EQ(files(), before) << other;
+  }
+  EXPECT_EQ(run_kinex({"import", scene_, "-o", log}).exit_code, 2);
+  EXPECT_EQ(run_kinex({"gen", "grid", "--maintain", "tap", "-o", log}).exit_code, 2);
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(Output, LogAndSummaryAreTwoFiles) {
+  const std::set<std::string> before = files();
+  const std::string file = scratch_.file("both"), same = scratch_.path().string() + "/./both";
+  const Finished run = run_kinex({"run", scene_, "--events", file, "--summary", same, "--force"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("is the file of --events too; give two names"));
+  EXPECT_EQ(files(), before);
+  EXPECT_EQ(run_kinex({"run", scene_, "--events", "/dev/null", "--summary", "/dev/null"}).exit_code,
+            0);
+}
+
+}  // namespace
+}  // namespace kinex
