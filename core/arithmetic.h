@@ -101,6 +101,11 @@ class Arithmetic {
   // Called by bind, after the predicate has been stored.
   virtual void bound_predicate(PredicateId) {}
 
+  void count_comparison(const Query& query, Stage stage) {
+    ++counters_.comparisons[static_cast<std::size_t>(stage)];
+    ++counters_.by_predicate[query.predicate].comparisons[static_cast<std::size_t>(stage)];
+  }
+
   ArithmeticCounters counters_;
   std::vector<std::shared_ptr<const Predicate>> predicates_;
 };

@@ -81,10 +81,10 @@ class DoubleArithmetic final : public Arithmetic {
 
   Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override {
     time = {kInfinity, kInfinity, 0};
-    ++counters_.by_predicate[query.predicate].failures[static_cast<int>(Stage::kDouble)];
+    ++counters_.by_predicate[query.predicate].looks[static_cast<int>(Stage::kDouble)];
     std::array<double, kRoom> c;
     const int degree = polynomial(query, c);
-    if (degree < 2) return failure(query, time);
+    if (degree < 2) return Outlook::kNever;  // not from look_ahead
     return first_failure(query, c, degree, from, limit, time);
   }
 

@@ -322,33 +322,45 @@ Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
 }
 
 Outlook ExactArithmetic::look_ahead(const Query& query, double limit, FailureTime& time) {
+  Outlook outlook;
+  const Stage stage = find_failure(query, limit, time, outlook);
+  if (solved_degree_ >= 0) count_solved(solved_degree_);
+  ++count(query).failures[static_cast<std::size_t>(stage)];
+  return outlook;
+}
+
+Stage ExactArithmetic::find_failure(const Query& query, double limit, FailureTime& time,
+                                    Outlook& outlook) {
   time = {kInfinity, kInfinity, 0};
-  StageCounts& counts = count(query).failures;
+  solved_degree_ = -1;
   for (const Stage stage : {Stage::kDouble, Stage::kWide}) {
-    if (const auto outlook = failure_in(stage, query, limit, time)) {
-      ++counts[static_cast<int>(stage)];
-      return *outlook;
+    if (const auto found = failure_in(stage, query, limit, time)) {
+      outlook = *found;
+      return stage;
     }
   }
-  ++counts[static_cast<int>(Stage::kExact)];
-  return exact_failure(query, time);
+  outlook = exact_failure(query, time);
+  return Stage::kExact;
 }
 
 // The certificate is positive at `from`: nothing need be known of now.
 Outlook ExactArithmetic::look_further(const Query& query, double from, double limit,
                                       FailureTime& time) {
+  StageCounts& counts = count(query).looks;
   Approximation p;
   if (approximate(query, Stage::kDouble, p) && p.degree >= 2) {
     const double a = from - p.origin;
     if (from - a == p.origin && p.origin + a == from) {
       if (const auto outlook = first_failure(query, p.c, p.m, p.degree, p.origin, a, limit, time)) {
-        count_solved(p.degree);
-        ++count(query).failures[static_cast<int>(Stage::kDouble)];
+        ++counts[static_cast<std::size_t>(Stage::kDouble)];
         return *outlook;
       }
     }
   }
-  return failure(query, time);
+  Outlook outlook;
+  const Stage stage = find_failure(query, kInfinity, time, outlook);
+  ++counts[static_cast<std::size_t>(stage)];
+  return outlook;
 }
 
 std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& query, double limit,
@@ -356,7 +368,7 @@ std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& que
   Approximation p;
   if (!approximate(query, stage, p)) return std::nullopt;
   if (p.degree < 0) return Outlook::kIdenticallyZero;
-  if (stage == Stage::kDouble) count_solved(p.degree);
+  solved_degree_ = p.degree;
   if (p.degree == 0) {
     const double error = p.m[0] * filter::gamma(0);
     if (!(p.m[0] <= 0x1p900)) return std::nullopt;

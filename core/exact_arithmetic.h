@@ -86,6 +86,8 @@ class ExactArithmetic final : public Arithmetic {
   void update_origin();
   bool shift_is_exact(double origin, double step) const;
   void wide_coefficients(const Query& query, Int128* out) const;
+  // Asks one stage after the other; says which one answered.
+  Stage find_failure(const Query& query, double limit, FailureTime& time, Outlook& outlook);
   std::optional<Outlook> failure_in(Stage stage, const Query& query, double limit,
                                     FailureTime& time);
   std::optional<Outlook> first_failure(const Query& query, const double* c, const double* m,
@@ -117,6 +119,7 @@ class ExactArithmetic final : public Arithmetic {
     ++counters_.polynomials_solved[static_cast<std::size_t>(degree)];
   }
 
+  int solved_degree_ = -1;  // of the polynomial that was looked at last; -1: zero
   MotionStore motions_;
   std::vector<PredicateModel> models_;
   std::vector<double> until_;  // per object; empty if no motion of the scene ends

@@ -74,6 +74,7 @@ void ExactArithmetic::advance(const Query& query, FailureTime& time) {
 std::uint32_t ExactArithmetic::make_root(const Query& query, const FailureTime& time) {
   ++counters_.roots_made_exact;
   Polynomial p = exact_polynomial(query);
+  root_counters_.max_bits = std::max<std::uint64_t>(root_counters_.max_bits, p.max_bits());
   if (p.degree() == 1) return roots_.add(RealRoot(Rational(-p[0], p[1])));
   return roots_.add(
       RealRoot(std::move(p), *Rational::from_double(time.lo), *Rational::from_double(time.hi)));
@@ -105,13 +106,15 @@ Sign ExactArithmetic::exact_sign_after(const Query& query) {
 Outlook ExactArithmetic::exact_failure(const Query& query, FailureTime& time) {
   const Polynomial p = exact_polynomial(query);
   if (p.is_zero()) return Outlook::kIdenticallyZero;
+  solved_degree_ = p.degree();
   root_counters_.max_bits = std::max<std::uint64_t>(root_counters_.max_bits, p.max_bits());
   RealRoot& now = roots_[now_root()];
   Outlook outlook = Outlook::kNever;
   if (kinex::sign_after(p, now, root_counters_) == Sign::kNegative) {
     outlook = fails_now(time);
   } else if (auto root = first_sign_change_after(p, now, end_, root_counters_)) {
-    for (int bits = 0; !is_tight(*root) && bits < kEnclosureBits; ++bits) root->refine(root_counters_);
+    for (int bits = 0; !is_tight(*root) && bits < kEnclosureBits; ++bits)
+      root->refine(root_counters_);
     time.lo = root->lower_double();
     time.hi = root->upper_double();
     time.root = roots_.add(std::move(*root)) | kLoose;
@@ -165,16 +168,16 @@ int ExactArithmetic::compare(const Query& a, FailureTime& ta, const Query& b, Fa
   }
   Int128 a0, a1, b0, b1;
   if (ta.root == 0 && tb.root == 0 && linear_narrow(a, a0, a1) && linear_narrow(b, b0, b1)) {
-    ++counters_.comparisons[static_cast<int>(Stage::kDouble)];
-    // Both slopes are negative: -a0/a1 < -b0/b1  <=>  a0 b1 - b0 a1 > 0 after multiplying by a1 b1 > 0
-    // and by -1.
+    count_comparison(a, Stage::kDouble);
+    // Both slopes are negative: -a0/a1 < -b0/b1  <=>  a0 b1 - b0 a1 > 0 after multiplying by a1 b1
+    // > 0 and by -1.
     const Int128 cross = a0 * b1 - b0 * a1;
     return cross > 0 ? -1 : cross < 0 ? 1 : 0;
   }
   const std::uint32_t ra = root_of(a, ta);
   const std::uint32_t rb = root_of(b, tb);
   if (ra == rb) return 0;
-  ++counters_.comparisons[static_cast<int>(Stage::kExact)];
+  count_comparison(a, Stage::kExact);
   const int order = kinex::compare(roots_[ra], roots_[rb], root_counters_);
   if (order == 0) {
     merge(ta, tb);
@@ -192,7 +195,7 @@ int ExactArithmetic::compare_with_now(const Query& a, FailureTime& ta) {
   FailureTime now{now_.lo, now_.hi, now_root()};
   const std::uint32_t ra = root_of(a, ta);
   if (ra == now.root) return 0;
-  ++counters_.comparisons[static_cast<int>(Stage::kExact)];
+  count_comparison(a, Stage::kExact);
   const int order = kinex::compare(roots_[ra], roots_[now.root], root_counters_);
   if (order == 0) {
     merge(ta, now);
@@ -211,7 +214,7 @@ int ExactArithmetic::compare(const Query& a, FailureTime& ta, const Rational& t)
   if (ta.lo == kInfinity) return 1;
   if (ta.lo > t.upper_double()) return 1;
   if (ta.hi < t.lower_double()) return -1;
-  ++counters_.comparisons[static_cast<int>(Stage::kExact)];
+  count_comparison(a, Stage::kExact);
   const int order = kinex::compare(roots_[root_of(a, ta)], t, root_counters_);
   shrink(ta);
   update_counters();
@@ -243,8 +246,8 @@ std::optional<Rational> ExactArithmetic::rational_between(const Query* query, Fa
 
 InstantText ExactArithmetic::describe_now() {
   RealRoot& now = roots_[now_root()];
-  // The last query that vanishes now gives the name; so the name does not depend on which of several
-  // equal instants was made exact first.
+  // The last query that vanishes now gives the name; so the name does not depend on which of
+  // several equal instants was made exact first.
   Polynomial p = name_.arity > 0
                      ? exact_polynomial(name_)
                      : Polynomial({-name_value_.numerator(), name_value_.denominator()});

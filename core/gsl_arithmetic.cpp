@@ -126,8 +126,8 @@ class GslArithmetic final : public Arithmetic {
     return Outlook::kFails;
   }
 
-  int compare(const Query&, FailureTime& a, const Query&, FailureTime& b) override {
-    ++counters_.comparisons[static_cast<int>(Stage::kDouble)];
+  int compare(const Query& query, FailureTime& a, const Query&, FailureTime& b) override {
+    count_comparison(query, Stage::kDouble);
     return a.lo < b.lo ? -1 : a.lo > b.lo ? 1 : 0;
   }
   int compare_with_now(const Query&, FailureTime& a) override {

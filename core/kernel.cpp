@@ -2,7 +2,9 @@
 #include "core/kernel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -273,7 +275,11 @@ void Kernel::corrupt(StructureId structure, const std::string& what) {
     throw std::logic_error("impossible in an exact arithmetic: " + what);
   }
   StructureLedger& ledger = *ledgers_[structure];
-  if (!ledger.corrupt) ledger.corruption = what;
+  if (!ledger.corrupt) {
+    std::array<char, 40> t{};
+    std::snprintf(t.data(), t.size(), " (at t = %.17g)", arithmetic_->now_approximate());
+    ledger.corruption = what + t.data();
+  }
   ledger.corrupt = true;
   clear_structure(structure);
 }

@@ -18,7 +18,9 @@ using StageCounts = std::array<std::uint64_t, kStages>;
 
 struct PredicateCounters {
   StageCounts signs{};
-  StageCounts failures{};
+  StageCounts failures{};     // failure times asked for
+  StageCounts looks{};        // lazy scheduling: windows looked at after the first one
+  StageCounts comparisons{};  // of a failure time (the first of two) that did not end at enclosures
 };
 
 struct ArithmeticCounters {
@@ -33,8 +35,8 @@ struct ArithmeticCounters {
   std::uint64_t max_bits = 0;  // largest coefficient bit length met in exact work
 };
 
-// Per event, for responsiveness: histogram[k] counts events with k certificates changed; the last bin
-// collects the rest.
+// Per event, for responsiveness: histogram[k] counts events with k certificates changed; the last
+// bin collects the rest.
 struct ChangeStatistics {
   static constexpr int kBins = 64;
   std::uint64_t events = 0;

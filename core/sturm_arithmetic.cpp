@@ -244,9 +244,9 @@ Outlook SturmArithmetic::failure(const Query& query, FailureTime& time) {
   return outlook;
 }
 
-int SturmArithmetic::compare(const Query&, FailureTime& ta, const Query&, FailureTime& tb) {
+int SturmArithmetic::compare(const Query& query, FailureTime& ta, const Query&, FailureTime& tb) {
   if (ta.root == 0 || tb.root == 0) return (ta.root == 0 ? 1 : 0) - (tb.root == 0 ? 1 : 0);
-  ++counters_.comparisons[static_cast<int>(Stage::kExact)];
+  count_comparison(query, Stage::kExact);
   const std::uint32_t a = handle(ta);
   const std::uint32_t b = handle(tb);
   const int order = a == b ? 0 : kinex::compare(instants_[a], instants_[b], work_);
@@ -264,9 +264,9 @@ int SturmArithmetic::compare(const Query&, FailureTime& ta, const Query&, Failur
   return order;
 }
 
-int SturmArithmetic::compare_with_now(const Query&, FailureTime& ta) {
+int SturmArithmetic::compare_with_now(const Query& query, FailureTime& ta) {
   if (ta.root == 0) return 1;
-  ++counters_.comparisons[static_cast<int>(Stage::kExact)];
+  count_comparison(query, Stage::kExact);
   const std::uint32_t a = handle(ta);
   const int order = a == now_ ? 0 : kinex::compare(instants_[a], now(), work_);
   enclose(ta);
@@ -274,9 +274,9 @@ int SturmArithmetic::compare_with_now(const Query&, FailureTime& ta) {
   return order;
 }
 
-int SturmArithmetic::compare(const Query&, FailureTime& ta, const Rational& t) {
+int SturmArithmetic::compare(const Query& query, FailureTime& ta, const Rational& t) {
   if (ta.root == 0) return 1;
-  ++counters_.comparisons[static_cast<int>(Stage::kExact)];
+  count_comparison(query, Stage::kExact);
   const int order = instants_[handle(ta)].compare(t);
   enclose(ta);
   return order;

@@ -82,6 +82,10 @@ void write_numbers(JsonWriter& json, const Arithmetic& arithmetic) {
     write_stages(json, counters.by_predicate[id].signs);
     json.key("failures");
     write_stages(json, counters.by_predicate[id].failures);
+    json.key("looks");
+    write_stages(json, counters.by_predicate[id].looks);
+    json.key("comparisons");
+    write_stages(json, counters.by_predicate[id].comparisons);
     json.end_object();
   }
   json.end_array().key("comparisons");

@@ -153,6 +153,9 @@ class Writer {
         count(id, "signs." + run.predicates[p], numbers.by_predicate[p].signs[s], kStageNames[s]);
         count(id, "failures." + run.predicates[p], numbers.by_predicate[p].failures[s],
               kStageNames[s]);
+        count(id, "looks." + run.predicates[p], numbers.by_predicate[p].looks[s], kStageNames[s]);
+        count(id, "comparisons." + run.predicates[p], numbers.by_predicate[p].comparisons[s],
+              kStageNames[s]);
       }
     }
     for (std::size_t s = 0; s < kStages; ++s) {

@@ -171,7 +171,7 @@ TEST(Kernel, CorruptionIsForInexactArithmetics) {
   f.arithmetic->exact = false;
   f.kernel->corrupt(f.a, "lost");
   f.kernel->corrupt(f.a, "again");
-  EXPECT_EQ(f.kernel->ledger(f.a).corruption, "lost");
+  EXPECT_EQ(f.kernel->ledger(f.a).corruption, "lost (at t = 0)");
   EXPECT_EQ(f.kernel->ledger(f.a).live, 0u);
   EXPECT_EQ(f.kernel->ledger(f.b).live, 1u);
   EXPECT_EQ(f.kernel->queue().size(), 1u);

@@ -294,7 +294,7 @@ TEST(Simulator, ABrokenInvariantIsABugOrCorruption) {
   EXPECT_THROW(f.simulator.run_until(std::nullopt), std::logic_error);
   Fixture<Fragile> g(scene, {}, "double");
   g.simulator.run_until(std::nullopt);
-  EXPECT_EQ(g.ledger().corruption, "cannot happen");
+  EXPECT_EQ(g.ledger().corruption, "cannot happen (at t = 1)");
 }
 
 // Keeps its certificates when an object leaves.

@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <csignal>
-#include <cstdlib>
-#include <sstream>
-
 #include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
 #include "experiments/json_value.h"
@@ -164,7 +162,7 @@ TEST_F(Program, LimitsExitWith3AndLeaveAReadableLog) {
 
 TEST_F(Program, InterruptLeavesAReadableLog) {
   const std::string large = scratch_.file("large.json");
-  ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "4000", "-o", large}).exit_code, 0);
+  ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "20000", "-o", large}).exit_code, 0);
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string log = scratch_.file("large-" + std::to_string(signal) + ".log");
     const std::string summary = scratch_.file("large-" + std::to_string(signal) + ".json");
@@ -183,7 +181,7 @@ TEST_F(Program, InterruptLeavesAReadableLog) {
 // Long enough for several lines of progress: they are for people, not for files.
 TEST_F(Program, ProgressIsForTerminalsOnly) {
   const std::string large = scratch_.file("large.json");
-  ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "4000", "-o", large}).exit_code, 0);
+  ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "20000", "-o", large}).exit_code, 0);
   const Finished plain = run_kinex({"run", large, "--max-seconds", "1.5"});
   EXPECT_EQ(plain.exit_code, 3) << plain.err;
   EXPECT_THAT(plain.err, testing::Not(HasSubstr("events/s")));
