@@ -64,6 +64,8 @@ Outlook Kernel::schedule(CertificateId id) {
 Outlook Kernel::enqueue(CertificateId id, Outlook outlook, const FailureTime& time) {
   const bool fails = outlook == Outlook::kFails || outlook == Outlook::kFailsNow;
   if ((fails || outlook == Outlook::kLater) && time.lo <= time.hi) {
+    StructureLedger& ledger = *ledgers_[queue_.certificate(id).structure];
+    ++(fails ? ledger.failures_found : ledger.windows);
     queue_.certificate(id).outlook = outlook;  // the queue asks for it
     queue_.reset(id, time);
     return outlook;
@@ -131,6 +133,7 @@ void Kernel::retract(CertificateId id) {
   const Certificate& c = queue_.certificate(id);
   require(c.live, "a certificate was retracted twice");
   count_retracted(c.structure, c.query);
+  count_unused(id);
   if (indexed_) index_remove(id);
   if (id == failing_) failing_ = kNoCertificate;
   queue_.free(id);
@@ -140,6 +143,7 @@ Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag)
   Certificate& c = queue_.certificate(id);
   require(c.live, "a retracted certificate was replaced");
   count_replaced(c.structure, c.query, query);
+  count_unused(id);
   if (indexed_) index_remove(id);
   if (c.root != 0) {
     FailureTime old = queue_.time(id);
