@@ -17,7 +17,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A window is so many lifetimes long; windows that follow are each kGrowth times as long, and the
 // last one of kMostLooks has no end.
-constexpr double kLifetimes = 2;
+constexpr double kLifetimes = 2.5;
 constexpr double kGrowth = 4;
 constexpr int kMostLooks = 6;
 // Limits have so many bits below the length of a window: different ones for most certificates, and
@@ -108,10 +108,10 @@ void Kernel::update_window(StructureId structure) {
   const double retracted = static_cast<double>(ledger.certificates_retracted - window.retracted);
   if (elapsed > 0 && retracted > 0) {
     window.length = kLifetimes * elapsed * static_cast<double>(ledger.live) / retracted;
-    if (window.length > 0x1p-900) {
+    // The longest window ends before now + 2^13 lengths.
+    const double reach = std::fabs(now) + 0x1p13 * window.length;
+    if (window.length > 0x1p-900 && reach < 0x1p1000) {
       const int unit = std::ilogb(window.length) - kWindowBits;
-      // The longest window ends before now + 2^13 lengths.
-      const double reach = std::fabs(now) + 0x1p13 * window.length;
       window.rounder = std::ldexp(1.5, 52 + std::max(unit, std::ilogb(reach) - 46));
     } else {
       window.length = kInfinity;
