@@ -12,6 +12,8 @@
 
 namespace kinex {
 
+std::string Arithmetic::polynomial_model(PredicateId) const { return name(); }
+
 PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
   predicates_.push_back(std::move(predicate));
   counters_.by_predicate.emplace_back();

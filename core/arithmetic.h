@@ -95,6 +95,11 @@ class Arithmetic {
 
   virtual std::size_t bytes() const = 0;
 
+  // For people: what the scene's numbers are kept in, and what the polynomials of a predicate.
+  virtual std::string number_model() const { return name(); }
+  virtual std::string polynomial_model(PredicateId id) const;
+  std::size_t predicates() const { return predicates_.size(); }
+
   const ArithmeticCounters& counters() const { return counters_; }
 
  protected:

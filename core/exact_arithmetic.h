@@ -44,6 +44,8 @@ class ExactArithmetic final : public Arithmetic {
   void release(FailureTime& time) override;
   std::optional<Rational> rational_between(const Query* query, FailureTime* time) override;
   std::size_t bytes() const override;
+  std::string number_model() const override;
+  std::string polynomial_model(PredicateId id) const override;
 
   // Set in FailureTime::root where [lo, hi] isolates no root of the certificate's own polynomial (it was
   // negative at its birth and fails at the instant it was born).

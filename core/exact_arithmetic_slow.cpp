@@ -273,4 +273,22 @@ std::size_t ExactArithmetic::bytes() const {
   return motions_.bytes() + roots_.bytes() + until_.capacity() * sizeof(double);
 }
 
+std::string ExactArithmetic::number_model() const {
+  const NumberModel& numbers = motions_.model();
+  if (!numbers.narrow) return "integers of any size, and doubles with error bounds";
+  double largest = 0;
+  for (const double m : numbers.magnitude) largest = std::max(largest, m);
+  const int bits = largest < 1 ? 1 : std::ilogb(largest) + 1;
+  return "integers of at most " + std::to_string(bits) + " bits over the denominator " +
+         numbers.scale.to_string() + ", in doubles";
+}
+
+std::string ExactArithmetic::polynomial_model(PredicateId id) const {
+  const PredicateModel& model = models_[id];
+  if (model.linear) return "exact in doubles";
+  std::string text = "doubles with proved error bounds";
+  if (model.narrow) text += ", then 128-bit integers";
+  return text + ", then integers of any size";
+}
+
 }  // namespace kinex

@@ -43,6 +43,7 @@ StructureId Kernel::add_structure() {
   ledgers_.push_back(std::make_unique<StructureLedger>());
   live_per_object_.emplace_back(objects_, 0u);
   shared_.push_back(0);
+  watcher_.push_back(0);
   windows_.push_back({kInfinity, 0, kInfinity, 0, 0});
   return static_cast<StructureId>(ledgers_.size() - 1);
 }
@@ -260,6 +261,7 @@ void Kernel::report(StructureId structure, std::uint8_t kind, std::initializer_l
   require(ids.size() <= kMaxArity, "an event names too many objects");
   const bool caused = handling_ && structure == failing_structure_;
   if (caused && external) event_external_ = true;
+  if (!caused && external && watcher_[structure] != 0) ++ledgers_[structure]->external;
   event_.structure = structure;
   event_.kind = kind;
   event_.external = external;

@@ -28,6 +28,7 @@ struct Key {
   int axis = 0;                     // kCoordinate
   std::vector<Rational> direction;  // kDirection: one entry per axis
   ObjectId object = kNoObject;      // kSquaredDistance: distance to this object
+  friend bool operator==(const Key&, const Key&) = default;
 };
 
 // One entry of "maintain".

@@ -71,6 +71,7 @@ class Simulator final : private EventReporter {
            std::vector<StructureId> watches = {});
   std::size_t structures() const { return entries_.size(); }
   Structure& structure(StructureId id) { return *entries_[id].structure; }
+  const SimulatorOptions& options() const { return options_; }
   const Structure& structure(StructureId id) const { return *entries_[id].structure; }
   const std::string& label(StructureId id) const { return entries_[id].label; }
   // All event kinds by rank, the common ones included.

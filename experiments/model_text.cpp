@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/model_text.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <set>
+#include <vector>
 
 #include "experiments/scene_writer.h"
+#include "structures/plan.h"
 #include "structures/registry.h"
 
 namespace kinex {
@@ -102,6 +106,36 @@ std::string describe_model(const Scene& scene, const std::string& hash) {
   text += "maintain  " + maintained(scene) + "\n";
   text += "left out  " + left_out(scene, counts) + "\n";
   return text;
+}
+
+std::string explain_model(const Scene& scene, const Simulator& simulator) {
+  const Arithmetic& numbers = simulator.kernel().arithmetic();
+  std::string text = "numbers   " + numbers.name();
+  if (numbers.number_model() != numbers.name()) text += ": " + numbers.number_model();
+  text += "\n";
+  std::set<std::string> told;  // structures may use the same predicate
+  for (PredicateId id = 0; id < numbers.predicates(); ++id) {
+    const Predicate& predicate = numbers.predicate(id);
+    const std::string line = std::string(predicate.name()) + " of " +
+                             std::to_string(predicate.arity()) + " objects: degree " +
+                             std::to_string(predicate.degree(std::max(1, scene.degree()))) +
+                             " in t, " + numbers.polynomial_model(id);
+    if (told.insert(line).second) text += "          " + line + "\n";
+  }
+  const std::vector<PlannedStructure> plan = plan_structures(scene);
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const PlannedStructure& p = plan[i];
+    text += (i == 0 ? "builds    " : "          ") + p.request.label;
+    if (p.watches) text += ", read off " + plan[*p.watches].request.label;
+    if (p.readers > 0) {
+      const int users = p.readers + (p.asked ? 1 : 0);
+      text += users > 1 ? ", shared by " + std::to_string(users) + " uses" : ", for that alone";
+    }
+    text += "\n";
+  }
+  const bool lazy = simulator.options().scheduling == Scheduling::kLazy;
+  return text + (lazy ? "schedules lazily: certificates are looked at a few lifetimes ahead\n"
+                      : "schedules eagerly: every failure time is computed at once\n");
 }
 
 }  // namespace kinex

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "experiments/input_error.h"
-#include "structures/registry.h"
+#include "structures/plan.h"
 
 namespace kinex {
 
@@ -19,10 +19,7 @@ std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string&
                      "write exact, sturm, double, gsl or mpfr:P with P bits");
   }
   auto simulator = std::make_unique<Simulator>(scene, std::move(numbers), std::move(options));
-  for (const Request& request : scene.maintain) {
-    const StructureId id = simulator->reserve();
-    simulator->add(id, make_structure(request, scene, simulator->kernel(), id), request.label);
-  }
+  add_structures(*simulator, scene);
   return simulator;
 }
 

@@ -4,16 +4,17 @@
 
 #include "structures/key_value.h"
 #include "structures/maximum_heap.h"
+#include "structures/maximum_of_list.h"
 #include "structures/maximum_tournament.h"
 
 namespace kinex {
 namespace {
 
 // The best (key, id): of equal keys the smallest id.
-void audit_extremum(const Contest& contest, std::size_t objects, const Attribute& attribute,
-                    const Snapshot& snapshot, AuditReport& report) {
-  const bool maximum = contest.extremum() == Extremum::kMaximum;
-  const auto keys = sorted_keys(contest.order().key(), snapshot, objects);
+void audit_extremum(const Key& key, Extremum extremum, std::size_t objects,
+                    const Attribute& attribute, const Snapshot& snapshot, AuditReport& report) {
+  const bool maximum = extremum == Extremum::kMaximum;
+  const auto keys = sorted_keys(key, snapshot, objects);
   Attribute expected{Attribute::Shape::kObject, {}};
   if (!keys.empty()) {
     std::size_t best = 0;
@@ -55,7 +56,8 @@ void MaximumTournament::check_invariants(AuditReport& report) const {
 }
 
 void MaximumTournament::audit(const Snapshot& snapshot, AuditReport& report) const {
-  audit_extremum(contest_, leaf_of_.size(), attribute(), snapshot, report);
+  audit_extremum(contest_.order().key(), contest_.extremum(), leaf_of_.size(), attribute(),
+                 snapshot, report);
 }
 
 void MaximumHeap::check_invariants(AuditReport& report) const {
@@ -79,7 +81,17 @@ void MaximumHeap::check_invariants(AuditReport& report) const {
 }
 
 void MaximumHeap::audit(const Snapshot& snapshot, AuditReport& report) const {
-  audit_extremum(contest_, place_of_.size(), attribute(), snapshot, report);
+  audit_extremum(contest_.order().key(), contest_.extremum(), place_of_.size(), attribute(),
+                 snapshot, report);
+}
+
+void MaximumOfList::check_invariants(AuditReport& report) const {
+  report.check(winner_ == list_->extreme(extremum_),
+               [] { return std::string("it has missed a change of its list"); });
+}
+
+void MaximumOfList::audit(const Snapshot& snapshot, AuditReport& report) const {
+  audit_extremum(list_->order().key(), extremum_, list_->objects(), attribute(), snapshot, report);
 }
 
 }  // namespace kinex

@@ -5,28 +5,37 @@
 
 #include "structures/delaunay_2.h"
 #include "structures/maximum_heap.h"
+#include "structures/maximum_of_list.h"
 #include "structures/maximum_tournament.h"
 #include "structures/sorted_list.h"
 
 namespace kinex {
 namespace {
 
-using Maker = std::unique_ptr<Structure> (*)(const Request&, const Scene&, Kernel&, StructureId);
+using Maker = std::unique_ptr<Structure> (*)(const Request&, const Scene&, Kernel&, StructureId,
+                                             const Structure*);
 
 std::unique_ptr<Structure> make_sorted_list(const Request& request, const Scene& scene,
-                                            Kernel& kernel, StructureId id) {
+                                            Kernel& kernel, StructureId id, const Structure*) {
   return std::make_unique<SortedList>(kernel, id, request.key, scene);
 }
 
 template <class S, Extremum kExtremum>
 std::unique_ptr<Structure> make_extremum(const Request& request, const Scene& scene, Kernel& kernel,
-                                         StructureId id) {
+                                         StructureId id, const Structure*) {
   return std::make_unique<S>(kernel, id, request.key, scene, kExtremum);
 }
 
 std::unique_ptr<Structure> make_delaunay_2(const Request&, const Scene& scene, Kernel& kernel,
-                                           StructureId id) {
+                                           StructureId id, const Structure*) {
   return std::make_unique<Delaunay2>(kernel, id, scene);
+}
+
+template <Extremum kExtremum>
+std::unique_ptr<Structure> make_of_list(const Request&, const Scene&, Kernel& kernel,
+                                        StructureId id, const Structure* list) {
+  return std::make_unique<MaximumOfList>(kernel, id, dynamic_cast<const SortedList&>(*list),
+                                         kExtremum);
 }
 
 struct Entry {
@@ -36,18 +45,25 @@ struct Entry {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> kEntries{
-      {{"sorted_list", "objects in the order of a key, by certificates between neighbours", 1,
-        true},
+      {{"sorted_list", "objects in the order of a key, by certificates between neighbours", 1, true,
+        ""},
        make_sorted_list},
-      {{"maximum_tournament", "the object with the largest key, by a tournament tree", 1, true},
+      {{"maximum_tournament", "the object with the largest key, by a tournament tree", 1, true, ""},
        make_extremum<MaximumTournament, Extremum::kMaximum>},
-      {{"minimum_tournament", "the object with the smallest key, by a tournament tree", 1, true},
+      {{"minimum_tournament", "the object with the smallest key, by a tournament tree", 1, true,
+        ""},
        make_extremum<MaximumTournament, Extremum::kMinimum>},
-      {{"maximum_heap", "the object with the largest key, by a binary heap", 1, true},
+      {{"maximum_heap", "the object with the largest key, by a binary heap", 1, true, ""},
        make_extremum<MaximumHeap, Extremum::kMaximum>},
-      {{"minimum_heap", "the object with the smallest key, by a binary heap", 1, true},
+      {{"minimum_heap", "the object with the smallest key, by a binary heap", 1, true, ""},
        make_extremum<MaximumHeap, Extremum::kMinimum>},
-      {{"delaunay_2", "the Delaunay triangulation of points in the plane", 2, false},
+      {{"maximum_sorted_list", "the object with the largest key, read off a sorted list", 1, true,
+        "sorted_list"},
+       make_of_list<Extremum::kMaximum>},
+      {{"minimum_sorted_list", "the object with the smallest key, read off a sorted list", 1, true,
+        "sorted_list"},
+       make_of_list<Extremum::kMinimum>},
+      {{"delaunay_2", "the Delaunay triangulation of points in the plane", 2, false, ""},
        make_delaunay_2},
   };
   return kEntries;
@@ -77,7 +93,8 @@ const StructureInfo* find_structure_info(std::string_view name) {
 }
 
 std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene,
-                                          Kernel& kernel, StructureId id) {
+                                          Kernel& kernel, StructureId id,
+                                          const Structure* watched) {
   const Entry* entry = find_entry(request.structure);
   if (entry == nullptr) {
     std::string names;
@@ -92,7 +109,11 @@ std::unique_ptr<Structure> make_structure(const Request& request, const Scene& s
                                 std::to_string(entry->info.min_dimension) + " or more, not " +
                                 std::to_string(scene.dimension));
   }
-  return entry->make(request, scene, kernel, id);
+  if (!entry->info.reads.empty() && (watched == nullptr || watched->name() != entry->info.reads)) {
+    throw std::invalid_argument(request.structure + " has to watch a " +
+                                std::string(entry->info.reads));
+  }
+  return entry->make(request, scene, kernel, id, watched);
 }
 
 }  // namespace kinex

@@ -19,6 +19,7 @@ struct StructureInfo {
   std::string_view summary;  // one line
   int min_dimension;         // axes that a scene must have
   bool uses_key;             // a "key" makes sense for it
+  std::string_view reads;    // the structure, of the same key, that it watches; empty: none
 };
 
 // All structures, in the order in which they are listed to people.
@@ -27,9 +28,11 @@ const std::vector<StructureInfo>& structure_infos();
 const StructureInfo* find_structure_info(std::string_view name);
 
 // Makes the structure that `request` asks for, with id `id` in `kernel`. The request must be valid
-// for the scene (checked by the scene reader): otherwise std::invalid_argument.
+// for the scene (checked by the scene reader): otherwise std::invalid_argument. `watched`: the
+// structure that it reads (StructureInfo::reads), which outlives it.
 std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene,
-                                          Kernel& kernel, StructureId id);
+                                          Kernel& kernel, StructureId id,
+                                          const Structure* watched = nullptr);
 
 }  // namespace kinex
 

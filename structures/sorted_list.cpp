@@ -201,6 +201,17 @@ void SortedList::motions_changed(std::span<const ObjectId> objects) {
 
 // ---- what it says
 
+ObjectId SortedList::extreme(Extremum extremum) const {
+  if (extremum == Extremum::kMinimum) return first();
+  Place s = last_;
+  while (s != kNone && slots_[s].previous != kNone) {
+    const Place before = slots_[s].previous;
+    if (kernel_->outlook(slots_[before].certificate) != Outlook::kIdenticallyZero) break;
+    s = before;
+  }
+  return object_at(s);
+}
+
 Attribute SortedList::attribute() const {
   Attribute result{Attribute::Shape::kSequence, {}};
   result.ids.reserve(size_);

@@ -53,11 +53,17 @@ class SortedList final : public Structure {
   std::size_t bytes() const override;
 
   std::size_t size() const { return size_; }
+  // The number of objects of the scene, in the list or not.
+  std::size_t objects() const { return slot_of_.size(); }
   // Neighbours in the order, kNoObject at its ends. Requires that `object` is in the list. O(1).
   ObjectId first() const { return object_at(first_); }
   ObjectId last() const { return object_at(last_); }
   ObjectId next(ObjectId object) const { return object_at(slots_[slot_of_[object]].next); }
   ObjectId previous(ObjectId object) const { return object_at(slots_[slot_of_[object]].previous); }
+  // The first or the last object; of several whose keys are equal to its own for ever the one with
+  // the smallest id. kNoObject if there is none. O(1), but for such ties.
+  ObjectId extreme(Extremum extremum) const;
+  const KeyOrder& order() const { return order_; }
 
  private:
   using Place = OrderTree::Place;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: how many events per second does a whole run handle in `exact`, and how does that compare
-// with floating point and with the unfiltered reference, in one process on one core?
+// Question: how many events per second does a whole run handle in `exact`, and how does that
+// compare with floating point and with the unfiltered reference, in one process on one core?
 // Workload: uniform-square (origin and destination uniform in the unit square, t in [0, 1]).
-// Rounds of different arithmetics are interleaved; the best of each is taken; times are thread CPU time.
-// Output: a table on stdout, or JSON lines with --json. --smoke: tiny sizes, for the test suite.
+// Rounds of different arithmetics are interleaved; the best of each is taken; times are thread CPU
+// time. Output: a table on stdout, or JSON lines with --json. --smoke: tiny sizes, for the test
+// suite.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -84,18 +85,22 @@ void run_contest(const Contest& contest, bool json) {
     const Result& r = best[i];
     const double events = static_cast<double>(r.events);
     const double ratio = r.seconds / best[0].seconds;
-    const double per_certificate = static_cast<double>(r.peak_bytes) / static_cast<double>(std::max<std::uint64_t>(1, r.max_live));
+    const double per_certificate = static_cast<double>(r.peak_bytes) /
+                                   static_cast<double>(std::max<std::uint64_t>(1, r.max_live));
     std::uint64_t asked = 0;
     for (std::uint64_t count : r.failures) asked += count;
     if (json) {
       std::printf(
-          "{\"structure\": \"%s\", \"degree\": %d, \"n\": %d, \"arithmetic\": \"%s\", \"events\": %llu, "
+          "{\"structure\": \"%s\", \"degree\": %d, \"n\": %d, \"arithmetic\": \"%s\", \"events\": "
+          "%llu, "
           "\"seconds\": %.6f, \"events_per_second\": %.0f, \"time_over_%s\": %.4f, "
-          "\"bytes_per_certificate\": %.1f, \"failure_times\": %llu, \"wide\": %llu, \"exact\": %llu}\n",
+          "\"bytes_per_certificate\": %.1f, \"failure_times\": %llu, \"wide\": %llu, \"exact\": "
+          "%llu}\n",
           contest.structure, contest.degree, contest.n, contest.arithmetics[i],
           static_cast<unsigned long long>(r.events), r.seconds, events / r.seconds,
           contest.arithmetics[0], ratio, per_certificate, static_cast<unsigned long long>(asked),
-          static_cast<unsigned long long>(r.failures[1]), static_cast<unsigned long long>(r.failures[3]));
+          static_cast<unsigned long long>(r.failures[1]),
+          static_cast<unsigned long long>(r.failures[3]));
     } else {
       std::printf("%-19s %d %7d  %-7s %10llu %9.3f %12.0f %9.3f %8.1f %11llu %8llu %8llu\n",
                   contest.structure, contest.degree, contest.n, contest.arithmetics[i],

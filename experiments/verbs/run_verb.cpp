@@ -38,6 +38,7 @@ struct RunOptions {
   double max_seconds = 0;
   bool json = false;
   bool force = false;
+  bool explain = false;
 };
 
 AuditLevel audit_level(const std::string& name) {
@@ -112,6 +113,11 @@ void run(const RunOptions& options, int& exit_code) {
   }
   shorten(scene, options.until);
   const std::vector<Rational> times = sample_times(scene, options.at);
+  if (options.explain) {
+    const auto planned = make_simulator(scene, options.arithmetic, simulator_options);
+    print(describe_model(scene, hash) + explain_model(scene, *planned));
+    return;
+  }
 
   InterruptGuard interrupt;  // before there is a temporary file
   std::optional<OutputFile> events_file, summary_file;
@@ -185,11 +191,17 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--at", options->at, "Sample the attributes right after these times: T, ..")
       ->delimiter(',');
   verb->add_option("--audit", options->audit, "end (default), events (after every one) or none");
+  verb->add_flag(
+      "--explain", options->explain,
+      "Print the model chosen for the scene (degrees, number types, what is shared, what "
+      "is left out), and run nothing");
   verb->add_flag("--json", options->json, "Print the summary, as --summary - does");
   verb->add_option("--max-events", options->max_events, "Give up after so many events (no limit)");
   verb->add_option("--max-seconds", options->max_seconds, "Give up after this time (no limit)");
   verb->add_flag("--force", options->force, "Replace output files that exist");
-  verb->footer("Example:\n  kinex run square.json --arithmetic exact --events square.log --at 1/3");
+  verb->footer(
+      "Example:\n  kinex run square.json --arithmetic exact --events square.log --at 1/3\n"
+      "  kinex run square.json --explain");
   verb->callback([options, &exit_code] { run(*options, exit_code); });
 }
 

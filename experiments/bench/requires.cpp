@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: does a run pay for what its scene requires, and for nothing else?
+//   moving: k moving points among n standing ones. Certificates with a polynomial, roots found and
+//     memory beyond that of the standing points grow with k, not with n.
+//   shared: one, two, three attributes of one scene: the sum of what each costs alone, and less
+//   where a
+//     structure is shared.
+//   padded: a scene of degree 1 written with coefficients 0 up to degree 3 runs as fast as without.
+// Workload: uniform-square. Rounds are interleaved; the best of each is taken; thread CPU time.
+// Output: tables on stdout, or JSON lines with --json. --smoke: tiny sizes, for the test suite.
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "core/simulator.h"
+#include "experiments/workload.h"
+#include "structures/plan.h"
+
+namespace {
+
+using namespace kinex;
+
+double cpu_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+Scene uniform_square(int n, int dimension, std::uint64_t seed) {
+  WorkloadParameters parameters;
+  parameters.n = n;
+  parameters.dimension = dimension;
+  parameters.seed = seed;
+  return generate_scene(*find_workload("uniform-square"), parameters);
+}
+
+struct Result {
+  double setup = 0, seconds = 0;
+  std::uint64_t events = 0;
+  std::uint64_t polynomials = 0;  // failure times that took a polynomial, of any degree but 0
+  std::uint64_t roots = 0;        // failure times found
+  std::uint64_t bytes = 0;
+};
+
+Result run_once(const Scene& scene) {
+  SimulatorOptions options;
+  options.audit = AuditLevel::kNone;
+  const double before = cpu_seconds();
+  Simulator simulator(scene, make_arithmetic("exact", scene), options);
+  add_structures(simulator, scene);
+  simulator.start();
+  const double begin = cpu_seconds();
+  simulator.run_until(scene.end);
+  Result result;
+  result.setup = begin - before;
+  result.seconds = cpu_seconds() - begin;
+  result.events = simulator.ledger().events;
+  result.bytes = simulator.ledger().peak_bytes;
+  const auto& solved = simulator.kernel().arithmetic().counters().polynomials_solved;
+  for (std::size_t d = 1; d < solved.size(); ++d) result.polynomials += solved[d];
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    result.roots += simulator.kernel().ledger(id).failures_found;
+  }
+  return result;
+}
+
+// The best of several rounds, all scenes in turn.
+std::vector<Result> run_all(const std::vector<Scene>& scenes, int rounds) {
+  std::vector<Result> best(scenes.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const Result r = run_once(scenes[i]);
+      if (round == 0 || r.seconds < best[i].seconds) best[i] = r;
+    }
+  }
+  return best;
+}
+
+void ask_for(Scene& scene, const std::vector<const char*>& structures) {
+  scene.maintain.clear();
+  for (const char* name : structures) scene.maintain.push_back({name, name, {}});
+}
+
+// k points that move across the square, n that stand.
+Scene few_moving(const char* structure, int k, int n) {
+  const int dimension = std::strcmp(structure, "sorted_list") == 0 ? 1 : 2;
+  Scene scene = uniform_square(n, dimension, 1);
+  for (SceneObject& object : scene.objects) {
+    for (auto& axis : object.motion.pieces[0].trajectory.coordinates) axis.resize(1);
+  }
+  // The same ones for every n. They are few, so that no two stand in one place.
+  const Scene moving = uniform_square(k == 0 ? 1 : k, dimension, 2);
+  for (int i = 0; i < k; ++i) {
+    scene.objects[static_cast<std::size_t>(i)].motion =
+        moving.objects[static_cast<std::size_t>(i)].motion;
+  }
+  ask_for(scene, {structure});
+  return scene;
+}
+
+void moving(bool json, bool smoke) {
+  if (!json) {
+    std::printf("moving: k points move among n that stand\n%-12s %7s %5s %9s %12s %10s %12s %9s\n",
+                "structure", "n", "k", "events", "polynomials", "roots", "bytes", "CPU s");
+  }
+  for (const char* structure : {"sorted_list", "delaunay_2"}) {
+    for (const int n : smoke ? std::vector<int>{100, 200} : std::vector<int>{2500, 10000, 40000}) {
+      for (const int k : smoke ? std::vector<int>{0, 4} : std::vector<int>{0, 1, 10, 100}) {
+        const Result r = run_all({few_moving(structure, k, n)}, smoke ? 1 : 3)[0];
+        std::printf(
+            json ? "{\"benchmark\": \"moving\", \"structure\": \"%s\", \"n\": %d, \"k\": %d, "
+                   "\"events\": %llu, \"polynomials\": %llu, \"roots\": %llu, "
+                   "\"bytes\": %llu, \"seconds\": %.6f}\n"
+                 : "%-12s %7d %5d %9llu %12llu %10llu %12llu %9.4f\n",
+            structure, n, k, static_cast<unsigned long long>(r.events),
+            static_cast<unsigned long long>(r.polynomials),
+            static_cast<unsigned long long>(r.roots), static_cast<unsigned long long>(r.bytes),
+            r.seconds);
+      }
+    }
+  }
+}
+
+void shared(bool json, bool smoke) {
+  const Scene square = uniform_square(smoke ? 30 : 2000, 2, 1);
+  const std::vector<std::vector<const char*>> asked{
+      {"sorted_list"},
+      {"maximum_tournament"},
+      {"delaunay_2"},
+      {"sorted_list", "maximum_tournament"},
+      {"sorted_list", "maximum_tournament", "delaunay_2"},
+      {"maximum_sorted_list"},
+      {"minimum_sorted_list"},
+      {"sorted_list", "maximum_sorted_list", "minimum_sorted_list"},
+  };
+  std::vector<Scene> scenes(asked.size(), square);
+  for (std::size_t i = 0; i < asked.size(); ++i) ask_for(scenes[i], asked[i]);
+  const std::vector<Result> results = run_all(scenes, smoke ? 1 : 3);
+  if (!json) {
+    std::printf(
+        "shared: attributes of one scene, n = %zu; the sum is of what each costs alone\n%s\n",
+        square.objects.size(), "   events  polynomials      CPU s   of the sum  attributes");
+  }
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    double sum = 0;
+    std::string names;
+    for (const char* name : asked[i]) {
+      names += (names.empty() ? "" : ", ") + std::string(name);
+      for (std::size_t j = 0; j < asked.size(); ++j) {
+        if (asked[j].size() == 1 && std::strcmp(asked[j][0], name) == 0) sum += results[j].seconds;
+      }
+    }
+    const Result& r = results[i];
+    std::printf(json ? "{\"benchmark\": \"shared\", \"events\": %llu, \"polynomials\": %llu, "
+                       "\"seconds\": %.6f, \"time_over_sum\": %.4f, \"attributes\": \"%s\"}\n"
+                     : "%9llu %12llu %10.4f %12.3f  %s\n",
+                static_cast<unsigned long long>(r.events),
+                static_cast<unsigned long long>(r.polynomials), r.seconds, r.seconds / sum,
+                names.c_str());
+  }
+}
+
+Scene padded_with_zeros(Scene scene) {
+  for (SceneObject& object : scene.objects) {
+    for (auto& axis : object.motion.pieces[0].trajectory.coordinates) axis.resize(4, Rational(0));
+  }
+  return scene;
+}
+
+void padded(bool json, bool smoke) {
+  if (!json) {
+    std::printf("padded: degree 1, written with coefficients 0 up to degree 3\n%-12s %7s %9s %9s\n",
+                "structure", "n", "CPU s", "padded");
+  }
+  for (const char* structure : {"sorted_list", "delaunay_2"}) {
+    const bool list = std::strcmp(structure, "sorted_list") == 0;
+    Scene scene = uniform_square(smoke ? 30 : 1500, list ? 1 : 2, 1);
+    ask_for(scene, {structure});
+    const std::vector<Result> results = run_all({scene, padded_with_zeros(scene)}, smoke ? 1 : 7);
+    std::printf(json ? "{\"benchmark\": \"padded\", \"structure\": \"%s\", \"n\": %zu, "
+                       "\"seconds\": %.6f, \"padded_over_plain\": %.4f}\n"
+                     : "%-12s %7zu %9.4f %9.4f\n",
+                structure, scene.objects.size(), results[0].seconds,
+                results[1].seconds / results[0].seconds);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool json = false, smoke = false;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--json") == 0) {
+      json = true;
+    } else if (std::strcmp(argv[i], "--smoke") == 0) {
+      smoke = true;
+    } else {
+      std::fprintf(stderr, "usage: kinex_requires [--json] [--smoke]\n");
+      return 2;
+    }
+  }
+  moving(json, smoke);
+  shared(json, smoke);
+  padded(json, smoke);
+  return 0;
+}

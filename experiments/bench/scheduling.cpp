@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: where does lazy scheduling pay? (Guibas 1998, section 10: certificates are queued under
+// a horizon before which they are proved not to fail.) Workload: uniform-square. For each
+// structure, degree and arithmetic one run with and one without, in turn; the best of each; thread
+// CPU time. Counted: failure times computed in full, those of them that were computed for
+// certificates that died first, and horizons queued instead. Output: a table on stdout, or JSON
+// lines with --json. --smoke: tiny sizes, for the test suite.
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "core/simulator.h"
+#include "experiments/workload.h"
+#include "structures/plan.h"
+
+namespace {
+
+using namespace kinex;
+
+struct Contest {
+  const char* structure;
+  int degree;
+  int n;
+  const char* arithmetic;
+};
+
+struct Result {
+  double seconds = 0;
+  std::uint64_t found = 0, unused = 0, windows = 0;
+};
+
+double cpu_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+Result run_once(const Scene& scene, const char* arithmetic, Scheduling scheduling) {
+  SimulatorOptions options;
+  options.audit = AuditLevel::kNone;
+  options.scheduling = scheduling;
+  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  add_structures(simulator, scene);
+  simulator.start();
+  const double begin = cpu_seconds();
+  simulator.run_until(scene.end);
+  const StructureLedger& ledger = simulator.kernel().ledger(0);
+  return {cpu_seconds() - begin, ledger.failures_found, ledger.failures_unused, ledger.windows};
+}
+
+void run_contest(const Contest& contest, int rounds, bool json) {
+  WorkloadParameters parameters;
+  parameters.n = contest.n;
+  parameters.degree = contest.degree;
+  Scene scene = generate_scene(*find_workload("uniform-square"), parameters);
+  scene.maintain = {{contest.structure, contest.structure, {}}};
+  Result eager, lazy;
+  for (int round = 0; round < rounds; ++round) {
+    const Result e = run_once(scene, contest.arithmetic, Scheduling::kEager);
+    const Result l = run_once(scene, contest.arithmetic, Scheduling::kLazy);
+    if (round == 0 || e.seconds < eager.seconds) eager = e;
+    if (round == 0 || l.seconds < lazy.seconds) lazy = l;
+  }
+  const auto count = [](std::uint64_t k) { return static_cast<unsigned long long>(k); };
+  std::printf(json ? "{\"structure\": \"%s\", \"degree\": %d, \"n\": %d, \"arithmetic\": \"%s\", "
+                     "\"eager_seconds\": %.6f, \"eager_found\": %llu, \"eager_unused\": %llu, "
+                     "\"lazy_seconds\": %.6f, \"lazy_found\": %llu, \"lazy_unused\": %llu, "
+                     "\"windows\": %llu, \"lazy_over_eager\": %.4f}\n"
+                   : "%-19s %d %6d  %-7s %9.3f %10llu %10llu %9.3f %10llu %10llu %10llu %8.3f\n",
+              contest.structure, contest.degree, contest.n, contest.arithmetic, eager.seconds,
+              count(eager.found), count(eager.unused), lazy.seconds, count(lazy.found),
+              count(lazy.unused), count(lazy.windows), lazy.seconds / eager.seconds);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool json = false, smoke = false;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--json") == 0) {
+      json = true;
+    } else if (std::strcmp(argv[i], "--smoke") == 0) {
+      smoke = true;
+    } else {
+      std::fprintf(stderr, "usage: kinex_scheduling [--json] [--smoke]\n");
+      return 2;
+    }
+  }
+  if (!json) {
+    std::printf("%-19s %s %6s  %-7s %9s %10s %10s %9s %10s %10s %10s %8s\n", "structure", "d", "n",
+                "numbers", "eager s", "roots", "unused", "lazy s", "roots", "unused", "horizons",
+                "l/e");
+  }
+  const int small = smoke ? 20 : 0;
+  for (const char* arithmetic : {"exact", "double", "sturm"}) {
+    const bool slow = std::strcmp(arithmetic, "sturm") == 0;
+    for (const int degree : {1, 2, 3}) {
+      const auto size = [&](int fast_n, int slow_n) {
+        return small ? small : slow ? slow_n : fast_n;
+      };
+      run_contest({"sorted_list", degree, size(1000, 80), arithmetic}, slow || smoke ? 1 : 3, json);
+      run_contest({"maximum_tournament", degree, size(10000, 300), arithmetic},
+                  slow || smoke ? 1 : 3, json);
+      run_contest({"delaunay_2", degree, size(500, degree == 1 ? 60 : 24), arithmetic},
+                  slow || smoke ? 1 : 3, json);
+    }
+  }
+  return 0;
+}
