@@ -88,14 +88,13 @@ void find_first(ExactTrace& exact, const InexactTrace& inexact, Deviation& resul
     }
     if (due.empty()) {
       begin = k;
-      for (std::size_t i = begin;
-           i < exact.size() && exact.instants[i] == exact.instants[begin]; ++i) {
+      for (std::size_t i = begin; i < exact.size() && exact.instants[i] == exact.instants[begin];
+           ++i) {
         due.push_back(exact.names[i]);
       }
     }
-    const auto found = k < inexact.size()
-                           ? std::find(due.begin(), due.end(), inexact.names[k])
-                           : due.end();
+    const auto found =
+        k < inexact.size() ? std::find(due.begin(), due.end(), inexact.names[k]) : due.end();
     if (found == due.end()) {
       result.first = k + 1;
       result.first_time = decimal(exact.times[exact.instants[k]], kDecimals, counters);

@@ -36,9 +36,7 @@ struct Deviation {
   std::uint64_t matched = 0;
 
   // Every event is there, in its place in time, and none other.
-  bool same_events() const {
-    return missed == 0 && invented == 0 && inversions == 0 && first == 0;
-  }
+  bool same_events() const { return missed == 0 && invented == 0 && inversions == 0 && first == 0; }
 };
 
 // May refine the exact instants. O(m log m) for m events, but for those that occur often.

@@ -25,9 +25,9 @@ struct InOrder {
 // begun. on_result(i, result) is called in the order of i, one at a time, as soon as those before i
 // are done. What `work` or `on_result` throws is thrown again when all threads have ended.
 template <class Result>
-InOrder<Result> run_in_order(
-    std::size_t count, int jobs, const std::function<std::optional<Result>(std::size_t)>& work,
-    const std::function<void(std::size_t, const Result&)>& on_result) {
+InOrder<Result> run_in_order(std::size_t count, int jobs,
+                             const std::function<std::optional<Result>(std::size_t)>& work,
+                             const std::function<void(std::size_t, const Result&)>& on_result) {
   InOrder<Result> result;
   std::mutex mutex;  // of all below
   std::vector<std::optional<Result>> waiting(count);
