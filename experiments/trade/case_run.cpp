@@ -25,8 +25,8 @@ constexpr double kLongEnough = 0.05;   // seconds for all rounds of one arithmet
 constexpr double kOnceIsEnough = 1;    // seconds of a round that is not repeated
 constexpr double kMeasurable = 20e-6;  // seconds of one round
 constexpr int kMostRounds = 50;
-// Simulator, handle_failure.
-constexpr std::string_view kGuardText = "no end of repairs at one instant";
+// How corruption begins that a guard has seen: "no end of repairs", "no end of rebuilds".
+constexpr std::string_view kGuardText = "no end of ";
 
 SimulatorOptions simulator_options(const TradeOptions& options, std::uint64_t max_events) {
   SimulatorOptions result;
@@ -82,7 +82,7 @@ bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& che
   if (ledger.corrupt) {
     run.ending = Ending::kCorrupt;
     run.trouble = ledger.corruption;
-    run.guard_fired = ledger.corruption == kGuardText;
+    run.guard_fired = ledger.corruption.rfind(kGuardText, 0) == 0;
   } else if (status == RunStatus::kLimit) {
     run.ending = max_events != 0 && simulator.ledger().events >= max_events ? Ending::kEndless
                                                                             : Ending::kGaveUp;

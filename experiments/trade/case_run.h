@@ -35,13 +35,13 @@ struct TradeRun {
   std::string arithmetic;
   Ending ending = Ending::kEnded;
   std::string trouble;       // why it is corrupt, or what it threw
-  bool guard_fired = false;  // it is corrupt since repairs at one instant did not end
+  bool guard_fired = false;  // it is corrupt since a guard saw repairs or rebuilds without end
   std::uint64_t events = 0;
   std::optional<double> seconds;  // CPU time of the whole run, best of the rounds, without audits
   std::uint64_t peak_bytes = 0;   // motions, certificates, queue and structure, as the ledger says
   Deviation deviation;
   bool differs = false;  // of an exact arithmetic: its events are not those of `exact`
-  // Checkpoints are up to seven times (checkpoints.h) and the end. At each the state is compared
+  // Checkpoints are up to ten times (checkpoints.h) and the end. At each the state is compared
   // with an independent exact computation; one that was not reached is not valid.
   int checkpoints = 0, valid = 0;
   bool valid_at_end = false;

@@ -8,28 +8,18 @@ namespace kinex {
 
 namespace {
 
-constexpr int kCheckpoints = 7;
+constexpr int kByTime = 7;
 constexpr int kWays = 97;
-// A nominal time is kept if it is this part of the gap away from both ends; else it is moved to
-// kPlace of the gap.
-const Rational& margin() {
-  static const Rational kMargin(Integer(1), Integer(8));
-  return kMargin;
-}
-const Rational& place() {
-  static const Rational kPlace(Integer(15), Integer(32));
-  return kPlace;
-}
+constexpr std::size_t kByCount = 3;
 
 struct Gap {
   Rational lower, upper;  // inside, near its ends
 };
 
-// The gap that holds t, which may be the instant at its lower end; refined until what is lost at
-// the ends is a sixteenth of it.
-Gap gap_around(ExactTrace& exact, const Rational& t, const Rational& start, const Rational& end) {
+// The first instant after t.
+std::size_t instant_after(ExactTrace& exact, const Rational& t) {
   RootCounters counters;
-  std::size_t low = 0, high = exact.times.size();  // the first instant after t
+  std::size_t low = 0, high = exact.times.size();
   while (low < high) {
     const std::size_t middle = low + (high - low) / 2;
     if (compare(exact.times[middle], t, counters) <= 0) {
@@ -38,6 +28,12 @@ Gap gap_around(ExactTrace& exact, const Rational& t, const Rational& start, cons
       high = middle;
     }
   }
+  return low;
+}
+
+// The gap below the instant `low`; refined until what is lost at its ends is a sixteenth of it.
+Gap gap_below(ExactTrace& exact, std::size_t low, const Rational& start, const Rational& end) {
+  RootCounters counters;
   for (;;) {
     const bool first = low == 0, last = low == exact.times.size();
     const Rational lost_below =
@@ -46,7 +42,8 @@ Gap gap_around(ExactTrace& exact, const Rational& t, const Rational& start, cons
         last ? Rational(0) : exact.times[low].upper() - exact.times[low].lower();
     const Gap gap{first ? start : std::max(start, exact.times[low - 1].upper()),
                   last ? end : std::min(end, exact.times[low].lower())};
-    if (std::max(lost_below, lost_above) * Rational(16) <= gap.upper - gap.lower) return gap;
+    const Rational width = gap.upper - gap.lower;
+    if (width.sign() > 0 && std::max(lost_below, lost_above) * Rational(16) <= width) return gap;
     if (!first) exact.times[low - 1].refine(counters);
     if (!last) exact.times[low].refine(counters);
   }
@@ -57,16 +54,20 @@ Gap gap_around(ExactTrace& exact, const Rational& t, const Rational& start, cons
 std::vector<Rational> checkpoints_of(ExactTrace& exact, const Rational& start,
                                      const Rational& end) {
   std::vector<Rational> result;
-  for (int k = 1; k <= kCheckpoints; ++k) {
+  for (int k = 1; k <= kByTime; ++k) {
     Rational t = start + (end - start) * Rational(Integer(12 * k + 1), Integer(kWays));
-    const Gap gap = gap_around(exact, t, start, end);
-    if (!(gap.lower < gap.upper)) continue;  // an event at the end, and t after the one before
-    const Rational width = gap.upper - gap.lower;
-    if (t < gap.lower + margin() * width || t > gap.upper - margin() * width) {
-      t = gap.lower + place() * width;
-    }
-    if (result.empty() || result.back() < t) result.push_back(std::move(t));
+    const Gap gap = gap_below(exact, instant_after(exact, t), start, end);
+    const Rational margin = (gap.upper - gap.lower) / Rational(8);
+    result.push_back(std::clamp(t, gap.lower + margin, gap.upper - margin));
   }
+  for (std::size_t k = 1; k <= kByCount; ++k) {
+    const std::size_t i = exact.times.size() * k / (kByCount + 1);
+    if (i == 0) continue;
+    const Gap gap = gap_below(exact, i, start, end);
+    result.push_back(gap.lower + (gap.upper - gap.lower) * Rational(Integer(15), Integer(32)));
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 

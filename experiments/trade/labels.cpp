@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kCharacter = 7.2;  // width at 13 points, with some room
 constexpr double kHalfHeight = 7.5;
-constexpr double kNear = 9;  // from a point to its label
-constexpr double kStep = 8;  // between the places that are tried
+constexpr double kNear = 12;  // from a point to its label
+constexpr double kStep = 8;   // between the places that are tried
 constexpr int kRings = 16;
 constexpr double kFar = 22;     // up or down, from which on a line leads to the label
 constexpr int kOutside = 1000;  // as bad as covering so many others

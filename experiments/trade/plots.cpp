@@ -21,23 +21,27 @@ constexpr const char* kCommon =
     "set key outside below center horizontal Left reverse samplen 1.5 width 2\n";
 
 struct StandingLook {
-  const char* colour;
-  int symbol;
+  const char* style;
   const char* title;
+  double place;  // in the legend, from the left
 };
-constexpr StandingLook kStandingLooks[] = {{"#009E73", 7, "same events"},
-                                           {"#E69F00", 9, "other events, states valid"},
-                                           {"#D55E00", 2, "wrong"}};
+constexpr StandingLook kStandingLooks[] = {
+    {"pt 7 ps 0.6 lc rgb '#009E73'", "same events", 0.32},
+    {"pt 9 ps 0.8 lc rgb '#E69F00'", "other events, states valid", 0.51},
+    {"pt 2 ps 0.8 lw 1.8 lc rgb '#D55E00'", "wrong", 0.86}};
+constexpr const char* kMedianStyle = "pt 6 ps 1.6 lw 2 lc rgb '#222222'";
+constexpr double kMedianPlace = 0.17, kLegendHeight = 0.03;
 
 // ---- the plane of speed and accuracy
 
-constexpr double kLargestError = 10;  // what is larger is drawn here
+// What is larger is drawn here: 2^53 ulps are the time itself.
+constexpr double kLargestError = 1e16;
 constexpr int kPlaneWidth = 640, kPlaneHeight = 560;
 // Of the picture, from the left and from below.
-constexpr double kLeft = 0.13, kRight = 0.97, kBelow = 0.2, kAbove = 0.97;
+constexpr double kLeft = 0.15, kRight = 0.97, kBelow = 0.17, kAbove = 0.97;
 
 struct PlanePoint {
-  double x, error;
+  double x, ulps;
   Standing standing;
 };
 struct Cluster {
@@ -45,7 +49,7 @@ struct Cluster {
   std::vector<PlanePoint> points;  // by case
   int valid = 0;                   // cases in which every state was valid
   int cases = 0;
-  double x = 0, error = 0;  // medians
+  double x = 0, ulps = 0;  // medians
 };
 
 double median(std::vector<double> values) {
@@ -69,20 +73,20 @@ std::vector<Cluster> clusters_of(const TradeResult& result, const std::string& s
       ++found->cases;
       found->valid += run.standing() == Standing::kWrong ? 0 : 1;
       const std::optional<double> ratio = one.time_ratio(run);
-      if (ratio) found->points.push_back({*ratio, run.deviation.error, run.standing()});
+      if (ratio) found->points.push_back({*ratio, run.deviation.error_ulps, run.standing()});
     }
   }
   clusters.erase(std::remove_if(clusters.begin(), clusters.end(),
                                 [](const Cluster& cluster) { return cluster.points.empty(); }),
                  clusters.end());
   for (Cluster& cluster : clusters) {
-    std::vector<double> x, error;
+    std::vector<double> x, ulps;
     for (const PlanePoint& point : cluster.points) {
       x.push_back(point.x);
-      error.push_back(std::min(point.error, kLargestError));
+      ulps.push_back(std::min(point.ulps, kLargestError));
     }
     cluster.x = median(std::move(x));
-    cluster.error = median(std::move(error));
+    cluster.ulps = median(std::move(ulps));
   }
   return clusters;
 }
@@ -96,8 +100,8 @@ Decades error_decades(const std::vector<Cluster>& clusters) {
   double least = 1, most = 0;
   for (const Cluster& cluster : clusters) {
     for (const PlanePoint& point : cluster.points) {
-      if (point.error > 0) least = std::min(least, point.error);
-      most = std::max(most, std::min(point.error, kLargestError));
+      if (point.ulps > 0) least = std::min(least, point.ulps);
+      most = std::max(most, std::min(point.ulps, kLargestError));
     }
   }
   const int top = most > 0 ? static_cast<int>(std::ceil(std::log10(most))) : 0;
@@ -120,6 +124,17 @@ std::string error_tics(const Decades& decades) {
   return tics + ")\n";
 }
 
+// One line below the plane.
+std::string legend() {
+  constexpr const char* kEntry = "set label {} at screen {},{} left point {} offset 1.1,0\n";
+  std::string text =
+      fmt::format(kEntry, quoted("median"), kMedianPlace, kLegendHeight, kMedianStyle);
+  for (const StandingLook& one : kStandingLooks) {
+    text += fmt::format(kEntry, quoted(one.title), one.place, kLegendHeight, one.style);
+  }
+  return text;
+}
+
 Figure plane_figure(const TradeResult& result, const std::string& structure) {
   const std::vector<Cluster> clusters = clusters_of(result, structure);
   Figure figure;
@@ -131,7 +146,7 @@ Figure plane_figure(const TradeResult& result, const std::string& structure) {
       "Large: an arithmetic, medians over all scenes, with the number of scenes in which every "
       "state was valid. Small: its single scenes that could be timed; a run that did not reach its "
       "end has no time. Down and to the left is better; exact arithmetics are on the axis of no "
-      "error.";
+      "error. An ulp is the distance between two neighbouring doubles at the time of the event.";
   const Decades decades = error_decades(clusters);
   const double zero = std::pow(10, decades.low);
   double low = 1, high = 1;
@@ -152,8 +167,9 @@ Figure plane_figure(const TradeResult& result, const std::string& structure) {
       "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin "
       "at screen {}\n",
       kLeft, kRight, kBelow, kAbove);
+  script += "unset key\n" + legend();
   script += "set logscale xy\nset xlabel 'time of the whole run / time in double'\n";
-  script += "set ylabel 'largest error of an event time, in seconds'\n";
+  script += "set ylabel 'largest error of an event time, in ulps of a double' offset 1,0\n";
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [1e{}:1e{}]\n", low, high,
                         decades.low, decades.high);
   script += error_tics(decades);
@@ -172,19 +188,19 @@ Figure plane_figure(const TradeResult& result, const std::string& structure) {
   std::string medians;
   for (const Cluster& cluster : clusters) {
     for (const PlanePoint& point : cluster.points) {
-      const double y = height_of(point.error);
+      const double y = height_of(point.ulps);
       blocks[static_cast<std::size_t>(point.standing)] +=
           fmt::format("{:.6g} {:.6g}\n", point.x, y);
       placer.add_point(pixel_x(point.x), pixel_y(y), 3);
     }
-    medians += fmt::format("{:.6g} {:.6g}\n", cluster.x, height_of(cluster.error));
-    placer.add_point(pixel_x(cluster.x), pixel_y(height_of(cluster.error)), 7);
+    medians += fmt::format("{:.6g} {:.6g}\n", cluster.x, height_of(cluster.ulps));
+    placer.add_point(pixel_x(cluster.x), pixel_y(height_of(cluster.ulps)), 7);
   }
   for (const Cluster& cluster : clusters) {
     const std::string text =
         fmt::format("{} {}/{}", cluster.arithmetic, cluster.valid, cluster.cases);
     const LabelPlacer::Label label =
-        placer.place(text, pixel_x(cluster.x), pixel_y(height_of(cluster.error)));
+        placer.place(text, pixel_x(cluster.x), pixel_y(height_of(cluster.ulps)));
     script += fmt::format("set label {} at screen {:.5f},{:.5f} {} front\n", quoted(text),
                           label.x / kPlaneWidth, label.y / kPlaneHeight, label.align);
     if (label.far) {
@@ -196,16 +212,13 @@ Figure plane_figure(const TradeResult& result, const std::string& structure) {
     }
   }
   script += "$medians << EOD\n" + medians + "EOD\n";
-  script += "plot $medians using 1:2 with points pt 6 ps 1.6 lw 2 lc rgb '#222222' title 'median'";
+  script += fmt::format("plot $medians using 1:2 with points {}", kMedianStyle);
   std::string data;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const StandingLook& look_of = kStandingLooks[i];
     data += fmt::format("$standing{} << EOD\n{}EOD\n", i,
                         blocks[i].empty() ? std::string("NaN NaN\n") : blocks[i]);
-    script += fmt::format(
-        ", \\\n  $standing{} using 1:2 with points pt {} ps 0.55 lc rgb '{}' "
-        "title '{}'",
-        i, look_of.symbol, look_of.colour, look_of.title);
+    script +=
+        fmt::format(", \\\n  $standing{} using 1:2 with points {}", i, kStandingLooks[i].style);
   }
   script += "\n";
   script.insert(script.find("plot $medians"), data);
@@ -252,16 +265,16 @@ Figure bits_figure(const TradeResult& result, const std::string& structure) {
     const std::string name = "family" + std::to_string(colour);
     data += bits_block(name, family);
     const Look& style = look(colour++);
+    plot += fmt::format("{}{:.10g}*log(x)/log(2)+{:.10g} with lines lw 1.5 lc rgb '{}' notitle",
+                        plot.empty() ? "plot " : ", \\\n  ", growth.most->exponent,
+                        std::log2(growth.most->factor), style.colour);
     plot += fmt::format(
-        "{}{:.10g}*log(x)/log(2)+{:.10g} with lines lw 1.5 lc rgb '{}' title 'fit, {:.2f} bits a "
-        "doubling, 95% in [{:.2f}, {:.2f}]'",
-        plot.empty() ? "plot " : ", \\\n  ", growth.most->exponent, std::log2(growth.most->factor),
-        style.colour, growth.most->exponent, growth.most->lower, growth.most->upper);
+        ", \\\n  ${} using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title {}", name,
+        style.symbol, style.colour,
+        quoted(fmt::format("{}: {:.2f} bits a doubling, 95% in [{:.2f}, {:.2f}]", growth.family,
+                           growth.most->exponent, growth.most->lower, growth.most->upper)));
     plot += fmt::format(
-        ", \\\n  ${0} using 1:2:3 with yerrorbars pt {1} ps 0.9 lw 1.2 lc rgb '{2}' title {3}",
-        name, style.symbol, style.colour, quoted(growth.family));
-    plot += fmt::format(
-        ", \\\n  ${0} using 1:4 with linespoints dt 3 pt {1} ps 0.4 lw 1 lc rgb '{2}' notitle",
+        ", \\\n  ${0} using 1:4 with linespoints dt 3 pt {1} ps 0.4 lw 1.3 lc rgb '{2}' notitle",
         name, style.symbol, style.colour);
     if (tics.empty()) {
       for (const BitsResult* one : family) {
@@ -270,7 +283,7 @@ Figure bits_figure(const TradeResult& result, const std::string& structure) {
     }
   }
   if (plot.empty()) return figure;
-  figure.script = std::string(kCommon) + "set key maxcols 2\nset logscale x 2\n" +
+  figure.script = std::string(kCommon) + "set logscale x 2\n" +
                   fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [0:{:.6g}]\n", low / 1.3,
                               high * 1.3, std::ceil(most / 10) * 10 + 5) +
                   "set xtics (" + tics + ")\nset xlabel \"objects n\\n \"\nset ylabel 'bits'\n";
@@ -280,7 +293,7 @@ Figure bits_figure(const TradeResult& result, const std::string& structure) {
       "'#444444'\n",
       kDoubleBits);
   figure.script += data + plot + "\n";
-  figure.height = 520;
+  figure.height = 480;
   return figure;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "experiments/trade/standings.h"
 
@@ -13,7 +14,6 @@ namespace {
 
 constexpr const char* kRowFormat =
     "  {:<10} {:>8} {:>8} {:>7} {:>8} {:>8} {:>19} {:>8} {:>8} {:>6}  {}\n";
-constexpr std::size_t kTimeDigits = 10;
 
 std::string ratio_text(const std::optional<double>& ratio) {
   return ratio ? fmt::format("{:.{}f}", *ratio, *ratio < 100 ? 2 : 0) : "-";
@@ -55,12 +55,7 @@ std::string short_number(double value, int digits) {
 }
 
 std::string short_decimal(const std::string& decimal) {
-  std::string text = decimal.substr(0, kTimeDigits);
-  if (text.find('.') != std::string::npos) {
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-  }
-  return text;
+  return decimal.empty() ? "-" : fmt::format("{:.8g}", std::strtod(decimal.c_str(), nullptr));
 }
 
 TradeRow trade_row(const CaseResult& one, const TradeRun& run) {

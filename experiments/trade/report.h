@@ -24,7 +24,7 @@ TradeRow trade_row(const CaseResult& one, const TradeRun& run);
 
 // "1.5e-17", with so many significant digits; "inf".
 std::string short_number(double value, int digits);
-// Of a decimal: its first digits, without trailing zeros.
+// Of a decimal: eight significant digits at most.
 std::string short_decimal(const std::string& decimal);
 // "a heading, this scene needs 71 bits, .."
 std::string case_heading(const CaseResult& one);
