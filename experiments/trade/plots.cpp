@@ -28,7 +28,7 @@ struct StandingLook {
 constexpr StandingLook kStandingLooks[] = {
     {"pt 7 ps 0.6 lc rgb '#009E73'", "same events", 0.32},
     {"pt 9 ps 0.8 lc rgb '#E69F00'", "other events, states valid", 0.51},
-    {"pt 2 ps 0.8 lw 1.8 lc rgb '#D55E00'", "wrong", 0.86}};
+    {"pt 2 ps 0.8 lw 2.5 lc rgb '#D55E00'", "wrong", 0.86}};
 constexpr const char* kMedianStyle = "pt 6 ps 1.6 lw 2 lc rgb '#222222'";
 constexpr double kMedianPlace = 0.17, kLegendHeight = 0.03;
 
@@ -126,7 +126,7 @@ std::string error_tics(const Decades& decades) {
 
 // One line below the plane.
 std::string legend() {
-  constexpr const char* kEntry = "set label {} at screen {},{} left point {} offset 1.1,0\n";
+  constexpr const char* kEntry = "set label {} at screen {},{} left point {} offset 1.1,-0.35\n";
   std::string text =
       fmt::format(kEntry, quoted("median"), kMedianPlace, kLegendHeight, kMedianStyle);
   for (const StandingLook& one : kStandingLooks) {
