@@ -17,10 +17,8 @@ CertificateId EventQueue::allocate(StructureId structure, const Query& query, st
       // measured.
       const std::size_t room = certificates_.size() + certificates_.size() / 4 + 16;
       certificates_.reserve(room);
-      places_.reserve(room);
     }
     certificates_.emplace_back();
-    places_.emplace_back();
   } else {
     id = free_.back();
     free_.pop_back();
@@ -50,7 +48,7 @@ void EventQueue::push(CertificateId id, const FailureTime& time) {
 }
 
 void EventQueue::reset(CertificateId id, const FailureTime& time) {
-  const std::uint32_t where = places_[id].where;
+  const std::uint32_t where = certificates_[id].where;
   if (where == kNotQueued) return push(id, time);
   certificates_[id].root = time.root;
   const Entry e{time.lo, time.hi, id};
@@ -67,7 +65,7 @@ void EventQueue::reset(CertificateId id, const FailureTime& time) {
 }
 
 void EventQueue::remove(CertificateId id) {
-  const std::uint32_t where = places_[id].where;
+  const std::uint32_t where = certificates_[id].where;
   if (where == kNotQueued) return;
   if (certificates_[id].root != 0) {
     FailureTime t = time(id);
@@ -80,19 +78,22 @@ void EventQueue::remove(CertificateId id) {
 }
 
 FailureTime EventQueue::time(CertificateId id) const {
-  const Place& p = places_[id];
+  const Certificate& p = certificates_[id];
   if (p.where == kFar) return {p.lo, p.hi, certificates_[id].root};
   const Entry& e = heap_[p.where];
   return {e.lo, e.hi, certificates_[id].root};
 }
 
+// In a list the lower end stays as it is: the bucket goes by it.
 void EventQueue::set_time(CertificateId id, const FailureTime& time) {
-  Place& p = places_[id];
-  double& lo = p.where == kFar ? p.lo : heap_[p.where].lo;
-  double& hi = p.where == kFar ? p.hi : heap_[p.where].hi;
-  lo = time.lo;
-  hi = time.hi;
-  certificates_[id].root = time.root;
+  Certificate& c = certificates_[id];
+  c.root = time.root;
+  if (c.where == kFar) {
+    c.hi = time.hi;
+  } else {
+    heap_[c.where].lo = time.lo;
+    heap_[c.where].hi = time.hi;
+  }
 }
 
 // The hole sinks to a leaf, and the last entry, which nearly always belongs far down, fills it from
@@ -102,7 +103,7 @@ FailureTime EventQueue::pop() {
   Certificate& c = certificates_[top.certificate];
   const FailureTime result{top.lo, top.hi, c.root};
   c.root = 0;
-  places_[top.certificate].where = kNotQueued;
+  certificates_[top.certificate].where = kNotQueued;
   const Entry last = heap_.back();
   heap_.pop_back();
   if (heap_.empty()) {
@@ -121,7 +122,7 @@ FailureTime EventQueue::pop() {
 }
 
 void EventQueue::take_out(std::size_t i) {
-  places_[heap_[i].certificate].where = kNotQueued;
+  certificates_[heap_[i].certificate].where = kNotQueued;
   const Entry last = heap_.back();
   heap_.pop_back();
   if (i < heap_.size()) settle(i, last);
@@ -257,8 +258,7 @@ void EventQueue::collect_first_instant(std::vector<CertificateId>& out) {
 
 std::size_t EventQueue::bytes() const {
   return certificates_.capacity() * sizeof(Certificate) + heap_.capacity() * sizeof(Entry) +
-         places_.capacity() * sizeof(Place) + buckets_.capacity() * sizeof(std::uint32_t) +
-         free_.capacity() * sizeof(CertificateId);
+         buckets_.capacity() * sizeof(std::uint32_t) + free_.capacity() * sizeof(CertificateId);
 }
 
 }  // namespace kinex

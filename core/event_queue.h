@@ -13,7 +13,13 @@
 
 namespace kinex {
 
-struct Certificate {
+// One cache line each: what a retraction or a replacement touches lies together.
+struct alignas(64) Certificate {
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  static constexpr std::uint32_t kNotQueued = 0xffffffffu;
+  static constexpr std::uint32_t kFar = 0xfffffffeu;
+
+  double lo = 0, hi = 0;  // the queue's: the key, while it waits in a list
   Query query;
   StructureId structure = 0;
   Outlook outlook = Outlook::kNever;
@@ -21,7 +27,11 @@ struct Certificate {
   std::uint8_t looks = 0;  // how often a kLater was looked into further
   std::uint32_t tag = 0;
   std::uint32_t root = 0;  // FailureTime::root
+  // The queue's: neighbours in a list, and the place in the heap, kFar (in a list) or kNotQueued.
+  std::uint32_t next = kNone, previous = kNone;
+  std::uint32_t where = kNotQueued;
 };
+static_assert(sizeof(Certificate) == 64);
 
 // Keys are enclosures of failure times; only when two overlap is the arithmetic asked. Equal
 // instants are ordered by value: (structure, predicate, sorted ids). A certificate whose outlook is
@@ -54,7 +64,7 @@ class EventQueue {
   // The certificate fails at another time: push, or an update in place that needs fewer comparisons
   // than remove and push. The former number must have been released.
   void reset(CertificateId id, const FailureTime& time);
-  bool queued(CertificateId id) const { return places_[id].where != kNotQueued; }
+  bool queued(CertificateId id) const { return certificates_[id].where != kNotQueued; }
   bool empty() const { return heap_.empty(); }
   std::size_t size() const { return heap_.size() + far_; }
   CertificateId top() const { return heap_.front().certificate; }
@@ -82,18 +92,11 @@ class EventQueue {
     double lo, hi;
     CertificateId certificate;
   };
-  // Where a certificate waits: in the heap at `where`, or (kFar) in the list of a bucket.
-  struct Place {
-    double lo = 0, hi = 0;  // in a list
-    std::uint32_t next = kNone, previous = kNone;
-    std::uint32_t where = kNotQueued;
-    std::uint32_t bucket = 0;
-  };
   static constexpr std::size_t kArity = 4;
   static constexpr std::size_t kSmall = 128;  // no buckets for fewer entries
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-  static constexpr std::uint32_t kNotQueued = 0xffffffffu;
-  static constexpr std::uint32_t kFar = 0xfffffffeu;
+  static constexpr std::uint32_t kNone = Certificate::kNone;
+  static constexpr std::uint32_t kNotQueued = Certificate::kNotQueued;
+  static constexpr std::uint32_t kFar = Certificate::kFar;
 
   bool less(Entry& a, Entry& b) {
     if (a.hi < b.lo) return true;
@@ -114,7 +117,7 @@ class EventQueue {
   void settle(std::size_t i, Entry e);
   void place(std::size_t i, const Entry& e) {
     heap_[i] = e;
-    places_[e.certificate].where = static_cast<std::uint32_t>(i);
+    certificates_[e.certificate].where = static_cast<std::uint32_t>(i);
   }
   void take_out(std::size_t i);
 
@@ -135,7 +138,6 @@ class EventQueue {
 
   Arithmetic* arithmetic_;
   std::vector<Certificate> certificates_;
-  std::vector<Place> places_;  // per certificate
   std::vector<CertificateId> free_;
   std::vector<Entry> heap_;
   // Buckets 0 .. poured_ are in the heap; all other entries have buckets beyond, and lo > edge_.

@@ -36,18 +36,22 @@ void EventQueue::add(const Entry& e) {
 }
 
 void EventQueue::link(const Entry& e, std::uint32_t bucket) {
-  Place& p = places_[e.certificate];
+  Certificate& p = certificates_[e.certificate];
   std::uint32_t& head = buckets_[bucket];
-  p = Place{e.lo, e.hi, head, kNone, kFar, bucket};
-  if (head != kNone) places_[head].previous = e.certificate;
+  p.lo = e.lo;
+  p.hi = e.hi;
+  p.next = head;
+  p.previous = kNone;
+  p.where = kFar;
+  if (head != kNone) certificates_[head].previous = e.certificate;
   head = e.certificate;
   ++far_;
 }
 
 void EventQueue::unlink(CertificateId id) {
-  Place& p = places_[id];
-  if (p.next != kNone) places_[p.next].previous = p.previous;
-  (p.previous != kNone ? places_[p.previous].next : buckets_[p.bucket]) = p.next;
+  Certificate& p = certificates_[id];
+  if (p.next != kNone) certificates_[p.next].previous = p.previous;
+  (p.previous != kNone ? certificates_[p.previous].next : buckets_[bucket_of(p.lo)]) = p.next;
   p.where = kNotQueued;
   --far_;
 }
@@ -69,7 +73,7 @@ void EventQueue::pour_bucket(std::uint32_t bucket) {
   poured_ = bucket;
   find_edge();
   for (std::uint32_t id = buckets_[bucket]; id != kNone;) {
-    const Place p = places_[id];
+    const Certificate& p = certificates_[id];
     heap_.emplace_back();
     sift_up(heap_.size() - 1, Entry{p.lo, p.hi, id});
     --far_;
@@ -101,8 +105,8 @@ void EventQueue::cut() {
   std::array<double, kLookedAt> sample{};
   std::size_t looked_at = 0, at = 0;
   double least = kInfinity;
-  for (std::uint32_t id = first; id != kNone; id = places_[id].next) {
-    const double lo = places_[id].lo;
+  for (std::uint32_t id = first; id != kNone; id = certificates_[id].next) {
+    const double lo = certificates_[id].lo;
     least = std::min(least, lo);
     if (at++ % stride == 0) sample[looked_at++] = lo;
   }
@@ -121,8 +125,8 @@ void EventQueue::cut() {
   if (!all) find_edge();
   far_ = 0;
   for (std::uint32_t id = first, next; id != kNone; id = next) {
-    const Entry e{places_[id].lo, places_[id].hi, id};
-    next = places_[id].next;
+    const Entry e{certificates_[id].lo, certificates_[id].hi, id};
+    next = certificates_[id].next;
     const std::uint32_t bucket = bucket_of(e.lo);
     if (bucket > poured_) {
       link(e, bucket);
@@ -140,11 +144,11 @@ void EventQueue::spill() {
   const auto last = static_cast<std::uint32_t>(buckets_.size() - 1);
   const std::size_t heap_size = heap_.size();
   for (std::uint32_t bucket = 0; bucket < last; ++bucket) {
-    for (std::uint32_t id = buckets_[bucket]; id != kNone;) {
-      const Place p = places_[id];
+    for (std::uint32_t id = buckets_[bucket], next; id != kNone; id = next) {
+      const Certificate& p = certificates_[id];
+      next = p.next;
       --far_;
       link(Entry{p.lo, p.hi, id}, last);
-      id = p.next;
     }
     buckets_[bucket] = kNone;
   }

@@ -17,7 +17,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A window is so many lifetimes long; windows that follow are each kGrowth times as long, and the
 // last one of kMostLooks has no end.
-constexpr double kLifetimes = 2;
+constexpr double kLifetimes = 2.5;
 constexpr double kGrowth = 4;
 constexpr int kMostLooks = 6;
 // Limits have so many bits below the length of a window: different ones for most certificates, and
@@ -64,6 +64,8 @@ Outlook Kernel::schedule(CertificateId id) {
 Outlook Kernel::enqueue(CertificateId id, Outlook outlook, const FailureTime& time) {
   const bool fails = outlook == Outlook::kFails || outlook == Outlook::kFailsNow;
   if ((fails || outlook == Outlook::kLater) && time.lo <= time.hi) {
+    StructureLedger& ledger = *ledgers_[queue_.certificate(id).structure];
+    ++(fails ? ledger.failures_found : ledger.windows);
     queue_.certificate(id).outlook = outlook;  // the queue asks for it
     queue_.reset(id, time);
     return outlook;
@@ -106,10 +108,10 @@ void Kernel::update_window(StructureId structure) {
   const double retracted = static_cast<double>(ledger.certificates_retracted - window.retracted);
   if (elapsed > 0 && retracted > 0) {
     window.length = kLifetimes * elapsed * static_cast<double>(ledger.live) / retracted;
-    if (window.length > 0x1p-900) {
+    // The longest window ends before now + 2^13 lengths.
+    const double reach = std::fabs(now) + 0x1p13 * window.length;
+    if (window.length > 0x1p-900 && reach < 0x1p1000) {
       const int unit = std::ilogb(window.length) - kWindowBits;
-      // The longest window ends before now + 2^13 lengths.
-      const double reach = std::fabs(now) + 0x1p13 * window.length;
       window.rounder = std::ldexp(1.5, 52 + std::max(unit, std::ilogb(reach) - 46));
     } else {
       window.length = kInfinity;
@@ -131,6 +133,7 @@ void Kernel::retract(CertificateId id) {
   const Certificate& c = queue_.certificate(id);
   require(c.live, "a certificate was retracted twice");
   count_retracted(c.structure, c.query);
+  count_unused(id);
   if (indexed_) index_remove(id);
   if (id == failing_) failing_ = kNoCertificate;
   queue_.free(id);
@@ -140,6 +143,7 @@ Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag)
   Certificate& c = queue_.certificate(id);
   require(c.live, "a retracted certificate was replaced");
   count_replaced(c.structure, c.query, query);
+  count_unused(id);
   if (indexed_) index_remove(id);
   if (c.root != 0) {
     FailureTime old = queue_.time(id);

@@ -128,6 +128,11 @@ class Kernel {
   Outlook enqueue(CertificateId id, Outlook outlook, const FailureTime& time);
   double limit_of(StructureId structure, int looks) const;
   void update_window(StructureId structure);
+  // Before the certificate leaves: was its failure time found in vain?
+  void count_unused(CertificateId id) {
+    const Certificate& c = queue_.certificate(id);
+    if (c.outlook == Outlook::kFails && queue_.queued(id)) ++ledgers_[c.structure]->failures_unused;
+  }
   void count_created(StructureId structure, const Query& query);
   void count_retracted(StructureId structure, const Query& query);
   void count_replaced(StructureId structure, const Query& before, const Query& after);

@@ -69,6 +69,11 @@ struct StructureLedger {
   std::uint64_t live = 0;
   std::uint64_t max_live = 0;
   std::uint64_t max_per_object = 0;
+  // Lazy scheduling: failure times found; of these, for certificates that were retracted before they
+  // failed; and times at which a certificate was only proved to hold for a while.
+  std::uint64_t failures_found = 0;
+  std::uint64_t failures_unused = 0;
+  std::uint64_t windows = 0;
   ChangeStatistics created_per_event;
   ChangeStatistics retracted_per_event;
   std::uint64_t audit_checks = 0;

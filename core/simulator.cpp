@@ -30,7 +30,7 @@ Simulator::Simulator(const Scene& scene, std::unique_ptr<Arithmetic> arithmetic,
                      SimulatorOptions options)
     : scene_(scene),
       options_(std::move(options)),
-      kernel_(std::move(arithmetic), scene.objects.size()),
+      kernel_(std::move(arithmetic), scene.objects.size(), options_.scheduling),
       alive_(scene.objects.size(), false),
       trajectory_(scene.objects.size()),
       pieces_(scene.objects.size(), 0),

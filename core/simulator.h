@@ -43,6 +43,7 @@ enum class AuditLevel {
 
 struct SimulatorOptions {
   AuditLevel audit = AuditLevel::kEnd;
+  Scheduling scheduling = Scheduling::kLazy;
   std::uint64_t max_events = 0;  // stop with kLimit after so many failures; 0: no limit
   double max_seconds = 0;        // likewise; 0: no limit
   // Called about every 4096 failures; return false to stop with kInterrupted.

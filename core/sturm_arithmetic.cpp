@@ -85,7 +85,11 @@ class SturmArithmetic final : public Arithmetic {
   }
   InstantText describe_now() override;
   Sign sign_after(const Query& query) override;
-  Outlook failure(const Query& query, FailureTime& time) override;
+  Outlook failure(const Query& query, FailureTime& time) override {
+    return look_ahead(query, kInfinity, time);
+  }
+  Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;
+  Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override;
   int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) override;
   int compare_with_now(const Query& a, FailureTime& ta) override;
   int compare(const Query& a, FailureTime& ta, const Rational& t) override;
@@ -114,6 +118,9 @@ class SturmArithmetic final : public Arithmetic {
   void widen(int degree);
   RationalPolynomial polynomial(const Query& query) const;
   std::optional<Rational> horizon(const Query& query) const;
+  // The first failure after `from`, where p is positive, up to the limit.
+  Outlook first_failure(const Query& query, const RationalPolynomial& p, const RationalSturm& sturm,
+                        const Rational& from, double limit, FailureTime& time);
   // Makes the enclosure that the queue sees as narrow as that of the instant.
   void enclose(FailureTime& time) const;
   void update_counters();
@@ -219,7 +226,7 @@ Sign SturmArithmetic::sign_after(const Query& query) {
   return sign;
 }
 
-Outlook SturmArithmetic::failure(const Query& query, FailureTime& time) {
+Outlook SturmArithmetic::look_ahead(const Query& query, double limit, FailureTime& time) {
   time = {kInfinity, kInfinity, 0};
   ++counters_.by_predicate[query.predicate].failures[static_cast<int>(Stage::kExact)];
   const RationalPolynomial p = polynomial(query);
@@ -230,18 +237,45 @@ Outlook SturmArithmetic::failure(const Query& query, FailureTime& time) {
   }
   ++counters_.polynomials_solved[degree];
   const RationalSturm sturm(p, work_);
-  Outlook outlook = Outlook::kNever;
+  Outlook outlook = Outlook::kFailsNow;
   if (kinex::sign_after(p, sturm, now(), work_) == Sign::kNegative) {
-    outlook = Outlook::kFailsNow;
     time = {-kInfinity, kInfinity, instants_.share(now_) | kBornFailing};
-  } else if (auto first = first_failure_after(p, sturm, now().upper(), horizon(query), work_)) {
-    outlook = Outlook::kFails;
-    time = {-kInfinity, kInfinity, instants_.add(std::move(*first))};
-    ++counters_.roots_made_exact;
+    enclose(time);
+  } else {
+    outlook = first_failure(query, p, sturm, now().upper(), limit, time);
   }
-  if (time.root != 0) enclose(time);
   update_counters();
   return outlook;
+}
+
+Outlook SturmArithmetic::look_further(const Query& query, double from, double limit,
+                                      FailureTime& time) {
+  time = {kInfinity, kInfinity, 0};
+  ++counters_.by_predicate[query.predicate].looks[static_cast<int>(Stage::kExact)];
+  const RationalPolynomial p = polynomial(query);
+  const RationalSturm sturm(p, work_);
+  const Outlook outlook = first_failure(query, p, sturm, *Rational::from_double(from), limit, time);
+  update_counters();
+  return outlook;
+}
+
+Outlook SturmArithmetic::first_failure(const Query& query, const RationalPolynomial& p,
+                                       const RationalSturm& sturm, const Rational& from,
+                                       double limit, FailureTime& time) {
+  const std::optional<Rational> end = horizon(query);
+  if (p.degree() > 1 && limit < kInfinity) {
+    const Rational t = *Rational::from_double(limit);
+    if (from < t && (!end || t < *end) && sturm.count(from, t) == 0) {
+      time = {limit, limit, 0};
+      return Outlook::kLater;
+    }
+  }
+  auto first = first_failure_after(p, sturm, from, end, work_);
+  if (!first) return Outlook::kNever;
+  time = {-kInfinity, kInfinity, instants_.add(std::move(*first))};
+  ++counters_.roots_made_exact;
+  enclose(time);
+  return Outlook::kFails;
 }
 
 int SturmArithmetic::compare(const Query& query, FailureTime& ta, const Query&, FailureTime& tb) {

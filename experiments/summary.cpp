@@ -45,7 +45,10 @@ void write_counts(JsonWriter& json, const StructureLedger& ledger) {
   write_changes(json, ledger.created_per_event);
   json.key("retracted");
   write_changes(json, ledger.retracted_per_event);
-  json.end_object().key("efficiency").real(ledger.efficiency());
+  json.end_object().key("scheduling").begin_object().key("failures_found");
+  json.number(ledger.failures_found).key("failures_unused").number(ledger.failures_unused);
+  json.key("windows").number(ledger.windows).end_object();
+  json.key("efficiency").real(ledger.efficiency());
   json.key("audit").begin_object().key("checks").number(ledger.audit_checks);
   json.key("violations").number(ledger.audit_violations).end_object();
   json.key("corrupt");

@@ -32,6 +32,7 @@ struct RunOptions {
   std::string scene, until, events, summary;
   std::string arithmetic = "exact";
   std::string audit = "end";
+  std::string scheduling = "lazy";
   std::vector<std::string> maintain, at;
   long long max_events = 0;
   double max_seconds = 0;
@@ -44,6 +45,13 @@ AuditLevel audit_level(const std::string& name) {
   if (name == "end") return AuditLevel::kEnd;
   if (name == "events") return AuditLevel::kEvents;
   throw InputError("--audit", "", show_text(name) + " is not a level", "write end, events or none");
+}
+
+Scheduling scheduling(const std::string& name) {
+  if (name == "lazy") return Scheduling::kLazy;
+  if (name == "eager") return Scheduling::kEager;
+  throw InputError("--scheduling", "", show_text(name) + " is not a way of scheduling",
+                   "write lazy or eager");
 }
 
 void shorten(Scene& scene, const std::string& until) {
@@ -91,6 +99,7 @@ void run(const RunOptions& options, int& exit_code) {
   check_outputs(options);
   SimulatorOptions simulator_options;
   simulator_options.audit = audit_level(options.audit);
+  simulator_options.scheduling = scheduling(options.scheduling);
   simulator_options.max_events = static_cast<std::uint64_t>(options.max_events);
   simulator_options.max_seconds = options.max_seconds;
 
@@ -168,6 +177,8 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   add_maintain_option(*verb, options->maintain, "What to maintain instead of what the scene says");
   verb->add_option("--arithmetic", options->arithmetic,
                    "exact (default), sturm, double, gsl or mpfr:P");
+  verb->add_option("--scheduling", options->scheduling,
+                   "lazy (default: certificates are looked at a while ahead) or eager");
   verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
   verb->add_option("--events", options->events, "Write the event log to this file");
   verb->add_option("--summary", options->summary, "Write the summary to this file, - prints it");
