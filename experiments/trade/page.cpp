@@ -14,8 +14,8 @@ namespace {
 constexpr const char* kClasses[] = {"PASS", "INCONCLUSIVE", "FAIL"};
 
 std::string standing_span(Standing standing, const std::string& text) {
-  return fmt::format("<span class=\"v {}\">{}</span>", kClasses[static_cast<std::size_t>(standing)],
-                     escape(text));
+  return fmt::format("<span class=\"v {}\" style=\"white-space: normal\">{}</span>",
+                     kClasses[static_cast<std::size_t>(standing)], escape(text));
 }
 
 std::string faults_part(const TradeResult& result) {
