@@ -43,16 +43,21 @@ long bits_between(RealRoot& a, RealRoot& b, RootCounters& counters) {
   }
 }
 
-BitsNeeded bits_needed(ExactTrace& exact) {
+BitsNeeded bits_needed(ExactTrace& exact, const Rational& end) {
   BitsNeeded result;
   RootCounters counters;
   std::vector<long> bits;
-  for (std::size_t i = 1; i < exact.times.size(); ++i) {
-    bits.push_back(bits_between(exact.times[i - 1], exact.times[i], counters));
-    if (bits.back() > result.most) {
-      result.most = bits.back();
-      result.time = decimal(exact.times[i], kDecimals, counters);
-    }
+  const auto add = [&](RealRoot& a, RealRoot& b) {
+    bits.push_back(bits_between(a, b, counters));
+    if (bits.back() <= result.most) return;
+    result.most = bits.back();
+    result.time = decimal(a, kDecimals, counters);
+  };
+  result.instants = exact.times.size();
+  for (std::size_t i = 1; i < exact.times.size(); ++i) add(exact.times[i - 1], exact.times[i]);
+  if (!exact.times.empty() && compare(exact.times.back(), end, counters) < 0) {
+    RealRoot last(end);
+    add(exact.times.back(), last);
   }
   result.pairs = bits.size();
   if (bits.empty()) return result;

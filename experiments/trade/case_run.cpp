@@ -19,8 +19,6 @@ namespace kinex {
 namespace {
 
 constexpr int kTimeDigits = 17;
-constexpr std::uint64_t kBudgetFactor = 4;
-constexpr std::uint64_t kBudgetMore = 10000;
 constexpr double kLongEnough = 0.05;   // seconds for all rounds of one arithmetic
 constexpr double kOnceIsEnough = 1;    // seconds of a round that is not repeated
 constexpr double kMeasurable = 20e-6;  // seconds of one round
@@ -124,7 +122,8 @@ std::optional<TradeRun> compared_run(Exact& exact, EventNames& names, const std:
   TradeRun run;
   run.arithmetic = arithmetic;
   const long bits = bits_of_arithmetic(arithmetic);
-  const std::uint64_t budget = bits == 0 ? 0 : kBudgetFactor * exact.trace.size() + kBudgetMore;
+  const std::uint64_t budget =
+      bits == 0 ? 0 : options.events_factor * exact.trace.size() + options.events_more;
   ExactRecorder exact_recorder(names);
   InexactRecorder inexact_recorder(names, bits);
   try {
@@ -277,7 +276,7 @@ std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& o
     return finish();
   }
   result.events = exact.trace.size();
-  result.bits = bits_needed(exact.trace);
+  result.bits = bits_needed(exact.trace, *exact.scene.end);
   for (const std::string& arithmetic : in_order(options.arithmetics)) {
     if (on_run) on_run(arithmetic);
     std::optional<TradeRun> run = compared_run(exact, names, arithmetic, options);
@@ -293,7 +292,7 @@ std::optional<BitsNeeded> bits_of_scene(const Scene& scene, const TradeOptions& 
   EventNames names;
   Exact exact = exact_run(scene, names, options);
   if (exact.status != RunStatus::kDone) return std::nullopt;
-  return bits_needed(exact.trace);
+  return bits_needed(exact.trace, *exact.scene.end);
 }
 
 }  // namespace kinex

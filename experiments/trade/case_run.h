@@ -18,7 +18,7 @@ namespace kinex {
 enum class Ending {
   kEnded,    // the run reached the end of its scene
   kCorrupt,  // the structure was led astray, and knows it
-  kEndless,  // stopped after 4 times the events of the exact run and 10,000 more
+  kEndless,  // stopped after many more events than the exact run has
   kGaveUp,   // stopped at the limit of time
   kThrew,    // a bug: no arithmetic may do that
 };
@@ -75,7 +75,10 @@ struct TradeOptions {
   int jobs = 1;  // more than one makes time ratios noisy
   // `exact` and `double` are run in any case.
   std::vector<std::string> arithmetics = trade_arithmetics();
-  double max_seconds = 120;                           // of one run
+  double max_seconds = 120;  // of one run
+  // An inexact run is endless after events_factor times the exact run's events and events_more.
+  std::uint64_t events_factor = 4;
+  std::uint64_t events_more = 10000;
   std::function<bool()> go_on = [] { return true; };  // called from all threads
 };
 

@@ -51,7 +51,7 @@ class Writer {
     case_.text(one.which.structure).text(one.which.name).text(one.scene_name);
     case_.text(one.scene_hash).count(one.objects).integer(one.which.parameters.degree);
     case_.count(one.which.parameters.seed).count(one.events);
-    case_.count(one.bits.pairs + (one.events > 0 ? 1 : 0));
+    case_.count(one.bits.instants);
     if (one.bits.pairs > 0) {
       case_.integer(one.bits.most).integer(one.bits.percentile_99).text(one.bits.time);
     } else {

@@ -95,8 +95,7 @@ std::string bits_table(const std::vector<const CaseResult*>& cases) {
   for (const CaseResult* one : cases) {
     const bool any = one->bits.pairs > 0;
     text += fmt::format("| {} | {} | {} | {} | {} |\n", scene_text(*one), one->events,
-                        one->bits.pairs + (one->events > 0 ? 1 : 0),
-                        any ? std::to_string(one->bits.most) : "-",
+                        one->bits.instants, any ? std::to_string(one->bits.most) : "-",
                         any ? std::to_string(one->bits.percentile_99) : "-");
   }
   return text + "\n";

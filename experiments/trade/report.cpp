@@ -78,7 +78,7 @@ TradeRow trade_row(const CaseResult& one, const TradeRun& run) {
 }
 
 std::string bits_sentence(const BitsNeeded& bits) {
-  if (bits.pairs == 0) return "needs no bits: there is one instant at most";
+  if (bits.pairs == 0) return "needs no bits: nothing has to be told apart";
   return fmt::format("needs {} bits (99 %: {})", bits.most, bits.percentile_99);
 }
 
@@ -86,8 +86,8 @@ std::string case_heading(const CaseResult& one) {
   const std::string what =
       fmt::format("{}, {}, n = {}", one.which.structure, one.which.name, one.objects);
   if (!one.problem.empty()) return what + ": " + one.problem;
-  return fmt::format("{}: {} events at {} instants; {}", what, one.events,
-                     one.bits.pairs + (one.events > 0 ? 1 : 0), bits_sentence(one.bits));
+  return fmt::format("{}: {} events at {} instants; {}", what, one.events, one.bits.instants,
+                     bits_sentence(one.bits));
 }
 
 std::string growth_text(const PowerFit& fit) {

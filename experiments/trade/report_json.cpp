@@ -84,7 +84,9 @@ std::string json_row(const CaseResult& one) {
   json.key("objects").number(static_cast<std::uint64_t>(one.objects));
   json.key("degree").number(one.which.parameters.degree);
   json.key("seed").number(one.which.parameters.seed);
-  json.key("events").number(one.events).key("bits").begin_object();
+  json.key("events").number(one.events);
+  json.key("instants").number(static_cast<std::uint64_t>(one.bits.instants));
+  json.key("bits").begin_object();
   json.key("pairs").number(static_cast<std::uint64_t>(one.bits.pairs));
   json.key("most").number(static_cast<std::uint64_t>(one.bits.most));
   json.key("percentile_99").number(static_cast<std::uint64_t>(one.bits.percentile_99));

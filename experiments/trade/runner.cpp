@@ -28,10 +28,10 @@ std::optional<BitsResult> run_bits(const BitsCase& which, const TradeOptions& op
     const std::optional<BitsNeeded> bits = bits_of_scene(one.scene(), options);
     if (!bits) return std::nullopt;
     ++one.parameters.seed;
-    if (bits->pairs == 0) continue;
+    if (bits->pairs == 0) continue;  // nothing happens
     result.most.add(static_cast<double>(bits->most));
     result.percentile_99.add(static_cast<double>(bits->percentile_99));
-    result.instants.add(static_cast<double>(bits->pairs + 1));
+    result.instants.add(static_cast<double>(bits->instants));
   }
   return result;
 }

@@ -131,15 +131,17 @@ ExactTrace trace_at(const std::vector<const char*>& times) {
 
 TEST(BitsNeeded, LargestAndPercentile) {
   ExactTrace none = trace_at({});
-  EXPECT_EQ(bits_needed(none).pairs, 0u);
+  EXPECT_EQ(bits_needed(none, Rational(9)).pairs, 0u);
   ExactTrace one = trace_at({"1"});
-  EXPECT_EQ(bits_needed(one).most, 0);
+  EXPECT_EQ(bits_needed(one, Rational(1)).most, 0);
+  EXPECT_EQ(bits_needed(one, Rational(2)).most, 2);  // to know that it is before the end
+  EXPECT_EQ(bits_needed(one, Rational(2)).instants, 1u);
   ExactTrace few = trace_at({"1", "2", "8", "9"});  // 2, 2 (8/6), 5
-  const BitsNeeded bits = bits_needed(few);
+  const BitsNeeded bits = bits_needed(few, Rational(9));
   EXPECT_EQ(bits.pairs, 3u);
   EXPECT_EQ(bits.most, 5);
   EXPECT_EQ(bits.percentile_99, 5);
-  EXPECT_EQ(std::stod(bits.time), 9);
+  EXPECT_EQ(std::stod(bits.time), 8);
   // 200 pairs, of which 2 need more: the 198th is one that does not.
   ExactTrace many;
   Rational t(1);
@@ -147,8 +149,8 @@ TEST(BitsNeeded, LargestAndPercentile) {
     if (i > 0) t = i == 50 || i == 120 ? t * q("1.0001") : t * Rational(2);
     many.times.emplace_back(t);
   }
-  EXPECT_EQ(bits_needed(many).most, 15);
-  EXPECT_EQ(bits_needed(many).percentile_99, 2);
+  EXPECT_EQ(bits_needed(many, t).most, 15);
+  EXPECT_EQ(bits_needed(many, t).percentile_99, 2);
 }
 
 TEST(LabelPlacer, CoversNothingWhereThereIsRoom) {

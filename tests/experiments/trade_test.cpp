@@ -106,7 +106,7 @@ TEST(TradeCase, SceneWithoutEndGetsOne) {
   EXPECT_EQ(result.events, 2u);
   EXPECT_EQ(result.run_in("double")->standing(), Standing::kSame);
   EXPECT_TRUE(result.run_in("sturm")->valid_at_end);
-  EXPECT_EQ(result.bits.most, 3);  // 11/2 over 2: log2(2.75), and one more
+  EXPECT_EQ(result.bits.most, 5);  // the end is 6: log2(6 / (1/2)), and one more
 }
 
 TEST(TradeCase, SaysThatTheExactRunGaveUp) {
@@ -120,6 +120,31 @@ TEST(TradeCase, SaysThatTheExactRunGaveUp) {
   EXPECT_THAT(table_of(*one), HasSubstr("takes too long"));
   options.go_on = [] { return false; };
   EXPECT_FALSE(run_case(make_case("sorted_list", "grid", 9, 1), options, nullptr));
+}
+
+// Cut after five events: reported as endless, with what was missed, and not as right.
+TEST(TradeCase, EndlessRunsAreCut) {
+  TradeOptions options;
+  options.arithmetics = {"gsl", "sturm"};
+  options.events_factor = 0;
+  options.events_more = 5;
+  const CaseResult one =
+      run_case(make_case("sorted_list", "uniform-square", 8, 1), options, nullptr).value();
+  EXPECT_GT(one.events, 6u);
+  for (const char* name : {"double", "gsl"}) {
+    const TradeRun* run = one.run_in(name);
+    EXPECT_EQ(run->ending, Ending::kEndless) << name;
+    EXPECT_EQ(run->standing(), Standing::kWrong);
+    EXPECT_EQ(run->events, 5u);
+    EXPECT_EQ(run->deviation.missed, one.events - 5);
+    EXPECT_EQ(run->deviation.first, 6u);
+    EXPECT_LT(run->valid, run->checkpoints);
+    EXPECT_FALSE(run->valid_at_end);
+    EXPECT_FALSE(run->seconds);
+  }
+  EXPECT_EQ(one.run_in("sturm")->standing(), Standing::kSame);  // exact ones have no budget
+  EXPECT_THAT(table_of(one), HasSubstr("ENDLESS: stopped after 5 events"));
+  EXPECT_TRUE(one.faults().empty());
 }
 
 TEST(TradeCase, FaultsAreThoseOfExactArithmeticsAndThrows) {
