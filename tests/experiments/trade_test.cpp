@@ -93,6 +93,18 @@ TEST(TradeCase, NearlyDegenerateSceneIsWrongInDoubles) {
   EXPECT_EQ(one.run_in("mpfr:53"), nullptr);  // was not asked for
 }
 
+// 24 bits put the last of the swaps after the scene's end.
+TEST(TradeCase, WrongAtTheEndIsSeen) {
+  const CaseResult one = run(make_case("sorted_list", "sort-worst", 24, 1), {"mpfr:24"});
+  const TradeRun* run = one.run_in("mpfr:24");
+  EXPECT_EQ(run->ending, Ending::kEnded);
+  EXPECT_EQ(run->deviation.missed, 1u);
+  EXPECT_FALSE(run->valid_at_end);
+  EXPECT_EQ(run->valid, run->checkpoints - 1);
+  EXPECT_EQ(run->standing(), Standing::kWrong);
+  EXPECT_TRUE(one.run_in("double")->valid_at_end);
+}
+
 TEST(TradeCase, SceneWithoutEndGetsOne) {
   TradeCase one;
   one.structure = "sorted_list";
