@@ -85,6 +85,8 @@ const std::vector<Workload>& workloads() {
       {"meet", "objects meet in pairs at t = 1/2", 2, 1, 3, true, false, false, "", generate_meet},
       {"through-one-point", "all objects pass through one point at t = 1/2", 2, 1, 3, true, false,
        false, "", generate_through_one_point},
+      {"near-one-point", "all objects pass within 2^-60 of one point at t = 1/2", 2, 1, 3, true,
+       false, false, "", generate_near_one_point},
       {"collinear-instant", "all objects are on one line at t = 1/2", 2, 2, 2, true, false, false,
        "", generate_collinear_instant},
       {"counter-rotating-rings", "two concentric rings turn against each other", 2, 2, 2, false,

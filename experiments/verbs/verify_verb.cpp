@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "experiments/file_io.h"
 #include "experiments/input_error.h"
@@ -15,11 +16,11 @@
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verify/catalogue.h"
+#include "experiments/verify/cell_progress.h"
 #include "experiments/verify/database.h"
 #include "experiments/verify/page.h"
 #include "experiments/verify/plots.h"
 #include "experiments/verify/report_text.h"
-#include "experiments/verify/verify_progress.h"
 
 namespace kinex {
 
@@ -72,13 +73,21 @@ void verify(const Options& options, int& exit_code) {
   InterruptGuard interrupt;
   VerifyResult result;
   {
-    VerifyProgress progress(catalogue);
+    std::vector<double> costs;
+    for (const Cell& cell : catalogue.cells) costs.push_back(cell.cost);
+    CellProgress progress(std::move(costs));
     VerifyOptions running;
     running.jobs = options.jobs;
     if (options.seeds > 0) running.seeds = options.seeds;
     running.keep_folder = options.folder;
     running.go_on = [&] { return !interrupt.interrupted(); };
-    running.on_scene = [&](std::size_t index, int seed) { progress.show(index, seed); };
+    running.on_scene = [&](std::size_t index, int seed) {
+      const Cell& cell = catalogue.cells[index];
+      std::string what = cell.structure + ", " + cell.workload_text() +
+                         ", n = " + std::to_string(cell.parameters.n);
+      if (cell.random) what += ", scene " + std::to_string(seed + 1);
+      progress.show(index, what);
+    };
     running.on_cell = [&](std::size_t index, const CellResult& cell) {
       progress.finished(index);
       progress.wipe();

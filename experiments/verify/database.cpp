@@ -7,6 +7,7 @@
 
 #include "experiments/json_writer.h"
 #include "experiments/scene_run.h"
+#include "experiments/verify/facts_tables.h"
 #include "experiments/verify/sqlite.h"
 
 namespace kinex {
@@ -14,12 +15,6 @@ namespace kinex {
 namespace {
 
 constexpr const char* kSchema = R"(
-PRAGMA foreign_keys = ON;
-CREATE TABLE build(id INTEGER PRIMARY KEY, program TEXT NOT NULL, git_commit TEXT NOT NULL,
-  dirty INTEGER NOT NULL, compiler TEXT NOT NULL, flags TEXT NOT NULL,
-  libraries TEXT NOT NULL) STRICT;
-CREATE TABLE machine(id INTEGER PRIMARY KEY, cpu TEXT NOT NULL, cores INTEGER NOT NULL,
-  memory_kb INTEGER NOT NULL, kernel TEXT NOT NULL) STRICT;
 CREATE TABLE cell(id INTEGER PRIMARY KEY, structure TEXT NOT NULL, workload TEXT NOT NULL,
   family TEXT NOT NULL, params_json TEXT NOT NULL, question TEXT NOT NULL, verdict TEXT NOT NULL,
   exact_over_double TEXT, wall_s REAL NOT NULL,
@@ -185,18 +180,9 @@ class Writer {
 std::string verify_database(const VerifyResult& result, const BuildFacts& build,
                             const MachineFacts& machine) {
   Database database;
+  write_facts(database, build, machine);
   database.execute(kSchema);
   database.execute("BEGIN");
-  {
-    Statement insert(database, "INSERT INTO build VALUES(1, ?, ?, ?, ?, ?, ?)");
-    insert.text(build.program).text(build.commit).integer(build.dirty).text(build.compiler);
-    insert.text(build.flags).text(build.libraries).run();
-  }
-  {
-    Statement insert(database, "INSERT INTO machine VALUES(1, ?, ?, ?, ?)");
-    insert.text(machine.cpu).integer(machine.cores).integer(machine.memory_kb);
-    insert.text(machine.kernel).run();
-  }
   {
     Writer writer(database);
     for (const CellResult& cell : result.cells) writer.write(cell);

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 extern char** environ;
@@ -20,6 +21,9 @@ namespace kinex {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr Look kLooks[] = {{"#0072B2", 7},  {"#D55E00", 5},  {"#009E73", 9},
+                           {"#CC79A7", 13}, {"#E69F00", 11}, {"#56B4E9", 15}};
 
 // A folder of its own under the system's temporary one; removed with all that is in it.
 class TemporaryFolder {
@@ -101,6 +105,23 @@ Drawings draw(const std::vector<Figure>& figures, const std::string& program) {
     drawings.problem = program + " failed: " + read(folder.path() / "log").substr(0, 300);
   }
   return drawings;
+}
+
+const Look& look(std::size_t i) { return kLooks[i % std::size(kLooks)]; }
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&') {
+      if (c == '\'') {
+        result += "''";
+        continue;
+      }
+      result += '\\';
+    }
+    result += c;
+  }
+  return result + "'";
 }
 
 }  // namespace kinex

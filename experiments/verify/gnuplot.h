@@ -3,6 +3,7 @@
 #ifndef KINEX_EXPERIMENTS_VERIFY_GNUPLOT_H
 #define KINEX_EXPERIMENTS_VERIFY_GNUPLOT_H
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,17 @@ struct Drawings {
 
 // Draws all figures as SVG in one run of `program`, in a fresh temporary folder that is removed.
 Drawings draw(const std::vector<Figure>& figures, const std::string& program = "gnuplot");
+
+// Colour and symbol of the i-th curve: told apart with any colour vision, and by their symbols
+// (Okabe and Ito, 2008).
+struct Look {
+  const char* colour;
+  int symbol;
+};
+const Look& look(std::size_t i);
+
+// A string in gnuplot's notation, without markup.
+std::string quoted(const std::string& text);
 
 }  // namespace kinex
 

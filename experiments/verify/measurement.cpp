@@ -7,18 +7,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/cpu_clock.h"
 #include "experiments/scene_run.h"
 #include "experiments/scene_writer.h"
 
 namespace kinex {
 
 namespace {
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 std::string utc_now() {
   const std::time_t now = std::time(nullptr);

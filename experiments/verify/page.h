@@ -5,18 +5,10 @@
 
 #include <string>
 
-#include "experiments/verify/gnuplot.h"
-#include "experiments/verify/machine.h"
+#include "experiments/verify/html.h"
 #include "experiments/verify/runner.h"
 
 namespace kinex {
-
-struct PageFacts {
-  std::string command;  // how to get it again
-  double seconds = 0;   // all of it, wall clock
-  BuildFacts build;
-  MachineFacts machine;
-};
 
 // Verdicts, what failed, fits, plots, and the table of all cells with all their checks. Where plots
 // could not be drawn the page says why.

@@ -14,37 +14,12 @@ namespace {
 
 constexpr std::size_t kFewestSizes = 3;
 
-// Told apart with any colour vision, and by their symbols (Okabe and Ito, 2008).
-struct Look {
-  const char* colour;
-  int symbol;
-};
-constexpr Look kLooks[] = {{"#0072B2", 7},  {"#D55E00", 5},  {"#009E73", 9},
-                           {"#CC79A7", 13}, {"#E69F00", 11}, {"#56B4E9", 15}};
 constexpr const char* kBoundColour = "#000000";
-
-const Look& look(std::size_t i) { return kLooks[i % std::size(kLooks)]; }
 
 struct Point {
   double n, count, error;
   double bound;  // 0: none
 };
-
-// In gnuplot's notation, single quotes doubled and without markup.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'' || c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&') {
-      if (c == '\'') {
-        result += "''";
-        continue;
-      }
-      result += '\\';
-    }
-    result += c;
-  }
-  return result + "'";
-}
 
 constexpr const char* kCommon =
     "set logscale x\nset grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\n"

@@ -2,16 +2,14 @@
 #include "experiments/verify/runner.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <exception>
-#include <mutex>
 #include <set>
-#include <thread>
 #include <utility>
 
 #include "experiments/file_io.h"
 #include "experiments/scene_writer.h"
+#include "experiments/verify/run_in_order.h"
 
 namespace kinex {
 
@@ -71,37 +69,6 @@ void keep_failures(CellResult& result, const VerifyOptions& options) {
   }
 }
 
-// Finished cells wait here until those before them are handed over.
-class InOrder {
- public:
-  InOrder(std::size_t cells, const VerifyOptions& options) : waiting_(cells), options_(options) {}
-
-  void put(std::size_t index, CellResult result) {
-    const std::lock_guard lock(mutex_);
-    waiting_[index] = std::move(result);
-    for (; next_ < waiting_.size() && waiting_[next_]; ++next_) hand_over(next_);
-  }
-  // Everything that is finished, cells after a gap too.
-  std::vector<CellResult> take_all() {
-    for (; next_ < waiting_.size(); ++next_) {
-      if (waiting_[next_]) hand_over(next_);
-    }
-    return std::move(finished_);
-  }
-
- private:
-  void hand_over(std::size_t index) {
-    if (options_.on_cell) options_.on_cell(index, *waiting_[index]);
-    finished_.push_back(std::move(*waiting_[index]));
-  }
-
-  std::mutex mutex_;
-  std::vector<std::optional<CellResult>> waiting_;
-  std::size_t next_ = 0;
-  std::vector<CellResult> finished_;
-  const VerifyOptions& options_;
-};
-
 }  // namespace
 
 std::optional<CellResult> run_cell(const Cell& cell, const VerifyOptions& options,
@@ -145,36 +112,16 @@ Verdict VerifyResult::verdict() const {
 
 VerifyResult run_catalogue(const Catalogue& catalogue, const VerifyOptions& options) {
   const std::vector<Cell>& cells = catalogue.cells;
-  InOrder in_order(cells.size(), options);
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> interrupted{false};
-  std::exception_ptr trouble;  // not of a run: files that cannot be written
-  std::mutex trouble_mutex;
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < cells.size() && !interrupted; i = next++) {
-        std::optional<CellResult> result = run_cell(cells[i], options, [&](int seed) {
+  auto [finished, interrupted] = run_in_order<CellResult>(
+      cells.size(), options.jobs,
+      [&](std::size_t i) {
+        return run_cell(cells[i], options, [&](int seed) {
           if (options.on_scene) options.on_scene(i, seed);
         });
-        if (result) {
-          in_order.put(i, *std::move(result));
-        } else {
-          interrupted = true;
-        }
-      }
-    } catch (...) {
-      const std::lock_guard lock(trouble_mutex);
-      if (!trouble) trouble = std::current_exception();
-      interrupted = true;
-    }
-  };
-  std::vector<std::thread> threads;
-  for (int k = 1; k < options.jobs; ++k) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
-  if (trouble) std::rethrow_exception(trouble);
+      },
+      options.on_cell);
   VerifyResult result;
-  result.cells = in_order.take_all();
+  result.cells = std::move(finished);
   result.interrupted = interrupted;
   for (const GrowthClaim& claim : catalogue.growths) {
     GrowthResult growth = judge_growth(claim, result.cells);

@@ -67,9 +67,10 @@ void generate_tournament_worst(const WorkloadParameters&, Scene&);
 void generate_heap_worst(const WorkloadParameters&, Scene&);
 // hull_worst.cpp
 void generate_hull_worst(const WorkloadParameters&, Scene&);
-// meetings.cpp: degenerate at t = 1/2
+// meetings.cpp: degenerate at t = 1/2, or nearly so
 void generate_meet(const WorkloadParameters&, Scene&);
 void generate_through_one_point(const WorkloadParameters&, Scene&);
+void generate_near_one_point(const WorkloadParameters&, Scene&);
 void generate_collinear_instant(const WorkloadParameters&, Scene&);
 // circles.cpp: degenerate at all times
 void generate_counter_rotating_rings(const WorkloadParameters&, Scene&);

@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random linear motions that are degenerate at t = 1/2, in t in [0, 1].
+// Random linear motions that are degenerate, or nearly so, at t = 1/2, in t in [0, 1].
 #include "experiments/workloads/families.h"
 
 namespace kinex {
 
 namespace {
 
-// At `half` (in grid units) at t = 1/2, with a random velocity in [-1, 1] on every axis.
-void add_passing(Scene& scene, int i, const std::vector<std::int64_t>& half,
-                 WorkloadRandom& random) {
+// A near miss is at most 2^10 times 2^-70.
+constexpr std::int64_t kMissUnits = 1 << 10;
+constexpr unsigned long kMissExponent = 70;
+
+// At `half` (in grid units) at t = 1/2, with a random velocity in [-1, 1] on every axis. `misses`:
+// a random near miss is added on every axis.
+void add_passing(Scene& scene, int i, const std::vector<std::int64_t>& half, WorkloadRandom& random,
+                 bool misses = false) {
   std::vector<std::vector<Rational>> coordinates;
   for (const std::int64_t x : half) {
     const std::int64_t velocity = random.between(-kGridUnits, kGridUnits);
-    coordinates.push_back({fraction(2 * x - velocity, 2 * kGridUnits), on_grid(velocity)});
+    Rational start = fraction(2 * x - velocity, 2 * kGridUnits);
+    if (misses) {
+      start += Rational(Integer(random.between(-kMissUnits, kMissUnits)),
+                        Integer::power_of_two(kMissExponent));
+    }
+    coordinates.push_back({std::move(start), on_grid(velocity)});
   }
   add_object(scene, "p" + std::to_string(i), std::move(coordinates));
 }
@@ -43,6 +53,14 @@ void generate_through_one_point(const WorkloadParameters& parameters, Scene& sce
   WorkloadRandom random(parameters.seed);
   const std::vector<std::int64_t> place(static_cast<std::size_t>(scene.dimension), kGridUnits / 2);
   for (int i = 0; i < parameters.n; ++i) add_passing(scene, i, place, random);
+}
+
+// All objects are within 2^-60 of the middle of the unit square, on each axis, at t = 1/2.
+void generate_near_one_point(const WorkloadParameters& parameters, Scene& scene) {
+  set_time(scene);
+  WorkloadRandom random(parameters.seed);
+  const std::vector<std::int64_t> place(static_cast<std::size_t>(scene.dimension), kGridUnits / 2);
+  for (int i = 0; i < parameters.n; ++i) add_passing(scene, i, place, random, true);
 }
 
 // All objects are on the line y = x/2 at t = 1/2.

@@ -113,12 +113,16 @@ TEST(Workload, DegenerateFamiliesAreDegenerate) {
   };
   const Scene meet = generate("meet", 8);
   const Scene through = generate("through-one-point", 8);
+  const Scene near = generate("near-one-point", 8);
   const Scene line = generate("collinear-instant", 8);
   const Scene lattice = generate("lattice", 9);
   for (std::size_t i = 0; i < 8; ++i) {
     for (int axis = 0; axis < 2; ++axis) {
       EXPECT_EQ(at(meet, i, axis, half), at(meet, i ^ 1, axis, half));
       EXPECT_EQ(at(through, i, axis, half), half);
+      const Rational miss = at(near, i, axis, half) - half;
+      const Rational most(Integer(1), Integer::power_of_two(60));
+      EXPECT_TRUE(-most <= miss && miss <= most && miss != Rational(0));
       EXPECT_TRUE(at(lattice, i, axis, Rational(1)).is_integer());
     }
     EXPECT_EQ(at(line, i, 0, half), Rational(2) * at(line, i, 1, half));

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VerifyProgress: one line on standard error, only where that is a terminal.
-#ifndef KINEX_EXPERIMENTS_VERIFY_VERIFY_PROGRESS_H
-#define KINEX_EXPERIMENTS_VERIFY_VERIFY_PROGRESS_H
+// CellProgress: one line on standard error, only where that is a terminal.
+#ifndef KINEX_EXPERIMENTS_VERIFY_CELL_PROGRESS_H
+#define KINEX_EXPERIMENTS_VERIFY_CELL_PROGRESS_H
 
 #include <chrono>
 #include <cstddef>
 #include <mutex>
-
-#include "experiments/verify/cell.h"
+#include <string>
+#include <vector>
 
 namespace kinex {
 
 // All functions may be called from any thread.
-class VerifyProgress {
+class CellProgress {
  public:
-  explicit VerifyProgress(const Catalogue& catalogue);
-  ~VerifyProgress() { wipe(); }
-  VerifyProgress(const VerifyProgress&) = delete;
-  VerifyProgress& operator=(const VerifyProgress&) = delete;
+  // What each cell is expected to cost.
+  explicit CellProgress(std::vector<double> costs);
+  ~CellProgress() { wipe(); }
+  CellProgress(const CellProgress&) = delete;
+  CellProgress& operator=(const CellProgress&) = delete;
 
-  // "cell 12 of 130: delaunay_2, uniform-square 2d, n = 400, seed 3; 45 s left", a few times a
-  // second.
-  void show(std::size_t cell, int seed);
+  // "cell 12 of 130: WHAT; 45 s left", a few times a second.
+  void show(std::size_t cell, const std::string& what);
   // The cell is done: what it was expected to cost counts for the time left.
   void finished(std::size_t cell);
   // Takes the line away, before something else is printed.
@@ -29,7 +29,7 @@ class VerifyProgress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  const Catalogue& catalogue_;
+  const std::vector<double> costs_;
   const bool terminal_;
   std::mutex mutex_;
   bool shown_ = false;

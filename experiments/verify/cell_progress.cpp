@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/verify/verify_progress.h"
+#include "experiments/verify/cell_progress.h"
 
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 namespace kinex {
 
@@ -14,23 +15,19 @@ constexpr double kTrustedPart = 0.02;  // of the cost, from which on the time le
 
 }  // namespace
 
-VerifyProgress::VerifyProgress(const Catalogue& catalogue)
-    : catalogue_(catalogue), terminal_(::isatty(STDERR_FILENO) != 0) {
-  for (const Cell& cell : catalogue.cells) cost_ += cell.cost;
+CellProgress::CellProgress(std::vector<double> costs)
+    : costs_(std::move(costs)), terminal_(::isatty(STDERR_FILENO) != 0) {
+  for (const double cost : costs_) cost_ += cost;
 }
 
-void VerifyProgress::show(std::size_t index, int seed) {
+void CellProgress::show(std::size_t cell, const std::string& what) {
   if (!terminal_) return;
   const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
   if (std::chrono::duration<double>(now - last_).count() < kInterval) return;
   last_ = now;
   shown_ = true;
-  const Cell& cell = catalogue_.cells[index];
-  std::fprintf(stderr, "\r\033[Kcell %zu of %zu: %s, %s, n = %d", index + 1,
-               catalogue_.cells.size(), cell.structure.c_str(), cell.workload_text().c_str(),
-               cell.parameters.n);
-  if (cell.random) std::fprintf(stderr, ", scene %d", seed + 1);
+  std::fprintf(stderr, "\r\033[Kcell %zu of %zu: %s", cell + 1, costs_.size(), what.c_str());
   if (done_ > kTrustedPart * cost_) {
     const double seconds = std::chrono::duration<double>(now - began_).count();
     std::fprintf(stderr, "; %.0f s left", seconds * (cost_ - done_) / done_);
@@ -38,12 +35,12 @@ void VerifyProgress::show(std::size_t index, int seed) {
   std::fflush(stderr);
 }
 
-void VerifyProgress::finished(std::size_t index) {
+void CellProgress::finished(std::size_t cell) {
   const std::lock_guard lock(mutex_);
-  done_ += catalogue_.cells[index].cost;
+  done_ += costs_[cell];
 }
 
-void VerifyProgress::wipe() {
+void CellProgress::wipe() {
   const std::lock_guard lock(mutex_);
   if (shown_) std::fputs("\r\033[K", stderr);
   shown_ = false;

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/trade/case_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <utility>
+
+#include "experiments/cpu_clock.h"
+#include "experiments/scene_run.h"
+#include "experiments/scene_writer.h"
+#include "experiments/trade/binary_scale.h"
+#include "experiments/trade/checkpoints.h"
+#include "experiments/trade/trace.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr int kTimeDigits = 17;
+constexpr double kLongEnough = 0.05;   // seconds for all rounds of one arithmetic
+constexpr double kOnceIsEnough = 1;    // seconds of a round that is not repeated
+constexpr double kMeasurable = 20e-6;  // seconds of one round
+constexpr int kMostRounds = 50;
+// How corruption begins that a guard has seen: "no end of repairs", "no end of rebuilds".
+constexpr std::string_view kGuardText = "no end of ";
+
+SimulatorOptions simulator_options(const TradeOptions& options, std::uint64_t max_events) {
+  SimulatorOptions result;
+  result.audit = AuditLevel::kNone;
+  result.max_events = max_events;
+  result.max_seconds = options.max_seconds;
+  result.progress = [go_on = options.go_on](const Simulator&) { return go_on(); };
+  return result;
+}
+
+// The state right now against an independent exact computation at t; what is wrong, or nothing.
+std::string audit_at(const Simulator& simulator, const Rational& t) {
+  AuditReport report;
+  simulator.structure(0).check_invariants(report);
+  simulator.structure(0).audit(simulator.snapshot(t), report);
+  return report.violations.empty() ? "" : report.violations.front();
+}
+
+void note_wrong(TradeRun& run, const std::string& time, const std::string& what) {
+  if (!run.first_wrong.empty()) return;
+  run.first_wrong = time;
+  run.violation = what;
+}
+
+// Runs to the end with stops at the checkpoints. False if it was interrupted.
+bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& checkpoints,
+                          std::uint64_t max_events, TradeRun& run) {
+  run.checkpoints = static_cast<int>(checkpoints.size()) + 1;
+  const StructureLedger& ledger = simulator.kernel().ledger(0);
+  RunStatus status = RunStatus::kDone;
+  simulator.start();
+  for (const Rational& t : checkpoints) {
+    status = simulator.run_until(t);
+    if (status != RunStatus::kDone || ledger.corrupt) {
+      note_wrong(run, decimal(t, kTimeDigits), "");
+      break;
+    }
+    const std::string violation = audit_at(simulator, t);
+    run.valid += violation.empty() ? 1 : 0;
+    if (!violation.empty()) note_wrong(run, decimal(t, kTimeDigits), violation);
+  }
+  if (status == RunStatus::kDone && !ledger.corrupt) {
+    status = simulator.run_until(std::nullopt);  // with the simulator's audit
+    run.valid_at_end =
+        status == RunStatus::kDone && !ledger.corrupt && ledger.audit_violations == 0;
+    run.valid += run.valid_at_end ? 1 : 0;
+    if (!run.valid_at_end) {
+      note_wrong(run, decimal(*simulator.scene().end, kTimeDigits),
+                 simulator.violations().empty() ? "" : simulator.violations().front());
+    }
+  }
+  run.peak_bytes = simulator.ledger().peak_bytes;
+  if (ledger.corrupt) {
+    run.ending = Ending::kCorrupt;
+    run.trouble = ledger.corruption;
+    run.guard_fired = ledger.corruption.rfind(kGuardText, 0) == 0;
+  } else if (status == RunStatus::kLimit) {
+    run.ending = max_events != 0 && simulator.ledger().events >= max_events ? Ending::kEndless
+                                                                            : Ending::kGaveUp;
+  }
+  return status != RunStatus::kInterrupted;
+}
+
+// The exact run: its events; a scene without end is given one, after the last of them.
+struct Exact {
+  Scene scene;
+  ExactTrace trace;
+  RunStatus status = RunStatus::kDone;
+  std::vector<Rational> checkpoints;
+};
+
+Exact exact_run(Scene scene, EventNames& names, const TradeOptions& options) {
+  Exact exact;
+  exact.scene = std::move(scene);
+  const auto simulator = make_simulator(exact.scene, "exact", simulator_options(options, 0));
+  ExactRecorder recorder(names);
+  simulator->set_sink(&recorder);
+  simulator->start();
+  exact.status = simulator->run_until(std::nullopt);
+  exact.trace = std::move(recorder.trace);
+  if (!exact.scene.end) {
+    Rational last = exact.scene.start;
+    if (exact.trace.size() > 0) last = std::max(last, exact.trace.times.back().upper());
+    exact.scene.end = Rational(floor_divide(last.numerator(), last.denominator())) + Rational(1);
+  }
+  if (exact.status == RunStatus::kDone) {
+    exact.checkpoints = checkpoints_of(exact.trace, exact.scene.start, *exact.scene.end);
+  }
+  return exact;
+}
+
+// nullopt if it was interrupted.
+std::optional<TradeRun> compared_run(Exact& exact, EventNames& names, const std::string& arithmetic,
+                                     const TradeOptions& options) {
+  TradeRun run;
+  run.arithmetic = arithmetic;
+  const long bits = bits_of_arithmetic(arithmetic);
+  const std::uint64_t budget =
+      bits == 0 ? 0 : options.events_factor * exact.trace.size() + options.events_more;
+  ExactRecorder exact_recorder(names);
+  InexactRecorder inexact_recorder(names, bits);
+  try {
+    SimulatorOptions simulating = simulator_options(options, budget);
+    simulating.audit = AuditLevel::kEnd;
+    const auto simulator = make_simulator(exact.scene, arithmetic, std::move(simulating));
+    simulator->set_sink(bits == 0 ? static_cast<EventSink*>(&exact_recorder) : &inexact_recorder);
+    if (!run_with_checkpoints(*simulator, exact.checkpoints, budget, run)) return std::nullopt;
+  } catch (const std::exception& error) {
+    run.ending = Ending::kThrew;
+    run.trouble = error.what();
+  }
+  if (bits == 0) {
+    run.events = exact_recorder.trace.size();
+    run.deviation.matched = run.events;
+    if (run.ending == Ending::kEnded && !equal(exact.trace, exact_recorder.trace)) {
+      run.differs = true;
+    }
+  } else {
+    run.events = inexact_recorder.trace.size();
+    run.deviation = deviation_of(exact.trace, inexact_recorder.trace);
+  }
+  return run;
+}
+
+// Rounds in all arithmetics take turns. False if it was interrupted.
+bool measure_times(const Scene& scene, std::vector<TradeRun>& runs, const TradeOptions& options) {
+  std::vector<double> total(runs.size(), 0);
+  for (int round = 0; round < kMostRounds; ++round) {
+    bool measured = false;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      TradeRun& run = runs[i];
+      const double enough = round < 2 ? kOnceIsEnough : kLongEnough;
+      if (run.ending != Ending::kEnded || total[i] > enough) continue;
+      const double begin = cpu_seconds();
+      const auto simulator = make_simulator(scene, run.arithmetic, simulator_options(options, 0));
+      simulator->start();
+      const RunStatus status = simulator->run_until(std::nullopt);
+      const double seconds = cpu_seconds() - begin;
+      if (status == RunStatus::kInterrupted || !options.go_on()) return false;
+      run.seconds = run.seconds ? std::min(*run.seconds, seconds) : seconds;
+      total[i] += seconds;
+      measured = true;
+    }
+    if (!measured) break;
+  }
+  return true;
+}
+
+// `exact` and `double` first and second, the others in their order, none twice.
+std::vector<std::string> in_order(const std::vector<std::string>& arithmetics) {
+  std::vector<std::string> result{"exact", "double"};
+  for (const std::string& name : arithmetics) {
+    if (std::find(result.begin(), result.end(), name) == result.end()) result.push_back(name);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string_view ending_name(Ending ending) {
+  switch (ending) {
+    case Ending::kEnded:
+      return "ended";
+    case Ending::kCorrupt:
+      return "corrupt";
+    case Ending::kEndless:
+      return "endless";
+    case Ending::kGaveUp:
+      return "gave up";
+    case Ending::kThrew:
+      return "threw";
+  }
+  return "";
+}
+
+Standing TradeRun::standing() const {
+  if (ending != Ending::kEnded || valid != checkpoints || differs) return Standing::kWrong;
+  return deviation.same_events() ? Standing::kSame : Standing::kValid;
+}
+
+const TradeRun* CaseResult::run_in(std::string_view arithmetic) const {
+  for (const TradeRun& run : runs) {
+    if (run.arithmetic == arithmetic) return &run;
+  }
+  return nullptr;
+}
+
+std::optional<double> CaseResult::time_ratio(const TradeRun& run) const {
+  const TradeRun* rival = run_in("double");
+  if (rival == nullptr || !rival->seconds || !run.seconds || *rival->seconds < kMeasurable) {
+    return std::nullopt;
+  }
+  return *run.seconds / *rival->seconds;
+}
+
+std::optional<double> CaseResult::memory_ratio(const TradeRun& run) const {
+  const TradeRun* rival = run_in("double");
+  if (rival == nullptr || rival->ending != Ending::kEnded || run.ending != Ending::kEnded ||
+      rival->peak_bytes == 0) {
+    return std::nullopt;
+  }
+  return static_cast<double>(run.peak_bytes) / static_cast<double>(rival->peak_bytes);
+}
+
+std::vector<std::string> CaseResult::faults() const {
+  std::vector<std::string> result;
+  if (!problem.empty() && !gave_up) result.push_back(problem);
+  for (const TradeRun& run : runs) {
+    const bool exact = bits_of_arithmetic(run.arithmetic) == 0;
+    if (run.ending == Ending::kThrew) {
+      result.push_back(run.arithmetic + " threw: " + run.trouble);
+    } else if (exact && run.differs) {
+      result.push_back(run.arithmetic + " does not give the events of exact");
+    } else if (exact && run.ending == Ending::kEnded && run.valid != run.checkpoints) {
+      result.push_back(run.arithmetic + " is wrong at t = " + run.first_wrong + ": " +
+                       run.violation);
+    }
+  }
+  return result;
+}
+
+std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& options,
+                                   const std::function<void(const std::string&)>& on_run) {
+  const auto begin = std::chrono::steady_clock::now();
+  CaseResult result;
+  result.which = which;
+  const auto finish = [&] {
+    result.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+  };
+  Scene scene = which.scene();
+  result.scene_name = scene.name;
+  result.scene_hash = scene_hash(scene);
+  result.objects = scene.objects.size();
+  EventNames names;
+  Exact exact;
+  if (on_run) on_run("exact");
+  try {
+    exact = exact_run(std::move(scene), names, options);
+  } catch (const std::exception& error) {
+    result.problem = std::string("exact threw: ") + error.what();
+    return finish();
+  }
+  if (exact.status == RunStatus::kInterrupted || !options.go_on()) return std::nullopt;
+  if (exact.status == RunStatus::kLimit) {
+    result.gave_up = true;
+    result.problem = "the exact run takes too long: nothing to compare with";
+    return finish();
+  }
+  result.events = exact.trace.size();
+  result.bits = bits_needed(exact.trace, *exact.scene.end);
+  for (const std::string& arithmetic : in_order(options.arithmetics)) {
+    if (on_run) on_run(arithmetic);
+    std::optional<TradeRun> run = compared_run(exact, names, arithmetic, options);
+    if (!run || !options.go_on()) return std::nullopt;
+    result.runs.push_back(*std::move(run));
+  }
+  if (on_run) on_run("the clock");
+  if (!measure_times(exact.scene, result.runs, options)) return std::nullopt;
+  return finish();
+}
+
+std::optional<BitsNeeded> bits_of_scene(const Scene& scene, const TradeOptions& options) {
+  EventNames names;
+  Exact exact = exact_run(scene, names, options);
+  if (exact.status != RunStatus::kDone) return std::nullopt;
+  return bits_needed(exact.trace, *exact.scene.end);
+}
+
+}  // namespace kinex

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One scene in several arithmetics, each compared with the exact run.
+#ifndef KINEX_EXPERIMENTS_TRADE_CASE_RUN_H
+#define KINEX_EXPERIMENTS_TRADE_CASE_RUN_H
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/trade/bits_needed.h"
+#include "experiments/trade/cases.h"
+#include "experiments/trade/deviation.h"
+
+namespace kinex {
+
+enum class Ending {
+  kEnded,    // the run reached the end of its scene
+  kCorrupt,  // the structure was led astray, and knows it
+  kEndless,  // stopped after many more events than the exact run has
+  kGaveUp,   // stopped at the limit of time
+  kThrew,    // a bug: no arithmetic may do that
+};
+std::string_view ending_name(Ending ending);  // "ended", "corrupt", ..
+
+// How good a run was, best first.
+enum class Standing {
+  kSame,   // the exact run's events, at instants in the same order, and every audited state valid
+  kValid,  // other events, or in another order; yet every audited state was valid
+  kWrong,  // a state was wrong, or the run did not reach its end
+};
+
+struct TradeRun {
+  std::string arithmetic;
+  Ending ending = Ending::kEnded;
+  std::string trouble;       // why it is corrupt, or what it threw
+  bool guard_fired = false;  // it is corrupt since a guard saw repairs or rebuilds without end
+  std::uint64_t events = 0;
+  std::optional<double> seconds;  // CPU time of the whole run, best of the rounds, without audits
+  std::uint64_t peak_bytes = 0;   // motions, certificates, queue and structure, as the ledger says
+  Deviation deviation;
+  bool differs = false;  // of an exact arithmetic: its events are not those of `exact`
+  // Checkpoints are up to ten times (checkpoints.h) and the end. At each the state is compared
+  // with an independent exact computation; one that was not reached is not valid.
+  int checkpoints = 0, valid = 0;
+  bool valid_at_end = false;
+  std::string first_wrong;  // decimal time of the first checkpoint that is not valid; empty: none
+  std::string violation;    // what the audit said there
+
+  Standing standing() const;
+};
+
+struct CaseResult {
+  TradeCase which;
+  std::string scene_name, scene_hash;
+  std::size_t objects = 0;
+  std::uint64_t events = 0;  // of the exact run
+  BitsNeeded bits;
+  std::vector<TradeRun> runs;  // `exact` first
+  // Why there is nothing to compare with: the exact run gave up or threw; empty if all is well.
+  std::string problem;
+  bool gave_up = false;
+  double seconds = 0;  // all of it, wall clock
+
+  const TradeRun* run_in(std::string_view arithmetic) const;
+  // Time and memory over those of `double`; nullopt where either is missing or too short.
+  std::optional<double> time_ratio(const TradeRun& run) const;
+  std::optional<double> memory_ratio(const TradeRun& run) const;
+  // An exact arithmetic was wrong, two exact ones differ, or something was thrown; empty if not.
+  std::vector<std::string> faults() const;
+};
+
+struct TradeOptions {
+  int jobs = 1;  // more than one makes time ratios noisy
+  // `exact` and `double` are run in any case.
+  std::vector<std::string> arithmetics = trade_arithmetics();
+  double max_seconds = 120;  // of one run
+  // An inexact run is endless after events_factor times the exact run's events and events_more.
+  std::uint64_t events_factor = 4;
+  std::uint64_t events_more = 10000;
+  std::function<bool()> go_on = [] { return true; };  // called from all threads
+};
+
+// nullopt if go_on says to stop. `on_run` is told of every arithmetic that is about to be run.
+std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& options,
+                                   const std::function<void(const std::string&)>& on_run);
+
+// The bits that the instants of the scene's exact run need; nullopt if go_on says to stop or the
+// run gave up.
+std::optional<BitsNeeded> bits_of_scene(const Scene& scene, const TradeOptions& options);
+
+}  // namespace kinex
+
+#endif

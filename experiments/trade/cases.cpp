@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/trade/cases.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "experiments/input_error.h"
+#include "experiments/scene_reader.h"
+#include "structures/registry.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr long kDoubleBits = 53;
+
+// What is compared for one structure. Sizes: quick, full.
+struct Plan {
+  std::string_view structure;
+  int dimension;
+  int uniform[2];
+  const char* worst;  // family
+  int worst_n[2];
+  int grid[2];
+  int near[2];
+  std::vector<int> bits[2];  // sizes
+};
+
+const std::vector<Plan>& plans() {
+  static const std::vector<Plan> kPlans{
+      {"sorted_list",
+       1,
+       {24, 64},
+       "sort-worst",
+       {24, 64},
+       {25, 64},
+       {16, 48},
+       {{8, 16, 32, 64}, {8, 16, 32, 64, 128, 256}}},
+      {"maximum_tournament",
+       1,
+       {64, 256},
+       "tournament-worst",
+       {32, 128},
+       {64, 256},
+       {32, 128},
+       {{16, 64, 256, 1024}, {16, 64, 256, 1024, 4096}}},
+      {"maximum_heap",
+       1,
+       {64, 256},
+       "heap-worst",
+       {31, 127},
+       {64, 256},
+       {32, 128},
+       {{16, 64, 256, 1024}, {16, 64, 256, 1024, 4096}}},
+      {"delaunay_2",
+       2,
+       {12, 32},
+       "hull-worst",
+       {4, 8},
+       {16, 36},
+       {8, 16},
+       {{8, 16, 32, 64}, {8, 16, 32, 64, 128, 256}}},
+  };
+  return kPlans;
+}
+
+WorkloadParameters parameters_of(const std::string& workload, int n, int degree, int dimension) {
+  WorkloadParameters parameters;
+  parameters.n = n;
+  parameters.degree = degree;
+  const int own = find_workload(workload)->default_dimension;
+  parameters.dimension = dimension == own ? 0 : dimension;
+  return parameters;
+}
+
+void add_case(TradeCatalogue& catalogue, const Plan& plan, const std::string& workload, int n,
+              int degree, double cost) {
+  TradeCase one;
+  one.structure = plan.structure;
+  one.workload = workload;
+  one.parameters = parameters_of(workload, n, degree, plan.dimension);
+  one.name = workload + (degree == 1 ? "" : ", degree " + std::to_string(degree));
+  one.cost = cost;
+  catalogue.cases.push_back(std::move(one));
+}
+
+void add_plan(TradeCatalogue& catalogue, const Plan& plan, Extent extent) {
+  const std::size_t size = extent == Extent::kQuick ? 0 : 1;
+  for (const int degree : {1, 2, 3}) {
+    add_case(catalogue, plan, "uniform-square", plan.uniform[size], degree, degree);
+  }
+  add_case(catalogue, plan, plan.worst, plan.worst_n[size], 1, 1);
+  add_case(catalogue, plan, "grid", plan.grid[size], 1, 1);
+  add_case(catalogue, plan, "near-one-point", plan.near[size], 1, 1);
+  for (const int degree : {1, 2, 3}) {
+    for (const int n : plan.bits[size]) {
+      BitsCase one;
+      one.structure = plan.structure;
+      one.workload = "uniform-square";
+      one.parameters = parameters_of(one.workload, n, degree, plan.dimension);
+      one.seeds = size == 0 ? 4 : 8;
+      one.family = "uniform-square, degree " + std::to_string(degree);
+      one.cost = 0.001 * n;
+      catalogue.bits.push_back(std::move(one));
+    }
+  }
+}
+
+void add_file(TradeCatalogue& catalogue, const std::string& file) {
+  const Scene scene = read_scene(file);
+  if (scene.maintain.empty()) {
+    throw InputError(file, "/maintain", "nothing is to be maintained",
+                     "fill \"maintain\" in the scene");
+  }
+  for (const Request& request : scene.maintain) {
+    TradeCase one;
+    one.structure = request.label;
+    one.name = scene.name.empty() ? file : scene.name;
+    auto given = std::make_shared<Scene>(scene);
+    given->maintain = {request};
+    one.given = std::move(given);
+    one.parameters.n = static_cast<int>(scene.objects.size());
+    one.cost = 1;
+    catalogue.cases.push_back(std::move(one));
+  }
+}
+
+bool is_file(const std::string& name) {
+  std::error_code error;
+  return name == "-" || std::filesystem::exists(name, error);
+}
+
+}  // namespace
+
+Scene TradeCase::scene() const {
+  if (given != nullptr) return *given;
+  Scene result = generate_scene(*find_workload(workload), parameters);
+  Request request;
+  request.structure = structure;
+  request.label = structure;
+  result.maintain = {std::move(request)};
+  return result;
+}
+
+TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, Extent extent) {
+  TradeCatalogue catalogue;
+  for (const std::string& name : what.empty() ? std::vector<std::string>{"all"} : what) {
+    bool known = false;
+    for (const Plan& plan : plans()) {
+      if (name != "all" && name != plan.structure) continue;
+      known = true;
+      add_plan(catalogue, plan, extent);
+    }
+    if (known) continue;
+    if (!is_file(name)) {
+      std::string names = "all";
+      for (const Plan& plan : plans()) names += ", " + std::string(plan.structure);
+      throw InputError("trade", "", show_text(name) + " is neither a file nor a structure here",
+                       "name a scene, or choose one of " + names);
+    }
+    add_file(catalogue, name);
+  }
+  return catalogue;
+}
+
+const std::vector<std::string>& trade_arithmetics() {
+  static const std::vector<std::string> kNames{"exact",    "sturm",   "double",  "gsl",
+                                               "mpfr:24",  "mpfr:53", "mpfr:64", "mpfr:100",
+                                               "mpfr:200", "mpfr:400"};
+  return kNames;
+}
+
+long bits_of_arithmetic(std::string_view name) {
+  if (name == "exact" || name == "sturm") return 0;
+  if (name.rfind("mpfr:", 0) == 0) return std::stol(std::string(name.substr(5)));
+  return kDoubleBits;
+}
+
+}  // namespace kinex

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cases: the scenes on which arithmetics are compared, and those whose bits are counted over n.
+//
+// Question: what is traded for speed by a less exact arithmetic?
+// Workloads, for every structure: uniform-square with motions of degree 1, 2 and 3 (ordinary
+// scenes), the structure's worst case, a grid with integer velocities (simultaneous events), and
+// near-one-point (all events in a time of 2^-59: nearly degenerate).
+// Expected: `exact` and `sturm` agree and are valid everywhere; nothing is expected of the others
+// but that they end.
+#ifndef KINEX_EXPERIMENTS_TRADE_CASES_H
+#define KINEX_EXPERIMENTS_TRADE_CASES_H
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene.h"
+#include "experiments/verify/catalogue.h"
+#include "experiments/workload.h"
+
+namespace kinex {
+
+struct TradeCase {
+  std::string structure;               // registered name, or a scene's label for it
+  std::string name;                    // of the workload with its parameters, or of the scene
+  std::string workload;                // empty: `given`
+  WorkloadParameters parameters;       // of the workload
+  std::shared_ptr<const Scene> given;  // maintains one structure
+  double cost = 0.1;                   // expected seconds, for progress
+
+  // With one structure to maintain.
+  Scene scene() const;
+};
+
+// Scenes of one size of a family; only the exact run is made of each.
+struct BitsCase {
+  std::string structure, workload;
+  WorkloadParameters parameters;  // seeds from 1
+  int seeds = 1;
+  std::string family;  // "uniform-square, degree 2"
+  double cost = 0.1;
+};
+
+struct TradeCatalogue {
+  std::vector<TradeCase> cases;
+  std::vector<BitsCase> bits;  // families in a row, sizes ascending
+};
+
+// `what`: names of structures, or "all", or files of scenes, in any mixture; nothing means "all".
+// Every structure that a scene maintains is a case. Throws InputError.
+TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, Extent extent);
+
+// exact, sturm, double, gsl, mpfr:24, 53, 64, 100, 200, 400.
+const std::vector<std::string>& trade_arithmetics();
+// Bits of the numbers of an inexact arithmetic; 0 for an exact one.
+long bits_of_arithmetic(std::string_view name);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn of the trade: the plane of speed and accuracy of every structure, and the bits that
+// instants need over n.
+#ifndef KINEX_EXPERIMENTS_TRADE_PLOTS_H
+#define KINEX_EXPERIMENTS_TRADE_PLOTS_H
+
+#include <vector>
+
+#include "experiments/trade/runner.h"
+#include "experiments/verify/gnuplot.h"
+
+namespace kinex {
+
+std::vector<Figure> trade_figures(const TradeResult& result);
+
+}  // namespace kinex
+
+#endif

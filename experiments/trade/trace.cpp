@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/trade/trace.h"
+
+#include <utility>
+
+#include "core/arithmetic.h"
+#include "experiments/trade/binary_scale.h"
+
+namespace kinex {
+
+namespace {
+
+RealRoot root_of(const InstantText& text) {
+  std::vector<Integer> coefficients;
+  for (const std::string& c : text.polynomial) coefficients.push_back(*Integer::parse(c));
+  const Rational lower = *Rational::parse(text.lower);
+  const Rational upper = *Rational::parse(text.upper);
+  if (lower == upper) return RealRoot(lower);
+  return RealRoot(Polynomial(std::move(coefficients)), lower, upper);
+}
+
+}  // namespace
+
+std::uint32_t EventNames::number(const Event& event) {
+  Name name{};
+  name[0] = event.kind;
+  name[1] = event.count;
+  for (std::size_t i = 0; i < event.count; ++i) name[i + 2] = event.ids[i];
+  return numbers_.emplace(name, static_cast<std::uint32_t>(numbers_.size())).first->second;
+}
+
+void ExactRecorder::event(const Event& event, Arithmetic& arithmetic) {
+  InstantText text = arithmetic.describe_now();
+  std::vector<std::string> name = std::move(text.polynomial);
+  name.push_back(std::to_string(text.root));
+  if (trace.times.empty() || name != last_) {
+    last_ = name;
+    name.pop_back();
+    text.polynomial = std::move(name);
+    RealRoot root = root_of(text);
+    // One instant can have two names: as a root of two polynomials.
+    if (trace.times.empty() || compare(trace.times.back(), root, counters_) != 0) {
+      trace.times.push_back(std::move(root));
+    }
+  }
+  trace.names.push_back(names_.number(event));
+  trace.instants.push_back(static_cast<std::uint32_t>(trace.times.size() - 1));
+}
+
+void InexactRecorder::event(const Event& event, Arithmetic& arithmetic) {
+  trace.names.push_back(names_.number(event));
+  const std::string text = arithmetic.describe_now().approximate;
+  if (!trace.times.empty() && text == last_) {
+    trace.times.push_back(trace.times.back());
+    return;
+  }
+  last_ = text;
+  std::optional<Rational> time = Rational::parse(text);
+  if (time) time = round_to_bits(*time, bits_);
+  trace.times.push_back(std::move(time));
+}
+
+bool equal(ExactTrace& a, ExactTrace& b) {
+  if (a.names != b.names || a.instants != b.instants) return false;
+  RootCounters counters;
+  for (std::size_t i = 0; i < a.times.size(); ++i) {
+    if (compare(a.times[i], b.times[i], counters) != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace kinex

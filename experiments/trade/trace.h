@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Traces: the events of a run with their instants, so that runs in different arithmetics can be
+// compared event by event.
+#ifndef KINEX_EXPERIMENTS_TRADE_TRACE_H
+#define KINEX_EXPERIMENTS_TRADE_TRACE_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/event.h"
+#include "core/real_root.h"
+
+namespace kinex {
+
+// One number for each (kind, ids), the same in all runs that share the table.
+class EventNames {
+ public:
+  std::uint32_t number(const Event& event);
+  std::size_t size() const { return numbers_.size(); }
+
+ private:
+  using Name = std::array<std::uint32_t, kMaxArity + 2>;
+  std::map<Name, std::uint32_t> numbers_;
+};
+
+// Of a run in an exact arithmetic. Refining its instants changes nothing that can be observed.
+struct ExactTrace {
+  std::vector<std::uint32_t> names;     // by event
+  std::vector<std::uint32_t> instants;  // by event: index into `times`; never decreases
+  std::vector<RealRoot> times;          // strictly ascending
+
+  std::size_t size() const { return names.size(); }
+};
+
+// Of a run in an inexact arithmetic: the numbers that it took for the instants, exactly.
+struct InexactTrace {
+  std::vector<std::uint32_t> names;
+  std::vector<std::optional<Rational>> times;  // by event; nullopt: not a finite number
+
+  std::size_t size() const { return names.size(); }
+};
+
+// Both take what describe_now() says of every event.
+class ExactRecorder final : public EventSink {
+ public:
+  explicit ExactRecorder(EventNames& names) : names_(names) {}
+  void event(const Event& event, Arithmetic& arithmetic) override;
+  ExactTrace trace;
+
+ private:
+  EventNames& names_;
+  RootCounters counters_;
+  std::vector<std::string> last_;  // the name of the instant before
+};
+
+class InexactRecorder final : public EventSink {
+ public:
+  // `bits`: the precision of the arithmetic, to which its decimals are rounded.
+  InexactRecorder(EventNames& names, long bits) : names_(names), bits_(bits) {}
+  void event(const Event& event, Arithmetic& arithmetic) override;
+  InexactTrace trace;
+
+ private:
+  EventNames& names_;
+  long bits_;
+  std::string last_;
+};
+
+// Exactly the same events in the same order at the same instants. May refine the instants.
+bool equal(ExactTrace& a, ExactTrace& b);
+
+}  // namespace kinex
+
+#endif

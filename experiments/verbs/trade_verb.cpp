@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex trade: what less exact arithmetics gain and lose.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/file_io.h"
+#include "experiments/input_error.h"
+#include "experiments/trade/database.h"
+#include "experiments/trade/markdown.h"
+#include "experiments/trade/page.h"
+#include "experiments/trade/plots.h"
+#include "experiments/trade/report.h"
+#include "experiments/verbs/interrupt.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+#include "experiments/verify/cell_progress.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr int kMostJobs = 256;
+
+struct Options {
+  std::vector<std::string> what, arithmetics;
+  std::string folder = ".";
+  std::string markdown;
+  double max_seconds = 120;
+  int jobs = 1;
+  bool quick = false;
+  bool force = false;
+  bool json = false;
+};
+
+std::string command_of(const Options& options) {
+  std::string command = "kinex trade";
+  for (const std::string& what : options.what) command += " " + what;
+  if (options.quick) command += " --quick";
+  if (!options.arithmetics.empty()) {
+    command += " --arithmetic ";
+    for (std::size_t i = 0; i < options.arithmetics.size(); ++i) {
+      command += (i == 0 ? "" : ",") + options.arithmetics[i];
+    }
+  }
+  if (options.jobs != 1) command += " --jobs " + std::to_string(options.jobs);
+  return command;
+}
+
+// A wrong name is told now, not after the first run.
+void check_arithmetics(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    try {
+      Scene nothing;
+      make_arithmetic(name, nothing);
+    } catch (const std::invalid_argument& error) {
+      throw InputError("--arithmetic", "", error.what(),
+                       "write exact, sturm, double, gsl or mpfr:P with P bits");
+    }
+  }
+}
+
+void check(const Options& options) {
+  if (options.jobs < 1 || options.jobs > kMostJobs) {
+    throw InputError("--jobs", "", std::to_string(options.jobs) + " is out of range",
+                     "write a number from 1 to " + std::to_string(kMostJobs));
+  }
+  if (!(options.max_seconds > 0)) {
+    throw InputError("--max-seconds", "", "a limit that is not above 0", "leave it out for 120");
+  }
+  check_arithmetics(options.arithmetics);
+}
+
+TradeResult run(const TradeCatalogue& catalogue, const Options& options,
+                const InterruptGuard& interrupt) {
+  std::vector<double> costs;
+  for (const TradeCase& one : catalogue.cases) costs.push_back(one.cost);
+  for (const BitsCase& one : catalogue.bits) costs.push_back(one.cost);
+  CellProgress progress(std::move(costs));
+  TradeOptions running;
+  running.jobs = options.jobs;
+  running.max_seconds = options.max_seconds;
+  if (!options.arithmetics.empty()) running.arithmetics = options.arithmetics;
+  running.go_on = [&] { return !interrupt.interrupted(); };
+  bool first_bits = true;
+  const auto show = [&](const std::string& text) {
+    progress.wipe();
+    print(text);
+  };
+  TradeWatch watch;
+  watch.on_work = [&](std::size_t index, const std::string& what) { progress.show(index, what); };
+  watch.on_finished = [&](std::size_t index) { progress.finished(index); };
+  watch.on_case = [&](const CaseResult& one) {
+    show(options.json ? json_row(one) : table_of(one));
+  };
+  watch.on_bits = [&](const BitsResult& one) {
+    if (first_bits && !options.json) show(bits_header());
+    first_bits = false;
+    show(options.json ? json_row(one) : table_row(one));
+  };
+  TradeResult result = run_trade(catalogue, running, watch);
+  for (const BitsGrowth& growth : result.growths) {
+    show(options.json ? json_row(growth) : table_row(growth));
+  }
+  if (!options.json) show("\n" + closing_lines(result));
+  return result;
+}
+
+void trade(const Options& options, int& exit_code) {
+  const auto began = std::chrono::steady_clock::now();
+  check(options);
+  const TradeCatalogue catalogue =
+      make_trade_catalogue(options.what, options.quick ? Extent::kQuick : Extent::kFull);
+  std::error_code error;
+  std::filesystem::create_directories(options.folder, error);  // what is wrong is told below
+  OutputFile database(options.folder + "/trade.sqlite", options.force);
+  OutputFile page(options.folder + "/trade.html", options.force);
+  std::optional<OutputFile> markdown;
+  if (!options.markdown.empty()) markdown.emplace(options.markdown, options.force);
+
+  InterruptGuard interrupt;
+  const TradeResult result = run(catalogue, options, interrupt);
+  PageFacts facts;
+  facts.build = build_facts();
+  facts.machine = machine_facts();
+  facts.command = command_of(options);
+  database.write(trade_database(result, facts.build, facts.machine));
+  database.commit();
+  const std::vector<Figure> figures = trade_figures(result);
+  const Drawings drawings = draw(figures);
+  facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  page.write(trade_page(result, figures, drawings, facts));
+  page.commit();
+  if (markdown) {
+    markdown->write(trade_markdown(result, facts));
+    markdown->commit();
+  }
+  if (!drawings.problem.empty()) {
+    std::fprintf(stderr, "kinex: no plots: %s\n", drawings.problem.c_str());
+  }
+  std::fprintf(stderr, "kinex: %s and %s are written%s\n", database.path().c_str(),
+               page.path().c_str(),
+               result.interrupted ? "; it was interrupted, and holds what was finished" : "");
+  if (!result.faults().empty()) {
+    exit_code = kExitFailed;
+  } else if (result.interrupted || result.gave_up()) {
+    exit_code = kExitGaveUp;
+  }
+}
+
+}  // namespace
+
+void add_trade_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand(
+      "trade", "Speed against accuracy over the arithmetics: writes trade.sqlite and trade.html");
+  verb->add_option("WHAT", options->what, "Structures, scene files, or all (default)");
+  verb->add_flag("--quick", options->quick, "Smaller scenes: less than a minute");
+  verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
+  verb->add_option("--markdown", options->markdown, "Write the tables to this file as Markdown");
+  verb->add_flag("--force", options->force, "Replace results that exist");
+  verb->add_option("--arithmetic", options->arithmetics,
+                   "Only these, beside exact and double: A, .. (sturm, gsl, mpfr:P too)")
+      ->delimiter(',');
+  verb->add_option("--max-seconds", options->max_seconds, "Give up a run after this time (120)");
+  verb->add_option("--jobs", options->jobs, "Scenes at a time (1: more make time ratios noisy)");
+  verb->add_flag("--json", options->json, "Print a JSON object per scene instead of the tables");
+  verb->footer(
+      "Every run is compared with the exact one, event by event, and its states are audited\n"
+      "exactly. That an inexact arithmetic goes wrong is a result, not an error.\n"
+      "Exit codes: 1 an exact arithmetic was wrong, or any threw; 3 interrupted, or an exact\n"
+      "run was stopped at the limit.\n"
+      "Examples:\n  kinex trade --quick -o results\n"
+      "  kinex trade square.json --arithmetic gsl,mpfr:80,mpfr:120");
+  verb->callback([options, &exit_code] { trade(*options, exit_code); });
+}
+
+}  // namespace kinex
