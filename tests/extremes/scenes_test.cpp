@@ -150,11 +150,11 @@ class ExtremeScene : public testing::Test {
       expect_final(sturm, extreme_, scene);
       expect_same(exact, sturm);
     }
-    if (n <= kMedium) run_others(scene, audit);
+    if (n <= kMedium) run_others(scene, audit, extreme_.sturm);
   }
 
  private:
-  static void run_others(Scene& scene, AuditLevel audit) {
+  static void run_others(Scene& scene, AuditLevel audit, bool in_sturm) {
     const std::string own = scene.maintain[0].structure;
     for (const StructureInfo& info : structure_infos()) {
       const std::string name(info.name);
@@ -162,7 +162,7 @@ class ExtremeScene : public testing::Test {
       SCOPED_TRACE(name);
       scene.maintain = {{name, name, {}}};
       const ExactRun exact(scene, "exact", audit);
-      expect_same(exact, ExactRun(scene, "sturm", AuditLevel::kEnd));
+      if (in_sturm) expect_same(exact, ExactRun(scene, "sturm", AuditLevel::kEnd));
     }
   }
   Extreme extreme_;
