@@ -107,8 +107,10 @@ Scene touching_lattice(int m) {
   std::vector<Trajectory> paths;
   for (int j = 0; j < m; ++j) {
     for (int i = 0; i < m; ++i) {
-      const int vx = random.between(-3, 3), vy = random.between(-3, 3);
-      paths.push_back(path({{i + vx, -2 * vx, vx}, {j + vy, -2 * vy, vy}}));
+      const Rational vx(Integer(random.between(-300, 300)), Integer(1009));
+      const Rational vy(Integer(random.between(-300, 300)), Integer(1009));
+      paths.push_back(path(
+          {{Rational(i) + vx, Rational(-2) * vx, vx}, {Rational(j) + vy, Rational(-2) * vy, vy}}));
     }
   }
   return test::scene_of(paths, 0, Rational(2));
@@ -118,10 +120,10 @@ Scene touching_lattice(int m) {
 
 Scene make_crowd(const std::string& description) {
   static const std::map<std::string, std::function<Scene(int)>> kFamilies{
-      {"pairs k", pairs},           {"curves k", curves},
-      {"pencil n", pencil},         {"shear m", shear},
-      {"through n", through},       {"reflection n", reflection},
-      {"exchange n", exchange},     {"touching-lattice m", touching_lattice}};
+      {"pairs k", pairs},       {"curves k", curves},
+      {"pencil n", pencil},     {"shear m", shear},
+      {"through n", through},   {"reflection n", reflection},
+      {"exchange n", exchange}, {"touching-lattice m", touching_lattice}};
   const std::size_t equals = description.find('=');
   const std::string family = description.substr(0, equals);
   if (equals == std::string::npos) throw std::runtime_error("no size in " + description);

@@ -118,6 +118,7 @@ Extreme read_entry(const JsonValue& item) {
     for (const JsonValue& id : end->items) e.final_list.push_back(id.text);
   }
   if (const JsonValue* sturm = item.find("sturm")) e.sturm = sturm->boolean;
+  if (const JsonValue* page = item.find("page")) e.page = page->boolean;
   return e;
 }
 

@@ -32,7 +32,7 @@ bool is_at(RealRoot& root, Place& place);
 
 struct Extreme {
   std::string name;
-  std::string source;                // why the answer is known
+  std::string source;                   // why the answer is known
   std::string file, polynomial, crowd;  // one of them; files with their folders
   Rational start, end;                  // of a polynomial's scene
   std::optional<std::vector<std::pair<Place, std::size_t>>> instants;  // with their events
@@ -42,6 +42,7 @@ struct Extreme {
   std::string final_state;                   // "", "start", "exchanged", or "list"
   std::vector<std::string> final_list;
   bool sturm = true;
+  bool page = true;  // on the page of verdicts; larger scenes are not
 
   Scene scene() const;
 };

@@ -37,9 +37,8 @@ void expect_counts(const Extreme& extreme, const Polynomial& p) {
   std::vector<Rational> coefficients;
   for (const Integer& c : p.coefficients()) coefficients.emplace_back(c);
   SturmWork work;
-  EXPECT_EQ(
-      RationalSturm(RationalPolynomial(coefficients), work).count(extreme.start, extreme.end),
-      static_cast<int>(extreme.roots.size()));
+  EXPECT_EQ(RationalSturm(RationalPolynomial(coefficients), work).count(extreme.start, extreme.end),
+            static_cast<int>(extreme.roots.size()));
 }
 
 void expect_sign_changes(Extreme& extreme, const Polynomial& p) {

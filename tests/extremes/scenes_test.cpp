@@ -18,7 +18,7 @@ namespace kinex::extremes {
 namespace {
 
 // Up to so many objects every event is audited, and other structures are run too.
-constexpr std::size_t kSmall = 40, kMedium = 250;
+constexpr std::size_t kSmall = 40, kMedium = 50;
 constexpr std::size_t kFewestExtremes = 150;
 
 // Counts events by instant; each instant is described once.
