@@ -19,7 +19,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -132,9 +131,10 @@ class Simulator final : private EventReporter {
     Rational t;
     Kind kind;
     ObjectId object;
-    const Trajectory* trajectory;  // in the scene, or in given_; none for kErase
+    const Trajectory* trajectory;  // in the scene, or given from outside; none for kErase
     std::optional<Rational> until;
-    bool planned;  // by the scene
+    bool planned;                             // by the scene
+    std::shared_ptr<const Trajectory> given;  // from outside: keeps it while it is needed
   };
   struct Notice {
     StructureId structure;
@@ -194,7 +194,6 @@ class Simulator final : private EventReporter {
   EventSink* sink_ = nullptr;
   std::vector<Change> changes_;  // ascending in (t, kind, object) from next_change_ on
   std::size_t next_change_ = 0;
-  std::deque<Trajectory> given_;  // from outside
   std::vector<bool> alive_;
   std::vector<Trajectory> trajectory_;  // in force
   std::vector<int> pieces_;

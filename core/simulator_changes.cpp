@@ -37,7 +37,7 @@ void Simulator::plan_changes() {
       const bool ends = piece.to && (!scene_.end || *piece.to < *scene_.end);
       const std::optional<Rational> until = ends ? piece.to : std::nullopt;
       if (present && ended && *ended < from) {
-        changes_.push_back({*ended, Change::Kind::kErase, object, nullptr, {}, true});
+        changes_.push_back({*ended, Change::Kind::kErase, object, nullptr, {}, true, nullptr});
         present = false;
       }
       if (!present && from == scene_.start) {
@@ -45,13 +45,13 @@ void Simulator::plan_changes() {
         alive_[object] = true;
       } else {
         const auto kind = present ? Change::Kind::kUpdate : Change::Kind::kInsert;
-        changes_.push_back({from, kind, object, &piece.trajectory, until, true});
+        changes_.push_back({from, kind, object, &piece.trajectory, until, true, nullptr});
       }
       present = true;
       ended = until;
     }
     if (present && ended) {
-      changes_.push_back({*ended, Change::Kind::kErase, object, nullptr, {}, true});
+      changes_.push_back({*ended, Change::Kind::kErase, object, nullptr, {}, true, nullptr});
     }
   }
   std::stable_sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) {
@@ -90,18 +90,18 @@ void Simulator::queue_change(Change change) {
 
 void Simulator::schedule_update(const Rational& t, ObjectId object, Trajectory trajectory) {
   check_trajectory(trajectory);
-  given_.push_back(std::move(trajectory));
-  queue_change({t, Change::Kind::kUpdate, object, &given_.back(), {}, false});
+  auto given = std::make_shared<const Trajectory>(std::move(trajectory));
+  queue_change({t, Change::Kind::kUpdate, object, given.get(), {}, false, given});
 }
 
 void Simulator::schedule_insertion(const Rational& t, ObjectId object, Trajectory trajectory) {
   check_trajectory(trajectory);
-  given_.push_back(std::move(trajectory));
-  queue_change({t, Change::Kind::kInsert, object, &given_.back(), {}, false});
+  auto given = std::make_shared<const Trajectory>(std::move(trajectory));
+  queue_change({t, Change::Kind::kInsert, object, given.get(), {}, false, given});
 }
 
 void Simulator::schedule_erasure(const Rational& t, ObjectId object) {
-  queue_change({t, Change::Kind::kErase, object, nullptr, {}, false});
+  queue_change({t, Change::Kind::kErase, object, nullptr, {}, false, nullptr});
 }
 
 // ---- one instant

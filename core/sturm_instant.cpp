@@ -10,7 +10,7 @@ namespace kinex {
 namespace {
 
 // Bisections of both intervals before equality is looked into by a gcd.
-constexpr int kRoundsBeforeGcd = 24;
+constexpr int kBisectionsBeforeGcd = 24;
 
 Rational power_of_two(long k) {
   const Integer p = Integer::power_of_two(static_cast<unsigned long>(k < 0 ? -k : k));
@@ -88,6 +88,7 @@ void SturmInstant::become(const Rational& value) {
 void SturmInstant::refine(SturmWork& work) {
   if (rational_) return;
   ++work.refinements;
+  ++bisections_;
   const Rational m = dyadic_near_middle(lower_, upper_);
   const Sign s = polynomial_.sign_at(m);
   if (s == Sign::kZero) {
@@ -111,18 +112,23 @@ int SturmInstant::compare(const Rational& t) {
 }
 
 int compare(SturmInstant& a, SturmInstant& b, SturmWork& work) {
-  for (int round = 0;; ++round) {
+  for (bool told_apart = false;;) {
     if (const auto order = compare_intervals(a, b)) return *order;
     if (a.is_rational()) return -b.compare(a.lower());
     if (b.is_rational()) return a.compare(b.lower());
-    if (round == kRoundsBeforeGcd) {
+    if (!told_apart && std::min(a.bisections(), b.bisections()) >= kBisectionsBeforeGcd) {
+      told_apart = true;
       const RationalPolynomial common = gcd(a.polynomial(), b.polynomial(), work);
       const Rational from = std::max(a.lower(), b.lower());
       const Rational to = std::min(a.upper(), b.upper());
       if (common.degree() > 0 && RationalSturm(common, work).count(from, to) > 0) return 0;
     }
-    a.refine(work);
-    b.refine(work);
+    // The wider one.
+    if (a.upper() - a.lower() < b.upper() - b.lower()) {
+      b.refine(work);
+    } else {
+      a.refine(work);
+    }
   }
 }
 

@@ -25,6 +25,8 @@ class SturmInstant {
   const Rational& lower() const { return lower_; }
   const Rational& upper() const { return upper_; }
 
+  // How often the interval has been bisected.
+  int bisections() const { return bisections_; }
   // Bisects the interval, at a dyadic point. A root that is hit makes the instant rational.
   void refine(SturmWork& work);
   // Narrows the interval until t is not strictly inside it; exact comparison with t: -1, 0, +1.
@@ -37,9 +39,11 @@ class SturmInstant {
   Rational lower_, upper_;
   Sign sign_at_lower_ = Sign::kZero;  // of the polynomial; kZero when rational
   bool rational_ = false;
+  int bisections_ = 0;
 };
 
-// -1, 0, +1: exact. Equality is proved by a root of the gcd in the overlap of the intervals.
+// -1, 0, +1: exact. Intervals that have been narrowed enough before are not narrowed further to
+// prove that two instants are equal, so instants that many others are equal to stay short. Equality is proved by a root of the gcd in the overlap of the intervals.
 int compare(SturmInstant& a, SturmInstant& b, SturmWork& work);
 
 // Sign of p on (x, x + eps), where `sturm` is the sequence of p. p not zero. Afterwards p has no

@@ -85,7 +85,8 @@ TEST(Corpus, IsWhatTheIndexSays) {
   }
   for (const auto& file : std::filesystem::recursive_directory_iterator(kCorpus)) {
     if (!file.is_regular_file() || file.path().filename() == "index.json") continue;
-    found.insert(std::filesystem::relative(file.path(), kCorpus).string());
+    const std::string name = std::filesystem::relative(file.path(), kCorpus).string();
+    if (name.rfind("extremes/", 0) != 0) found.insert(name);  // that has an index of its own
   }
   EXPECT_EQ(listed, found);
   EXPECT_GE(bad_scenes, kFewestBadScenes);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/extremes/verdict.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "experiments/event_log.h"
+#include "experiments/file_io.h"
+#include "experiments/log_diff.h"
+#include "experiments/scene_run.h"
+#include "experiments/scene_writer.h"
+
+namespace kinex::extremes {
+
+std::string verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kRight:
+      return "right";
+    case Verdict::kOrder:
+      return "order";
+    case Verdict::kWrong:
+      return "wrong";
+    case Verdict::kCorrupt:
+      return "corrupt";
+    case Verdict::kEndless:
+      return "endless";
+  }
+  return "";
+}
+
+LoggedRun run_logged(const Scene& scene, const std::string& arithmetic, std::uint64_t max_events) {
+  const std::string path = (std::filesystem::temp_directory_path() /
+                            ("kinex-extreme-" + std::to_string(::getpid()) + ".log"))
+                               .string();
+  SimulatorOptions options;
+  options.audit = AuditLevel::kNone;
+  options.max_events = max_events;
+  const auto simulator = make_simulator(scene, arithmetic, options);
+  OutputFile file(path, true);
+  EventLog log(*simulator, scene_hash(scene), &file);
+  simulator->set_sink(&log);
+  LoggedRun run;
+  run.status = run_scene(*simulator, {}).status;
+  log.finish(run.status);
+  run.events = log.events();
+  run.corrupt = simulator->kernel().ledger(0).corrupt;
+  if (!run.corrupt) run.attribute = simulator->structure(0).attribute().ids;
+  run.log = read_text_file(path);
+  std::filesystem::remove(path);
+  return run;
+}
+
+Verdict judge(const Scene& scene, const LoggedRun& exact, const std::string& arithmetic) {
+  const LoggedRun run = run_logged(scene, arithmetic, kMostEvents * exact.events + kFreeEvents);
+  if (run.status != RunStatus::kDone) return Verdict::kEndless;
+  if (run.corrupt) return Verdict::kCorrupt;
+  const LogDifference difference = diff_logs(exact.log, "exact", run.log, arithmetic);
+  if (run.attribute != exact.attribute || difference.missing + difference.invented > 0) {
+    return Verdict::kWrong;
+  }
+  return difference.equal() ? Verdict::kRight : Verdict::kOrder;
+}
+
+}  // namespace kinex::extremes

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How an arithmetic fares with an extreme, against the exact run, by the machinery of `kinex diff`.
+#ifndef KINEX_TESTS_EXTREMES_VERDICT_H
+#define KINEX_TESTS_EXTREMES_VERDICT_H
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+#include "core/simulator.h"
+
+namespace kinex::extremes {
+
+enum class Verdict {
+  kRight,    // the same events in the same order, and the same structure at the end
+  kOrder,    // the same events in another order, and the same structure at the end
+  kWrong,    // events missed or invented, or another structure at the end, and nobody notices
+  kCorrupt,  // the structure has noticed that the numbers contradict each other
+  kEndless,  // no end within kMostEvents times as many events as there are
+};
+inline constexpr int kVerdicts = 5;
+inline constexpr std::uint64_t kMostEvents = 20, kFreeEvents = 10000;
+// Larger scenes take too long for the page of verdicts.
+inline constexpr std::size_t kMostPageObjects = 250;
+// "right", "order", "wrong", "corrupt", "endless".
+std::string verdict_name(Verdict verdict);
+
+struct LoggedRun {
+  RunStatus status = RunStatus::kDone;
+  std::string log;
+  std::uint64_t events = 0;
+  bool corrupt = false;
+  std::vector<ObjectId> attribute;  // at the end, of the first structure
+};
+
+// max_events 0: no limit.
+LoggedRun run_logged(const Scene& scene, const std::string& arithmetic, std::uint64_t max_events);
+
+Verdict judge(const Scene& scene, const LoggedRun& exact, const std::string& arithmetic);
+
+}  // namespace kinex::extremes
+
+#endif
