@@ -177,7 +177,7 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
       "exactly. That an inexact arithmetic goes wrong is a result, not an error.\n"
       "Exit codes: 1 an exact arithmetic was wrong, or any threw; 3 interrupted, or an exact\n"
       "run was stopped at the limit.\n"
-      "Examples:\n  kinex trade --quick -o results\n"
+      "Example:\n  kinex trade --quick -o results\n"
       "  kinex trade square.json --arithmetic gsl,mpfr:80,mpfr:120");
   verb->callback([options, &exit_code] { trade(*options, exit_code); });
 }

@@ -53,9 +53,9 @@ TEST(Delaunay2FewPoints, ThreeThroughTheirLineAreARebuildWithAReason) {
 }
 
 TEST(Delaunay2FewPoints, FourOnALineAreCounted) {
-  World world(scene_of({integers(0, 0, 0, 0), integers(1, 0, 0, 0), integers(2, 0, 0, 0),
-                        integers(3, 0, 0, 0)},
-                       0, 4));
+  World world(scene_of(
+      {integers(0, 0, 0, 0), integers(1, 0, 0, 0), integers(2, 0, 0, 0), integers(3, 0, 0, 0)}, 0,
+      4));
   world.start();
   world.update(1, 2, integers(1, 1, 0, 0));
   world.run_until(4);

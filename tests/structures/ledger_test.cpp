@@ -133,6 +133,7 @@ TEST(Ledger, SimultaneousGroups) {
 
 TEST(Ledger, SumsAgree) {
   for (const StructureInfo& info : structure_infos()) {
+    if (!info.reads.empty()) continue;  // no certificates
     for (const char* arithmetic : {"exact", "sturm"}) {
       for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         SCOPED_TRACE(std::string(info.name) + " in " + arithmetic + ", seed " +
