@@ -128,6 +128,10 @@ void ExactArithmetic::update_origin() {
     origin_end_ = end_upper_ < kInfinity ? end_upper_ * 0x1p-10 : 0x1p-20;
     return;
   }
+  if (!(std::fabs(now) < 0x1p1000)) {  // the doubles end soon
+    origin_end_ = 0;
+    return;
+  }
   const int exponent = std::ilogb(now);
   for (int e = exponent - 12; e <= exponent; ++e) {
     const double step = std::ldexp(1.0, e);

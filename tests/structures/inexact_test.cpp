@@ -52,5 +52,29 @@ TEST(Inexact, NumbersBeyondTheDoubles) {
   }
 }
 
+TEST(Inexact, TimesBeyondTheDoubles) {
+  const auto at = [](const char* time) { return *Rational::parse(time); };
+  Random random(4);
+  std::vector<Trajectory> paths;
+  for (int i = 0; i < 7; ++i) paths.push_back(random.small_path(2, 1, 5));
+  for (const char* end : {"1e300", "1e400"}) {
+    expect_end(scene_of(paths, -at(end), at(end)));
+    expect_end(scene_of(paths, at(end), at(end) + at(end)));
+  }
+}
+
+// 0 meets 1 at -1e350 and 2 at 1e390; in between 3 meets 0 at 1/2.
+TEST(Exact, TimesBeyondTheDoubles) {
+  const auto at = [](const char* time) { return *Rational::parse(time); };
+  const Scene scene =
+      scene_of({path({{0, 1}}), path({{-at("1e350")}}), path({{at("1e390")}}), path({{at("1/2")}})},
+               -at("1e400"), at("1e400"));
+  Trial run(scene, "sorted_list");
+  run.to_end().expect_clean();
+  EXPECT_EQ(run.sink.lines,
+            (std::vector<std::string>{"sorted_list swap 0 1 !", "sorted_list swap 0 3 !",
+                                      "sorted_list swap 0 2 !"}));
+}
+
 }  // namespace
 }  // namespace kinex::test
