@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: what does a question cost that doubles and 128-bit integers cannot answer, against one
+// that they can? (Questions: signs, failure times, further looks, comparisons of instants.)
+// Workload: grid (many events at one instant) and near-one-point (instants within 2^-60 of each
+// other), against uniform-square. Ordinary: time of the uniform run over its questions, everything
+// included (the structure, the queue). Fall-through: what is left of the time of the other run when
+// its ordinary questions are taken out, over the questions that were answered with integers of any
+// size. The best of several rounds; thread CPU time. Output: a table on stdout, or JSON lines with
+// --json. --smoke: tiny sizes, for the test suite.
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+
+#include "core/simulator.h"
+#include "experiments/workload.h"
+#include "structures/plan.h"
+
+namespace {
+
+using namespace kinex;
+
+struct Result {
+  double seconds = 0;
+  double ordinary = 0;      // questions
+  double fall_through = 0;  // questions
+};
+
+double cpu_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+Result run_once(const Scene& scene) {
+  SimulatorOptions options;
+  options.audit = AuditLevel::kNone;
+  Simulator simulator(scene, make_arithmetic("exact", scene), options);
+  add_structures(simulator, scene);
+  const double begin = cpu_seconds();
+  simulator.start();
+  simulator.run_until(scene.end);
+  Result result;
+  result.seconds = cpu_seconds() - begin;
+  for (const PredicateCounters& p : simulator.kernel().arithmetic().counters().by_predicate) {
+    for (const StageCounts* counts : {&p.signs, &p.failures, &p.looks, &p.comparisons}) {
+      for (int s = 0; s < kStages; ++s) {
+        const bool exact = s == static_cast<int>(Stage::kExact);
+        (exact ? result.fall_through : result.ordinary) +=
+            static_cast<double>((*counts)[static_cast<std::size_t>(s)]);
+      }
+    }
+  }
+  return result;
+}
+
+Result best_of(const char* workload, const char* structure, int degree, int n, int rounds) {
+  WorkloadParameters parameters;
+  parameters.n = n;
+  parameters.degree = degree;
+  Scene scene = generate_scene(*find_workload(workload), parameters);
+  scene.maintain = {{structure, structure, {}}};
+  Result best = run_once(scene);
+  for (int round = 1; round < rounds; ++round) {
+    const Result r = run_once(scene);
+    if (r.seconds < best.seconds) best = r;
+  }
+  return best;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool json = false, smoke = false;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--json") == 0) {
+      json = true;
+    } else if (std::strcmp(argv[i], "--smoke") == 0) {
+      smoke = true;
+    } else {
+      std::fprintf(stderr, "usage: kinex_fall_through [--json] [--smoke]\n");
+      return 2;
+    }
+  }
+  if (!json) {
+    std::printf("%-12s %-15s %5s %10s %12s %12s %12s %7s\n", "structure", "workload", "n",
+                "ordinary", "fall-through", "ns ordinary", "ns fall-thr.", "ratio");
+  }
+  const int rounds = smoke ? 1 : 5;
+  for (const char* structure : {"sorted_list", "delaunay_2"}) {
+    const Result usual = best_of("uniform-square", structure, 1, smoke ? 20 : 500, rounds);
+    const double ordinary = usual.seconds / usual.ordinary;
+    for (const auto& [workload, n] : {std::pair{"grid", 400}, std::pair{"near-one-point", 60}}) {
+      const Result r = best_of(workload, structure, 1, smoke ? 9 : n, rounds);
+      const double each =
+          r.fall_through > 0 ? (r.seconds - r.ordinary * ordinary) / r.fall_through : 0;
+      std::printf(json ? "{\"structure\": \"%s\", \"workload\": \"%s\", \"n\": %d, "
+                         "\"ordinary\": %.0f, \"fall_through\": %.0f, \"ns_ordinary\": %.1f, "
+                         "\"ns_fall_through\": %.1f, \"ratio\": %.2f}\n"
+                       : "%-12s %-15s %5d %10.0f %12.0f %12.1f %12.1f %7.1f\n",
+                  structure, workload, smoke ? 9 : n, r.ordinary, r.fall_through, ordinary * 1e9,
+                  each * 1e9, each / ordinary);
+    }
+  }
+  return 0;
+}
