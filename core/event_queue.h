@@ -64,6 +64,9 @@ class EventQueue {
   // The certificate fails at another time: push, or an update in place that needs fewer comparisons
   // than remove and push. The former number must have been released.
   void reset(CertificateId id, const FailureTime& time);
+  void prefetch(CertificateId id) const {
+    if (id != kNoCertificate) __builtin_prefetch(certificates_.data() + id, 1);
+  }
   bool queued(CertificateId id) const { return certificates_[id].where != kNotQueued; }
   bool empty() const { return heap_.empty(); }
   std::size_t size() const { return heap_.size() + far_; }

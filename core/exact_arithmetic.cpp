@@ -96,6 +96,7 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
     model.narrow = p.narrow_fits(numbers.degree, numbers.magnitude.data());
     // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
     model.reach_error = p.reach_error(numbers.degree) * (1 + 0x1p-20) / filter::gamma(0);
+    model.linear = model.degree == 1 && numbers.degree == 1 && model.reach_error == 0;
   }
   models_.push_back(model);
 }
@@ -145,7 +146,7 @@ void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
   motions_.set(object, trajectory);
   if (motions_.degree() != before) {
     for (std::size_t i = 0; i < models_.size(); ++i) {
-      models_[i].narrow = false;
+      models_[i].narrow = models_[i].linear = false;
       models_[i].degree = predicates_[i]->degree(motions_.degree());
     }
   }
@@ -317,6 +318,34 @@ std::optional<Outlook> ExactArithmetic::linear_failure(const Query& query, const
   return std::nullopt;
 }
 
+// The same where c0 and c1 are exact: -c0 / c1 is off by half a unit in its last place.
+std::optional<Outlook> ExactArithmetic::linear_failure(const Query& query, FailureTime& time) {
+  const int relation = relation_to_now(query);
+  solved_degree_ = 1;
+  if (relation < 0) return Outlook::kNever;  // its only root is now
+  if (relation > 0) return fails_now(time);
+  std::array<MotionView<double>, kMaxArity> points;
+  for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
+  double c[2];
+  predicates_[query.predicate]->plain(1, points.data(), 0, c);
+  if (c[1] == 0) {
+    solved_degree_ = c[0] == 0 ? -1 : 0;
+    if (c[0] < 0) return fails_now(time);
+    return c[0] == 0 ? Outlook::kIdenticallyZero : Outlook::kNever;
+  }
+  const double r = -c[0] / c[1];
+  const double error = std::fabs(r) * 0x1.8p-52;
+  const double lo = r - error, hi = r + error;
+  if (lo > now_.hi) {
+    if (c[1] > 0) return fails_now(time);
+    if (lo > horizon(query)) return Outlook::kNever;
+    time = {lo, hi, 0};
+    return Outlook::kFails;
+  }
+  if (!(hi < now_.lo)) return std::nullopt;
+  return c[1] > 0 ? Outlook::kNever : fails_now(time);
+}
+
 Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
   return look_ahead(query, kInfinity, time);
 }
@@ -333,6 +362,12 @@ Stage ExactArithmetic::find_failure(const Query& query, double limit, FailureTim
                                     Outlook& outlook) {
   time = {kInfinity, kInfinity, 0};
   solved_degree_ = -1;
+  if (models_[query.predicate].linear && all_narrow(query)) {
+    if (const auto found = linear_failure(query, time)) {
+      outlook = *found;
+      return Stage::kDouble;
+    }
+  }
   for (const Stage stage : {Stage::kDouble, Stage::kWide}) {
     if (const auto found = failure_in(stage, query, limit, time)) {
       outlook = *found;

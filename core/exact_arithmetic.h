@@ -76,6 +76,7 @@ class ExactArithmetic final : public Arithmetic {
     int degree = 0;
     int alternating = 0;
     int homogeneity = 0;
+    bool linear = false;     // a difference of linear motions: doubles hold the polynomial
     double reach_error = 0;  // Predicate::reach_error divided by gamma (core/first_root.h)
   };
 
@@ -105,6 +106,7 @@ class ExactArithmetic final : public Arithmetic {
   Outlook exact_failure(const Query& query, FailureTime& time);
   std::optional<Outlook> linear_failure(const Query& query, const Approximation& p, int relation,
                                         FailureTime& time);
+  std::optional<Outlook> linear_failure(const Query& query, FailureTime& time);
   Outlook fails_now(FailureTime& time);
   bool linear_narrow(const Query& query, Int128& c0, Int128& c1) const;
   void shrink(FailureTime& time);

@@ -103,6 +103,12 @@ void Kernel::update_window(StructureId structure) {
   if (scheduling_ == Scheduling::kEager) return;
   const StructureLedger& ledger = *ledgers_[structure];
   Window& window = windows_[structure];
+  if (window.length < kInfinity && ledger.windows == 0) {
+    // Nobody ever made use of a limit (polynomials of degree 1): no more of them.
+    window.length = kInfinity;
+    window.next = std::numeric_limits<std::uint64_t>::max();
+    return;
+  }
   const double now = arithmetic_->now_approximate();
   const double elapsed = now - window.since;
   const double retracted = static_cast<double>(ledger.certificates_retracted - window.retracted);
@@ -204,11 +210,12 @@ void Kernel::count_replaced(StructureId structure, const Query& before, const Qu
   StructureLedger& ledger = *ledgers_[structure];
   ++ledger.certificates_created;
   ++ledger.certificates_retracted;
+  std::uint32_t* live = live_per_object_[structure].data();
   for (const std::size_t i : {0u, 1u}) {
     const ObjectId gone = before.ids[i], come = after.ids[i];
-    if (gone != after.ids[0] && gone != after.ids[1]) --live_per_object_[structure][gone];
+    if (gone != after.ids[0] && gone != after.ids[1]) --live[gone];
     if (come != before.ids[0] && come != before.ids[1]) {
-      ++live_per_object_[structure][come];
+      ++live[come];
       note_or_defer(structure, come);
     }
   }

@@ -56,6 +56,8 @@ class Kernel {
 
   const Query& query(CertificateId id) const { return queue_.certificate(id).query; }
   std::uint32_t tag(CertificateId id) const { return queue_.certificate(id).tag; }
+  // The certificate will be replaced or retracted soon: its memory is fetched meanwhile.
+  void prefetch(CertificateId id) const { queue_.prefetch(id); }
   void set_tag(CertificateId id, std::uint32_t tag) { queue_.certificate(id).tag = tag; }
   Outlook outlook(CertificateId id) const { return queue_.certificate(id).outlook; }
 

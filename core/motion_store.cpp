@@ -10,6 +10,8 @@ namespace {
 
 // Beyond this many bits of common denominator no scene gains from machine integers.
 constexpr std::size_t kMaxScaleBits = 60;
+// Differences of two narrow numbers are still exact in doubles.
+constexpr double kMaxNarrow = 0x1p52;
 
 Ball enclose(const Rational& q) {
   const double v = q.to_double();
@@ -50,7 +52,7 @@ NumberModel choose_number_model(const Scene& scene) {
     narrow = each([&model, &scale](std::size_t k, const Rational& c) {
       const Rational scaled = c * scale;
       const double bound = std::max(std::fabs(scaled.lower_double()), std::fabs(scaled.upper_double()));
-      if (!(bound <= 0x1p53)) return false;
+      if (!(bound <= kMaxNarrow)) return false;
       if (k < model.magnitude.size()) model.magnitude[k] = std::max(model.magnitude[k], bound);
       return true;
     });

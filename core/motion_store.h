@@ -18,7 +18,7 @@ namespace kinex {
 struct NumberModel {
   int degree = 1;               // motion degree that polynomials are sized for (>= 1)
   int dimension = 1;
-  bool narrow = false;          // all coefficients, times `scale`, are integers of at most 2^53
+  bool narrow = false;          // all coefficients, times `scale`, are integers of at most 2^52
   Integer scale = Integer(1);   // common denominator of all coefficients
   std::vector<double> magnitude;  // largest |coefficient| * scale per power of t, rounded up
 };
@@ -37,7 +37,8 @@ class MotionStore {
   int degree() const { return model_.degree; }
   const NumberModel& model() const { return model_; }
   bool is_narrow(ObjectId object) const { return narrow_object_[object] != 0; }
-  // Coefficients times the model's scale: integers of at most 2^53, exact. Requires is_narrow(object).
+  // Coefficients times the model's scale: integers of at most 2^52: exact, and so are
+  // differences of two. Requires is_narrow(object).
   MotionView<double> narrow(ObjectId object) const { return &narrow_[object * stride_]; }
   // The number of coefficients of one object.
   std::size_t stride() const { return stride_; }

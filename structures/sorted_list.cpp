@@ -105,6 +105,8 @@ void SortedList::drop_certificate(Place s) {
 void SortedList::exchange(Place s) {
   Slot& a = slots_[s];
   Slot& b = slots_[a.next];
+  if (a.previous != kNone) kernel_->prefetch(slots_[a.previous].certificate);
+  if (b.next != kNone) kernel_->prefetch(b.certificate);
   std::swap(a.object, b.object);
   slot_of_[a.object] = s;
   slot_of_[b.object] = a.next;

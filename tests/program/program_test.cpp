@@ -167,7 +167,7 @@ TEST_F(Program, InterruptLeavesAReadableLog) {
     const std::string log = scratch_.file("large-" + std::to_string(signal) + ".log");
     const std::string summary = scratch_.file("large-" + std::to_string(signal) + ".json");
     const Finished run =
-        run_kinex({"run", large, "--events", log, "--summary", summary}, "", 1.5, "", signal);
+        run_kinex({"run", large, "--events", log, "--summary", summary}, "", "", log, signal);
     EXPECT_EQ(run.exit_code, 3) << run.err;
     EXPECT_THAT(run.err, HasSubstr("stopped (interrupted)"));
     const std::string text = read_file(log);

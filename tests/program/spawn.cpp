@@ -23,10 +23,20 @@ void redirect(const std::string& path, int flags, int target) {
   ::close(file);
 }
 
+// Until something is in the file, for two minutes at most.
+void wait_for(const std::string& file) {
+  for (int i = 0; i < 6000; ++i) {
+    std::error_code absent;
+    const auto size = std::filesystem::file_size(file, absent);
+    if (!absent && size > 0) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
 }  // namespace
 
 Finished run_kinex(const std::vector<std::string>& arguments, const std::string& input,
-                   double interrupt_after, const std::string& output, int signal) {
+                   const std::string& output, const std::string& signal_when_begun, int signal) {
   const ScratchFolder scratch;
   write_file(scratch.file("in"), input);
   std::vector<char*> argv{const_cast<char*>(KINEX_PROGRAM)};
@@ -41,8 +51,8 @@ Finished run_kinex(const std::vector<std::string>& arguments, const std::string&
     ::execv(KINEX_PROGRAM, argv.data());
     ::_exit(127);
   }
-  if (interrupt_after > 0) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_after));
+  if (!signal_when_begun.empty()) {
+    wait_for(signal_when_begun + ".partial-" + std::to_string(child));
     ::kill(child, signal);
   }
   int status = 0;

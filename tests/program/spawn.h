@@ -15,11 +15,12 @@ struct Finished {
   std::string out, err;
 };
 
-// Runs `kinex` with these arguments and `input` as standard input; with `interrupt_after` > 0 it
-// gets `signal` after so many seconds. What it prints goes to `output` if that is given, and is not
-// kept.
+// Runs `kinex` with these arguments and `input` as standard input. What it prints goes to `output`
+// if that is given, and is not kept. With `signal_when_begun`, a file that it writes, it gets
+// `signal` as soon as something of that file is written.
 Finished run_kinex(const std::vector<std::string>& arguments, const std::string& input = "",
-                   double interrupt_after = 0, const std::string& output = "", int signal = SIGINT);
+                   const std::string& output = "", const std::string& signal_when_begun = "",
+                   int signal = SIGINT);
 
 // A fresh folder that is removed at the end of the test.
 class ScratchFolder {

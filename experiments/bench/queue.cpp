@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: which priority queue serves kinetic runs best?
+// Workload: the queue operations of real runs (uniform-square, exact, lazy scheduling), replayed on
+// Boost's binary and 4-ary heaps with positions, Boost's pairing heap, and kinex's EventQueue (a
+// 4-ary heap of what comes soon, unsorted buckets behind it). All compare enclosures in the same
+// way. Rounds are interleaved; the best of each is taken; thread CPU time. Output: a table on
+// stdout, or JSON lines with --json. --smoke: tiny sizes, for the test suite.
+#include <boost/heap/d_ary_heap.hpp>
+#include <boost/heap/pairing_heap.hpp>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <stdexcept>
+#include <vector>
+
+#include "core/event_queue.h"
+#include "experiments/bench/queue_trace.h"
+#include "experiments/workload.h"
+
+namespace {
+
+using namespace kinex;
+using Kind = QueueOperation::Kind;
+
+double cpu_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+struct Entry {
+  double lo, hi;
+  std::uint32_t id;
+};
+
+// Overlapping enclosures are told apart by their lower ends: the real instants are not known here.
+bool before(const Entry& a, const Entry& b) {
+  if (a.hi < b.lo) return true;
+  if (b.hi < a.lo) return false;
+  return a.lo != b.lo ? a.lo < b.lo : a.id < b.id;
+}
+
+struct Later {
+  bool operator()(const Entry& a, const Entry& b) const { return before(b, a); }
+};
+
+// A Boost heap with handles by certificate.
+template <class Heap>
+class BoostQueue {
+ public:
+  explicit BoostQueue(std::size_t certificates) : handles_(certificates) {}
+  void push(const QueueOperation& o) { handles_[o.id] = heap_.push({o.lo, o.hi, o.id}); }
+  void reset(const QueueOperation& o) { heap_.update(handles_[o.id], {o.lo, o.hi, o.id}); }
+  void remove(std::uint32_t id) { heap_.erase(handles_[id]); }
+  std::uint32_t top() const { return heap_.top().id; }
+  void pop() { heap_.pop(); }
+
+ private:
+  Heap heap_;
+  std::vector<typename Heap::handle_type> handles_;
+};
+
+template <int Arity>
+using DAryHeap = boost::heap::d_ary_heap<Entry, boost::heap::arity<Arity>,
+                                         boost::heap::mutable_<true>, boost::heap::compare<Later>>;
+using PairingHeap = boost::heap::pairing_heap<Entry, boost::heap::compare<Later>>;
+
+// What EventQueue asks of an arithmetic: the order of two enclosures that overlap.
+class LowerEnds final : public Arithmetic {
+ public:
+  std::string name() const override { return "lower ends"; }
+  bool is_exact() const override { return false; }
+  void set_motion(ObjectId, const Trajectory&, const std::optional<Rational>&) override {}
+  void set_now(const Rational&) override {}
+  void advance(const Query&, FailureTime&) override {}
+  double now_approximate() const override { return 0; }
+  InstantText describe_now() override { return {}; }
+  Sign sign_after(const Query&) override { return Sign::kZero; }
+  Outlook failure(const Query&, FailureTime&) override { return Outlook::kNever; }
+  int compare(const Query&, FailureTime& a, const Query&, FailureTime& b) override {
+    return a.lo < b.lo ? -1 : a.lo > b.lo ? 1 : 0;
+  }
+  int compare_with_now(const Query&, FailureTime&) override { return 1; }
+  int compare(const Query&, FailureTime&, const Rational&) override { return 1; }
+  void release(FailureTime&) override {}
+  std::optional<Rational> rational_between(const Query*, FailureTime*) override { return {}; }
+  std::size_t bytes() const override { return 0; }
+};
+
+class BucketQueue {
+ public:
+  explicit BucketQueue(std::size_t certificates) : queue_(order_) {
+    for (std::uint32_t id = 0; id < certificates; ++id) {
+      Query query;
+      query.arity = 1;
+      query.ids[0] = id;
+      queue_.certificate(queue_.allocate(0, query, 0)).outlook = Outlook::kFails;
+    }
+  }
+  void push(const QueueOperation& o) { queue_.push(o.id, {o.lo, o.hi, 0}); }
+  void reset(const QueueOperation& o) { queue_.reset(o.id, {o.lo, o.hi, 0}); }
+  void remove(std::uint32_t id) { queue_.remove(id); }
+  std::uint32_t top() const { return queue_.top(); }
+  void pop() { queue_.pop(); }
+
+ private:
+  LowerEnds order_;
+  EventQueue queue_;
+};
+
+struct Result {
+  double seconds = 0;
+  std::uint64_t astray = 0;  // of the pops: another certificate came first than in the run
+};
+
+template <class Queue>
+Result replay(const QueueTrace& trace) {
+  Queue queue(trace.certificates);
+  Result result;
+  const double begin = cpu_seconds();
+  for (const QueueOperation& o : trace.operations) {
+    switch (o.kind) {
+      case Kind::kPush:
+        queue.push(o);
+        break;
+      case Kind::kReset:
+        queue.reset(o);
+        break;
+      case Kind::kRemove:
+        queue.remove(o.id);
+        break;
+      case Kind::kPop:
+        if (queue.top() == o.id) {
+          queue.pop();
+        } else {  // enclosures overlap
+          queue.remove(o.id);
+          ++result.astray;
+        }
+        break;
+    }
+  }
+  result.seconds = cpu_seconds() - begin;
+  return result;
+}
+
+struct Candidate {
+  const char* name;
+  Result (*run)(const QueueTrace&);
+};
+
+struct Contest {
+  const char* structure;
+  int degree;
+  int n;
+};
+
+void run_contest(const Contest& contest, std::uint64_t events, int rounds, bool json) {
+  static constexpr Candidate kCandidates[] = {
+      {"boost binary", replay<BoostQueue<DAryHeap<2>>>},
+      {"boost 4-ary", replay<BoostQueue<DAryHeap<4>>>},
+      {"boost pairing", replay<BoostQueue<PairingHeap>>},
+      {"kinex buckets", replay<BucketQueue>},
+  };
+  WorkloadParameters parameters;
+  parameters.n = contest.n;
+  parameters.degree = contest.degree;
+  const QueueTrace trace = record_queue(
+      generate_scene(*find_workload("uniform-square"), parameters), contest.structure, events);
+  Result best[std::size(kCandidates)];
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < std::size(kCandidates); ++i) {
+      const Result r = kCandidates[i].run(trace);
+      if (r.astray > trace.events / 100) throw std::logic_error("this is not the order of the run");
+      if (round == 0 || r.seconds < best[i].seconds) best[i] = r;
+    }
+  }
+  const double operations = static_cast<double>(trace.operations.size());
+  for (std::size_t i = 0; i < std::size(kCandidates); ++i) {
+    const double ratio = best[i].seconds / best[0].seconds;
+    const double each = best[i].seconds / operations * 1e9;
+    std::printf(json ? "{\"structure\": \"%s\", \"degree\": %d, \"n\": %d, \"queue\": \"%s\", "
+                       "\"events\": %zu, \"operations\": %zu, \"ns_per_operation\": %.2f, "
+                       "\"time_over_binary\": %.4f}\n"
+                     : "%-19s %d %7d  %-14s %9zu %11zu %10.1f %10.3f\n",
+                contest.structure, contest.degree, contest.n, kCandidates[i].name, trace.events,
+                trace.operations.size(), each, ratio);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool json = false, smoke = false;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--json") == 0) {
+      json = true;
+    } else if (std::strcmp(argv[i], "--smoke") == 0) {
+      smoke = true;
+    } else {
+      std::fprintf(stderr, "usage: kinex_queue [--json] [--smoke]\n");
+      return 2;
+    }
+  }
+  if (!json) {
+    std::printf("%-19s %s %7s  %-14s %9s %11s %10s %10s\n", "structure", "d", "n", "queue",
+                "events", "operations", "ns each", "/ binary");
+  }
+  const int scale = smoke ? 100 : 1;
+  const std::uint64_t events = smoke ? 500 : 30000;
+  for (const Contest& contest :
+       {Contest{"sorted_list", 1, 1000}, Contest{"sorted_list", 1, 10000},
+        Contest{"delaunay_2", 1, 1000}, Contest{"delaunay_2", 1, 10000},
+        Contest{"delaunay_2", 3, 1000}, Contest{"maximum_heap", 1, 10000}}) {
+    run_contest({contest.structure, contest.degree, contest.n / scale}, events, smoke ? 1 : 5,
+                json);
+  }
+  return 0;
+}

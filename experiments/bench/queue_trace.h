@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The operations that a real run performs on its event queue, recorded so that other queues can be
+// put through the same.
+#ifndef KINEX_EXPERIMENTS_BENCH_QUEUE_TRACE_H
+#define KINEX_EXPERIMENTS_BENCH_QUEUE_TRACE_H
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace kinex {
+
+struct QueueOperation {
+  enum class Kind : std::uint8_t { kPush, kReset, kRemove, kPop };
+  Kind kind;
+  std::uint32_t id;  // of the certificate; of kPop: of the one that the run handled
+  double lo, hi;     // kPush, kReset: the enclosure of the failure time
+};
+
+struct QueueTrace {
+  std::size_t certificates = 0;  // ids are below
+  std::size_t events = 0;
+  std::vector<QueueOperation> operations;
+};
+
+// Runs `structure` over `scene` in `exact` for at most `events` failures, and compares the queue
+// before and after each. O(live certificates) a failure: for recording only.
+QueueTrace record_queue(const Scene& scene, const char* structure, std::uint64_t events);
+
+}  // namespace kinex
+
+#endif
