@@ -38,7 +38,7 @@ constexpr const char* kHead =
     "- **corrupt**: the numbers contradict each other, and the structure has noticed it\n"
     "- **endless**: more than 20 times as many events as there are; there is none, and none that "
     "crashes\n\nLeft out are scenes of more than 250 objects, and those that the index says take "
-    "too long here: they end too (test `SlowExtremes`).\n\n";
+    "too long here: they end too in `double` and `gsl` (test `SlowExtremes`).\n\n";
 
 using Row = std::array<Verdict, kArithmetics.size()>;
 
