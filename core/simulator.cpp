@@ -182,7 +182,8 @@ void Simulator::handle_failure() {
   const StructureId id = queue.certificate(failed).structure;
   if (++repairs_[id] > kGuardFree) {
     const std::uint64_t c = kernel_.ledger(id).max_live;
-    if (repairs_[id] > kGuardFree + 64 * c + c * c) return guard_fired(id);
+    const std::uint64_t most = kernel_.is_exact() ? c * c : entries_[id].structure->most_repairs(c);
+    if (repairs_[id] > kGuardFree + 64 * c + most) return guard_fired(id);
   }
   FailureTime time = queue.pop();
   if (order_to_now_ < 0) {

@@ -43,7 +43,8 @@ class SturmInstant {
 };
 
 // -1, 0, +1: exact. Intervals that have been narrowed enough before are not narrowed further to
-// prove that two instants are equal, so instants that many others are equal to stay short. Equality is proved by a root of the gcd in the overlap of the intervals.
+// prove that two instants are equal, so instants that many others are equal to stay short. Equality
+// is proved by a root of the gcd in the overlap of the intervals.
 int compare(SturmInstant& a, SturmInstant& b, SturmWork& work);
 
 // Sign of p on (x, x + eps), where `sturm` is the sequence of p. p not zero. Afterwards p has no

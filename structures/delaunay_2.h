@@ -79,6 +79,8 @@ class Delaunay2 final : public Structure {
   void instant_settled() override;
   Attribute attribute() const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  // Many times the flips of even a lattice that is sheared through the square one.
+  std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;

@@ -353,21 +353,23 @@ for n in (8, 40, 200):
           page=None if n <= 8 else False)
 for n in (3, 10, 100, 1000):
     entry(f"together/crowd-expanding-{n}", "on one circle for ever: nothing happens", crowd=f"expanding-circle n={n}",
-          instants=[], final="start")
+          instants=[], final="start", page=None if n <= 10 else False)
 for n in (4, 10, 100, 1000):
     entry(f"together/crowd-one-point-{n}", "all move through one point at 1/2: turned by two right angles there, "
           "and every certificate is a square times what it is elsewhere", crowd=f"through n={n}", instants=[],
-          final="start")
+          final="start", page=None if n <= 10 else False)
 for n in (4, 10, 50):
     entry(f"together/crowd-line-{n}", "all on one line at 1/2, and reflected in it from then on: the edges are the same",
-          crowd=f"reflection n={n}", final="start")
+          crowd=f"reflection n={n}", final="start",
+          page=None if n <= 10 else False)
 for n in (4, 10, 100, 1000):
     entry(f"together/crowd-meet-{n}", "pairs that meet at 1/2: at 1 - t they have changed places",
-          crowd=f"exchange n={n}", final="exchanged", sturm=None if n <= 100 else False)
+          crowd=f"exchange n={n}", final="exchanged", sturm=None if n <= 100 else False,
+          page=None if n <= 10 else False)
 for m in (3, 10, 30):
     entry(f"together/crowd-lattice-{m}", f"all on a {m} x {m} lattice at t = 1, and back by the way they came",
           crowd=f"touching-lattice m={m}", final="start",
-          sturm=None if m <= 10 else False)
+          sturm=None if m <= 10 else False, page=None if m <= 3 else False)
 
 # ---- grazing: double roots, roots at the ends and at flight-plan updates
 for label, where in (("before", F(-1)), ("at-the-start", F(0)), ("inside", F(1, 3)), ("at-the-end", F(1)),
