@@ -36,7 +36,8 @@ constexpr const char* kHead =
     "count here\n"
     "- **wrong**: silently wrong: events missed or invented, or another structure at the end\n"
     "- **corrupt**: the numbers contradict each other, and the structure has noticed it\n"
-    "- **endless**: more than 20 times as many events as there are; there is none, and none that "
+    "- **endless**: more than a million events, and 20 times as many as there are; there is none, "
+    "and none that "
     "crashes\n\nLeft out are scenes of more than 250 objects, and those that the index says take "
     "too long here: they end too in `double` and `gsl` (test `SlowExtremes`).\n\n";
 

@@ -54,8 +54,8 @@ LoggedRun run_logged(const Scene& scene, const std::string& arithmetic, std::uin
 
 Verdict judge(const Scene& scene, const LoggedRun& exact, const std::string& arithmetic) {
   const LoggedRun run = run_logged(scene, arithmetic, kMostEvents * exact.events + kFreeEvents);
-  if (run.status != RunStatus::kDone) return Verdict::kEndless;
   if (run.corrupt) return Verdict::kCorrupt;
+  if (run.status != RunStatus::kDone) return Verdict::kEndless;
   const LogDifference difference = diff_logs(exact.log, "exact", run.log, arithmetic);
   if (run.attribute != exact.attribute || difference.missing + difference.invented > 0) {
     return Verdict::kWrong;

@@ -20,7 +20,7 @@ enum class Verdict {
   kEndless,  // no end within kMostEvents times as many events as there are
 };
 inline constexpr int kVerdicts = 5;
-inline constexpr std::uint64_t kMostEvents = 20, kFreeEvents = 10000;
+inline constexpr std::uint64_t kMostEvents = 20, kFreeEvents = 1000000;
 // Larger scenes take too long for the page of verdicts.
 inline constexpr std::size_t kMostPageObjects = 250;
 // "right", "order", "wrong", "corrupt", "endless".
