@@ -62,6 +62,11 @@ std::vector<BoundCheck> Delaunay2::bounds(const BoundContext& context) const {
     check.holds = check.bound == check.observed;
     checks.push_back(std::move(check));
   }
+  const Integer all(static_cast<std::int64_t>(context.objects()));
+  checks.push_back(at_most("delaunay_2.compactness",
+                           "at any time one certificate per edge at most, 3(n + 1) - 6",
+                           Integer(3) * (all.is_zero() ? Integer(1) : all) - Integer(3),
+                           Integer(static_cast<std::int64_t>(ledger.max_live))));
   // The theorems count flips in general position; degenerate instants may fail more certificates.
   const auto blocked = ledger.by_kind.find("blocked");
   const bool degenerate =

@@ -30,6 +30,7 @@ struct Contest {
   int n;
   std::vector<const char*> arithmetics;  // the first is the reference of the ratios
   int rounds;
+  std::uint64_t events = 0;  // the run stops after so many; 0: at the end of the scene
 };
 
 struct Result {
@@ -46,9 +47,11 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-Result run_once(const Scene& scene, const char* structure, const char* arithmetic) {
+Result run_once(const Scene& scene, const Contest& contest, const char* arithmetic) {
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
+  options.max_events = contest.events;
+  const char* structure = contest.structure;
   Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
   Request request;
   request.structure = structure;
@@ -77,7 +80,7 @@ void run_contest(const Contest& contest, bool json) {
   std::vector<Result> best(contest.arithmetics.size());
   for (int round = 0; round < contest.rounds; ++round) {
     for (std::size_t i = 0; i < best.size(); ++i) {
-      const Result r = run_once(scene, contest.structure, contest.arithmetics[i]);
+      const Result r = run_once(scene, contest, contest.arithmetics[i]);
       if (round == 0 || r.seconds < best[i].seconds) best[i] = r;
     }
   }
@@ -134,9 +137,21 @@ int main(int argc, char** argv) {
       {"sorted_list", 2, 2000 / scale, {"double", "exact", "gsl"}, rounds},
       {"sorted_list", 3, 2000 / scale, {"double", "exact", "gsl"}, rounds},
       {"maximum_tournament", 1, 40000 / scale, {"double", "exact", "gsl"}, rounds},
+      {"maximum_tournament", 3, 20000 / scale, {"double", "exact", "gsl"}, rounds},
       {"delaunay_2", 1, 4000 / scale, {"double", "exact", "gsl"}, rounds},
       {"delaunay_2", 2, 1000 / scale, {"double", "exact", "gsl"}, rounds},
       {"delaunay_2", 3, 1000 / scale, {"double", "exact", "gsl"}, rounds},
+      {"delaunay_2", 1, 10000 / scale, {"double", "exact"}, smoke ? 1 : 2},
+      // How the cost of an event grows with n.
+      {"sorted_list", 1, 1000 / scale, {"double", "exact"}, rounds, 400000},
+      {"sorted_list", 1, 10000 / scale, {"double", "exact"}, rounds, 400000},
+      {"sorted_list", 1, 100000 / scale, {"double", "exact"}, rounds, 400000},
+      {"delaunay_2", 1, 1000 / scale, {"double", "exact"}, rounds, 50000},
+      {"delaunay_2", 1, 10000 / scale, {"double", "exact"}, rounds, 200000},
+      {"delaunay_2", 1, 100000 / scale, {"double", "exact"}, rounds, 400000},
+      {"maximum_tournament", 1, 1000 / scale, {"double", "exact"}, rounds},
+      {"maximum_tournament", 1, 10000 / scale, {"double", "exact"}, rounds},
+      {"maximum_tournament", 1, 100000 / scale, {"double", "exact"}, rounds},
       {"sorted_list", 1, 400 / scale, {"exact", "sturm"}, 1},
       {"delaunay_2", 1, 200 / scale, {"exact", "sturm"}, 1},
   };
