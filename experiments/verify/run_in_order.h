@@ -3,6 +3,8 @@
 #ifndef KINEX_EXPERIMENTS_VERIFY_RUN_IN_ORDER_H
 #define KINEX_EXPERIMENTS_VERIFY_RUN_IN_ORDER_H
 
+#include <mpfr.h>
+
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -58,7 +60,12 @@ InOrder<Result> run_in_order(std::size_t count, int jobs,
     }
   };
   std::vector<std::thread> threads;
-  for (int k = 1; k < jobs; ++k) threads.emplace_back(run);
+  for (int k = 1; k < jobs; ++k) {
+    threads.emplace_back([&run] {
+      run();
+      mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);  // what MPFR keeps for each thread
+    });
+  }
   run();
   for (std::thread& thread : threads) thread.join();
   if (trouble) std::rethrow_exception(trouble);
