@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
@@ -55,7 +56,7 @@ Key distance_to(ObjectId object) {
   return key;
 }
 
-constexpr int kMany = 100000;
+constexpr int kMany = kSanitized ? 10000 : 100000;
 constexpr const char* kOneDimensional[] = {"sorted_list", "maximum_tournament",
                                            "minimum_tournament", "maximum_heap", "minimum_heap"};
 
