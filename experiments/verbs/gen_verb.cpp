@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace {
 struct GenOptions {
   std::string workload;
   WorkloadParameters parameters;
+  std::string seed;
+  std::optional<int> m, dimension;
   std::vector<std::string> maintain;
   std::string name, output;
   bool force = false;
@@ -36,6 +39,21 @@ std::string listed() {
   return text;
 }
 
+// In WorkloadParameters 0 asks for the default; who writes --m 0 does not.
+WorkloadParameters parameters_of(const GenOptions& options, const Workload& workload) {
+  WorkloadParameters parameters = options.parameters;
+  if (!options.seed.empty()) parameters.seed = seed_option("--seed", options.seed);
+  if (options.m) {
+    if (workload.takes_m) check_range("--m", *options.m, 1, kMaxWorkloadSize);
+    parameters.m = *options.m == 0 ? 1 : *options.m;  // refused where the family takes none
+  }
+  if (options.dimension) {
+    check_range("--dimension", *options.dimension, workload.min_dimension, workload.max_dimension);
+    parameters.dimension = *options.dimension;
+  }
+  return parameters;
+}
+
 void generate(const GenOptions& options) {
   if (options.list) {
     print(listed());
@@ -46,7 +64,7 @@ void generate(const GenOptions& options) {
     throw InputError("gen", "", show_text(options.workload) + " is not a workload",
                      "known are:\n" + listed());
   }
-  Scene scene = generate_scene(*workload, options.parameters);
+  Scene scene = generate_scene(*workload, parameters_of(options, *workload));
   if (!options.name.empty()) scene.name = name_option(options.name);
   if (!options.maintain.empty()) set_maintain(scene, options.maintain);
   write_result(options.output, options.force, write_scene(scene));
@@ -60,10 +78,10 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_option("WORKLOAD", options->workload, "The family");
   verb->add_flag("--list", options->list, "List the families and stop");
   verb->add_option("--n", options->parameters.n, "Objects (100)");
-  verb->add_option("--m", options->parameters.m, "Second size of hull-worst (same as --n)");
-  verb->add_option("--seed", options->parameters.seed, "Seed of the random families (1)");
+  verb->add_option("--m", options->m, "Second size of hull-worst (same as --n)");
+  verb->add_option("--seed", options->seed, "Seed of the random families (1)");
   verb->add_option("--degree", options->parameters.degree, "Degree of the motion (1)");
-  verb->add_option("--dimension", options->parameters.dimension, "Axes, 1 to 3");
+  verb->add_option("--dimension", options->dimension, "Axes, 1 to 3");
   add_maintain_option(*verb, options->maintain, "What to maintain");
   verb->add_option("--name", options->name, "Name of the scene");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");

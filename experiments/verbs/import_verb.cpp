@@ -25,6 +25,7 @@ struct ImportVerbOptions {
 };
 
 void import_file(const ImportVerbOptions& options) {
+  keep_input("--output", options.output, options.file);
   ImportOptions import_options;
   if (!options.start.empty()) import_options.start = rational_option("--start", options.start);
   if (!options.end.empty()) import_options.end = rational_option("--end", options.end);

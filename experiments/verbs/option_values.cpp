@@ -3,9 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "experiments/file_io.h"
 #include "experiments/input_error.h"
@@ -22,6 +25,21 @@ Rational rational_option(const char* option, const std::string& text) {
   return *std::move(value);
 }
 
+std::uint64_t seed_option(const char* option, const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result read = std::from_chars(text.data(), end, value);
+  if (read.ec == std::errc() && read.ptr == end) return value;
+  throw InputError(option, "", show_text(text) + " is not a seed",
+                   "write an integer from 0 to 18446744073709551615");
+}
+
+void check_range(const char* option, int value, int low, int high) {
+  if (value >= low && value <= high) return;
+  throw InputError(option, "", std::to_string(value) + " is out of range",
+                   "write a number from " + std::to_string(low) + " to " + std::to_string(high));
+}
+
 const std::string& name_option(const std::string& text) {
   if (is_utf8(text)) return text;
   throw InputError("--name", "", show_text(text) + " is not UTF-8", "give a name in UTF-8");
@@ -35,6 +53,16 @@ void write_result(const std::string& path, bool force, const std::string& text) 
   OutputFile file(path, force);
   file.write(text);
   file.commit();
+}
+
+void keep_input(const char* option, const std::string& output, const std::string& input) {
+  if (output.empty() || output == "-" || input == "-") return;
+  std::error_code error;
+  const auto kept = std::filesystem::weakly_canonical(input, error);
+  if (error || std::filesystem::weakly_canonical(output, error) != kept || error) return;
+  if (!std::filesystem::is_regular_file(kept, error)) return;
+  throw InputError(option, "", show_text(output) + " is the input itself",
+                   "give the output another name");
 }
 
 void print(const std::string& text) {

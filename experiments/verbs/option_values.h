@@ -3,6 +3,7 @@
 #ifndef KINEX_EXPERIMENTS_VERBS_OPTION_VALUES_H
 #define KINEX_EXPERIMENTS_VERBS_OPTION_VALUES_H
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,21 @@ namespace kinex {
 // An exact number as in a scene. Throws InputError that names the option.
 Rational rational_option(const char* option, const std::string& text);
 
+// An integer from 0 to 2^64 - 1, in decimal. Throws InputError that names the option.
+std::uint64_t seed_option(const char* option, const std::string& text);
+
+// Throws InputError that names the option and the allowed numbers.
+void check_range(const char* option, int value, int low, int high);
+
 // A name for a scene. Throws InputError if it is not UTF-8.
 const std::string& name_option(const std::string& text);
 
 // Writes a result to `path`, or to standard output if it is empty or "-".
 void write_result(const std::string& path, bool force, const std::string& text);
+
+// Refuses an output that is the input itself, by whatever name: --force is for earlier results.
+// "-" and devices are no files to be kept. Throws InputError that names the option.
+void keep_input(const char* option, const std::string& output, const std::string& input);
 
 // Prints to standard output; throws InputError if that fails (a closed pipe, a full disk).
 void print(const std::string& text);

@@ -2,6 +2,7 @@
 // kinex run: simulates a scene and reports what happened.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -82,6 +83,12 @@ std::vector<Rational> sample_times(const Scene& scene, const std::vector<std::st
 
 // Two results in one file would spoil each other; a device (/dev/null) takes both.
 void check_outputs(const RunOptions& options) {
+  if (options.events == "-") {
+    throw InputError("--events", "", "\"-\": standard output has the report",
+                     "give the event log the name of a file");
+  }
+  keep_input("--events", options.events, options.scene);
+  keep_input("--summary", options.summary, options.scene);
   if (options.events.empty() || options.summary.empty()) return;
   std::error_code error;
   const auto events = std::filesystem::weakly_canonical(options.events, error);
@@ -94,6 +101,10 @@ void check_outputs(const RunOptions& options) {
 }
 
 void run(const RunOptions& options, int& exit_code) {
+  if (std::isnan(options.max_seconds)) {
+    throw InputError("--max-seconds", "", "it is not a number",
+                     "write a number from 0 on, 0 for no limit");
+  }
   if (options.max_events < 0 || !(options.max_seconds >= 0)) {
     throw InputError("--max-events, --max-seconds", "", "a limit below 0", "write 0 for no limit");
   }

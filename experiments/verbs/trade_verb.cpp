@@ -2,6 +2,7 @@
 // kinex trade: what less exact arithmetics gain and lose.
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -68,14 +69,24 @@ void check_arithmetics(const std::vector<std::string>& names) {
 }
 
 void check(const Options& options) {
-  if (options.jobs < 1 || options.jobs > kMostJobs) {
-    throw InputError("--jobs", "", std::to_string(options.jobs) + " is out of range",
-                     "write a number from 1 to " + std::to_string(kMostJobs));
+  check_range("--jobs", options.jobs, 1, kMostJobs);
+  if (std::isnan(options.max_seconds)) {
+    throw InputError("--max-seconds", "", "it is not a number",
+                     "write a number above 0, or leave it out for 120");
   }
   if (!(options.max_seconds > 0)) {
     throw InputError("--max-seconds", "", "a limit that is not above 0", "leave it out for 120");
   }
   check_arithmetics(options.arithmetics);
+  if (options.markdown == "-") {
+    throw InputError("--markdown", "", "\"-\": standard output has the tables",
+                     "give the name of a file");
+  }
+  for (const std::string& scene : options.what) {
+    keep_input("--markdown", options.markdown, scene);
+    keep_input("--output", options.folder + "/trade.sqlite", scene);
+    keep_input("--output", options.folder + "/trade.html", scene);
+  }
 }
 
 TradeResult run(const TradeCatalogue& catalogue, const Options& options,

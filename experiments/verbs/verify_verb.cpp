@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "experiments/file_io.h"
-#include "experiments/input_error.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -33,22 +33,16 @@ struct Options {
   std::string structure = "all";
   std::string folder = ".";
   int jobs = 1;
-  int seeds = 0;
+  std::optional<int> seeds;
   bool quick = false;
   bool force = false;
   bool json = false;
 };
 
-void check_range(const char* option, int value, int low, int high) {
-  if (value >= low && value <= high) return;
-  throw InputError(option, "", std::to_string(value) + " is out of range",
-                   "write a number from " + std::to_string(low) + " to " + std::to_string(high));
-}
-
 std::string command_of(const Options& options) {
   std::string command = "kinex verify " + options.structure;
   if (options.quick) command += " --quick";
-  if (options.seeds > 0) command += " --seeds " + std::to_string(options.seeds);
+  if (options.seeds) command += " --seeds " + std::to_string(*options.seeds);
   if (options.jobs != 1) command += " --jobs " + std::to_string(options.jobs);
   return command;
 }
@@ -62,7 +56,7 @@ int exit_code_of(const VerifyResult& result) {
 void verify(const Options& options, int& exit_code) {
   const auto began = std::chrono::steady_clock::now();
   check_range("--jobs", options.jobs, 1, kMostJobs);
-  if (options.seeds != 0) check_range("--seeds", options.seeds, 1, kMostSeeds);
+  if (options.seeds) check_range("--seeds", *options.seeds, 1, kMostSeeds);
   const Catalogue catalogue =
       make_catalogue(options.structure, options.quick ? Extent::kQuick : Extent::kFull);
   std::error_code error;
@@ -78,7 +72,7 @@ void verify(const Options& options, int& exit_code) {
     CellProgress progress(std::move(costs));
     VerifyOptions running;
     running.jobs = options.jobs;
-    if (options.seeds > 0) running.seeds = options.seeds;
+    if (options.seeds) running.seeds = *options.seeds;
     running.keep_folder = options.folder;
     running.go_on = [&] { return !interrupt.interrupted(); };
     running.on_scene = [&](std::size_t index, int seed) {

@@ -139,6 +139,44 @@ TEST_F(Output, FailedRunsLeaveNothing) {
   EXPECT_EQ(files(), before);
 }
 
+// --force replaces results, never what they are made of.
+TEST_F(Output, TheInputIsKept) {
+  const std::string link = scratch_.file("link");
+  std::filesystem::create_symlink(scene_, link);
+  const std::string scene = read_file(scene_), table = read_file(table_);
+  const std::set<std::string> before = files();
+  for (const std::string& name : {scene_, link, scratch_.path().string() + "/./scene.json"}) {
+    for (const Words& command :
+         {Words{"run", scene_, "--force", "--events", name},
+          Words{"run", link, "--force", "--summary", name},
+          Words{"trade", scene_, "--force", "-o", scratch_.path(), "--markdown", name}}) {
+      const Finished finished = run_kinex(command);
+      EXPECT_EQ(finished.exit_code, 2) << testing::PrintToString(command);
+      EXPECT_THAT(finished.err, HasSubstr("is the input itself; give the output another name"));
+      EXPECT_EQ(read_file(scene_), scene);
+    }
+  }
+  const std::string html = scratch_.file("trade.html");
+  EXPECT_EQ(run_kinex({"import", table_, "--force", "-o", table_}).exit_code, 2);
+  EXPECT_EQ(read_file(table_), table);
+  EXPECT_EQ(files(), before);
+  write_file(html, scene);
+  const Finished trade = run_kinex({"trade", html, "--force", "-o", scratch_.path()});
+  EXPECT_EQ(trade.exit_code, 2);
+  EXPECT_THAT(trade.err, HasSubstr("is the input itself"));
+  EXPECT_EQ(read_file(html), scene);
+  EXPECT_EQ(run_kinex({"run", "-", "--force", "--events", link}, scene).exit_code, 0);
+}
+
+TEST_F(Output, ALogGoesToAFile) {
+  const Finished run = run_kinex({"run", scene_, "--events", "-"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("--events: \"-\": standard output has the report; give"));
+  EXPECT_EQ(run.out, "");
+  EXPECT_FALSE(std::filesystem::exists("-"));
+  EXPECT_EQ(run_kinex({"trade", scene_, "--markdown", "-"}).exit_code, 2);
+}
+
 TEST_F(Output, LogAndSummaryAreTwoFiles) {
   const std::set<std::string> before = files();
   const std::string file = scratch_.file("both"), same = scratch_.path().string() + "/./both";

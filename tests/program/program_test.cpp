@@ -149,6 +149,26 @@ TEST_F(Program, BadOptionValues) {
   expect_bad_input({"roots", scene_, "--digits", "-1"}, "--digits");
 }
 
+TEST_F(Program, NumbersOutOfRangeAreNotTakenForOthers) {
+  for (const char* seed : {"-1", "18446744073709551616", "1.5", "many"}) {
+    expect_bad_input({"gen", "grid", "--seed", seed},
+                     std::string("--seed: \"") + seed +
+                         "\" is not a seed; write an integer from 0 to 18446744073709551615");
+  }
+  EXPECT_EQ(run_kinex({"gen", "grid", "--n", "3", "--seed", "18446744073709551615"}).exit_code, 0);
+  expect_bad_input({"gen", "grid", "--n", "0"},
+                   "--n: 0 objects; write a number from 1 to 10000000");
+  expect_bad_input({"gen", "hull-worst", "--m", "0"},
+                   "--m: 0 is out of range; write a number from 1 to 10000000");
+  expect_bad_input({"gen", "grid", "--m", "0"}, "--m: this family has one size only");
+  expect_bad_input({"gen", "grid", "--dimension", "0"},
+                   "--dimension: 0 is out of range; write a number from 1 to 3");
+  expect_bad_input({"verify", "sorted_list", "--seeds", "0"},
+                   "--seeds: 0 is out of range; write a number from 1 to 1000000");
+  expect_bad_input({"run", scene_, "--max-seconds", "nan"}, "--max-seconds: it is not a number");
+  expect_bad_input({"trade", scene_, "--max-seconds", "nan"}, "--max-seconds: it is not a number");
+}
+
 TEST_F(Program, LimitsExitWith3AndLeaveAReadableLog) {
   const std::string log = scratch_.file("run.log");
   const Finished run = run_kinex({"run", scene_, "--events", log, "--max-events", "5"});
