@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <csignal>
-#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
@@ -215,6 +214,22 @@ TEST_F(Program, ProgressIsForTerminalsOnly) {
   const std::string shown = read_file(terminal);
   EXPECT_THAT(shown, testing::ContainsRegex("\r.*events, t = 0[.0-9]*, .* events/s, .* s left"));
   EXPECT_THAT(shown, HasSubstr("\r\x1b[K"));  // and the line is wiped
+}
+
+TEST_F(Program, CheckInJson) {
+  const std::string log = scratch_.file("a.log");
+  ASSERT_EQ(run_kinex({"run", scene_, "--events", log}).exit_code, 0);
+  const Finished scene = run_kinex({"check", "--json", scene_});
+  EXPECT_EQ(scene.exit_code, 0);
+  EXPECT_EQ(parse_json(scene.out, "out").find("kind")->text, "scene");
+  EXPECT_EQ(run_kinex({"check", "--json", log}).exit_code, 0);
+  std::string tampered = read_file(log);
+  tampered.replace(tampered.find("\"digest\": \"") + 11, 4, "0000");
+  write_file(log, tampered);
+  const Finished broken = run_kinex({"check", "--json", log});
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_THAT(broken.out, HasSubstr("\"kind\": \"log\", \"valid\": false"));
+  EXPECT_EQ(parse_json(broken.out, "out").find("problems")->items.size(), 1u);
 }
 
 TEST_F(Program, DiffShowsBothLines) {
