@@ -9,9 +9,9 @@
 // --json. --smoke: tiny sizes, for the test suite.
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 
 #include "core/simulator.h"
+#include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
 
@@ -24,12 +24,6 @@ struct Result {
   double ordinary = 0;      // questions
   double fall_through = 0;  // questions
 };
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 Result run_once(const Scene& scene) {
   SimulatorOptions options;

@@ -9,24 +9,18 @@
 #include <boost/heap/pairing_heap.hpp>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <stdexcept>
 #include <vector>
 
 #include "core/event_queue.h"
 #include "experiments/bench/queue_trace.h"
+#include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 
 namespace {
 
 using namespace kinex;
 using Kind = QueueOperation::Kind;
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 struct Entry {
   double lo, hi;

@@ -11,23 +11,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <string>
 #include <vector>
 
 #include "core/simulator.h"
+#include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
 
 namespace {
 
 using namespace kinex;
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 Scene uniform_square(int n, int dimension, std::uint64_t seed) {
   WorkloadParameters parameters;

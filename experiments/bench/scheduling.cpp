@@ -7,11 +7,11 @@
 // lines with --json. --smoke: tiny sizes, for the test suite.
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <string>
 #include <vector>
 
 #include "core/simulator.h"
+#include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
 
@@ -30,12 +30,6 @@ struct Result {
   double seconds = 0;
   std::uint64_t found = 0, unused = 0, windows = 0;
 };
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 Result run_once(const Scene& scene, const char* arithmetic, Scheduling scheduling) {
   SimulatorOptions options;

@@ -11,12 +11,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/simulator.h"
+#include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/registry.h"
 
@@ -40,12 +40,6 @@ struct Result {
   std::uint64_t max_live = 0;
   StageCounts failures{};
 };
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 Result run_once(const Scene& scene, const Contest& contest, const char* arithmetic) {
   SimulatorOptions options;
