@@ -8,9 +8,9 @@
 // size. The best of several rounds; thread CPU time. Output: a table on stdout, or JSON lines with
 // --json. --smoke: tiny sizes, for the test suite.
 #include <cstdio>
-#include <cstring>
 
 #include "core/simulator.h"
+#include "experiments/bench/options.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
@@ -64,17 +64,9 @@ Result best_of(const char* workload, const char* structure, int degree, int n, i
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool json = false, smoke = false;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--json") == 0) {
-      json = true;
-    } else if (std::strcmp(argv[i], "--smoke") == 0) {
-      smoke = true;
-    } else {
-      std::fprintf(stderr, "usage: kinex_fall_through [--json] [--smoke]\n");
-      return 2;
-    }
-  }
+  const auto options = bench_options(argc, argv);
+  if (!options) return 2;
+  const auto [json, smoke] = *options;
   if (!json) {
     std::printf("%-12s %-15s %5s %10s %12s %12s %12s %7s\n", "structure", "workload", "n",
                 "ordinary", "fall-through", "ns ordinary", "ns fall-thr.", "ratio");

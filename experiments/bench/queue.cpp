@@ -8,11 +8,11 @@
 #include <boost/heap/d_ary_heap.hpp>
 #include <boost/heap/pairing_heap.hpp>
 #include <cstdio>
-#include <cstring>
 #include <stdexcept>
 #include <vector>
 
 #include "core/event_queue.h"
+#include "experiments/bench/options.h"
 #include "experiments/bench/queue_trace.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
@@ -185,17 +185,9 @@ void run_contest(const Contest& contest, std::uint64_t events, int rounds, bool 
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool json = false, smoke = false;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--json") == 0) {
-      json = true;
-    } else if (std::strcmp(argv[i], "--smoke") == 0) {
-      smoke = true;
-    } else {
-      std::fprintf(stderr, "usage: kinex_queue [--json] [--smoke]\n");
-      return 2;
-    }
-  }
+  const auto options = bench_options(argc, argv);
+  if (!options) return 2;
+  const auto [json, smoke] = *options;
   if (!json) {
     std::printf("%-19s %s %7s  %-14s %9s %11s %10s %10s\n", "structure", "d", "n", "queue",
                 "events", "operations", "ns each", "/ binary");

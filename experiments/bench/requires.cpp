@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/simulator.h"
+#include "experiments/bench/options.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
@@ -185,17 +186,9 @@ void padded(bool json, bool smoke) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool json = false, smoke = false;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--json") == 0) {
-      json = true;
-    } else if (std::strcmp(argv[i], "--smoke") == 0) {
-      smoke = true;
-    } else {
-      std::fprintf(stderr, "usage: kinex_requires [--json] [--smoke]\n");
-      return 2;
-    }
-  }
+  const auto options = bench_options(argc, argv);
+  if (!options) return 2;
+  const auto [json, smoke] = *options;
   moving(json, smoke);
   shared(json, smoke);
   padded(json, smoke);

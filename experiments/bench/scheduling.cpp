@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/simulator.h"
+#include "experiments/bench/options.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
@@ -72,17 +73,9 @@ void run_contest(const Contest& contest, int rounds, bool json) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool json = false, smoke = false;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--json") == 0) {
-      json = true;
-    } else if (std::strcmp(argv[i], "--smoke") == 0) {
-      smoke = true;
-    } else {
-      std::fprintf(stderr, "usage: kinex_scheduling [--json] [--smoke]\n");
-      return 2;
-    }
-  }
+  const auto options = bench_options(argc, argv);
+  if (!options) return 2;
+  const auto [json, smoke] = *options;
   if (!json) {
     std::printf("%-19s %s %6s  %-7s %9s %10s %10s %9s %10s %10s %10s %8s\n", "structure", "d", "n",
                 "numbers", "eager s", "roots", "unused", "lazy s", "roots", "unused", "horizons",

@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/simulator.h"
+#include "experiments/bench/options.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/registry.h"
@@ -113,17 +113,9 @@ void run_contest(const Contest& contest, bool json) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool json = false, smoke = false;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--json") == 0) {
-      json = true;
-    } else if (std::strcmp(argv[i], "--smoke") == 0) {
-      smoke = true;
-    } else {
-      std::fprintf(stderr, "usage: kinex_speed [--json] [--smoke]\n");
-      return 2;
-    }
-  }
+  const auto options = bench_options(argc, argv);
+  if (!options) return 2;
+  const auto [json, smoke] = *options;
   const int scale = smoke ? 40 : 1;
   const int rounds = smoke ? 1 : 3;
   const std::vector<Contest> contests{
