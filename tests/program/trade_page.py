@@ -7,13 +7,13 @@ the pictures must be inside of it and none may cover another, and the page must 
 outside. Exit code 77 (skipped) where there is no Chromium.
 """
 import base64
-import json
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
+
+from chromium import ask, browser
 
 # What the browser is asked; the answer becomes the text of one element.
 PROBE = """
@@ -43,27 +43,6 @@ addEventListener("load", () => {
 SLACK = 2.5  # pixels: boxes of texts are higher than what is drawn
 
 
-def browser():
-    for name in ("chromium", "chromium-browser", "google-chrome"):
-        if shutil.which(name):
-            return name
-    return None
-
-
-def ask(chromium, folder, html, probe):
-    path = pathlib.Path(folder) / "probe.html"
-    path.write_text(html.replace("</body>", probe + "</body>"), encoding="utf-8")
-    done = subprocess.run(
-        [chromium, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1400,1000",
-         "--virtual-time-budget=5000", f"--user-data-dir={folder}/profile", "--dump-dom",
-         path.as_uri()],
-        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, timeout=120, check=True)
-    answer = re.search(r'<pre id="probe">(.*?)</pre>', done.stdout, re.S).group(1)
-    for entity, sign in (("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")):
-        answer = answer.replace(entity, sign)
-    return json.loads(answer)
-
-
 def check_labels(pictures):
     labels = 0
     for texts in pictures:
@@ -81,15 +60,12 @@ def check_labels(pictures):
 
 def main():
     chromium = browser()
-    if chromium is None:
-        print("skipped: there is no chromium; install the package chromium")
-        sys.exit(77)
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([sys.argv[1], "trade", "sorted_list", "delaunay_2", "--quick", "-o", folder,
                         "--arithmetic", "gsl,mpfr:24,mpfr:53,mpfr:64,mpfr:100,mpfr:200"],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         html = (pathlib.Path(folder) / "trade.html").read_text(encoding="utf-8")
-        seen = ask(chromium, folder, html, PROBE)
+        seen = ask(chromium, html, PROBE)
         if len(seen["images"]) != 4 or not all(seen["images"]):
             sys.exit(f"pictures: {seen['images']}")
         if seen["width"] > seen["window"]:
@@ -103,7 +79,7 @@ def main():
         drawn = "".join(base64.b64decode(svg).decode().split("?>", 1)[1] for svg in svgs)
         drawn = re.sub(r"<!DOCTYPE.*?>", "", drawn, flags=re.S)
         labels = check_labels(
-            ask(chromium, folder, f"<!DOCTYPE html><html><body>{drawn}</body></html>", LABELS))
+            ask(chromium, f"<!DOCTYPE html><html><body>{drawn}</body></html>", LABELS))
         if labels < 40:
             sys.exit(f"only {labels} texts are in the pictures")
     print(f"{len(seen['images'])} pictures, {labels} texts apart from one another, "
