@@ -5,12 +5,13 @@
 // other), against uniform-square. Ordinary: time of the uniform run over its questions, everything
 // included (the structure, the queue). Fall-through: what is left of the time of the other run when
 // its ordinary questions are taken out, over the questions that were answered with integers of any
-// size. The best of several rounds; thread CPU time. Output: a table on stdout, or JSON lines with
-// --json. --smoke: tiny sizes, for the test suite.
+// size. The best of several rounds; thread CPU time. Output: see result_table.h;
+// options: see options.h.
 #include <cstdio>
 
 #include "core/simulator.h"
 #include "experiments/bench/options.h"
+#include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
@@ -66,11 +67,17 @@ Result best_of(const char* workload, const char* structure, int degree, int n, i
 int main(int argc, char** argv) {
   const auto options = bench_options(argc, argv);
   if (!options) return 2;
-  const auto [json, smoke] = *options;
-  if (!json) {
-    std::printf("%-12s %-15s %5s %10s %12s %12s %12s %7s\n", "structure", "workload", "n",
-                "ordinary", "fall-through", "ns ordinary", "ns fall-thr.", "ratio");
-  }
+  const bool smoke = options->smoke;
+  ResultTable table(*options, "fall_through",
+                    "What a question costs that doubles cannot answer, in ordinary ones.",
+                    {{"structure", ResultTable::kText, 12},
+                     {"workload", ResultTable::kText, 15},
+                     {"n", 0, 5},
+                     {"ordinary", 0, 10},
+                     {"fall_through", 0},
+                     {"ns_ordinary", 1},
+                     {"ns_fall_through", 1},
+                     {"ratio", 1}});
   const int rounds = smoke ? 1 : 5;
   for (const char* structure : {"sorted_list", "delaunay_2"}) {
     const Result usual = best_of("uniform-square", structure, 1, smoke ? 20 : 500, rounds);
@@ -79,12 +86,8 @@ int main(int argc, char** argv) {
       const Result r = best_of(workload, structure, 1, smoke ? 9 : n, rounds);
       const double each =
           r.fall_through > 0 ? (r.seconds - r.ordinary * ordinary) / r.fall_through : 0;
-      std::printf(json ? "{\"structure\": \"%s\", \"workload\": \"%s\", \"n\": %d, "
-                         "\"ordinary\": %.0f, \"fall_through\": %.0f, \"ns_ordinary\": %.1f, "
-                         "\"ns_fall_through\": %.1f, \"ratio\": %.2f}\n"
-                       : "%-12s %-15s %5d %10.0f %12.0f %12.1f %12.1f %7.1f\n",
-                  structure, workload, smoke ? 9 : n, r.ordinary, r.fall_through, ordinary * 1e9,
-                  each * 1e9, each / ordinary);
+      table.row({structure, workload, smoke ? 9 : n, r.ordinary, r.fall_through, ordinary * 1e9,
+                 each * 1e9, each / ordinary});
     }
   }
   return 0;

@@ -3,8 +3,8 @@
 // Workload: the queue operations of real runs (uniform-square, exact, lazy scheduling), replayed on
 // Boost's binary and 4-ary heaps with positions, Boost's pairing heap, and kinex's EventQueue (a
 // 4-ary heap of what comes soon, unsorted buckets behind it). All compare enclosures in the same
-// way. Rounds are interleaved; the best of each is taken; thread CPU time. Output: a table on
-// stdout, or JSON lines with --json. --smoke: tiny sizes, for the test suite.
+// way. Rounds are interleaved; the best of each is taken; thread CPU time. Output: see
+// result_table.h; options: see options.h.
 #include <boost/heap/d_ary_heap.hpp>
 #include <boost/heap/pairing_heap.hpp>
 #include <cstdio>
@@ -14,6 +14,7 @@
 #include "core/event_queue.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/queue_trace.h"
+#include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 
@@ -148,7 +149,7 @@ struct Contest {
   int n;
 };
 
-void run_contest(const Contest& contest, std::uint64_t events, int rounds, bool json) {
+void run_contest(const Contest& contest, std::uint64_t events, int rounds, ResultTable& table) {
   static constexpr Candidate kCandidates[] = {
       {"boost binary", replay<BoostQueue<DAryHeap<2>>>},
       {"boost 4-ary", replay<BoostQueue<DAryHeap<4>>>},
@@ -172,13 +173,8 @@ void run_contest(const Contest& contest, std::uint64_t events, int rounds, bool 
   for (std::size_t i = 0; i < std::size(kCandidates); ++i) {
     const double ratio = best[i].seconds / best[0].seconds;
     const double each = best[i].seconds / operations * 1e9;
-    std::printf(json ? "{\"structure\": \"%s\", \"degree\": %d, \"n\": %d, \"queue\": \"%s\", "
-                       "\"events\": %zu, \"operations\": %zu, \"ns_per_operation\": %.2f, "
-                       "\"time_over_binary\": %.4f}\n"
-                     : "%-19s %d %7d  %-14s %9zu %11zu %10.1f %10.3f\n",
-                contest.structure, contest.degree, contest.n, kCandidates[i].name, trace.events,
-                trace.operations.size(), each, ratio);
-    std::fflush(stdout);
+    table.row({contest.structure, contest.degree, contest.n, kCandidates[i].name, trace.events,
+               trace.operations.size(), each, ratio});
   }
 }
 
@@ -187,11 +183,17 @@ void run_contest(const Contest& contest, std::uint64_t events, int rounds, bool 
 int main(int argc, char** argv) {
   const auto options = bench_options(argc, argv);
   if (!options) return 2;
-  const auto [json, smoke] = *options;
-  if (!json) {
-    std::printf("%-19s %s %7s  %-14s %9s %11s %10s %10s\n", "structure", "d", "n", "queue",
-                "events", "operations", "ns each", "/ binary");
-  }
+  const bool smoke = options->smoke;
+  ResultTable table(*options, "queue",
+                    "Priority queues on the operations of real runs: time over a binary heap.",
+                    {{"structure", ResultTable::kText, 19},
+                     {"degree", 0},
+                     {"n", 0, 7},
+                     {"queue", ResultTable::kText, 14},
+                     {"events", 0, 9},
+                     {"operations", 0, 11},
+                     {"ns_per_operation", 1},
+                     {"time_over_binary", 3}});
   const int scale = smoke ? 100 : 1;
   const std::uint64_t events = smoke ? 500 : 30000;
   for (const Contest& contest :
@@ -199,7 +201,7 @@ int main(int argc, char** argv) {
         Contest{"delaunay_2", 1, 1000}, Contest{"delaunay_2", 1, 10000},
         Contest{"delaunay_2", 3, 1000}, Contest{"maximum_heap", 1, 10000}}) {
     run_contest({contest.structure, contest.degree, contest.n / scale}, events, smoke ? 1 : 5,
-                json);
+                table);
   }
   return 0;
 }

@@ -3,11 +3,11 @@
 //   moving: k moving points among n standing ones. Certificates with a polynomial, roots found and
 //     memory beyond that of the standing points grow with k, not with n.
 //   shared: one, two, three attributes of one scene: the sum of what each costs alone, and less
-//   where a
-//     structure is shared.
+//     where a structure is shared.
 //   padded: a scene of degree 1 written with coefficients 0 up to degree 3 runs as fast as without.
 // Workload: uniform-square. Rounds are interleaved; the best of each is taken; thread CPU time.
-// Output: tables on stdout, or JSON lines with --json. --smoke: tiny sizes, for the test suite.
+// Output: see result_table.h;
+// options: see options.h.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -16,6 +16,7 @@
 
 #include "core/simulator.h"
 #include "experiments/bench/options.h"
+#include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
@@ -96,30 +97,29 @@ Scene few_moving(const char* structure, int k, int n) {
   return scene;
 }
 
-void moving(bool json, bool smoke) {
-  if (!json) {
-    std::printf("moving: k points move among n that stand\n%-12s %7s %5s %9s %12s %10s %12s %9s\n",
-                "structure", "n", "k", "events", "polynomials", "roots", "bytes", "CPU s");
-  }
+void moving(const BenchOptions& options) {
+  const bool smoke = options.smoke;
+  ResultTable table(options, "requires_moving", "moving: k points move among n that stand.",
+                    {{"structure", ResultTable::kText, 12},
+                     {"n", 0, 7},
+                     {"k", 0, 5},
+                     {"events", 0, 9},
+                     {"polynomials", 0},
+                     {"roots", 0, 10},
+                     {"bytes", 0, 12},
+                     {"seconds", 4}});
   for (const char* structure : {"sorted_list", "delaunay_2"}) {
     for (const int n : smoke ? std::vector<int>{100, 200} : std::vector<int>{2500, 10000, 40000}) {
       for (const int k : smoke ? std::vector<int>{0, 4} : std::vector<int>{0, 1, 10, 100}) {
         const Result r = run_all({few_moving(structure, k, n)}, smoke ? 1 : 3)[0];
-        std::printf(
-            json ? "{\"benchmark\": \"moving\", \"structure\": \"%s\", \"n\": %d, \"k\": %d, "
-                   "\"events\": %llu, \"polynomials\": %llu, \"roots\": %llu, "
-                   "\"bytes\": %llu, \"seconds\": %.6f}\n"
-                 : "%-12s %7d %5d %9llu %12llu %10llu %12llu %9.4f\n",
-            structure, n, k, static_cast<unsigned long long>(r.events),
-            static_cast<unsigned long long>(r.polynomials),
-            static_cast<unsigned long long>(r.roots), static_cast<unsigned long long>(r.bytes),
-            r.seconds);
+        table.row({structure, n, k, r.events, r.polynomials, r.roots, r.bytes, r.seconds});
       }
     }
   }
 }
 
-void shared(bool json, bool smoke) {
+void shared(const BenchOptions& options) {
+  const bool smoke = options.smoke;
   const Scene square = uniform_square(smoke ? 30 : 2000, 2, 1);
   const std::vector<std::vector<const char*>> asked{
       {"sorted_list"},
@@ -134,11 +134,14 @@ void shared(bool json, bool smoke) {
   std::vector<Scene> scenes(asked.size(), square);
   for (std::size_t i = 0; i < asked.size(); ++i) ask_for(scenes[i], asked[i]);
   const std::vector<Result> results = run_all(scenes, smoke ? 1 : 3);
-  if (!json) {
-    std::printf(
-        "shared: attributes of one scene, n = %zu; the sum is of what each costs alone\n%s\n",
-        square.objects.size(), "   events  polynomials      CPU s   of the sum  attributes");
-  }
+  ResultTable table(options, "requires_shared",
+                    "shared: attributes of one scene; the sum is of what each costs alone, n = " +
+                        std::to_string(square.objects.size()) + ".",
+                    {{"attributes", ResultTable::kText, 58},
+                     {"events", 0, 9},
+                     {"polynomials", 0, 12},
+                     {"seconds", 4},
+                     {"time_over_sum", 3}});
   for (std::size_t i = 0; i < asked.size(); ++i) {
     double sum = 0;
     std::string names;
@@ -149,12 +152,7 @@ void shared(bool json, bool smoke) {
       }
     }
     const Result& r = results[i];
-    std::printf(json ? "{\"benchmark\": \"shared\", \"events\": %llu, \"polynomials\": %llu, "
-                       "\"seconds\": %.6f, \"time_over_sum\": %.4f, \"attributes\": \"%s\"}\n"
-                     : "%9llu %12llu %10.4f %12.3f  %s\n",
-                static_cast<unsigned long long>(r.events),
-                static_cast<unsigned long long>(r.polynomials), r.seconds, r.seconds / sum,
-                names.c_str());
+    table.row({names, r.events, r.polynomials, r.seconds, r.seconds / sum});
   }
 }
 
@@ -165,21 +163,21 @@ Scene padded_with_zeros(Scene scene) {
   return scene;
 }
 
-void padded(bool json, bool smoke) {
-  if (!json) {
-    std::printf("padded: degree 1, written with coefficients 0 up to degree 3\n%-12s %7s %9s %9s\n",
-                "structure", "n", "CPU s", "padded");
-  }
+void padded(const BenchOptions& options) {
+  const bool smoke = options.smoke;
+  ResultTable table(options, "requires_padded",
+                    "padded: degree 1, written with coefficients 0 up to degree 3.",
+                    {{"structure", ResultTable::kText, 12},
+                     {"n", 0, 7},
+                     {"seconds", 4},
+                     {"padded_over_plain", 4}});
   for (const char* structure : {"sorted_list", "delaunay_2"}) {
     const bool list = std::strcmp(structure, "sorted_list") == 0;
     Scene scene = uniform_square(smoke ? 30 : 1500, list ? 1 : 2, 1);
     ask_for(scene, {structure});
     const std::vector<Result> results = run_all({scene, padded_with_zeros(scene)}, smoke ? 1 : 7);
-    std::printf(json ? "{\"benchmark\": \"padded\", \"structure\": \"%s\", \"n\": %zu, "
-                       "\"seconds\": %.6f, \"padded_over_plain\": %.4f}\n"
-                     : "%-12s %7zu %9.4f %9.4f\n",
-                structure, scene.objects.size(), results[0].seconds,
-                results[1].seconds / results[0].seconds);
+    table.row({structure, scene.objects.size(), results[0].seconds,
+               results[1].seconds / results[0].seconds});
   }
 }
 
@@ -188,9 +186,8 @@ void padded(bool json, bool smoke) {
 int main(int argc, char** argv) {
   const auto options = bench_options(argc, argv);
   if (!options) return 2;
-  const auto [json, smoke] = *options;
-  moving(json, smoke);
-  shared(json, smoke);
-  padded(json, smoke);
+  moving(*options);
+  shared(*options);
+  padded(*options);
   return 0;
 }

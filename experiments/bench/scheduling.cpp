@@ -3,8 +3,8 @@
 // a horizon before which they are proved not to fail.) Workload: uniform-square. For each
 // structure, degree and arithmetic one run with and one without, in turn; the best of each; thread
 // CPU time. Counted: failure times computed in full, those of them that were computed for
-// certificates that died first, and horizons queued instead. Output: a table on stdout, or JSON
-// lines with --json. --smoke: tiny sizes, for the test suite.
+// certificates that died first, and horizons queued instead. Output: see result_table.h;
+// options: see options.h.
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -12,6 +12,7 @@
 
 #include "core/simulator.h"
 #include "experiments/bench/options.h"
+#include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
@@ -45,7 +46,7 @@ Result run_once(const Scene& scene, const char* arithmetic, Scheduling schedulin
   return {cpu_seconds() - begin, ledger.failures_found, ledger.failures_unused, ledger.windows};
 }
 
-void run_contest(const Contest& contest, int rounds, bool json) {
+void run_contest(const Contest& contest, int rounds, ResultTable& table) {
   WorkloadParameters parameters;
   parameters.n = contest.n;
   parameters.degree = contest.degree;
@@ -58,16 +59,9 @@ void run_contest(const Contest& contest, int rounds, bool json) {
     if (round == 0 || e.seconds < eager.seconds) eager = e;
     if (round == 0 || l.seconds < lazy.seconds) lazy = l;
   }
-  const auto count = [](std::uint64_t k) { return static_cast<unsigned long long>(k); };
-  std::printf(json ? "{\"structure\": \"%s\", \"degree\": %d, \"n\": %d, \"arithmetic\": \"%s\", "
-                     "\"eager_seconds\": %.6f, \"eager_found\": %llu, \"eager_unused\": %llu, "
-                     "\"lazy_seconds\": %.6f, \"lazy_found\": %llu, \"lazy_unused\": %llu, "
-                     "\"windows\": %llu, \"lazy_over_eager\": %.4f}\n"
-                   : "%-19s %d %6d  %-7s %9.3f %10llu %10llu %9.3f %10llu %10llu %10llu %8.3f\n",
-              contest.structure, contest.degree, contest.n, contest.arithmetic, eager.seconds,
-              count(eager.found), count(eager.unused), lazy.seconds, count(lazy.found),
-              count(lazy.unused), count(lazy.windows), lazy.seconds / eager.seconds);
-  std::fflush(stdout);
+  table.row({contest.structure, contest.degree, contest.n, contest.arithmetic, eager.seconds,
+             eager.found, eager.unused, lazy.seconds, lazy.found, lazy.unused, lazy.windows,
+             lazy.seconds / eager.seconds});
 }
 
 }  // namespace
@@ -75,12 +69,22 @@ void run_contest(const Contest& contest, int rounds, bool json) {
 int main(int argc, char** argv) {
   const auto options = bench_options(argc, argv);
   if (!options) return 2;
-  const auto [json, smoke] = *options;
-  if (!json) {
-    std::printf("%-19s %s %6s  %-7s %9s %10s %10s %9s %10s %10s %10s %8s\n", "structure", "d", "n",
-                "numbers", "eager s", "roots", "unused", "lazy s", "roots", "unused", "horizons",
-                "l/e");
-  }
+  const bool smoke = options->smoke;
+  ResultTable table(*options, "scheduling",
+                    "Certificates queued under a proved horizon (lazy) or with their failure time "
+                    "(eager): failure times found, and found for certificates that died first.",
+                    {{"structure", ResultTable::kText, 19},
+                     {"degree", 0},
+                     {"n", 0, 6},
+                     {"arithmetic", ResultTable::kText},
+                     {"eager_seconds", 3},
+                     {"eager_found", 0},
+                     {"eager_unused", 0},
+                     {"lazy_seconds", 3},
+                     {"lazy_found", 0},
+                     {"lazy_unused", 0},
+                     {"horizons", 0, 9},
+                     {"lazy_over_eager", 3}});
   const int small = smoke ? 20 : 0;
   for (const char* arithmetic : {"exact", "double", "sturm"}) {
     const bool slow = std::strcmp(arithmetic, "sturm") == 0;
@@ -88,11 +92,12 @@ int main(int argc, char** argv) {
       const auto size = [&](int fast_n, int slow_n) {
         return small ? small : slow ? slow_n : fast_n;
       };
-      run_contest({"sorted_list", degree, size(1000, 80), arithmetic}, slow || smoke ? 1 : 3, json);
+      run_contest({"sorted_list", degree, size(1000, 80), arithmetic}, slow || smoke ? 1 : 3,
+                  table);
       run_contest({"maximum_tournament", degree, size(10000, 300), arithmetic},
-                  slow || smoke ? 1 : 3, json);
+                  slow || smoke ? 1 : 3, table);
       run_contest({"delaunay_2", degree, size(500, degree == 1 ? 60 : 24), arithmetic},
-                  slow || smoke ? 1 : 3, json);
+                  slow || smoke ? 1 : 3, table);
     }
   }
   return 0;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ResultTable: the rows of a benchmark, printed as they come, and written as JSON lines and as
+// markdown where the options ask for it.
+#ifndef KINEX_EXPERIMENTS_BENCH_RESULT_TABLE_H
+#define KINEX_EXPERIMENTS_BENCH_RESULT_TABLE_H
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/bench/options.h"
+
+namespace kinex {
+
+class ResultTable {
+ public:
+  struct Column {
+    std::string key;       // in JSON, and its words as the heading
+    int decimals = kText;  // of a number
+    int width = 0;         // at least; 0: that of the heading
+  };
+  static constexpr int kText = -1;
+  struct Cell {
+    Cell(const char* words) : text(words) {}
+    Cell(std::string words) : text(std::move(words)) {}
+    Cell(double value) : number(value) {}
+    Cell(int value) : number(value) {}
+    Cell(std::uint64_t value) : number(static_cast<double>(value)) {}
+    std::string text;
+    double number = 0;
+  };
+
+  // `name`: of the benchmark, in every JSON line; `about`: a line before the table. Throws
+  // std::runtime_error if a file cannot be written.
+  ResultTable(const BenchOptions& options, std::string name, const std::string& about,
+              std::vector<Column> columns);
+  // As many cells as columns: text for text, numbers for numbers.
+  void row(const std::vector<Cell>& cells);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  using File = std::unique_ptr<std::FILE, Close>;
+  std::string shown(std::size_t column, const Cell& cell) const;
+
+  std::string name_;
+  std::vector<Column> columns_;
+  File json_, markdown_;
+};
+
+}  // namespace kinex
+
+#endif
