@@ -46,6 +46,8 @@ class Arithmetic {
   virtual std::string name() const = 0;
   // True if every answer is exact (`exact`, `sturm`).
   virtual bool is_exact() const = 0;
+  // Bits of an inexact arithmetic's numbers.
+  virtual long precision() const { return 53; }
 
   // Registers a predicate; the arithmetic keeps the pointer for its own life.
   PredicateId bind(std::shared_ptr<const Predicate> predicate);

@@ -30,6 +30,7 @@ class MpfrArithmetic final : public Arithmetic {
 
   std::string name() const override { return "mpfr:" + std::to_string(bits_); }
   bool is_exact() const override { return false; }
+  long precision() const override { return bits_; }
 
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override {
@@ -88,7 +89,8 @@ class MpfrArithmetic final : public Arithmetic {
     const std::vector<MpFloat> c = polynomial(query);
     if (c.empty()) return Outlook::kIdenticallyZero;
     const std::size_t degree = c.size() - 1;
-    if (degree >= counters_.polynomials_solved.size()) counters_.polynomials_solved.resize(degree + 1);
+    if (degree >= counters_.polynomials_solved.size())
+      counters_.polynomials_solved.resize(degree + 1);
     ++counters_.polynomials_solved[degree];
     MpFloat from = now_;
     const int relation =
@@ -126,7 +128,9 @@ class MpfrArithmetic final : public Arithmetic {
     if (a.lo == kInfinity || b.lo == kInfinity) return a.lo < b.lo ? -1 : a.lo > b.lo ? 1 : 0;
     return compare_values(value(a), value(b));
   }
-  int compare_with_now(const Query&, FailureTime& a) override { return compare_values(value(a), now_); }
+  int compare_with_now(const Query&, FailureTime& a) override {
+    return compare_values(value(a), now_);
+  }
   int compare(const Query&, FailureTime& a, const Rational& t) override {
     if (a.lo == kInfinity) return 1;
     return compare_values(value(a), MpFloat(bits_, t));
@@ -195,7 +199,8 @@ class MpfrArithmetic final : public Arithmetic {
   std::vector<MpFloat> polynomial(const Query& query) const {
     const Predicate& predicate = *predicates_[query.predicate];
     std::array<MotionView<MpFloat>, kMaxArity> points;
-    for (std::size_t i = 0; i < query.arity; ++i) points[i] = &coefficients_[query.ids[i] * stride_];
+    for (std::size_t i = 0; i < query.arity; ++i)
+      points[i] = &coefficients_[query.ids[i] * stride_];
     std::vector<MpFloat> c(static_cast<std::size_t>(predicate.degree(degree_)) + 1, MpFloat(bits_));
     predicate.multiprecision(degree_, points.data(), c.data());
     while (!c.empty() && c.back().sign() == 0) c.pop_back();

@@ -18,7 +18,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kLookEvery = 4096;
 // See simulator.h for the guard.
 constexpr std::uint64_t kGuardFree = 1000;
-constexpr double kGuardWindow = 0x1p-40;
+// Of the run's length; a structure that goes round in circles moves on by an ulp each time.
+constexpr int kGuardWindow = -40, kLongestGuardWindow = -8, kGuardUlps = 27;
 
 double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
@@ -182,8 +183,9 @@ void Simulator::handle_failure() {
   const StructureId id = queue.certificate(failed).structure;
   if (++repairs_[id] > kGuardFree) {
     const std::uint64_t c = kernel_.ledger(id).max_live;
-    const std::uint64_t most = kernel_.is_exact() ? c * c : entries_[id].structure->most_repairs(c);
-    if (repairs_[id] > kGuardFree + 64 * c + most) return guard_fired(id);
+    const std::uint64_t most =
+        kernel_.is_exact() ? 64 * c + c * c : 8 * c + entries_[id].structure->most_repairs(c);
+    if (repairs_[id] > kGuardFree + most) return guard_fired(id);
   }
   FailureTime time = queue.pop();
   if (order_to_now_ < 0) {
@@ -290,7 +292,9 @@ void Simulator::end_instant() {
     const double now = kernel_.arithmetic().now_approximate();
     if (!(now <= guard_window_end_)) {
       std::fill(repairs_.begin(), repairs_.end(), 0);
-      guard_window_end_ = now + kGuardWindow * std::max(std::fabs(now), span_);
+      const long ulps = kGuardUlps - std::min(kernel_.arithmetic().precision(), 1000L);
+      const int window = std::clamp(static_cast<int>(ulps), kGuardWindow, kLongestGuardWindow);
+      guard_window_end_ = now + std::ldexp(std::max(std::fabs(now), span_), window);
     }
   }
   if (options_.audit == AuditLevel::kEvents) run_audit(true);

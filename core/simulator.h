@@ -12,9 +12,9 @@
 // has n - 1 certificates and swaps each pair once at most, C(n,2) <= c^2; Delaunay flips never
 // bring an edge back, C(n,2) <= c^2 again; winners in a tournament or a heap only grow, at most c
 // per certificate. In an exact arithmetic the structure is built anew when the guard fires, and if
-// that does not help at the same instant, std::logic_error is thrown. In an inexact one a structure
-// may ask for less than c^2 (most_repairs), it is corrupt then, and instants closer together than
-// 2^-40 of the run count as one.
+// that does not help at the same instant, std::logic_error is thrown. In an inexact one it is corrupt
+// after 1000 + 8 c + most_repairs(c), which is c^2 or what the structure asks for, and instants
+// closer together than 2^-40 of the run, or 2^27 ulps, count as one (at most 2^-8 of it).
 #ifndef KINEX_CORE_SIMULATOR_H
 #define KINEX_CORE_SIMULATOR_H
 

@@ -72,7 +72,7 @@ class Structure {
 
   virtual Attribute attribute() const = 0;
   virtual std::vector<BoundCheck> bounds(const BoundContext& context) const = 0;
-  // In an inexact arithmetic: how many repairs at one instant, beyond 1000 + 64 c for c
+  // In an inexact arithmetic: how many repairs at one instant, beyond 1000 + 8 c for c
   // certificates, it may make before it is taken to be going round in circles. By default as many
   // as in an exact one, c^2; a structure that needs far fewer even at degenerate instants says so.
   virtual std::uint64_t most_repairs(std::uint64_t certificates) const {

@@ -31,7 +31,7 @@ struct Contest {
   int n;
   std::vector<const char*> arithmetics;  // the first is the reference of the ratios
   int rounds;
-  std::uint64_t events = 0;    // the run stops after so many; 0: at the end of the scene
+  std::uint64_t events = 0;  // the run stops after so many; 0: at the end of the scene
 };
 
 struct Result {
