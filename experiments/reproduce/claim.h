@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PaperClaim: a statement of a paper, what was seen of it, and the verdict.
+#ifndef KINEX_EXPERIMENTS_REPRODUCE_CLAIM_H
+#define KINEX_EXPERIMENTS_REPRODUCE_CLAIM_H
+
+#include <string>
+#include <vector>
+
+namespace kinex {
+
+enum class ClaimVerdict {
+  kConfirmed,
+  kRefuted,
+  kOpen,  // the runs do not decide it (too few, too small)
+};
+
+struct PaperClaim {
+  std::string id;         // "figure-3.brute-force"
+  std::string place;      // in the paper
+  std::string statement;  // in our words
+  std::string kind;       // "finding", "growth", "expectation", "run"
+  std::string command;
+  std::string expected;
+  std::string tolerance;
+  std::string observed;
+  ClaimVerdict verdict = ClaimVerdict::kOpen;
+  std::vector<std::string> assumptions;  // that we had to add
+};
+
+std::string verdict_name(ClaimVerdict verdict);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/reproduce/paper_files.h"
+
+#include <fmt/format.h>
+
+#include "experiments/json_writer.h"
+
+namespace kinex {
+
+std::string verdict_name(ClaimVerdict verdict) {
+  switch (verdict) {
+    case ClaimVerdict::kConfirmed:
+      return "confirmed";
+    case ClaimVerdict::kRefuted:
+      return "refuted";
+    case ClaimVerdict::kOpen:
+      return "open";
+  }
+  return "";
+}
+
+namespace {
+
+void write_claim(JsonWriter& json, const PaperClaim& claim) {
+  json.line(2).begin_object();
+  const auto field = [&](const char* name, const std::string& text) {
+    json.line(4).key(name).string(text);
+  };
+  field("id", claim.id);
+  field("place", claim.place);
+  field("statement", claim.statement);
+  field("kind", claim.kind);
+  field("command", claim.command);
+  field("expected", claim.expected);
+  field("tolerance", claim.tolerance);
+  field("observed", claim.observed);
+  field("verdict", verdict_name(claim.verdict));
+  json.line(4).key("assumptions").begin_array();
+  for (const std::string& assumption : claim.assumptions) json.string(assumption);
+  json.end_array().line(2).end_object();
+}
+
+std::string made_by(const ReproductionFacts& facts) {
+  return fmt::format("`{}`, {} at {}{}, {}; {}, {} cores, {} GB", facts.command,
+                     facts.build.program, facts.build.commit, facts.build.dirty ? " (changed)" : "",
+                     facts.build.compiler, facts.machine.cpu, facts.machine.cores,
+                     facts.machine.memory_kb / 1000000);
+}
+
+}  // namespace
+
+std::string claims_json(const Paper& paper, const std::vector<ReproducedPart>& parts,
+                        const ReproductionFacts& facts) {
+  std::string text;
+  JsonWriter json(text);
+  json.begin_object().line(0).key("paper").string(paper.name);
+  json.line(0).key("title").string(paper.title);
+  json.line(0).key("made_by").string(made_by(facts));
+  json.line(0).key("claims").begin_array();
+  for (const ReproducedPart& part : parts) {
+    for (const PaperClaim& claim : part.report.claims) write_claim(json, claim);
+  }
+  json.line(0).end_array().line(0).end_object();
+  return text + "\n";
+}
+
+std::string paper_readme(const Paper& paper, const std::vector<ReproducedPart>& parts,
+                         const ReproductionFacts& facts, bool drawn) {
+  std::string text = fmt::format("# {}\n\nMade by {}. All runs are exact and audited.\n",
+                                 paper.title, made_by(facts));
+  for (const ReproducedPart& part : parts) {
+    text += fmt::format("\n## {}: {}\n\n", part.part->name, part.part->summary);
+    if (part.interrupted)
+      text += "Interrupted: what follows is of the runs that were finished.\n\n";
+    for (const std::string& trouble : part.troubles) text += "**Failed:** " + trouble + "\n\n";
+    for (const PaperClaim& claim : part.report.claims) {
+      text += fmt::format(
+          "- **{}** ({}, {}): {} **{}**.\n  - expected: {}; tolerance: {}\n"
+          "  - observed: {}\n  - reproduce: `{}`\n",
+          claim.id, claim.place, claim.kind, claim.statement, verdict_name(claim.verdict),
+          claim.expected, claim.tolerance, claim.observed, claim.command);
+      for (const std::string& assumption : claim.assumptions) {
+        text += "  - assumed: " + assumption + "\n";
+      }
+    }
+    for (std::size_t i = 0; drawn && i < part.report.figures.size(); ++i) {
+      text += fmt::format("\n![{}]({}.svg)\n\n{}: {}\n", part.report.figures[i].title,
+                          part.report.figure_names[i], part.report.figures[i].title,
+                          part.report.figures[i].caption);
+    }
+    if (!part.report.tables.empty()) text += "\n" + part.report.tables;
+  }
+  return text;
+}
+
+}  // namespace kinex

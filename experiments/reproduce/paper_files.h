@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files of a reproduced paper: claims.json, and README.md made from it.
+#ifndef KINEX_EXPERIMENTS_REPRODUCE_PAPER_FILES_H
+#define KINEX_EXPERIMENTS_REPRODUCE_PAPER_FILES_H
+
+#include <string>
+#include <vector>
+
+#include "experiments/reproduce/part.h"
+#include "experiments/verify/machine.h"
+
+namespace kinex {
+
+struct ReproducedPart {
+  const PaperPart* part;
+  PartReport report;
+  bool interrupted = false;
+  std::vector<std::string> troubles;  // audits and bounds that failed
+};
+
+struct ReproductionFacts {
+  std::string command;
+  BuildFacts build;
+  MachineFacts machine;
+};
+
+std::string claims_json(const Paper& paper, const std::vector<ReproducedPart>& parts,
+                        const ReproductionFacts& facts);
+// `drawn`: the figures are there as SVG files.
+std::string paper_readme(const Paper& paper, const std::vector<ReproducedPart>& parts,
+                         const ReproductionFacts& facts, bool drawn);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PaperPart: a figure or a section of a paper that the program reproduces.
+#ifndef KINEX_EXPERIMENTS_REPRODUCE_PART_H
+#define KINEX_EXPERIMENTS_REPRODUCE_PART_H
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/reproduce/claim.h"
+#include "experiments/reproduce/series.h"
+#include "experiments/verify/gnuplot.h"
+
+namespace kinex {
+
+// What came out of a part.
+struct PartReport {
+  std::vector<PaperClaim> claims;
+  std::vector<Figure> figures;
+  std::vector<std::string> figure_names;  // of the SVG files, without ".svg"
+  std::string tables;                     // Markdown
+};
+
+struct PaperPart {
+  std::string_view name;  // "figure-3"
+  std::string_view summary;
+  std::vector<SeriesPoint> (*points)(bool quick);
+  // `command`: what reproduces it. The results of all points of this part, in their order; after an
+  // interruption fewer.
+  PartReport (*report)(const std::vector<SeriesResult>& results, const std::string& command);
+};
+
+struct Paper {
+  std::string_view name;   // "kds-report-1998"
+  std::string_view title;  // with authors and year
+  std::vector<PaperPart> parts;
+};
+
+const std::vector<Paper>& papers();
+
+// kds_figure_3.cpp
+std::vector<SeriesPoint> kds_figure_3_points(bool quick);
+PartReport kds_figure_3_report(const std::vector<SeriesResult>& results,
+                               const std::string& command);
+// kds_large_runs.cpp
+std::vector<SeriesPoint> kds_large_runs_points(bool quick);
+PartReport kds_large_runs_report(const std::vector<SeriesResult>& results,
+                                 const std::string& command);
+// kds_section_9.cpp
+std::vector<SeriesPoint> kds_section_9_points(bool quick);
+PartReport kds_section_9_report(const std::vector<SeriesResult>& results,
+                                const std::string& command);
+
+}  // namespace kinex
+
+#endif

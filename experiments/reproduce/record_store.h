@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// RecordStore: the runs that are done, in a file that is added to as they end, so that an
+// experiment of hours goes on where it was stopped.
+#ifndef KINEX_EXPERIMENTS_REPRODUCE_RECORD_STORE_H
+#define KINEX_EXPERIMENTS_REPRODUCE_RECORD_STORE_H
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "experiments/reproduce/run_record.h"
+
+namespace kinex {
+
+class RecordStore {
+ public:
+  // Reads the file if there is one; its first line names the format and the commit of the program
+  // that wrote it. Records of another commit are not mixed with new ones: InputError, unless
+  // `fresh`, which begins anew. A last line that is not whole is dropped. Throws InputError.
+  RecordStore(std::string path, const std::string& commit, bool fresh);
+
+  // nullptr if it has not been run. Called from any thread.
+  const RunRecord* find(const std::string& key) const;
+  // Written through at once. Called from any thread.
+  const RunRecord& add(RunRecord record);
+  std::size_t size() const { return records_.size(); }
+  const std::string& path() const { return path_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::string path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  mutable std::mutex mutex_;
+  std::map<std::string, RunRecord> records_;  // references stay valid
+};
+
+}  // namespace kinex
+
+#endif

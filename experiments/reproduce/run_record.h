@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// RunRecord: what one exact run of one structure counted, as a line of JSON that a later run of the
+// program can go on from.
+#ifndef KINEX_EXPERIMENTS_REPRODUCE_RUN_RECORD_H
+#define KINEX_EXPERIMENTS_REPRODUCE_RUN_RECORD_H
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kinex {
+
+// Which run it is.
+struct RunKey {
+  std::string structure;
+  std::string workload;
+  int n = 0;
+  int dimension = 2;
+  std::uint64_t seed = 1;
+  bool forever = false;          // until no event is left, instead of the workload's time
+  std::uint64_t max_events = 0;  // the run is stopped there; 0: it is not
+
+  // "convex_hull_2 uniform-square n=100 d=2 seed=1 forever"
+  std::string text() const;
+};
+
+struct RunRecord {
+  std::string key;                    // RunKey::text()
+  std::uint64_t processed = 0;        // certificate failures, over all structures that were built
+  std::uint64_t external = 0;         // of the structure that was asked for
+  std::uint64_t max_live = 0;         // certificates, over all structures that were built
+  std::uint64_t max_per_object = 0;   // likewise
+  std::vector<std::uint64_t> solved;  // by degree: failure times asked for
+  std::map<std::string, std::uint64_t> kinds;  // events of the structure asked for, by kind
+  std::uint64_t peak_bytes = 0;
+  double seconds_setup = 0;  // CPU
+  double seconds = 0;        // CPU, of the simulation
+  bool clean = true;         // audits and bounds
+  std::string trouble;       // what was not
+};
+
+// Runs it in `exact` with an audit at the end. nullopt if `go_on` (asked now and then) said no.
+std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool()>& go_on);
+
+std::string record_line(const RunRecord& record);
+// Throws InputError that names the file and the line.
+RunRecord parse_record(std::string_view line, const std::string& file, std::size_t number);
+
+}  // namespace kinex
+
+#endif

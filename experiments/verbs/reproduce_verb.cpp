@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex reproduce: the figures and claims of a paper, run again.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiments/file_io.h"
+#include "experiments/input_error.h"
+#include "experiments/reproduce/paper_files.h"
+#include "experiments/verbs/interrupt.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+#include "experiments/verify/cell_progress.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr int kMostJobs = 256;
+
+struct Options {
+  std::string paper;
+  std::vector<std::string> parts;
+  std::string folder;
+  int jobs = 1;
+  bool quick = false;
+  bool force = false;
+  bool fresh = false;
+  bool json = false;
+};
+
+const Paper& paper_named(const std::string& name) {
+  std::string names;
+  for (const Paper& paper : papers()) {
+    if (paper.name == name) return paper;
+    names += (names.empty() ? "" : ", ") + std::string(paper.name);
+  }
+  throw InputError("PAPER", "", "\"" + name + "\": there is no such paper", "write " + names);
+}
+
+std::vector<const PaperPart*> parts_named(const Paper& paper,
+                                          const std::vector<std::string>& names) {
+  std::vector<const PaperPart*> parts;
+  std::string known;
+  for (const PaperPart& part : paper.parts) {
+    known += (known.empty() ? "" : ", ") + std::string(part.name);
+    if (names.empty()) parts.push_back(&part);
+  }
+  for (const std::string& name : names) {
+    const std::size_t before = parts.size();
+    for (const PaperPart& part : paper.parts) {
+      if (part.name == name) parts.push_back(&part);
+    }
+    if (parts.size() == before) {
+      throw InputError("PART", "", "\"" + name + "\": the paper has no such part",
+                       "write " + known + ", or nothing for all of them");
+    }
+  }
+  return parts;
+}
+
+std::string command_of(const Options& options, std::string_view part) {
+  std::string command = "kinex reproduce " + options.paper;
+  if (!part.empty()) command += " " + std::string(part);
+  return command + (options.quick ? " --quick" : "");
+}
+
+ReproducedPart run_part(const PaperPart& part, const Options& options, RecordStore& store,
+                        const InterruptGuard& interrupt) {
+  const std::vector<SeriesPoint> points = part.points(options.quick);
+  std::vector<double> costs;
+  for (const SeriesPoint& point : points) costs.push_back(point.cost);
+  CellProgress progress(std::move(costs));
+  SeriesOptions running;
+  running.jobs = options.jobs;
+  running.go_on = [&] { return !interrupt.interrupted(); };
+  running.on_run = [&](std::size_t i, const std::string& what) { progress.show(i, what); };
+  running.on_point = [&](std::size_t i, const SeriesResult&) { progress.finished(i); };
+  SeriesRun run = run_series(points, store, running);
+  progress.wipe();
+  ReproducedPart done;
+  done.part = &part;
+  done.report = part.report(run.results, command_of(options, part.name));
+  done.interrupted = run.interrupted;
+  done.troubles = std::move(run.troubles);
+  return done;
+}
+
+void tell(const ReproducedPart& done) {
+  std::string text = "== " + std::string(done.part->name) + ": " + std::string(done.part->summary) +
+                     "\n" + done.report.tables + "\n";
+  for (const std::string& trouble : done.troubles) text += "FAILED  " + trouble + "\n";
+  for (const PaperClaim& claim : done.report.claims) {
+    text += verdict_name(claim.verdict) + "  " + claim.id + ": " + claim.statement +
+            "\n           expected " + claim.expected + "\n           observed " + claim.observed +
+            "\n";
+  }
+  print(text);
+}
+
+void reproduce(Options options, int& exit_code) {
+  check_range("--jobs", options.jobs, 1, kMostJobs);
+  const Paper& paper = paper_named(options.paper);
+  const std::vector<const PaperPart*> parts = parts_named(paper, options.parts);
+  if (options.folder.empty()) options.folder = options.paper + (options.quick ? "-quick" : "");
+  std::error_code error;
+  std::filesystem::create_directories(options.folder, error);  // what is wrong is told below
+  OutputFile claims(options.folder + "/claims.json", options.force);
+  OutputFile readme(options.folder + "/README.md", options.force);
+  ReproductionFacts facts;
+  facts.build = build_facts();
+  facts.machine = machine_facts();
+  facts.command = command_of(options, "");
+  for (const std::string& name : options.parts) facts.command += " " + name;
+  RecordStore store(options.folder + "/runs.jsonl", facts.build.commit, options.fresh);
+
+  InterruptGuard interrupt;
+  std::vector<ReproducedPart> done;
+  std::vector<Figure> figures;
+  bool interrupted = false, failed = false, refuted = false;
+  for (const PaperPart* part : parts) {
+    done.push_back(run_part(*part, options, store, interrupt));
+    const ReproducedPart& one = done.back();
+    if (!options.json) tell(one);
+    figures.insert(figures.end(), one.report.figures.begin(), one.report.figures.end());
+    interrupted = interrupted || one.interrupted;
+    failed = failed || !one.troubles.empty();
+    for (const PaperClaim& claim : one.report.claims) {
+      refuted = refuted || claim.verdict == ClaimVerdict::kRefuted;
+    }
+    if (interrupted) break;
+  }
+  const Drawings drawings = draw(figures);
+  std::size_t drawn = 0;
+  for (const ReproducedPart& one : done) {
+    for (const std::string& name : one.report.figure_names) {
+      const std::size_t i = drawn++;
+      if (i >= drawings.svg.size() || drawings.svg[i].empty()) continue;
+      OutputFile picture(options.folder + "/" + name + ".svg", options.force);
+      picture.write(drawings.svg[i]);
+      picture.commit();
+    }
+  }
+  const std::string json = claims_json(paper, done, facts);
+  if (options.json) print(json);
+  claims.write(json);
+  claims.commit();
+  readme.write(paper_readme(paper, done, facts, drawings.problem.empty()));
+  readme.commit();
+  if (!drawings.problem.empty()) {
+    std::fprintf(stderr, "kinex: no figures: %s\n", drawings.problem.c_str());
+  }
+  std::fprintf(stderr, "kinex: claims.json and README.md are in %s%s\n", options.folder.c_str(),
+               interrupted ? "; interrupted: the same command goes on from there" : "");
+  if (failed || refuted) {
+    exit_code = kExitFailed;
+  } else if (interrupted) {
+    exit_code = kExitGaveUp;
+  }
+}
+
+}  // namespace
+
+void add_reproduce_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand(
+      "reproduce", "Runs a paper's experiments again: claims with their verdicts, and figures");
+  verb->add_option("PAPER", options->paper, "kds-report-1998")->required();
+  verb->add_option("PART", options->parts, "figure-3, large-runs, section-9 (default: all)");
+  verb->add_flag("--quick", options->quick, "Smaller sizes: minutes");
+  verb->add_option("-o,--output", options->folder, "Write into this folder (PAPER, PAPER-quick)");
+  verb->add_flag("--force", options->force, "Replace results that exist");
+  verb->add_flag("--fresh", options->fresh, "Run again what runs.jsonl in the folder holds");
+  verb->add_option("--jobs", options->jobs, "Runs at a time (1: more disturb the times)");
+  verb->add_flag("--json", options->json, "Print claims.json instead of the tables");
+  verb->footer(
+      "Every run is exact and audited. Runs that are done are kept in runs.jsonl: after an\n"
+      "interruption the same command with --force goes on with the next one.\n"
+      "Exit codes: 1 a claim is refuted, an audit or a bound failed; 3 interrupted.\n"
+      "Example:\n  kinex reproduce kds-report-1998 figure-3 --quick -o figure");
+  verb->callback([options, &exit_code] { reproduce(*options, exit_code); });
+}
+
+}  // namespace kinex
