@@ -3,6 +3,7 @@
 #include <string>
 
 #include "structures/key_value.h"
+#include "structures/maximum_hanger.h"
 #include "structures/maximum_heap.h"
 #include "structures/maximum_of_list.h"
 #include "structures/maximum_tournament.h"
@@ -81,6 +82,39 @@ void MaximumHeap::check_invariants(AuditReport& report) const {
 }
 
 void MaximumHeap::audit(const Snapshot& snapshot, AuditReport& report) const {
+  audit_extremum(contest_.order().key(), contest_.extremum(), place_of_.size(), attribute(),
+                 snapshot, report);
+}
+
+void MaximumHanger::check_invariants(AuditReport& report) const {
+  std::size_t found = 0;
+  for (Place p = 0; p < nodes_.size(); ++p) {
+    const Node& node = nodes_[p];
+    if (node.object == kNoObject) continue;
+    ++found;
+    const auto where = [&] { return " at place " + std::to_string(p); };
+    report.check(place_of_[node.object] == p, [&] { return "a lost object" + where(); });
+    for (const Place child : node.child) {
+      report.check(child == kNone || (nodes_[child].parent == p && nodes_[child].object != kNoObject),
+                   [&] { return "a broken link" + where(); });
+    }
+    const CertificateId c = node.certificate;
+    if (node.parent == kNone) {
+      report.check(p == root_ && c == kNoCertificate, [&] { return "a second root" + where(); });
+      continue;
+    }
+    const ObjectId parent = nodes_[node.parent].object;
+    report.check(c != kNoCertificate && kernel_->tag(c) == p &&
+                     kernel_->query(c) == contest_.claim(parent, node.object),
+                 [&] { return "a certificate of something else" + where(); });
+    report.check(c == kNoCertificate || kernel_->outlook(c) != Outlook::kIdenticallyZero ||
+                     parent < node.object,
+                 [&] { return "a tie in the wrong order" + where(); });
+  }
+  report.check(found == size_, [] { return std::string("a wrong number of objects"); });
+}
+
+void MaximumHanger::audit(const Snapshot& snapshot, AuditReport& report) const {
   audit_extremum(contest_.order().key(), contest_.extremum(), place_of_.size(), attribute(),
                  snapshot, report);
 }

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "structures/delaunay_2.h"
+#include "structures/maximum_hanger.h"
 #include "structures/maximum_heap.h"
 #include "structures/maximum_of_list.h"
 #include "structures/maximum_tournament.h"
@@ -57,6 +58,10 @@ const std::vector<Entry>& entries() {
        make_extremum<MaximumHeap, Extremum::kMaximum>},
       {{"minimum_heap", "the object with the smallest key, by a binary heap", 1, true, ""},
        make_extremum<MaximumHeap, Extremum::kMinimum>},
+      {{"maximum_hanger", "the object with the largest key, by a randomised hanger", 1, true, ""},
+       make_extremum<MaximumHanger, Extremum::kMaximum>},
+      {{"minimum_hanger", "the object with the smallest key, by a randomised hanger", 1, true, ""},
+       make_extremum<MaximumHanger, Extremum::kMinimum>},
       {{"maximum_sorted_list", "the object with the largest key, read off a sorted list", 1, true,
         "sorted_list"},
        make_of_list<Extremum::kMaximum>},
