@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -69,6 +70,9 @@ class Structure {
   // when objects come or go, the watched structure is built, told or repaired before those that
   // watch it.
   virtual void watched_changed(const Event* event) { (void)event; }
+
+  // The largest degree of motion that it can maintain.
+  virtual int largest_motion_degree() const { return std::numeric_limits<int>::max(); }
 
   virtual Attribute attribute() const = 0;
   virtual std::vector<BoundCheck> bounds(const BoundContext& context) const = 0;
