@@ -3,6 +3,7 @@
 #include <string>
 
 #include "structures/key_value.h"
+#include "structures/maximum_envelope.h"
 #include "structures/maximum_hanger.h"
 #include "structures/maximum_heap.h"
 #include "structures/maximum_of_list.h"
@@ -117,6 +118,25 @@ void MaximumHanger::check_invariants(AuditReport& report) const {
 void MaximumHanger::audit(const Snapshot& snapshot, AuditReport& report) const {
   audit_extremum(contest_.order().key(), contest_.extremum(), place_of_.size(), attribute(),
                  snapshot, report);
+}
+
+void MaximumEnvelope::check_invariants(AuditReport& report) const {
+  report.check(members_.empty() ? winners_.empty() : at_ < winners_.size(),
+               [] { return std::string("there is no winner"); });
+  for (std::size_t i = at_ + 1; i < winners_.size(); ++i) {
+    report.check(winners_[i] != winners_[i - 1],
+                 [] { return std::string("an object comes after itself"); });
+  }
+  report.check((certificate_ != kNoCertificate) == (to_come() > 0) &&
+                   (certificate_ == kNoCertificate ||
+                    kernel_->query(certificate_) ==
+                        contest_.claim(winners_[at_], winners_[at_ + 1])),
+               [] { return std::string("a certificate of something else"); });
+}
+
+void MaximumEnvelope::audit(const Snapshot& snapshot, AuditReport& report) const {
+  audit_extremum(contest_.order().key(), contest_.extremum(), objects_, attribute(), snapshot,
+                 report);
 }
 
 void MaximumOfList::check_invariants(AuditReport& report) const {

@@ -72,4 +72,9 @@ BoundCheck crossing_bound(std::string_view name, const KeyOrder& order,
                  crossings(order, context), counted(context.ledger->processed));
 }
 
+BoundCheck no_internal_events(std::string_view name, const BoundContext& context) {
+  return at_most(std::string(name) + ".internal", "every event changes the maximum", Integer(0),
+                 counted(context.ledger->internal));
+}
+
 }  // namespace kinex

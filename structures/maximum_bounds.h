@@ -26,6 +26,9 @@ std::vector<BoundCheck> maximum_bounds(std::string_view name, const KeyOrder& or
 BoundCheck crossing_bound(std::string_view name, const KeyOrder& order,
                           const BoundContext& context);
 
+// NAME.internal: every event changes the maximum.
+BoundCheck no_internal_events(std::string_view name, const BoundContext& context);
+
 }  // namespace kinex
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "structures/delaunay_2.h"
+#include "structures/maximum_envelope.h"
 #include "structures/maximum_hanger.h"
 #include "structures/maximum_heap.h"
 #include "structures/maximum_of_list.h"
@@ -62,6 +63,12 @@ const std::vector<Entry>& entries() {
        make_extremum<MaximumHanger, Extremum::kMaximum>},
       {{"minimum_hanger", "the object with the smallest key, by a randomised hanger", 1, true, ""},
        make_extremum<MaximumHanger, Extremum::kMinimum>},
+      {{"maximum_envelope", "the object with the largest key, by the upper envelope ahead", 1, true,
+        ""},
+       make_extremum<MaximumEnvelope, Extremum::kMaximum>},
+      {{"minimum_envelope", "the object with the smallest key, by the lower envelope ahead", 1, true,
+        ""},
+       make_extremum<MaximumEnvelope, Extremum::kMinimum>},
       {{"maximum_sorted_list", "the object with the largest key, read off a sorted list", 1, true,
         "sorted_list"},
        make_of_list<Extremum::kMaximum>},
