@@ -14,8 +14,8 @@
 
 namespace kinex {
 
-// Owns the instants that it has found: it hands out numbers. It is short-lived: nothing may happen to
-// the arithmetic's motions, or to now, while it is there.
+// Owns the instants that it has found: it hands out numbers. It is short-lived: nothing may happen
+// to the arithmetic's motions, or to now, while it is there.
 class Foresight {
  public:
   using Moment = std::uint32_t;
@@ -34,8 +34,8 @@ class Foresight {
     const Visit visit(*this, from);
     return arithmetic_->sign_after(query);
   }
-  // When `query` fails next: `found` is a moment after `from` for kFails, `from` for kFailsNow, else
-  // kNever.
+  // When `query` fails next: `found` is a moment after `from` for kFails, `from` for kFailsNow,
+  // else kNever.
   Outlook failure(const Query& query, Moment from, Moment& found) {
     FailureTime time;
     Outlook outlook;

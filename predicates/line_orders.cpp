@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // line_slope_order(a, b) = slope_b - slope_a: which of two linear keys grows faster.
-// line_turn(a, b, c) = (slope_b - slope_a)(height_c - height_a) - (height_b - height_a)(slope_c - slope_a):
-// the orientation of the dual points, and so the order in which three lines meet.
-// line_meeting(a, b, c, d, e) = (slope_b - slope_a) turn(c, d, e) - (slope_d - slope_c) turn(a, b, e), in
-// the dual plane, for slope_a < slope_b and slope_c < slope_d: the line ab, less the line cd, above the
-// point e.
-// Degree 0. Identities: odd permutations of the arguments change the sign of the first two;
-// line_meeting(c, d, a, b, e) = -line_meeting(a, b, c, d, e).
+// line_turn(a, b, c) = (slope_b - slope_a)(height_c - height_a) - (height_b - height_a)(slope_c -
+// slope_a): the orientation of the dual points, and so the order in which three lines meet.
+// line_meeting(a, b, c, d, e) = (slope_b - slope_a) turn(c, d, e) - (slope_d - slope_c) turn(a, b,
+// e), in the dual plane, for slope_a < slope_b and slope_c < slope_d: the line ab, less the line
+// cd, above the point e. Degree 0. Identities: odd permutations of the arguments change the sign of
+// the first two; line_meeting(c, d, a, b, e) = -line_meeting(a, b, c, d, e).
 #include <stdexcept>
 
 #include "predicates/line_predicate.h"
@@ -62,7 +61,9 @@ LineKey line_key(const Key& key, int dimension) {
     case Key::Kind::kCoordinate:
       direction[static_cast<std::size_t>(key.axis)] = Rational(1);
       break;
-    case Key::Kind::kDirection: direction = key.direction; break;
+    case Key::Kind::kDirection:
+      direction = key.direction;
+      break;
     case Key::Kind::kSquaredDistance:
       throw std::invalid_argument("squared distances of moving points are no lines");
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LinePredicate: predicates on the keys of linear motions as lines. key_i(t) = slope_i t + height_i is
-// the point (slope_i, height_i) of the dual plane, and a predicate is a number, not a function of t:
-// degree 0. It changes with the motions only.
+// LinePredicate: predicates on the keys of linear motions as lines. key_i(t) = slope_i t + height_i
+// is the point (slope_i, height_i) of the dual plane, and a predicate is a number, not a function
+// of t: degree 0. It changes with the motions only.
 //
-// Motions of higher degree are read as if they ended after t^1: such predicates are for structures that
-// take linear motions only. Doubles without error bounds serve the inexact arithmetics; in `exact`,
-// scenes of small integers get 128-bit integers at once, others doubles with error bounds, then
-// integers of any size.
+// Motions of higher degree are read as if they ended after t^1: such predicates are for structures
+// that take linear motions only. Doubles without error bounds serve the inexact arithmetics; in
+// `exact`, scenes of small integers get 128-bit integers at once, others doubles with error bounds,
+// then integers of any size.
 #ifndef KINEX_PREDICATES_LINE_PREDICATE_H
 #define KINEX_PREDICATES_LINE_PREDICATE_H
 
@@ -18,8 +18,8 @@
 
 namespace kinex {
 
-// The key of the line predicates: v.x for the primitive integer vector of a direction (one coordinate:
-// a unit vector).
+// The key of the line predicates: v.x for the primitive integer vector of a direction (one
+// coordinate: a unit vector).
 struct LineKey {
   std::vector<FormulaConstant> direction;
 
@@ -50,7 +50,8 @@ struct LineKey {
   }
 };
 
-// A Formula has kArity, kAlternating, kHomogeneity, name() and value(points, key), in the wide ring.
+// A Formula has kArity, kAlternating, kHomogeneity, name() and value(points, key), in the wide
+// ring.
 template <class Formula>
 class LinePredicate final : public Predicate {
  public:
@@ -68,10 +69,14 @@ class LinePredicate final : public Predicate {
   }
   bool narrow_fits(int d, const double* magnitude) const override {
     switch (d) {
-      case 1: return fits(Formula::value(MagnitudePoints<1>{magnitude}, key_));
-      case 2: return fits(Formula::value(MagnitudePoints<2>{magnitude}, key_));
-      case 3: return fits(Formula::value(MagnitudePoints<3>{magnitude}, key_));
-      default: return false;
+      case 1:
+        return fits(Formula::value(MagnitudePoints<1>{magnitude}, key_));
+      case 2:
+        return fits(Formula::value(MagnitudePoints<2>{magnitude}, key_));
+      case 3:
+        return fits(Formula::value(MagnitudePoints<3>{magnitude}, key_));
+      default:
+        return false;
     }
   }
   // The value does not depend on the origin of time.
@@ -102,9 +107,15 @@ class LinePredicate final : public Predicate {
   template <class R, class Out>
   void fixed(int d, const MotionView<R>* points, Out* out) const {
     switch (d) {
-      case 1: out[0] = Formula::value(FixedPoints<R, 1>{points}, key_); return;
-      case 2: out[0] = Formula::value(FixedPoints<R, 2>{points}, key_); return;
-      default: out[0] = Formula::value(FixedPoints<R, 3>{points}, key_); return;
+      case 1:
+        out[0] = Formula::value(FixedPoints<R, 1>{points}, key_);
+        return;
+      case 2:
+        out[0] = Formula::value(FixedPoints<R, 2>{points}, key_);
+        return;
+      default:
+        out[0] = Formula::value(FixedPoints<R, 3>{points}, key_);
+        return;
     }
   }
   template <class R>

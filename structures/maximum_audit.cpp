@@ -3,6 +3,7 @@
 #include <string>
 
 #include "structures/key_value.h"
+#include "structures/maximum_dual_hull.h"
 #include "structures/maximum_envelope.h"
 #include "structures/maximum_hanger.h"
 #include "structures/maximum_heap.h"
@@ -96,8 +97,9 @@ void MaximumHanger::check_invariants(AuditReport& report) const {
     const auto where = [&] { return " at place " + std::to_string(p); };
     report.check(place_of_[node.object] == p, [&] { return "a lost object" + where(); });
     for (const Place child : node.child) {
-      report.check(child == kNone || (nodes_[child].parent == p && nodes_[child].object != kNoObject),
-                   [&] { return "a broken link" + where(); });
+      report.check(
+          child == kNone || (nodes_[child].parent == p && nodes_[child].object != kNoObject),
+          [&] { return "a broken link" + where(); });
     }
     const CertificateId c = node.certificate;
     if (node.parent == kNone) {
@@ -127,14 +129,30 @@ void MaximumEnvelope::check_invariants(AuditReport& report) const {
     report.check(winners_[i] != winners_[i - 1],
                  [] { return std::string("an object comes after itself"); });
   }
-  report.check((certificate_ != kNoCertificate) == (to_come() > 0) &&
-                   (certificate_ == kNoCertificate ||
-                    kernel_->query(certificate_) ==
-                        contest_.claim(winners_[at_], winners_[at_ + 1])),
-               [] { return std::string("a certificate of something else"); });
+  report.check(
+      (certificate_ != kNoCertificate) == (to_come() > 0) &&
+          (certificate_ == kNoCertificate ||
+           kernel_->query(certificate_) == contest_.claim(winners_[at_], winners_[at_ + 1])),
+      [] { return std::string("a certificate of something else"); });
 }
 
 void MaximumEnvelope::audit(const Snapshot& snapshot, AuditReport& report) const {
+  audit_extremum(contest_.order().key(), contest_.extremum(), objects_, attribute(), snapshot,
+                 report);
+}
+
+void MaximumDualHull::check_invariants(AuditReport& report) const {
+  const std::string complaint = hull_.complaint();
+  report.check(complaint.empty(), [&] { return complaint; });
+  report.check(winner_ == kNoObject ? hull_.empty() : hull_.contains(winner_),
+               [] { return std::string("a winner who is not there"); });
+  report.check(
+      (certificate_ != kNoCertificate) == (next_ != kNoObject) &&
+          (next_ == kNoObject || kernel_->query(certificate_) == contest_.claim(winner_, next_)),
+      [] { return std::string("a certificate of something else"); });
+}
+
+void MaximumDualHull::audit(const Snapshot& snapshot, AuditReport& report) const {
   audit_extremum(contest_.order().key(), contest_.extremum(), objects_, attribute(), snapshot,
                  report);
 }

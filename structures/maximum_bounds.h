@@ -14,9 +14,10 @@
 
 namespace kinex {
 
-// Certificates: n - 1, or `certificates` if that is given. External events, without flight-plan changes: lambda_D(n) - 1, plus one for
-// each tie that was put in order at a degenerate instant. With them a piece of a motion is a function
-// on an interval: lambda_{D+2}(pieces) - 1, or one event per crossing, whichever is less.
+// Certificates: n - 1, or `certificates` if that is given. External events, without flight-plan
+// changes: lambda_D(n) - 1, plus one for each tie that was put in order at a degenerate instant.
+// With them a piece of a motion is a function on an interval: lambda_{D+2}(pieces) - 1, or one
+// event per crossing, whichever is less.
 std::vector<BoundCheck> maximum_bounds(std::string_view name, const KeyOrder& order,
                                        const BoundContext& context,
                                        std::optional<std::uint64_t> certificates = {});

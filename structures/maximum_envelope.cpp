@@ -9,8 +9,8 @@
 
 namespace kinex {
 
-MaximumEnvelope::MaximumEnvelope(Kernel& kernel, StructureId id, const Key& key,
-                                 const Scene& scene, Extremum extremum)
+MaximumEnvelope::MaximumEnvelope(Kernel& kernel, StructureId id, const Key& key, const Scene& scene,
+                                 Extremum extremum)
     : kernel_(&kernel),
       id_(id),
       contest_(extremum, kernel, key, scene),

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MaximumEnvelope: the object with the largest (or smallest) key, read off the upper envelope of the
-// keys, which is computed ahead.
+// MaximumEnvelope: the object with the largest (or smallest) key, read off the upper envelope of
+// the keys, which is computed ahead.
 //
-// Certificates. One: the present winner is at least as good as the next one of the envelope; degree D
-// in t, that of the key. The envelope itself is the rest of the proof, and needs no certificates as
-// long as the motions in force are what they were when it was computed. None when the last winner
-// has come.
+// Certificates. One: the present winner is at least as good as the next one of the envelope; degree
+// D in t, that of the key. The envelope itself is the rest of the proof, and needs no certificates
+// as long as the motions in force are what they were when it was computed. None when the last
+// winner has come.
 //
 // Quality, for n objects: compactness 1 certificate, locality 1, responsiveness 1 certificate, and
-// every event is external: lambda_D(n) - 1 of them at most. What that costs: the envelope takes O(n)
-// space (lambda_D(n)) and O(lambda_D(n) log n) failure times and comparisons of instants to compute,
-// and every flight-plan change, insertion and erasure computes it anew. It is the offline solution
-// that kinetic structures are measured against: no better when nothing changes, and hopeless when
-// much does.
+// every event is external: lambda_D(n) - 1 of them at most. What that costs: the envelope takes
+// O(n) space (lambda_D(n)) and O(lambda_D(n) log n) failure times and comparisons of instants to
+// compute, and every flight-plan change, insertion and erasure computes it anew. It is the offline
+// solution that kinetic structures are measured against: no better when nothing changes, and
+// hopeless when much does.
 //
 // Ties. Of objects whose keys are equal for ever the smallest id wins. Where several overtake the
 // winner at one instant only the one that is best right after it is ever the winner.

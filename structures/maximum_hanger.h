@@ -20,8 +20,8 @@
 // q(k) = sum_j C(k-1, j) q(j) / 2^k = Theta(1/k). So the expected number of events is exactly the
 // sum of q(k) over all crossings of two keys with k objects above, which is O(lambda_D(n) log n),
 // O(n log n) for lines; a statistical bound, checked by the tests. Hard bounds: for affine motions
-// the number of (ancestor, descendant) pairs, as in a heap of any shape; else one event per crossing.
-// The maximum changes at most lambda_D(n) - 1 times.
+// the number of (ancestor, descendant) pairs, as in a heap of any shape; else one event per
+// crossing. The maximum changes at most lambda_D(n) - 1 times.
 //
 // Randomness. Coins come from a counter and a seed (fixed, but for tests): same input, same tree.
 //

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "structures/delaunay_2.h"
+#include "structures/maximum_dual_hull.h"
 #include "structures/maximum_envelope.h"
 #include "structures/maximum_hanger.h"
 #include "structures/maximum_heap.h"
@@ -69,6 +70,12 @@ const std::vector<Entry>& entries() {
       {{"minimum_envelope", "the object with the smallest key, by the lower envelope ahead", 1, true,
         ""},
        make_extremum<MaximumEnvelope, Extremum::kMinimum>},
+      {{"maximum_dual_hull", "the object with the largest key, by the dual hull of linear motions", 1,
+        true, "", true},
+       make_extremum<MaximumDualHull, Extremum::kMaximum>},
+      {{"minimum_dual_hull", "the object with the smallest key, by the dual hull of linear motions",
+        1, true, "", true},
+       make_extremum<MaximumDualHull, Extremum::kMinimum>},
       {{"maximum_sorted_list", "the object with the largest key, read off a sorted list", 1, true,
         "sorted_list"},
        make_of_list<Extremum::kMaximum>},

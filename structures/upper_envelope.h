@@ -6,8 +6,8 @@
 // O(lambda_D(n) log n) failure times and comparisons of instants for keys of degree D: O(n log n)
 // for lines. Several crossings of a pair are found one after another.
 //
-// Right for as long as the motions in force are: a change makes it void. Ties: of objects whose keys
-// are equal for ever the smallest id; at an instant, what is right after it.
+// Right for as long as the motions in force are: a change makes it void. Ties: of objects whose
+// keys are equal for ever the smallest id; at an instant, what is right after it.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5; Sharir,
 // Agarwal, "Davenport-Schinzel sequences and their geometric applications" (1995), chapter 6.

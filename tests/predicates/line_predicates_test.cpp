@@ -16,7 +16,8 @@ Key direction(int a, int b) {
   return key;
 }
 
-// The dual point of an object that moves by the coefficients at `motion`, d + 1 for each of two axes.
+// The dual point of an object that moves by the coefficients at `motion`, d + 1 for each of two
+// axes.
 struct Dual {
   Rational slope, height;
 };
@@ -55,7 +56,8 @@ TEST(LinePredicates, RingsAgreeWithTheDualPlane) {
         std::vector<Ball> ball;
         std::vector<MpFloat> mp;
         for (std::size_t i = 0; i < 5 * stride; ++i) {
-          const auto v = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * size + 1)) - size;
+          const auto v =
+              static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * size + 1)) - size;
           q.emplace_back(v);
           z.emplace_back(v);
           n.push_back(v);
@@ -86,7 +88,8 @@ TEST(LinePredicates, RingsAgreeWithTheDualPlane) {
           EXPECT_GE((rational[0] - *Rational::from_double(b.value)).to_double(), -b.error);
           double plain = 0;
           predicate.plain(d, views(f).data(), 0, &plain);
-          EXPECT_NEAR(plain, rational[0].to_double(), 1e-9 * (1 + std::abs(rational[0].to_double())) + 1e6);
+          EXPECT_NEAR(plain, rational[0].to_double(),
+                      1e-9 * (1 + std::abs(rational[0].to_double())) + 1e6);
           EXPECT_EQ(predicate.degree(d), 0);
           if (d > kMaxFixedDegree) return;
           ASSERT_TRUE(predicate.narrow_fits(d, magnitude.data()));
@@ -98,8 +101,10 @@ TEST(LinePredicates, RingsAgreeWithTheDualPlane) {
         check(*turned, Rational(1), turn(p[0], p[1], p[2]));
         const Rational ab = p[1].slope - p[0].slope, cd = p[3].slope - p[2].slope;
         if (ab.is_zero() || cd.is_zero()) continue;
-        const Rational first = p[0].height + (p[1].height - p[0].height) * (p[4].slope - p[0].slope) / ab;
-        const Rational second = p[2].height + (p[3].height - p[2].height) * (p[4].slope - p[2].slope) / cd;
+        const Rational first =
+            p[0].height + (p[1].height - p[0].height) * (p[4].slope - p[0].slope) / ab;
+        const Rational second =
+            p[2].height + (p[3].height - p[2].height) * (p[4].slope - p[2].slope) / cd;
         check(*meeting, Rational((ab * cd).sign()), (first - second).sign());
       }
     }

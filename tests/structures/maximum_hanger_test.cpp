@@ -148,7 +148,8 @@ TEST(MaximumHanger, ChangesKeepTheDistribution) {
 TEST(MaximumHanger, TheTreeIsShallow) {
   const Scene scene = random_lines(1, 4000);
   Hanging run(scene, MaximumHanger::kSeed);
-  EXPECT_LE(run.hanger->depth(), 30u);  // expected about log2 n + O(sqrt(log n)) on the longest path
+  EXPECT_LE(run.hanger->depth(),
+            30u);  // expected about log2 n + O(sqrt(log n)) on the longest path
   EXPECT_GE(run.hanger->depth(), 12u);
 }
 
