@@ -152,8 +152,9 @@ void read_entry(const JsonNode& node, Scene& scene) {
       request.key = read_key(*key, scene);
       if (find_structure_info(request.structure)->linear &&
           request.key.kind == Key::Kind::kSquaredDistance) {
-        key->fail(show_text(request.structure) + " needs a key that is linear, not a squared distance",
-                  "maintain " + with_every_motion(request.structure) + " by this key");
+        key->fail(
+            show_text(request.structure) + " needs a key that is linear, not a squared distance",
+            "maintain " + with_every_motion(request.structure) + " by this key");
       }
     }
     if (const auto label = node.find("as")) {

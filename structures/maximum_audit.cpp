@@ -141,6 +141,12 @@ void MaximumEnvelope::audit(const Snapshot& snapshot, AuditReport& report) const
                  report);
 }
 
+bool MaximumEnvelope::holds_after_the_end(const Snapshot& snapshot) const {
+  AuditReport report;
+  audit(snapshot, report);
+  return report.violations.empty();
+}
+
 void MaximumDualHull::check_invariants(AuditReport& report) const {
   const std::string complaint = hull_.complaint();
   report.check(complaint.empty(), [&] { return complaint; });

@@ -2,6 +2,7 @@
 #include "structures/maximum_bounds.h"
 
 #include <string>
+#include <utility>
 
 namespace kinex {
 
@@ -40,6 +41,13 @@ std::vector<BoundCheck> maximum_bounds(std::string_view name, const KeyOrder& or
                              "one certificate per object that is not the winner",
                              n.is_zero() ? Integer(0) : n - Integer(1), counted(ledger.max_live)));
   }
+  // Where every event is external that bound is one on all events.
+  const auto add = [&](Integer most, const std::string& source) {
+    if (certificates) {
+      result.push_back(at_most(own + ".events", source, most, counted(ledger.processed)));
+    }
+    result.push_back(at_most(own + ".external", source, std::move(most), counted(ledger.external)));
+  };
   const auto ties = ledger.by_kind.find("tie");
   const Integer tied = counted(ties == ledger.by_kind.end() ? 0 : ties->second);
   const int degree = order.degree(context.degree);
@@ -47,21 +55,17 @@ std::vector<BoundCheck> maximum_bounds(std::string_view name, const KeyOrder& or
     return envelope.is_zero() ? envelope : envelope - Integer(1);
   };
   if (context.plain()) {
-    result.push_back(
-        at_most(own + ".external",
-                "pieces of the upper envelope of n functions, Davenport-Schinzel numbers; "
-                "Guibas 1998, section 5",
-                changes(davenport_schinzel_bound(degree, n)) + tied, counted(ledger.external)));
+    add(changes(davenport_schinzel_bound(degree, n)) + tied,
+        "pieces of the upper envelope of n functions, Davenport-Schinzel numbers; "
+        "Guibas 1998, section 5");
     return result;
   }
   const Integer envelope =
       changes(davenport_schinzel_bound(degree + 2, key_pieces(order, context)));
   const Integer crossing = crossings(order, context);
-  result.push_back(at_most(own + ".external",
-                           "pieces of the upper envelope of functions on intervals, "
-                           "Davenport-Schinzel numbers of order degree + 2, or one per crossing",
-                           (envelope < crossing ? envelope : crossing) + tied,
-                           counted(ledger.external)));
+  add((envelope < crossing ? envelope : crossing) + tied,
+      "pieces of the upper envelope of functions on intervals, Davenport-Schinzel numbers of order "
+      "degree + 2, or one per crossing");
   return result;
 }
 

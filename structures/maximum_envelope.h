@@ -54,6 +54,8 @@ class MaximumEnvelope final : public Structure {
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  // The envelope ends with the scene.
+  bool holds_after_the_end(const Snapshot& snapshot) const override;
   std::size_t bytes() const override;
 
   // kNoObject if there is none.
