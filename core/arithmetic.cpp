@@ -14,6 +14,12 @@ namespace kinex {
 
 std::string Arithmetic::polynomial_model(PredicateId) const { return name(); }
 
+void Arithmetic::visit(const Query&, const FailureTime&) {
+  throw std::logic_error(name() + " cannot look from another instant");
+}
+
+void Arithmetic::leave() { throw std::logic_error(name() + " looks from no other instant"); }
+
 PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
   predicates_.push_back(std::move(predicate));
   counters_.by_predicate.emplace_back();

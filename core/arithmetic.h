@@ -62,6 +62,11 @@ class Arithmetic {
   virtual void set_now(const Rational& t) = 0;
   // now := the failure time of `query`, whose number passes to the arithmetic (time.root becomes 0).
   virtual void advance(const Query& query, FailureTime& time) = 0;
+  // Looks from a later instant, the failure time of `query`, as if that were now, and comes back with
+  // leave(). Meanwhile only signs and failure times may be asked for. `time` keeps its number. See
+  // Foresight.
+  virtual void visit(const Query& query, const FailureTime& time);
+  virtual void leave();
   // A double near now, for people and progress.
   virtual double now_approximate() const = 0;
   virtual InstantText describe_now() = 0;

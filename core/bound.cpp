@@ -32,7 +32,12 @@ Integer davenport_schinzel_bound(int s, const Integer& n) {
   if (s == 2) return n + n - Integer(1);
   static constexpr std::array<int, 8> kThree{1, 4, 8, 12, 17, 22, 27, 32};
   if (s == 3 && n <= Integer(8)) return Integer(kThree[static_cast<std::size_t>(n.to_int64()) - 1]);
-  return Integer(s) * pairs(n) + Integer(1);
+  const Integer crossings = Integer(s) * pairs(n) + Integer(1);
+  if (s > 3) return crossings;
+  std::int64_t octaves = 0;
+  while (Integer::power_of_two(static_cast<unsigned long>(octaves + 3)) < n) ++octaves;
+  const Integer rarest = n * Integer(4 + 2 * octaves);
+  return rarest < crossings ? rarest : crossings;
 }
 
 Integer pair_sign_changes(const std::vector<int>& pieces, int degree, int common) {

@@ -37,8 +37,11 @@ BoundCheck at_most(std::string id, std::string source, Integer bound, Integer ob
 
 // Largest number of pieces of the lower envelope of n functions of which any two cross at most s
 // times (Davenport-Schinzel numbers lambda_s(n)): 1 for s = 0, n for s = 1, 2n - 1 for s = 2, the
-// known values for s = 3 and n <= 8 (1, 4, 8, 12, 17, 22, 27, 32), and else the proven upper bound
-// s n(n-1)/2 + 1 (every change of the envelope is at a crossing of two functions). 0 for n <= 0.
+// known values for s = 3 and n <= 8 (1, 4, 8, 12, 17, 22, 27, 32), and else the smaller one of two proven
+// upper bounds: s n(n-1)/2 + 1 (every change of the envelope is at a crossing of two functions); and
+// for s = 3, from lambda_3(n) / n <= lambda_3(n-1) / (n-1) + 2 / (n-1) (take out the rarest symbol, and
+// two neighbours that become equal), 4 n + 2 n (H(n-1) - H(7)) <= n (4 + 2 ceil(log2(n / 8))). 0 for
+// n <= 0.
 // Source: Sharir and Agarwal, "Davenport-Schinzel sequences and their geometric applications"
 // (1995); the values for s = 3: OEIS A002004.
 Integer davenport_schinzel_bound(int s, const Integer& n);

@@ -59,6 +59,17 @@ class DoubleArithmetic final : public Arithmetic {
     own_ = time.root == 0;
     query_ = query;
   }
+  void visit(const Query& query, const FailureTime& time) override {
+    home_ = {now_, own_, query_};
+    now_ = std::max(now_, time.lo);
+    own_ = time.root == 0;
+    query_ = query;
+  }
+  void leave() override {
+    now_ = home_.now;
+    own_ = home_.own;
+    query_ = home_.query;
+  }
   double now_approximate() const override { return now_; }
   InstantText describe_now() override {
     std::array<char, 40> buffer;
@@ -224,6 +235,11 @@ class DoubleArithmetic final : public Arithmetic {
   double now_;
   bool own_ = false;  // now is a failure time found for query_
   Query query_;
+  struct {
+    double now;
+    bool own;
+    Query query;
+  } home_{};  // where leave() goes back to
 };
 
 }  // namespace

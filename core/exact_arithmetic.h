@@ -32,6 +32,8 @@ class ExactArithmetic final : public Arithmetic {
                   const std::optional<Rational>& until) override;
   void set_now(const Rational& t) override;
   void advance(const Query& query, FailureTime& time) override;
+  void visit(const Query& query, const FailureTime& time) override;
+  void leave() override;
   double now_approximate() const override { return now_.lo + 0.5 * (now_.hi - now_.lo); }
   InstantText describe_now() override;
   Sign sign_after(const Query& query) override;
@@ -130,6 +132,7 @@ class ExactArithmetic final : public Arithmetic {
   std::optional<Rational> end_;
   double end_upper_;
   Now now_;
+  Now home_;  // where leave() goes back to
   // The origin in use for all now_.lo in [origin_, origin_end_).
   double origin_ = 0;
   double origin_end_ = 0;

@@ -70,6 +70,23 @@ void ExactArithmetic::advance(const Query& query, FailureTime& time) {
   update_origin();
 }
 
+void ExactArithmetic::visit(const Query& query, const FailureTime& time) {
+  home_ = now_;
+  now_.lo = time.lo;
+  now_.hi = time.hi;
+  now_.query = query;
+  now_.own = (time.root & kBornFailing) == 0;
+  now_.isolated = (time.root & kFlags) == 0;
+  now_.root = roots_.share(time.root & ~kFlags);
+  update_origin();
+}
+
+void ExactArithmetic::leave() {
+  roots_.release(now_.root);
+  now_ = home_;
+  update_origin();
+}
+
 // The root that [lo, hi] isolates: the filter has proved opposite signs at the ends and one root.
 std::uint32_t ExactArithmetic::make_root(const Query& query, const FailureTime& time) {
   ++counters_.roots_made_exact;

@@ -88,6 +88,16 @@ class GslArithmetic final : public Arithmetic {
     failed_ = time.root == kBornFailing ? Query() : query;
     time.root = 0;
   }
+  void visit(const Query& query, const FailureTime& time) override {
+    home_ = now_;
+    failed_at_home_ = failed_;
+    now_ = std::max(now_, time.lo);
+    failed_ = time.root == kBornFailing ? Query() : query;
+  }
+  void leave() override {
+    now_ = home_;
+    failed_ = failed_at_home_;
+  }
   double now_approximate() const override { return now_; }
   InstantText describe_now() override {
     std::array<char, 40> buffer;
@@ -283,6 +293,8 @@ class GslArithmetic final : public Arithmetic {
   double end_;
   double now_;
   Query failed_;  // now is a failure time found for it; arity 0: none
+  double home_ = 0;  // where leave() goes back to
+  Query failed_at_home_;
   std::vector<double> c_, packed_, roots_;
   std::vector<Workspace> workspaces_;  // by degree
 };

@@ -60,6 +60,19 @@ class MpfrArithmetic final : public Arithmetic {
     own_ = !at_now;
     query_ = query;
   }
+  void visit(const Query& query, const FailureTime& time) override {
+    home_ = now_;
+    own_at_home_ = own_;
+    query_at_home_ = query_;
+    own_ = (time.root & kNow) == 0;
+    if (time.root != 0 && own_ && compare_values(value(time), now_) > 0) now_ = value(time);
+    query_ = query;
+  }
+  void leave() override {
+    now_ = home_;
+    own_ = own_at_home_;
+    query_ = query_at_home_;
+  }
   double now_approximate() const override { return now_.to_double(); }
   InstantText describe_now() override {
     // Enough digits to tell two neighbours of this precision apart.
@@ -231,6 +244,9 @@ class MpfrArithmetic final : public Arithmetic {
   MpFloat now_;
   bool own_ = false;  // now is a failure time found for query_
   Query query_;
+  MpFloat home_;  // where leave() goes back to
+  bool own_at_home_ = false;
+  Query query_at_home_;
   std::vector<MpFloat> times_;
   std::vector<std::uint32_t> free_;
 };

@@ -15,6 +15,12 @@ void Simulator::check_trajectory(const Trajectory& trajectory) const {
                                 " coordinates in a scene of dimension " +
                                 std::to_string(scene_.dimension));
   }
+  for (const Entry& entry : entries_) {
+    if (trajectory.degree() <= entry.structure->largest_motion_degree()) continue;
+    throw std::invalid_argument(std::string(entry.structure->name()) +
+                                " cannot maintain a motion of degree " +
+                                std::to_string(trajectory.degree()));
+  }
 }
 
 void Simulator::put_in_force(ObjectId object, const Trajectory& trajectory,

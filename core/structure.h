@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,6 +71,9 @@ class Structure {
   // watch it.
   virtual void watched_changed(const Event* event) { (void)event; }
 
+  // The largest degree of motion that it can maintain.
+  virtual int largest_motion_degree() const { return std::numeric_limits<int>::max(); }
+
   virtual Attribute attribute() const = 0;
   virtual std::vector<BoundCheck> bounds(const BoundContext& context) const = 0;
   // In an inexact arithmetic: how many repairs at one instant, beyond 1000 + 8 c for c
@@ -83,6 +87,12 @@ class Structure {
   // Compares the attribute with an independent static computation on exact positions at a rational
   // time at which all its certificates hold.
   virtual void audit(const Snapshot& snapshot, AuditReport& report) const = 0;
+  // For an audit at a time after the scene's end, where nothing is scheduled: whether its proof is
+  // good at these positions, its certificates aside. For a proof that rests on more than these.
+  virtual bool holds_after_the_end(const Snapshot& snapshot) const {
+    static_cast<void>(snapshot);
+    return true;
+  }
   // Bytes of its own state, certificates not counted.
   virtual std::size_t bytes() const = 0;
 };

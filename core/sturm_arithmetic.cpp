@@ -80,6 +80,14 @@ class SturmArithmetic final : public Arithmetic {
                   const std::optional<Rational>& until) override;
   void set_now(const Rational& t) override;
   void advance(const Query& query, FailureTime& time) override;
+  void visit(const Query&, const FailureTime& time) override {
+    home_ = now_;
+    now_ = instants_.share(handle(time));
+  }
+  void leave() override {
+    instants_.release(now_);
+    now_ = home_;
+  }
   double now_approximate() const override {
     return ((now().lower() + now().upper()) / Rational(2)).to_double();
   }
@@ -133,6 +141,7 @@ class SturmArithmetic final : public Arithmetic {
   std::optional<Rational> end_;
   InstantPool instants_;
   std::uint32_t now_;        // never 0
+  std::uint32_t home_ = 0;   // where leave() goes back to
   RationalPolynomial name_;  // vanishes at now: what describe_now calls it a root of
   SturmWork work_;
 };

@@ -43,11 +43,17 @@ std::string axes_of(int dimension) {
   return result;
 }
 
+// A structure for the same attribute that is not restricted to linear motions.
+std::string with_every_motion(const std::string& name) {
+  return name.substr(0, name.find('_')) + "_tournament";
+}
+
 // The problem with maintaining `name` in a scene of this dimension: {problem, remedy}, or nothing.
 struct Complaint {
   std::string problem, remedy;
 };
-std::optional<Complaint> complaint_about(const std::string& name, int dimension) {
+std::optional<Complaint> complaint_about(const std::string& name, const Scene& scene) {
+  const int dimension = scene.dimension;
   const StructureInfo* info = find_structure_info(name);
   if (info == nullptr)
     return Complaint{show_text(name) + " is not a known structure", known_structures()};
@@ -55,6 +61,11 @@ std::optional<Complaint> complaint_about(const std::string& name, int dimension)
     return Complaint{show_text(name) + " needs " + std::to_string(info->min_dimension) +
                          " axes, the scene has " + std::to_string(dimension),
                      "maintain something else, or give the scene more axes"};
+  }
+  if (info->linear && scene.degree() > 1) {
+    return Complaint{show_text(name) + " needs linear motions, the scene has motions of degree " +
+                         std::to_string(scene.degree()),
+                     "maintain " + with_every_motion(name) + ", which takes every motion"};
   }
   return std::nullopt;
 }
@@ -129,7 +140,7 @@ void read_entry(const JsonNode& node, Scene& scene) {
   }
   const JsonNode name = plain ? node : node.member("structure");
   request.structure = name.string();
-  if (const auto complaint = complaint_about(request.structure, scene.dimension)) {
+  if (const auto complaint = complaint_about(request.structure, scene)) {
     name.fail(complaint->problem, complaint->remedy);
   }
   request.label = request.structure;
@@ -139,6 +150,12 @@ void read_entry(const JsonNode& node, Scene& scene) {
         key->fail(show_text(request.structure) + " takes no key", "remove it");
       }
       request.key = read_key(*key, scene);
+      if (find_structure_info(request.structure)->linear &&
+          request.key.kind == Key::Kind::kSquaredDistance) {
+        key->fail(
+            show_text(request.structure) + " needs a key that is linear, not a squared distance",
+            "maintain " + with_every_motion(request.structure) + " by this key");
+      }
     }
     if (const auto label = node.find("as")) {
       request.label = label->string();
@@ -188,7 +205,7 @@ void read_short_entry(const std::string& entry, Scene& scene) {
   Request request;
   request.structure = entry.substr(0, colon);
   request.label = entry;
-  if (const auto complaint = complaint_about(request.structure, scene.dimension)) {
+  if (const auto complaint = complaint_about(request.structure, scene)) {
     throw InputError(kOption, "", complaint->problem, complaint->remedy);
   }
   if (colon != std::string::npos) {

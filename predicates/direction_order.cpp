@@ -35,7 +35,7 @@ struct DirectionOrder {
 
 }  // namespace
 
-std::shared_ptr<const Predicate> make_direction_order(const std::vector<Rational>& direction) {
+std::vector<Integer> primitive_direction(const std::vector<Rational>& direction) {
   Integer denominator(1);
   bool zero = true;
   for (const Rational& v : direction) {
@@ -49,11 +49,13 @@ std::shared_ptr<const Predicate> make_direction_order(const std::vector<Rational
     entries.push_back((v * Rational(denominator)).numerator());
     common = gcd(common, entries.back());
   }
+  for (Integer& v : entries) v.divide_exactly(common);
+  return entries;
+}
+
+std::shared_ptr<const Predicate> make_direction_order(const std::vector<Rational>& direction) {
   DirectionOrder formula;
-  for (Integer& v : entries) {
-    v.divide_exactly(common);
-    formula.direction.emplace_back(std::move(v));
-  }
+  for (Integer& v : primitive_direction(direction)) formula.direction.emplace_back(std::move(v));
   return std::make_shared<FormulaPredicate<DirectionOrder>>(std::move(formula));
 }
 

@@ -3,6 +3,9 @@
 #include <string>
 
 #include "structures/key_value.h"
+#include "structures/maximum_dual_hull.h"
+#include "structures/maximum_envelope.h"
+#include "structures/maximum_hanger.h"
 #include "structures/maximum_heap.h"
 #include "structures/maximum_of_list.h"
 #include "structures/maximum_tournament.h"
@@ -83,6 +86,81 @@ void MaximumHeap::check_invariants(AuditReport& report) const {
 void MaximumHeap::audit(const Snapshot& snapshot, AuditReport& report) const {
   audit_extremum(contest_.order().key(), contest_.extremum(), place_of_.size(), attribute(),
                  snapshot, report);
+}
+
+void MaximumHanger::check_invariants(AuditReport& report) const {
+  std::size_t found = 0;
+  for (Place p = 0; p < nodes_.size(); ++p) {
+    const Node& node = nodes_[p];
+    if (node.object == kNoObject) continue;
+    ++found;
+    const auto where = [&] { return " at place " + std::to_string(p); };
+    report.check(place_of_[node.object] == p, [&] { return "a lost object" + where(); });
+    for (const Place child : node.child) {
+      report.check(
+          child == kNone || (nodes_[child].parent == p && nodes_[child].object != kNoObject),
+          [&] { return "a broken link" + where(); });
+    }
+    const CertificateId c = node.certificate;
+    if (node.parent == kNone) {
+      report.check(p == root_ && c == kNoCertificate, [&] { return "a second root" + where(); });
+      continue;
+    }
+    const ObjectId parent = nodes_[node.parent].object;
+    report.check(c != kNoCertificate && kernel_->tag(c) == p &&
+                     kernel_->query(c) == contest_.claim(parent, node.object),
+                 [&] { return "a certificate of something else" + where(); });
+    report.check(c == kNoCertificate || kernel_->outlook(c) != Outlook::kIdenticallyZero ||
+                     parent < node.object,
+                 [&] { return "a tie in the wrong order" + where(); });
+  }
+  report.check(found == size_, [] { return std::string("a wrong number of objects"); });
+}
+
+void MaximumHanger::audit(const Snapshot& snapshot, AuditReport& report) const {
+  audit_extremum(contest_.order().key(), contest_.extremum(), place_of_.size(), attribute(),
+                 snapshot, report);
+}
+
+void MaximumEnvelope::check_invariants(AuditReport& report) const {
+  report.check(members_.empty() ? winners_.empty() : at_ < winners_.size(),
+               [] { return std::string("there is no winner"); });
+  for (std::size_t i = at_ + 1; i < winners_.size(); ++i) {
+    report.check(winners_[i] != winners_[i - 1],
+                 [] { return std::string("an object comes after itself"); });
+  }
+  report.check(
+      (certificate_ != kNoCertificate) == (to_come() > 0) &&
+          (certificate_ == kNoCertificate ||
+           kernel_->query(certificate_) == contest_.claim(winners_[at_], winners_[at_ + 1])),
+      [] { return std::string("a certificate of something else"); });
+}
+
+void MaximumEnvelope::audit(const Snapshot& snapshot, AuditReport& report) const {
+  audit_extremum(contest_.order().key(), contest_.extremum(), objects_, attribute(), snapshot,
+                 report);
+}
+
+bool MaximumEnvelope::holds_after_the_end(const Snapshot& snapshot) const {
+  AuditReport report;
+  audit(snapshot, report);
+  return report.violations.empty();
+}
+
+void MaximumDualHull::check_invariants(AuditReport& report) const {
+  const std::string complaint = hull_.complaint();
+  report.check(complaint.empty(), [&] { return complaint; });
+  report.check(winner_ == kNoObject ? hull_.empty() : hull_.contains(winner_),
+               [] { return std::string("a winner who is not there"); });
+  report.check(
+      (certificate_ != kNoCertificate) == (next_ != kNoObject) &&
+          (next_ == kNoObject || kernel_->query(certificate_) == contest_.claim(winner_, next_)),
+      [] { return std::string("a certificate of something else"); });
+}
+
+void MaximumDualHull::audit(const Snapshot& snapshot, AuditReport& report) const {
+  audit_extremum(contest_.order().key(), contest_.extremum(), objects_, attribute(), snapshot,
+                 report);
 }
 
 void MaximumOfList::check_invariants(AuditReport& report) const {

@@ -9,8 +9,11 @@
 // erasure sift along one path: O(log n) certificates. Events: for affine motions without
 // flight-plan changes at most the number of (ancestor, descendant) pairs, sum of the depths, (k -
 // 2) 2^k + 2 for n = 2^k - 1, which is reached: each event removes a pair whose descendant has the
-// larger slope, and makes none. For other motions no bound with known constants is proven, and none
-// is checked. The maximum changes at most lambda_D(n) - 1 times.
+// larger slope, and makes none. A flight-plan change, an insertion or an erasure makes at most as
+// many such pairs as the objects that it changes or moves are in, and the bound grows by these: for
+// an object at the bottom O(log n). (m updates altogether: O(m sqrt(m log m)) in the literature.)
+// For motions of higher degree no bound with known constants is proven but one event per crossing.
+// The maximum changes at most lambda_D(n) - 1 times.
 //
 // Ties. Of objects whose keys are equal for ever the smaller id is above the larger, where one is
 // above the other; so at the top it is the smallest.
@@ -64,6 +67,7 @@ class MaximumHeap final : public Structure {
   static constexpr Place kNone = 0xffffffffu;
 
   void construct(std::vector<ObjectId> members);
+  std::uint64_t relatives(Place i) const;
   void put(Place i, ObjectId object) {
     heap_[i] = object;
     place_of_[object] = i;
@@ -81,6 +85,7 @@ class MaximumHeap final : public Structure {
   std::vector<ObjectId> heap_;
   std::vector<CertificateId> certificate_;  // per place, of it and its parent; none for the root
   std::vector<Place> place_of_;             // per object
+  std::uint64_t pairs_ = 0;  // of an ancestor and a descendant that may still fail, or have
   std::vector<Place> ties_;  // certificates that are zero for ever, not yet looked at
 };
 

@@ -4,6 +4,9 @@
 #include <stdexcept>
 
 #include "structures/delaunay_2.h"
+#include "structures/maximum_dual_hull.h"
+#include "structures/maximum_envelope.h"
+#include "structures/maximum_hanger.h"
 #include "structures/maximum_heap.h"
 #include "structures/maximum_of_list.h"
 #include "structures/maximum_tournament.h"
@@ -57,6 +60,22 @@ const std::vector<Entry>& entries() {
        make_extremum<MaximumHeap, Extremum::kMaximum>},
       {{"minimum_heap", "the object with the smallest key, by a binary heap", 1, true, ""},
        make_extremum<MaximumHeap, Extremum::kMinimum>},
+      {{"maximum_hanger", "the object with the largest key, by a randomised hanger", 1, true, ""},
+       make_extremum<MaximumHanger, Extremum::kMaximum>},
+      {{"minimum_hanger", "the object with the smallest key, by a randomised hanger", 1, true, ""},
+       make_extremum<MaximumHanger, Extremum::kMinimum>},
+      {{"maximum_envelope", "the object with the largest key, by the upper envelope ahead", 1, true,
+        ""},
+       make_extremum<MaximumEnvelope, Extremum::kMaximum>},
+      {{"minimum_envelope", "the object with the smallest key, by the lower envelope ahead", 1, true,
+        ""},
+       make_extremum<MaximumEnvelope, Extremum::kMinimum>},
+      {{"maximum_dual_hull", "the object with the largest key, by the dual hull of linear motions", 1,
+        true, "", true},
+       make_extremum<MaximumDualHull, Extremum::kMaximum>},
+      {{"minimum_dual_hull", "the object with the smallest key, by the dual hull of linear motions",
+        1, true, "", true},
+       make_extremum<MaximumDualHull, Extremum::kMinimum>},
       {{"maximum_sorted_list", "the object with the largest key, read off a sorted list", 1, true,
         "sorted_list"},
        make_of_list<Extremum::kMaximum>},

@@ -20,6 +20,7 @@ struct StructureInfo {
   int min_dimension;         // axes that a scene must have
   bool uses_key;             // a "key" makes sense for it
   std::string_view reads;    // the structure, of the same key, that it watches; empty: none
+  bool linear = false;       // for linear motions and keys (not squared distances) only
 };
 
 // All structures, in the order in which they are listed to people.

@@ -18,6 +18,7 @@
 #include "experiments/verify/catalogue.h"
 #include "experiments/verify/cell_progress.h"
 #include "experiments/verify/database.h"
+#include "experiments/verify/measures.h"
 #include "experiments/verify/page.h"
 #include "experiments/verify/plots.h"
 #include "experiments/verify/report_text.h"
@@ -93,7 +94,10 @@ void verify(const Options& options, int& exit_code) {
   for (const GrowthResult& growth : result.growths) {
     print(options.json ? json_row(growth) : table_row(growth));
   }
-  if (!options.json) print(closing_line(result));
+  if (!options.json) {
+    print(closing_line(result));
+    for (const MeasuresTable& table : measures_tables(result.cells)) print(measures_text(table));
+  }
 
   PageFacts facts;
   facts.build = build_facts();
@@ -121,7 +125,8 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand(
       "verify", "The bound-verification experiments: writes verify.sqlite and verify.html");
-  verb->add_option("STRUCTURE", options->structure, "A structure, or all (default)");
+  verb->add_option("STRUCTURE", options->structure,
+                   "A structure, maximum, minimum (all structures for it), or all (default)");
   verb->add_flag("--quick", options->quick, "Smaller sizes: a few minutes on one core");
   verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
   verb->add_flag("--force", options->force, "Replace results that exist");
@@ -134,7 +139,7 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
       "Exit codes: 1 an expectation, bound or audit failed (the scene is kept beside the "
       "results);\n"
       "3 interrupted, stopped at a limit, or not enough seeds to tell.\n"
-      "Example:\n  kinex verify delaunay_2 --quick -o results");
+      "Example:\n  kinex verify delaunay_2 --quick -o results\n  kinex verify maximum --quick");
   verb->callback([options, &exit_code] { verify(*options, exit_code); });
 }
 

@@ -12,12 +12,22 @@ namespace kinex {
 
 namespace {
 
+bool is_group(std::string_view structure) {
+  return structure == "all" || structure == "maximum" || structure == "minimum";
+}
+
+bool is_selected(std::string_view structure, std::string_view name) {
+  if (structure == "all" || structure == name) return true;
+  return is_group(structure) &&
+         name.substr(0, structure.size() + 1) == std::string(structure) + "_";
+}
+
 // In the registry's order; those of one structure keep theirs.
 template <class Item>
 void select(std::vector<Item>& items, std::string_view structure) {
   std::vector<Item> selected;
   for (const StructureInfo& info : structure_infos()) {
-    if (structure != "all" && structure != info.name) continue;
+    if (!is_selected(structure, info.name)) continue;
     for (Item& item : items) {
       if (item.structure == info.name) selected.push_back(std::move(item));
     }
@@ -46,8 +56,8 @@ void count_comparisons(std::vector<Cell>& cells) {
 }  // namespace
 
 Catalogue make_catalogue(std::string_view structure, Extent extent) {
-  if (structure != "all" && find_structure_info(structure) == nullptr) {
-    std::string names = "all";
+  if (!is_group(structure) && find_structure_info(structure) == nullptr) {
+    std::string names = "all, maximum, minimum";
     for (const StructureInfo& info : structure_infos()) names += ", " + std::string(info.name);
     throw InputError("verify", "", show_text(structure) + " is not a structure",
                      "choose one of " + names);
@@ -56,6 +66,7 @@ Catalogue make_catalogue(std::string_view structure, Extent extent) {
   add_worst_cases(catalogue, extent);
   add_random_motion(catalogue, extent);
   for (const StructureInfo& info : structure_infos()) add_common_cells(catalogue, info, extent);
+  add_maximum_comparison(catalogue, extent);
   select(catalogue.cells, structure);
   count_comparisons(catalogue.cells);
   select(catalogue.growths, structure);

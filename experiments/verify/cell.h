@@ -14,7 +14,8 @@
 
 namespace kinex {
 
-// A quantity is a count of a run by name: "processed", "external", "internal", "kind.NAME" for the
+// A quantity is a count of a run by name: "processed", "external", "internal", "changes" (external
+// events of what was asked for, where that is read off another structure), "kind.NAME" for the
 // events of a kind, or a sum of these: "kind.enter+kind.leave".
 using Quantity = std::string;
 
@@ -46,6 +47,7 @@ struct Cell {
   bool mirrored = false;          // all coordinates negated: a maximum's scene becomes a minimum's
   std::string family;             // the curve that it is a point of, for plots and growth claims
   bool random = false;
+  std::string comparison;         // the table of measures that it has a row in; empty: none
   // Random families: seeds are added until the standard error of the mean of every quantity in
   // `precise` is below its relative error times the mean, from min_seeds to max_seeds.
   int min_seeds = 1;

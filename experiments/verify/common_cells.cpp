@@ -49,6 +49,7 @@ void add_common_cells(Catalogue& catalogue, const StructureInfo& structure, Exte
         dimension > workload->max_dimension) {
       continue;  // a scene of the plane says nothing new about what is on a line
     }
+    if (structure.linear && scenes.degree > 1) continue;
     Cell cell;
     cell.question = "Do the hard bounds hold?";
     cell.structure = structure.name;

@@ -42,7 +42,8 @@ std::uint64_t Measurement::count_of(const Quantity& quantity) const {
   std::size_t begin = 0;
   while (begin <= quantity.size()) {
     const std::size_t end = std::min(quantity.find('+', begin), quantity.size());
-    sum += one_count(ledger, quantity.substr(begin, end - begin));
+    const std::string name = quantity.substr(begin, end - begin);
+    sum += name == "changes" ? changes : one_count(ledger, name);
     begin = end + 1;
   }
   return sum;
@@ -66,6 +67,7 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
   const Kernel& kernel = simulator->kernel();
   result.arithmetic = kernel.arithmetic().name();
   result.ledger = kernel.ledger(0);
+  result.changes = kernel.ledger(static_cast<StructureId>(simulator->structures() - 1)).external;
   result.run = simulator->ledger();
   result.numbers = kernel.arithmetic().counters();
   for (std::size_t id = 0; id < result.numbers.by_predicate.size(); ++id) {

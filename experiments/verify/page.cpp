@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/verify/html.h"
+#include "experiments/verify/measures.h"
 #include "experiments/verify/report_text.h"
 
 namespace kinex {
@@ -86,6 +87,30 @@ std::string fits_part(const VerifyResult& result) {
          "scatter more than their standard errors allow.</p>\n";
 }
 
+std::string measures_part(const VerifyResult& result) {
+  std::string text;
+  for (const MeasuresTable& table : measures_tables(result.cells)) {
+    text +=
+        "<h2>" + escape(table.title) +
+        "</h2>\n<p class=\"facts\">Events are means over the runs; certificates are the most that "
+        "any run had. Created and retracted certificates both count as changed.</p>\n<table><tr>";
+    for (const std::string& cell : table.header) text += "<th>" + escape(cell) + "</th>";
+    text += "</tr>\n";
+    std::string scenes;
+    for (const auto& row : table.rows) {
+      const bool first = row[0] + " " + row[1] != scenes;
+      scenes = row[0] + " " + row[1];
+      text += first ? "<tr class=\"first\">" : "<tr>";
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        text += (i == 0 || i == 2 ? "<td>" : "<td class=\"r\">") + escape(row[i]) + "</td>";
+      }
+      text += "</tr>\n";
+    }
+    text += "</table>\n";
+  }
+  return text;
+}
+
 std::string cells_part(const VerifyResult& result) {
   std::string text =
       "<h2>All cells</h2>\n<p class=\"facts\">Events are means over the runs where there are "
@@ -127,6 +152,7 @@ std::string verify_page(const VerifyResult& result, const std::vector<Figure>& f
   page += summary_part(result);
   page += trouble_part(result);
   page += fits_part(result);
+  page += measures_part(result);
   page += plots_part(figures, drawings);
   page += cells_part(result);
   page += facts_part(facts);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results as JSON lines.
 #include "experiments/json_writer.h"
+#include "experiments/verify/measures.h"
 #include "experiments/verify/report_text.h"
 
 namespace kinex {
@@ -42,6 +43,17 @@ std::string json_row(const CellResult& cell) {
     } else {
       write_mean(json, mean_of(cell.trials, quantity));
     }
+  }
+  json.key("measures");
+  if (cell.trials.empty()) {
+    json.null();
+  } else {
+    const Measures m = measures_of(cell);
+    json.begin_object().key("changes").real(m.external);
+    json.key("most_certificates_changed").number(m.most_changed);
+    json.key("mean_certificates_changed").real(m.mean_changed);
+    json.key("certificates_per_object").number(m.per_object);
+    json.key("certificates").number(m.certificates).end_object();
   }
   json.key("bound");
   if (row.bound == "-") {

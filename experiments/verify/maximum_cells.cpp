@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: what do the ways of maintaining a maximum cost, on the same scenes? Responsiveness,
+//   locality, compactness and efficiency of each.
+// Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5, for the
+//   structures and for the worst cases of tournament and heap; worst_cases.cpp and uniform_lines.h.
+// Parameters: the two worst-case families and random motion, of degree 1 to 3; eight seeds where
+//   there are no other experiments on the same scenes.
+// Expected: the maximum changes equally often, whoever maintains it; the sorted list swaps all
+// pairs;
+//   the envelope and the dual hull have no internal events.
+// Cost: about 10 s.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "experiments/verify/catalogue.h"
+#include "experiments/verify/witness.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr int kSeeds = 8;
+
+struct Family {
+  const char* workload;
+  int n;
+  int degree;
+  bool full_only;
+};
+
+constexpr Family kFamilies[] = {
+    {"tournament-worst", 64, 1, false}, {"tournament-worst", 256, 1, false},
+    {"heap-worst", 63, 1, false},       {"heap-worst", 255, 1, true},
+    {"uniform-square", 256, 1, false},  {"uniform-square", 1024, 1, false},
+    {"uniform-square", 24, 2, false},   {"uniform-square", 24, 3, false},
+};
+
+Expectation expect(std::string claim, ExpectationKind kind, Quantity quantity, std::string source) {
+  Expectation expectation;
+  expectation.claim = std::move(claim);
+  expectation.kind = kind;
+  expectation.quantity = std::move(quantity);
+  expectation.source = std::move(source);
+  return expectation;
+}
+
+Cell new_cell(const std::string& structure, const Family& family) {
+  Cell cell;
+  cell.structure = structure;
+  cell.workload = family.workload;
+  cell.parameters.n = family.n;
+  cell.parameters.degree = family.degree;
+  cell.random = find_workload(family.workload)->random;
+  cell.bounded = true;
+  cell.audit = family.n <= 64 ? AuditLevel::kEvents : AuditLevel::kEnd;
+  cell.cost = 0.3;
+  if (cell.random) {
+    cell.parameters.dimension = 1;
+    cell.min_seeds = cell.max_seeds = kSeeds;
+    cell.family = "uniform";
+    if (family.degree == 1) {
+      cell.expectations.push_back(expect("maximum.envelope", ExpectationKind::kWitness, "changes",
+                                         "breakpoints of the envelope, from the lines sorted by "
+                                         "slope"));
+      cell.expectations.back().witness = upper_envelope_changes;
+    }
+    return cell;
+  }
+  cell.family = family.workload;
+  cell.expectations.push_back(expect("maximum.worst_case", ExpectationKind::kExact, "changes",
+                                     "all lines are on the envelope: n - 1; Guibas 1998, section "
+                                     "5"));
+  cell.expectations.back().exact = Integer(family.n - 1);
+  if (structure == "maximum_sorted_list") {
+    cell.expectations.push_back(expect("maximum.sorted_list.swaps", ExpectationKind::kExact,
+                                       "processed", "any two lines cross: n(n-1)/2 swaps"));
+    cell.expectations.back().exact = pairs(Integer(family.n));
+  }
+  return cell;
+}
+
+}  // namespace
+
+void add_maximum_comparison(Catalogue& catalogue, Extent extent) {
+  for (const StructureInfo& info : structure_infos()) {
+    if (info.name.substr(0, 8) != "maximum_") continue;
+    const std::string structure(info.name);
+    for (const Family& family : kFamilies) {
+      if (family.full_only && extent == Extent::kQuick) continue;
+      if (info.linear && family.degree > 1) continue;
+      auto cell = std::find_if(catalogue.cells.begin(), catalogue.cells.end(), [&](const Cell& c) {
+        return c.structure == structure && c.workload == family.workload && !c.mirrored &&
+               c.parameters.n == family.n && c.parameters.degree == family.degree;
+      });
+      if (cell == catalogue.cells.end()) {
+        catalogue.cells.push_back(new_cell(structure, family));
+        catalogue.cells.back().question = "What does it cost to maintain a maximum?";
+        cell = catalogue.cells.end() - 1;
+      }
+      cell->comparison = "maximum";
+      if (structure == "maximum_envelope" || structure == "maximum_dual_hull") {
+        cell->expectations.push_back(expect("maximum.no_internal_events", ExpectationKind::kExact,
+                                            "internal",
+                                            "every event changes the maximum; Guibas 1998, "
+                                            "section 5"));
+        cell->expectations.back().exact = Integer(0);
+      }
+    }
+  }
+}
+
+}  // namespace kinex

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The four measures of a kinetic data structure, as counted: responsiveness, locality, compactness
+// and efficiency, side by side for structures that maintain the same attribute on the same scenes.
+#ifndef KINEX_EXPERIMENTS_VERIFY_MEASURES_H
+#define KINEX_EXPERIMENTS_VERIFY_MEASURES_H
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/verify/judge.h"
+
+namespace kinex {
+
+// Over all scenes of a cell. Certificates come and go in pairs mostly: both are counted.
+struct Measures {
+  double events = 0;               // mean, processed
+  double external = 0;             // mean, changes of the attribute
+  double internal = 0;             // mean, all other events
+  std::uint64_t most_changed = 0;  // responsiveness: certificates created and retracted by an event
+  double mean_changed = 0;         // the mean of that
+  std::uint64_t per_object = 0;    // locality: the most certificates of one object
+  std::uint64_t certificates = 0;  // compactness: the most certificates at one time
+  // Efficiency: internal events per external one; negative if there was no external one.
+  double internal_per_external() const { return external > 0 ? internal / external : -1; }
+};
+// Requires at least one trial.
+Measures measures_of(const CellResult& cell);
+
+// One row of text per cell, in the order of the scenes: title, header, cells.
+struct MeasuresTable {
+  std::string title;
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+};
+// One table per comparison that cells take part in.
+std::vector<MeasuresTable> measures_tables(const std::vector<CellResult>& cells);
+// As text, in Markdown, with a newline in front.
+std::string measures_text(const MeasuresTable& table);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Upper envelope, ahead of time: who wins a contest from now on, and who after whom.
+//
+// Divide and conquer: the envelopes of the two halves are merged by a sweep over their breakpoints;
+// between two of them one object of each is on top, and where these two cross the winner changes.
+// O(lambda_D(n) log n) failure times and comparisons of instants for keys of degree D: O(n log n)
+// for lines. Several crossings of a pair are found one after another.
+//
+// Right for as long as the motions in force are: a change makes it void. Ties: of objects whose
+// keys are equal for ever the smallest id; at an instant, what is right after it.
+//
+// Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5; Sharir,
+// Agarwal, "Davenport-Schinzel sequences and their geometric applications" (1995), chapter 6.
+#ifndef KINEX_STRUCTURES_UPPER_ENVELOPE_H
+#define KINEX_STRUCTURES_UPPER_ENVELOPE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/foresight.h"
+#include "structures/key_order.h"
+
+namespace kinex {
+
+class UpperEnvelope {
+ public:
+  UpperEnvelope(const Contest& contest, Arithmetic& arithmetic)
+      : contest_(&contest), foresight_(arithmetic), exact_(arithmetic.is_exact()) {}
+
+  // The winners from now on, one after another; empty if there are no members.
+  std::vector<ObjectId> compute(std::span<const ObjectId> members);
+
+ private:
+  using Moment = Foresight::Moment;
+  struct Piece {
+    ObjectId object;
+    Moment end;  // kNever for the last one
+  };
+  using Pieces = std::vector<Piece>;
+  struct Duel {
+    ObjectId winner;
+    Moment end;  // when the other one wins
+  };
+
+  Pieces envelope(std::span<const ObjectId> members);
+  Pieces merge(const Pieces& a, const Pieces& b);
+  Duel duel(ObjectId a, ObjectId b, Moment from);
+
+  const Contest* contest_;
+  Foresight foresight_;
+  bool exact_;
+};
+
+}  // namespace kinex
+
+#endif
