@@ -172,9 +172,9 @@ class Recorder final : public EventSink {
                                                   event.certificate, motions_);
       record.polynomial = coefficients(p);
       record.stages = stages_->stages(event.certificate);
-      if (record.polynomial == instant.polynomial) {
+      if (instant.exact && record.polynomial == instant.polynomial) {
         record.sign = 1;
-      } else if (coefficients(-p) == instant.polynomial) {
+      } else if (instant.exact && coefficients(-p) == instant.polynomial) {
         record.sign = -1;
       }
       if (record.sign != 0) record.polynomial.clear();

@@ -11,7 +11,9 @@ class Diagram {
   // Pixels at the right that are not part of the time axis.
   band() { return this.app.replay.shape === "sequence" ? (this.app.other === null ? 170 : 270) : 90; }
 
+  // The values to show: of a list all, of a single object those that come near it.
   range(from, to) {
+    if (this.app.replay.shape === "object") return this.rangeNearWinner(from, to);
     let low = Infinity, high = -Infinity;
     for (let i = 0; i <= 4; ++i) {
       const u = from + (to - from) * i / 4;
@@ -25,6 +27,27 @@ class Diagram {
     return spread(low, high, 0.06);
   }
 
+  rangeNearWinner(from, to) {
+    let low = Infinity, high = -Infinity;
+    for (let i = 0; i <= 8; ++i) {
+      const u = from + (to - from) * i / 8;
+      const winner = this.app.replay.objectAt(eventsUntil(FIRST, u));
+      const own = winner === undefined ? NaN : keyAt(this.key, winner, u);
+      if (Number.isNaN(own)) continue;
+      const others = [];
+      for (let object = 0; object < OBJECTS; ++object) {
+        const y = memberOf(this.key, object) ? keyAt(this.key, object, u) : NaN;
+        if (!Number.isNaN(y)) others.push(y);
+      }
+      others.sort((a, b) => Math.abs(a - own) - Math.abs(b - own));
+      for (const y of others.slice(0, Math.max(3, Math.ceil(others.length * 0.4)))) {
+        low = Math.min(low, y);
+        high = Math.max(high, y);
+      }
+    }
+    return spread(low, high, 0.08);
+  }
+
   draw(picture) {
     const { app } = this;
     place(app.u);
@@ -32,7 +55,7 @@ class Diagram {
     const axis = app.axis(picture.width);
     const from = Math.max(0, axis.from), to = Math.min(1, axis.to);
     const [low, high] = this.range(from, to);
-    const top = 30, bottom = picture.height - 12;
+    const top = 34, bottom = picture.height - 12;
     this.y = value => (bottom + top) / 2 + this.dy +
       ((low + high) / 2 - value) / (high - low) * (bottom - top) * this.zoom;
     context.save();
@@ -56,6 +79,7 @@ class Diagram {
     context.textBaseline = "bottom";
     for (const value of ticks((middle - half) * scale, (middle + half) * scale, 5)) {
       const y = this.y(value / scale);
+      if (y < 40) continue;
       context.beginPath();
       context.moveTo(axis.left, y);
       context.lineTo(axis.right, y);
@@ -186,16 +210,19 @@ class Diagram {
         label(context, "led astray", x, 30, colour);
         return;
       }
-      const ids = state.ids;
-      const step = Math.min(22, (picture.height - 52) / Math.max(1, ids.length - 1));
-      const middle = (picture.height + 22) / 2;
+      const [first, ids] = this.ranksToShow(state.ids, marked);
+      if (ids.length < state.ids.length) {
+        label(context, "places " + (first + 1) + " to " + (first + ids.length), x, 27, COLOUR.quiet);
+      }
+      const step = Math.min(22, (picture.height - 62) / Math.max(1, ids.length - 1));
+      const middle = (picture.height + 32) / 2;
       ids.forEach((id, rank) => {
         const y = middle + (ids.length / 2 - rank - 0.5) * step;
         const is = marked.includes(id);
         const start = heights.get(id);
         if (start !== undefined) {
           context.strokeStyle = is ? COLOUR.failed : colour;
-          context.globalAlpha = is ? 1 : OBJECTS > 300 ? 0.15 : 0.4;
+          context.globalAlpha = is ? 1 : 0.4;
           context.lineWidth = is ? 1.6 : 0.8;
           context.beginPath();
           context.moveTo(from, Math.min(picture.height, Math.max(20, start)));
@@ -211,6 +238,16 @@ class Diagram {
     const shorten = name => (name.length > 12 ? name.slice(0, 11) + "\u2026" : name);
     column(FIRST, replay, axis.right + 75, axis.right + 2, COLOUR.first);
     if (other !== null) column(OTHER, other, axis.right + 195, axis.right + 150, COLOUR.second);
+  }
+
+  // Of a long list the part around the last event: [place of the first, ids].
+  ranksToShow(ids, marked) {
+    const most = 41;
+    if (ids.length <= most) return [0, ids];
+    const places = marked.map(id => ids.indexOf(id)).filter(place => place >= 0);
+    const middle = places.length > 0 ? places[0] : ids.length >> 1;
+    const first = Math.max(0, Math.min(ids.length - most, middle - (most >> 1)));
+    return [first, ids.slice(first, first + most)];
   }
 
   nearest(x, y) {

@@ -50,7 +50,9 @@ class App {
   axis(width) {
     const left = 2;
     const right = width - (this.mode === "time" ? this.drawing.band() : 18);
-    const from = this.u - this.span / 2, to = this.u + this.span / 2;
+    // Around now, but not beyond the ends of the run.
+    const from = Math.max(-this.span / 50, Math.min(this.u - this.span / 2, 1 - this.span * 0.98));
+    const to = from + this.span;
     return { left, right, from, to,
              x: u => left + (u - from) / this.span * (right - left),
              u: x => from + (x - left) / (right - left) * this.span };
@@ -92,7 +94,7 @@ class App {
     if (on && this.u >= 1) this.setTime(0);
     this.playing = on;
     const button = document.getElementById("play");
-    button.textContent = on ? "\u23f8 Pause" : "\u25b6 Play";
+    button.textContent = on ? "Pause" : "\u25b6 Play";
     button.setAttribute("aria-label", on ? "Pause" : "Play");
     if (!on) return this.changed();
     let last = performance.now();
@@ -133,7 +135,11 @@ class App {
     this.panel.draw(true);
     this.drawControls();
     this.drawLegend();
-    if (!this.playing) history.replaceState(null, "", "#event=" + this.k);
+    if (!this.playing) {
+      const which = this.index === 0 ? "" : "&structure=" +
+        encodeURIComponent(DATA.structures[this.index].label);
+      history.replaceState(null, "", "#event=" + this.k + which);
+    }
   }
   drawControls() {
     const set = (id, value) => {

@@ -80,6 +80,7 @@ class Panel {
     }
   }
 
+  // Of the second run in short.
   describe(run, k) {
     const e = at(run, k);
     const list = make("dl");
@@ -94,9 +95,13 @@ class Panel {
         DATA.structures.length > 1 ? " \u00b7 " + DATA.structures[run.s[e]].label : "");
     if (run.ids[e].length > 0) row("objects", listOf(run.ids[e]));
     if (run.reasons[k]) row("reason", run.reasons[k]);
+    if (run !== FIRST) {
+      row("time", "t \u2248 " + instantOf(run, k)[0]);
+      return list;
+    }
     this.describeCertificate(run, e, row);
     this.describeInstant(run, k, e, row);
-    if (run === FIRST) this.describeChange(run, k, row);
+    this.describeChange(run, k, row);
     return list;
   }
 
@@ -138,9 +143,9 @@ class Panel {
     }
     const stage = run.g[e];
     if (stage === 0) return;
-    const order = !run.exact ? "" : stage[1] === "double" ? "; its order by double intervals"
-                                                          : "; its order by " + stage[1];
-    row("found by", stage[0] + order);
+    const order = !run.exact ? "" : "; order among instants: " +
+      (stage[1] === "double" ? "double intervals" : stage[1]);
+    row("stage", "failure time: " + stage[0] + order);
   }
 
   describeChange(run, k, row) {

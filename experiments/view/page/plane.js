@@ -37,10 +37,10 @@ class Plane {
   // Screen coordinates of all objects, in this.sx and this.sy.
   project(width, height) {
     const [x0, x1, y0, y1] = boxToShow();
-    const room = 34;
+    const room = 40;
     const fitted = Math.min((width - 2 * room) / (x1 - x0), (height - 2 * room) / (y1 - y0));
     const scale = this.zoom * (isFinite(fitted) && fitted > 0 ? fitted : 1);
-    const cx = width / 2 + this.dx, cy = height / 2 + this.dy;
+    const cx = width / 2 + this.dx, cy = height / 2 + 10 + this.dy;
     const mx = (x0 + x1) / 2 || 0, my = (y0 + y1) / 2 || 0;
     this.sx = this.sx || new Float64Array(OBJECTS);
     this.sy = this.sy || new Float64Array(OBJECTS);

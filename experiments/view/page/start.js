@@ -69,7 +69,11 @@ function listen() {
     app.setStructure(+e.target.value);
   });
   document.getElementById("drawing").addEventListener("change", e => app.setMode(e.target.value));
-  addEventListener("resize", () => app.changed());
+  const resized = new ResizeObserver(() => {
+    app.panel.drawRows();
+    app.changed();
+  });
+  for (const id of ["list", "picture", "window"]) resized.observe(document.getElementById(id));
   addEventListener("hashchange", fromHash);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
     readColours();

@@ -132,8 +132,7 @@ class TimeWindow {
     counts.forEach((count, x) => {
       if (count > 0) context.fillRect(x, height, 1, -height * Math.log2(1 + count) / most);
     });
-    const half = app.span / 2;
-    const from = Math.max(0, app.u - half) * width, to = Math.min(1, app.u + half) * width;
+    const from = Math.max(0, this.axis.from) * width, to = Math.min(1, this.axis.to) * width;
     context.fillStyle = COLOUR.fill;
     context.fillRect(from, 0, to - from, height);
     context.strokeStyle = COLOUR.first;
