@@ -70,7 +70,7 @@ bool LogFollower::follow(const SeenEvent& event) {
   if (part == nullptr) return true;
   problem_ = reader_.file() + ": line " + std::to_string(next_.line) +
              ": the log and the run of its scene part at event " + std::to_string(event.number) +
-             ": another " + part;
+             ": other " + part;
   return false;
 }
 
