@@ -27,6 +27,12 @@ std::vector<Rational> times_between(const Rational& start, const Rational& end, 
   return times;
 }
 
+Polynomial read(const std::vector<std::string>& texts) {
+  std::vector<Integer> coefficients;
+  for (const std::string& text : texts) coefficients.push_back(*Integer::parse(text));
+  return Polynomial(std::move(coefficients));
+}
+
 void expect_states_of_a_plain_run(const Scene& scene, const std::string& arithmetic) {
   const RecordedRun recorded = record(scene, arithmetic);
   const auto plain = plain_run(scene, arithmetic, times_between(scene.start, *scene.end, 40));
@@ -125,11 +131,6 @@ TEST(ViewRecord, PolynomialsVanishAtTheirInstants) {
     const RecordedRun exact = record(scene), rounded = record(scene, "double");
     ASSERT_EQ(exact.events.size(), rounded.events.size());
     RootCounters counters;
-    const auto read = [](const std::vector<std::string>& texts) {
-      std::vector<Integer> coefficients;
-      for (const std::string& text : texts) coefficients.push_back(*Integer::parse(text));
-      return Polynomial(std::move(coefficients));
-    };
     for (std::size_t i = 0; i < exact.events.size(); ++i) {
       const RecordedEvent& event = exact.events[i];
       const InstantText& instant = exact.instants[event.instant];
@@ -151,6 +152,30 @@ TEST(ViewRecord, PolynomialsVanishAtTheirInstants) {
       EXPECT_EQ(read(rounded.events[i].polynomial), own) << i + 1;
     }
   }
+}
+
+// Motions change on the way: the polynomial is that of the motions in force.
+TEST(ViewRecord, PolynomialsOfMotionsInForce) {
+  const Scene scene = busy_scene("sorted_list,delaunay_2");
+  const RecordedRun run = record(scene);
+  const ObjectId changed = 3;  // at t = 2
+  ASSERT_EQ(scene.objects[changed].id, "d");
+  RootCounters counters;
+  int after_the_change = 0;
+  for (const RecordedEvent& event : run.events) {
+    if (event.event.certificate.arity == 0) continue;
+    const InstantText& text = run.instants[event.instant];
+    const Rational lower = *Rational::parse(text.lower);
+    RealRoot root = text.lower == text.upper
+                        ? RealRoot(lower)
+                        : RealRoot(read(text.polynomial), lower, *Rational::parse(text.upper));
+    const Polynomial own = event.sign != 0 ? read(text.polynomial) : read(event.polynomial);
+    EXPECT_EQ(sign_at(own, root, counters), Sign::kZero) << text.approximate;
+    const auto& ids = event.event.certificate.ids;
+    const bool has = std::count(ids.begin(), ids.end(), changed) > 0;
+    if (has && compare(root, Rational(2), counters) > 0) ++after_the_change;
+  }
+  EXPECT_GT(after_the_change, 0);
 }
 
 TEST(ViewRecord, StagesSayWhoAnswered) {

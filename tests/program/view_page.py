@@ -252,6 +252,37 @@ def one_scene(page, name, generate, label=None, second=None):
     return answer, events, compared
 
 
+def check_second(page, name, answer, events, second, parted):
+    """Which of its events the second run is shown after, and the state there."""
+    others, _ = page.run(name, second)
+    at = [fractions.Fraction(e["time"]["decimal"]) for e in others]
+    until = lambda t: sum(1 for other in at if other <= t)
+    near = fractions.Fraction(1, 10**12)
+    wanted = {}
+    for state in answer["states"]:
+        k, j = state["event"], state["other"]["event"]
+        if k < parted:
+            if j != k:
+                fail(f"{name}: before they part {second} is at event {j}, not {k}")
+            continue
+        t = fractions.Fraction(events[k - 1]["time"]["decimal"])
+        low, high = max(until(t - near), parted - 1), max(until(t + near), parted - 1)
+        if not low <= j <= high:
+            fail(f"{name}: at event {k} {second} is at event {j}, not {low} to {high}")
+        later = times_after(events, k, fractions.Fraction(1))
+        if j == high and later is not None and until(later) == j:
+            wanted[later] = state
+    _, samples = page.run(name, second, sorted(wanted))
+    for t, sample in zip(sorted(wanted), samples):
+        for label, value in wanted[t]["other"]["structures"].items():
+            shape = "edges" if value and isinstance(value[0], list) else "other"
+            if (value is None) != (sample[label] is None) or (
+                    value is not None and not same_value(value, sample[label], shape)):
+                fail(f"{name}: {second} has {sample[label]} at {t}, not {value}")
+    if not wanted:
+        fail(f"{name}: no state of {second} was compared")
+
+
 def check_parted(page, name, answer, events, second):
     others, _ = page.run(name, second)
     key = lambda e: (e["structure"], e["kind"], e["ids"])
@@ -264,6 +295,7 @@ def check_parted(page, name, answer, events, second):
             fail(f"{name}: the second run differs before event {parted}")
     if all(s["other"]["structures"] == s["structures"] for s in answer["states"]):
         fail(f"{name}: the second run is never seen in another state")
+    check_second(page, name, answer, events, second, parted)
 
 
 def main():
