@@ -212,7 +212,7 @@ class Diagram {
       }
       const [first, ids] = this.ranksToShow(state.ids, marked);
       if (ids.length < state.ids.length) {
-        label(context, "places " + (first + 1) + " to " + (first + ids.length), x, 27, COLOUR.quiet);
+        label(context, "ranks " + (first + 1) + "\u2013" + (first + ids.length), x, 27, COLOUR.quiet);
       }
       const step = Math.min(22, (picture.height - 62) / Math.max(1, ids.length - 1));
       const middle = (picture.height + 32) / 2;
@@ -242,7 +242,7 @@ class Diagram {
 
   // Of a long list the part around the last event: [place of the first, ids].
   ranksToShow(ids, marked) {
-    const most = 41;
+    const most = 25;
     if (ids.length <= most) return [0, ids];
     const places = marked.map(id => ids.indexOf(id)).filter(place => place >= 0);
     const middle = places.length > 0 ? places[0] : ids.length >> 1;
