@@ -126,12 +126,15 @@ class App {
     this.waiting = true;
     requestAnimationFrame(() => this.draw());
   }
-  draw() {
-    this.waiting = false;
+  drawCanvases() {
     this.seek();
     this.drawing.draw(this.picture);
     this.window.draw();
     this.window.drawOverview();
+  }
+  draw() {
+    this.waiting = false;
+    this.drawCanvases();
     this.panel.draw(true);
     this.drawControls();
     this.drawLegend();

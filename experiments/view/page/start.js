@@ -71,7 +71,7 @@ function listen() {
   document.getElementById("drawing").addEventListener("change", e => app.setMode(e.target.value));
   const resized = new ResizeObserver(() => {
     app.panel.drawRows();
-    if (!app.playing) app.draw();
+    app.drawCanvases();  // at once: nothing else on the page depends on sizes
   });
   for (const id of ["list", "picture", "window"]) resized.observe(document.getElementById(id));
   addEventListener("hashchange", fromHash);
