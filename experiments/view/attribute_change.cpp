@@ -56,10 +56,22 @@ AttributeChange splice(const std::vector<ObjectId>& before, const std::vector<Ob
 AttributeChange difference(const Attribute& before, const Attribute& after) {
   require(before.shape == after.shape, "an attribute changed its shape");
   if (before.shape != Attribute::Shape::kEdges) return splice(before.ids, after.ids);
-  const std::vector<Edge> old_edges = edges_of(before.ids), new_edges = edges_of(after.ids);
+  const std::vector<ObjectId>& a = before.ids;
+  const std::vector<ObjectId>& b = after.ids;
   AttributeChange change;
-  change.removed = flat(without(old_edges, new_edges));
-  change.added = flat(without(new_edges, old_edges));
+  std::size_t i = 0, j = 0;
+  while (i < a.size() || j < b.size()) {
+    if (i < a.size() && j < b.size() && a[i] == b[j] && a[i + 1] == b[j + 1]) {
+      i += 2;
+      j += 2;
+    } else if (j == b.size() || (i < a.size() && Edge(a[i], a[i + 1]) < Edge(b[j], b[j + 1]))) {
+      change.removed.insert(change.removed.end(), {a[i], a[i + 1]});
+      i += 2;
+    } else {
+      change.added.insert(change.added.end(), {b[j], b[j + 1]});
+      j += 2;
+    }
+  }
   return change;
 }
 
