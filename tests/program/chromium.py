@@ -14,7 +14,7 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-
          "--disable-background-networking", "--disable-component-update", "--disable-sync",
          "--disable-dev-shm-usage", "--window-size=1400,1000", "--virtual-time-budget=5000"]
 STARTS = 4
-SECONDS = 60  # one start; a page here takes about one
+SECONDS = 120  # one start; a page here takes a few
 
 
 def browser():

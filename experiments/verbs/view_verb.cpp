@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex view: a run as one page that can be played, stepped through and compared with another.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/file_io.h"
+#include "experiments/input_error.h"
+#include "experiments/log_reader.h"
+#include "experiments/progress.h"
+#include "experiments/scene_reader.h"
+#include "experiments/scene_writer.h"
+#include "experiments/verbs/interrupt.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+#include "experiments/view/log_follower.h"
+#include "experiments/view/page.h"
+#include "experiments/view/page_data.h"
+#include "experiments/view/recorder.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr std::size_t kMostObjects = 20000;
+constexpr long long kMostEvents = 100000;
+
+struct Options {
+  std::string file, scene, with, output, arithmetic, from, until;
+  std::vector<std::string> maintain;
+  long long max_events = kMostEvents;
+  bool force = false;
+};
+
+// A run to be shown: in an arithmetic, along a log if there is one.
+struct Wanted {
+  std::string arithmetic;
+  std::string file, log;  // empty: no log
+};
+
+struct Viewed {
+  Scene scene;
+  std::string hash;  // of the scene's file
+  std::vector<Wanted> runs;
+  std::optional<Rational> from;
+};
+
+bool names_arithmetic(const std::string& text) {
+  return text == "exact" || text == "sturm" || text == "double" || text == "gsl" ||
+         text.substr(0, 5) == "mpfr:";
+}
+
+Rational time_option(const char* option, const std::string& text, const Scene& scene) {
+  const Rational t = rational_option(option, text);
+  if (t < scene.start || (scene.end && t > *scene.end)) {
+    throw InputError(option, "", show_text(text) + " is outside of the scene's time",
+                     "write a time from " + scene.start.to_string() +
+                         (scene.end ? " to " + scene.end->to_string() : " on"));
+  }
+  return t;
+}
+
+void set_times(Viewed& viewed, const Options& options) {
+  Scene& scene = viewed.scene;
+  if (!options.from.empty()) viewed.from = time_option("--from", options.from, scene);
+  if (!options.until.empty()) scene.end = time_option("--until", options.until, scene);
+  const Rational& from = viewed.from ? *viewed.from : scene.start;
+  if (scene.end && *scene.end <= from) {
+    throw InputError(options.until.empty() ? "--from" : "--until", "",
+                     "nothing is left to be shown", "the end must come after the start");
+  }
+}
+
+Wanted wanted_log(std::string text, const std::string& file) {
+  Wanted wanted;
+  wanted.arithmetic = LogReader(text, file).header().arithmetic;
+  wanted.file = file;
+  wanted.log = std::move(text);
+  return wanted;
+}
+
+Viewed read_input(const Options& options) {
+  Viewed viewed;
+  std::string text = read_text_file(options.file);
+  const bool log = looks_like_log(text);
+  std::string scene_file = options.file;
+  if (log) {
+    if (options.scene.empty()) {
+      throw InputError(options.file, "", "an event log names its scene but does not hold it",
+                       "give the scene too: --scene SCENE.json");
+    }
+    if (!options.arithmetic.empty()) {
+      throw InputError("--arithmetic", "", "a log says in which arithmetic it was made",
+                       "leave it out, or give the scene alone");
+    }
+    scene_file = options.scene;
+    viewed.runs.push_back(wanted_log(std::move(text), options.file));
+    text = read_text_file(options.scene);
+  } else {
+    if (!options.scene.empty()) {
+      throw InputError("--scene", "", show_text(options.file) + " is a scene itself",
+                       "leave it out, or give an event log first");
+    }
+    viewed.runs.push_back({options.arithmetic.empty() ? "exact" : options.arithmetic, "", ""});
+  }
+  viewed.scene = parse_scene(text, scene_file);
+  viewed.hash = scene_hash(viewed.scene);
+  if (names_arithmetic(options.with)) {
+    viewed.runs.push_back({options.with, "", ""});
+  } else if (!options.with.empty()) {
+    viewed.runs.push_back(wanted_log(read_text_file(options.with), options.with));
+  }
+  if (!options.maintain.empty()) set_maintain(viewed.scene, options.maintain);
+  if (viewed.scene.maintain.empty()) {
+    throw InputError(scene_file, "/maintain", "nothing is to be maintained",
+                     "fill \"maintain\" in the scene, or give --maintain");
+  }
+  set_times(viewed, options);
+  return viewed;
+}
+
+void check(const Options& options) {
+  if (options.max_events < 1) {
+    throw InputError("--max-events", "", "a page of no events", "write a number from 1 on");
+  }
+  for (const std::string& input : {options.file, options.scene}) {
+    if (!input.empty()) keep_input("--output", options.output, input);
+  }
+  if (!options.with.empty() && !names_arithmetic(options.with)) {
+    keep_input("--output", options.output, options.with);
+  }
+}
+
+// What is wrong between a log and its scene; empty if all is well.
+std::string record(const Viewed& viewed, const Wanted& wanted, const Options& options,
+                   const InterruptGuard& interrupt, RecordedRun& run) {
+  RecordOptions how;
+  how.arithmetic = wanted.arithmetic;
+  how.from = viewed.from;
+  how.max_events = static_cast<std::uint64_t>(options.max_events);
+  std::optional<LogFollower> follower;
+  if (!wanted.file.empty()) {
+    follower.emplace(wanted.log, wanted.file, viewed.scene, viewed.hash);
+    how.observe = [&](const SeenEvent& event) { return follower->follow(event); };
+  }
+  Progress progress;
+  how.progress = [&](const Simulator& running) {
+    progress.show(running);
+    return !interrupt.interrupted();
+  };
+  run = record_run(viewed.scene, how);
+  if (!follower) return "";
+  if (run.complete) follower->finish();
+  return follower->problem();
+}
+
+std::string line_of(const RecordedRun& run) {
+  std::string text =
+      "run       " + run.arithmetic + ", " + std::to_string(run.events.size()) + " events";
+  if (run.before > 0) text += " after " + std::to_string(run.before) + " before them";
+  if (!run.complete) text += " (not all: " + run.stopped + ")";
+  for (const RecordedStructure& structure : run.structures) {
+    if (structure.corrupt_after) {
+      text += "\n          " + structure.label + " was led astray: " + structure.corruption;
+    }
+  }
+  return text + "\n";
+}
+
+std::string report(const Viewed& viewed, const std::vector<RecordedRun>& runs,
+                   const std::string& file, std::size_t bytes) {
+  std::string text = "scene     " + viewed.scene.name + ", " +
+                     std::to_string(viewed.scene.objects.size()) + " objects\n";
+  for (const RecordedRun& run : runs) text += line_of(run);
+  if (runs.size() > 1) {
+    const std::uint64_t parted = first_divergence(runs[0], runs[1]);
+    text += parted == 0 ? "compared  the same events\n"
+                        : "compared  the runs part at event " + std::to_string(parted) + "\n";
+  }
+  return text + "page      " + file + ", " + std::to_string((bytes + 1023) / 1024) + " kB\n";
+}
+
+void view(const Options& options, int& exit_code) {
+  check(options);
+  const Viewed viewed = read_input(options);
+  if (viewed.scene.objects.size() > kMostObjects) {
+    std::fprintf(stderr, "kinex: gave up: %zu objects, and a page draws %zu at most\n",
+                 viewed.scene.objects.size(), kMostObjects);
+    exit_code = kExitGaveUp;
+    return;
+  }
+  InterruptGuard interrupt;  // before there is a temporary file
+  std::optional<OutputFile> output;
+  if (options.output != "-") output.emplace(options.output, options.force);
+  std::vector<RecordedRun> runs;
+  for (const Wanted& wanted : viewed.runs) {
+    const std::string problem = record(viewed, wanted, options, interrupt, runs.emplace_back());
+    if (!problem.empty()) {
+      std::fprintf(stderr, "kinex: %s; no page was written\n", problem.c_str());
+      exit_code = kExitFailed;
+      return;
+    }
+  }
+  const std::string page =
+      view_page("kinex view: " + viewed.scene.name, page_data(viewed.scene, viewed.hash, runs));
+  if (!output) {
+    print(page);
+  } else {
+    output->write(page);
+    output->commit();
+    print(report(viewed, runs, output->path(), page.size()));
+  }
+  for (const RecordedRun& run : runs) {
+    if (run.complete || run.stopped == kLogEnds) continue;
+    std::fprintf(stderr,
+                 "kinex: the page holds the first %zu events of the %s run: %s; choose others with "
+                 "--from and --until, or more with --max-events\n",
+                 run.events.size(), run.arithmetic.c_str(), run.stopped.c_str());
+    exit_code = kExitGaveUp;
+  }
+}
+
+}  // namespace
+
+void add_view_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand(
+      "view", "A run as one HTML page: play it, step through its events, compare it with another");
+  verb->add_option("FILE", options->file, "A scene, or an event log of one (with --scene)")
+      ->required();
+  verb->add_option("-o,--output", options->output, "Write the page to this file, - prints it")
+      ->required();
+  verb->add_option("--scene", options->scene, "The scene of the log");
+  verb->add_option("--with", options->with,
+                   "A second run to lay over it: an event log, or an arithmetic");
+  verb->add_option("--arithmetic", options->arithmetic,
+                   "exact (default), sturm, double, gsl or mpfr:P");
+  add_maintain_option(*verb, options->maintain, "What to maintain instead of what the scene says");
+  verb->add_option("--from", options->from, "Show the run from this time on");
+  verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
+  verb->add_option("--max-events", options->max_events,
+                   "Hold so many events at most, of each run (100000)");
+  verb->add_flag("--force", options->force, "Replace a page that exists");
+  verb->footer(
+      "The scene is run again, and its states are recorded; a log is checked against that run.\n"
+      "The page needs no network. page.html#event=7 opens it after event 7.\n"
+      "Exit codes: 1 a log is not what its scene gives; 3 there are more events than the page\n"
+      "holds, or more objects than it draws.\n"
+      "Example:\n  kinex view square.json -o square.html\n"
+      "  kinex view square.exact.jsonl --scene square.json --with square.gsl.jsonl -o parted.html\n"
+      "  kinex view square.json --with double --from 1/3 --until 1/2 -o middle.html");
+  verb->callback([options, &exit_code] { view(*options, exit_code); });
+}
+
+}  // namespace kinex

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The polynomial of a certificate under the motions in force, exactly, whatever the arithmetic.
+#ifndef KINEX_EXPERIMENTS_VIEW_CERTIFICATE_POLYNOMIAL_H
+#define KINEX_EXPERIMENTS_VIEW_CERTIFICATE_POLYNOMIAL_H
+
+#include <vector>
+
+#include "core/certificate.h"
+#include "core/polynomial.h"
+#include "core/predicate.h"
+#include "core/scene.h"
+
+namespace kinex {
+
+// Which motion of each object a run has in force.
+class MotionsInForce {
+ public:
+  explicit MotionsInForce(const Scene& scene);
+  // The object has a new motion from t on.
+  void changed(ObjectId object, const Rational& t);
+  // nullptr: it has none.
+  const Trajectory* of(ObjectId object) const { return trajectories_[object]; }
+
+ private:
+  const Scene& scene_;
+  std::vector<const Trajectory*> trajectories_;
+};
+
+// A positive multiple of the predicate's value with coprime integer coefficients; zero if it is
+// zero for ever, or if one of its objects has no motion.
+Polynomial certificate_polynomial(const Predicate& predicate, const Query& query,
+                                  const MotionsInForce& motions);
+
+}  // namespace kinex
+
+#endif

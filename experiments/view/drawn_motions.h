@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Motions in doubles, for drawing: in u = (t - start) / span and divided by a power of two.
+#ifndef KINEX_EXPERIMENTS_VIEW_DRAWN_MOTIONS_H
+#define KINEX_EXPERIMENTS_VIEW_DRAWN_MOTIONS_H
+
+#include <limits>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace kinex {
+
+struct DrawnPiece {
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+  std::vector<std::vector<double>> coordinates;  // per axis, low degree first
+};
+
+struct DrawnMotions {
+  std::vector<std::vector<DrawnPiece>> objects;
+  double scale = 1;  // what a coordinate is to be multiplied with; +infinity beyond the doubles
+};
+
+// Pieces that lie outside of [start, start + span] are left out. Requires span > 0.
+DrawnMotions drawn_motions(const Scene& scene, const Rational& start, const Rational& span);
+
+}  // namespace kinex
+
+#endif

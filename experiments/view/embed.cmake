@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Makes the files of the page part of the program: cmake -DPAGE=FOLDER -DOUTPUT=FILE.cpp -P embed.cmake
+# Each file becomes a string literal, in hexadecimal: so no character needs care.
+function(embed name)
+  set(text "")
+  foreach(file ${ARGN})
+    file(READ ${PAGE}/${file} content HEX)
+    string(LENGTH "${content}" length)
+    set(at 0)
+    while(at LESS length)
+      string(SUBSTRING "${content}" ${at} 96 part)
+      string(REGEX REPLACE "([0-9a-f][0-9a-f])" "\\\\x\\1" part "${part}")
+      string(APPEND text "\n    \"${part}\"")
+      math(EXPR at "${at} + 96")
+    endwhile()
+  endforeach()
+  file(APPEND ${OUTPUT}.new "extern const std::string_view ${name};\nconst std::string_view ${name} =${text};\n")
+endfunction()
+
+file(WRITE ${OUTPUT}.new "#include <string_view>\n\nnamespace kinex {\n")
+embed(kViewFrame page.html)
+embed(kViewStyle style.css)
+embed(kViewScript data.js replay.js motion.js picture.js plane.js diagram.js window.js panel.js main.js start.js)
+file(APPEND ${OUTPUT}.new "}  // namespace kinex\n")
+file(RENAME ${OUTPUT}.new ${OUTPUT})

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// LogFollower: goes along an event log while its scene is run again, and says where they part. An
+// event log names its scene and what happened, but holds no motions and no states.
+#ifndef KINEX_EXPERIMENTS_VIEW_LOG_FOLLOWER_H
+#define KINEX_EXPERIMENTS_VIEW_LOG_FOLLOWER_H
+
+#include <string>
+#include <string_view>
+
+#include "core/scene.h"
+#include "experiments/log_reader.h"
+#include "experiments/view/recorder.h"
+
+namespace kinex {
+
+class LogFollower {
+ public:
+  // `text` must outlive it. Throws InputError for text that is no log, or if the log is of another
+  // scene or maintains something else than `scene` does. `hash`: of the scene's file.
+  LogFollower(std::string_view text, const std::string& file, const Scene& scene,
+              const std::string& hash);
+
+  const LogHeader& header() const { return reader_.header(); }
+  // True if the log has this event next: same structure, kind, ids, side (external or internal) and
+  // instant. False at the end of the log, and where they part; then problem() says how.
+  bool follow(const SeenEvent& event);
+  // The run is at its end: the log must be, too.
+  void finish();
+  const std::string& problem() const { return problem_; }
+
+ private:
+  const Scene& scene_;
+  LogReader reader_;
+  LogEvent next_;
+  std::string problem_;
+};
+
+}  // namespace kinex
+
+#endif

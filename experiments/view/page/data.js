@@ -1,0 +1,51 @@
+"use strict";
+// What the page shows; its form is described in page_data.h.
+const DATA = JSON.parse(document.getElementById("data").textContent);
+const OBJECTS = DATA.ids.length;
+const RUNS = DATA.runs;
+const FIRST = RUNS[0];
+const OTHER = RUNS.length > 1 ? RUNS[1] : null;
+const BEFORE = FIRST.before;              // events before those that the page has
+const LAST = BEFORE + FIRST.u.length;     // the number of the last event
+const PARTED = DATA.divergence;           // the first event at which the runs part; 0: none
+
+// Events have numbers from 1 in the whole run; the state "after event k" goes with number k.
+const at = (run, k) => k - run.before - 1;
+const timeOf = (run, k) => (k <= run.before ? 0 : run.u[at(run, k)]);
+const instantOf = (run, k) => run.instants[run.i[at(run, k)]];
+const kindOf = (run, k) => DATA.structures[run.s[at(run, k)]].kinds[run.k[at(run, k)]];
+const nameOf = object => DATA.ids[object];
+const listOf = objects => objects.map(nameOf).join(", ");
+
+// The number of events at times <= u, counted in the whole run.
+function eventsUntil(run, u) {
+  let low = 0, high = run.u.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (run.u[middle] <= u) low = middle + 1; else high = middle;
+  }
+  return run.before + low;
+}
+
+// A number for people; u is in units of the span that is shown.
+const timeNumber = u => DATA.time.start[1] + u * DATA.time.span;
+function shortNumber(x) {
+  if (x === null || !isFinite(x)) return "";
+  if (x === 0) return "0";
+  const size = Math.abs(x);
+  return size >= 1e5 || size < 1e-3 ? x.toExponential(2).replace("e+", "e")
+                                    : String(+x.toPrecision(5));
+}
+// A long integer or fraction, cut in the middle.
+function shortText(text, most = 34) {
+  if (text.length <= most) return text;
+  const half = (most - 2) >> 1;
+  return text.slice(0, half) + "\u2026" + text.slice(-half) + " (" + text.length + " characters)";
+}
+// An element with a text and a class.
+function make(tag, text, name) {
+  const element = document.createElement(tag);
+  if (text !== undefined) element.textContent = text;
+  if (name) element.className = name;
+  return element;
+}

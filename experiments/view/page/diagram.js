@@ -1,0 +1,270 @@
+// The picture over time: the key of every object against time, around now, on the same time axis as
+// the window of events below it. Beside it the order or the object that the structure holds.
+class Diagram {
+  constructor(app) {
+    this.app = app;
+    this.fit();
+  }
+  fit() { this.zoom = 1; this.dy = 0; }
+
+  get key() { return DATA.structures[this.app.shown()].key; }
+  // Pixels at the right that are not part of the time axis.
+  band() { return this.app.replay.shape === "sequence" ? (this.app.other === null ? 170 : 270) : 90; }
+
+  // The values to show: of a list all, of a single object those that come near it.
+  range(from, to) {
+    if (this.app.replay.shape === "object") return this.rangeNearWinner(from, to);
+    let low = Infinity, high = -Infinity;
+    for (let i = 0; i <= 4; ++i) {
+      const u = from + (to - from) * i / 4;
+      for (let object = 0; object < OBJECTS; ++object) {
+        if (!memberOf(this.key, object)) continue;
+        const y = keyAt(this.key, object, u);
+        if (y < low) low = y;
+        if (y > high) high = y;
+      }
+    }
+    return spread(low, high, 0.06);
+  }
+
+  rangeNearWinner(from, to) {
+    let low = Infinity, high = -Infinity;
+    for (let i = 0; i <= 8; ++i) {
+      const u = from + (to - from) * i / 8;
+      const winner = this.app.replay.objectAt(eventsUntil(FIRST, u));
+      const own = winner === undefined ? NaN : keyAt(this.key, winner, u);
+      if (Number.isNaN(own)) continue;
+      const others = [];
+      for (let object = 0; object < OBJECTS; ++object) {
+        const y = memberOf(this.key, object) ? keyAt(this.key, object, u) : NaN;
+        if (!Number.isNaN(y)) others.push(y);
+      }
+      others.sort((a, b) => Math.abs(a - own) - Math.abs(b - own));
+      for (const y of others.slice(0, Math.max(3, Math.ceil(others.length * 0.4)))) {
+        low = Math.min(low, y);
+        high = Math.max(high, y);
+      }
+    }
+    return spread(low, high, 0.08);
+  }
+
+  draw(picture) {
+    const { app } = this;
+    place(app.u);
+    const context = picture.begin();
+    const axis = app.axis(picture.width);
+    const from = Math.max(0, axis.from), to = Math.min(1, axis.to);
+    const [low, high] = this.range(from, to);
+    const top = 34, bottom = picture.height - 12;
+    this.y = value => (bottom + top) / 2 + this.dy +
+      ((low + high) / 2 - value) / (high - low) * (bottom - top) * this.zoom;
+    context.save();
+    context.beginPath();
+    context.rect(axis.left, 0, axis.right - axis.left, picture.height);
+    context.clip();
+    this.drawScale(context, axis, low, high);
+    this.drawCurves(context, axis, from, to);
+    context.restore();
+    this.drawNow(context, axis, picture);
+    if (app.replay.shape === "sequence") this.drawOrder(context, axis, picture);
+  }
+
+  drawScale(context, axis, low, high) {
+    const scale = keyScale(this.key);
+    const middle = (low + high) / 2, half = (high - low) / 2 / this.zoom;
+    context.fillStyle = COLOUR.quiet;
+    context.strokeStyle = COLOUR.line;
+    context.lineWidth = 0.6;
+    context.textAlign = "left";
+    context.textBaseline = "bottom";
+    for (const value of ticks((middle - half) * scale, (middle + half) * scale, 5)) {
+      const y = this.y(value / scale);
+      if (y < 40) continue;
+      context.beginPath();
+      context.moveTo(axis.left, y);
+      context.lineTo(axis.right, y);
+      context.stroke();
+      context.fillText(shortNumber(value), axis.left + 3, y - 1);
+    }
+  }
+
+  curve(context, axis, object, from, to) {
+    for (const piece of MOTIONS[object]) {
+      const a = Math.max(from, piece[0] === null ? -Infinity : piece[0]);
+      const b = Math.min(to, piece[1] === null ? Infinity : piece[1]);
+      if (!(a < b)) continue;
+      const parts = keyDegree(this.key, piece) <= 1 ? 1 : OBJECTS > 500 ? 16 : 48;
+      for (let i = 0; i <= parts; ++i) {
+        const u = a + (b - a) * i / parts;
+        const x = axis.x(u), y = this.y(pieceKey(this.key, piece, u));
+        if (i === 0) context.moveTo(x, y); else context.lineTo(x, y);
+      }
+    }
+  }
+
+  drawCurves(context, axis, from, to) {
+    const { app } = this;
+    context.strokeStyle = COLOUR.point;
+    context.globalAlpha = OBJECTS > 500 ? 0.15 : OBJECTS > 60 ? 0.3 : 0.55;
+    context.lineWidth = OBJECTS > 300 ? 0.7 : 1.1;
+    context.beginPath();
+    for (let object = 0; object < OBJECTS; ++object) {
+      if (memberOf(this.key, object)) this.curve(context, axis, object, from, to);
+    }
+    context.stroke();
+    context.globalAlpha = 1;
+    if (app.replay.shape === "object") {
+      if (app.other !== null) this.envelope(context, axis, OTHER, app.other, COLOUR.second, 7);
+      this.envelope(context, axis, FIRST, app.replay, COLOUR.first, 3.2);
+    }
+    context.strokeStyle = COLOUR.failed;
+    context.lineWidth = 1.8;
+    context.beginPath();
+    for (const object of app.certificateObjects()) {
+      if (memberOf(this.key, object)) this.curve(context, axis, object, from, to);
+    }
+    context.stroke();
+  }
+
+  // Which object was the value, and when: from the log.
+  envelope(context, axis, run, replay, colour, width) {
+    const begin = Math.max(0, axis.from), end = Math.min(1, axis.to);
+    const lost = replay.corrupt === null ? Infinity : replay.corrupt[0];
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.globalAlpha = width > 4 ? 0.45 : 1;
+    context.beginPath();
+    let u = begin, k = eventsUntil(run, begin);
+    const last = run.before + run.u.length;
+    let place = replay.changes.findIndex(change => change[0] > k);
+    if (place < 0) place = replay.changes.length;
+    while (u < end && k < lost) {
+      const next = place < replay.changes.length ? replay.changes[place][0] : last + 1;
+      const until = next > last ? end : Math.min(end, timeOf(run, next));
+      const object = replay.objectAt(k);
+      if (object !== undefined) this.curve(context, axis, object, u, until);
+      u = Math.max(u, until);
+      if (next > last) break;
+      k = next;
+      ++place;
+    }
+    context.stroke();
+    context.globalAlpha = 1;
+  }
+
+  drawNow(context, axis, picture) {
+    const { app } = this;
+    const x = axis.x(app.u);
+    context.strokeStyle = COLOUR.first;
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(x, 22);
+    context.lineTo(x, picture.height);
+    context.stroke();
+    const marked = app.certificateObjects();
+    const radius = OBJECTS > 300 ? 1.8 : 3.2;
+    this.where = [];
+    for (let object = 0; object < OBJECTS; ++object) {
+      if (!alive[object] || !memberOf(this.key, object)) continue;
+      const y = this.y(keyAt(this.key, object, app.u));
+      this.where.push([object, x, y]);
+      const is = marked.includes(object);
+      dot(context, x, y, is ? radius + 1.4 : radius, is ? COLOUR.failed : COLOUR.point);
+    }
+    if (app.replay.shape === "object") this.drawWinners(context, x);
+    if (app.hovered !== null) {
+      for (const [object, px, py] of this.where) {
+        if (object === app.hovered) label(context, nameOf(object), px + 9, py, COLOUR.text);
+      }
+    }
+  }
+
+  drawWinners(context, x) {
+    const { replay, other } = this.app;
+    const show = (id, colour, radius, side) => {
+      for (const [object, px, py] of this.where) {
+        if (object !== id) continue;
+        context.strokeStyle = colour;
+        context.lineWidth = 2.5;
+        context.beginPath();
+        context.arc(px, py, radius, 0, 2 * Math.PI);
+        context.stroke();
+        label(context, nameOf(id), px + side * 14, py - 14, colour, side > 0 ? "left" : "right");
+      }
+    };
+    if (!replay.lost) show(replay.ids[0], COLOUR.first, 8, 1);
+    if (other !== null && !other.lost && other.ids[0] !== replay.ids[0]) {
+      show(other.ids[0], COLOUR.second, 11, -1);
+    }
+  }
+
+  // The order that the structure holds, from the log, joined with where the keys are: lines that
+  // cross show an order that is not that of the keys.
+  drawOrder(context, axis, picture) {
+    const { replay, other } = this.app;
+    const marked = this.app.certificateObjects();
+    const heights = new Map(this.where.map(([object, , y]) => [object, y]));
+    const column = (run, state, x, from, colour) => {
+      label(context, run.arithmetic, x, 12, colour);
+      if (state.lost) {
+        label(context, "led astray", x, 30, colour);
+        return;
+      }
+      const [first, ids] = this.ranksToShow(state.ids, marked);
+      if (ids.length < state.ids.length) {
+        label(context, "ranks " + (first + 1) + "\u2013" + (first + ids.length), x, 27, COLOUR.quiet);
+      }
+      const step = Math.min(22, (picture.height - 62) / Math.max(1, ids.length - 1));
+      const middle = (picture.height + 32) / 2;
+      ids.forEach((id, rank) => {
+        const y = middle + (ids.length / 2 - rank - 0.5) * step;
+        const is = marked.includes(id);
+        const start = heights.get(id);
+        if (start !== undefined) {
+          context.strokeStyle = is ? COLOUR.failed : colour;
+          context.globalAlpha = is ? 1 : 0.4;
+          context.lineWidth = is ? 1.6 : 0.8;
+          context.beginPath();
+          context.moveTo(from, Math.min(picture.height, Math.max(20, start)));
+          context.lineTo(x - 4, y);
+          context.stroke();
+          context.globalAlpha = 1;
+        }
+        if (step >= 10 || is || id === this.app.hovered) {
+          label(context, shorten(nameOf(id)), x, y, is ? COLOUR.failed : COLOUR.text);
+        }
+      });
+    };
+    const shorten = name => (name.length > 12 ? name.slice(0, 11) + "\u2026" : name);
+    column(FIRST, replay, axis.right + 75, axis.right + 2, COLOUR.first);
+    if (other !== null) column(OTHER, other, axis.right + 195, axis.right + 150, COLOUR.second);
+  }
+
+  // Of a long list the part around the last event: [place of the first, ids].
+  ranksToShow(ids, marked) {
+    const most = 25;
+    if (ids.length <= most) return [0, ids];
+    const places = marked.map(id => ids.indexOf(id)).filter(place => place >= 0);
+    const middle = places.length > 0 ? places[0] : ids.length >> 1;
+    const first = Math.max(0, Math.min(ids.length - most, middle - (most >> 1)));
+    return [first, ids.slice(first, first + most)];
+  }
+
+  nearest(x, y) {
+    let best = null, distance = 144;
+    for (const [object, px, py] of this.where || []) {
+      const d = (px - x) ** 2 + (py - y) ** 2;
+      if (d < distance) { distance = d; best = object; }
+    }
+    return best;
+  }
+  scaleAbout(factor, x, y, picture) {
+    const cy = y - (picture.height + 18) / 2;
+    this.dy = cy - (cy - this.dy) * factor;
+    this.zoom *= factor;
+  }
+  move(dx, dy) {
+    this.dy += dy;
+    return true;
+  }
+}

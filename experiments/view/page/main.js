@@ -1,0 +1,185 @@
+// What is shown: the state after event k at time u, in units of the shown span. Stepping goes from
+// event to event; playing and the time axes go through time, and k follows.
+class App {
+  constructor() {
+    this.k = BEFORE;
+    this.u = 0;
+    this.index = 0;            // of the structure that is shown
+    this.hovered = null;
+    this.playing = false;
+    this.replays = DATA.structures.map((_, i) => new Replay(FIRST, i));
+    this.others = OTHER === null ? null : DATA.structures.map((_, i) => new Replay(OTHER, i));
+    const events = LAST - BEFORE;
+    this.span = Math.min(1, events > 0 ? 30 / events : 1);  // of the time window
+    this.rate = Math.min(1 / 12, 2 / Math.max(1, events));  // u per second: about 2 events a second
+    this.partedAt = null;
+    if (PARTED > BEFORE) {
+      this.partedAt = PARTED <= LAST ? timeOf(FIRST, PARTED) : timeOf(OTHER, PARTED);
+    }
+    this.picture = new Picture("picture");
+    this.drawings = { plane: new Plane(this), time: new Diagram(this) };
+    this.window = new TimeWindow(this);
+    this.panel = new Panel(this);
+  }
+
+  // ---- what others ask
+  shown() { return this.index; }
+  get replay() { return this.replays[this.index]; }
+  get other() { return this.others === null ? null : this.others[this.index]; }
+  get drawing() { return this.drawings[this.mode]; }
+  state() { return this.k + "/" + this.kOther() + "/" + this.index; }
+  eventStructure() { return this.k > BEFORE ? FIRST.s[at(FIRST, this.k)] : -1; }
+  // Of the event k itself, in whatever structure.
+  certificateObjects() {
+    if (this.k === BEFORE) return [];
+    const e = at(FIRST, this.k);
+    return FIRST.certificates[e] === 0 ? FIRST.ids[e] : FIRST.certificates[e][1];
+  }
+  certificateName() {
+    const certificate = this.k === BEFORE ? 0 : FIRST.certificates[at(FIRST, this.k)];
+    return certificate === 0 ? "" : FIRST.predicates[certificate[0]];
+  }
+  // Before the runs part the second one has the same events; from there on it goes by time.
+  kOther() {
+    if (OTHER === null) return 0;
+    const last = OTHER.before + OTHER.u.length;
+    if (PARTED === 0 || this.k < PARTED) return Math.min(this.k, last);
+    return Math.max(Math.min(PARTED - 1, last), eventsUntil(OTHER, this.u));
+  }
+  // The time axis of the window and of the drawing over time.
+  axis(width) {
+    const left = 2;
+    const right = width - (this.mode === "time" ? this.drawing.band() : 18);
+    // Around now, but not beyond the ends of the run.
+    const from = Math.max(-this.span / 50, Math.min(this.u - this.span / 2, 1 - this.span * 0.98));
+    const to = from + this.span;
+    return { left, right, from, to,
+             x: u => left + (u - from) / this.span * (right - left),
+             u: x => from + (x - left) / (right - left) * this.span };
+  }
+
+  // ---- where to go
+  setEvent(k) {
+    this.k = Math.max(BEFORE, Math.min(LAST, k));
+    this.u = timeOf(FIRST, this.k);
+    this.changed();
+  }
+  setTime(u) {
+    this.u = Math.max(0, Math.min(1, u));
+    this.k = eventsUntil(FIRST, this.u);
+    this.changed();
+  }
+  nextExternal(step) {
+    let k = this.k + step;
+    const wanted = e => FIRST.s[e] === this.index && FIRST.x[e] === 1;
+    while (k > BEFORE && k <= LAST && !wanted(at(FIRST, k))) k += step;
+    this.setEvent(k);
+  }
+  setStructure(index) {
+    this.index = index;
+    const structure = DATA.structures[index];
+    const line = structure.key !== null;
+    const select = document.getElementById("drawing");
+    select.options[0].disabled = AXES < 2;
+    select.options[1].disabled = !line;
+    this.setMode(line ? "time" : "plane");
+  }
+  setMode(mode) {
+    this.mode = mode;
+    document.getElementById("drawing").value = mode;
+    this.panel.shownEvent = null;
+    this.changed();
+  }
+  play(on) {
+    if (on && this.u >= 1) this.setTime(0);
+    this.playing = on;
+    const button = document.getElementById("play");
+    button.textContent = on ? "Pause" : "\u25b6 Play";
+    button.setAttribute("aria-label", on ? "Pause" : "Play");
+    if (!on) return this.changed();
+    let last = performance.now();
+    const frame = now => {
+      if (!this.playing) return;
+      this.setTime(this.u + (now - last) / 1000 * this.rate);
+      last = now;
+      if (this.u >= 1) this.play(false); else requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  }
+  setRate(factor) {
+    this.rate *= factor;
+    this.drawControls();
+  }
+  setSpan(factor) {
+    this.span = Math.max(1e-9, Math.min(1.2, this.span * factor));
+    this.changed();
+  }
+
+  // ---- drawing
+  seek() {
+    for (const replay of this.replays) replay.seek(this.k);
+    if (this.others !== null) for (const replay of this.others) replay.seek(this.kOther());
+    document.body.dataset.event = this.k;
+  }
+  changed() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => this.draw());
+  }
+  drawCanvases() {
+    this.seek();
+    this.drawing.draw(this.picture);
+    this.window.draw();
+    this.window.drawOverview();
+  }
+  draw() {
+    this.waiting = false;
+    this.drawCanvases();
+    this.panel.draw(true);
+    this.drawControls();
+    this.drawLegend();
+    if (!this.playing) {
+      const which = this.index === 0 ? "" : "&structure=" +
+        encodeURIComponent(DATA.structures[this.index].label);
+      history.replaceState(null, "", "#event=" + this.k + which);
+    }
+  }
+  drawControls() {
+    const set = (id, value) => {
+      const input = document.getElementById(id);
+      if (document.activeElement !== input || id === "scrub") input.value = value;
+    };
+    set("scrub", this.k);
+    set("number", this.k);
+    document.getElementById("scrub").setAttribute("aria-valuetext", "event " + this.k);
+    const rate = this.rate * DATA.time.span;
+    document.getElementById("speed").textContent = shortNumber(+rate.toPrecision(2)) + " t/s";
+  }
+  drawLegend() {
+    const structure = DATA.structures[this.index];
+    const legend = document.getElementById("legend");
+    legend.replaceChildren();
+    const entry = (colour, text) => {
+      const line = make("i");
+      line.style.color = COLOUR[colour];
+      legend.append(line, text);
+    };
+    entry("first", structure.label + (OTHER === null ? "" : ", " + FIRST.arithmetic));
+    if (OTHER !== null) entry("second", "otherwise in " + OTHER.arithmetic);
+    if (this.k > BEFORE) entry("failed", "event " + this.k + ": what failed and what it changed");
+    this.picture.canvas.setAttribute("aria-label", structure.label + " after event " + this.k);
+  }
+}
+
+// What is displayed, for tests and scripts: the attribute of every structure after the event.
+function kinexState() {
+  app.seek();
+  const values = replays => Object.fromEntries(
+    replays.map((replay, i) => [DATA.structures[i].label, replay.value()]));
+  return {
+    event: app.k, time: app.k > BEFORE ? instantOf(FIRST, app.k)[0] : DATA.time.start[0],
+    certificate: app.certificateName(), objects: app.certificateObjects().map(nameOf),
+    structures: values(app.replays), diverges: PARTED,
+    other: app.others === null ? null : { event: app.kOther(), structures: values(app.others) },
+  };
+}

@@ -1,0 +1,204 @@
+// The event in words and formulas, and the list of all events.
+const ROW = 22;  // pixels, as in the style
+
+// c0 + c1 t + ..., highest power first.
+function polynomial(coefficients) {
+  const span = make("span", undefined, "math");
+  const most = 14;
+  let shown = 0;
+  for (let k = coefficients.length - 1; k >= 0; --k) {
+    let c = coefficients[k];
+    if (c === "0") continue;
+    if (shown === most) {
+      span.append(" + \u2026");
+      break;
+    }
+    const minus = c.startsWith("-");
+    if (minus) c = c.slice(1);
+    span.append((shown === 0 ? (minus ? "\u2212" : "") : minus ? " \u2212 " : " + "));
+    if (k === 0 || c !== "1") span.append(shortText(c));
+    if (k > 0) span.append(make("i", (k === 0 || c === "1" ? "" : "\u2009") + "t"));
+    if (k > 1) span.append(make("sup", String(k)));
+    ++shown;
+  }
+  if (shown === 0) span.append("0");
+  return span;
+}
+const negated = coefficients =>
+  coefficients.map(c => (c === "0" ? c : c.startsWith("-") ? c.slice(1) : "-" + c));
+
+class Panel {
+  constructor(app) {
+    this.app = app;
+    this.event = document.getElementById("event");
+    this.list = document.getElementById("list");
+    this.rows = document.getElementById("rows");
+    this.rows.style.height = (LAST - BEFORE + 1) * ROW + "px";
+    this.list.addEventListener("scroll", () => this.drawRows());
+    this.list.addEventListener("click", click => {
+      const row = click.target.closest(".row");
+      if (row) app.setEvent(+row.dataset.event);
+    });
+    this.shownEvent = null;
+  }
+
+  draw(follow) {
+    if (this.shownEvent === this.app.state()) return;
+    this.shownEvent = this.app.state();
+    this.drawEvent();
+    if (follow) this.scroll();
+    this.drawRows();
+  }
+
+  drawEvent() {
+    const { app } = this;
+    const k = app.k;
+    this.event.replaceChildren();
+    if (k === BEFORE) {
+      this.event.append(make("h2", BEFORE === 0 ? "Before the first event"
+                                                : "Before event " + (BEFORE + 1)));
+      this.event.append(make("p", "t = " + DATA.time.start[0]));
+      this.drawLost();
+      return;
+    }
+    this.event.append(make("h2", "Event " + k + " of " + LAST));
+    this.event.append(this.describe(FIRST, k));
+    this.drawLost();
+    if (OTHER === null) return;
+    const j = app.kOther();
+    if (PARTED !== 0 && k >= PARTED && j > OTHER.before) {
+      this.event.append(make("h2", OTHER.arithmetic + ", last event by then: " + j, "other"));
+      this.event.append(this.describe(OTHER, j));
+    }
+  }
+
+  drawLost() {
+    for (const [run, replay] of [[FIRST, this.app.replay], [OTHER, this.app.other]]) {
+      if (!replay || !replay.lost) continue;
+      this.event.append(make("p", run.arithmetic + " has led the structure astray: " +
+                             replay.corrupt[1] + ".", "external"));
+    }
+  }
+
+  // Of the second run in short.
+  describe(run, k) {
+    const e = at(run, k);
+    const list = make("dl");
+    const row = (name, ...content) => {
+      const value = make("dd");
+      value.append(...content);
+      list.append(make("dt", name), value);
+    };
+    const long = run.x[e] === 1;
+    row("kind", make("span", kindOf(run, k), "kind"), " ",
+        make("span", long ? "external" : "internal", long ? "external" : "internal"),
+        DATA.structures.length > 1 ? " \u00b7 " + DATA.structures[run.s[e]].label : "");
+    if (run.ids[e].length > 0) row("objects", listOf(run.ids[e]));
+    if (run.reasons[k]) row("reason", run.reasons[k]);
+    if (run !== FIRST) {
+      row("time", "t \u2248 " + instantOf(run, k)[0]);
+      return list;
+    }
+    this.describeCertificate(run, e, row);
+    this.describeInstant(run, k, e, row);
+    this.describeChange(run, k, row);
+    return list;
+  }
+
+  describeCertificate(run, e, row) {
+    const certificate = run.certificates[e];
+    if (certificate === 0) {
+      row("certificate", "none: a change of the scene or of the whole proof");
+      return;
+    }
+    const name = run.predicates[certificate[0]];
+    row("certificate", name + "(" + listOf(certificate[1]) + ") \u2265 0 fails");
+    const own = run.p[e], instant = run.instants[run.i[e]];
+    if (Array.isArray(own)) {
+      row("polynomial", own.length === 0 ? "0" : polynomial(own));
+    } else if (own !== 0) {
+      row("polynomial", polynomial(own > 0 ? instant[1] : negated(instant[1])));
+    }
+  }
+
+  describeInstant(run, k, e, row) {
+    const instant = run.instants[run.i[e]];
+    row("time", "t \u2248 " + instant[0]);
+    if (instant.length > 1) {
+      const [, coefficients, root, lower, upper] = instant;
+      if (lower === upper) {
+        row("exactly", shortText(lower));
+      } else {
+        row("interval", "[" + shortText(lower) + ", " + shortText(upper) + "] holds it alone");
+      }
+      const own = run.p[e];
+      if (lower !== upper || Array.isArray(own)) {
+        const of = make("span");
+        of.append("root " + root + " of ", Array.isArray(own) || run.certificates[e] === 0
+          ? polynomial(coefficients) : "the polynomial");
+        row("which is", of);
+      }
+    } else {
+      row("interval", "none: " + run.arithmetic + " rounds, and proves nothing");
+    }
+    const stage = run.g[e];
+    if (stage === 0) return;
+    const order = !run.exact ? "" : "; order among instants: " +
+      (stage[1] === "double" ? "double intervals" : stage[1]);
+    row("stage", "failure time: " + stage[0] + order);
+  }
+
+  describeChange(run, k, row) {
+    const index = run.s[at(run, k)];
+    const [removed, added] = this.app.replays[index].changeAt(k);
+    if (removed.length + added.length === 0) return;
+    const edges = ids => ids.flatMap((id, i) =>
+      (i % 2 === 0 ? [nameOf(id) + "\u2013" + nameOf(ids[i + 1])] : []));
+    const shown = DATA.structures[index].shape === "edges" ? edges : ids => ids.map(nameOf);
+    const short = names => (names.length > 8 ? names.slice(0, 8).join(", ") + ", \u2026 (" +
+      names.length + ")" : names.join(", ")) || "nothing";
+    row("change", short(shown(removed)) + " \u2192 " + short(shown(added)));
+  }
+
+  scroll() {
+    const top = (this.app.k - BEFORE) * ROW, height = this.list.clientHeight;
+    if (top < this.list.scrollTop || top + ROW > this.list.scrollTop + height) {
+      this.list.scrollTop = Math.max(0, top - height / 2);
+    }
+  }
+
+  drawRows() {
+    const first = Math.max(0, Math.floor(this.list.scrollTop / ROW) - 2);
+    const count = Math.ceil(this.list.clientHeight / ROW) + 4;
+    const rows = [];
+    for (let i = first; i < first + count && i <= LAST - BEFORE; ++i) {
+      const row = this.row(BEFORE + i);
+      row.style.top = i * ROW + "px";
+      rows.push(row);
+    }
+    this.rows.replaceChildren(...rows);
+  }
+
+  row(k) {
+    const now = k === this.app.k;
+    let name = "row" + (now ? " now" : "");
+    const row = make("div");
+    row.dataset.event = k;
+    row.setAttribute("role", "option");
+    row.setAttribute("aria-selected", now);
+    if (k === BEFORE) {
+      row.append(make("span", k + "  ", "n"), "start");
+    } else {
+      const e = at(FIRST, k);
+      if (FIRST.s[e] !== this.app.shown()) name += " faded";
+      if (k === PARTED) name += " parted";
+      row.append(make("span", String(k), "n"),
+                 make("span", "", FIRST.x[e] === 1 ? "bar" : "bar short"),
+                 make("b", kindOf(FIRST, k)), " " + listOf(FIRST.ids[e]) + " ",
+                 make("span", "t \u2248 " + instantOf(FIRST, k)[0].slice(0, 12), "n"));
+      row.title = kindOf(FIRST, k) + " " + listOf(FIRST.ids[e]);
+    }
+    row.className = name;
+    return row;
+  }
+}

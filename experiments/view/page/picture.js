@@ -1,0 +1,68 @@
+// A canvas in CSS pixels, sharp on every screen.
+class Picture {
+  constructor(id) {
+    this.canvas = document.getElementById(id);
+    this.context = this.canvas.getContext("2d");
+    this.width = this.height = 0;
+  }
+  begin() {
+    const ratio = window.devicePixelRatio || 1;
+    const box = this.canvas.getBoundingClientRect();
+    this.width = box.width;
+    this.height = box.height;
+    const w = Math.round(box.width * ratio), h = Math.round(box.height * ratio);
+    if (this.canvas.width !== w || this.canvas.height !== h) {
+      this.canvas.width = w;
+      this.canvas.height = h;
+    }
+    this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.context.clearRect(0, 0, box.width, box.height);
+    this.context.font = "12px system-ui, sans-serif";
+    this.context.lineJoin = "round";
+    return this.context;
+  }
+}
+
+const COLOUR = {};
+function readColours() {
+  const style = getComputedStyle(document.documentElement);
+  for (const name of ["back", "text", "quiet", "line", "point", "first", "fill", "failed",
+                      "second", "external", "internal"]) {
+    COLOUR[name] = style.getPropertyValue("--" + name).trim();
+  }
+}
+
+function dot(context, x, y, radius, colour) {
+  context.fillStyle = colour;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
+}
+// A text on a patch of background, so that lines do not cross it.
+function label(context, text, x, y, colour, align = "left") {
+  context.textAlign = align;
+  context.textBaseline = "middle";
+  context.lineWidth = 3;
+  context.strokeStyle = COLOUR.back;
+  context.strokeText(text, x, y);
+  context.fillStyle = colour;
+  context.fillText(text, x, y);
+}
+// Round numbers between two ends, about `count` of them.
+function ticks(low, high, count) {
+  const rough = (high - low) / Math.max(1, count);
+  if (!(rough > 0) || !isFinite(rough)) return [];
+  const power = Math.pow(10, Math.floor(Math.log10(rough)));
+  const step = [1, 2, 5, 10].map(f => f * power).find(s => s >= rough);
+  const result = [];
+  for (let i = Math.ceil(low / step); i * step <= high && result.length < 50; ++i) {
+    result.push(+(i * step).toPrecision(12));
+  }
+  return result;
+}
+// A finite interval that holds all of these and has a length.
+function spread(low, high, margin) {
+  if (!(low <= high)) return [-1, 1];
+  const size = high - low || Math.abs(high) || 1;
+  return [low - margin * size, high + margin * size];
+}

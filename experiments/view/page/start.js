@@ -1,0 +1,179 @@
+// Controls, keys, pointers, and the first picture.
+readColours();
+const app = new App();
+window.kinexState = kinexState;
+
+function onClick(id, action) {
+  document.getElementById(id).addEventListener("click", action);
+}
+
+function describePage() {
+  const scene = DATA.scene;
+  const count = LAST - BEFORE;
+  document.getElementById("name").textContent = scene.name;
+  const run = r => r.arithmetic + ", " + r.u.length + " events" +
+    (r.stopped ? " (not all: " + r.stopped + ")" : "");
+  let facts = OBJECTS + " objects in " + AXES + "-D \u00b7 " + run(FIRST);
+  if (OTHER !== null) facts += " \u00b7 " + run(OTHER);
+  if (BEFORE > 0) facts += " \u00b7 from t = " + DATA.time.start[0] + ", event " + (BEFORE + 1);
+  if (AXES > 2) facts += " \u00b7 drawn by their first two coordinates";
+  document.getElementById("facts").textContent = facts + " \u00b7 " + DATA.program;
+  document.getElementById("of").textContent = "of " + LAST;
+  const select = document.getElementById("structure");
+  DATA.structures.forEach((structure, i) => {
+    const option = make("option", structure.label);
+    option.value = i;
+    select.append(option);
+  });
+  for (const id of ["scrub", "number"]) {
+    const input = document.getElementById(id);
+    input.min = BEFORE;
+    input.max = LAST;
+  }
+  if (OTHER === null) return;
+  const box = document.getElementById("divergence");
+  box.hidden = false;
+  if (PARTED === 0) {
+    box.append(make("h2", "Both runs have the same events"));
+    return;
+  }
+  box.append(make("h2", "The runs part at event " + PARTED));
+  const event = r => (PARTED > r.before && PARTED <= r.before + r.u.length
+    ? kindOf(r, PARTED) + " " + listOf(r.ids[at(r, PARTED)]) : "no event");
+  const list = make("dl");
+  for (const r of RUNS) list.append(make("dt", r.arithmetic), make("dd", event(r)));
+  box.append(list);
+  if (PARTED <= BEFORE) {
+    box.append(make("p", "That is before what this page shows."));
+    return;
+  }
+  const go = make("button", "Go there (D)");
+  go.addEventListener("click", () => app.setEvent(PARTED));
+  box.append(go);
+}
+
+function listen() {
+  onClick("first", () => app.setEvent(BEFORE));
+  onClick("back", () => app.setEvent(app.k - 1));
+  onClick("play", () => app.play(!app.playing));
+  onClick("forward", () => app.setEvent(app.k + 1));
+  onClick("last", () => app.setEvent(LAST));
+  onClick("slower", () => app.setRate(0.5));
+  onClick("faster", () => app.setRate(2));
+  onClick("fit", () => { app.drawing.fit(); app.changed(); });
+  document.getElementById("scrub").addEventListener("input", e => app.setEvent(+e.target.value));
+  document.getElementById("number").addEventListener("change", e => {
+    if (e.target.value !== "") app.setEvent(Math.round(+e.target.value));
+  });
+  document.getElementById("structure").addEventListener("change", e => {
+    app.setStructure(+e.target.value);
+  });
+  document.getElementById("drawing").addEventListener("change", e => app.setMode(e.target.value));
+  const resized = new ResizeObserver(() => {
+    app.panel.drawRows();
+    app.drawCanvases();  // at once: nothing else on the page depends on sizes
+  });
+  for (const id of ["list", "picture", "window"]) resized.observe(document.getElementById(id));
+  addEventListener("hashchange", fromHash);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    readColours();
+    app.changed();
+  });
+  addEventListener("keydown", pressed);
+}
+
+function pressed(key) {
+  const field = /^(INPUT|SELECT|TEXTAREA)$/.test(key.target.tagName) && key.target.id !== "scrub";
+  if (field || key.ctrlKey || key.metaKey || key.altKey) return;
+  if (key.key === " " && key.target.tagName === "BUTTON") return;  // presses the button
+  const picture = app.picture;
+  const zoom = factor => {
+    app.drawing.scaleAbout(factor, picture.width / 2, picture.height / 2, picture);
+    app.changed();
+  };
+  const actions = {
+    " ": () => app.play(!app.playing),
+    ArrowRight: () => (key.shiftKey ? app.nextExternal(1) : app.setEvent(app.k + 1)),
+    ArrowLeft: () => (key.shiftKey ? app.nextExternal(-1) : app.setEvent(app.k - 1)),
+    Home: () => app.setEvent(BEFORE), End: () => app.setEvent(LAST),
+    "[": () => app.setRate(0.5), "]": () => app.setRate(2),
+    "+": () => zoom(1.25), "=": () => zoom(1.25), "-": () => zoom(0.8),
+    f: () => { app.drawing.fit(); app.changed(); },
+    ",": () => app.setSpan(1.5), ".": () => app.setSpan(1 / 1.5),
+    d: () => { if (PARTED > BEFORE) app.setEvent(PARTED); },
+  };
+  const action = actions[key.key] || actions[key.key.toLowerCase()];
+  if (!action) return;
+  key.preventDefault();
+  action();
+}
+
+function listenToPointers() {
+  const place = (element, event) => {
+    const box = element.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  };
+  const canvas = app.picture.canvas;
+  let dragged = null;
+  canvas.addEventListener("pointerdown", e => {
+    dragged = place(canvas, e);
+    canvas.setPointerCapture(e.pointerId);
+  });
+  canvas.addEventListener("pointermove", e => {
+    const [x, y] = place(canvas, e);
+    if (dragged !== null) {
+      const sideways = app.drawing.move(x - dragged[0], y - dragged[1]);
+      if (sideways) app.setTime(app.u - (x - dragged[0]) / canvas.clientWidth * app.span);
+      dragged = [x, y];
+      app.changed();
+      return;
+    }
+    const nearest = app.drawing.nearest(x, y);
+    if (nearest !== app.hovered) {
+      app.hovered = nearest;
+      app.changed();
+    }
+  });
+  for (const end of ["pointerup", "pointercancel"]) {
+    canvas.addEventListener(end, () => { dragged = null; });
+  }
+  canvas.addEventListener("wheel", e => {
+    e.preventDefault();
+    const [x, y] = place(canvas, e);
+    app.drawing.scaleAbout(Math.exp(-e.deltaY / 500), x, y, app.picture);
+    app.changed();
+  }, { passive: false });
+  const bars = app.window.picture.canvas;
+  bars.addEventListener("click", e => {
+    const [x, y] = place(bars, e);
+    const k = app.window.eventAt(x, y);
+    if (k !== null) app.setEvent(k); else app.setTime(app.window.axis.u(x));
+  });
+  bars.addEventListener("wheel", e => {
+    e.preventDefault();
+    app.setSpan(Math.exp(e.deltaY / 500));
+  }, { passive: false });
+  const whole = app.window.overview.canvas;
+  const go = e => { if (e.buttons & 1) app.setTime(place(whole, e)[0] / whole.clientWidth); };
+  whole.addEventListener("pointerdown", go);
+  whole.addEventListener("pointermove", go);
+}
+
+// #event=K opens the page at the state after event K; &structure=LABEL chooses what is shown.
+function fromHash() {
+  const wanted = new URLSearchParams(location.hash.slice(1));
+  const structure = DATA.structures.findIndex(s => s.label === wanted.get("structure"));
+  const index = structure >= 0 ? structure : app.mode ? app.index : 0;
+  if (!app.mode || index !== app.index) {
+    document.getElementById("structure").value = index;
+    app.setStructure(index);
+  }
+  const k = wanted.get("event");
+  if (k !== null && /^[0-9]+$/.test(k) && +k !== app.k) app.setEvent(+k);
+}
+
+describePage();
+listen();
+listenToPointers();
+fromHash();
+app.draw();

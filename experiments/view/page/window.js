@@ -1,0 +1,159 @@
+// The time window: events around now as bars, long ones external, short ones internal; a second run
+// hangs below the line. And under it the whole run.
+class TimeWindow {
+  constructor(app) {
+    this.app = app;
+    this.picture = new Picture("window");
+    this.overview = new Picture("overview");
+  }
+
+  draw() {
+    const { app, picture } = this;
+    const context = picture.begin();
+    const axis = app.axis(picture.width);
+    this.axis = axis;
+    const base = OTHER === null ? picture.height - 28 : picture.height * 0.52;
+    const long = base - 26, depth = picture.height - 28 - base;
+    context.fillStyle = COLOUR.panel;
+    context.strokeStyle = COLOUR.line;
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(axis.x(Math.max(0, axis.from)), base + 0.5);
+    context.lineTo(axis.x(Math.min(1, axis.to)), base + 0.5);
+    context.stroke();
+    this.drawTicks(context, axis, picture.height - 12);
+    this.bars(context, axis, FIRST, base, -long, app.k, COLOUR.external, COLOUR.internal);
+    if (OTHER !== null) {
+      this.bars(context, axis, OTHER, base + 1, depth - 4, app.kOther(), COLOUR.second,
+                COLOUR.second);
+      label(context, FIRST.arithmetic, axis.left + 4, base - 8, COLOUR.quiet);
+      label(context, OTHER.arithmetic, axis.left + 4, base + 10, COLOUR.second);
+    }
+    this.drawNow(context, axis, base, long);
+    this.drawDivergence(context, axis, base);
+    this.drawKey(context, axis);
+  }
+
+  drawTicks(context, axis, y) {
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillStyle = COLOUR.quiet;
+    const from = timeNumber(Math.max(0, axis.from)), to = timeNumber(Math.min(1, axis.to));
+    const values = from < to ? ticks(from, to, (axis.right - axis.left) / 110) : [];
+    const step = values.length > 1 ? values[1] - values[0] : 0;
+    const digits = step > 0 ? Math.max(0, Math.min(15, Math.ceil(-Math.log10(step) - 1e-9))) : 0;
+    for (const value of values) {
+      const x = axis.x((value - DATA.time.start[1]) / DATA.time.span);
+      context.fillRect(x - 0.5, y - 12, 1, 4);
+      const text = Math.abs(value) < 1e6 && digits < 8 ? value.toFixed(digits) : shortNumber(value);
+      const half = context.measureText(text).width / 2;
+      if (x - half > 2 && x + half < axis.right) context.fillText(text, x, y);
+    }
+    context.textAlign = "right";
+    context.fillText("t", axis.right + 14, y);
+  }
+
+  // At most one bar of a kind in each pixel.
+  bars(context, axis, run, base, length, now, external, internal) {
+    const shown = this.app.shown();
+    const first = eventsUntil(run, axis.from - 1e-12) + 1;
+    let taken = [-9, -9, -9, -9];
+    let highlighted = null;
+    for (let k = first; k <= run.before + run.u.length; ++k) {
+      const u = run.u[at(run, k)];
+      if (u > axis.to) break;
+      const x = Math.round(axis.x(u));
+      const long = run.x[at(run, k)] === 1;
+      const own = run.s[at(run, k)] === shown;
+      if (k === now) highlighted = [x, long];
+      const kind = (long ? 1 : 0) + (own ? 2 : 0);
+      if (taken[kind] === x) continue;
+      taken[kind] = x;
+      context.globalAlpha = own ? 1 : 0.3;
+      context.fillStyle = long ? external : internal;
+      context.fillRect(x - 1, base, 2, length * (long ? 1 : 0.42));
+    }
+    context.globalAlpha = 1;
+    if (highlighted === null) return;
+    context.fillStyle = COLOUR.failed;
+    context.fillRect(highlighted[0] - 2, base, 4, length * (highlighted[1] ? 1 : 0.42));
+  }
+
+  drawNow(context, axis, base, long) {
+    const x = axis.x(this.app.u), top = base - long - 8;
+    context.strokeStyle = COLOUR.first;
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(x, top);
+    context.lineTo(x, this.picture.height - 24);
+    context.stroke();
+    context.fillStyle = COLOUR.first;
+    context.beginPath();
+    context.moveTo(x - 5, top - 6);
+    context.lineTo(x + 5, top - 6);
+    context.lineTo(x, top + 2);
+    context.fill();
+  }
+
+  drawDivergence(context, axis, base) {
+    const u = this.app.partedAt;
+    if (u === null || u < axis.from || u > axis.to) return;
+    const x = axis.x(u);
+    context.strokeStyle = COLOUR.second;
+    context.lineWidth = 2;
+    context.setLineDash([4, 3]);
+    context.beginPath();
+    context.moveTo(x, 14);
+    context.lineTo(x, this.picture.height - 24);
+    context.stroke();
+    context.setLineDash([]);
+    const left = x > axis.right - 150;
+    label(context, "the runs part: event " + PARTED, x + (left ? -6 : 6), 18, COLOUR.second,
+          left ? "right" : "left");
+  }
+
+  drawKey(context, axis) {
+    const x = axis.right - 4;
+    context.textAlign = "right";
+    context.textBaseline = "middle";
+    context.fillStyle = COLOUR.quiet;
+    if (Math.abs(axis.x(this.app.u) - x) < 170) return;
+    context.fillText("long bars: external events, short: internal", x, 6);
+  }
+
+  drawOverview() {
+    const { app, overview } = this;
+    const context = overview.begin();
+    const width = overview.width, height = overview.height - 4;
+    const counts = new Uint32Array(Math.max(1, Math.ceil(width)));
+    for (const u of FIRST.u) ++counts[Math.min(counts.length - 1, Math.floor(u * width))];
+    const most = Math.log2(2 + Math.max(...counts));
+    context.fillStyle = COLOUR.internal;
+    counts.forEach((count, x) => {
+      if (count > 0) context.fillRect(x, height, 1, -height * Math.log2(1 + count) / most);
+    });
+    const from = Math.max(0, this.axis.from) * width, to = Math.min(1, this.axis.to) * width;
+    context.fillStyle = COLOUR.fill;
+    context.fillRect(from, 0, to - from, height);
+    context.strokeStyle = COLOUR.first;
+    context.strokeRect(from + 0.5, 0.5, Math.max(1, to - from - 1), height - 1);
+    context.fillStyle = COLOUR.first;
+    context.fillRect(app.u * width - 1, 0, 2, height);
+    if (app.partedAt === null) return;
+    context.fillStyle = COLOUR.second;
+    context.fillRect(app.partedAt * width - 1, 0, 2, height);
+  }
+
+  // The event whose bar is nearest to x, or null if none is near.
+  eventAt(x, y) {
+    const u = this.axis.u(x);
+    const k = eventsUntil(FIRST, u);
+    let best = null, distance = 7;
+    for (const candidate of [k, k + 1]) {
+      if (candidate <= BEFORE || candidate > LAST) continue;
+      const d = Math.abs(this.axis.x(timeOf(FIRST, candidate)) - x);
+      if (d < distance) { distance = d; best = candidate; }
+    }
+    return best;
+  }
+}

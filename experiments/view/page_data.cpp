@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/view/page_data.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "experiments/event_log.h"
+#include "experiments/json_writer.h"
+#include "experiments/scene_writer.h"
+#include "experiments/trade/binary_scale.h"
+#include "experiments/view/drawn_motions.h"
+
+namespace kinex {
+
+namespace {
+
+// The shortest text that reads back as the same double; null if it is not finite.
+void write_double(JsonWriter& json, double value) {
+  if (!std::isfinite(value)) {
+    json.null();
+    return;
+  }
+  char text[32];
+  const auto [end, error] = std::to_chars(text, text + sizeof text, value);
+  json.raw(std::string_view(text, static_cast<std::size_t>(end - text)));
+}
+
+template <class Range>
+void write_ids(JsonWriter& json, const Range& ids) {
+  json.begin_array();
+  for (const ObjectId id : ids) json.number(std::uint64_t{id});
+  json.end_array();
+}
+
+void write_texts(JsonWriter& json, const std::vector<std::string>& texts) {
+  json.begin_array();
+  for (const std::string& text : texts) json.string(text);
+  json.end_array();
+}
+
+std::string_view shape_name(Attribute::Shape shape) {
+  switch (shape) {
+    case Attribute::Shape::kSequence:
+      return "sequence";
+    case Attribute::Shape::kObject:
+      return "object";
+    case Attribute::Shape::kEdges:
+      return "edges";
+    case Attribute::Shape::kCycle:
+      return "cycle";
+  }
+  return "";
+}
+
+// The time that is shown: to the end of the scene, or a little beyond the last event.
+Rational shown_span(const Scene& scene, const std::vector<RecordedRun>& runs) {
+  const Rational& start = runs.front().start;
+  const bool complete =
+      std::all_of(runs.begin(), runs.end(), [](const RecordedRun& run) { return run.complete; });
+  if (scene.end && complete) return *scene.end - start;
+  Rational span;
+  for (const RecordedRun& run : runs) {
+    for (const InstantText& instant : run.instants) {
+      const std::optional<Rational> t = Rational::parse(instant.approximate);
+      if (t && span < *t - start) span = *t - start;
+    }
+  }
+  if (span.is_zero()) return scene.end ? *scene.end - start : Rational(1);
+  if (!scene.end) span *= Rational(Integer(21), Integer(20));
+  return span;
+}
+
+void write_motions(JsonWriter& json, const Scene& scene, const DrawnMotions& motions) {
+  json.key("scale");
+  write_double(json, motions.scale);
+  json.key("ids").begin_array();
+  for (const SceneObject& object : scene.objects) json.string(object.id);
+  json.end_array().key("motions").begin_array();
+  for (const std::vector<DrawnPiece>& pieces : motions.objects) {
+    json.begin_array();
+    for (const DrawnPiece& piece : pieces) {
+      json.begin_array();
+      write_double(json, piece.from);
+      write_double(json, piece.to);
+      json.begin_array();
+      for (const std::vector<double>& c : piece.coordinates) {
+        json.begin_array();
+        for (const double x : c) write_double(json, x);
+        json.end_array();
+      }
+      json.end_array().end_array();
+    }
+    json.end_array();
+  }
+  json.end_array();
+}
+
+// As drawing needs it: {"axis": A}, {"weights": [..]} of largest absolute value 1, {"object": O}.
+void write_key(JsonWriter& json, const RecordedStructure& structure, const Scene& scene) {
+  if (!structure.has_key) {
+    json.null();
+    return;
+  }
+  const Key& key = structure.key;
+  json.begin_object().key("text").string(key_json(key, scene));
+  switch (key.kind) {
+    case Key::Kind::kCoordinate:
+      json.key("axis").number(key.axis);
+      break;
+    case Key::Kind::kDirection: {
+      Rational largest(0);
+      for (const Rational& x : key.direction) largest = std::max(largest, absolute(x));
+      json.key("weights").begin_array();
+      for (const Rational& x : key.direction) {
+        write_double(json, largest.is_zero() ? 0.0 : (x / largest).to_double());
+      }
+      json.end_array().key("size");
+      write_double(json, largest.to_double());
+      break;
+    }
+    case Key::Kind::kSquaredDistance:
+      json.key("object").number(std::uint64_t{key.object});
+      break;
+  }
+  json.end_object();
+}
+
+void write_structures(JsonWriter& json, const RecordedRun& run, const Scene& scene) {
+  json.key("structures").begin_array();
+  for (const RecordedStructure& structure : run.structures) {
+    json.begin_object().key("label").string(structure.label).key("name").string(structure.name);
+    json.key("shape").string(shape_name(structure.initial.shape)).key("key");
+    write_key(json, structure, scene);
+    json.key("kinds");
+    write_texts(json, structure.kinds);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void write_states(JsonWriter& json, const RecordedRun& run) {
+  json.key("states").begin_array();
+  for (const RecordedStructure& structure : run.structures) {
+    json.begin_object().key("initial");
+    write_ids(json, structure.initial.ids);
+    json.key("changes").begin_array();
+    for (const AttributeChange& change : structure.changes) {
+      json.begin_array().number(change.event).number(std::uint64_t{change.at});
+      write_ids(json, change.removed);
+      write_ids(json, change.added);
+      json.end_array();
+    }
+    json.end_array().key("corrupt");
+    if (structure.corrupt_after) {
+      json.begin_array().number(*structure.corrupt_after).string(structure.corruption).end_array();
+    } else {
+      json.null();
+    }
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void write_instants(JsonWriter& json, const RecordedRun& run) {
+  json.key("instants").begin_array();
+  for (const InstantText& instant : run.instants) {
+    json.begin_array().string(instant.approximate);
+    if (instant.exact) {
+      write_texts(json, instant.polynomial);
+      json.number(instant.root).string(instant.lower).string(instant.upper);
+    }
+    json.end_array();
+  }
+  json.end_array();
+}
+
+class EventColumns {
+ public:
+  EventColumns(JsonWriter& json, const RecordedRun& run) : json_(json), run_(run) {}
+
+  template <class Write>
+  EventColumns& column(const char* name, const Write& write) {
+    json_.key(name).begin_array();
+    for (const RecordedEvent& event : run_.events) write(event);
+    json_.end_array();
+    return *this;
+  }
+
+ private:
+  JsonWriter& json_;
+  const RecordedRun& run_;
+};
+
+// Times for drawing, in units of the span; they never decrease, even where doubles go astray.
+std::vector<double> drawn_times(const RecordedRun& run, const Rational& span) {
+  std::vector<double> times;
+  double last = 0;
+  for (const InstantText& instant : run.instants) {
+    const std::optional<Rational> t = Rational::parse(instant.approximate);
+    if (t) last = std::max(last, ((*t - run.start) / span).to_double());
+    times.push_back(std::min(last, 1.0));
+  }
+  return times;
+}
+
+void write_events(JsonWriter& json, const RecordedRun& run, const Rational& span) {
+  const std::vector<double> times = drawn_times(run, span);
+  const auto ids = [](const auto& list, std::size_t count) {
+    return std::span<const ObjectId>(list.data(), count);
+  };
+  EventColumns(json, run)
+      .column("u", [&](const RecordedEvent& e) { write_double(json, times[e.instant]); })
+      .column("s", [&](const RecordedEvent& e) { json.number(int{e.event.structure}); })
+      .column("k", [&](const RecordedEvent& e) { json.number(int{e.event.kind}); })
+      .column("x", [&](const RecordedEvent& e) { json.number(e.event.external ? 1 : 0); })
+      .column("ids",
+              [&](const RecordedEvent& e) { write_ids(json, ids(e.event.ids, e.event.count)); })
+      .column("certificates",
+              [&](const RecordedEvent& e) {
+                const Query& query = e.event.certificate;
+                if (query.arity == 0) {
+                  json.number(0);
+                  return;
+                }
+                json.begin_array().number(int{query.predicate});
+                write_ids(json, ids(query.ids, query.arity));
+                json.end_array();
+              })
+      .column("i", [&](const RecordedEvent& e) { json.number(std::uint64_t{e.instant}); })
+      .column("p",
+              [&](const RecordedEvent& e) {
+                if (e.polynomial.empty()) {
+                  json.number(e.sign);
+                } else {
+                  write_texts(json, e.polynomial);
+                }
+              })
+      .column("g", [&](const RecordedEvent& e) {
+        if (!e.stages) {
+          json.number(0);
+        } else {
+          json.begin_array().string(stage_name(e.stages->found));
+          json.string(stage_name(e.stages->ordered)).end_array();
+        }
+      });
+  json.key("reasons").begin_object();
+  for (std::size_t i = 0; i < run.events.size(); ++i) {
+    if (run.events[i].reason.empty()) continue;
+    json.key(std::to_string(run.before + i + 1)).string(run.events[i].reason);
+  }
+  json.end_object();
+}
+
+void write_run(JsonWriter& json, const RecordedRun& run, const Rational& span) {
+  json.begin_object().key("arithmetic").string(run.arithmetic).key("exact").boolean(run.exact);
+  json.key("before").number(run.before).key("stopped").string(run.stopped).key("predicates");
+  write_texts(json, run.predicates);
+  write_events(json, run, span);
+  write_instants(json, run);
+  write_states(json, run);
+  json.end_object();
+}
+
+}  // namespace
+
+std::string page_data(const Scene& scene, const std::string& hash,
+                      const std::vector<RecordedRun>& runs) {
+  const Rational span = shown_span(scene, runs);
+  const Rational& start = runs.front().start;
+  std::string text;
+  JsonWriter json(text);
+  json.begin_object().key("format").string("kinex-view").key("version").number(1);
+  json.key("program").string(build_name()).key("scene").begin_object();
+  json.key("name").string(scene.name).key("hash").string(hash);
+  json.key("dimension").number(scene.dimension).end_object();
+  json.key("time").begin_object().key("start").begin_array().string(start.to_string());
+  write_double(json, start.to_double());
+  json.end_array().key("span");
+  write_double(json, span.to_double());
+  json.end_object();
+  write_motions(json, scene, drawn_motions(scene, start, span));
+  write_structures(json, runs.front(), scene);
+  json.key("runs").begin_array();
+  for (const RecordedRun& run : runs) write_run(json, run, span);
+  json.end_array().key("divergence");
+  json.number(runs.size() < 2 ? std::uint64_t{0} : first_divergence(runs[0], runs[1]));
+  json.end_object();
+  return text;
+}
+
+}  // namespace kinex

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page of `kinex view` shows, as JSON.
+//
+// Combinatorics, polynomials and instants are exact, as the run gave them. For drawing alone there
+// are doubles: times as u = (t - start) / span, and motions as polynomials in u, divided by one
+// power of two so that no coefficient is above 1 (a scene may have coordinates of 2^5000).
+//
+// {"format": "kinex-view", "version": 1, "program": S,
+//  "scene": {"name", "hash", "dimension"},
+//  "time": {"start": [TEXT, NUMBER], "span": NUMBER}, "scale": NUMBER,
+//  "ids": [ID, ..], "motions": [[[FROM, TO, [[c0, c1, ..] per axis]], ..] per object],
+//  "structures": [{"label", "name", "shape", "key", "kinds"}],
+//  "runs": [{"arithmetic", "exact", "before", "stopped", "predicates",
+//     "u", "s", "k", "x", "ids", "certificates", "i", "p", "g": an entry an event,
+//     "instants": [[DECIMAL, POLYNOMIAL, ROOT, LOWER, UPPER]], "reasons": {EVENT: TEXT},
+//     "states": [{"initial": [..], "changes": [[EVENT, PLACE, [REMOVED], [ADDED]]], "corrupt"}]}],
+//  "divergence": EVENT or 0}
+// Objects are numbers, places in "ids". See page/*.js for who reads it.
+#ifndef KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H
+#define KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H
+
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+#include "experiments/view/recorded_run.h"
+
+namespace kinex {
+
+// One run, or two of the same scene that start at the same time. `hash`: of the scene's file.
+std::string page_data(const Scene& scene, const std::string& hash,
+                      const std::vector<RecordedRun>& runs);
+
+}  // namespace kinex
+
+#endif

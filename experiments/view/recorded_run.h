@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// RecordedRun: a run as data: every event with its certificate and instant, and the attribute of
+// every structure after each of them. Nothing in it is recomputed: it is what the run said.
+#ifndef KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
+#define KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/event.h"
+#include "core/rational.h"
+#include "experiments/scene_run.h"
+#include "experiments/view/attribute_change.h"
+#include "experiments/view/stage_watch.h"
+
+namespace kinex {
+
+struct RecordedEvent {
+  Event event;              // without its reason
+  std::string reason;       // of a rebuild
+  std::size_t instant = 0;  // index into RecordedRun::instants
+  // The certificate's polynomial under the motions in force: primitive, low degree first. Empty if
+  // it is `sign` times that of the instant, or if there is no certificate.
+  std::vector<std::string> polynomial;
+  int sign = 0;
+  std::optional<StagesUsed> stages;
+};
+
+struct RecordedStructure {
+  std::string label, name;
+  Key key;
+  bool has_key = false;
+  std::vector<std::string> kinds;
+  Attribute initial;                     // before the first recorded event
+  std::vector<AttributeChange> changes;  // ascending in `event`
+  // An inexact arithmetic led it astray after this many events: no attribute from then on.
+  std::optional<std::uint64_t> corrupt_after;
+  std::string corruption;
+};
+
+struct RecordedRun {
+  std::string arithmetic;
+  bool exact = true;
+  Rational start;            // of what is recorded
+  std::uint64_t before = 0;  // events before it
+  bool complete = true;      // to the end of the scene
+  std::string stopped;       // why it is not
+  std::vector<Event> all;    // every event from the start of the run on, recorded or not
+  std::vector<RecordedEvent> events;
+  std::vector<InstantText> instants;
+  std::vector<RecordedStructure> structures;
+  std::vector<std::string> predicates;  // by PredicateId
+  std::string digest;                   // of `all`, as an event log has it
+};
+
+// The attribute of a structure after event `event` (numbered from 1 in the whole run, at least
+// run.before); nullopt where it is corrupt. Replays the changes.
+std::optional<Attribute> attribute_after(const RecordedStructure& structure, std::uint64_t event);
+
+// The number of the first event (from 1) at which two runs of one scene part: in structure, kind or
+// ids; 0: one is the beginning of the other and was not run further, or they are equal.
+std::uint64_t first_divergence(const RecordedRun& a, const RecordedRun& b);
+
+}  // namespace kinex
+
+#endif

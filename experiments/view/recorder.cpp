@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/view/recorder.h"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/check.h"
+#include "experiments/event_log.h"
+#include "experiments/input_error.h"
+#include "experiments/sha256.h"
+#include "experiments/view/certificate_polynomial.h"
+#include "experiments/view/watched_structure.h"
+#include "structures/plan.h"
+#include "structures/registry.h"
+
+namespace kinex {
+
+namespace {
+
+std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Scene& scene) {
+  try {
+    return make_arithmetic(name, scene);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("--arithmetic", "", error.what(),
+                     "write exact, sturm, double, gsl or mpfr:P with P bits");
+  }
+}
+
+std::vector<std::string> coefficients(const Polynomial& p) {
+  std::vector<std::string> texts;
+  for (const Integer& c : p.coefficients()) texts.push_back(c.to_string());
+  return texts;
+}
+
+class Recorder final : public EventSink {
+ public:
+  Recorder(const Scene& scene, const RecordOptions& options)
+      : scene_(scene), options_(options), motions_(scene) {
+    auto watch = std::make_unique<StageWatch>(arithmetic_option(options.arithmetic, scene));
+    stages_ = watch.get();
+    run_.arithmetic = watch->name();
+    run_.exact = watch->is_exact();
+    SimulatorOptions simulator_options;
+    simulator_options.audit = AuditLevel::kNone;
+    simulator_options.progress = [this](const Simulator& running) {
+      return !full_ && (!options_.progress || options_.progress(running));
+    };
+    simulator_.emplace(scene, std::move(watch), simulator_options);
+    add_structures();
+    simulator_->set_sink(this);
+  }
+
+  RecordedRun run() {
+    recording_ = !options_.from || *options_.from == scene_.start;
+    run_.start = options_.from ? *options_.from : scene_.start;
+    simulator_->start();
+    RunStatus status = RunStatus::kDone;
+    if (!recording_) {
+      status = simulator_->run_until(run_.start);
+      run_.before = events_;
+      recording_ = true;
+      for (StructureId id = 0; id < run_.structures.size(); ++id) take_initial(id);
+    }
+    if (status == RunStatus::kDone) status = simulator_->run_until(std::nullopt);
+    note_corruption();
+    run_.complete = status == RunStatus::kDone && !full_;
+    if (!run_.complete && run_.stopped.empty()) run_.stopped = "it was interrupted";
+    if (run_.complete) check_final_states();
+    for (PredicateId id = 0; id < stages_->predicates(); ++id) {
+      run_.predicates.emplace_back(stages_->predicate(id).name());
+    }
+    run_.digest = digest_.hex();
+    return std::move(run_);
+  }
+
+  void event(const Event& event, Arithmetic& arithmetic) override {
+    note_corruption();
+    const RecordedStructure& structure = run_.structures[event.structure];
+    State& state = states_[event.structure];
+    const bool common = event.kind >= structure.kinds.size() - kCommonEvents;
+    if (common) note_motion(event, structure.kinds.size());
+    if (full_) return;
+    const bool record = recording_ && run_.events.size() < options_.max_events;
+    InstantText instant;
+    if (record || options_.observe) instant = arithmetic.describe_now();
+    const std::string& kind = structure.kinds[event.kind];
+    if (recording_ && !record)
+      return stop("it has more than " + std::to_string(options_.max_events) + " events");
+    if (options_.observe &&
+        !options_.observe({events_ + 1, structure.label, kind, event, instant})) {
+      return stop(std::string(kLogEnds));
+    }
+    ++events_;
+    run_.all.push_back(event);
+    run_.all.back().reason = {};
+    add_to_digest(event, structure.label, kind);
+    if (!record) return;
+    if (state.first_pending == 0) state.first_pending = events_;
+    state.changed = state.changed || event.external || common;
+    record_event(event, std::move(instant));
+  }
+
+ private:
+  // Between two looks at a structure.
+  struct State {
+    const Structure* structure = nullptr;
+    bool begun = false;
+    Attribute attribute;
+    std::uint64_t first_pending = 0;  // the first event that it reported since; 0: none
+    bool changed = false;             // one of them may have changed the attribute
+  };
+
+  void add_structures() {
+    const std::vector<PlannedStructure> plan = plan_structures(scene_);
+    run_.structures.resize(plan.size());
+    states_.resize(plan.size());
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+      const PlannedStructure& planned = plan[i];
+      const StructureId id = simulator_->reserve();
+      const Structure* watched = nullptr;
+      std::vector<StructureId> watches;
+      if (planned.watches) {
+        watched = states_[*planned.watches].structure;
+        watches.push_back(*planned.watches);
+      }
+      std::unique_ptr<Structure> structure =
+          make_structure(planned.request, scene_, simulator_->kernel(), id, watched);
+      states_[i].structure = structure.get();
+      RecordedStructure& record = run_.structures[i];
+      record.label = planned.request.label;
+      record.name = std::string(structure->name());
+      record.key = planned.request.key;
+      const StructureInfo* info = find_structure_info(planned.request.structure);
+      record.has_key = info != nullptr && info->uses_key;
+      simulator_->add(
+          id, std::make_unique<WatchedStructure>(std::move(structure), [this, id] { look(id); }),
+          planned.request.label, std::move(watches));
+      for (const std::string_view kind : simulator_->event_kinds(id)) {
+        record.kinds.emplace_back(kind);
+      }
+    }
+  }
+
+  void stop(std::string why) {
+    full_ = true;
+    run_.stopped = std::move(why);
+  }
+
+  void note_motion(const Event& event, std::size_t kinds) {
+    const auto kind = static_cast<CommonEvent>(event.kind - (kinds - kCommonEvents));
+    if (kind == CommonEvent::kMotion || kind == CommonEvent::kInsert) {
+      motions_.changed(event.ids[0], simulator_->reached());
+    }
+  }
+
+  void add_to_digest(const Event& event, std::string_view label, std::string_view kind) {
+    std::vector<std::string_view> ids;
+    for (std::size_t i = 0; i < event.count; ++i) ids.push_back(scene_.objects[event.ids[i]].id);
+    digest_.add(digest_line(label, kind, ids));
+  }
+
+  void record_event(const Event& event, InstantText instant) {
+    RecordedEvent record;
+    record.event = event;
+    record.event.reason = {};
+    record.reason = std::string(event.reason);
+    if (event.certificate.arity > 0) {
+      const Polynomial p = certificate_polynomial(stages_->predicate(event.certificate.predicate),
+                                                  event.certificate, motions_);
+      record.polynomial = coefficients(p);
+      record.stages = stages_->stages(event.certificate);
+      if (instant.exact && record.polynomial == instant.polynomial) {
+        record.sign = 1;
+      } else if (instant.exact && coefficients(-p) == instant.polynomial) {
+        record.sign = -1;
+      }
+      if (record.sign != 0) record.polynomial.clear();
+    }
+    if (run_.instants.empty() || !equal(run_.instants.back(), instant)) {
+      run_.instants.push_back(std::move(instant));
+    }
+    record.instant = run_.instants.size() - 1;
+    run_.events.push_back(std::move(record));
+  }
+
+  static bool equal(const InstantText& a, const InstantText& b) {
+    return a.approximate == b.approximate && a.root == b.root && a.polynomial == b.polynomial &&
+           a.lower == b.lower && a.upper == b.upper;
+  }
+
+  void take_initial(StructureId id) {
+    State& state = states_[id];
+    state.begun = true;
+    state.first_pending = 0;
+    state.changed = false;
+    if (simulator_->kernel().ledger(id).corrupt) return;
+    state.attribute = state.structure->attribute();
+    run_.structures[id].initial = state.attribute;
+  }
+
+  // The structure has returned from a call.
+  void look(StructureId id) {
+    if (!recording_) return;
+    note_corruption();
+    State& state = states_[id];
+    if (!state.begun) return take_initial(id);
+    const std::uint64_t first = std::exchange(state.first_pending, 0);
+    const bool changed = std::exchange(state.changed, false);
+    if (simulator_->kernel().ledger(id).corrupt) return;
+    if (first == 0 ? full_ : !changed) return;
+    Attribute attribute = state.structure->attribute();
+    AttributeChange change = difference(state.attribute, attribute);
+    if (change.empty()) return;
+    change.event = first != 0 ? first : events_;
+    run_.structures[id].changes.push_back(std::move(change));
+    state.attribute = std::move(attribute);
+  }
+
+  void note_corruption() {
+    if (full_) return;
+    for (StructureId id = 0; id < run_.structures.size(); ++id) {
+      const StructureLedger& ledger = simulator_->kernel().ledger(id);
+      RecordedStructure& structure = run_.structures[id];
+      if (!ledger.corrupt || structure.corrupt_after) continue;
+      structure.corrupt_after = events_;
+      structure.corruption = ledger.corruption;
+    }
+  }
+
+  // An event that changes the attribute and does not say so would be seen here.
+  void check_final_states() const {
+    for (StructureId id = 0; id < run_.structures.size(); ++id) {
+      if (run_.structures[id].corrupt_after) continue;
+      require(states_[id].attribute == states_[id].structure->attribute(),
+              "the recorded events do not lead to the final state of a structure");
+    }
+  }
+
+  const Scene& scene_;
+  const RecordOptions& options_;
+  RecordedRun run_;
+  MotionsInForce motions_;
+  StageWatch* stages_ = nullptr;
+  std::vector<State> states_;
+  std::optional<Simulator> simulator_;
+  std::uint64_t events_ = 0;
+  bool recording_ = false;
+  bool full_ = false;
+  Sha256 digest_;
+};
+
+}  // namespace
+
+RecordedRun record_run(const Scene& scene, const RecordOptions& options) {
+  Recorder recorder(scene, options);
+  return recorder.run();
+}
+
+}  // namespace kinex

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a scene and records it.
+//
+// The attribute is taken from the structure itself whenever it has done its work: after a failure
+// is repaired, an object inserted, and so on. What changed is put down to the first event that the
+// structure reported meanwhile; further events of the same repair (ties put in order) find it done.
+#ifndef KINEX_EXPERIMENTS_VIEW_RECORDER_H
+#define KINEX_EXPERIMENTS_VIEW_RECORDER_H
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/simulator.h"
+#include "experiments/view/recorded_run.h"
+
+namespace kinex {
+
+// RecordedRun::stopped where an observer wanted no more.
+inline constexpr std::string_view kLogEnds = "the log ends here";
+
+// What an observer is told of an event.
+struct SeenEvent {
+  std::uint64_t number;  // from 1
+  std::string_view structure, kind;
+  const Event& event;
+  const InstantText& instant;
+};
+
+struct RecordOptions {
+  std::string arithmetic = "exact";
+  std::optional<Rational> from;                 // default: the scene's start
+  std::uint64_t max_events = ~std::uint64_t{};  // recorded; the run stops soon after
+  // Told of every event, recorded or not; false: the run is of no interest from this event on.
+  std::function<bool(const SeenEvent&)> observe;
+  std::function<bool(const Simulator&)> progress;  // as in SimulatorOptions
+};
+
+// The scene's end, if it has one, must lie after options.from. Throws InputError for an unknown
+// arithmetic. Cost: the run's, and O(size of the attribute) for each external event.
+RecordedRun record_run(const Scene& scene, const RecordOptions& options);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// StageWatch: an arithmetic as it is, that remembers of each certificate which stage found its
+// failure time and which stage was needed to put it in order with other instants.
+#ifndef KINEX_EXPERIMENTS_VIEW_STAGE_WATCH_H
+#define KINEX_EXPERIMENTS_VIEW_STAGE_WATCH_H
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+
+#include "core/arithmetic.h"
+
+namespace kinex {
+
+struct StagesUsed {
+  Stage found = Stage::kDouble;    // the failure time
+  Stage ordered = Stage::kDouble;  // the highest that a comparison with it needed
+};
+
+class StageWatch final : public Arithmetic {
+ public:
+  explicit StageWatch(std::unique_ptr<Arithmetic> arithmetic);
+
+  // Of the failure time that was last found for this certificate; nullopt: none was.
+  std::optional<StagesUsed> stages(const Query& query) const;
+
+  std::string name() const override { return inner_->name(); }
+  bool is_exact() const override { return inner_->is_exact(); }
+  void set_motion(ObjectId object, const Trajectory& trajectory,
+                  const std::optional<Rational>& until) override {
+    inner_->set_motion(object, trajectory, until);
+  }
+  void set_now(const Rational& t) override { inner_->set_now(t); }
+  void advance(const Query& query, FailureTime& time) override { inner_->advance(query, time); }
+  double now_approximate() const override { return inner_->now_approximate(); }
+  InstantText describe_now() override { return inner_->describe_now(); }
+  Sign sign_after(const Query& query) override { return inner_->sign_after(query); }
+  Outlook failure(const Query& query, FailureTime& time) override;
+  Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;
+  Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override;
+  int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) override;
+  int compare_with_now(const Query& a, FailureTime& ta) override;
+  int compare(const Query& a, FailureTime& ta, const Rational& t) override;
+  void release(FailureTime& time) override { inner_->release(time); }
+  std::optional<Rational> rational_between(const Query* query, FailureTime* time) override {
+    return inner_->rational_between(query, time);
+  }
+  std::size_t bytes() const override { return inner_->bytes(); }
+  std::string number_model() const override { return inner_->number_model(); }
+  std::string polynomial_model(PredicateId id) const override {
+    return inner_->polynomial_model(id);
+  }
+
+ protected:
+  void bound_predicate(PredicateId id) override { inner_->bind(predicates_[id]); }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const Query& query) const;
+  };
+  template <class Search>
+  Outlook note_search(const Query& query, const Search& search);
+  template <class Comparison>
+  int note_order(const Query& a, const Query* b, const Comparison& comparison);
+  void raise(const Query& query, Stage stage);
+
+  std::unique_ptr<Arithmetic> inner_;
+  std::unordered_map<Query, StagesUsed, Hash> stages_;
+};
+
+// "double", "128-bit integers", "MPFR", "exact integers".
+std::string_view stage_name(Stage stage);
+
+}  // namespace kinex
+
+#endif
