@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "structures/convex_hull_2.h"
 #include "structures/delaunay_2.h"
 #include "structures/maximum_heap.h"
 #include "structures/maximum_of_list.h"
@@ -29,6 +30,12 @@ std::unique_ptr<Structure> make_extremum(const Request& request, const Scene& sc
 std::unique_ptr<Structure> make_delaunay_2(const Request&, const Scene& scene, Kernel& kernel,
                                            StructureId id, const Structure*) {
   return std::make_unique<Delaunay2>(kernel, id, scene);
+}
+
+template <ConvexHull2::Variant kVariant>
+std::unique_ptr<Structure> make_convex_hull_2(const Request&, const Scene& scene, Kernel& kernel,
+                                              StructureId id, const Structure*) {
+  return std::make_unique<ConvexHull2>(kernel, id, scene, kVariant);
 }
 
 template <Extremum kExtremum>
@@ -65,6 +72,11 @@ const std::vector<Entry>& entries() {
        make_of_list<Extremum::kMinimum>},
       {{"delaunay_2", "the Delaunay triangulation of points in the plane", 2, false, ""},
        make_delaunay_2},
+      {{"convex_hull_2", "the convex hull of points in the plane, by divide and conquer", 2, false,
+        ""},
+       make_convex_hull_2<ConvexHull2::Variant::kLocal>},
+      {{"convex_hull_2_naive", "the same with certificates that are not local", 2, false, ""},
+       make_convex_hull_2<ConvexHull2::Variant::kNaive>},
   };
   return kEntries;
 }
