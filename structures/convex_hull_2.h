@@ -191,8 +191,9 @@ class ConvexHull2 final : public Structure {
   void repair(Slot slot, Index place);
   void repair_x(Index corner);
   void repair_y(Index corner);
-  void pass(Index node, Index e, Index f);
-  void pass_half(Index node, Index e, Index f);
+  void repair_s(Slot slot, Index corner);
+  void pass(Index node, Index e, Index f, const Query& claim);
+  void pass_half(Index node, Index e, Index f, const Query& claim);
   void turn_end(Index node, int end);
   void report_failure(Slot slot, Index place);
   bool claim_holds(Slot slot, Index place) const;

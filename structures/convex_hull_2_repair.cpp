@@ -98,15 +98,30 @@ void ConvexHull2::report_failure(Slot slot, Index place) {
 void ConvexHull2::repair(Slot slot, Index place) {
   if (slot == kSlotX) return repair_x(place);
   if (slot == kSlotY) return repair_y(place);
+  const Query claim = base_query(slot, place);
   if (slot >= kSlotLeft) {
     const Node& left = nodes_[child(place, 0)];
     const Node& right = nodes_[child(place, 1)];
-    return slot == kSlotLeft ? pass(place, left.first, right.first)
-                             : pass(place, left.last, right.last);
+    return slot == kSlotLeft ? pass(place, left.first, right.first, claim)
+                             : pass(place, left.last, right.last, claim);
   }
   const Edge& e = edges_[place];
-  const bool with_next = slot == kSlotS2 || e.claim == kAfter;
-  pass(merge_of(place), with_next ? e.next : place, e.contender);
+  const Index passed = slot == kSlotS2 || e.claim == kAfter ? e.next : place;
+  pass(merge_of(place), passed, e.contender, claim);
+}
+
+// The slope of the contender has passed that of the line on the left (kSlotS1) or right of a
+// corner.
+void ConvexHull2::repair_s(Slot slot, Index v) {
+  const Edge& e = edges_[v];
+  const Index line = e.contender;
+  if (e.claim != kTangent) return set_claim(line, v, kTangent);
+  const bool to_left = slot == kSlotS1;
+  const Index next = to_left ? e.left : e.right;
+  if (next == kNone || edges_[next].contender != line) {
+    return set_claim(line, v, to_left ? kBefore : kAfter);
+  }
+  set_claim(line, next, kTangent);
 }
 
 // Two corners of different colours exchange places.
@@ -215,9 +230,9 @@ void ConvexHull2::repair_y(Index v) {
   refresh_y(edges_[v].right);
 }
 
-// The slopes of e and f (of different colours) exchange places: everything that compares them, in
-// both halves where both are at the ends of both.
-void ConvexHull2::pass(Index node, Index e, Index f) {
+// The slopes of e and f (of different colours) exchange places: everything that says otherwise is
+// repaired at once, in both halves where both lines are at the ends of both.
+void ConvexHull2::pass(Index node, Index e, Index f, const Query& claim) {
   const ObjectId p = edges_[e].point, q = edges_[f].point;
   // The same lines in the other half, if they are first or last there: read before anything moves.
   const Index other = node ^ 1u;
@@ -230,40 +245,41 @@ void ConvexHull2::pass(Index node, Index e, Index f) {
       }
     }
   }
-  pass_half(node, e, f);
+  pass_half(node, e, f, claim);
   if (twins[0] != kNone && twins[1] != kNone && !nodes_[other].stale) {
-    pass_half(other, twins[0], twins[1]);
+    pass_half(other, twins[0], twins[1], claim);
   }
 }
 
-void ConvexHull2::pass_half(Index node, Index e, Index f) {
-  const Node& n = nodes_[node];
+void ConvexHull2::pass_half(Index node, Index e, Index f, const Query& claim) {
   const Node& x = nodes_[child(node, 0)];
   const Node& y = nodes_[child(node, 1)];
-  const auto are = [e, f](Index a, Index b) { return (a == e && b == f) || (a == f && b == e); };
-  const bool ends[2] = {are(x.first, y.first), are(x.last, y.last)};
-  bool wrong[2] = {false, false};
-  for (const int end : {0, 1}) {
-    if (!ends[end]) continue;
-    wrong[end] = !claim_holds(end == 0 ? kSlotLeft : kSlotRight, node);
-  }
-  if (wrong[0] && wrong[1] && ends[0] && ends[1]) {
+  const auto says = [&](Slot slot, Index place) {
+    const Query query = base_query(slot, place);
+    return query.ids[0] == claim.ids[0] && query.ids[1] == claim.ids[1];
+  };
+  const bool wrong[2] = {says(kSlotLeft, node), says(kSlotRight, node)};
+  if (wrong[0] && wrong[1]) {
     // Two single lines: the lower one goes from one end to the other.
     const bool red_is_higher =
         signs_.higher(half(node), edges_[x.first].point, edges_[y.first].point);
-    const int first = n.red[0] != red_is_higher ? 0 : 1;
+    const int first = nodes_[node].red[0] != red_is_higher ? 0 : 1;
     turn_end(node, first);
     if (!nodes_[node].stale) turn_end(node, 1 - first);
   } else {
     for (const int end : {0, 1}) {
-      if (wrong[end] && !nodes_[node].stale) turn_end(node, end);
+      if (wrong[end]) turn_end(node, end);
     }
   }
-  if (nodes_[node].stale) return;
   for (const Index line : {e, f}) {
-    const Index other = line == e ? f : e;
+    if (nodes_[node].stale) return;
     const Index v = edges_[line].claimant;
-    if (v != kNone && (v == other || edges_[v].next == other)) refresh_claim(line, v);
+    if (v == kNone) continue;
+    if (says(kSlotS1, v)) {
+      repair_s(kSlotS1, v);
+    } else if (edges_[v].claim == kTangent && says(kSlotS2, v)) {
+      repair_s(kSlotS2, v);
+    }
   }
 }
 
