@@ -111,6 +111,8 @@ class ConvexHull2 final : public Structure {
   using Corner = HullSigns::Corner;
   static constexpr Index kNone = 0xffffffffu;
   static constexpr unsigned kHalves = 2;
+  // Certificates that a point is in at most, per half and level.
+  static constexpr int kPerLevel = 24;
 
   // What a certificate is for: tag = 8 * (edge or node) + slot.
   enum Slot : std::uint32_t { kSlotX, kSlotY, kSlotS1, kSlotS2, kSlotLeft, kSlotRight };

@@ -51,11 +51,18 @@ class HullSigns {
   // Line a is above line b at the place where they are parallel.
   bool higher(Half half, ObjectId a, ObjectId b) const;
 
+  // Nothing resolved.
+  Sign turn(ObjectId a, ObjectId b, ObjectId c) const {
+    return kernel_->sign_after(turn_, {a, b, c});
+  }
+  Query left_turn(ObjectId a, ObjectId b, ObjectId c) const { return Query(turn_, {a, b, c}); }
+  Sign order_sign(int axis, ObjectId a, ObjectId b) const {
+    return kernel_->sign_after(order_[axis], {a, b});
+  }
+  Query order(int axis, ObjectId a, ObjectId b) const { return Query(order_[axis], {a, b}); }
   bool equal(ObjectId a, ObjectId b) const;
   // On one line for ever.
-  bool collinear(ObjectId a, ObjectId b, ObjectId c) const {
-    return kernel_->sign_after(turn_, {a, b, c}) == Sign::kZero;
-  }
+  bool collinear(ObjectId a, ObjectId b, ObjectId c) const { return turn(a, b, c) == Sign::kZero; }
 
   // For a claim whose polynomial is zero for ever: the certificates to try in its place, best
   // first; the first that is not zero for ever keeps the tie. `holds`: if all of them are.

@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #include "structures/convex_hull_2.h"
+#include "structures/convex_hull_2_brute_force.h"
+#include "structures/convex_hull_2_delaunay.h"
 #include "structures/delaunay_2.h"
 #include "structures/maximum_heap.h"
 #include "structures/maximum_of_list.h"
@@ -36,6 +38,19 @@ template <ConvexHull2::Variant kVariant>
 std::unique_ptr<Structure> make_convex_hull_2(const Request&, const Scene& scene, Kernel& kernel,
                                               StructureId id, const Structure*) {
   return std::make_unique<ConvexHull2>(kernel, id, scene, kVariant);
+}
+
+std::unique_ptr<Structure> make_convex_hull_2_brute_force(const Request&, const Scene& scene,
+                                                          Kernel& kernel, StructureId id,
+                                                          const Structure*) {
+  return std::make_unique<ConvexHull2BruteForce>(kernel, id, scene);
+}
+
+std::unique_ptr<Structure> make_convex_hull_2_delaunay(const Request&, const Scene& scene,
+                                                       Kernel& kernel, StructureId id,
+                                                       const Structure* triangulation) {
+  return std::make_unique<ConvexHull2Delaunay>(kernel, id, scene,
+                                               dynamic_cast<const Delaunay2&>(*triangulation));
 }
 
 template <Extremum kExtremum>
@@ -77,6 +92,12 @@ const std::vector<Entry>& entries() {
        make_convex_hull_2<ConvexHull2::Variant::kLocal>},
       {{"convex_hull_2_naive", "the same with certificates that are not local", 2, false, ""},
        make_convex_hull_2<ConvexHull2::Variant::kNaive>},
+      {{"convex_hull_2_brute_force", "the convex hull, every point against every hull edge", 2,
+        false, ""},
+       make_convex_hull_2_brute_force},
+      {{"convex_hull_2_delaunay", "the convex hull, read off the Delaunay triangulation", 2, false,
+        "delaunay_2"},
+       make_convex_hull_2_delaunay},
   };
   return kEntries;
 }
