@@ -86,6 +86,11 @@ void ConvexHull2BruteForce::certificate_failed(CertificateId failed) {
   } else {
     kernel_->report(id_, kind, {query.ids[0], query.ids[1]}, false);
   }
+  if (!kernel_->is_exact() && static_hull(signs_, members()) == cycle_) {
+    // The signs say otherwise: the certificate is given up.
+    certificates_.erase(std::find(certificates_.begin(), certificates_.end(), failed));
+    return;
+  }
   find_hull();
   events_.settle(cycle_);
 }
