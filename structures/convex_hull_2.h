@@ -264,7 +264,8 @@ class ConvexHull2 final : public Structure {
   bool unsettled_ = false;           // a certificate was born that is negative right after now
   std::vector<std::uint32_t> todo_;  // tags of claims that no certificate can refute
   std::vector<Index> stale_;
-  std::uint64_t spent_ = 0;  // repairs at this instant
+  std::vector<std::uint32_t> tied_;  // tags of claims that were tied when they were made
+  std::uint64_t spent_ = 0;          // repairs at this instant
   bool corrupt_ = false;
 
   std::uint64_t node_rebuilds_ = 0;

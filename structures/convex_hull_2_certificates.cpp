@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ConvexHull2: the certificates, as a function of the combinatorial state.
+#include <algorithm>
+#include <utility>
+
 #include "structures/convex_hull_2.h"
 
 namespace kinex {
@@ -118,6 +121,11 @@ void ConvexHull2::refresh(Slot slot, Index place) {
 // The certificate is zero for ever.
 void ConvexHull2::resolve_tie(Slot slot, Index place, CertificateId& certificate) {
   signs_.note_tie();
+  if (tied_.size() > 64 + 8 * edges_.size()) {
+    std::sort(tied_.begin(), tied_.end());
+    tied_.erase(std::unique(tied_.begin(), tied_.end()), tied_.end());
+  }
+  tied_.push_back(8 * place + slot);
   bool holds = true;
   if (slot == kSlotX) {
     holds = signs_.corners_tie(corner(place), corner(edges_[place].right));

@@ -51,7 +51,7 @@ class ConvexHull2Delaunay final : public Structure {
 
  private:
   std::vector<ObjectId> cycle() const;
-  void look() { events_.settle(cycle()); }
+  void look();
 
   Kernel* kernel_;
   StructureId id_;

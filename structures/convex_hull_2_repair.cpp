@@ -58,6 +58,7 @@ void ConvexHull2::finish_instant() {
     mend();
     work_off();
   }
+  if (kernel_->is_exact() && events_.repairs_to_come()) return;
   spent_ = 0;
   if (!hull_changed_) return;
   hull_changed_ = false;

@@ -125,16 +125,16 @@ void ConvexHull2::take_apart(Index t, std::vector<ObjectId>& objects) {
 }
 
 // Certificates have been rescheduled. What was a tie may be none any more, or the other way round.
+// The certificate that keeps a tie need not name all points of it.
 void ConvexHull2::motions_changed(std::span<const ObjectId> objects) {
+  if (corrupt_) return;
   std::vector<std::uint32_t> tags;
+  tags.swap(tied_);
   for (const ObjectId object : objects) {
     for (const CertificateId c : kernel_->certificates_of(object)) {
       const Certificate& certificate = kernel_->queue().certificate(c);
-      if (certificate.structure != id_) continue;
-      const std::uint32_t tag = certificate.tag;
-      if (certificate.outlook == Outlook::kIdenticallyZero ||
-          certificate.query != base_query(static_cast<Slot>(tag % 8), tag / 8)) {
-        tags.push_back(tag);
+      if (certificate.structure == id_ && certificate.outlook == Outlook::kIdenticallyZero) {
+        tags.push_back(certificate.tag);
       }
     }
   }
@@ -142,8 +142,16 @@ void ConvexHull2::motions_changed(std::span<const ObjectId> objects) {
   tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
   for (const std::uint32_t tag : tags) {
     const Slot slot = static_cast<Slot>(tag % 8);
-    drop(certificate_of(slot, tag / 8));
-    refresh(slot, tag / 8);
+    const Index place = tag / 8;
+    if (place >= (slot >= kSlotLeft ? nodes_.size() : edges_.size())) continue;
+    CertificateId& certificate = certificate_of(slot, place);
+    if (certificate == kNoCertificate) continue;
+    if (kernel_->outlook(certificate) != Outlook::kIdenticallyZero &&
+        kernel_->query(certificate) == base_query(slot, place)) {
+      continue;
+    }
+    drop(certificate);
+    refresh(slot, place);
   }
   work_off();
   // Points that were tied may be apart now, and vertices, without anything to repair.

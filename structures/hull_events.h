@@ -38,6 +38,11 @@ class HullEvents {
   // The hull just after an instant at which it may have changed: reports, and begins with it.
   void settle(std::vector<ObjectId> cycle);
   const std::vector<ObjectId>& cycle() const { return cycle_; }
+  // A certificate has been born that is negative right after now: the instant is not over.
+  bool repairs_to_come() const {
+    const EventQueue& queue = kernel_->queue();
+    return !queue.empty() && kernel_->outlook(queue.top()) == Outlook::kFailsNow;
+  }
   std::size_t bytes() const;
 
  private:
