@@ -28,6 +28,10 @@ std::shared_ptr<const Predicate> make_squared_distance_order(int dimension);
 // Alternating in all three.
 std::shared_ptr<const Predicate> make_orientation_2();
 
+// slope_order_2(a, b, c, d) = (b - a) x (d - c): positive iff the direction from c to d is counter-clockwise
+// from that from a to b (by less than half a turn). Degree 2d. Alternating in a, b.
+std::shared_ptr<const Predicate> make_slope_order_2();
+
 // in_circle_2(a, b, c, d): positive iff d lies strictly inside the circle through a, b, c, for a, b, c
 // counter-clockwise. Degree 4d. Alternating in all four.
 std::shared_ptr<const Predicate> make_in_circle_2();

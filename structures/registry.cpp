@@ -3,6 +3,9 @@
 
 #include <stdexcept>
 
+#include "structures/convex_hull_2.h"
+#include "structures/convex_hull_2_brute_force.h"
+#include "structures/convex_hull_2_delaunay.h"
 #include "structures/delaunay_2.h"
 #include "structures/maximum_dual_hull.h"
 #include "structures/maximum_envelope.h"
@@ -32,6 +35,25 @@ std::unique_ptr<Structure> make_extremum(const Request& request, const Scene& sc
 std::unique_ptr<Structure> make_delaunay_2(const Request&, const Scene& scene, Kernel& kernel,
                                            StructureId id, const Structure*) {
   return std::make_unique<Delaunay2>(kernel, id, scene);
+}
+
+template <ConvexHull2::Variant kVariant>
+std::unique_ptr<Structure> make_convex_hull_2(const Request&, const Scene& scene, Kernel& kernel,
+                                              StructureId id, const Structure*) {
+  return std::make_unique<ConvexHull2>(kernel, id, scene, kVariant);
+}
+
+std::unique_ptr<Structure> make_convex_hull_2_brute_force(const Request&, const Scene& scene,
+                                                          Kernel& kernel, StructureId id,
+                                                          const Structure*) {
+  return std::make_unique<ConvexHull2BruteForce>(kernel, id, scene);
+}
+
+std::unique_ptr<Structure> make_convex_hull_2_delaunay(const Request&, const Scene& scene,
+                                                       Kernel& kernel, StructureId id,
+                                                       const Structure* triangulation) {
+  return std::make_unique<ConvexHull2Delaunay>(kernel, id, scene,
+                                               dynamic_cast<const Delaunay2&>(*triangulation));
 }
 
 template <Extremum kExtremum>
@@ -84,6 +106,17 @@ const std::vector<Entry>& entries() {
        make_of_list<Extremum::kMinimum>},
       {{"delaunay_2", "the Delaunay triangulation of points in the plane", 2, false, ""},
        make_delaunay_2},
+      {{"convex_hull_2", "the convex hull of points in the plane, by divide and conquer", 2, false,
+        ""},
+       make_convex_hull_2<ConvexHull2::Variant::kLocal>},
+      {{"convex_hull_2_naive", "the same with certificates that are not local", 2, false, ""},
+       make_convex_hull_2<ConvexHull2::Variant::kNaive>},
+      {{"convex_hull_2_brute_force", "the convex hull, every point against every hull edge", 2,
+        false, ""},
+       make_convex_hull_2_brute_force},
+      {{"convex_hull_2_delaunay", "the convex hull, read off the Delaunay triangulation", 2, false,
+        "delaunay_2"},
+       make_convex_hull_2_delaunay},
   };
   return kEntries;
 }

@@ -26,6 +26,7 @@ std::vector<Named> all_predicates() {
           {"distance_2", make_squared_distance_order(2)},
           {"distance_3", make_squared_distance_order(3)},
           {"orientation_2", make_orientation_2()},
+          {"slope_order_2", make_slope_order_2()},
           {"in_circle_2", make_in_circle_2()}};
 }
 
@@ -165,7 +166,7 @@ TEST_P(EveryPredicate, NarrowRefusesWhatMightOverflow) {
   for (int d = 1; d <= kMaxFixedDegree; ++d) EXPECT_FALSE(p->narrow_fits(d, huge.data())) << name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryPredicate, ::testing::Range<std::size_t>(0, 9),
+INSTANTIATE_TEST_SUITE_P(All, EveryPredicate, ::testing::Range<std::size_t>(0, 10),
                          [](const auto& one) { return all_predicates()[one.param].name; });
 
 // Static points with known answers: signs have the promised meaning.
@@ -203,6 +204,24 @@ TEST_F(KnownSigns, Planar) {
   EXPECT_EQ(sign(make_in_circle_2(), {{0, 0}, {4, 0}, {0, 4}, {1, 1}}), 1);
   EXPECT_EQ(sign(make_in_circle_2(), {{0, 0}, {4, 0}, {0, 4}, {5, 5}}), -1);
   EXPECT_EQ(sign(make_in_circle_2(), {{0, 0}, {4, 0}, {0, 4}, {4, 4}}), 0);
+}
+
+TEST_F(KnownSigns, SlopeOrder) {
+  EXPECT_EQ(sign(make_slope_order_2(), {{0, 0}, {2, 1}, {5, 5}, {6, 6}}), 1);
+  EXPECT_EQ(sign(make_slope_order_2(), {{5, 5}, {6, 6}, {0, 0}, {2, 1}}), -1);
+  EXPECT_EQ(sign(make_slope_order_2(), {{0, 0}, {2, 1}, {6, 6}, {5, 5}}), -1);
+  EXPECT_EQ(sign(make_slope_order_2(), {{0, 0}, {2, 1}, {7, 3}, {11, 5}}), 0);
+  // From a common point it is the orientation.
+  EXPECT_EQ(sign(make_slope_order_2(), {{1, 1}, {4, 2}, {1, 1}, {2, 6}}),
+            sign(make_orientation_2(), {{1, 1}, {4, 2}, {2, 6}}));
+}
+
+TEST(SlopeOrder, ExchangingThePairsChangesTheSign) {
+  const auto p = make_slope_order_2();
+  std::mt19937_64 random(7);
+  const Motions m(random, 4, 2, 2, 1000);
+  EXPECT_EQ(p->exact(2, m.views(m.exact, {0, 1, 2, 3}).data()),
+            -p->exact(2, m.views(m.exact, {2, 3, 0, 1}).data()));
 }
 
 TEST(DirectionOrder, RefusesTheZeroVector) {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// HullEvents: the external events of a convex hull, in one form for all structures that maintain
+// it.
+//
+// An instant changes the cycle of hull vertices from what it was just before to what it is just
+// after. This difference is reported: a "leave" for each point that is no vertex any more, by id,
+// then an "enter" for each new one, by id, and then, if the points that stayed go round in another
+// order (several points must meet for that, or all lie on one line), one "turn" with the first of
+// them that has another successor, its old and its new one. So methods that have nothing else in
+// common report the same events, in the same order, at the same instants.
+//
+// Cost: O(h log h) per instant at which the hull may have changed, for h vertices.
+#ifndef KINEX_STRUCTURES_HULL_EVENTS_H
+#define KINEX_STRUCTURES_HULL_EVENTS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/kernel.h"
+#include "core/structure.h"
+
+namespace kinex {
+
+class HullEvents {
+ public:
+  // The structure's first event kinds are these three, in this order.
+  enum Kind : std::uint8_t { kLeave, kEnter, kTurn };
+  static constexpr std::uint8_t kKinds = 3;
+  // "leave", "enter", "turn" and `own`, and the common kinds.
+  static std::vector<std::string_view> kinds(const std::vector<std::string_view>& own);
+
+  HullEvents(Kernel& kernel, StructureId id) : kernel_(&kernel), id_(id) {}
+
+  // The hull just before the next instant; nothing is reported. Cycles start at their smallest id.
+  void begin(std::vector<ObjectId> cycle) { cycle_ = std::move(cycle); }
+  // The hull just after an instant at which it may have changed: reports, and begins with it.
+  void settle(std::vector<ObjectId> cycle);
+  const std::vector<ObjectId>& cycle() const { return cycle_; }
+  // A certificate has been born that is negative right after now: the instant is not over.
+  bool repairs_to_come() const {
+    const EventQueue& queue = kernel_->queue();
+    return !queue.empty() && kernel_->outlook(queue.top()) == Outlook::kFailsNow;
+  }
+  std::size_t bytes() const;
+
+ private:
+  void report_turn(const std::vector<ObjectId>& cycle);
+
+  Kernel* kernel_;
+  StructureId id_;
+  std::vector<ObjectId> cycle_;
+  std::vector<ObjectId> before_, after_;  // scratch
+};
+
+}  // namespace kinex
+
+#endif
