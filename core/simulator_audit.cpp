@@ -64,9 +64,8 @@ bool Simulator::certificates_hold(const Snapshot& positions) const {
     const Predicate& predicate = kernel_.arithmetic().predicate(c.query.predicate);
     if (predicate.rational(0, points.data()).front().sign() <= 0) return false;
   }
-  if (!scene_.end || positions.time() <= *scene_.end) return true;
   return std::all_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-    return entry.structure->holds_after_the_end(positions);
+    return entry.structure->holds_at(positions);
   });
 }
 

@@ -87,9 +87,10 @@ class Structure {
   // Compares the attribute with an independent static computation on exact positions at a rational
   // time at which all its certificates hold.
   virtual void audit(const Snapshot& snapshot, AuditReport& report) const = 0;
-  // For an audit at a time after the scene's end, where nothing is scheduled: whether its proof is
-  // good at these positions, its certificates aside. For a proof that rests on more than these.
-  virtual bool holds_after_the_end(const Snapshot& snapshot) const {
+  // For audits: false if its proof, certificates aside, leaves doubts at these positions: where two
+  // objects only touch, or after the scene's end, up to which a proof may have been made. Another
+  // time is looked for then. For a proof that rests on more than certificates.
+  virtual bool holds_at(const Snapshot& snapshot) const {
     static_cast<void>(snapshot);
     return true;
   }

@@ -141,10 +141,16 @@ void MaximumEnvelope::audit(const Snapshot& snapshot, AuditReport& report) const
                  report);
 }
 
-bool MaximumEnvelope::holds_after_the_end(const Snapshot& snapshot) const {
+// Objects that touch the winner without overtaking it have no certificate with it.
+bool MaximumEnvelope::holds_at(const Snapshot& snapshot) const {
   AuditReport report;
   audit(snapshot, report);
-  return report.violations.empty();
+  if (report.violations.empty()) return true;
+  if (end_ && *end_ < snapshot.time()) return false;
+  const Key& key = contest_.order().key();
+  const auto keys = sorted_keys(key, snapshot, objects_);
+  const auto& best = contest_.extremum() == Extremum::kMaximum ? keys.back() : keys.front();
+  return key_value(key, snapshot, winner()) != best.first;
 }
 
 void MaximumDualHull::check_invariants(AuditReport& report) const {

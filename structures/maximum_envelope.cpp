@@ -14,7 +14,8 @@ MaximumEnvelope::MaximumEnvelope(Kernel& kernel, StructureId id, const Key& key,
     : kernel_(&kernel),
       id_(id),
       contest_(extremum, kernel, key, scene),
-      objects_(scene.objects.size()) {}
+      objects_(scene.objects.size()),
+      end_(scene.end) {}
 
 std::string_view MaximumEnvelope::name() const {
   return contest_.extremum() == Extremum::kMaximum ? "maximum_envelope" : "minimum_envelope";

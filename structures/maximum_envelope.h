@@ -21,6 +21,7 @@
 #ifndef KINEX_STRUCTURES_MAXIMUM_ENVELOPE_H
 #define KINEX_STRUCTURES_MAXIMUM_ENVELOPE_H
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -54,8 +55,7 @@ class MaximumEnvelope final : public Structure {
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
-  // The envelope ends with the scene.
-  bool holds_after_the_end(const Snapshot& snapshot) const override;
+  bool holds_at(const Snapshot& snapshot) const override;
   std::size_t bytes() const override;
 
   // kNoObject if there is none.
@@ -71,6 +71,7 @@ class MaximumEnvelope final : public Structure {
   StructureId id_;
   Contest contest_;
   std::size_t objects_;            // in the scene
+  std::optional<Rational> end_;    // for audits: so far goes the envelope
   std::vector<ObjectId> members_;  // ascending
   std::vector<ObjectId> winners_;  // from some instant on
   std::size_t at_ = 0;             // the present one

@@ -110,6 +110,27 @@ TEST(Catalogue, OneStructureIsAPartOfAll) {
   EXPECT_EQ(sum, all);
 }
 
+TEST(Catalogue, TheMaximaAreAGroup) {
+  const Catalogue group = make_catalogue("maximum", Extent::kQuick);
+  std::set<std::string> structures;
+  std::map<std::tuple<std::string, int, int>, std::set<std::string>> compared;
+  for (const Cell& cell : group.cells) {
+    structures.insert(cell.structure);
+    if (cell.comparison != "maximum") continue;
+    compared[{cell.workload, cell.parameters.n, cell.parameters.degree}].insert(cell.structure);
+  }
+  const std::set<std::string> all{"maximum_dual_hull", "maximum_envelope",    "maximum_hanger",
+                                  "maximum_heap",      "maximum_sorted_list", "maximum_tournament"};
+  EXPECT_EQ(structures, all);
+  EXPECT_GE(compared.size(), 7u);
+  for (const auto& [scenes, members] : compared) {
+    EXPECT_EQ(members.size(), std::get<2>(scenes) == 1 ? 6u : 5u) << std::get<0>(scenes);
+  }
+  for (const Cell& cell : make_catalogue("minimum", Extent::kQuick).cells) {
+    EXPECT_EQ(cell.structure.substr(0, 8), "minimum_");
+  }
+}
+
 // ---- witnesses ------------------------------------------------------------------------------
 
 Scene lines(const std::vector<std::pair<Rational, Rational>>& at_both_ends) {

@@ -13,8 +13,9 @@
 namespace kinex::test {
 namespace {
 
-constexpr const char* kStructures[] = {"sorted_list", "maximum_tournament", "minimum_tournament",
-                                       "maximum_heap", "minimum_heap"};
+constexpr const char* kStructures[] = {"sorted_list",    "maximum_tournament", "minimum_tournament",
+                                       "maximum_heap",   "minimum_heap",       "maximum_hanger",
+                                       "minimum_hanger", "maximum_envelope",   "minimum_envelope"};
 
 Rational fraction(int p, int q) { return Rational(Integer(p), Integer(q)); }
 

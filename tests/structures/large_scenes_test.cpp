@@ -57,8 +57,9 @@ Key distance_to(ObjectId object) {
 }
 
 constexpr int kMany = kSanitized ? 10000 : 100000;
-constexpr const char* kOneDimensional[] = {"sorted_list", "maximum_tournament",
-                                           "minimum_tournament", "maximum_heap", "minimum_heap"};
+constexpr const char* kOneDimensional[] = {"sorted_list",        "maximum_tournament",
+                                           "minimum_tournament", "maximum_heap",
+                                           "minimum_heap",       "maximum_hanger"};
 
 TEST(LargeScenes, StandingPointsAreNeverScheduled) {
   const Scene scene = scene_of(standing(1, kMany, 1 << 24), 0, Rational(1000));
@@ -67,6 +68,7 @@ TEST(LargeScenes, StandingPointsAreNeverScheduled) {
     expect_no_work(scene, structure);
     expect_no_work(scene, structure, distance_to(17));
   }
+  expect_no_work(scene, "maximum_dual_hull");
 }
 
 TEST(LargeScenes, StandingPointsInOnePlaceOrOnAGridAreNeverScheduled) {

@@ -60,7 +60,8 @@ void expect_sums(const Trial& run) {
   std::uint64_t failures = 0;
   for (const PredicateCounters& p : numbers(run).by_predicate) failures += sum(p.failures);
   EXPECT_GE(failures, l.certificates_created);
-  if (l.motion_updates == 0) {
+  const bool looks_ahead = run.simulator.label(0).find("envelope") != std::string::npos;
+  if (l.motion_updates == 0 && !looks_ahead) {
     EXPECT_EQ(failures, l.certificates_created);
   }
   // All but those of polynomials that are zero.
@@ -138,7 +139,7 @@ TEST(Ledger, SumsAgree) {
       for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         SCOPED_TRACE(std::string(info.name) + " in " + arithmetic + ", seed " +
                      std::to_string(seed));
-        const int degree = 1 + static_cast<int>(seed % 2);
+        const int degree = info.linear ? 1 : 1 + static_cast<int>(seed % 2);
         const Scene scene = random_flights(seed, 7, 2, degree, seed % 2 == 0);
         Trial run(scene, std::string(info.name), arithmetic, AuditLevel::kEnd);
         run.to_end();

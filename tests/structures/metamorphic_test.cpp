@@ -13,7 +13,8 @@ namespace kinex::test {
 namespace {
 
 constexpr const char* kMaxima[] = {"maximum_tournament", "minimum_tournament", "maximum_heap",
-                                   "minimum_heap"};
+                                   "minimum_heap",       "maximum_hanger",     "minimum_hanger",
+                                   "maximum_envelope",   "minimum_envelope"};
 
 bool is_list(const std::string& structure) { return structure == "sorted_list"; }
 bool is_delaunay(const std::string& structure) { return structure == "delaunay_2"; }
