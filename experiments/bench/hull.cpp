@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: what does the kinetic convex hull cost: events per second in `exact` and in `double`,
+// time per event and level of the tree, building, memory; and what do the other methods cost?
+// Workload: uniform-square (origin and destination uniform in the unit square, t in [0, 1]).
+// Rounds of different arithmetics are interleaved; the best of each is taken; times are thread CPU
+// time; n = 1,000,000 is built and run for a while only. Output: see result_table.h; options: see
+// options.h.
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/simulator.h"
+#include "experiments/bench/options.h"
+#include "experiments/bench/result_table.h"
+#include "experiments/cpu_clock.h"
+#include "experiments/workload.h"
+#include "structures/plan.h"
+
+namespace {
+
+using namespace kinex;
+
+struct Contest {
+  const char* structure;
+  int n;
+  int rounds;
+  std::uint64_t events;  // the run stops after so many; 0: at the end of the scene
+};
+
+struct Result {
+  std::uint64_t events = 0;
+  double build = 0, run = 0;
+  std::uint64_t bytes = 0, live = 0, per_object = 0;
+};
+
+Scene scene_of(const Contest& contest) {
+  WorkloadParameters parameters;
+  parameters.n = contest.n;
+  parameters.seed = 1;
+  parameters.degree = 1;
+  parameters.dimension = 2;
+  Scene scene = generate_scene(*find_workload("uniform-square"), parameters);
+  scene.maintain = {{contest.structure, contest.structure, {}}};
+  return scene;
+}
+
+Result measure(const Scene& scene, const char* arithmetic, std::uint64_t events) {
+  SimulatorOptions options;
+  options.audit = AuditLevel::kNone;
+  options.max_events = events;
+  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  add_structures(simulator, scene);
+  Result result;
+  const double start = cpu_seconds();
+  simulator.start();
+  const double built = cpu_seconds();
+  simulator.run_until(std::nullopt);
+  result.build = built - start;
+  result.run = cpu_seconds() - built;
+  result.events = simulator.ledger().events;
+  result.bytes = simulator.ledger().peak_bytes;
+  for (std::size_t i = 0; i < simulator.structures(); ++i) {
+    const StructureLedger& ledger = simulator.kernel().ledger(static_cast<StructureId>(i));
+    result.live += ledger.max_live;
+    result.per_object = std::max(result.per_object, ledger.max_per_object);
+  }
+  return result;
+}
+
+void add_row(const Contest& contest, const Result& exact, const Result& plain, ResultTable& table) {
+  double levels = 0;
+  for (int k = 1; k < contest.n; k *= 2) ++levels;
+  const double events = static_cast<double>(std::max<std::uint64_t>(exact.events, 1));
+  const double each = exact.run / events;
+  table.row({contest.structure, contest.n, exact.events, exact.build, exact.run, 1 / each,
+             plain.run > 0 ? exact.run / plain.run : 0, 1e9 * each, 1e9 * each / levels,
+             static_cast<double>(exact.bytes) / 1e6, exact.live, exact.per_object});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto options = bench_options(argc, argv);
+  if (!options) return 2;
+  std::vector<Contest> contests{
+      {"convex_hull_2", 1000, 5, 0},         {"convex_hull_2", 10000, 5, 0},
+      {"convex_hull_2", 100000, 2, 0},       {"convex_hull_2", 1000000, 1, 1000000},
+      {"convex_hull_2_naive", 10000, 3, 0},  {"convex_hull_2_brute_force", 1000, 3, 0},
+      {"convex_hull_2_delaunay", 1000, 3, 0}};
+  if (options->smoke) {
+    contests = {{"convex_hull_2", 50, 1, 0},
+                {"convex_hull_2_naive", 50, 1, 0},
+                {"convex_hull_2_brute_force", 20, 1, 0},
+                {"convex_hull_2_delaunay", 20, 1, 0}};
+  }
+  ResultTable table(
+      *options, "hull",
+      "Kinetic convex hulls on uniform-square, in exact arithmetic; time over double.",
+      {{"structure", ResultTable::kText, 25},
+       {"n", 0, 8},
+       {"events", 0, 9},
+       {"build_seconds", 3},
+       {"seconds", 3},
+       {"events_per_second", 0},
+       {"time_over_double", 2},
+       {"ns_per_event", 0},
+       {"ns_per_event_and_level", 0},
+       {"megabytes", 1},
+       {"certificates", 0},
+       {"most_per_point", 0}});
+  for (const Contest& contest : contests) {
+    const Scene scene = scene_of(contest);
+    Result best[2];
+    for (int round = 0; round < contest.rounds; ++round) {
+      for (const int which : {0, 1}) {
+        const Result result = measure(scene, which == 0 ? "exact" : "double", contest.events);
+        if (round == 0 || result.run < best[which].run) best[which] = result;
+      }
+    }
+    add_row(contest, best[0], best[1], table);
+  }
+  return 0;
+}
