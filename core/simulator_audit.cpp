@@ -64,9 +64,8 @@ bool Simulator::certificates_hold(const Snapshot& positions) const {
     const Predicate& predicate = kernel_.arithmetic().predicate(c.query.predicate);
     if (predicate.rational(0, points.data()).front().sign() <= 0) return false;
   }
-  return std::all_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-    return entry.structure->holds_at(positions);
-  });
+  return std::all_of(entries_.begin(), entries_.end(),
+                     [&](const Entry& entry) { return entry.structure->holds_at(positions); });
 }
 
 // A rational strictly between now and whatever comes next: a failure, a change, the end. nullopt if

@@ -47,7 +47,7 @@ struct Cell {
   bool mirrored = false;          // all coordinates negated: a maximum's scene becomes a minimum's
   std::string family;             // the curve that it is a point of, for plots and growth claims
   bool random = false;
-  std::string comparison;         // the table of measures that it has a row in; empty: none
+  std::string comparison;  // the table of measures that it has a row in; empty: none
   // Random families: seeds are added until the standard error of the mean of every quantity in
   // `precise` is below its relative error times the mean, from min_seeds to max_seeds.
   int min_seeds = 1;

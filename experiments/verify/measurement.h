@@ -20,7 +20,7 @@ struct Measurement {
   std::uint64_t seed = 0;
   std::size_t objects = 0;
   RunStatus status = RunStatus::kDone;
-  StructureLedger ledger;  // of the structure; of the one that it reads, if it reads another
+  StructureLedger ledger;     // of the structure; of the one that it reads, if it reads another
   std::uint64_t changes = 0;  // of the attribute that was asked for
   RunLedger run;
   ArithmeticCounters numbers;

@@ -41,7 +41,9 @@ void expect_no_work(const Scene& scene, const std::string& structure, const Key&
   Trial run(scene, structure, "exact", AuditLevel::kEnd, key);
   EXPECT_EQ(run.simulator.kernel().queue().size(), 0u);
   run.to_end().expect_clean();
-  EXPECT_GT(run.ledger().live, 0u);
+  if (structure != "maximum_dual_hull") {  // nobody comes after the winner
+    EXPECT_GT(run.ledger().live, 0u);
+  }
   EXPECT_EQ(run.ledger().processed, 0u);
   EXPECT_EQ(run.simulator.ledger().max_queue, 0u);  // nothing was ever scheduled
   EXPECT_EQ(moving_polynomials(run), 0u);           // or solved
