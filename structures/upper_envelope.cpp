@@ -23,7 +23,7 @@ UpperEnvelope::Pieces UpperEnvelope::envelope(std::span<const ObjectId> members)
   return merge(envelope(members.first(half)), envelope(members.subspan(half)));
 }
 
-// Who wins right after `from`, and until when.
+// Who wins right after `from`, and until when. The smaller id is a's, and it wins a tie.
 UpperEnvelope::Duel UpperEnvelope::duel(ObjectId a, ObjectId b, Moment from) {
   Duel result{a, Foresight::kNever};
   Outlook outlook = foresight_.failure(contest_->claim(a, b), from, result.end);
@@ -33,8 +33,6 @@ UpperEnvelope::Duel UpperEnvelope::duel(ObjectId a, ObjectId b, Moment from) {
     // In an inexact arithmetic each may be worse than the other.
     if (outlook == Outlook::kFailsNow) result.end = Foresight::kNever;
   }
-  if (outlook == Outlook::kIdenticallyZero && b < a) result.winner = b;
-  if (outlook == Outlook::kIdenticallyZero && a < b) result.winner = a;
   return result;
 }
 

@@ -29,7 +29,7 @@ class UpperEnvelope {
   UpperEnvelope(const Contest& contest, Arithmetic& arithmetic)
       : contest_(&contest), foresight_(arithmetic), exact_(arithmetic.is_exact()) {}
 
-  // The winners from now on, one after another; empty if there are no members.
+  // The winners from now on, one after another; empty if there are no members. Members ascend.
   std::vector<ObjectId> compute(std::span<const ObjectId> members);
 
  private:
@@ -45,6 +45,7 @@ class UpperEnvelope {
   };
 
   Pieces envelope(std::span<const ObjectId> members);
+  // All ids in a are smaller than those in b.
   Pieces merge(const Pieces& a, const Pieces& b);
   Duel duel(ObjectId a, ObjectId b, Moment from);
 

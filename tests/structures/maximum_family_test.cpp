@@ -78,6 +78,24 @@ TEST(MaximumFamily, ManyAtOneInstant) {
   EXPECT_EQ(expect_family(scene_of(t, 0, std::nullopt)), 23u);
 }
 
+// Those with one certificate have one event per change, however many meet.
+TEST(MaximumFamily, NobodyPassesThroughWhereOnlyTheLastCounts) {
+  for (const int n : {2, 3, 9, 16, 33}) {
+    const Scene scene = pencil(n);
+    for (const bool minimum : {false, true}) {
+      FamilyRun run(scene, {}, minimum, "exact");
+      run.simulator->run_until({});
+      for (const StructureId id : run.members()) {
+        const std::string& name = run.simulator->label(id);
+        if (name.find("envelope") == std::string::npos && name.find("dual") == std::string::npos) {
+          continue;
+        }
+        EXPECT_EQ(run.simulator->kernel().ledger(id).processed, 1u) << name << " of " << n;
+      }
+    }
+  }
+}
+
 // Small coefficients: equal motions, equal slopes, three and more that meet.
 TEST(MaximumFamily, RandomDegenerateMotion) {
   for (std::uint64_t seed = 1; seed <= (kSanitized ? 8u : 40u); ++seed) {
