@@ -164,7 +164,7 @@ Figure figure(const std::string& workload, const std::map<int, Costs>& costs) {
                   "set border 3 lc rgb '#444444'\nset tics nomirror\n"
                   "set format y '10^{%T}'\nset xlabel \"points n\\n \"\n"
                   "set ylabel 'cost: equations solved, weighted by degree'\n"
-                  "set key left top Left reverse samplen 2.5\nset title " +
+                  "set key right bottom Left reverse samplen 2.5\nset title " +
                   quoted(workload) + "\nset xrange [8:12500]\nplot ";
   for (std::size_t i = 0; i < 3; ++i) {
     figure.script += fmt::format(

@@ -35,6 +35,15 @@ std::uint64_t one_count(const StructureLedger& ledger, const std::string& name) 
   throw std::invalid_argument("no quantity " + name);
 }
 
+void add(const PredicateCounters& one, PredicateCounters& sum) {
+  for (std::size_t s = 0; s < kStages; ++s) {
+    sum.signs[s] += one.signs[s];
+    sum.failures[s] += one.failures[s];
+    sum.looks[s] += one.looks[s];
+    sum.comparisons[s] += one.comparisons[s];
+  }
+}
+
 }  // namespace
 
 std::uint64_t Measurement::count_of(const Quantity& quantity) const {
@@ -70,11 +79,24 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
   result.changes = kernel.ledger(static_cast<StructureId>(simulator->structures() - 1)).external;
   result.run = simulator->ledger();
   result.numbers = kernel.arithmetic().counters();
+  // Structures that read one another may ask the same question: counted under one name.
+  std::vector<PredicateCounters> counters;
   for (std::size_t id = 0; id < result.numbers.by_predicate.size(); ++id) {
-    result.predicates.push_back(
-        std::string(kernel.arithmetic().predicate(static_cast<PredicateId>(id)).name()));
+    const std::string name(kernel.arithmetic().predicate(static_cast<PredicateId>(id)).name());
+    const auto known = std::find(result.predicates.begin(), result.predicates.end(), name);
+    const auto place = static_cast<std::size_t>(known - result.predicates.begin());
+    if (known == result.predicates.end()) {
+      result.predicates.push_back(name);
+      counters.emplace_back();
+    }
+    add(result.numbers.by_predicate[id], counters[place]);
   }
-  result.bounds = simulator->bounds(0);
+  result.numbers.by_predicate = std::move(counters);
+  // Those of what it reads as well.
+  for (std::size_t s = 0; s < simulator->structures(); ++s) {
+    const std::vector<BoundCheck> bounds = simulator->bounds(static_cast<StructureId>(s));
+    result.bounds.insert(result.bounds.end(), bounds.begin(), bounds.end());
+  }
   result.violations = simulator->violations();
   result.attribute = value_now(*simulator, 0);
   return result;
