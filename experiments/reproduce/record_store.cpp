@@ -63,7 +63,7 @@ const RunRecord* RecordStore::find(const std::string& key) const {
   return found == records_.end() ? nullptr : &found->second;
 }
 
-const RunRecord& RecordStore::add(RunRecord record) {
+const RunRecord& RecordStore::add(const RunRecord& record) {
   const std::lock_guard lock(mutex_);
   const std::string line = record_line(record) + "\n";
   if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() ||
@@ -71,8 +71,9 @@ const RunRecord& RecordStore::add(RunRecord record) {
     throw InputError(path_, "", std::string("cannot be written: ") + std::strerror(errno),
                      "make room on the disk; the same command goes on from here");
   }
+  // As it will be read: what is made of a record does not depend on when it was run.
   std::string key = record.key;
-  return records_.insert_or_assign(std::move(key), std::move(record)).first->second;
+  return records_.insert_or_assign(std::move(key), parse_record(line, path_, 0)).first->second;
 }
 
 }  // namespace kinex

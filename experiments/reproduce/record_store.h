@@ -24,7 +24,7 @@ class RecordStore {
   // nullptr if it has not been run. Called from any thread.
   const RunRecord* find(const std::string& key) const;
   // Written through at once. Called from any thread.
-  const RunRecord& add(RunRecord record);
+  const RunRecord& add(const RunRecord& record);
   std::size_t size() const { return records_.size(); }
   const std::string& path() const { return path_; }
 

@@ -51,7 +51,7 @@ SeriesRun run_series(const std::vector<SeriesPoint>& points, RecordStore& store,
         if (options.on_run) options.on_run(i, key.text());
         std::optional<RunRecord> record = run_record(key, options.go_on);
         if (!record) return std::nullopt;
-        known = &store.add(*std::move(record));
+        known = &store.add(*record);
       }
       result.runs.push_back(*known);
     }
