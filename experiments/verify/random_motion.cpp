@@ -153,6 +153,29 @@ void add_delaunay(Catalogue& catalogue) {
              "Theta(n^1.5) events in expectation; Guibas 1998, section 9");
 }
 
+void add_hull(Catalogue& catalogue, Extent extent) {
+  static constexpr Reference kReferences[] = {{10, 10.2, 0.2, 0.1},
+                                              {100, 45.7, 0.5, 0.3},
+                                              {1000, 106.9, 0.9, 2},
+                                              {3000, 145, 2, 5},
+                                              {10000, 194, 4, 15}};
+  for (const Reference& reference : kReferences) {
+    if (reference.n > 3000 && extent == Extent::kQuick) continue;
+    Cell cell = uniform("convex_hull_2", reference.n, 2);
+    cell.bounded = false;  // its bounds are on events by kind
+    cell.precise = {{"external", kChangesError}};
+    cell.expectations.push_back(
+        mean("convex_hull_2.uniform", "external", reference.mean,
+             "independent Monte Carlo in doubles; Guibas 1998, section 9: Theta(log^2 n)"));
+    cell.expectations.back().reference_error = reference.error;
+    cell.cost = reference.cost;
+    catalogue.cells.push_back(std::move(cell));
+  }
+  add_growth(catalogue, "convex_hull_2.uniform.growth", "convex_hull_2", 100, 1,
+             "Theta(n) events in expectation; Guibas 1998, section 9");
+  catalogue.growths.back().tolerance = 0.05;
+}
+
 }  // namespace
 
 void add_random_motion(Catalogue& catalogue, Extent extent) {
@@ -162,6 +185,7 @@ void add_random_motion(Catalogue& catalogue, Extent extent) {
     add_maximum(catalogue, minimum, true, extent);
   }
   add_delaunay(catalogue);
+  add_hull(catalogue, extent);
 }
 
 }  // namespace kinex

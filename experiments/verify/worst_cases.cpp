@@ -105,6 +105,18 @@ void add_hull(Catalogue& catalogue, int size, int flips, double cost) {
   catalogue.cells.push_back(std::move(cell));
 }
 
+// The same motion, for structures that keep the hull alone.
+void add_hull_changes(Catalogue& catalogue, std::string structure, int size, double cost) {
+  Cell cell = worst_case(std::move(structure), "hull-worst", size, 1, cost);
+  cell.family = "quadratic family";
+  cell.audit = size <= 8 ? AuditLevel::kEvents : AuditLevel::kEnd;
+  cell.bounded = false;  // its bounds are on events by kind
+  cell.expectations.push_back(exactly("convex_hull_2.quadratic", "external",
+                                      whole(2 * size * size - 1),
+                                      "hull changes of m slow and n moving points: 2nm - 1"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
 }  // namespace
 
 void add_worst_cases(Catalogue& catalogue, Extent extent) {
@@ -138,6 +150,9 @@ void add_worst_cases(Catalogue& catalogue, Extent extent) {
   add_hull(catalogue, 5, 68, 0.3);
   add_hull(catalogue, 6, 107, 0.5);
   for (const int size : {8, 12, 16, 24}) add_hull(catalogue, size, 0, 0.5);
+  for (const char* hull : {"convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force"}) {
+    for (const int size : {3, 4, 5, 8, 16}) add_hull_changes(catalogue, hull, size, 0.2);
+  }
   if (full) {
     for (const int size : {32, 48, 64}) add_hull(catalogue, size, 0, 5);
   }
