@@ -58,6 +58,7 @@
 #include "core/structure.h"
 #include "structures/convex_hull_2_signs.h"
 #include "structures/hull_events.h"
+#include "structures/repeat_guard.h"
 
 namespace kinex {
 
@@ -266,6 +267,7 @@ class ConvexHull2 final : public Structure {
   std::vector<Index> stale_;
   std::vector<std::uint32_t> tied_;  // tags of claims that were tied when they were made
   std::uint64_t spent_ = 0;          // repairs at this instant
+  RepeatGuard repeats_;
   bool corrupt_ = false;
 
   std::uint64_t node_rebuilds_ = 0;

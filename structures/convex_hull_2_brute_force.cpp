@@ -86,6 +86,9 @@ void ConvexHull2BruteForce::certificate_failed(CertificateId failed) {
   } else {
     kernel_->report(id_, kind, {query.ids[0], query.ids[1]}, false);
   }
+  if (!kernel_->is_exact() && repeats_.failed(query)) {
+    return kernel_->corrupt(id_, "a certificate fails again and again");
+  }
   if (!kernel_->is_exact() && static_hull(signs_, members()) == cycle_) {
     // The signs say otherwise: the certificate is given up.
     certificates_.erase(std::find(certificates_.begin(), certificates_.end(), failed));
@@ -96,6 +99,7 @@ void ConvexHull2BruteForce::certificate_failed(CertificateId failed) {
 }
 
 void ConvexHull2BruteForce::insert(ObjectId object) {
+  repeats_.clear();
   alive_[object] = true;
   find_hull();
   events_.begin(cycle_);
@@ -110,6 +114,7 @@ void ConvexHull2BruteForce::erase(ObjectId object) {
 // Certificates have been rescheduled. Where points are, or come to be, on a hull edge for ever, or
 // equal, a change may show in no certificate.
 void ConvexHull2BruteForce::motions_changed(std::span<const ObjectId> objects) {
+  repeats_.clear();
   if (cycle_.size() < 3 || signs_.tied()) look_again_ = true;
   for (const ObjectId object : objects) {
     for (const CertificateId c : kernel_->certificates_of(object)) {

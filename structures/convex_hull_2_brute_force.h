@@ -28,6 +28,7 @@
 #include "core/structure.h"
 #include "structures/convex_hull_2_signs.h"
 #include "structures/hull_events.h"
+#include "structures/repeat_guard.h"
 
 namespace kinex {
 
@@ -78,6 +79,7 @@ class ConvexHull2BruteForce final : public Structure {
   std::vector<ObjectId> cycle_;
   std::vector<CertificateId> certificates_;
   std::size_t most_certificates_ = 0;
+  RepeatGuard repeats_;
   bool look_again_ = false;  // motions have changed, and ties may have come or gone
 };
 

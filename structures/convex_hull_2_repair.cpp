@@ -12,6 +12,9 @@ void ConvexHull2::certificate_failed(CertificateId failed) {
   const Index place = tag / 8;
   report_failure(slot, place);
   unsettled_ = false;
+  if (!kernel_->is_exact() && repeats_.failed(kernel_->query(failed))) {
+    return give_up("a certificate fails again and again");
+  }
   // A tie may have been resolved otherwise, without anything to repair.
   const bool tie = kernel_->query(failed) != base_query(slot, place);
   drop(certificate_of(slot, place));
@@ -20,7 +23,8 @@ void ConvexHull2::certificate_failed(CertificateId failed) {
   } else {
     repair(slot, place);
   }
-  work_off();
+  if (!corrupt_) work_off();
+  if (corrupt_) return;
   if (++spent_ > 1000 + 8 * edges_.size()) start_afresh();
   if (!kernel_->instant_is_shared(id_) && !unsettled_) finish_instant();
 }
@@ -44,8 +48,8 @@ void ConvexHull2::work_off() {
 
 // More repairs at one instant than there are lines: the static algorithm is faster.
 void ConvexHull2::start_afresh() {
-  if (!kernel_->is_exact()) return;
   spent_ = 0;
+  if (!kernel_->is_exact()) return;  // the guard of the simulator sees to it
   rebuild();
   hull_changed_ = true;
   kernel_->count_rebuild(id_, "too many repairs at one instant");

@@ -12,6 +12,7 @@ namespace kinex {
 // The leaf with the fewest others above it becomes a node over its point and the new one.
 void ConvexHull2::insert(ObjectId object) {
   if (corrupt_) return;
+  repeats_.clear();
   if (root_ == kNone) {
     root_ = allocate_tree_node();
     make_leaf(root_, object);
@@ -128,6 +129,7 @@ void ConvexHull2::take_apart(Index t, std::vector<ObjectId>& objects) {
 // The certificate that keeps a tie need not name all points of it.
 void ConvexHull2::motions_changed(std::span<const ObjectId> objects) {
   if (corrupt_) return;
+  repeats_.clear();
   std::vector<std::uint32_t> tags;
   tags.swap(tied_);
   for (const ObjectId object : objects) {

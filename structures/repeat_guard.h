@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// RepeatGuard: notices that an inexact arithmetic goes round in circles.
+//
+// A polynomial of degree D becomes negative at most about D / 2 times: a certificate that says the
+// same and fails far more often, under the same motions, is refuted and proved in turn.
+#ifndef KINEX_STRUCTURES_REPEAT_GUARD_H
+#define KINEX_STRUCTURES_REPEAT_GUARD_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/certificate.h"
+
+namespace kinex {
+
+class RepeatGuard {
+ public:
+  // A certificate that says `query` has failed. True if that happens too often.
+  bool failed(const Query& query) {
+    std::size_t hash = query.predicate;
+    for (std::size_t i = 0; i < query.arity; ++i) hash = 31 * hash + query.ids[i];
+    Entry& entry = entries_[hash % entries_.size()];
+    if (entry.query != query) entry = {query, 0};
+    return ++entry.times > kMostTimes;
+  }
+  // Motions have changed.
+  void clear() { entries_.fill({}); }
+
+ private:
+  static constexpr std::uint32_t kMostTimes = 32;
+  struct Entry {
+    Query query;
+    std::uint32_t times = 0;
+  };
+  std::array<Entry, 64> entries_{};
+};
+
+}  // namespace kinex
+
+#endif
