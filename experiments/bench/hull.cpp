@@ -4,7 +4,7 @@
 // Workload: uniform-square (origin and destination uniform in the unit square, t in [0, 1]).
 // Rounds of different arithmetics are interleaved; the best of each is taken; times are thread CPU
 // time. Output: a table on stdout, or JSON lines with --json. --smoke: tiny sizes, for the test
-// suite. --json and --smoke as in all benchmarks; n = 1,000,000 is built and run for a while only.
+// suite. n = 1,000,000 is built and run for a while only.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
