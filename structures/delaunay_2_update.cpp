@@ -138,6 +138,11 @@ void Delaunay2::instant_settled() {
     }
   }
   if (!corrupt_) settle_ties(true);
+  // A point was put in where other certificates had yet to fail: the hull they have led to.
+  if (mended_ && !corrupt_ && !on_line_ && !hull_turns_once()) {
+    rebuild_because("the hull winds around twice");
+  }
+  mended_ = mended_ && !suspects_.empty();
   moved_.clear();
   suspects_.clear();
   has_last_quad_ = false;
@@ -259,6 +264,7 @@ bool Delaunay2::mend() {
     return false;
   }
   reinsertions_ += taken.size();
+  mended_ = mended_ || !taken.empty();
   for (const ObjectId v : taken) {
     kernel_->report(id_, kReinsert, {v}, neighbours(v) != before[v]);
   }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/structures/delaunay_2_support.h"
+#include "tests/structures/test_scenes.h"
 
 namespace kinex::delaunay_2_test {
 namespace {
@@ -388,6 +389,19 @@ TEST(Delaunay2Degenerate, InexactArithmeticsNeverFallOver) {
       world.run();
       EXPECT_EQ(world.status, RunStatus::kDone) << arithmetic;
     }
+  }
+}
+
+// Coefficients -1, 0 and 1 only: many points meet and line up at t = 0. The hull after points were
+// taken out and put in there once wound around twice (seed 10).
+TEST(Delaunay2Degenerate, SmallestCoefficientsOfDegree2) {
+  for (const std::uint64_t seed : {1, 10, 33, 90}) {
+    SCOPED_TRACE(seed);
+    kinex::test::Random random(seed);
+    std::vector<Trajectory> motions;
+    for (int i = 0; i < 12; ++i) motions.push_back(random.small_path(2, 2, 1));
+    World world(scene_of(motions, -3, 3));
+    world.run().expect_clean();
   }
 }
 
