@@ -27,7 +27,13 @@ struct Query {
   Query(PredicateId p, std::initializer_list<ObjectId> list) : predicate(p) {
     for (ObjectId id : list) ids[arity++] = id;
   }
-  friend bool operator==(const Query&, const Query&) = default;
+  // Without branches: the ids are compared in two registers.
+  friend bool operator==(const Query& a, const Query& b) {
+    std::uint32_t differ = static_cast<std::uint32_t>(a.predicate ^ b.predicate) |
+                           static_cast<std::uint32_t>(a.arity ^ b.arity);
+    for (std::size_t i = 0; i < kMaxArity; ++i) differ |= a.ids[i] ^ b.ids[i];
+    return differ == 0;
+  }
 };
 
 // The arguments in ascending order (unused places keep their zeros at the end).

@@ -71,6 +71,11 @@ class EventQueue {
   bool empty() const { return heap_.empty(); }
   std::size_t size() const { return heap_.size() + far_; }
   CertificateId top() const { return heap_.front().certificate; }
+  // Certificates that probably come soon, the first one (i = 0) and a few after it in no order, for
+  // their memory to be fetched ahead; kNoCertificate if there are not so many.
+  CertificateId upcoming(std::size_t i) const {
+    return i < heap_.size() ? heap_[i].certificate : kNoCertificate;
+  }
   // The first entry is no failure but the end of what is known of a certificate (Outlook::kLater).
   bool top_is_later() const { return is_later(heap_.front()); }
   // The enclosure of the first failure time; requires !empty().

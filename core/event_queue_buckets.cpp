@@ -80,6 +80,7 @@ void EventQueue::pour_bucket(std::uint32_t bucket) {
     id = p.next;
   }
   buckets_[bucket] = kNone;
+  prefetch(buckets_[bucket + 1]);  // there is one: the last list is never poured
   spill_at_ = std::max(kSmall, 2 * heap_.size());
 }
 

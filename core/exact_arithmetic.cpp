@@ -452,7 +452,7 @@ std::optional<Outlook> ExactArithmetic::first_failure(const Query& query, const 
   filter::Enclosure enclosure;
   const double end = horizon(query);
   // The end may be too late by a little, never too early.
-  const double until = std::nextafter(std::min(end, limit) - origin, kInfinity);
+  const double until = filter::next_up(std::min(end, limit) - origin);
   switch (filter::first_sign_change<true>(c, m, degree, origin, from, until, enclosure)) {
     case filter::Search::kNone:
       if (limit < end) {

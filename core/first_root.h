@@ -23,7 +23,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace kinex::filter {
@@ -38,6 +40,14 @@ struct Enclosure {
   double lo;
   double hi;
 };
+
+// std::nextafter(x, infinity) and std::nextafter(x, -infinity), without a call.
+inline double next_up(double x) {
+  if (!(x < std::numeric_limits<double>::infinity())) return x;
+  if (x == 0) return std::numeric_limits<double>::denorm_min();
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) + (x > 0 ? 1 : -1));
+}
+inline double next_down(double x) { return -next_up(-x); }
 
 constexpr double gamma(int d) { return (8 * d + 32) * 0x1p-53; }
 
@@ -76,7 +86,7 @@ class FirstRoot {
     double y = a + (b - a) * (1 + 0x1p-7);
     std::array<double, kRoom> bernstein;
     for (int nodes = 0; nodes < kMaxNodes; ++nodes) {
-      const double length = std::nextafter(y - x, std::numeric_limits<double>::infinity());
+      const double length = next_up(y - x);
       const double error = expand(x, length, bernstein);
       if (!(error >= 0)) return kCertify ? Search::kUnknown : Search::kNone;
       int plus = 0, minus = 0;
@@ -92,7 +102,7 @@ class FirstRoot {
         const double bm = bernstein[static_cast<std::size_t>(minus)];
         const double fraction = (plus + (minus - plus) * (bp / (bp - bm))) / d();
         // x + length may have been rounded up by half a unit: stay strictly inside the node.
-        const double end = std::nextafter(x + length, x);
+        const double end = x + length > x ? next_down(x + length) : x + length;
         return refine(x, end, x + length * fraction, out);
       }
       // Not at the middle, where the roots of simple inputs lie.

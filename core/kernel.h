@@ -58,6 +58,14 @@ class Kernel {
   std::uint32_t tag(CertificateId id) const { return queue_.certificate(id).tag; }
   // The certificate will be replaced or retracted soon: its memory is fetched meanwhile.
   void prefetch(CertificateId id) const { queue_.prefetch(id); }
+  // The tag of a certificate of `structure` that probably fails soon (EventQueue::upcoming), or
+  // kNoTag.
+  static constexpr std::uint32_t kNoTag = 0xffffffffu;
+  std::uint32_t upcoming_tag(StructureId structure, std::size_t i) const {
+    const CertificateId id = queue_.upcoming(i);
+    if (id == kNoCertificate || queue_.certificate(id).structure != structure) return kNoTag;
+    return queue_.certificate(id).tag;
+  }
   void set_tag(CertificateId id, std::uint32_t tag) { queue_.certificate(id).tag = tag; }
   Outlook outlook(CertificateId id) const { return queue_.certificate(id).outlook; }
 
@@ -142,7 +150,14 @@ class Kernel {
   void count_retracted(StructureId structure, const Query& query);
   void count_replaced(StructureId structure, const Query& before, const Query& after);
   void note_live(StructureId structure, ObjectId object);
+  // A count that is no record now need not be looked at later: what comes after only retracts, or
+  // comes here again.
   void note_or_defer(StructureId structure, ObjectId object) {
+    const StructureLedger& ledger = *ledgers_[structure];
+    if (ledger.live <= ledger.max_live &&
+        live_per_object_[structure][object] <= ledger.max_per_object) {
+      return;
+    }
     if (deferred_) {
       touched_.emplace_back(structure, object);
     } else {
