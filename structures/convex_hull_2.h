@@ -125,6 +125,7 @@ class ConvexHull2 final : public Structure {
   struct alignas(64) Edge {
     ObjectId point = kNoObject;
     Index node = kNone;                    // whose chain
+    Index merge = kNone;                   // the node that merges it; none: the root, or stale
     Index next = kNone, previous = kNone;  // on the chain
     Index up = kNone;                      // the same line on the parent's chain
     // The corner at its right end, if there is one: neighbours in the merged order, contender.
@@ -146,6 +147,7 @@ class ConvexHull2 final : public Structure {
     std::array<CertificateId, 2> ends{kNoCertificate, kNoCertificate};
     std::array<bool, 2> red{false, false};  // which colour is above at the left end, the right end
     bool stale = false;                     // to be merged anew
+    std::uint8_t height = 0;                // of the tree node, when it was merged
   };
   struct TreeNode {
     Index parent = kNone, children[2]{kNone, kNone};
@@ -163,7 +165,7 @@ class ConvexHull2 final : public Structure {
   }
   bool leaf(Index node) const { return tree_[node / 2].children[0] == kNone; }
   // The node that merges the chain that this edge is on.
-  Index merge_of(Index edge) const { return parent(edges_[edge].node); }
+  Index merge_of(Index edge) const { return edges_[edge].merge; }
   Corner corner(Index edge) const { return {edges_[edge].point, edges_[edges_[edge].next].point}; }
   bool red_above(Index corner) const { return edges_[corner].red == edges_[corner].above; }
   bool crosses_left(Index node, Index corner) const;
@@ -203,6 +205,11 @@ class ConvexHull2 final : public Structure {
   void work_off();
   void finish_instant();
   void start_afresh();
+  void fetch(Index edge) const {
+    if (edge != kNone) __builtin_prefetch(edges_.data() + edge, 1);
+  }
+  void fetch_places() const;
+  void fetch_certificates() const;
 
   // ---- convex_hull_2_chain.cpp: one line more or less on a chain
   Index enter(Index node, Index a, Index b, ObjectId point);
@@ -241,6 +248,9 @@ class ConvexHull2 final : public Structure {
   void check_merge(Index node, AuditReport& report) const;
   void check_certificates(Index node, AuditReport& report) const;
   static std::string named(const char* what, Index place);
+
+  // ---- convex_hull_2_bounds.cpp
+  void add_level_bounds(const BoundContext& context, std::vector<BoundCheck>& checks) const;
 
   std::vector<ObjectId> hull_cycle() const;
   std::vector<ObjectId> strict_chain(Index node) const;

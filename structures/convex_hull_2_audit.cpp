@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ConvexHull2: bounds, invariants, audit.
+// ConvexHull2: invariants, audit.
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "structures/convex_hull_2.h"
 #include "structures/hull_audit.h"
-#include "structures/hull_bounds.h"
 
 namespace kinex {
 
@@ -165,56 +164,6 @@ void ConvexHull2::check_certificates(Index node, AuditReport& report) const {
                    bad("the claim of corner", e));
     }
   }
-}
-
-// ---- bounds
-
-std::vector<BoundCheck> ConvexHull2::bounds(const BoundContext& context) const {
-  std::vector<BoundCheck> checks;
-  if (corrupt_) return checks;
-  const StructureLedger& ledger = *context.ledger;
-  const std::string prefix(name());
-  const auto n = static_cast<std::int64_t>(context.objects());
-  std::int64_t levels = 0;
-  for (std::int64_t k = 1; k < n; k *= 2) ++levels;
-  // A node of m lines has 2 ends, and fewer than m corners with x, y and two slopes each at most;
-  // each half has levels of n lines in all.
-  if (!context.dynamic) {
-    checks.push_back(at_most(prefix + ".compactness",
-                             "per half and node 2 at the ends, 4 per corner of its m lines: at "
-                             "most 2 (4 n log2 n + 2 (n - 1))",
-                             Integer(2) * (Integer(4 * n) * Integer(levels) + Integer(2 * n)),
-                             counted(ledger.max_live)));
-    if (variant_ == Variant::kLocal) {
-      checks.push_back(at_most(prefix + ".locality",
-                               "per half and level " + std::to_string(kPerLevel) +
-                                   ": a line is an end, in two corners and their x, y and slopes "
-                                   "with neighbours, and the "
-                                   "contender of O(1) more",
-                               Integer(kPerLevel) * Integer(2) * Integer(levels),
-                               counted(ledger.max_per_object)));
-    }
-  }
-  // The theorems count failures in general position.
-  if (!context.plain() || signs_.tied() || node_rebuilds_ != 0 || ledger.rebuilds != 0) {
-    return checks;
-  }
-  const Integer d(context.degree), all(n);
-  const auto add = [&](const char* what, const char* source, const Integer& bound,
-                       std::initializer_list<const char*> kinds) {
-    checks.push_back(at_most(prefix + what, source, bound, counted(events_of(ledger, kinds))));
-  };
-  add(".s_events", "each pair of points meets at one node and changes its order d times",
-      d * binomial(all, 2), {"sl", "sr", "st", "end"});
-  add(".y_events", "each triple of points changes its orientation 2d times, in two halves",
-      Integer(2) * turns_of_triples(context), {"yl", "yr", "yb", "yt"});
-  add(".x_events",
-      "the tree pairs each four points in one way: they change their order 2d times, in two halves",
-      Integer(4) * d * binomial(all, 4), {"x"});
-  for (BoundCheck& check : hull_bounds(name(), context, signs_.tied())) {
-    checks.push_back(std::move(check));
-  }
-  return checks;
 }
 
 }  // namespace kinex

@@ -75,9 +75,13 @@ void ConvexHull2::merge_corners(Index node) {
   Index lines[2];  // blue, red: where the sweep is
   for (const int which : {0, 1}) {
     lines[1 - which] = nodes_[child(node, which)].first;
-    for (Index e = lines[1 - which]; e != kNone; e = edges_[e].next) edges_[e].red = which == 0;
+    for (Index e = lines[1 - which]; e != kNone; e = edges_[e].next) {
+      edges_[e].red = which == 0;
+      edges_[e].merge = node;
+    }
   }
   const Half side = half(node);
+  nodes_[node].height = static_cast<std::uint8_t>(tree_[node / 2].height);
   nodes_[node].red[0] = signs_.slopes_hold(edges_[lines[1]].point, edges_[lines[0]].point);
   for (;;) {
     const bool blue_left = edges_[lines[0]].next != kNone;

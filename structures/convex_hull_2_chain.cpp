@@ -31,11 +31,14 @@ ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId poi
   edges_[c].next = b;
   (a == kNone ? nodes_[node].first : edges_[a].next) = c;
   (b == kNone ? nodes_[node].last : edges_[b].previous) = c;
-  const Index p = parent(node);
-  if (p == kNone) hull_changed_ = true;
-  if (p == kNone || nodes_[p].stale) return c;
+  const Index p = merge_of(a != kNone ? a : b);
+  if (p == kNone) {  // the root, or the parent is stale
+    hull_changed_ = true;
+    return c;
+  }
 
   const bool red = edges_[a != kNone ? a : b].red;
+  edges_[c].merge = p;
   edges_[c].red = red;
   if (a != kNone && b != kNone) {
     edges_[c].contender = edges_[a].contender;
@@ -82,9 +85,9 @@ ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId poi
 // A line leaves its chain; it is not the only one there.
 void ConvexHull2::leave(Index node, Index edge) {
   const Index a = edges_[edge].previous, b = edges_[edge].next;
-  const Index p = parent(node);
-  if (p == kNone) hull_changed_ = true;
-  bool merged = p != kNone && !nodes_[p].stale;
+  const Index p = merge_of(edge);
+  if (p == kNone) hull_changed_ = true;  // the root, or the parent is stale
+  bool merged = p != kNone;
   const int end = a == kNone ? 0 : 1;
   // The corner that goes, with its claims; its place is taken by a's if that stays.
   const bool inside = a != kNone && b != kNone;
@@ -150,7 +153,7 @@ void ConvexHull2::clear_merge(Index node) {
     for (Index e = nodes_[child(node, which)].first; e != kNone; e = edges_[e].next) {
       drop_all(e);
       Edge& edge = edges_[e];
-      edge.up = edge.left = edge.right = edge.contender = edge.claimant = kNone;
+      edge.merge = edge.up = edge.left = edge.right = edge.contender = edge.claimant = kNone;
       edge.claim = kNoClaim;
       edge.crossings = 0;
     }

@@ -6,7 +6,45 @@
 
 namespace kinex {
 
+// ---- what the next failures will read is fetched while this one is repaired; nothing changes
+// (an empty asm statement keeps compilers from dropping calls that have no other effect)
+
+// Before the repair: the places of the failures to come, and what is around the very next one.
+void ConvexHull2::fetch_places() const {
+  asm volatile("");
+  for (std::size_t i = 1; i <= 4; ++i) {
+    const std::uint32_t tag = kernel_->upcoming_tag(id_, i);
+    if (tag == Kernel::kNoTag) continue;
+    if (tag % 8 < kSlotLeft) {
+      __builtin_prefetch(edges_.data() + tag / 8, 1);
+    } else {
+      __builtin_prefetch(nodes_.data() + tag / 8, 1);
+    }
+  }
+  const std::uint32_t tag = kernel_->upcoming_tag(id_, 0);
+  if (tag == Kernel::kNoTag || tag % 8 >= kSlotLeft) return;
+  const Edge& e = edges_[tag / 8];
+  for (const Index i : {e.next, e.left, e.right, e.contender}) fetch(i);
+  if (e.merge != kNone) __builtin_prefetch(nodes_.data() + e.merge);
+}
+
+// After it: the certificates there, and what may change on purple.
+void ConvexHull2::fetch_certificates() const {
+  asm volatile("");
+  const std::uint32_t tag = kernel_->upcoming_tag(id_, 0);
+  if (tag == Kernel::kNoTag || tag % 8 >= kSlotLeft) return;
+  const Index v = tag / 8;
+  const Edge& e = edges_[v];
+  for (const Index i : {v, e.left, e.right}) {
+    if (i == kNone) continue;
+    for (const CertificateId c : edges_[i].certificates) kernel_->prefetch(c);
+  }
+  if (tag % 8 != kSlotY) return;
+  for (const Index i : {v, e.next, e.contender}) fetch(edges_[i].up);
+}
+
 void ConvexHull2::certificate_failed(CertificateId failed) {
+  fetch_places();
   const std::uint32_t tag = kernel_->tag(failed);
   const Slot slot = static_cast<Slot>(tag % 8);
   const Index place = tag / 8;
@@ -16,7 +54,7 @@ void ConvexHull2::certificate_failed(CertificateId failed) {
     return give_up("a certificate fails again and again");
   }
   // A tie may have been resolved otherwise, without anything to repair.
-  const bool tie = kernel_->query(failed) != base_query(slot, place);
+  const bool tie = signs_.tied() && kernel_->query(failed) != base_query(slot, place);
   drop(certificate_of(slot, place));
   if (tie && claim_holds(slot, place)) {
     refresh(slot, place);
@@ -24,6 +62,7 @@ void ConvexHull2::certificate_failed(CertificateId failed) {
     repair(slot, place);
   }
   if (!corrupt_) work_off();
+  fetch_certificates();
   if (corrupt_) return;
   if (++spent_ > 1000 + 8 * edges_.size()) start_afresh();
   if (!kernel_->instant_is_shared(id_) && !unsettled_) finish_instant();
@@ -76,7 +115,7 @@ void ConvexHull2::instant_settled() {
 
 void ConvexHull2::report_failure(Slot slot, Index place) {
   const Index node = slot >= kSlotLeft ? place : merge_of(place);
-  const std::uint32_t height = tree_[node / 2].height;
+  const std::uint32_t height = nodes_[node].height;
   if (by_level_.size() <= height) by_level_.resize(height + 1, 0);
   ++by_level_[height];
   if (slot >= kSlotLeft) {
