@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions: in how many certificates is one point at most, on every workload in the plane, against
+// log2 n (locality)? And at which heights of the tree do the events of random motion happen?
+// The bound on locality is c per half and level, c = 24 (structures/convex_hull_2.h): the column
+// `per_half_and_level` is the c that would have been enough. Runs stop after 200,000 events, in
+// degenerate families after 20,000; sizes stop where building alone takes minutes.
+// Second table: height 1 is above single points; `events_per_pair`: over the pairs of points that
+// meet at nodes of that height. Output: see result_table.h; options: see options.h.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/simulator.h"
+#include "experiments/bench/options.h"
+#include "experiments/bench/result_table.h"
+#include "experiments/cpu_clock.h"
+#include "experiments/workload.h"
+#include "structures/convex_hull_2.h"
+#include "structures/plan.h"
+
+namespace {
+
+using namespace kinex;
+
+constexpr std::uint64_t kEvents = 200000, kDegenerateEvents = 20000;
+
+struct Family {
+  const char* workload;
+  int degree;
+  int largest;      // n
+  bool degenerate;  // ties, or many events at one instant
+};
+
+// Every workload of dimension 2; in hull-worst, n counts both kinds of points.
+constexpr Family kFamilies[] = {
+    {"uniform-square", 1, 100000, false},   {"uniform-square", 2, 100000, false},
+    {"uniform-square", 3, 100000, false},   {"uniform-disk", 1, 100000, false},
+    {"gaussian", 1, 100000, false},         {"static-one-mover", 1, 100000, false},
+    {"hull-worst", 1, 100000, false},       {"grid", 1, 100000, true},
+    {"lattice", 1, 100000, true},           {"meet", 1, 100000, true},
+    {"through-one-point", 1, 100000, true}, {"near-one-point", 1, 100000, true},
+    {"collinear-instant", 1, 100000, true}, {"counter-rotating-rings", 1, 100000, true},
+    {"expanding-circle", 1, 100000, true},  {"rotating-circle", 1, 100000, true}};
+
+Scene scene_of(const Family& family, int n) {
+  const Workload& workload = *find_workload(family.workload);
+  WorkloadParameters parameters;
+  parameters.n = workload.takes_m ? n / 2 : n;
+  parameters.seed = 1;
+  parameters.degree = family.degree;
+  parameters.dimension = 2;
+  Scene scene = generate_scene(workload, parameters);
+  scene.maintain = {{"convex_hull_2", "convex_hull_2", {}}};
+  return scene;
+}
+
+int levels_of(std::size_t n) {
+  int levels = 0;
+  for (std::size_t k = 1; k < n; k *= 2) ++levels;
+  return levels;
+}
+
+class Run {
+ public:
+  Run(const Scene& scene, std::uint64_t events)
+      : simulator_(scene, make_arithmetic("exact", scene), limits(events)) {
+    add_structures(simulator_, scene);
+    const double start = cpu_seconds();
+    simulator_.start();
+    simulator_.run_until(std::nullopt);
+    seconds_ = cpu_seconds() - start;
+  }
+  const StructureLedger& ledger() { return simulator_.kernel().ledger(0); }
+  const ConvexHull2& hull() { return dynamic_cast<const ConvexHull2&>(simulator_.structure(0)); }
+  double seconds() const { return seconds_; }
+
+ private:
+  static SimulatorOptions limits(std::uint64_t events) {
+    SimulatorOptions options;
+    options.audit = AuditLevel::kNone;
+    options.max_events = events;
+    return options;
+  }
+  Simulator simulator_;
+  double seconds_ = 0;
+};
+
+void measure_locality(const std::vector<int>& sizes, ResultTable& table) {
+  double worst = 0;
+  for (const Family& family : kFamilies) {
+    for (const int n : sizes) {
+      if (n > family.largest) continue;
+      const Scene scene = scene_of(family, n);
+      Run run(scene, family.degenerate ? kDegenerateEvents : kEvents);
+      const int levels = levels_of(scene.objects.size());
+      const double most = static_cast<double>(run.ledger().max_per_object);
+      worst = std::max(worst, most / (2 * levels));
+      table.row({family.workload, family.degree, n, run.ledger().processed, levels,
+                 std::uint64_t{run.ledger().max_per_object}, most / (2 * levels), run.seconds()});
+    }
+  }
+  table.row({"the largest", 0, 0, 0, 0, 0, worst, 0});
+}
+
+// n: a power of two.
+void measure_levels(int n, ResultTable& table) {
+  Run run(scene_of(kFamilies[0], n), 0);
+  const std::vector<std::uint64_t>& events = run.hull().failures_by_level();
+  const double all = static_cast<double>(run.ledger().processed);
+  for (std::size_t height = 1; height < events.size(); ++height) {
+    const double k = static_cast<double>(events[height]);
+    // n / 2^h nodes over 2^(h-1) red and as many blue points.
+    const double pairs = n * std::ldexp(0.25, static_cast<int>(height));
+    table.row(
+        {"uniform-square", n, static_cast<int>(height), events[height], 100 * k / all, k / pairs});
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto options = bench_options(argc, argv);
+  if (!options) return 2;
+  {
+    ResultTable table(*options, "hull_locality",
+                      "The most certificates of one point in convex_hull_2, in exact arithmetic.",
+                      {{"workload", ResultTable::kText, 22},
+                       {"degree", 0},
+                       {"n", 0, 7},
+                       {"events", 0, 8},
+                       {"levels", 0},
+                       {"most_per_point", 0},
+                       {"per_half_and_level", 2},
+                       {"seconds", 2, 7}});
+    measure_locality(options->smoke ? std::vector<int>{30} : std::vector<int>{1000, 10000, 100000},
+                     table);
+  }
+  ResultTable table(*options, "hull_levels", "Events of convex_hull_2 by the height of their node.",
+                    {{"workload", ResultTable::kText, 15},
+                     {"n", 0, 7},
+                     {"height", 0},
+                     {"events", 0, 8},
+                     {"percent", 1},
+                     {"events_per_pair", 6}});
+  for (const int n :
+       options->smoke ? std::vector<int>{64} : std::vector<int>{1024, 16384, 131072}) {
+    measure_levels(n, table);
+  }
+  return 0;
+}
