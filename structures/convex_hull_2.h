@@ -254,6 +254,8 @@ class ConvexHull2 final : public Structure {
 
   std::vector<ObjectId> hull_cycle() const;
   std::vector<ObjectId> strict_chain(Index node) const;
+  void note_root_change(Index node, Index a, Index b, ObjectId point, bool enters);
+  bool settle_one_vertex();
   void give_up(const std::string& what);
 
   Kernel* kernel_;
@@ -272,6 +274,13 @@ class ConvexHull2 final : public Structure {
 
   // The present failure and instant.
   bool hull_changed_ = false;
+  // Changes of the root's chains since the hull was read, and the last one.
+  std::uint32_t root_changes_ = 0;
+  struct RootChange {
+    ObjectId point = kNoObject, left = kNoObject, right = kNoObject;
+    Half half = HullSigns::kUpper;
+    bool enters = false;
+  } root_change_;
   bool unsettled_ = false;           // a certificate was born that is negative right after now
   std::vector<std::uint32_t> todo_;  // tags of claims that no certificate can refute
   std::vector<Index> stale_;

@@ -208,10 +208,12 @@ void ConvexHull2::rebuild() {
   todo_.clear();
   construct(members);
   hull_changed_ = true;
+  root_changes_ += 2;
 }
 
 void ConvexHull2::reset_hull() {
   hull_changed_ = false;
+  root_changes_ = 0;
   if (!corrupt_) events_.begin(hull_cycle());
 }
 

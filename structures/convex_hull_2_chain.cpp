@@ -24,6 +24,15 @@ void ConvexHull2::unlink(Index node, Index corner) {
   e.left = e.right = kNone;
 }
 
+// On the chain of the root, or of a node whose parent is stale: then the hull is read anew anyway.
+void ConvexHull2::note_root_change(Index node, Index a, Index b, ObjectId point, bool enters) {
+  hull_changed_ = true;
+  const bool inside = a != kNone && b != kNone && node / 2 == root_;
+  root_changes_ += inside ? 1 : 2;
+  if (!inside) return;
+  root_change_ = {point, edges_[a].point, edges_[b].point, half(node), enters};
+}
+
 // A new line between a and b, neighbours on the chain, or at an end of it (a or b is kNone).
 ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId point) {
   const Index c = allocate_edge(node, point);
@@ -32,8 +41,8 @@ ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId poi
   (a == kNone ? nodes_[node].first : edges_[a].next) = c;
   (b == kNone ? nodes_[node].last : edges_[b].previous) = c;
   const Index p = merge_of(a != kNone ? a : b);
-  if (p == kNone) {  // the root, or the parent is stale
-    hull_changed_ = true;
+  if (p == kNone) {
+    note_root_change(node, a, b, point, true);
     return c;
   }
 
@@ -86,7 +95,7 @@ ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId poi
 void ConvexHull2::leave(Index node, Index edge) {
   const Index a = edges_[edge].previous, b = edges_[edge].next;
   const Index p = merge_of(edge);
-  if (p == kNone) hull_changed_ = true;  // the root, or the parent is stale
+  if (p == kNone) note_root_change(node, a, b, edges_[edge].point, false);
   bool merged = p != kNone;
   const int end = a == kNone ? 0 : 1;
   // The corner that goes, with its claims; its place is taken by a's if that stays.
@@ -170,6 +179,7 @@ void ConvexHull2::spoil(Index node, const char* reason) {
     stale_.push_back(node);
   }
   hull_changed_ = true;
+  root_changes_ += 2;
 }
 
 // Merges the stale nodes anew, children first.

@@ -105,7 +105,20 @@ void ConvexHull2::finish_instant() {
   spent_ = 0;
   if (!hull_changed_) return;
   hull_changed_ = false;
-  events_.settle(hull_cycle());
+  if (!settle_one_vertex()) events_.settle(hull_cycle());
+  root_changes_ = 0;
+}
+
+// One failure, and one vertex that came or went between two others: counter-clockwise, the upper
+// hull goes from right to left.
+bool ConvexHull2::settle_one_vertex() {
+  if (root_changes_ != 1 || signs_.tied() || kernel_->instant_is_shared(id_)) return false;
+  const RootChange& change = root_change_;
+  const bool upper = change.half == HullSigns::kUpper;
+  const ObjectId from = upper ? change.right : change.left;
+  const ObjectId to = upper ? change.left : change.right;
+  return change.enters ? events_.entered(change.point, from, to)
+                       : events_.left(change.point, from, to);
 }
 
 void ConvexHull2::instant_settled() {

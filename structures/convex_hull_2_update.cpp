@@ -157,7 +157,9 @@ void ConvexHull2::motions_changed(std::span<const ObjectId> objects) {
   }
   work_off();
   // Points that were tied may be apart now, and vertices, without anything to repair.
-  if (signs_.tied()) hull_changed_ = true;
+  if (!signs_.tied()) return;
+  hull_changed_ = true;
+  root_changes_ += 2;
 }
 
 }  // namespace kinex

@@ -54,6 +54,43 @@ void HullEvents::report_turn(const std::vector<ObjectId>& cycle) {
   }
 }
 
+// The place of `id` on the cycle; the number of vertices if it is not there or there twice.
+std::size_t HullEvents::only_place(ObjectId id) const {
+  const auto first = std::find(cycle_.begin(), cycle_.end(), id);
+  if (first != cycle_.end() && std::find(first + 1, cycle_.end(), id) != cycle_.end()) {
+    return cycle_.size();
+  }
+  return static_cast<std::size_t>(first - cycle_.begin());
+}
+
+void HullEvents::start_at_smallest() {
+  std::rotate(cycle_.begin(), std::min_element(cycle_.begin(), cycle_.end()), cycle_.end());
+}
+
+bool HullEvents::entered(ObjectId point, ObjectId from, ObjectId to) {
+  const std::size_t size = cycle_.size();
+  const std::size_t i = only_place(from);
+  if (size < 2 || i == size || cycle_[i + 1 == size ? 0 : i + 1] != to) return false;
+  if (std::find(cycle_.begin(), cycle_.end(), point) != cycle_.end()) return false;
+  cycle_.insert(cycle_.begin() + static_cast<std::ptrdiff_t>(i) + 1, point);
+  if (point < cycle_.front()) start_at_smallest();
+  kernel_->report(id_, kEnter, {point}, true);
+  return true;
+}
+
+bool HullEvents::left(ObjectId point, ObjectId from, ObjectId to) {
+  const std::size_t size = cycle_.size();
+  const std::size_t i = only_place(point);
+  if (size < 3 || i == size || cycle_[i == 0 ? size - 1 : i - 1] != from ||
+      cycle_[i + 1 == size ? 0 : i + 1] != to) {
+    return false;
+  }
+  cycle_.erase(cycle_.begin() + static_cast<std::ptrdiff_t>(i));
+  if (i == 0) start_at_smallest();
+  kernel_->report(id_, kLeave, {point}, true);
+  return true;
+}
+
 std::size_t HullEvents::bytes() const {
   return (cycle_.capacity() + before_.capacity() + after_.capacity()) * sizeof(ObjectId);
 }

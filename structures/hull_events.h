@@ -9,7 +9,8 @@
 // them that has another successor, its old and its new one. So methods that have nothing else in
 // common report the same events, in the same order, at the same instants.
 //
-// Cost: O(h log h) per instant at which the hull may have changed, for h vertices.
+// Cost: O(h log h) per instant at which the hull may have changed, for h vertices; where one vertex
+// has come or gone between two neighbours, one pass over the ids.
 #ifndef KINEX_STRUCTURES_HULL_EVENTS_H
 #define KINEX_STRUCTURES_HULL_EVENTS_H
 
@@ -37,6 +38,11 @@ class HullEvents {
   void begin(std::vector<ObjectId> cycle) { cycle_ = std::move(cycle); }
   // The hull just after an instant at which it may have changed: reports, and begins with it.
   void settle(std::vector<ObjectId> cycle);
+  // The same where all that has changed is that `point` came between `from` and `to`, which
+  // followed it on the cycle, or went from between them. False, and nothing is done, if the cycle
+  // of before does not say so.
+  bool entered(ObjectId point, ObjectId from, ObjectId to);
+  bool left(ObjectId point, ObjectId from, ObjectId to);
   const std::vector<ObjectId>& cycle() const { return cycle_; }
   // A certificate has been born that is negative right after now: the instant is not over.
   bool repairs_to_come() const {
@@ -47,6 +53,8 @@ class HullEvents {
 
  private:
   void report_turn(const std::vector<ObjectId>& cycle);
+  std::size_t only_place(ObjectId id) const;
+  void start_at_smallest();
 
   Kernel* kernel_;
   StructureId id_;
