@@ -214,7 +214,7 @@ std::vector<BoundCheck> MaximumTournament::bounds(const BoundContext& context) c
                              "sum over nodes of the changes of the upper envelope of their leaves, "
                              "Davenport-Schinzel numbers; Guibas 1998, section 5",
                              events,
-                             Integer(static_cast<std::int64_t>(context.ledger->processed))));
+                             Integer(static_cast<std::int64_t>(context.ledger->failures))));
   }
   return result;
 }
