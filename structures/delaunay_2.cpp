@@ -200,24 +200,36 @@ void Delaunay2::pass(std::uint32_t place) {
 
 // ---- what it maintains
 
+// O(n) and a sort of the few neighbours of each vertex; viewers take it after every event.
 Attribute Delaunay2::attribute() const {
-  std::vector<std::pair<ObjectId, ObjectId>> edges;
-  const auto add = [&edges](ObjectId a, ObjectId b) {
-    edges.emplace_back(std::min(a, b), std::max(a, b));
-  };
-  for (std::size_t i = 0; i + 1 < line_.size(); ++i) add(line_[i], line_[i + 1]);
-  for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
-    if (!store_.live(Triangulation2::triangle(h)) || h > store_.twin(h)) continue;
-    const ObjectId a = store_.origin(h), b = store_.target(h);
-    if (a != store_.infinity() && b != store_.infinity()) add(a, b);
-  }
-  std::sort(edges.begin(), edges.end());
   Attribute result;
   result.shape = Attribute::Shape::kEdges;
-  result.ids.reserve(2 * edges.size());
-  for (const auto& [a, b] : edges) {
-    result.ids.push_back(a);
-    result.ids.push_back(b);
+  if (on_line_) {
+    std::vector<std::pair<ObjectId, ObjectId>> edges;
+    for (std::size_t i = 0; i + 1 < line_.size(); ++i) {
+      edges.emplace_back(std::minmax(line_[i], line_[i + 1]));
+    }
+    std::sort(edges.begin(), edges.end());
+    for (const auto& [a, b] : edges) result.ids.insert(result.ids.end(), {a, b});
+    return result;
+  }
+  result.ids.reserve(6 * store_.vertices());  // 3 n - 6 edges at most, if there are three points
+  std::vector<ObjectId> larger;
+  for (ObjectId v = 0; v < store_.infinity(); ++v) {
+    if (!store_.has(v)) continue;
+    larger.clear();
+    const HalfEdge first = store_.out(v);
+    HalfEdge h = first;
+    do {
+      const ObjectId w = store_.target(h);
+      if (w > v && w != store_.infinity()) larger.push_back(w);
+      h = store_.around(h);
+    } while (h != first);
+    std::sort(larger.begin(), larger.end());
+    for (const ObjectId w : larger) {
+      result.ids.push_back(v);
+      result.ids.push_back(w);
+    }
   }
   return result;
 }
