@@ -200,7 +200,8 @@ void Delaunay2::pass(std::uint32_t place) {
 
 // ---- what it maintains
 
-// O(n) and a sort of the few neighbours of each vertex; viewers take it after every event.
+// Sorted by counting, for viewers take it after every event: O(n), and a sort of the few larger
+// neighbours of each vertex. Each edge is once a half-edge from its smaller to its larger end.
 Attribute Delaunay2::attribute() const {
   Attribute result;
   result.shape = Attribute::Shape::kEdges;
@@ -213,22 +214,29 @@ Attribute Delaunay2::attribute() const {
     for (const auto& [a, b] : edges) result.ids.insert(result.ids.end(), {a, b});
     return result;
   }
-  result.ids.reserve(6 * store_.vertices());  // 3 n - 6 edges at most, if there are three points
-  std::vector<ObjectId> larger;
-  for (ObjectId v = 0; v < store_.infinity(); ++v) {
-    if (!store_.has(v)) continue;
-    larger.clear();
-    const HalfEdge first = store_.out(v);
-    HalfEdge h = first;
-    do {
-      const ObjectId w = store_.target(h);
-      if (w > v && w != store_.infinity()) larger.push_back(w);
-      h = store_.around(h);
-    } while (h != first);
-    std::sort(larger.begin(), larger.end());
-    for (const ObjectId w : larger) {
-      result.ids.push_back(v);
-      result.ids.push_back(w);
+  const ObjectId infinity = store_.infinity();
+  const auto for_edges = [&](const auto& take) {
+    for (Triangulation2::Triangle t = 0; t < store_.triangle_capacity(); ++t) {
+      if (!store_.live(t)) continue;
+      const ObjectId a = store_.origin(3 * t), b = store_.origin(3 * t + 1);
+      const ObjectId c = store_.origin(3 * t + 2);
+      if (a < b && b != infinity) take(a, b);
+      if (b < c && c != infinity) take(b, c);
+      if (c < a && a != infinity) take(c, a);
+    }
+  };
+  std::vector<std::uint32_t> place(infinity + std::size_t{2}, 0);
+  for_edges([&](ObjectId a, ObjectId) { ++place[a + 2]; });
+  for (std::size_t v = 2; v < place.size(); ++v) place[v] += place[v - 1];
+  std::vector<ObjectId> larger(place.back());
+  for_edges([&](ObjectId a, ObjectId b) { larger[place[a + 1]++] = b; });
+  result.ids.resize(2 * larger.size());
+  for (ObjectId v = 0; v < infinity; ++v) {  // place[v] .. place[v + 1] are now those of v
+    const auto first = larger.begin() + place[v], last = larger.begin() + place[v + 1];
+    if (last - first > 1) std::sort(first, last);
+    for (std::uint32_t i = place[v]; i < place[v + 1]; ++i) {
+      result.ids[2 * i] = v;
+      result.ids[2 * i + 1] = larger[i];
     }
   }
   return result;
