@@ -43,7 +43,6 @@ StructureId Kernel::add_structure() {
   ledgers_.push_back(std::make_unique<StructureLedger>());
   live_per_object_.emplace_back(objects_, 0u);
   shared_.push_back(0);
-  watcher_.push_back(0);
   windows_.push_back({kInfinity, 0, kInfinity, 0, 0});
   return static_cast<StructureId>(ledgers_.size() - 1);
 }
@@ -244,8 +243,11 @@ void Kernel::end_event() {
   if (failing_ != kNoCertificate) retract(failing_);
   handling_ = false;
   StructureLedger& ledger = *ledgers_[failing_structure_];
-  ++ledger.processed;
-  ++(event_external_ ? ledger.external : ledger.internal);
+  ++ledger.failures;
+  if (!event_external_) {
+    ++ledger.internal;
+    ++ledger.processed;
+  }
   ledger.created_per_event.add(ledger.certificates_created - created_before_);
   if (ledger.certificates_retracted >= windows_[failing_structure_].next) {
     update_window(failing_structure_);
@@ -260,8 +262,11 @@ void Kernel::report(StructureId structure, std::uint8_t kind, std::initializer_l
                     bool external) {
   require(ids.size() <= kMaxArity, "an event names too many objects");
   const bool caused = handling_ && structure == failing_structure_;
-  if (caused && external) event_external_ = true;
-  if (!caused && external && watcher_[structure] != 0) ++ledgers_[structure]->external;
+  if (external) {
+    ++ledgers_[structure]->external;
+    ++ledgers_[structure]->processed;
+    if (caused) event_external_ = true;
+  }
   event_.structure = structure;
   event_.kind = kind;
   event_.external = external;

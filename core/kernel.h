@@ -103,9 +103,6 @@ class Kernel {
   // Brackets any other call of a structure. The largest numbers of live certificates are taken
   // between such calls, not while a structure is in the middle of one.
   void begin_change() { deferred_ = true; }
-  // The structure watches others: what it reports counts as external events, caused by failures of
-  // its own or not.
-  void set_watcher(StructureId id) { watcher_[id] = 1; }
   void end_change();
   // Takes a certificate out of the queue before the motions of its objects change...
   void unschedule(CertificateId id) { queue_.remove(id); }
@@ -173,7 +170,6 @@ class Kernel {
   // live_per_object_[structure][object]
   std::vector<std::vector<std::uint32_t>> live_per_object_;
   std::vector<std::uint8_t> shared_;
-  std::vector<std::uint8_t> watcher_;
   Scheduling scheduling_;
   std::vector<Window> windows_;
   // index_[object]: its certificates in no particular, but reproducible, order;

@@ -35,8 +35,8 @@ struct ArithmeticCounters {
   std::uint64_t max_bits = 0;  // largest coefficient bit length met in exact work
 };
 
-// Per event, for responsiveness: histogram[k] counts events with k certificates changed; the last
-// bin collects the rest.
+// Per failure, for responsiveness: histogram[k] counts failures with k certificates changed; the
+// last bin collects the rest.
 struct ChangeStatistics {
   static constexpr int kBins = 64;
   std::uint64_t events = 0;
@@ -53,9 +53,15 @@ struct ChangeStatistics {
 };
 
 struct StructureLedger {
-  std::uint64_t processed = 0;  // certificate failures handled
-  std::uint64_t external = 0;   // of these, the attribute changed
+  // Every change of the attribute that was reported is an external event: as many as the event log
+  // marks so, whether a failure led to it, the end of an instant at which many failed, or a
+  // structure that is watched. A failure that reported none is an internal event. So a failure that
+  // changes the attribute twice is two events, and processed = external + internal. Updates,
+  // insertions, erasures and rebuilds are no events here.
+  std::uint64_t processed = 0;
+  std::uint64_t external = 0;
   std::uint64_t internal = 0;
+  std::uint64_t failures = 0;  // certificate failures handled
   std::uint64_t rebuilds = 0;
   std::map<std::string, std::uint64_t> rebuild_reasons;
   std::uint64_t simultaneous_groups = 0;  // instants with two or more failures of this structure
@@ -69,8 +75,8 @@ struct StructureLedger {
   std::uint64_t live = 0;
   std::uint64_t max_live = 0;
   std::uint64_t max_per_object = 0;
-  // Lazy scheduling: failure times found; of these, for certificates that were retracted before they
-  // failed; and times at which a certificate was only proved to hold for a while.
+  // Lazy scheduling: failure times found; of these, for certificates that were retracted before
+  // they failed; and times at which a certificate was only proved to hold for a while.
   std::uint64_t failures_found = 0;
   std::uint64_t failures_unused = 0;
   std::uint64_t windows = 0;
@@ -82,6 +88,7 @@ struct StructureLedger {
   std::string corruption;
   double seconds = 0;  // in handling its events
 
+  // Events per external event; 0 if there was none.
   double efficiency() const {
     return external == 0 ? 0.0 : static_cast<double>(processed) / static_cast<double>(external);
   }

@@ -63,7 +63,6 @@ void Simulator::add(StructureId id, std::unique_ptr<Structure> structure, std::s
     require(w < id && w < entries_.size() && entries_[w].structure != nullptr,
             "a structure watches one that was added before");
     entries_[w].watchers.push_back(id);
-    kernel_.set_watcher(id);
   }
 }
 

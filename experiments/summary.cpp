@@ -25,7 +25,8 @@ void write_changes(JsonWriter& json, const ChangeStatistics& changes) {
 
 void write_counts(JsonWriter& json, const StructureLedger& ledger) {
   json.key("processed").number(ledger.processed).key("external").number(ledger.external);
-  json.key("internal").number(ledger.internal).key("rebuilds").number(ledger.rebuilds);
+  json.key("internal").number(ledger.internal).key("failures").number(ledger.failures);
+  json.key("rebuilds").number(ledger.rebuilds);
   json.key("simultaneous_groups").number(ledger.simultaneous_groups);
   json.key("largest_group").number(ledger.largest_group);
   json.key("rebuild_reasons").begin_object();

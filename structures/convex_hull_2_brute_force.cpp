@@ -138,7 +138,7 @@ std::vector<BoundCheck> ConvexHull2BruteForce::bounds(const BoundContext& contex
   if (context.plain() && !signs_.tied()) {
     checks.push_back(at_most(std::string(name()) + ".events",
                              "each triple of points changes its orientation at most 2d times",
-                             turns_of_triples(context), counted(context.ledger->processed)));
+                             turns_of_triples(context), counted(context.ledger->failures)));
   }
   return checks;
 }

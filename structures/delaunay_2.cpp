@@ -200,24 +200,44 @@ void Delaunay2::pass(std::uint32_t place) {
 
 // ---- what it maintains
 
+// Sorted by counting, for viewers take it after every event: O(n), and a sort of the few larger
+// neighbours of each vertex. Each edge is once a half-edge from its smaller to its larger end.
 Attribute Delaunay2::attribute() const {
-  std::vector<std::pair<ObjectId, ObjectId>> edges;
-  const auto add = [&edges](ObjectId a, ObjectId b) {
-    edges.emplace_back(std::min(a, b), std::max(a, b));
-  };
-  for (std::size_t i = 0; i + 1 < line_.size(); ++i) add(line_[i], line_[i + 1]);
-  for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
-    if (!store_.live(Triangulation2::triangle(h)) || h > store_.twin(h)) continue;
-    const ObjectId a = store_.origin(h), b = store_.target(h);
-    if (a != store_.infinity() && b != store_.infinity()) add(a, b);
-  }
-  std::sort(edges.begin(), edges.end());
   Attribute result;
   result.shape = Attribute::Shape::kEdges;
-  result.ids.reserve(2 * edges.size());
-  for (const auto& [a, b] : edges) {
-    result.ids.push_back(a);
-    result.ids.push_back(b);
+  if (on_line_) {
+    std::vector<std::pair<ObjectId, ObjectId>> edges;
+    for (std::size_t i = 0; i + 1 < line_.size(); ++i) {
+      edges.emplace_back(std::minmax(line_[i], line_[i + 1]));
+    }
+    std::sort(edges.begin(), edges.end());
+    for (const auto& [a, b] : edges) result.ids.insert(result.ids.end(), {a, b});
+    return result;
+  }
+  const ObjectId infinity = store_.infinity();
+  const auto for_edges = [&](const auto& take) {
+    for (Triangulation2::Triangle t = 0; t < store_.triangle_capacity(); ++t) {
+      if (!store_.live(t)) continue;
+      const ObjectId a = store_.origin(3 * t), b = store_.origin(3 * t + 1);
+      const ObjectId c = store_.origin(3 * t + 2);
+      if (a < b && b != infinity) take(a, b);
+      if (b < c && c != infinity) take(b, c);
+      if (c < a && a != infinity) take(c, a);
+    }
+  };
+  std::vector<std::uint32_t> place(infinity + std::size_t{2}, 0);
+  for_edges([&](ObjectId a, ObjectId) { ++place[a + 2]; });
+  for (std::size_t v = 2; v < place.size(); ++v) place[v] += place[v - 1];
+  std::vector<ObjectId> larger(place.back());
+  for_edges([&](ObjectId a, ObjectId b) { larger[place[a + 1]++] = b; });
+  result.ids.resize(2 * larger.size());
+  for (ObjectId v = 0; v < infinity; ++v) {  // place[v] .. place[v + 1] are now those of v
+    const auto first = larger.begin() + place[v], last = larger.begin() + place[v + 1];
+    if (last - first > 1) std::sort(first, last);
+    for (std::uint32_t i = place[v]; i < place[v + 1]; ++i) {
+      result.ids[2 * i] = v;
+      result.ids[2 * i + 1] = larger[i];
+    }
   }
   return result;
 }

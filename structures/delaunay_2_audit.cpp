@@ -74,7 +74,7 @@ std::vector<BoundCheck> Delaunay2::bounds(const BoundContext& context) const {
   if (!context.plain() || ledger.rebuilds != 0 || degenerate) return checks;
   const Integer n(static_cast<std::int64_t>(context.objects()));
   const Integer d(context.degree);
-  const auto events = static_cast<std::int64_t>(ledger.processed);
+  const auto events = static_cast<std::int64_t>(ledger.failures);
   if (!on_line_) {
     checks.push_back(at_most("delaunay_2.events",
                              "each in_circle_2 changes sign 4d times, each orientation_2 2d times: "

@@ -73,7 +73,7 @@ BoundCheck crossing_bound(std::string_view name, const KeyOrder& order,
                           const BoundContext& context) {
   return at_most(std::string(name) + ".events",
                  "every pair of keys fails at each of its roots, and where pieces meet, at most",
-                 crossings(order, context), counted(context.ledger->processed));
+                 crossings(order, context), counted(context.ledger->failures));
 }
 
 BoundCheck no_internal_events(std::string_view name, const BoundContext& context) {

@@ -14,6 +14,15 @@
 // solution that kinetic structures are measured against: no better when nothing changes, and
 // hopeless when much does.
 //
+// Motions on intervals (flight plans, objects that come and go). The envelope is that of the
+// motions in force, as if each went on for ever; it is right until the first of them ends, and is
+// then computed anew from the ones that follow. The pieces that a scene plans for later are not
+// looked at, though the envelope of all of them, lambda_{D+2}(pieces) winners, could be computed at
+// the start: no structure is told of a flight plan before it comes into force, so that a run is the
+// same whether a change stands in the scene or comes from outside while it runs, and a change from
+// outside takes the place of what was planned. The events are those of that one envelope all the
+// same: with m pieces at most lambda_{D+2}(m) - 1; only the cost is m envelopes instead of one.
+//
 // Ties. Of objects whose keys are equal for ever the smallest id wins. Where several overtake the
 // winner at one instant only the one that is best right after it is ever the winner.
 //

@@ -256,7 +256,7 @@ std::vector<BoundCheck> MaximumHanger::bounds(const BoundContext& context) const
     result.push_back(at_most(own + ".events",
                              "affine motions: pairs of an ancestor and a descendant in the tree; "
                              "the argument of Basch, Guibas, Ramkumar 1996",
-                             counted(pairs), counted(context.ledger->processed)));
+                             counted(pairs), counted(context.ledger->failures)));
   } else {
     result.push_back(crossing_bound(name(), contest_.order(), context));
   }

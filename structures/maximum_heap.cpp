@@ -224,7 +224,7 @@ std::vector<BoundCheck> MaximumHeap::bounds(const BoundContext& context) const {
     result.push_back(at_most(std::string(name()) + ".events",
                              "affine motions: pairs of an ancestor and a descendant in the heap; "
                              "Basch, Guibas, Ramkumar 1996; and those that a change makes anew",
-                             counted(pairs_), counted(context.ledger->processed)));
+                             counted(pairs_), counted(context.ledger->failures)));
   } else {
     result.push_back(crossing_bound(name(), contest_.order(), context));
   }

@@ -45,6 +45,31 @@ void MaximumTournament::construct(std::vector<ObjectId> members) {
     leaf_of_[members[i]] = static_cast<Node>(leaves_ + i);
   }
   for (std::size_t v = leaves_; v-- > 1;) decide(static_cast<Node>(v));
+  ++trees_[leaves_];
+}
+
+// ---- epochs
+
+// v's descendants k levels below it are v 2^k .. (v + 1) 2^k - 1. The lowest that there are, in
+// pairs of siblings, and those one level above that have no children.
+std::size_t MaximumTournament::leaves_below(Node v) const {
+  std::size_t width = 1;
+  while (2 * width * v < 2 * leaves_) width *= 2;
+  if (width == 1) return 1;
+  const std::size_t lowest = std::min(width, 2 * leaves_ - width * v);
+  return width / 2 + lowest / 2;
+}
+
+// Changes begin at these nodes; sorts them and puts all above them in, children first.
+void MaximumTournament::begin_epochs(std::vector<Node>& nodes) {
+  const std::size_t given = nodes.size();
+  for (std::size_t i = 0; i < given; ++i) {
+    for (Node v = nodes[i] / 2; v >= 1; v /= 2) nodes.push_back(v);
+  }
+  std::sort(nodes.begin(), nodes.end(), std::greater<>());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  while (!nodes.empty() && nodes.back() == 0) nodes.pop_back();
+  for (const Node v : nodes) ++epochs_[leaves_below(v)];
 }
 
 // ---- certificates
@@ -95,13 +120,22 @@ void MaximumTournament::certificate_failed(CertificateId failed) {
 
 void MaximumTournament::motions_changed(std::span<const ObjectId> objects) {
   std::vector<Node> ties;
+  bool everywhere = false;  // what distances are measured to has a new motion
+  touched_.clear();
   for (const ObjectId object : objects) {
+    everywhere = everywhere || leaf_of_[object] == 0;
+    touched_.push_back(leaf_of_[object] / 2);
     for (const CertificateId c : kernel_->certificates_of(object)) {
       const Certificate& certificate = kernel_->queue().certificate(c);
       if (certificate.structure == id_ && certificate.outlook == Outlook::kIdenticallyZero) {
         ties.push_back(certificate.tag);
       }
     }
+  }
+  if (everywhere) {
+    ++trees_[leaves_];
+  } else {
+    begin_epochs(touched_);
   }
   std::sort(ties.begin(), ties.end(), std::greater<>());
   for (const Node v : ties) {
@@ -130,12 +164,9 @@ void MaximumTournament::decide(Node v) {
 
 // Decides all nodes on the paths from these inner nodes to the root, children first.
 void MaximumTournament::replay(Node a, Node b) {
-  std::vector<Node> path;
-  for (; a >= 1; a /= 2) path.push_back(a);
-  for (; b >= 1; b /= 2) path.push_back(b);
-  std::sort(path.begin(), path.end(), std::greater<>());
-  path.erase(std::unique(path.begin(), path.end()), path.end());
-  for (const Node v : path) decide(v);
+  touched_.assign({a, b});
+  begin_epochs(touched_);
+  for (const Node v : touched_) decide(v);
 }
 
 // The first leaf becomes an inner node above its object and the new one.
@@ -202,26 +233,35 @@ std::vector<BoundCheck> MaximumTournament::bounds(const BoundContext& context) c
                              "an object plays at most once per level: ceil(log2 n)", Integer(depth),
                              Integer(static_cast<std::int64_t>(context.ledger->max_per_object))));
   }
-  if (context.plain()) {
-    const int degree = contest_.order().degree(context.degree);
-    std::vector<std::int64_t> below(2 * leaves_, 1);
-    Integer events(0);
-    for (std::size_t v = leaves_; v-- > 1;) {
+  const int degree = contest_.order().degree(context.degree);
+  Integer events(0);
+  const auto add = [&](std::size_t leaves, std::uint64_t epochs) {
+    events +=
+        Integer(static_cast<std::int64_t>(epochs)) *
+        (davenport_schinzel_bound(degree, Integer(static_cast<std::int64_t>(leaves))) - Integer(1));
+  };
+  for (const auto& [leaves, epochs] : epochs_) add(leaves, epochs);
+  for (const auto& [leaves, trees] : trees_) {
+    std::vector<std::size_t> below(2 * std::max<std::size_t>(leaves, 1), 1);
+    std::map<std::size_t, std::uint64_t> nodes;
+    for (std::size_t v = leaves; v-- > 1;) {
       below[v] = below[2 * v] + below[2 * v + 1];
-      events += davenport_schinzel_bound(degree, Integer(below[v])) - Integer(1);
+      ++nodes[below[v]];
     }
-    result.push_back(at_most(std::string(name()) + ".events",
-                             "sum over nodes of the changes of the upper envelope of their leaves, "
-                             "Davenport-Schinzel numbers; Guibas 1998, section 5",
-                             events,
-                             Integer(static_cast<std::int64_t>(context.ledger->processed))));
+    for (const auto& [size, count] : nodes) add(size, trees * count);
   }
+  result.push_back(at_most(std::string(name()) + ".events",
+                           "sum over nodes, and their epochs between changes below, of the changes "
+                           "of the upper envelope of their leaves, Davenport-Schinzel numbers; "
+                           "Guibas 1998, section 5",
+                           events, Integer(static_cast<std::int64_t>(context.ledger->failures))));
   return result;
 }
 
 std::size_t MaximumTournament::bytes() const {
   return winner_.capacity() * sizeof(ObjectId) + certificate_.capacity() * sizeof(CertificateId) +
-         leaf_of_.capacity() * sizeof(Node);
+         (leaf_of_.capacity() + touched_.capacity()) * sizeof(Node) +
+         (epochs_.size() + trees_.size()) * 64;  // nodes of maps, about
 }
 
 }  // namespace kinex

@@ -14,8 +14,12 @@
 // reached. The maximum changes at most lambda_D(n) - 1 times. (Several failures at one instant
 // count one by one: the winners of a node form a Davenport-Schinzel sequence of order D all the
 // same, since each is strictly better than the last right after the instant and equal to it at it;
-// roots counted with multiplicity.) Not strongly efficient: the maximum may change O(1) times while
-// Theta(n) events are processed.
+// roots counted with multiplicity.) A change of motion, an insertion or an erasure begins a new
+// epoch of every node on the paths from its leaves to the root, and each epoch of a node has
+// lambda_D(m_v) - 1 events at most: the winner from before the change is the first of the sequence,
+// since its key is no less than the others' at the instant. So an update adds the sum over its
+// paths to the bound, about 2 n for lines. Not strongly efficient: the maximum may change O(1)
+// times while Theta(n) events are processed.
 //
 // Ties. Of objects whose keys are equal for ever the smallest id wins.
 //
@@ -24,6 +28,8 @@
 #ifndef KINEX_STRUCTURES_MAXIMUM_TOURNAMENT_H
 #define KINEX_STRUCTURES_MAXIMUM_TOURNAMENT_H
 
+#include <cstdint>
+#include <map>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -73,6 +79,8 @@ class MaximumTournament final : public Structure {
   void flip(Node v);
   void decide(Node v);
   void replay(Node a, Node b);
+  std::size_t leaves_below(Node v) const;
+  void begin_epochs(std::vector<Node>& nodes);
 
   Kernel* kernel_;
   StructureId id_;
@@ -81,6 +89,11 @@ class MaximumTournament final : public Structure {
   std::vector<ObjectId> winner_;            // per node from 1; at a leaf its object
   std::vector<CertificateId> certificate_;  // per inner node from 1
   std::vector<Node> leaf_of_;               // per object; 0: not a member
+  // Epochs of nodes by their number of leaves: of changes one by one, and of whole trees (built, or
+  // changed all over) by the number of leaves of these.
+  std::map<std::size_t, std::uint64_t> epochs_;
+  std::map<std::size_t, std::uint64_t> trees_;
+  std::vector<Node> touched_;  // scratch
 };
 
 }  // namespace kinex

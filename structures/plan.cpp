@@ -55,6 +55,14 @@ std::vector<PlannedStructure> plan_structures(const Scene& scene) {
   return plan;
 }
 
+StructureId asked_structure(const Scene& scene) {
+  const std::vector<PlannedStructure> plan = plan_structures(scene);
+  const std::string& label = scene.maintain.at(0).label;
+  std::size_t i = 0;
+  while (plan[i].request.label != label) ++i;
+  return static_cast<StructureId>(i);
+}
+
 void add_structures(Simulator& simulator, const Scene& scene) {
   for (const PlannedStructure& planned : plan_structures(scene)) {
     const StructureId id = simulator.reserve();

@@ -22,6 +22,9 @@ struct PlannedStructure {
 // read are shared by all who read them and by those who ask for them. The ids in the plan are those
 // of its places.
 std::vector<PlannedStructure> plan_structures(const Scene& scene);
+// The place of the first structure of "maintain", which comes after what it reads. Requires a scene
+// that asks for one.
+StructureId asked_structure(const Scene& scene);
 // Adds the plan to a simulator that has no structures yet.
 void add_structures(Simulator& simulator, const Scene& scene);
 

@@ -29,15 +29,6 @@ Scene scene_for(const RunKey& key) {
   return scene;
 }
 
-// The structure that was asked for comes after those that it reads.
-StructureId asked(const Scene& scene) {
-  const std::vector<PlannedStructure> plan = plan_structures(scene);
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    if (plan[i].asked) return static_cast<StructureId>(i);
-  }
-  return 0;
-}
-
 std::uint64_t whole_number(const JsonValue& value, const std::string& file, std::size_t line) {
   std::uint64_t number = 0;
   const char* end = value.text.data() + value.text.size();
@@ -75,7 +66,7 @@ std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool(
   const RunStatus status = simulator->run_until(std::nullopt);
   record.seconds = cpu_seconds() - begin;
   if (status == RunStatus::kInterrupted || !go_on()) return std::nullopt;
-  const StructureId id = asked(scene);
+  const StructureId id = asked_structure(scene);
   if (status == RunStatus::kDone && !simulator->audit()) {
     record.clean = false;
     record.trouble = simulator->violations().empty() ? "audit" : simulator->violations().front();

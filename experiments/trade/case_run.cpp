@@ -13,6 +13,7 @@
 #include "experiments/trade/binary_scale.h"
 #include "experiments/trade/checkpoints.h"
 #include "experiments/trade/trace.h"
+#include "structures/plan.h"
 
 namespace kinex {
 
@@ -38,9 +39,17 @@ SimulatorOptions simulator_options(const TradeOptions& options, std::uint64_t ma
 // The state right now against an independent exact computation at t; what is wrong, or nothing.
 std::string audit_at(const Simulator& simulator, const Rational& t) {
   AuditReport report;
-  simulator.structure(0).check_invariants(report);
-  simulator.structure(0).audit(simulator.snapshot(t), report);
+  const Structure& structure = simulator.structure(asked_structure(simulator.scene()));
+  structure.check_invariants(report);
+  structure.audit(simulator.snapshot(t), report);
   return report.violations.empty() ? "" : report.violations.front();
+}
+
+// Why the run is corrupt: the first structure that went astray says it, those who read it do not.
+std::string corruption_of(const Kernel& kernel) {
+  StructureId id = 0;
+  while (!kernel.ledger(id).corrupt) ++id;
+  return kernel.ledger(id).corruption;
 }
 
 void note_wrong(TradeRun& run, const std::string& time, const std::string& what) {
@@ -53,7 +62,7 @@ void note_wrong(TradeRun& run, const std::string& time, const std::string& what)
 bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& checkpoints,
                           std::uint64_t max_events, TradeRun& run) {
   run.checkpoints = static_cast<int>(checkpoints.size()) + 1;
-  const StructureLedger& ledger = simulator.kernel().ledger(0);
+  const StructureLedger& ledger = simulator.kernel().ledger(asked_structure(simulator.scene()));
   RunStatus status = RunStatus::kDone;
   simulator.start();
   for (const Rational& t : checkpoints) {
@@ -79,8 +88,8 @@ bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& che
   run.peak_bytes = simulator.ledger().peak_bytes;
   if (ledger.corrupt) {
     run.ending = Ending::kCorrupt;
-    run.trouble = ledger.corruption;
-    run.guard_fired = ledger.corruption.rfind(kGuardText, 0) == 0;
+    run.trouble = corruption_of(simulator.kernel());
+    run.guard_fired = run.trouble.rfind(kGuardText, 0) == 0;
   } else if (status == RunStatus::kLimit) {
     run.ending = max_events != 0 && simulator.ledger().events >= max_events ? Ending::kEndless
                                                                             : Ending::kGaveUp;

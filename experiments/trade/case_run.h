@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One scene in several arithmetics, each compared with the exact run.
+// One scene in several arithmetics, each compared with the exact run. States are those of the
+// structure that is asked for; where it reads another one, the events, instants, times and memory
+// of both are counted.
 #ifndef KINEX_EXPERIMENTS_TRADE_CASE_RUN_H
 #define KINEX_EXPERIMENTS_TRADE_CASE_RUN_H
 

@@ -14,9 +14,10 @@
 
 namespace kinex {
 
-// A quantity is a count of a run by name: "processed", "external", "internal", "changes" (external
-// events of what was asked for, where that is read off another structure), "kind.NAME" for the
-// events of a kind, or a sum of these: "kind.enter+kind.leave".
+// A quantity is a count of a run by name: "external" (changes of the attribute), "processed" and
+// "internal" (all events that this cost, and those beyond, of the structure that is read as well:
+// Measurement::costs), "kind.NAME" for the events of a kind, or a sum of these:
+// "kind.enter+kind.leave".
 using Quantity = std::string;
 
 enum class ExpectationKind {

@@ -20,7 +20,7 @@ std::optional<Contest> compare_with_double(const Scene& scene, const Measurement
   options.audit = AuditLevel::kNone;
   options.progress = [&](const Simulator&) { return go_on(); };
   SimulatorOptions limited = options;  // rounding errors may make events without end
-  limited.max_events = 4 * exact.ledger.processed + 10000;
+  limited.max_events = 4 * exact.run.events + 10000;
   Contest contest;
   double best_exact = 0, best_double = 0, total_exact = 0, total_double = 0;
   for (int round = 0; round < kMostRounds; ++round) {
@@ -39,7 +39,7 @@ std::optional<Contest> compare_with_double(const Scene& scene, const Measurement
   }
   const Measurement& rival = contest.rival;
   contest.same_counts = rival.status == RunStatus::kDone && !rival.ledger.corrupt &&
-                        rival.ledger.processed == exact.ledger.processed &&
+                        rival.run.events == exact.run.events &&
                         rival.ledger.external == exact.ledger.external &&
                         rival.attribute == exact.attribute;
   if (rival.status == RunStatus::kDone && best_double >= kMeasurable) {

@@ -117,9 +117,9 @@ class Writer {
   }
 
   void write_ledger(std::int64_t id, const Measurement& run) {
-    const StructureLedger& ledger = run.ledger;
+    const StructureLedger& ledger = run.costs;
     count(id, "processed", ledger.processed);
-    count(id, "external", ledger.external);
+    count(id, "external", run.ledger.external);
     count(id, "internal", ledger.internal);
     for (const auto& [kind, value] : ledger.by_kind) count(id, "kind." + kind, value);
     count(id, "instants", run.run.instants);

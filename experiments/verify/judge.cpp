@@ -128,8 +128,8 @@ void add_runs(const std::vector<Trial>& trials, std::vector<Check>& checks) {
   std::uint64_t checked = 0, violations = 0;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const Measurement& run = trials[i].measurement;
-    checked += run.ledger.audit_checks;
-    violations += run.ledger.audit_violations;
+    checked += run.costs.audit_checks;
+    violations += run.costs.audit_violations;
     if (run.status != RunStatus::kDone && !stopped) {
       stopped = Check{"run", "run", "", "runs to the end", "stopped: ", "", Verdict::kGaveUp, i};
       stopped->observed += status_name(run.status);

@@ -60,7 +60,7 @@ Cell new_cell(const std::string& structure, const Family& family) {
     cell.min_seeds = cell.max_seeds = kSeeds;
     cell.family = "uniform";
     if (family.degree == 1) {
-      cell.expectations.push_back(expect("maximum.envelope", ExpectationKind::kWitness, "changes",
+      cell.expectations.push_back(expect("maximum.envelope", ExpectationKind::kWitness, "external",
                                          "breakpoints of the envelope, from the lines sorted by "
                                          "slope"));
       cell.expectations.back().witness = upper_envelope_changes;
@@ -68,7 +68,7 @@ Cell new_cell(const std::string& structure, const Family& family) {
     return cell;
   }
   cell.family = family.workload;
-  cell.expectations.push_back(expect("maximum.worst_case", ExpectationKind::kExact, "changes",
+  cell.expectations.push_back(expect("maximum.worst_case", ExpectationKind::kExact, "external",
                                      "all lines are on the envelope: n - 1; Guibas 1998, section "
                                      "5"));
   cell.expectations.back().exact = Integer(family.n - 1);

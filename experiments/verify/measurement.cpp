@@ -10,6 +10,7 @@
 #include "experiments/cpu_clock.h"
 #include "experiments/scene_run.h"
 #include "experiments/scene_writer.h"
+#include "structures/plan.h"
 
 namespace kinex {
 
@@ -24,13 +25,13 @@ std::string utc_now() {
   return text;
 }
 
-std::uint64_t one_count(const StructureLedger& ledger, const std::string& name) {
-  if (name == "processed") return ledger.processed;
-  if (name == "external") return ledger.external;
-  if (name == "internal") return ledger.internal;
+std::uint64_t one_count(const Measurement& run, const std::string& name) {
+  if (name == "processed") return run.costs.processed;
+  if (name == "external") return run.ledger.external;
+  if (name == "internal") return run.costs.internal;
   if (name.rfind("kind.", 0) == 0) {
-    const auto found = ledger.by_kind.find(name.substr(5));
-    return found == ledger.by_kind.end() ? 0 : found->second;
+    const auto found = run.ledger.by_kind.find(name.substr(5));
+    return found == run.ledger.by_kind.end() ? 0 : found->second;
   }
   throw std::invalid_argument("no quantity " + name);
 }
@@ -44,6 +45,33 @@ void add(const PredicateCounters& one, PredicateCounters& sum) {
   }
 }
 
+void add(const ChangeStatistics& one, ChangeStatistics& sum) {
+  sum.events += one.events;
+  sum.total += one.total;
+  sum.max = std::max(sum.max, one.max);
+  for (std::size_t k = 0; k < one.histogram.size(); ++k) sum.histogram[k] += one.histogram[k];
+}
+
+// What a structure that is read adds to the costs of its reader.
+void add_costs(const StructureLedger& read, StructureLedger& sum) {
+  sum.failures += read.failures;
+  sum.rebuilds += read.rebuilds;
+  for (const auto& [reason, count] : read.rebuild_reasons) sum.rebuild_reasons[reason] += count;
+  sum.simultaneous_groups += read.simultaneous_groups;
+  sum.largest_group = std::max(sum.largest_group, read.largest_group);
+  sum.certificates_created += read.certificates_created;
+  sum.certificates_retracted += read.certificates_retracted;
+  sum.live += read.live;
+  sum.max_live += read.max_live;
+  sum.max_per_object += read.max_per_object;
+  add(read.created_per_event, sum.created_per_event);
+  add(read.retracted_per_event, sum.retracted_per_event);
+  sum.audit_checks += read.audit_checks;
+  sum.audit_violations += read.audit_violations;
+  sum.processed = std::max(sum.failures, sum.external);
+  sum.internal = sum.processed - sum.external;
+}
+
 }  // namespace
 
 std::uint64_t Measurement::count_of(const Quantity& quantity) const {
@@ -52,7 +80,7 @@ std::uint64_t Measurement::count_of(const Quantity& quantity) const {
   while (begin <= quantity.size()) {
     const std::size_t end = std::min(quantity.find('+', begin), quantity.size());
     const std::string name = quantity.substr(begin, end - begin);
-    sum += name == "changes" ? changes : one_count(ledger, name);
+    sum += one_count(*this, name);
     begin = end + 1;
   }
   return sum;
@@ -75,8 +103,11 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
   if (audit_end && result.status == RunStatus::kDone) simulator->audit();
   const Kernel& kernel = simulator->kernel();
   result.arithmetic = kernel.arithmetic().name();
-  result.ledger = kernel.ledger(0);
-  result.changes = kernel.ledger(static_cast<StructureId>(simulator->structures() - 1)).external;
+  const StructureId asked = asked_structure(scene);
+  result.ledger = result.costs = kernel.ledger(asked);
+  for (StructureId id = 0; id < simulator->structures(); ++id) {
+    if (id != asked) add_costs(kernel.ledger(id), result.costs);
+  }
   result.run = simulator->ledger();
   result.numbers = kernel.arithmetic().counters();
   // Structures that read one another may ask the same question: counted under one name.
@@ -98,7 +129,7 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
     result.bounds.insert(result.bounds.end(), bounds.begin(), bounds.end());
   }
   result.violations = simulator->violations();
-  result.attribute = value_now(*simulator, 0);
+  result.attribute = value_now(*simulator, asked);
   return result;
 }
 

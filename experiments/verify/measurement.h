@@ -20,8 +20,12 @@ struct Measurement {
   std::uint64_t seed = 0;
   std::size_t objects = 0;
   RunStatus status = RunStatus::kDone;
-  StructureLedger ledger;     // of the structure; of the one that it reads, if it reads another
-  std::uint64_t changes = 0;  // of the attribute that was asked for
+  StructureLedger ledger;  // of the structure that was asked for
+  // What that cost: the same, and where it reads another structure the sum of both. Added up are
+  // failures, rebuilds, groups, certificates (largest numbers too: an upper bound of the largest
+  // sum) and certificates changed per event. Its processed events are then all failures, and
+  // internal those beyond the changes of the attribute.
+  StructureLedger costs;
   RunLedger run;
   ArithmeticCounters numbers;
   std::vector<std::string> predicates;  // names, by PredicateId
@@ -33,7 +37,7 @@ struct Measurement {
 
   // No audit found anything wrong and the structure is not corrupt (bounds are judged apart).
   bool clean() const {
-    return violations.empty() && !ledger.corrupt && ledger.audit_violations == 0;
+    return violations.empty() && !ledger.corrupt && costs.audit_violations == 0;
   }
   // A quantity (cell.h). Throws std::invalid_argument for a name that there is not.
   std::uint64_t count_of(const Quantity& quantity) const;

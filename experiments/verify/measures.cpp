@@ -23,19 +23,19 @@ Measures measures_of(const CellResult& cell) {
   Measures result;
   std::uint64_t changed = 0, events = 0;
   for (const Trial& trial : cell.trials) {
-    const StructureLedger& ledger = trial.measurement.ledger;
+    const StructureLedger& ledger = trial.measurement.costs;
     // The largest numbers of both, which need not be of the same event, but are wherever every
     // certificate that goes is replaced.
     result.most_changed = std::max(result.most_changed,
                                    ledger.created_per_event.max + ledger.retracted_per_event.max);
     changed += ledger.created_per_event.total + ledger.retracted_per_event.total;
-    events += ledger.processed;
+    events += ledger.created_per_event.events;
     result.per_object = std::max(result.per_object, ledger.max_per_object);
     result.certificates = std::max(result.certificates, ledger.max_live);
   }
   result.events = mean_of(cell.trials, "processed").mean();
-  result.external = mean_of(cell.trials, "changes").mean();
-  result.internal = result.events - result.external;
+  result.external = mean_of(cell.trials, "external").mean();
+  result.internal = mean_of(cell.trials, "internal").mean();
   if (events > 0) result.mean_changed = static_cast<double>(changed) / static_cast<double>(events);
   return result;
 }

@@ -14,7 +14,7 @@ namespace kinex {
 
 // Over all scenes of a cell. Certificates come and go in pairs mostly: both are counted.
 struct Measures {
-  double events = 0;               // mean, processed
+  double events = 0;               // mean, processed; of what is read, too (Measurement::costs)
   double external = 0;             // mean, changes of the attribute
   double internal = 0;             // mean, all other events
   std::uint64_t most_changed = 0;  // responsiveness: certificates created and retracted by an event

@@ -91,7 +91,7 @@ std::string closing_line(const VerifyResult& result) {
     ++by_verdict[static_cast<std::size_t>(cell.verdict())];
     checks += cell.checks.size();
     runs += cell.trials.size();
-    for (const Trial& trial : cell.trials) events += trial.measurement.ledger.processed;
+    for (const Trial& trial : cell.trials) events += trial.measurement.run.events;
   }
   for (const GrowthResult& growth : result.growths) {
     ++by_verdict[static_cast<std::size_t>(growth.check.verdict)];

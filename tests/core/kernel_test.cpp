@@ -95,6 +95,7 @@ TEST(Kernel, AnEventIsCountedOnceAndLargestNumbersAreTakenAfterIt) {
   EXPECT_EQ(f.kernel->last_event().certificate, Query(0, {0, 1}));
   f.kernel->end_event();
   const StructureLedger& a = f.kernel->ledger(f.a);
+  EXPECT_EQ(a.failures, 1u);
   EXPECT_EQ(a.processed, 1u);
   EXPECT_EQ(a.external, 1u);
   EXPECT_EQ(a.internal, 0u);
@@ -103,9 +104,36 @@ TEST(Kernel, AnEventIsCountedOnceAndLargestNumbersAreTakenAfterIt) {
   EXPECT_EQ(a.max_per_object, 1u);
   EXPECT_EQ(a.created_per_event.histogram[2], 1u);
   EXPECT_EQ(a.retracted_per_event.histogram[2], 1u);
+  // A change that comes after the failures of an instant is an event too; a tie put right is not.
   f.kernel->report(f.a, 1, {2}, true);
   EXPECT_EQ(f.kernel->last_event().certificate.arity, 0);
-  EXPECT_EQ(a.external, 1u);
+  f.kernel->report(f.a, 2, {2}, false);
+  EXPECT_EQ(a.failures, 1u);
+  EXPECT_EQ(a.processed, 2u);
+  EXPECT_EQ(a.external, 2u);
+  EXPECT_EQ(a.internal, 0u);
+}
+
+TEST(Kernel, EveryChangeThatAFailureReportsIsAnExternalEvent) {
+  Fixture f;
+  f.fails({0, 1}, 1);
+  const auto failed = f.kernel->create(f.a, Query(0, {0, 1}), 0).id;
+  f.kernel->queue().pop();
+  f.kernel->begin_event(f.a, failed);
+  f.kernel->report(f.a, 0, {0}, false);
+  f.kernel->report(f.a, 1, {0}, true);
+  f.kernel->report(f.a, 1, {1}, true);
+  f.kernel->report(f.b, 1, {3}, true);  // it watches a
+  f.kernel->end_event();
+  const StructureLedger &a = f.kernel->ledger(f.a), &b = f.kernel->ledger(f.b);
+  EXPECT_EQ(a.failures, 1u);
+  EXPECT_EQ(a.external, 2u);
+  EXPECT_EQ(a.internal, 0u);
+  EXPECT_EQ(a.processed, 2u);
+  EXPECT_EQ(a.created_per_event.events, 1u);
+  EXPECT_EQ(b.failures, 0u);
+  EXPECT_EQ(b.external, 1u);
+  EXPECT_EQ(b.processed, 1u);
 }
 
 TEST(Kernel, AReplacedCertificateSurvivesItsEvent) {

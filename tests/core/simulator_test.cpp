@@ -410,7 +410,9 @@ TEST(Simulator, WatchersAreToldOfEveryChange) {
   c->simulator->run_until(std::nullopt);
   EXPECT_THAT(c->first->calls, ElementsAre("event", "event", "anew", "anew"));
   EXPECT_EQ(c->simulator->kernel().ledger(1).by_kind.at("swap"), 4u);
-  EXPECT_EQ(c->simulator->kernel().ledger(1).processed, 0u);
+  EXPECT_EQ(c->simulator->kernel().ledger(1).failures, 0u);
+  EXPECT_EQ(c->simulator->kernel().ledger(1).external, 4u);
+  EXPECT_EQ(c->simulator->kernel().ledger(1).processed, 4u);
   EXPECT_EQ(c->simulator->violations(), Calls{});
 }
 

@@ -72,6 +72,25 @@ TEST(TradeCase, OrdinarySceneIsTheSameEverywhere) {
   EXPECT_EQ(one.memory_ratio(one.runs[1]), 1);
 }
 
+// A structure that reads another one: its own states are audited, the events of both compared.
+TEST(TradeCase, LooksAtTheStructureThatIsAskedFor) {
+  const CaseResult lists = run(make_case("sorted_list", "near-one-point", 10, 1), {});
+  const CaseResult maxima = run(make_case("maximum_sorted_list", "near-one-point", 10, 1), {});
+  EXPECT_TRUE(maxima.faults().empty());
+  EXPECT_EQ(lists.events, 45u);
+  EXPECT_GT(maxima.events, lists.events);
+  for (const CaseResult* one : {&lists, &maxima}) {
+    EXPECT_EQ(one->runs.at(1).arithmetic, "double");
+    EXPECT_EQ(one->runs.at(1).standing(), Standing::kWrong);
+  }
+  // Between the crossings the list is wrong more often than its maximum.
+  EXPECT_GT(maxima.runs[1].valid, lists.runs[1].valid);
+  const CaseResult hull =
+      run(make_case("convex_hull_2_delaunay", "uniform-square", 10, 2), {"sturm", "mpfr:53"});
+  EXPECT_TRUE(hull.faults().empty());
+  for (const TradeRun& run : hull.runs) EXPECT_EQ(run.standing(), Standing::kSame);
+}
+
 // Pairs that cross 2^-60 apart cannot be told apart in doubles: the states between are wrong.
 TEST(TradeCase, NearlyDegenerateSceneIsWrongInDoubles) {
   const CaseResult one = nearly();
@@ -188,17 +207,19 @@ TEST(TradeRun, StandingsByEnding) {
 
 // ---- the catalogue
 
-TEST(TradeCatalogue, HoldsFourStructuresAndTheirFamilies) {
+TEST(TradeCatalogue, HoldsFiveStructuresAndTheirFamilies) {
   for (const Extent extent : {Extent::kQuick, Extent::kFull}) {
     const TradeCatalogue all = make_trade_catalogue({}, extent);
-    EXPECT_EQ(all.cases.size(), 24u);
+    EXPECT_EQ(all.cases.size(), 30u);
     std::set<std::string> structures;
     for (const TradeCase& one : all.cases) {
       structures.insert(one.structure);
       EXPECT_EQ(one.scene().maintain.size(), 1u);
     }
-    EXPECT_EQ(structures.size(), 4u);
-    EXPECT_EQ(make_trade_catalogue({"delaunay_2"}, extent).cases.size(), 6u);
+    EXPECT_EQ(structures.size(), 5u);
+    for (const char* name : {"delaunay_2", "convex_hull_2"}) {
+      EXPECT_EQ(make_trade_catalogue({name}, extent).cases.size(), 6u);
+    }
   }
   EXPECT_INPUT_ERROR(make_trade_catalogue({"delauney_2"}, Extent::kQuick),
                      "trade: \"delauney_2\" is neither a file nor a structure");

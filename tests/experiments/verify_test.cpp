@@ -204,7 +204,7 @@ TEST(Judge, MissesABoundThatIsNotChecked) {
 TEST(Judge, SeesAFailedAudit) {
   Cell cell = random_cell(8, 2);
   std::vector<Trial> trials = run(cell).trials;
-  trials[1].measurement.ledger.audit_violations = 1;
+  trials[1].measurement.costs.audit_violations = 1;
   trials[1].measurement.violations = {"a is not before b"};
   const std::vector<Check> checks = judge(cell, trials);
   EXPECT_EQ(checks.back().claim, "audit");
@@ -223,7 +223,7 @@ std::vector<CellResult> constructed_family(double exponent) {
       Trial trial;
       trial.measurement.objects = static_cast<std::size_t>(n);
       const double count = 10 * std::pow(n, exponent) * (1 + 0.002 * departure);
-      trial.measurement.ledger.processed = static_cast<std::uint64_t>(count);
+      trial.measurement.costs.processed = static_cast<std::uint64_t>(count);
       cell.trials.push_back(trial);
     }
     cells.push_back(cell);

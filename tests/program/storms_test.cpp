@@ -176,6 +176,22 @@ TEST_F(StormYear, SortedListInEveryArithmetic) {
   for (const char* arithmetic : {"double", "gsl"}) expect_defined("sorted_list", arithmetic);
 }
 
+// The bounds on events grow with every turn, arrival and departure; expect_clean() looks at them.
+TEST_F(StormYear, MaximaKeepTheirBounds) {
+  const Finished run = simulate("maximum_tournament,minimum_tournament,maximum_heap", "exact");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const JsonValue result = summary("exact");
+  for (const char* name : {"maximum_tournament", "minimum_tournament", "maximum_heap"}) {
+    const JsonValue* ledger = result.find("structures")->find(name);
+    expect_clean(*ledger);
+    bool bounded = false;
+    for (const JsonValue& bound : ledger->find("bounds")->items) {
+      bounded = bounded || bound.find("id")->text == std::string(name) + ".events";
+    }
+    EXPECT_TRUE(bounded) << name;
+  }
+}
+
 TEST_F(StormYear, DelaunayHasEmptyCircles) {
   const std::vector<std::int64_t> times = sample_times(false);
   const Finished run = simulate("delaunay_2", "exact", at(times));

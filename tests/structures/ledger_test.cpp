@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "structures/plan.h"
+#include "tests/structures/hull_support.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
@@ -44,16 +46,17 @@ void expect_sums(const Trial& run) {
   EXPECT_EQ(l.live, l.certificates_created - l.certificates_retracted);
   EXPECT_GE(l.max_live, l.live);
   EXPECT_LE(l.max_per_object, l.max_live);
-  expect_sums(l.created_per_event, l.processed);
-  expect_sums(l.retracted_per_event, l.processed);
+  expect_sums(l.created_per_event, l.failures);
+  expect_sums(l.retracted_per_event, l.failures);
   EXPECT_LE(l.created_per_event.total, l.certificates_created);
   EXPECT_LE(l.retracted_per_event.total, l.certificates_retracted);
   std::uint64_t kinds = 0;
   for (const auto& [kind, count] : l.by_kind) kinds += count;
   EXPECT_EQ(kinds, run.sink.lines.size());
-  EXPECT_EQ(run.simulator.ledger().events, l.processed);
-  EXPECT_LE(l.largest_group, l.processed);
-  EXPECT_LE(2 * l.simultaneous_groups, l.processed);
+  EXPECT_EQ(run.simulator.ledger().events, l.failures);
+  EXPECT_LE(l.internal, l.failures);
+  EXPECT_LE(l.largest_group, l.failures);
+  EXPECT_LE(2 * l.simultaneous_groups, l.failures);
   EXPECT_LE(run.simulator.ledger().max_queue, l.max_live);
   EXPECT_GT(run.simulator.ledger().peak_bytes, 0u);
   // Every certificate's failure time is asked for when it is made (and when a motion changes).
@@ -152,6 +155,92 @@ TEST(Ledger, SumsAgree) {
         other.to_end();
         expect_sums(other);
       }
+    }
+  }
+}
+
+// How many events of each structure a log marks as external.
+class ExternalSink final : public EventSink {
+ public:
+  void event(const Event& event, Arithmetic&) override {
+    counts.resize(std::max<std::size_t>(counts.size(), event.structure + std::size_t{1}));
+    if (!event.external) return;
+    ++counts[event.structure];
+    if (event.certificate.arity == 0) ++late;
+  }
+  std::vector<std::uint64_t> counts;
+  std::uint64_t late = 0;  // those that no failure of the structure's own led to
+};
+
+// The largest number of external events of the structure that is asked for, beyond its failures.
+std::uint64_t expect_external_as_logged(Scene scene, const std::string& structure,
+                                        const std::string& arithmetic) {
+  scene.maintain = {{structure, structure, {}}};
+  Simulator simulator(scene, make_arithmetic(arithmetic, scene), {});
+  add_structures(simulator, scene);
+  ExternalSink sink;
+  sink.counts.resize(simulator.structures());
+  simulator.set_sink(&sink);
+  simulator.start();
+  simulator.run_until(std::nullopt);
+  std::uint64_t failures = 0, beyond = 0;
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    const StructureLedger& l = simulator.kernel().ledger(id);
+    EXPECT_EQ(l.external, sink.counts[id]) << simulator.label(id);
+    EXPECT_EQ(l.processed, l.external + l.internal) << simulator.label(id);
+    EXPECT_LE(l.internal, l.failures) << simulator.label(id);
+    failures += l.failures;
+    beyond = l.processed > l.failures ? l.processed - l.failures : 0;
+  }
+  EXPECT_EQ(failures, simulator.ledger().events);
+  return beyond;
+}
+
+TEST(Ledger, ExternalEventsAreThoseThatTheLogMarks) {
+  std::uint64_t beyond = 0;
+  for (const StructureInfo& info : structure_infos()) {
+    for (const char* arithmetic : {"exact", "double"}) {
+      SCOPED_TRACE(std::string(info.name) + " in " + arithmetic);
+      const std::string name(info.name);
+      const int degree = info.linear ? 1 : 2;
+      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        // Flight plans; many at one instant, some that last; ordinary scenes.
+        for (const Scene& scene :
+             {random_flights(seed, 9, 2, degree, seed % 2 == 0), small_plane(8, seed, degree, 2),
+              random_plane(12, seed, degree)}) {
+          beyond += expect_external_as_logged(scene, name, arithmetic);
+        }
+      }
+    }
+  }
+  EXPECT_GT(beyond, 100u);  // changes that no failure reported, or one of several
+}
+
+// A point lies between two others for ever, until a new motion takes it up or down. The divide and
+// conquer hulls report what becomes of that when the instant is settled, after its failures.
+TEST(Ledger, AChangeThatIsReportedWhenTheInstantIsSettledIsExternal) {
+  for (const int way : {1, -1}) {
+    Scene scene = scene_of({path({{0}, {0}}), path({{4}, {0}}), path({{2}, {0}})}, 0, Rational(2));
+    auto& pieces = scene.objects[2].motion.pieces;
+    pieces[0].to = Rational(1);
+    pieces.push_back({Rational(1), std::nullopt, path({{2}, {-way, way}})});
+    for (const std::string hull : kHulls) {
+      SCOPED_TRACE(hull);
+      scene.maintain = {{hull, hull, {}}};
+      Simulator simulator(scene, make_arithmetic("exact", scene), {});
+      add_structures(simulator, scene);
+      const StructureId id = asked_structure(scene);
+      ExternalSink sink;
+      simulator.set_sink(&sink);
+      simulator.start();
+      simulator.run_until(std::nullopt);
+      EXPECT_EQ(simulator.violations(), std::vector<std::string>{});
+      const StructureLedger& ledger = simulator.kernel().ledger(id);
+      EXPECT_EQ(sink.counts.at(id), 1u);
+      EXPECT_EQ(sink.late, hull == "convex_hull_2_brute_force" ? 0u : 1u);
+      EXPECT_EQ(ledger.external, 1u);
+      EXPECT_EQ(ledger.internal, hull == "convex_hull_2_brute_force" ? 0 : ledger.failures);
+      EXPECT_EQ(ledger.processed, 1 + ledger.internal);
     }
   }
 }

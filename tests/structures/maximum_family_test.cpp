@@ -117,6 +117,43 @@ TEST(MaximumFamily, FlightPlansInsertionsAndErasures) {
   }
 }
 
+// Segments that touch, begin and end where others do. Level lines at 0 .. 3, and guests that rise
+// from one to the next and vanish, or turn round, exactly there.
+TEST(MaximumFamily, SegmentsThatMeetAtTheirEnds) {
+  Scene scene = scene_of({path({{0}}), path({{1}}), path({{2}}), path({{3}})}, 0, Rational(12));
+  const auto on = [&scene](std::size_t i, int from, int to, Trajectory along) {
+    MotionPiece& piece = scene.objects[i].motion.pieces.back();
+    piece = {Rational(from), Rational(to), std::move(along)};
+  };
+  on(1, 1, 3, path({{1}}));
+  on(2, 3, 5, path({{2}}));  // comes where 1 goes
+  on(3, 5, 7, path({{3}}));
+  // From below to 3 at 6, where it is equal to 3 for an instant, and back again.
+  scene.objects.push_back(moving("touches", path({{-3, 1}})));
+  scene.objects[4].motion.pieces[0].to = Rational(6);
+  scene.objects[4].motion.pieces.push_back({Rational(6), Rational(12), path({{9, -1}})});
+  // Is at 0 at 9, with 0 and "touches", and goes above both there.
+  scene.objects.push_back(moving("rises", path({{-9, 1}})));
+  // Comes at 10, where "rises" is the maximum, equal to it at that instant, and grows faster.
+  scene.objects.push_back(moving("late", path({{-19, 2}})));
+  scene.objects[6].motion.pieces[0].from = Rational(10);
+  expect_family(scene);
+  // 0 until 1 comes, 1 until it goes at 3; "touches" is as high as 0 at 3, and above it then, but
+  // below 2; from 5 on 3, which is touched and not passed at 6, and goes at 7; then "touches" from
+  // 2 down to 0 at 9, where "rises" wins, until "late" comes above it at 10 and is overtaken.
+  FamilyRun run(scene, Key{}, false, "exact");
+  const auto winner_at = [&run](int numerator, int denominator) {
+    run.simulator->run_until(Rational(Integer(numerator), Integer(denominator)));
+    return run.simulator->structure(run.members().front()).attribute().ids.at(0);
+  };
+  const std::vector<std::pair<int, ObjectId>> expected{{1, 0},  {3, 1},  {5, 1},  {7, 2},
+                                                       {9, 2},  {11, 3}, {13, 3}, {15, 4},
+                                                       {17, 4}, {19, 5}, {21, 6}, {23, 6}};
+  for (const auto& [halves, winner] : expected) {
+    EXPECT_EQ(winner_at(halves, 2), winner) << halves << "/2";
+  }
+}
+
 TEST(MaximumFamily, OtherKeys) {
   for (std::uint64_t seed = 1; seed <= (kSanitized ? 4u : 20u); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
