@@ -26,6 +26,8 @@
 #include "predicates/contact_exact.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/check.h"
@@ -46,22 +48,49 @@ Vector cross(const Vector& a, const Vector& b) {
 
 Polynomial dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+// The coordinates on one axis, times a positive number that makes them integers.
+using Integers = std::array<Integer, 2 * ContactQuery::kPoints>;
+
+Integers scaled_doubles(const ContactQuery& query, std::size_t axis) {
+  constexpr int kMantissa = 53;
+  Integers result;
+  std::array<int, 2 * ContactQuery::kPoints> exponents{};
+  int least = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const double mantissa = std::frexp(query.rounded(3 * i + axis).value, &exponents[i]);
+    if (mantissa == 0) continue;
+    result[i] = Integer(static_cast<std::int64_t>(std::ldexp(mantissa, kMantissa)));
+    least = std::min(least, exponents[i]);
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!result[i].is_zero()) result[i] <<= static_cast<unsigned long>(exponents[i] - least);
+  }
+  return result;
+}
+
+Integers scaled_fractions(const ContactQuery& query, std::size_t axis) {
+  Integers result;
+  Integer denominator(1);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    denominator = lcm(denominator, query.coordinate(3 * i + axis).denominator());
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = (query.coordinate(3 * i + axis) * Rational(denominator)).numerator();
+  }
+  return result;
+}
+
 // The four points as polynomials in t. Contact does not depend on the units of the axes, so every
-// axis is multiplied by a denominator of its own.
+// axis is multiplied by a number of its own.
 std::array<Vector, ContactQuery::kPoints> moving_points(const ContactQuery& query) {
   std::array<Vector, ContactQuery::kPoints> result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::array<Rational, 2 * ContactQuery::kPoints> values;
-    Integer denominator(1);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = query.coordinate(3 * i + axis);
-      denominator = lcm(denominator, values[i].denominator());
-    }
-    const Rational scale(denominator);
+    const Integers values =
+        query.all_doubles() ? scaled_doubles(query, axis) : scaled_fractions(query, axis);
     for (std::size_t p = 0; p < ContactQuery::kPoints; ++p) {
-      const Integer start = (values[p] * scale).numerator();
-      const Integer end = (values[p + ContactQuery::kPoints] * scale).numerator();
-      result[p][axis] = Polynomial(std::vector<Integer>{start, end - start});
+      const Integer& start = values[p];
+      result[p][axis] =
+          Polynomial(std::vector<Integer>{start, values[p + ContactQuery::kPoints] - start});
     }
   }
   return result;

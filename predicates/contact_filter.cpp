@@ -16,7 +16,7 @@
 //       steps. So the line along w through the origin meets K, and K's plane is not parallel to it.
 //       At the root the plane passes through the origin too, so that is where the line meets it.
 // Directions are any doubles: they are no rounded values, so nothing is lost there. The ends of
-// intervals are multiples of 2^-40 in [0, 1]: t and 1 - t are exact.
+// intervals are multiples of 2^-50 in [0, 1]: t and 1 - t are exact.
 #include "predicates/contact_filter.h"
 
 #include <algorithm>
@@ -27,10 +27,13 @@ namespace {
 
 // A cubic has three roots, so a few cuts tell them apart; more are for near misses in one plane.
 constexpr int kMaxCuts = 16;
-constexpr int kGrid = 40;                // ends are multiples of 2^-kGrid
+constexpr double kGrid = 0x1p50;         // ends are multiples of 1 / kGrid
 constexpr double kFirstCut = 27.0 / 64;  // not where symmetric input has its roots
-// Half the width of the interval around a root: the second where f is too flat for the first.
-constexpr double kNarrow[] = {0x1p-37, 0x1p-20};
+// Half the width of the interval around a root: first as little as the error of f suggests, then
+// more.
+constexpr double kLeastHalf = 0x1p-46;
+constexpr double kWiden = 32;
+constexpr int kWidenings = 4;
 
 using Vector = std::array<Ball, 3>;
 using Direction = std::array<double, 3>;
@@ -150,7 +153,7 @@ class Filter {
     return {{difference(c, a), difference(d, a), difference(d, b), difference(c, b)}};
   }
 
-  static double on_grid(double t) { return std::ldexp(std::floor(std::ldexp(t, kGrid)), -kGrid); }
+  static double on_grid(double t) { return std::floor(t * kGrid) / kGrid; }
 
   Corners at(double t) const {
     const Ball late{t, 0}, early{1 - t, 0};
@@ -195,7 +198,12 @@ class Filter {
       const Direction along{v[0] - u[0], v[1] - u[1], v[2] - u[2]};
       const double length = dot(along, along);
       const double part = length > 0 ? std::clamp(-dot(u, along) / length, 0.0, 1.0) : 0.0;
-      const Direction c{u[0] + part * along[0], u[1] + part * along[1], u[2] + part * along[2]};
+      Direction c{u[0] + part * along[0], u[1] + part * along[1], u[2] + part * along[2]};
+      if (part > 0 && part < 1) {
+        // Close to the edge c is a small difference: made perpendicular to the edge once more.
+        const double rest = dot(c, along) / length;
+        for (std::size_t axis = 0; axis < 3; ++axis) c[axis] -= rest * along[axis];
+      }
       const double distance = dot(c, c);
       if (distance < nearest) {
         nearest = distance;
@@ -234,9 +242,11 @@ class Filter {
 
   // Finds a small interval around the only root of f in the piece.
   bool catch_root(const Piece& piece, const std::array<Ball, 4>& f, Piece& narrow) const {
-    const double root = piece.lower + (piece.upper - piece.lower) * approximate_root(f);
+    const auto [place, uncertain] = approximate_root(f);
+    const double width = piece.upper - piece.lower, root = piece.lower + width * place;
     const bool rises = negative(f[0]);
-    for (const double half : kNarrow) {
+    double half = std::max(kLeastHalf, 2 * width * uncertain);
+    for (int i = 0; i < kWidenings; ++i, half *= kWiden) {
       narrow.lower = std::max(piece.lower, on_grid(root - half));
       narrow.upper = std::min(piece.upper, on_grid(root + half));
       if (!(narrow.lower < narrow.upper)) return false;  // or no number
@@ -250,21 +260,28 @@ class Filter {
     return false;
   }
 
+  struct Guess {
+    double root, error;
+  };
+
   // Where the cubic vanishes in [0, 1], about: Newton's method, kept inside by bisection.
-  static double approximate_root(const std::array<Ball, 4>& f) {
+  static Guess approximate_root(const std::array<Ball, 4>& f) {
     const double c0 = f[0].value, c1 = f[1].value - 3 * c0,
                  c2 = f[2].value - 2 * f[1].value + 3 * c0,
                  c3 = f[3].value - f[2].value + f[1].value - c0;
-    double low = 0, high = 1, t = c0 / (c0 - f[3].value);
+    const double error = f[0].error + f[1].error + f[2].error + f[3].error;
+    double low = 0, high = 1, t = c0 / (c0 - f[3].value), slope = 0;
     for (int step = 0; step < 60; ++step) {
       const double value = c0 + t * (c1 + t * (c2 + t * c3));
+      slope = c1 + t * (2 * c2 + t * (3 * c3));
       ((value > 0) == (c0 > 0) ? low : high) = t;
-      double next = t - value / (c1 + t * (2 * c2 + t * (3 * c3)));
+      double next = t - value / slope;
       if (!(low < next && next < high)) next = (low + high) / 2;
-      if (std::fabs(next - t) < 0x1p-45) return next;
+      const double change = std::fabs(next - t);
       t = next;
+      if (change < 0x1p-50) break;
     }
-    return t;
+    return {t, error / std::fabs(slope)};
   }
 
   // Whether the corners go round the origin, seen along one direction, throughout the piece.

@@ -49,6 +49,7 @@ class ContactQuery {
   ContactQuery(ContactKind kind, std::vector<Rational> coordinates);
 
   ContactKind kind() const { return kind_; }
+  bool all_doubles() const { return exact_.empty(); }
   // The coordinate with a bound on its error (0 if all are doubles).
   Ball rounded(std::size_t index) const {
     const double value = rounded_[index];
