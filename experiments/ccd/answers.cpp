@@ -4,7 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "experiments/input_error.h"
 #include "experiments/json_writer.h"
+#include "experiments/utf8.h"
 
 namespace kinex {
 
@@ -105,7 +107,11 @@ std::string tally_json(const ContactTally& tally, const std::string& file, Conta
                        bool has_truth) {
   std::string text;
   JsonWriter json(text);
-  json.begin_object().key("file").string(file).key("kind").string(contact_kind_name(kind));
+  json.begin_object()
+      .key("file")
+      .string(is_utf8(file) ? file : show_text(file))
+      .key("kind")
+      .string(contact_kind_name(kind));
   json.key("queries").number(tally.queries).key("contacts").number(tally.contacts);
   for (const auto& [name, number] : outcomes(tally)) {
     json.key(name);

@@ -101,6 +101,8 @@ TEST(ContactTally, CountsAgainstTheTruth) {
             "{\"file\": \"q.csv\", \"kind\": \"edge-edge\", \"queries\": 6, \"contacts\": 3, "
             "\"true_positives\": 1, \"true_negatives\": 2, \"false_positives\": 1, "
             "\"false_negatives\": 1}\n");
+  EXPECT_THAT(tally_json(tally, "q\xff.csv", ContactKind::kEdgeEdge, false),
+              testing::StartsWith("{\"file\": \"\\\"q\\\\xff.csv\\\"\", "));
 }
 
 }  // namespace

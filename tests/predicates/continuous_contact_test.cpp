@@ -316,6 +316,11 @@ TEST(RationalValue, FindsFractionsAmongRoots) {
       EXPECT_FALSE(rational_value(entry.root, counters).has_value());
     }
   }
+  // (t - 1)(10 t^2 - 11): a rational root less than 1/10 below an irrational one.
+  const Polynomial close =
+      Polynomial({Integer(-1), Integer(1)}) * Polynomial({Integer(-11), Integer(0), Integer(10)});
+  RealRoot last = isolate_real_roots(close, counters).back().root;
+  EXPECT_FALSE(rational_value(last, counters).has_value());
   RealRoot exact(third);
   EXPECT_EQ(rational_value(exact, counters), third);
 }
