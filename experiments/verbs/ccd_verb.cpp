@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex ccd: continuous collision detection, exactly.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiments/ccd/answers.h"
+#include "experiments/file_io.h"
+#include "experiments/input_error.h"
+#include "experiments/verbs/interrupt.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+
+namespace kinex {
+
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string kind;
+  bool json = false;
+  bool tally = false;
+};
+
+// Queries done, on standard error, only where that is a terminal.
+class QueryProgress {
+ public:
+  QueryProgress() : terminal_(::isatty(STDERR_FILENO) != 0) {}
+  ~QueryProgress() { wipe(); }
+  QueryProgress(const QueryProgress&) = delete;
+  QueryProgress& operator=(const QueryProgress&) = delete;
+
+  void show(std::size_t done, std::size_t all) {
+    if (!terminal_ || done % kEvery != 0) return;
+    const Clock::time_point now = Clock::now();
+    if (now - last_ < std::chrono::milliseconds(250)) return;
+    last_ = now;
+    shown_ = true;
+    const double seconds = std::chrono::duration<double>(now - began_).count();
+    const auto finished = static_cast<double>(done);
+    std::fprintf(stderr, "\r\033[K%zu of %zu queries, %.3g/s, %.0f s left", done, all,
+                 finished / seconds, seconds * static_cast<double>(all - done) / finished);
+    std::fflush(stderr);
+  }
+  void wipe() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+    shown_ = false;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kEvery = 64;
+  bool terminal_;
+  bool shown_ = false;
+  Clock::time_point began_ = Clock::now();
+  Clock::time_point last_ = began_;
+};
+
+ContactKind kind_of(const Options& options, const std::string& file) {
+  if (!options.kind.empty()) {
+    const std::optional<ContactKind> kind = find_contact_kind(options.kind);
+    if (kind) return *kind;
+    throw InputError("--kind", "", show_text(options.kind) + " is not a kind of query",
+                     "write vertex-face or edge-edge");
+  }
+  const std::optional<ContactKind> kind = contact_kind_of_path(file);
+  if (kind) return *kind;
+  throw InputError(file, "",
+                   "its name does not tell whether the queries are vertex-face or edge-edge",
+                   "give --kind vertex-face or --kind edge-edge");
+}
+
+// Returns false if it was interrupted.
+bool answer_file(const Options& options, const std::string& file, const InterruptGuard& interrupt,
+                 ContactTally& tally) {
+  constexpr std::size_t kFlush = 1 << 16;
+  const ContactKind kind = kind_of(options, file);
+  const QueryFile queries = parse_queries(read_text_file(file), file, kind);
+  ContactCounters counters;
+  QueryProgress progress;
+  std::string text;
+  for (const FileQuery& one : queries.queries) {
+    if (interrupt.interrupted()) break;
+    ContactAnswer answer;
+    answer.number = tally.queries + 1;
+    answer.line = one.line;
+    if (queries.has_truth) answer.truth = one.truth;
+    if (options.tally) {
+      answer.contact = in_contact(one.query, counters);
+    } else {
+      answer.time = first_contact(one.query, counters);
+      answer.contact = answer.time.has_value();
+      text +=
+          options.json ? answer_json(answer, counters.roots) : answer_text(answer, counters.roots);
+    }
+    tally.count(answer.contact, answer.truth);
+    if (text.size() > kFlush) {
+      progress.wipe();
+      print(text);
+      text.clear();
+    }
+    progress.show(tally.queries, queries.queries.size());
+  }
+  text += options.json ? tally_json(tally, file, kind, queries.has_truth)
+                       : tally_text(tally, file, kind, queries.has_truth);
+  progress.wipe();
+  print(text);
+  return tally.queries == queries.queries.size();
+}
+
+void answer_files(const Options& options, int& exit_code) {
+  for (const std::string& file : options.files) kind_of(options, file);
+  InterruptGuard interrupt;
+  bool differs = false;
+  for (const std::string& file : options.files) {
+    ContactTally tally;
+    const bool finished = answer_file(options, file, interrupt, tally);
+    differs = differs || tally.differs();
+    if (finished) continue;
+    std::fprintf(stderr, "kinex: interrupted; the tally is that of the first %llu queries\n",
+                 static_cast<unsigned long long>(tally.queries));
+    exit_code = kExitGaveUp;
+    break;
+  }
+  if (differs) exit_code = kExitFailed;
+}
+
+}  // namespace
+
+void add_ccd_verb(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand(
+      "ccd", "Continuous collision detection: exact answers and first times of contact");
+  verb->add_option(
+          "FILE", options->files,
+          "Queries, 8 lines each: x_num,x_den,y_num,y_den,z_num,z_den[,truth] of four points "
+          "at t = 0 and the same at t = 1 (vertex and triangle, or two edges); between them "
+          "they move linearly; - reads standard input")
+      ->required();
+  verb->add_option("--kind", options->kind,
+                   "vertex-face or edge-edge (what the name of the file or its folder says)");
+  verb->add_flag("--tally", options->tally,
+                 "Only how many contacts there are, and how many answers differ");
+  verb->add_flag("--json", options->json, "One JSON object a query, and one a file");
+  verb->footer(
+      "Touching is contact, at t = 0 and t = 1 too; a triangle or an edge may be degenerate.\n"
+      "A first time that is not rational is printed as the root of a polynomial.\n"
+      "Exit codes: 1 an answer differs from the truth column; 3 interrupted.\n"
+      "Example: answers, and what differs from the files' truth columns\n"
+      "  kinex ccd spikes/edge-edge/data_0_0.csv spikes/vertex-face/data_0_0.csv --tally\n"
+      "  kinex ccd queries.csv --kind vertex-face --json");
+  verb->callback([options, &exit_code] { answer_files(*options, exit_code); });
+}
+
+}  // namespace kinex

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Let q_1 .. q_k be the corners of K(t) in order around it (k = 3: a triangle; k = 4: a
+// parallelogram), n = (q_2 - q_1) x (q_k - q_1) its normal, and f = det(q_1, q_2, q_k), which is
+// n times the position of K's plane. The origin is 0. Contact at t means 0 in K(t).
+//
+// Contact at one given instant where f = 0 (f vanishes at every contact):
+//   If n is not 0, K is a convex polygon whose plane contains 0. Then 0 lies in it iff it is on the
+//   inner side of every edge: n . (q_i x q_{i+1}) >= 0 for all i.
+//   If n = 0, all corners lie on one line (in a parallelogram because n = 0 makes the two
+//   directions of its sides parallel). A closed walk on a line covers the hull of its corners, so 0
+//   lies in K iff it lies on one of the segments [q_i, q_{i+1}]. 0 lies on [u, v] iff u x v = 0 and
+//   u . v <= 0. (u, v and 0 are then on one line, and u and v are not strictly on the same side of
+//   0. This holds for u = v too: then u . u <= 0 says u = 0.)
+//
+// The first contact:
+//   If f is not the zero polynomial, the candidates are its roots in [0, 1], in order.
+//   If f = 0 for all t, look at t = 0 first. If there is no contact then, let T > 0 be the first
+//   one. 0 lies on an edge of K(T): if n(T) = 0 because K is the union of its edges, as above; if
+//   n(T) is not 0 because else n . (q_i x q_{i+1}) > 0 for all i at T, and so shortly before T,
+//   where f = 0 as well: that would be an earlier contact. So T is the smallest of the first times
+//   at which 0 lies on [q_i, q_{i+1}], over all i. For one edge [u, v]: where a component g of u x
+//   v is not the zero polynomial, all its times are roots of g. If all three are zero, they are
+//   where u . v <= 0; u . v > 0 at t = 0, so the first one is a root of u . v, and any root is one.
+//   So in both cases the candidates are the roots in (0, 1] of the first non-zero polynomial among
+//   the components and u . v.
+#include "predicates/contact_exact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/check.h"
+
+namespace kinex {
+
+namespace {
+
+using Vector = std::array<Polynomial, 3>;
+
+Vector operator-(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Polynomial dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// The coordinates on one axis, times a positive number that makes them integers.
+using Integers = std::array<Integer, 2 * ContactQuery::kPoints>;
+
+Integers scaled_doubles(const ContactQuery& query, std::size_t axis) {
+  constexpr int kMantissa = 53;
+  Integers result;
+  std::array<int, 2 * ContactQuery::kPoints> exponents{};
+  int least = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const double mantissa = std::frexp(query.rounded(3 * i + axis).value, &exponents[i]);
+    if (mantissa == 0) continue;
+    result[i] = Integer(static_cast<std::int64_t>(std::ldexp(mantissa, kMantissa)));
+    least = std::min(least, exponents[i]);
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!result[i].is_zero()) result[i] <<= static_cast<unsigned long>(exponents[i] - least);
+  }
+  return result;
+}
+
+Integers scaled_fractions(const ContactQuery& query, std::size_t axis) {
+  Integers result;
+  Integer denominator(1);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    denominator = lcm(denominator, query.coordinate(3 * i + axis).denominator());
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = (query.coordinate(3 * i + axis) * Rational(denominator)).numerator();
+  }
+  return result;
+}
+
+// The four points as polynomials in t. Contact does not depend on the units of the axes, so every
+// axis is multiplied by a number of its own.
+std::array<Vector, ContactQuery::kPoints> moving_points(const ContactQuery& query) {
+  std::array<Vector, ContactQuery::kPoints> result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Integers values =
+        query.all_doubles() ? scaled_doubles(query, axis) : scaled_fractions(query, axis);
+    for (std::size_t p = 0; p < ContactQuery::kPoints; ++p) {
+      const Integer& start = values[p];
+      result[p][axis] =
+          Polynomial(std::vector<Integer>{start, values[p + ContactQuery::kPoints] - start});
+    }
+  }
+  return result;
+}
+
+class MovingPolygon {
+ public:
+  explicit MovingPolygon(const ContactQuery& query) {
+    const std::array<Vector, ContactQuery::kPoints> p = moving_points(query);
+    if (query.kind() == ContactKind::kVertexFace) {
+      corners_ = {p[1] - p[0], p[2] - p[0], p[3] - p[0]};
+    } else {
+      corners_ = {p[2] - p[0], p[3] - p[0], p[3] - p[1], p[2] - p[1]};
+    }
+    f_ = dot(cross(corners_[0], corners_[1]), corners_.back());
+  }
+
+  const Polynomial& f() const { return f_; }
+
+  std::optional<ContactTime> first_contact(RootCounters& counters) const {
+    if (!f_.is_zero()) {
+      return first_root(f_, Rational(0), counters,
+                        [&](RealRoot& root) { return holds_origin(root, counters); });
+    }
+    RealRoot start(Rational(0));
+    if (holds_origin(start, counters)) {
+      return ContactTime{start, Polynomial(std::vector<Integer>{Integer(0), Integer(1)})};
+    }
+    std::optional<ContactTime> first;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      std::optional<ContactTime> time = first_on_edge(i, counters);
+      if (time && (!first || compare(time->root, first->root, counters) < 0)) {
+        first = std::move(time);
+      }
+    }
+    return first;
+  }
+
+ private:
+  const Vector& corner(std::size_t i) const { return corners_[i % corners_.size()]; }
+
+  // The first root of p in [0, 1] for which `accepts`.
+  template <class Accepts>
+  static std::optional<ContactTime> first_root(const Polynomial& p, const Rational& from,
+                                               RootCounters& counters, const Accepts& accepts) {
+    for (RootWithMultiplicity& entry : isolate_real_roots(p, counters)) {
+      if (compare(entry.root, from, counters) < 0) continue;
+      if (compare(entry.root, Rational(1), counters) > 0) break;
+      if (accepts(entry.root)) return ContactTime{std::move(entry.root), p};
+    }
+    return std::nullopt;
+  }
+
+  static bool vanishes(const Vector& v, RealRoot& at, RootCounters& counters) {
+    return std::all_of(v.begin(), v.end(), [&](const Polynomial& component) {
+      return sign_at(component, at, counters) == Sign::kZero;
+    });
+  }
+
+  bool on_edge(std::size_t i, RealRoot& at, RootCounters& counters) const {
+    return vanishes(cross(corner(i), corner(i + 1)), at, counters) &&
+           sign_at(dot(corner(i), corner(i + 1)), at, counters) != Sign::kPositive;
+  }
+
+  // Whether the origin lies in the polygon at an instant where f is 0.
+  bool holds_origin(RealRoot& at, RootCounters& counters) const {
+    const Vector normal = cross(corners_[1] - corners_[0], corners_.back() - corners_[0]);
+    const bool flat = vanishes(normal, at, counters);
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (flat) {
+        if (on_edge(i, at, counters)) return true;
+      } else if (sign_at(dot(normal, cross(corner(i), corner(i + 1))), at, counters) ==
+                 Sign::kNegative) {
+        return false;
+      }
+    }
+    return !flat;
+  }
+
+  // The first time in (0, 1] at which the origin lies on an edge; there is no contact at 0.
+  std::optional<ContactTime> first_on_edge(std::size_t i, RootCounters& counters) const {
+    const Vector turn = cross(corner(i), corner(i + 1));
+    const Polynomial product = dot(corner(i), corner(i + 1));
+    const auto* candidates =
+        std::find_if(turn.begin(), turn.end(), [](const Polynomial& p) { return !p.is_zero(); });
+    const Polynomial& p = candidates == turn.end() ? product : *candidates;
+    require(!p.is_zero(), "contact: an edge that always holds the origin");
+    return first_root(p, Rational(0), counters,
+                      [&](RealRoot& root) { return on_edge(i, root, counters); });
+  }
+
+  std::vector<Vector> corners_;
+  Polynomial f_;
+};
+
+}  // namespace
+
+std::optional<ContactTime> first_contact_exactly(const ContactQuery& query,
+                                                 RootCounters& counters) {
+  return MovingPolygon(query).first_contact(counters);
+}
+
+ContactTime contact_between(const ContactQuery& query, double lower, double upper) {
+  const MovingPolygon polygon(query);
+  return {RealRoot(polygon.f(), *Rational::from_double(lower), *Rational::from_double(upper)),
+          polygon.f()};
+}
+
+}  // namespace kinex

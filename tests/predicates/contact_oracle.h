@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// First contact by another formulation, in rationals and Sturm sequences: positions in the bodies
+// by Cramer's rule in a coordinate plane, and candidates from every polynomial of every test.
+#ifndef KINEX_TESTS_PREDICATES_CONTACT_ORACLE_H
+#define KINEX_TESTS_PREDICATES_CONTACT_ORACLE_H
+
+#include <optional>
+
+#include "core/rational_sturm.h"
+#include "tests/predicates/contact_support.h"
+
+namespace kinex::test {
+
+// A root of a square-free polynomial: the only one in (lower, upper], or lower = upper.
+struct OracleRoot {
+  RationalPolynomial polynomial;
+  Rational lower, upper;
+};
+
+std::optional<OracleRoot> oracle_first_contact(ContactKind kind, const Points& points);
+
+}  // namespace kinex::test
+
+#endif
