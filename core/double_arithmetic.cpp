@@ -19,8 +19,8 @@ constexpr int kRoom = filter::kMaxFilterDegree + 1;
 class DoubleArithmetic final : public Arithmetic {
  public:
   explicit DoubleArithmetic(const Scene& scene)
-      : degree_(std::max(1, scene.degree())),
-        dimension_(scene.dimension),
+      : degree_(std::max(1, scene.held_degree())),
+        dimension_(scene.held_axes()),
         stride_(static_cast<std::size_t>(dimension_) * static_cast<std::size_t>(degree_ + 1)),
         coefficients_(scene.objects.size() * stride_, 0.0),
         end_(scene.end ? scene.end->to_double() : kInfinity),
@@ -38,6 +38,10 @@ class DoubleArithmetic final : public Arithmetic {
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override {
     if (trajectory.degree() > degree_) widen(trajectory.degree());
+    if (object >= coefficients_.size() / stride_) {
+      coefficients_.resize((object + std::size_t{1}) * stride_, 0.0);
+      if (!until_.empty()) until_.resize(object + std::size_t{1}, kInfinity);
+    }
     double* out = &coefficients_[object * stride_];
     std::fill(out, out + stride_, 0.0);
     for (std::size_t a = 0; a < trajectory.coordinates.size(); ++a) {

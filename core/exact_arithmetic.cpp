@@ -234,7 +234,7 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
     for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.ball(query.ids[i]);
     Ball out[kRoomForCoefficients];
     predicate.ball(motions_.degree(), points.data(), origin_, out);
-    p.origin = motions_.degree() <= kMaxFixedDegree ? origin_ : 0;
+    p.origin = predicate.shifts(motions_.degree()) ? origin_ : 0;
     // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
     const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(0);
     double sum = 0;

@@ -49,8 +49,8 @@ double horner(const std::vector<double>& c, double t) {
 class GslArithmetic final : public Arithmetic {
  public:
   explicit GslArithmetic(const Scene& scene)
-      : degree_(std::max(1, scene.degree())),
-        axes_(static_cast<std::size_t>(std::max(1, scene.dimension))),
+      : degree_(std::max(1, scene.held_degree())),
+        axes_(static_cast<std::size_t>(std::max(1, scene.held_axes()))),
         coefficients_(scene.objects.size() * stride(), 0.0),
         until_(scene.objects.size(), kInfinity),
         end_(scene.end ? scene.end->to_double() : kInfinity),

@@ -19,8 +19,8 @@ class MpfrArithmetic final : public Arithmetic {
  public:
   MpfrArithmetic(const Scene& scene, long bits)
       : bits_(bits),
-        degree_(std::max(1, scene.degree())),
-        dimension_(static_cast<std::size_t>(scene.dimension)),
+        degree_(std::max(1, scene.held_degree())),
+        dimension_(static_cast<std::size_t>(scene.held_axes())),
         stride_(dimension_ * static_cast<std::size_t>(degree_ + 1)),
         coefficients_(scene.objects.size() * stride_, MpFloat(bits)),
         until_(scene.objects.size()),
@@ -36,6 +36,10 @@ class MpfrArithmetic final : public Arithmetic {
                   const std::optional<Rational>& until) override {
     if (trajectory.degree() > degree_) widen(trajectory.degree());
     const std::size_t powers = static_cast<std::size_t>(degree_) + 1;
+    if (object >= until_.size()) {
+      until_.resize(object + std::size_t{1});
+      coefficients_.resize(until_.size() * stride_, MpFloat(bits_));
+    }
     for (std::size_t k = 0; k < stride_; ++k) coefficients_[object * stride_ + k] = MpFloat(bits_);
     for (std::size_t a = 0; a < trajectory.coordinates.size(); ++a) {
       const auto& axis = trajectory.coordinates[a];
