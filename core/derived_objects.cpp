@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/derived_objects.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/check.h"
@@ -43,6 +44,22 @@ void DerivedObjects::redefine(ObjectId id, std::string name, Trajectory constant
   require(object.construction == nullptr, "only a constant can be redefined");
   object.name = std::move(name);
   object.trajectory = std::move(constant);
+}
+
+void DerivedObjects::rebase(ObjectId id, std::string name, std::span<const ObjectId> bases) {
+  Object& object = derived_[id - first_];
+  require(object.construction != nullptr, "a constant has no bases");
+  for (const ObjectId base : object.bases) {
+    std::vector<ObjectId>& list = known(base).dependents;
+    list.erase(std::find(list.begin(), list.end(), id));
+  }
+  object.name = std::move(name);
+  object.bases.assign(bases.begin(), bases.end());
+  for (const ObjectId base : bases) {
+    std::vector<ObjectId>& list = known(base).dependents;
+    list.insert(std::lower_bound(list.begin(), list.end(), id), id);
+  }
+  renew(id);
 }
 
 const DerivedObjects::Object& DerivedObjects::renew(ObjectId id) {

@@ -56,6 +56,8 @@ class DerivedObjects {
   ObjectId add(std::string name, Trajectory constant);
   // Makes the object into another constant.
   void redefine(ObjectId id, std::string name, Trajectory constant);
+  // Makes the object into that of other bases, by the same construction.
+  void rebase(ObjectId id, std::string name, std::span<const ObjectId> bases);
   // Makes the trajectory from the bases' present ones.
   const Object& renew(ObjectId id);
   bool is_derived(ObjectId id) const { return id >= first_; }

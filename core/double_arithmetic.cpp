@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "core/first_root.h"
-#include "core/query_relation.h"
 
 namespace kinex {
 namespace {
@@ -114,8 +113,7 @@ class DoubleArithmetic final : public Arithmetic {
     }
     ++counters_.polynomials_solved[static_cast<std::size_t>(degree)];
     double from = now_;
-    const int relation =
-        own_ ? query_relation(query, query_, predicates_[query.predicate]->alternating()) : 0;
+    const int relation = own_ ? related(query, query_) : 0;
     if (relation < 0) {
       // Its root at now is known: start a few units behind it.
       if (degree == 1) return Outlook::kNever;

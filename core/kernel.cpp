@@ -66,6 +66,12 @@ ObjectId Kernel::derive(std::string name, std::shared_ptr<const Construction> co
   return id;
 }
 
+void Kernel::rederive(ObjectId derived, std::string name, std::span<const ObjectId> bases) {
+  derived_.rebase(derived, std::move(name), bases);
+  const DerivedObjects::Object& object = derived_.object(derived);
+  arithmetic_->set_motion(derived, object.trajectory, object.until);
+}
+
 ObjectId Kernel::constant(std::string name, std::vector<Rational> coordinates) {
   const ObjectId id = derived_.add(std::move(name), constant_trajectory(std::move(coordinates)));
   arithmetic_->set_motion(id, derived_.object(id).trajectory, std::nullopt);

@@ -60,6 +60,8 @@ class Kernel {
   // An object made by `construction` from `bases`, which must exist. `name` is for logs.
   ObjectId derive(std::string name, std::shared_ptr<const Construction> construction,
                   std::span<const ObjectId> bases);
+  // Makes a derived object into that of other bases; no live certificate may hold it.
+  void rederive(ObjectId derived, std::string name, std::span<const ObjectId> bases);
   // An object of constant coordinates, one per axis.
   ObjectId constant(std::string name, std::vector<Rational> coordinates);
   // Makes a constant into another one; no live certificate may hold it.

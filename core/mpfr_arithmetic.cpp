@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "core/mpfr_first_root.h"
-#include "core/query_relation.h"
 
 namespace kinex {
 namespace {
@@ -110,8 +109,7 @@ class MpfrArithmetic final : public Arithmetic {
       counters_.polynomials_solved.resize(degree + 1);
     ++counters_.polynomials_solved[degree];
     MpFloat from = now_;
-    const int relation =
-        own_ ? query_relation(query, query_, predicates_[query.predicate]->alternating()) : 0;
+    const int relation = own_ ? related(query, query_) : 0;
     if (relation < 0) {
       if (degree == 1) return Outlook::kNever;
       // Its root at now is known: start a few units behind it.

@@ -43,6 +43,9 @@ class Predicate {
   // sign. 0 or 1: no identity. So a certificate over the same objects has the same roots.
   virtual int alternating() const = 0;
 
+  // The name of the predicate whose value over the same arguments is this one's negated; empty: none.
+  virtual std::string_view opposite() const { return {}; }
+
   // The value as a polynomial in t, low degree first, degree(motion_degree) + 1 coefficients.
   // points[i] is the motion of the i-th argument.
   //

@@ -54,6 +54,13 @@ class PoseForm final : public Predicate {
   int dimension() const override { return kPoseAxes; }
   int degree(int motion_degree) const override { return motion_degree; }
   int alternating() const override { return 0; }
+  std::string_view opposite() const override {
+    if constexpr (requires { form_.opposite(); }) {
+      return form_.opposite();
+    } else {
+      return {};
+    }
+  }
   // In all its arguments together; each is homogeneous by itself.
   int homogeneity() const override { return Form::kArity; }
 

@@ -12,6 +12,9 @@ struct NormalOrder {
   bool reversed;
 
   std::string_view name() const { return reversed ? "normal_order_reversed" : "normal_order"; }
+  std::string_view opposite() const {
+    return reversed ? "normal_order" : "normal_order_reversed";
+  }
 
   template <class R>
   std::array<R, 2> factors(const Constant<R>* constants) const {

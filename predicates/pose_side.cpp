@@ -13,6 +13,7 @@ struct SideA {
   bool inward;
 
   std::string_view name() const { return inward ? "inside_a" : "side_a"; }
+  std::string_view opposite() const { return inward ? "side_a" : "inside_a"; }
 
   // N t.m - N h - (c (m.b) + s (b x m))
   template <class R>
@@ -32,6 +33,7 @@ struct SideB {
   bool inward;
 
   std::string_view name() const { return inward ? "inside_b" : "side_b"; }
+  std::string_view opposite() const { return inward ? "side_b" : "inside_b"; }
 
   // N R^T t.g - N h - (c (g.a) + s (g x a))
   template <class R>
