@@ -41,8 +41,37 @@ ObjectId BodyFrame::apex(std::uint32_t node) {
   return id;
 }
 
+ObjectId BodyFrame::vertex(std::uint32_t i) {
+  vertices_.resize(size(), kNoObject);
+  if (vertices_[i] == kNoObject) vertices_[i] = constants_->point(hierarchy_.polygon().vertices[i]);
+  return vertices_[i];
+}
+
+ObjectId BodyFrame::polygon_edge(std::uint32_t i) {
+  polygon_edges_.resize(size(), kNoObject);
+  ObjectId& id = polygon_edges_[i];
+  if (id == kNoObject) id = constants_->line(hierarchy_.polygon().edges[i]);
+  return id;
+}
+
+ObjectId BodyFrame::across(std::uint32_t edge, bool last) {
+  std::vector<ObjectId>& ids = across_[last ? 1 : 0];
+  ids.resize(size(), kNoObject);
+  if (ids[edge] == kNoObject) {
+    const FramePolygon& polygon = hierarchy_.polygon();
+    // The normal turned by a quarter counter-clockwise.
+    const FrameLine& line = polygon.edges[edge];
+    ids[edge] = constants_->line(frame_line(Rational(-line.ny), Rational(line.nx),
+                                            polygon.vertices[last ? after(edge) : edge]));
+  }
+  return ids[edge];
+}
+
 std::size_t BodyFrame::bytes() const {
-  return hierarchy_.bytes() + (lines_.capacity() + points_.capacity()) * sizeof(ObjectId);
+  return hierarchy_.bytes() +
+         (lines_.capacity() + points_.capacity() + vertices_.capacity() +
+          polygon_edges_.capacity() + across_[0].capacity() + across_[1].capacity()) *
+             sizeof(ObjectId);
 }
 
 BodyFrames::BodyFrames(Kernel& kernel, const Scene& scene, CutPolicy policy)

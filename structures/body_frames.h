@@ -44,16 +44,23 @@ class BodyFrame {
   // The line of an edge, the apex of a node.
   ObjectId line(std::uint32_t edge);
   ObjectId apex(std::uint32_t node);
-  // Of the polygon itself: vertex i, and the line of the edge from it to the next.
-  ObjectId vertex(std::uint32_t i) { return constants_->point(hierarchy_.polygon().vertices[i]); }
-  ObjectId polygon_edge(std::uint32_t i) { return constants_->line(hierarchy_.polygon().edges[i]); }
+  // Of the polygon itself: vertex i, the line of edge i from it to the next, and the lines across
+  // that edge at its first and at its last end, with normals in the edge's direction.
+  ObjectId vertex(std::uint32_t i);
+  ObjectId polygon_edge(std::uint32_t i);
+  ObjectId across(std::uint32_t edge, bool last);
+  std::uint32_t size() const { return static_cast<std::uint32_t>(hierarchy_.polygon().size()); }
+  std::uint32_t after(std::uint32_t i) const { return i + 1 == size() ? 0 : i + 1; }
+  std::uint32_t before(std::uint32_t i) const { return i == 0 ? size() - 1 : i - 1; }
   FrameConstants& constants() { return *constants_; }
   std::size_t bytes() const;
 
  private:
   OuterHierarchy hierarchy_;
   FrameConstants* constants_;
-  std::vector<ObjectId> lines_, points_;  // kNoObject: not made yet
+  // kNoObject: not made yet
+  std::vector<ObjectId> lines_, points_, vertices_, polygon_edges_;
+  std::array<std::vector<ObjectId>, 2> across_;
 };
 
 class BodyFrames {

@@ -32,7 +32,9 @@ void CollisionPairs::rebuild() {
 
 void CollisionPairs::certificate_failed(CertificateId failed) {
   const std::uint32_t tag = kernel_.tag(failed);
+  failed_ = failed;
   fail(tag / kMostCertificates, tag % kMostCertificates);
+  failed_ = kNoCertificate;
 }
 
 void CollisionPairs::insert(ObjectId object) {
@@ -115,7 +117,9 @@ void CollisionPairs::set_certificates(PairId p, std::span<const Query> queries) 
   };
   for (std::size_t slot = 0; slot < queries.size(); ++slot) {
     for (std::uint32_t i = 0; i < before; ++i) {
-      if ((used >> i & 1) != 0 || !(kernel_.query(old[i]) == queries[slot])) continue;
+      // The one that failed is out of the queue: if its claim is needed again it is made anew.
+      if ((used >> i & 1) != 0 || old[i] == failed_) continue;
+      if (!(kernel_.query(old[i]) == queries[slot])) continue;
       used |= 1u << i;
       now[slot] = old[i];
       kernel_.set_tag(old[i], tag(slot));

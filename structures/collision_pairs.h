@@ -107,6 +107,7 @@ class CollisionPairs : public Structure {
   std::vector<PairId> free_;
   std::vector<std::vector<PairId>> pairs_of_;  // per body
   std::vector<std::uint8_t> alive_;
+  CertificateId failed_ = kNoCertificate;  // while it is handled
   std::size_t live_pairs_ = 0, most_pairs_ = 0;
 };
 

@@ -113,6 +113,10 @@ class MixedTiles {
 
   Tile ascend(std::uint8_t z, Id edge, Id node, int time) const;
   Move descend(std::uint8_t z, Id edge, Id node, int time) const;
+  // The point has passed the line of edge + node, both of the last state: contact, unless it has
+  // passed it beyond the side's ends and is not in M.
+  Move at_boundary(std::uint8_t z, Id edge, Id node) const;
+  std::uint32_t choose_side(const Tile& tile, std::uint32_t slot) const;
   Move cross(const Tile& tile, std::uint32_t slot) const;
   std::optional<Move> flip(const Tile& tile, std::uint32_t slot) const;
   bool holds(const Tile& tile) const;

@@ -25,7 +25,7 @@ MixedTiles::Move MixedTiles::descend(std::uint8_t z, Id edge, Id node, int time)
   for (;;) {
     const int tu = cut_time(w, node), tl = cut_time(z, l), tr = cut_time(z, r);
     const int first = std::min({tu, tl, tr});
-    if (first == kNever) return {std::nullopt, z, edge, node};
+    if (first == kNever) return at_boundary(z, edge, node);
     if (tu == first) {
       const bool left = before(z, edge, tree(w).node(node).cut);
       return {Tile{left ? Tile::Kind::kLeft : Tile::Kind::kRight, w, node, edge}, 0, 0, 0};
@@ -55,6 +55,38 @@ MixedTiles::Move MixedTiles::descend(std::uint8_t z, Id edge, Id node, int time)
   }
 }
 
+// A side is a segment, its certificate a line: where sides fail together, at a corner or because a
+// tile is flat, the point may have passed the line beside the segment.
+MixedTiles::Move MixedTiles::at_boundary(std::uint8_t z, Id edge, Id node) const {
+  const Id l = first_end(z, edge, kNever), r = last_end(z, edge, kNever);
+  if (along(z, edge, l, node) == Sign::kNegative || along(z, edge, r, node) == Sign::kPositive) {
+    if (const auto tile = locate()) return {tile, 0, 0, 0};
+  }
+  return {std::nullopt, z, edge, node};
+}
+
+// Of the two inner sides of a parallelogram, or of the two outer ones, that both fail: the one that
+// the point has passed. They are one line while f is parallel to the other sides.
+std::uint32_t MixedTiles::choose_side(const Tile& tile, std::uint32_t slot) const {
+  const std::uint8_t x = tile.x, y = other(x);
+  const bool left = tile.kind == Tile::Kind::kLeft;
+  const std::uint32_t inner = left ? 3 : 2, outer = left ? 2 : 3;  // beside f's own, slots 0 and 1
+  const bool is_inner = slot == 0 || slot == inner;
+  const std::uint32_t own = is_inner ? 0 : 1, lateral = is_inner ? inner : outer;
+  const Certificates proof = certificates(tile);
+  const std::uint32_t partner = slot == own ? lateral : own;
+  if (kernel_.arithmetic().sign_after(proof.query[partner]) != Sign::kNegative) return slot;
+  const OuterHierarchy::Node& v = tree(x).node(tile.v);
+  const int time = cut_time(x, tile.v);
+  const Id f = tile.other;
+  // The corner between them, seen along f.
+  const bool at_last = left == is_inner;
+  const Id corner = at_last ? last_end(y, f, time) : first_end(y, f, time);
+  const Sign sign = along(y, f, corner, is_inner ? (left ? v.left : v.right) : tile.v);
+  const bool on_own = at_last ? sign != Sign::kPositive : sign != Sign::kNegative;
+  return on_own ? own : lateral;
+}
+
 MixedTiles::Move MixedTiles::cross(const Tile& tile, std::uint32_t slot) const {
   const std::uint8_t x = tile.x, y = other(x);
   if (tile.kind == Tile::Kind::kHalf) return descend(x, tile.v, tile.other, -1);
@@ -76,6 +108,7 @@ MixedTiles::Move MixedTiles::cross(const Tile& tile, std::uint32_t slot) const {
   }
   const Id f = tile.other;
   const bool left = tile.kind == Tile::Kind::kLeft;
+  slot = choose_side(tile, slot);
   if (slot == 0) return descend(y, f, left ? v.left : v.right, time);
   if (slot == 1) return to(ascend(y, f, tile.v, time));
   if (slot == 2) {
