@@ -42,7 +42,11 @@ FramePoint frame_point(const Rational& x, const Rational& y) {
 }
 
 FrameLine frame_line(const Rational& nx, const Rational& ny, const FramePoint& through) {
-  const Rational h = (nx * Rational(through.x) + ny * Rational(through.y)) / Rational(through.w);
+  return frame_line(nx, ny,
+                    (nx * Rational(through.x) + ny * Rational(through.y)) / Rational(through.w));
+}
+
+FrameLine frame_line(const Rational& nx, const Rational& ny, const Rational& h) {
   const Rational scale(lcm(lcm(nx.denominator(), ny.denominator()), h.denominator()));
   FrameLine line{(nx * scale).numerator(), (ny * scale).numerator(), (h * scale).numerator()};
   make_primitive(line.nx, line.ny, line.h);

@@ -36,6 +36,8 @@ struct FrameLine {
 FramePoint frame_point(const Rational& x, const Rational& y);
 // The line of this normal, not zero, through a point.
 FrameLine frame_line(const Rational& nx, const Rational& ny, const FramePoint& through);
+// The points p with n.p = h.
+FrameLine frame_line(const Rational& nx, const Rational& ny, const Rational& h);
 // Where two lines meet whose normals turn counter-clockwise from the first to the second by less
 // than half a turn.
 FramePoint meeting(const FrameLine& first, const FrameLine& second);

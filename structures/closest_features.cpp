@@ -98,7 +98,7 @@ ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State
 void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
   const SumBoundary sum = boundary(p);
   const State state = state_[p];
-  if (state.edge && slot == 4) {
+  if (is_contact_slot(p, slot)) {
     const Feature line{true, state.e}, vertex{false, state.v};
     contact(p, state.z == 0 ? line : vertex, state.z == 0 ? vertex : line);
     return;

@@ -39,6 +39,10 @@ class ClosestFeatures : public CollisionPairs {
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
   std::uint32_t most_certificates() const override { return 5; }
+  // The certificate of this slot is the one that fails at contact.
+  bool is_contact_slot(PairId p, std::uint32_t slot) const { return state_[p].edge && slot == 4; }
+
+  PosePredicates predicates_;
 
  private:
   // Vertices x of A and y of B' (edge = false), or vertex `v` of the other polygon and edge `e` of
@@ -52,7 +56,6 @@ class ClosestFeatures : public CollisionPairs {
   void enter(PairId p, const SumBoundary& sum, const State& state);
   State next(const SumBoundary& sum, const State& state, std::uint32_t slot) const;
 
-  PosePredicates predicates_;
   std::vector<State> state_;  // per pair
 };
 

@@ -47,25 +47,32 @@ void SeparationMixed::fail(PairId p, std::uint32_t slot) {
     return;
   }
   if (!move->tile) {
-    const std::array<BodyFrame*, 2> frames = frames_of(p);
-    const OuterHierarchy& own = frames[move->x]->hierarchy();
-    const OuterHierarchy& other = frames[1 - move->x]->hierarchy();
-    const OuterHierarchy::Edge& edge = own.edge(move->edge);
-    const OuterHierarchy::Node& leaf = other.node(move->node);
-    Feature line, vertex;
-    line.edge = edge.polygon_edge != OuterHierarchy::kNone;
-    if (line.edge) {
-      line.i = edge.polygon_edge;
-    } else {
-      line.i = own.node(edge.first).begin % static_cast<std::uint32_t>(own.polygon().size());
-    }
-    vertex.i = leaf.begin % static_cast<std::uint32_t>(other.polygon().size());
-    contact(p, move->x == 0 ? line : vertex, move->x == 0 ? vertex : line);
+    const Features met = features(p, *move);
+    contact(p, met.of_a, met.of_b);
     return;
   }
   const bool half = from.kind == Tile::Kind::kHalf || move->tile->kind == Tile::Kind::kHalf;
   enter(p, about, *move->tile);
   report(p, half ? kCell : is_side ? kSide : kFlip);
+}
+
+SeparationMixed::Features SeparationMixed::features(PairId p, const MixedTiles::Move& move) {
+  const std::array<BodyFrame*, 2> frames = frames_of(p);
+  const OuterHierarchy& own = frames[move.x]->hierarchy();
+  const OuterHierarchy& other = frames[1 - move.x]->hierarchy();
+  const auto vertex_at = [](const OuterHierarchy& tree, std::uint32_t leaf) {
+    return Feature{false,
+                   tree.node(leaf).begin % static_cast<std::uint32_t>(tree.polygon().size())};
+  };
+  const OuterHierarchy::Edge& edge = own.edge(move.edge);
+  // A line that only touches the polygon touches it at a vertex.
+  std::uint32_t end = edge.first;
+  while (own.node(end).right != OuterHierarchy::kNone) end = own.node(end).right;
+  const Feature line = edge.polygon_edge == OuterHierarchy::kNone
+                           ? vertex_at(own, end)
+                           : Feature{true, edge.polygon_edge};
+  const Feature vertex = vertex_at(other, move.node);
+  return move.x == 0 ? Features{line, vertex} : Features{vertex, line};
 }
 
 std::optional<Tile> SeparationMixed::tile(ObjectId a, ObjectId b) const {

@@ -6,7 +6,7 @@
 // tile of the exterior's hierarchy that holds the point (structures/mixed_tiles.h): far from M
 // tiles are large.
 //   separation_mixed      the mixed hierarchy, for rigid motions; never built whole
-//   separation_minkowski  the hierarchy of M; only while nothing turns (rotors are constant)
+//   separation_minkowski  the hierarchy of M (separation_minkowski.h); only where nothing turns
 //
 // Quality. Compactness: at most 6 certificates a pair, O(n) for the trees. Responsiveness: O(depth)
 // signs and at most 6 new certificates an event. Events, for motions of constant degree at distance
@@ -50,6 +50,11 @@ class SeparationMixed : public CollisionPairs {
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
   std::uint32_t most_certificates() const override { return MixedTiles::kMost; }
+  // The features of the two bodies that meet.
+  struct Features {
+    Feature of_a, of_b;
+  };
+  virtual Features features(PairId p, const MixedTiles::Move& contact);
   // The two hierarchies of a pair.
   virtual std::array<BodyFrame*, 2> frames_of(PairId p);
 
