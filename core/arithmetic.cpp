@@ -8,6 +8,7 @@
 #include "core/exact_arithmetic.h"
 #include "core/gsl_arithmetic.h"
 #include "core/mpfr_arithmetic.h"
+#include "core/query_relation.h"
 #include "core/sturm_arithmetic.h"
 
 namespace kinex {
@@ -24,8 +25,23 @@ PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
   predicates_.push_back(std::move(predicate));
   counters_.by_predicate.emplace_back();
   const PredicateId id = static_cast<PredicateId>(predicates_.size() - 1);
+  opposite_.push_back(id);
+  const std::string_view wanted = predicates_[id]->opposite();
+  for (PredicateId other = id; !wanted.empty() && other-- > 0;) {
+    if (opposite_[other] != other || predicates_[other]->name() != wanted) continue;
+    opposite_[other] = id;
+    opposite_[id] = other;
+    break;
+  }
   bound_predicate(id);
   return id;
+}
+
+int Arithmetic::related(const Query& a, const Query& b) const {
+  if (a.predicate == b.predicate) {
+    return query_relation(a, b, predicates_[a.predicate]->alternating());
+  }
+  return opposite_[a.predicate] == b.predicate && a.ids == b.ids ? -1 : 0;
 }
 
 std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene) {

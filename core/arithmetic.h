@@ -110,6 +110,9 @@ class Arithmetic {
   const ArithmeticCounters& counters() const { return counters_; }
 
  protected:
+  // +1 or -1: the polynomial of `a` is that of `b` times this sign (arguments permuted, or opposite
+  // predicates); 0: not related so.
+  int related(const Query& a, const Query& b) const;
   // Called by bind, after the predicate has been stored.
   virtual void bound_predicate(PredicateId) {}
 
@@ -120,6 +123,9 @@ class Arithmetic {
 
   ArithmeticCounters counters_;
   std::vector<std::shared_ptr<const Predicate>> predicates_;
+
+ private:
+  std::vector<PredicateId> opposite_;  // of every predicate; itself: none
 };
 
 // "exact", "sturm", "double", "gsl", "mpfr:P" (2 <= P <= 100000). `scene` decides what is built: degree,

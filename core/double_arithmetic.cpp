@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "core/first_root.h"
-#include "core/query_relation.h"
 
 namespace kinex {
 namespace {
@@ -19,8 +18,8 @@ constexpr int kRoom = filter::kMaxFilterDegree + 1;
 class DoubleArithmetic final : public Arithmetic {
  public:
   explicit DoubleArithmetic(const Scene& scene)
-      : degree_(std::max(1, scene.degree())),
-        dimension_(scene.dimension),
+      : degree_(std::max(1, scene.held_degree())),
+        dimension_(scene.held_axes()),
         stride_(static_cast<std::size_t>(dimension_) * static_cast<std::size_t>(degree_ + 1)),
         coefficients_(scene.objects.size() * stride_, 0.0),
         end_(scene.end ? scene.end->to_double() : kInfinity),
@@ -38,6 +37,10 @@ class DoubleArithmetic final : public Arithmetic {
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override {
     if (trajectory.degree() > degree_) widen(trajectory.degree());
+    if (object >= coefficients_.size() / stride_) {
+      coefficients_.resize((object + std::size_t{1}) * stride_, 0.0);
+      if (!until_.empty()) until_.resize(object + std::size_t{1}, kInfinity);
+    }
     double* out = &coefficients_[object * stride_];
     std::fill(out, out + stride_, 0.0);
     for (std::size_t a = 0; a < trajectory.coordinates.size(); ++a) {
@@ -110,8 +113,7 @@ class DoubleArithmetic final : public Arithmetic {
     }
     ++counters_.polynomials_solved[static_cast<std::size_t>(degree)];
     double from = now_;
-    const int relation =
-        own_ ? query_relation(query, query_, predicates_[query.predicate]->alternating()) : 0;
+    const int relation = own_ ? related(query, query_) : 0;
     if (relation < 0) {
       // Its root at now is known: start a few units behind it.
       if (degree == 1) return Outlook::kNever;

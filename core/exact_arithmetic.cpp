@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "core/first_root.h"
-#include "core/query_relation.h"
 
 namespace kinex {
 namespace {
@@ -90,7 +89,6 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   PredicateModel model;
   const NumberModel& numbers = motions_.model();
   model.degree = p.degree(numbers.degree);
-  model.alternating = p.alternating();
   model.homogeneity = p.homogeneity();
   if (numbers.narrow) {
     model.narrow = p.narrow_fits(numbers.degree, numbers.magnitude.data());
@@ -234,7 +232,7 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
     for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.ball(query.ids[i]);
     Ball out[kRoomForCoefficients];
     predicate.ball(motions_.degree(), points.data(), origin_, out);
-    p.origin = motions_.degree() <= kMaxFixedDegree ? origin_ : 0;
+    p.origin = predicate.shifts(motions_.degree()) ? origin_ : 0;
     // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
     const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(0);
     double sum = 0;
@@ -250,7 +248,7 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
 }
 
 int ExactArithmetic::relation_to_now(const Query& query) const {
-  return now_.own ? query_relation(query, now_.query, models_[query.predicate].alternating) : 0;
+  return now_.own ? related(query, now_.query) : 0;
 }
 
 // The sign of p on all of [now.lo, now.hi], if it is one and the same for certain; it is then the

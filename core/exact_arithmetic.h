@@ -78,7 +78,6 @@ class ExactArithmetic final : public Arithmetic {
   struct PredicateModel {
     bool narrow = false;  // 128-bit integers hold the polynomial of any narrow motions
     int degree = 0;
-    int alternating = 0;
     int homogeneity = 0;
     bool linear = false;     // a difference of linear motions: doubles hold the polynomial
     double reach_error = 0;  // Predicate::reach_error divided by gamma (core/first_root.h)

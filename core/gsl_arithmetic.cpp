@@ -11,8 +11,6 @@
 #include <limits>
 #include <mutex>
 
-#include "core/query_relation.h"
-
 namespace kinex {
 namespace {
 
@@ -49,8 +47,8 @@ double horner(const std::vector<double>& c, double t) {
 class GslArithmetic final : public Arithmetic {
  public:
   explicit GslArithmetic(const Scene& scene)
-      : degree_(std::max(1, scene.degree())),
-        axes_(static_cast<std::size_t>(std::max(1, scene.dimension))),
+      : degree_(std::max(1, scene.held_degree())),
+        axes_(static_cast<std::size_t>(std::max(1, scene.held_axes()))),
         coefficients_(scene.objects.size() * stride(), 0.0),
         until_(scene.objects.size(), kInfinity),
         end_(scene.end ? scene.end->to_double() : kInfinity),
@@ -122,10 +120,7 @@ class GslArithmetic final : public Arithmetic {
       counters_.polynomials_solved.resize(c_.size());
     }
     ++counters_.polynomials_solved[c_.size() - 1];
-    const int relation =
-        failed_.arity == 0
-            ? 0
-            : query_relation(query, failed_, predicates_[query.predicate]->alternating());
+    const int relation = failed_.arity == 0 ? 0 : related(query, failed_);
     if (relation > 0 || (relation == 0 && sign_at_now() == Sign::kNegative)) {
       time = {now_, now_, relation > 0 ? 0 : kBornFailing};
       return Outlook::kFailsNow;
@@ -292,7 +287,7 @@ class GslArithmetic final : public Arithmetic {
   std::vector<double> until_;  // per object
   double end_;
   double now_;
-  Query failed_;  // now is a failure time found for it; arity 0: none
+  Query failed_;     // now is a failure time found for it; arity 0: none
   double home_ = 0;  // where leave() goes back to
   Query failed_at_home_;
   std::vector<double> c_, packed_, roots_;

@@ -26,13 +26,20 @@ constexpr int kWindowBits = 16;
 // An estimate is made from at least so many retractions.
 constexpr std::uint64_t kSample = 64;
 
+Trajectory constant_trajectory(std::vector<Rational> coordinates) {
+  Trajectory trajectory;
+  for (Rational& c : coordinates) trajectory.coordinates.push_back({std::move(c)});
+  return trajectory;
+}
+
 }  // namespace
 
 Kernel::Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects, Scheduling scheduling)
     : arithmetic_(std::move(arithmetic)),
       queue_(*arithmetic_),
       scheduling_(scheduling),
-      objects_(objects) {}
+      objects_(objects),
+      derived_(objects) {}
 
 PredicateId Kernel::bind(std::shared_ptr<const Predicate> predicate) {
   return arithmetic_->bind(std::move(predicate));
@@ -45,6 +52,52 @@ StructureId Kernel::add_structure() {
   shared_.push_back(0);
   windows_.push_back({kInfinity, 0, kInfinity, 0, 0});
   return static_cast<StructureId>(ledgers_.size() - 1);
+}
+
+// ---- derived objects
+
+ObjectId Kernel::derive(std::string name, std::shared_ptr<const Construction> construction,
+                        std::span<const ObjectId> bases) {
+  const ObjectId id = derived_.add(std::move(name), std::move(construction), bases);
+  const DerivedObjects::Object& object = derived_.object(id);
+  arithmetic_->set_motion(id, object.trajectory, object.until);
+  make_room(id);
+  return id;
+}
+
+void Kernel::rederive(ObjectId derived, std::string name, std::span<const ObjectId> bases) {
+  derived_.rebase(derived, std::move(name), bases);
+  const DerivedObjects::Object& object = derived_.object(derived);
+  arithmetic_->set_motion(derived, object.trajectory, object.until);
+}
+
+ObjectId Kernel::constant(std::string name, std::vector<Rational> coordinates) {
+  const ObjectId id = derived_.add(std::move(name), constant_trajectory(std::move(coordinates)));
+  arithmetic_->set_motion(id, derived_.object(id).trajectory, std::nullopt);
+  make_room(id);
+  return id;
+}
+
+void Kernel::redefine(ObjectId constant, std::string name, std::vector<Rational> coordinates) {
+  derived_.redefine(constant, std::move(name), constant_trajectory(std::move(coordinates)));
+  arithmetic_->set_motion(constant, derived_.object(constant).trajectory, std::nullopt);
+}
+
+void Kernel::make_room(ObjectId object) {
+  if (object < objects_) return;
+  objects_ = object + std::size_t{1};
+  for (auto& live : live_per_object_) live.resize(objects_, 0u);
+  if (indexed_) index_.resize(objects_);
+}
+
+void Kernel::set_motion(ObjectId object, const Trajectory& trajectory,
+                        const std::optional<Rational>& until) {
+  arithmetic_->set_motion(object, trajectory, until);
+  derived_.set_motion(object, trajectory, until);
+  for (const ObjectId id : derived_.dependents(object)) {
+    const DerivedObjects::Object& renewed = derived_.renew(id);
+    arithmetic_->set_motion(id, renewed.trajectory, renewed.until);
+  }
 }
 
 // ---- certificates
@@ -344,7 +397,7 @@ std::span<const CertificateId> Kernel::certificates_of(ObjectId object) {
 }
 
 std::size_t Kernel::bytes() const {
-  std::size_t total = queue_.bytes() + ledgers_.size() * sizeof(StructureLedger) +
+  std::size_t total = queue_.bytes() + derived_.bytes() + ledgers_.size() * sizeof(StructureLedger) +
                       touched_.capacity() * sizeof(touched_[0]) +
                       index_position_.capacity() * sizeof(index_position_[0]) +
                       index_.capacity() * sizeof(index_[0]);

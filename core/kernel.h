@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 
 #include "core/arithmetic.h"
 #include "core/certificate.h"
+#include "core/derived_objects.h"
 #include "core/event.h"
 #include "core/event_queue.h"
 #include "core/ledger.h"
@@ -54,6 +56,18 @@ class Kernel {
   // The certificate now says something else (same id; counted as one retracted and one created).
   Outlook replace(CertificateId id, const Query& query, std::uint32_t tag);
 
+  // ---- derived objects (scenes of bodies); ids beyond those of the scene -----------------------
+  // An object made by `construction` from `bases`, which must exist. `name` is for logs.
+  ObjectId derive(std::string name, std::shared_ptr<const Construction> construction,
+                  std::span<const ObjectId> bases);
+  // Makes a derived object into that of other bases; no live certificate may hold it.
+  void rederive(ObjectId derived, std::string name, std::span<const ObjectId> bases);
+  // An object of constant coordinates, one per axis.
+  ObjectId constant(std::string name, std::vector<Rational> coordinates);
+  // Makes a constant into another one; no live certificate may hold it.
+  void redefine(ObjectId constant, std::string name, std::vector<Rational> coordinates);
+  const DerivedObjects& derived() const { return derived_; }
+
   const Query& query(CertificateId id) const { return queue_.certificate(id).query; }
   std::uint32_t tag(CertificateId id) const { return queue_.certificate(id).tag; }
   // The certificate will be replaced or retracted soon: its memory is fetched meanwhile.
@@ -87,6 +101,11 @@ class Kernel {
   bool is_exact() const { return arithmetic_->is_exact(); }
 
   // ---- for the simulator ---------------------------------------------------------------------
+  // The motion of an object of the scene from now on, and of those derived from it.
+  void set_motion(ObjectId object, const Trajectory& trajectory,
+                  const std::optional<Rational>& until);
+  // Before the first motion is set: objects will be derived.
+  void keep_motions() { derived_.keep_motions(); }
   // The first in the queue is the end of a window: looks further.
   void look_further();
   Arithmetic& arithmetic() { return *arithmetic_; }
@@ -143,6 +162,7 @@ class Kernel {
     const Certificate& c = queue_.certificate(id);
     if (c.outlook == Outlook::kFails && queue_.queued(id)) ++ledgers_[c.structure]->failures_unused;
   }
+  void make_room(ObjectId object);
   void count_created(StructureId structure, const Query& query);
   void count_retracted(StructureId structure, const Query& query);
   void count_replaced(StructureId structure, const Query& before, const Query& after);
@@ -177,7 +197,8 @@ class Kernel {
   std::vector<std::vector<CertificateId>> index_;
   std::vector<std::array<std::uint32_t, kMaxArity>> index_position_;
   bool indexed_ = false;
-  std::size_t objects_;
+  std::size_t objects_;  // derived ones included
+  DerivedObjects derived_;
   class EventReporter* reporter_ = nullptr;
   Event event_;
   // counts that have grown since begin_event or begin_change

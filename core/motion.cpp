@@ -5,9 +5,12 @@
 
 namespace kinex {
 
-int Trajectory::degree() const {
+int Trajectory::degree() const { return degree_of_axes(0, dimension()); }
+
+int Trajectory::degree_of_axes(int first, int last) const {
   int degree = 0;
-  for (const std::vector<Rational>& axis : coordinates) {
+  for (int a = first; a < std::min(last, dimension()); ++a) {
+    const std::vector<Rational>& axis = coordinates[static_cast<std::size_t>(a)];
     for (std::size_t k = axis.size(); k-- > 1;) {
       if (axis[k].is_zero()) continue;
       degree = std::max(degree, static_cast<int>(k));
@@ -35,7 +38,11 @@ Rational Trajectory::position(int axis, const Rational& t) const {
 }
 
 bool Trajectory::meets(const Trajectory& other, const Rational& t) const {
-  for (int axis = 0; axis < dimension(); ++axis) {
+  const bool body = dimension() == kBodyAxes;
+  if (body && position(2, t) * other.position(3, t) != position(3, t) * other.position(2, t)) {
+    return false;
+  }
+  for (int axis = 0; axis < (body ? 2 : dimension()); ++axis) {
     if (position(axis, t) != other.position(axis, t)) return false;
   }
   return true;

@@ -10,6 +10,10 @@
 
 namespace kinex {
 
+// A rigid body in the plane has four coordinates: x, y of its frame's origin and a rotor p, q that turns
+// the frame by twice the angle of p + iq (p and q never vanish together).
+inline constexpr int kBodyAxes = 4;
+
 // coordinates[axis][power]: coefficient of t^power (absolute t), low degree first. Every axis has
 // at least one coefficient; trailing zeros are stripped by normalise().
 struct Trajectory {
@@ -18,10 +22,13 @@ struct Trajectory {
   int dimension() const { return static_cast<int>(coordinates.size()); }
   // Largest power with a non-zero coefficient on any axis; 0 for a static object.
   int degree() const;
+  // The same for the axes in [first, last) alone.
+  int degree_of_axes(int first, int last) const;
   void normalise();
   // Requires axis < dimension().
   Rational position(int axis, const Rational& t) const;
-  // True if both are at the same place at t. Requires equal dimensions.
+  // True if both are at the same place at t, and for bodies in the same position: rotors are equal up to
+  // a factor. Requires equal dimensions.
   bool meets(const Trajectory& other, const Rational& t) const;
   friend bool operator==(const Trajectory&, const Trajectory&) = default;
 };

@@ -23,8 +23,8 @@ Ball enclose(const Rational& q) {
 
 NumberModel choose_number_model(const Scene& scene) {
   NumberModel model;
-  model.dimension = scene.dimension;
-  model.degree = std::max(1, scene.degree());
+  model.dimension = scene.held_axes();
+  model.degree = std::max(1, scene.held_degree());
   const std::size_t powers = static_cast<std::size_t>(model.degree) + 1;
   const auto each = [&scene](auto&& visit) {
     for (const SceneObject& object : scene.objects) {
@@ -38,7 +38,7 @@ NumberModel choose_number_model(const Scene& scene) {
     }
     return true;
   };
-  bool narrow = model.degree <= kMaxFixedDegree;
+  bool narrow = model.degree <= kMaxFixedDegree && !scene.has_bodies();
   narrow = narrow && each([&model](std::size_t, const Rational& c) {
              if (c.is_integer()) return true;
              const Integer d = c.denominator();
@@ -132,7 +132,15 @@ void MotionStore::grow_degree(int degree) {
   need_balls();
 }
 
+void MotionStore::grow(std::size_t objects) {
+  objects_ = objects;
+  narrow_object_.resize(objects_, 0);
+  if (model_.narrow) narrow_.resize(objects_ * stride_, 0);
+  if (balls_needed_) balls_.resize(objects_ * stride_, Ball{});
+}
+
 void MotionStore::set(ObjectId object, const Trajectory& trajectory) {
+  if (object >= objects_) grow(object + std::size_t{1});
   if (trajectory.degree() > model_.degree) grow_degree(trajectory.degree());
   const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
   bool narrow = model_.narrow;

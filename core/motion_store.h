@@ -30,6 +30,7 @@ class MotionStore {
  public:
   MotionStore(const NumberModel& model, std::size_t objects);
 
+  // The object may be a new one.
   void set(ObjectId object, const Trajectory& trajectory);
   // Doubles with error bounds are kept only from the first call on.
   void need_balls();
@@ -52,6 +53,7 @@ class MotionStore {
     Integer denominator;
     std::vector<Integer> coefficients;  // times denominator
   };
+  void grow(std::size_t objects);
   void grow_degree(int degree);
   void set_ball(ObjectId object);
 

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "core/mpfr_first_root.h"
-#include "core/query_relation.h"
 
 namespace kinex {
 namespace {
@@ -19,8 +18,8 @@ class MpfrArithmetic final : public Arithmetic {
  public:
   MpfrArithmetic(const Scene& scene, long bits)
       : bits_(bits),
-        degree_(std::max(1, scene.degree())),
-        dimension_(static_cast<std::size_t>(scene.dimension)),
+        degree_(std::max(1, scene.held_degree())),
+        dimension_(static_cast<std::size_t>(scene.held_axes())),
         stride_(dimension_ * static_cast<std::size_t>(degree_ + 1)),
         coefficients_(scene.objects.size() * stride_, MpFloat(bits)),
         until_(scene.objects.size()),
@@ -36,6 +35,10 @@ class MpfrArithmetic final : public Arithmetic {
                   const std::optional<Rational>& until) override {
     if (trajectory.degree() > degree_) widen(trajectory.degree());
     const std::size_t powers = static_cast<std::size_t>(degree_) + 1;
+    if (object >= until_.size()) {
+      until_.resize(object + std::size_t{1});
+      coefficients_.resize(until_.size() * stride_, MpFloat(bits_));
+    }
     for (std::size_t k = 0; k < stride_; ++k) coefficients_[object * stride_ + k] = MpFloat(bits_);
     for (std::size_t a = 0; a < trajectory.coordinates.size(); ++a) {
       const auto& axis = trajectory.coordinates[a];
@@ -106,8 +109,7 @@ class MpfrArithmetic final : public Arithmetic {
       counters_.polynomials_solved.resize(degree + 1);
     ++counters_.polynomials_solved[degree];
     MpFloat from = now_;
-    const int relation =
-        own_ ? query_relation(query, query_, predicates_[query.predicate]->alternating()) : 0;
+    const int relation = own_ ? related(query, query_) : 0;
     if (relation < 0) {
       if (degree == 1) return Outlook::kNever;
       // Its root at now is known: start a few units behind it.

@@ -43,6 +43,9 @@ class Predicate {
   // sign. 0 or 1: no identity. So a certificate over the same objects has the same roots.
   virtual int alternating() const = 0;
 
+  // The name of the predicate whose value over the same arguments is this one's negated; empty: none.
+  virtual std::string_view opposite() const { return {}; }
+
   // The value as a polynomial in t, low degree first, degree(motion_degree) + 1 coefficients.
   // points[i] is the motion of the i-th argument.
   //
@@ -51,10 +54,11 @@ class Predicate {
   // True if `narrow` cannot overflow for motions whose coefficient of t^k is at most magnitude[k] in
   // absolute value on every axis (the predicate's own constants included).
   virtual bool narrow_fits(int motion_degree, const double* magnitude) const = 0;
-  // Doubles with proven error bounds, as a polynomial in t - shift (in t if motion_degree >
-  // kMaxFixedDegree).
+  // Doubles with proven error bounds, as a polynomial in t - shift (in t unless shifts()).
   virtual void ball(int motion_degree, const MotionView<Ball>* points, double shift,
                     Ball* out) const = 0;
+  // True if `ball` shifts motions of this degree.
+  virtual bool shifts(int motion_degree) const { return motion_degree <= kMaxFixedDegree; }
   // Plain doubles, as a polynomial in t - shift, no error accounting. The motions are shifted first, so
   // that differences of positions near that time are small; motion_degree > kMaxFixedDegree: shift = 0.
   virtual void plain(int motion_degree, const MotionView<double>* points, double shift,

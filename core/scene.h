@@ -3,6 +3,7 @@
 #ifndef KINEX_CORE_SCENE_H
 #define KINEX_CORE_SCENE_H
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,9 +17,15 @@ namespace kinex {
 using ObjectId = std::uint32_t;
 inline constexpr ObjectId kNoObject = 0xffffffffu;
 
+// A vertex of a polygon in the frame of the body that carries it.
+using Vertex2 = std::array<Rational, 2>;
+
+// A point, or a rigid body: a convex polygon, vertices counter-clockwise. A body's motion has kBodyAxes
+// axes.
 struct SceneObject {
   std::string id;
   Motion motion;
+  std::vector<Vertex2> polygon = {};  // empty: a point
 };
 
 // What a 1-D structure orders.
@@ -49,6 +56,14 @@ struct Scene {
 
   // Largest degree of any motion.
   int degree() const;
+  // True if the objects are rigid bodies; all are, or none is.
+  bool has_bodies() const { return !objects.empty() && !objects.front().polygon.empty(); }
+  // Coordinates of a motion: the dimension, or kBodyAxes.
+  int axes() const { return has_bodies() ? kBodyAxes : dimension; }
+  // What an arithmetic has to hold: the axes of its widest objects and the degree of their motions,
+  // derived objects (core/derived_objects.h) included.
+  int held_axes() const;
+  int held_degree() const;
 };
 
 }  // namespace kinex

@@ -37,6 +37,7 @@ Simulator::Simulator(const Scene& scene, std::unique_ptr<Arithmetic> arithmetic,
       pieces_(scene.objects.size(), 0),
       degree_(scene.degree()),
       reached_(scene.start) {
+  if (scene.has_bodies()) kernel_.keep_motions();
   for (const SceneObject& object : scene.objects) {
     for (const MotionPiece& piece : object.motion.pieces) check_trajectory(piece.trajectory);
   }

@@ -73,6 +73,10 @@ class Simulator final : private EventReporter {
   Structure& structure(StructureId id) { return *entries_[id].structure; }
   const SimulatorOptions& options() const { return options_; }
   const Structure& structure(StructureId id) const { return *entries_[id].structure; }
+  // The name of an object of the scene or of a derived one.
+  const std::string& object_name(ObjectId id) const {
+    return id < scene_.objects.size() ? scene_.objects[id].id : kernel_.derived().object(id).name;
+  }
   const std::string& label(StructureId id) const { return entries_[id].label; }
   // All event kinds by rank, the common ones included.
   std::vector<std::string_view> event_kinds(StructureId id) const;

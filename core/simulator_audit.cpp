@@ -2,6 +2,7 @@
 // Audits: all certificates right after now, and independent recomputation at a rational time.
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include "core/check.h"
@@ -20,10 +21,10 @@ constexpr std::size_t kInexactSteps = 8;
 }  // namespace
 
 Snapshot Simulator::snapshot(const Rational& t) const {
-  Snapshot result(t, scene_.dimension, alive_.size());
+  Snapshot result(t, scene_.axes(), alive_.size());
   for (ObjectId object = 0; object < alive_.size(); ++object) {
     if (!alive_[object]) continue;
-    for (int axis = 0; axis < scene_.dimension; ++axis) {
+    for (int axis = 0; axis < scene_.axes(); ++axis) {
       result.set(object, axis, trajectory_[object].position(axis, t));
     }
   }
@@ -45,7 +46,7 @@ void Simulator::audit_certificates() {
     std::string what = "negative right after now: " +
                        std::string(kernel_.arithmetic().predicate(c.query.predicate).name());
     for (std::size_t k = 0; k < c.query.arity; ++k) {
-      what += (k == 0 ? "(" : ", ") + scene_.objects[c.query.ids[k]].id;
+      what += (k == 0 ? "(" : ", ") + object_name(c.query.ids[k]);
     }
     violation(c.structure, what + ")");
   }
@@ -56,11 +57,23 @@ void Simulator::audit_certificates() {
 bool Simulator::certificates_hold(const Snapshot& positions) const {
   const EventQueue& queue = kernel_.queue();
   std::array<MotionView<Rational>, kMaxArity> points;
+  std::map<ObjectId, std::vector<Rational>> derived;
+  const auto position = [&](ObjectId id) -> MotionView<Rational> {
+    if (!kernel_.derived().is_derived(id)) return &positions.position(id, 0);
+    const auto [place, is_new] = derived.try_emplace(id);
+    if (is_new) {
+      const Trajectory& trajectory = kernel_.derived().trajectory(id);
+      for (int axis = 0; axis < trajectory.dimension(); ++axis) {
+        place->second.push_back(trajectory.position(axis, positions.time()));
+      }
+    }
+    return place->second.data();
+  };
   for (std::size_t i = 0; i < queue.capacity(); ++i) {
     const Certificate& c = queue.certificate(static_cast<CertificateId>(i));
     if (!c.live || c.outlook == Outlook::kIdenticallyZero) continue;
     for (std::size_t k = 0; k < c.query.arity; ++k)
-      points[k] = &positions.position(c.query.ids[k], 0);
+      points[k] = position(c.query.ids[k]);
     const Predicate& predicate = kernel_.arithmetic().predicate(c.query.predicate);
     if (predicate.rational(0, points.data()).front().sign() <= 0) return false;
   }

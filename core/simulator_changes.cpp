@@ -10,10 +10,9 @@
 namespace kinex {
 
 void Simulator::check_trajectory(const Trajectory& trajectory) const {
-  if (trajectory.dimension() != scene_.dimension) {
+  if (trajectory.dimension() != scene_.axes()) {
     throw std::invalid_argument("a motion in " + std::to_string(trajectory.dimension()) +
-                                " coordinates in a scene of dimension " +
-                                std::to_string(scene_.dimension));
+                                " coordinates in a scene of " + std::to_string(scene_.axes()));
   }
   for (const Entry& entry : entries_) {
     if (trajectory.degree() <= entry.structure->largest_motion_degree()) continue;
@@ -25,7 +24,7 @@ void Simulator::check_trajectory(const Trajectory& trajectory) const {
 
 void Simulator::put_in_force(ObjectId object, const Trajectory& trajectory,
                              const std::optional<Rational>& until) {
-  kernel_.arithmetic().set_motion(object, trajectory, until);
+  kernel_.set_motion(object, trajectory, until);
   trajectory_[object] = trajectory;
   ++pieces_[object];
 }
@@ -185,6 +184,10 @@ void Simulator::apply_updates(const std::vector<Change>& updates) {
     objects.push_back(update.object);
     const auto certificates = kernel_.certificates_of(update.object);
     affected.insert(affected.end(), certificates.begin(), certificates.end());
+    for (const ObjectId derived : kernel_.derived().dependents(update.object)) {
+      const auto more = kernel_.certificates_of(derived);
+      affected.insert(affected.end(), more.begin(), more.end());
+    }
   }
   std::sort(affected.begin(), affected.end());
   affected.erase(std::unique(affected.begin(), affected.end()), affected.end());

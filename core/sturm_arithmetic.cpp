@@ -65,8 +65,8 @@ class InstantPool {
 class SturmArithmetic final : public Arithmetic {
  public:
   explicit SturmArithmetic(const Scene& scene)
-      : degree_(std::max(1, scene.degree())),
-        axes_(static_cast<std::size_t>(std::max(1, scene.dimension))),
+      : degree_(std::max(1, scene.held_degree())),
+        axes_(static_cast<std::size_t>(std::max(1, scene.held_axes()))),
         coefficients_(scene.objects.size() * stride()),
         until_(scene.objects.size()),
         end_(scene.end),

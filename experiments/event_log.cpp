@@ -8,9 +8,9 @@ namespace kinex {
 
 namespace {
 
-void write_ids(JsonWriter& json, const Scene& scene, const ObjectId* ids, std::size_t count) {
+void write_ids(JsonWriter& json, const Simulator& simulator, const ObjectId* ids, std::size_t count) {
   json.begin_array();
-  for (std::size_t i = 0; i < count; ++i) json.string(scene.objects[ids[i]].id);
+  for (std::size_t i = 0; i < count; ++i) json.string(simulator.object_name(ids[i]));
   json.end_array();
 }
 
@@ -71,20 +71,19 @@ void EventLog::event(const Event& event, Arithmetic& arithmetic) {
   const std::string kind = event.kind < kinds.size() ? kinds[event.kind] : "?";
   std::vector<std::string_view> ids;
   for (std::size_t i = 0; i < event.count; ++i) {
-    ids.push_back(simulator_.scene().objects[event.ids[i]].id);
+    ids.push_back(simulator_.object_name(event.ids[i]));
   }
   digest_.add(digest_line(simulator_.label(event.structure), kind, ids));
   if (file_ != nullptr) write_line(event, kind, arithmetic);
 }
 
 void EventLog::write_line(const Event& event, std::string_view kind, Arithmetic& arithmetic) {
-  const Scene& scene = simulator_.scene();
   line_.clear();
   JsonWriter json(line_);
   json.begin_object().key("seq").number(events_);
   json.key("structure").string(simulator_.label(event.structure)).key("kind").string(kind);
   json.key("ids");
-  write_ids(json, scene, event.ids.data(), event.count);
+  write_ids(json, simulator_, event.ids.data(), event.count);
   json.key("certificate");
   const Query& certificate = event.certificate;
   if (certificate.arity == 0) {
@@ -92,7 +91,7 @@ void EventLog::write_line(const Event& event, std::string_view kind, Arithmetic&
   } else {
     json.begin_object().key("predicate");
     json.string(arithmetic.predicate(certificate.predicate).name()).key("ids");
-    write_ids(json, scene, certificate.ids.data(), certificate.arity);
+    write_ids(json, simulator_, certificate.ids.data(), certificate.arity);
     json.end_object();
   }
   json.key("external").boolean(event.external);

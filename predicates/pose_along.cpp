@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// along_a(pose, (m, h) of A, a, b) = N e.(t - a - R b), e = m turned by a quarter
+// counter-clockwise; along_b(pose, (g, h) of B', a, b) = N (R e).(t - a - R b), e = g turned
+// likewise; both times the weights of a and b. Linear in each argument; see predicates/pose_2.h.
+#include "predicates/pose_form.h"
+
+namespace kinex {
+namespace {
+
+struct AlongA {
+  static constexpr int kArity = 4;
+  static constexpr std::array<int, 5> kAxes{0, 1, 4, 5, 6};
+
+  std::string_view name() const { return "along_a"; }
+
+  template <class R>
+  std::array<R, 5> factors(const Constant<R>* constants) const {
+    const Constant<R>& m = constants[0];
+    const Constant<R>& a = constants[1];
+    const Constant<R>& b = constants[2];
+    const R ex = minus(m[1]);
+    const R& ey = m[0];
+    const R weight = a[2] * b[2];
+    return {weight * ex, weight * ey, minus(b[2] * (ex * a[0] + ey * a[1])),
+            minus(a[2] * (ex * b[0] + ey * b[1])), minus(a[2] * (b[0] * ey - b[1] * ex))};
+  }
+};
+
+struct AlongB {
+  static constexpr int kArity = 4;
+  static constexpr std::array<int, 5> kAxes{2, 3, 4, 5, 6};
+
+  std::string_view name() const { return "along_b"; }
+
+  template <class R>
+  std::array<R, 5> factors(const Constant<R>* constants) const {
+    const Constant<R>& g = constants[0];
+    const Constant<R>& a = constants[1];
+    const Constant<R>& b = constants[2];
+    const R ex = minus(g[1]);
+    const R& ey = g[0];
+    const R weight = a[2] * b[2];
+    return {weight * ex, weight * ey, minus(a[2] * (ex * b[0] + ey * b[1])),
+            minus(b[2] * (ex * a[0] + ey * a[1])), minus(b[2] * (ex * a[1] - ey * a[0]))};
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const Predicate> make_pose_along(Frame frame) {
+  if (frame == Frame::kA) return std::make_shared<PoseForm<AlongA>>(AlongA{});
+  return std::make_shared<PoseForm<AlongB>>(AlongB{});
+}
+
+}  // namespace kinex

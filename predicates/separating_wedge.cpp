@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "predicates/separating_wedge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace kinex {
+namespace {
+
+using Vector = std::array<double, 2>;
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
+double cross(const Vector& a, const Vector& b) { return a[0] * b[1] - a[1] * b[0]; }
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1]}; }
+Vector plus(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1]}; }
+Vector rotated(const Vector& v, double c, double s) {
+  return {c * v[0] - s * v[1], s * v[0] + c * v[1]};
+}
+
+// The vector from the nearest point of segment p, q to `from`.
+Vector from_segment(const Vector& p, const Vector& q, const Vector& from) {
+  const Vector d = minus(q, p);
+  const double length = dot(d, d);
+  const double along = length > 0 ? dot(minus(from, p), d) / length : 0;
+  const double k = std::clamp(along, 0.0, 1.0);
+  return minus(from, {p[0] + k * d[0], p[1] + k * d[1]});
+}
+
+std::size_t lowest(const std::vector<Vector>& v) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < v.size(); ++i) {
+    if (v[i][1] < v[best][1] || (v[i][1] == v[best][1] && v[i][0] < v[best][0])) best = i;
+  }
+  return best;
+}
+
+// The shortest vector from the sum of two convex polygons to t; {0, 0} if t is inside.
+Vector from_sum(const std::vector<Vector>& a, const std::vector<Vector>& b, const Vector& t) {
+  std::size_t i = lowest(a), j = lowest(b), done_a = 0, done_b = 0;
+  Vector best{0, 0};
+  double least = std::numeric_limits<double>::infinity();
+  bool outside = false;
+  while (done_a < a.size() || done_b < b.size()) {
+    const Vector p = plus(a[i], b[j]);
+    const std::size_t next_i = (i + 1) % a.size(), next_j = (j + 1) % b.size();
+    const Vector ea = minus(a[next_i], a[i]), eb = minus(b[next_j], b[j]);
+    const bool from_a = done_b == b.size() || (done_a < a.size() && cross(ea, eb) >= 0);
+    const Vector e = from_a ? ea : eb;
+    if (from_a) {
+      i = next_i;
+      ++done_a;
+    } else {
+      j = next_j;
+      ++done_b;
+    }
+    outside = outside || cross(e, minus(t, p)) < 0;
+    const Vector d = from_segment(p, plus(p, e), t);
+    if (dot(d, d) < least) {
+      least = dot(d, d);
+      best = d;
+    }
+  }
+  return outside ? best : Vector{0, 0};
+}
+
+Rational rounded(double value, int bits) {
+  return Rational(*Integer::from_double(std::nearbyint(std::ldexp(value, bits))),
+                  Integer::power_of_two(static_cast<unsigned long>(bits)));
+}
+
+// The line of this direction that touches the polygon, which lies behind it. The vertex is found in
+// doubles and made sure of exactly.
+FrameLine tangent(const FramePolygon& polygon, const RoughPolygon& rough, const Vector& direction,
+                  int bits) {
+  const Rational x = rounded(direction[0], bits), y = rounded(direction[1], bits);
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < polygon.size(); ++i) {
+    if (dot(rough.vertices[i], direction) > dot(rough.vertices[best], direction)) best = i;
+  }
+  const std::size_t n = polygon.size();
+  for (std::size_t step = 0; step < n; ++step) {
+    const FrameLine line = frame_line(x, y, polygon.vertices[best]);
+    const std::size_t next = (best + 1) % n, previous = (best + n - 1) % n;
+    if (side(line, polygon.vertices[next]) == Sign::kPositive) {
+      best = next;
+    } else if (side(line, polygon.vertices[previous]) == Sign::kPositive) {
+      best = previous;
+    } else {
+      break;
+    }
+  }
+  return frame_line(x, y, polygon.vertices[best]);
+}
+
+double support(const RoughPolygon& rough, const Vector& direction) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (const Vector& v : rough.vertices) best = std::max(best, dot(v, direction));
+  return best;
+}
+
+double value_at(const std::vector<Rational>& p, double t) {
+  double value = 0;
+  for (std::size_t k = p.size(); k-- > 0;) value = value * t + p[k].to_double();
+  return value;
+}
+
+// Rounded towards zero to ten bits.
+Rational few_bits(double value) {
+  if (value == 0) return Rational();
+  const int exponent = std::ilogb(value) - 10;
+  return *Rational::from_double(std::ldexp(std::floor(std::ldexp(value, -exponent)), exponent));
+}
+
+// Bits for an angle of this size to be kept.
+int bits_for(double angle) {
+  return std::clamp(static_cast<int>(std::ceil(-std::log2(angle))), 4, 44);
+}
+
+constexpr double kSmallest =
+    0x1p-26;                     // separation, of the diameter: what doubles can be trusted with
+constexpr double kWidest = 1.1;  // half-angle in radians
+
+}  // namespace
+
+RoughPolygon::RoughPolygon(const FramePolygon& polygon) {
+  for (const FramePoint& p : polygon.vertices) {
+    vertices.push_back({Rational(p.x, p.w).to_double(), Rational(p.y, p.w).to_double()});
+  }
+  double x = 0, y = 0;
+  for (const Vector& v : vertices) {
+    x += v[0] / static_cast<double>(vertices.size());
+    y += v[1] / static_cast<double>(vertices.size());
+    reach = std::max(reach, std::hypot(v[0], v[1]));
+    for (const Vector& w : vertices)
+      diameter = std::max(diameter, std::hypot(v[0] - w[0], v[1] - w[1]));
+  }
+  middle = frame_point(few_bits(x), few_bits(y));
+  const Vector centre{Rational(middle.x, middle.w).to_double(),
+                      Rational(middle.y, middle.w).to_double()};
+  for (const Vector& v : vertices) {
+    radius = std::max(radius, std::hypot(v[0] - centre[0], v[1] - centre[1]));
+  }
+  radius *= 1 + 0x1p-40;
+}
+
+RoughPose::RoughPose(const Trajectory& pose, double now) {
+  const double n = value_at(pose.coordinates[4], now);
+  t = {value_at(pose.coordinates[0], now) / n, value_at(pose.coordinates[1], now) / n};
+  c = value_at(pose.coordinates[5], now) / n;
+  s = value_at(pose.coordinates[6], now) / n;
+}
+
+std::optional<SeparatingWedge> separating_wedge(const FramePolygon& a, const RoughPolygon& rough_a,
+                                                const FramePolygon& b, const RoughPolygon& rough_b,
+                                                const RoughPose& pose) {
+  std::vector<Vector> turned_b;
+  for (const Vector& v : rough_b.vertices) turned_b.push_back(rotated(v, pose.c, pose.s));
+  const Vector away = from_sum(rough_a.vertices, turned_b, pose.t);
+  const double s = std::hypot(away[0], away[1]);
+  const double diameter = rough_a.diameter + rough_b.diameter;
+  if (!(s > kSmallest * diameter) || !(s < 0x1p500)) return std::nullopt;
+  const Vector m{away[0] / s, away[1] / s};
+  SeparatingWedge wedge;
+  wedge.separation = s;
+  const FrameLine touching = tangent(a, rough_a, m, bits_for(s / (32 * diameter)));
+  // Its normal is primitive: of any length.
+  const double length = std::hypot(touching.nx.to_double(), touching.ny.to_double());
+  const bool is_far = s > 2 * rough_b.diameter;
+  const double guard = s / 8 + (is_far ? rough_b.radius * (1 + 0x1p-8) : 0);
+  wedge.line = frame_line(Rational(touching.nx), Rational(touching.ny),
+                          Rational(touching.h) + few_bits(length * guard));
+  if (is_far) {
+    wedge.v = rough_b.middle;
+    return wedge;
+  }
+  wedge.turns = true;
+
+  const Vector seen = rotated(m, pose.c, -pose.s);  // in the frame of B'
+  const double height = support(rough_b, seen);
+  const auto loss = [&](double phi) {
+    const double c = std::cos(phi), sine = std::sin(phi);
+    const double sum =
+        support(rough_b, rotated(seen, c, -sine)) + support(rough_b, rotated(seen, c, sine));
+    return sum / (2 * c) - height;
+  };
+  double phi = s / (2 * rough_b.diameter);
+  while (2 * phi <= kWidest && loss(2 * phi) <= s / 4) phi *= 2;
+  const double c = std::cos(phi), sine = std::sin(phi);
+  const int bits = bits_for(phi / 256);
+  wedge.g1 = tangent(b, rough_b, rotated(seen, c, -sine), bits);
+  wedge.g2 = tangent(b, rough_b, rotated(seen, c, sine), bits);
+  if (turn(wedge.g1, wedge.g2) != Sign::kPositive) return std::nullopt;
+  wedge.v = meeting(wedge.g1, wedge.g2);
+  return wedge;
+}
+
+}  // namespace kinex

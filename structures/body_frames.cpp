@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/body_frames.h"
+
+#include <utility>
+
+namespace kinex {
+
+ObjectId FrameConstants::point(const FramePoint& p) {
+  const auto [place, is_new] = points_.try_emplace(p, kNoObject);
+  if (is_new) place->second = kernel_.constant(p.to_string(), p.coordinates());
+  return place->second;
+}
+
+ObjectId FrameConstants::line(const FrameLine& l) {
+  const auto [place, is_new] = lines_.try_emplace(l, kNoObject);
+  if (is_new) place->second = kernel_.constant(l.to_string(), l.coordinates());
+  return place->second;
+}
+
+std::size_t FrameConstants::bytes() const {
+  constexpr std::size_t kEach = 48 + 3 * 24;
+  return points_.size() * (sizeof(FramePoint) + kEach) +
+         lines_.size() * (sizeof(FrameLine) + kEach);
+}
+
+BodyFrame::BodyFrame(OuterHierarchy hierarchy, FrameConstants& constants)
+    : hierarchy_(std::move(hierarchy)),
+      constants_(&constants),
+      lines_(hierarchy_.edges().size(), kNoObject),
+      points_(hierarchy_.points().size(), kNoObject) {}
+
+ObjectId BodyFrame::line(std::uint32_t edge) {
+  ObjectId& id = lines_[edge];
+  if (id == kNoObject) id = constants_->line(hierarchy_.edge(edge).line);
+  return id;
+}
+
+ObjectId BodyFrame::apex(std::uint32_t node) {
+  ObjectId& id = points_[hierarchy_.node(node).point];
+  if (id == kNoObject) id = constants_->point(hierarchy_.node(node).apex);
+  return id;
+}
+
+ObjectId BodyFrame::vertex(std::uint32_t i) {
+  vertices_.resize(size(), kNoObject);
+  if (vertices_[i] == kNoObject) vertices_[i] = constants_->point(hierarchy_.polygon().vertices[i]);
+  return vertices_[i];
+}
+
+ObjectId BodyFrame::polygon_edge(std::uint32_t i) {
+  polygon_edges_.resize(size(), kNoObject);
+  ObjectId& id = polygon_edges_[i];
+  if (id == kNoObject) id = constants_->line(hierarchy_.polygon().edges[i]);
+  return id;
+}
+
+ObjectId BodyFrame::across(std::uint32_t edge, bool last) {
+  std::vector<ObjectId>& ids = across_[last ? 1 : 0];
+  ids.resize(size(), kNoObject);
+  if (ids[edge] == kNoObject) {
+    const FramePolygon& polygon = hierarchy_.polygon();
+    // The normal turned by a quarter counter-clockwise.
+    const FrameLine& line = polygon.edges[edge];
+    ids[edge] = constants_->line(frame_line(Rational(-line.ny), Rational(line.nx),
+                                            polygon.vertices[last ? after(edge) : edge]));
+  }
+  return ids[edge];
+}
+
+std::size_t BodyFrame::bytes() const {
+  return hierarchy_.bytes() +
+         (lines_.capacity() + points_.capacity() + vertices_.capacity() +
+          polygon_edges_.capacity() + across_[0].capacity() + across_[1].capacity()) *
+             sizeof(ObjectId);
+}
+
+BodyFrames::BodyFrames(Kernel& kernel, const Scene& scene, CutPolicy policy)
+    : scene_(scene),
+      policy_(policy),
+      constants_(kernel),
+      of_body_(scene.objects.size(), std::array<BodyFrame*, 2>{nullptr, nullptr}) {}
+
+BodyFrame& BodyFrames::frame(ObjectId body, bool negated) {
+  BodyFrame*& known = of_body_[body][negated ? 1 : 0];
+  if (known != nullptr) return *known;
+  FramePolygon polygon = frame_polygon(scene_.objects[body].polygon, negated);
+  auto [place, is_new] = by_polygon_.try_emplace(polygon.vertices);
+  if (is_new) {
+    place->second =
+        std::make_unique<BodyFrame>(OuterHierarchy(std::move(polygon), policy_), constants_);
+  }
+  known = place->second.get();
+  return *known;
+}
+
+std::size_t BodyFrames::bytes() const {
+  std::size_t total = constants_.bytes() + of_body_.capacity() * sizeof(of_body_[0]);
+  for (const auto& [vertices, frame] : by_polygon_) {
+    total += frame->bytes() + vertices.capacity() * sizeof(FramePoint);
+  }
+  return total;
+}
+
+}  // namespace kinex

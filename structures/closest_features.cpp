@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/closest_features.h"
+
+namespace kinex {
+
+ClosestFeatures::ClosestFeatures(Kernel& kernel, StructureId id, const Scene& scene)
+    : CollisionPairs(kernel, id, scene, CutPolicy::kMedian), predicates_(kernel) {}
+
+std::vector<std::string_view> ClosestFeatures::event_kinds() const {
+  return common_event_kinds({"contact", "change"});
+}
+
+SumBoundary ClosestFeatures::boundary(PairId p) {
+  return SumBoundary(kernel_, predicates_, pair(p).pose,
+                     {&frames_.frame(pair(p).a, false), &frames_.frame(pair(p).b, true)});
+}
+
+// The slots of a vertex and an edge: past its first end, short of its last one, after the edge
+// before the vertex, before the edge after it, outside. Of two vertices: for A and then for B',
+// short of the vertex in the direction of the edge after it, past it in that of the edge before it.
+void ClosestFeatures::enter(PairId p, const SumBoundary& sum, const State& state) {
+  state_[p] = state;
+  if (state.edge) {
+    const std::uint8_t z = state.z, w = SumBoundary::other(z);
+    const std::array<Query, 5> queries{
+        sum.past(z, state.e, false, state.v), sum.short_of(z, state.e, true, state.v),
+        sum.order_after(z, state.e, sum.frame(w).before(state.v)),
+        sum.order_before(z, state.e, state.v), sum.beyond(z, state.e, state.v)};
+    set_certificates(p, queries);
+    return;
+  }
+  const std::uint32_t x = state.e, y = state.v;
+  const std::array<Query, 4> queries{
+      sum.short_of(0, x, false, y), sum.past(0, sum.frame(0).before(x), true, y),
+      sum.short_of(1, y, false, x), sum.past(1, sum.frame(1).before(y), true, x)};
+  set_certificates(p, queries);
+}
+
+bool ClosestFeatures::start(PairId p) {
+  if (state_.size() <= p) state_.resize(p + std::size_t{1});
+  const SumBoundary sum = boundary(p);
+  const auto holds = [&sum](const Query& query) { return sum.sign(query) != Sign::kNegative; };
+  for (const SumBoundary::Edge& edge : sum.edges()) {
+    // The edge of M, and the vertex of M at its last end.
+    if (holds(sum.beyond(edge.z, edge.edge, edge.vertex)) &&
+        holds(sum.past(edge.z, edge.edge, false, edge.vertex)) &&
+        holds(sum.short_of(edge.z, edge.edge, true, edge.vertex))) {
+      enter(p, sum, {true, edge.z, edge.edge, edge.vertex});
+      return true;
+    }
+    const std::uint32_t last = sum.frame(edge.z).after(edge.edge);
+    const std::uint32_t x = edge.z == 0 ? last : edge.vertex;
+    const std::uint32_t y = edge.z == 0 ? edge.vertex : last;
+    if (holds(sum.past(0, sum.frame(0).before(x), true, y)) &&
+        holds(sum.short_of(0, x, false, y)) &&
+        holds(sum.past(1, sum.frame(1).before(y), true, x)) &&
+        holds(sum.short_of(1, y, false, x))) {
+      enter(p, sum, {false, 0, x, y});
+      return true;
+    }
+  }
+  return false;
+}
+
+ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State& state,
+                                             std::uint32_t slot) const {
+  if (!state.edge) {
+    const std::uint32_t x = state.e, y = state.v;
+    switch (slot) {
+      case 0:
+        return {true, 0, x, y};
+      case 1:
+        return {true, 0, sum.frame(0).before(x), y};
+      case 2:
+        return {true, 1, y, x};
+      default:
+        return {true, 1, sum.frame(1).before(y), x};
+    }
+  }
+  const std::uint8_t z = state.z, w = SumBoundary::other(z);
+  const auto vertices = [z](std::uint32_t own, std::uint32_t other) {
+    return State{false, 0, z == 0 ? own : other, z == 0 ? other : own};
+  };
+  if (slot == 0) return vertices(state.e, state.v);
+  if (slot == 1) return vertices(sum.frame(z).after(state.e), state.v);
+  // The edge is parallel to one at the vertex: that one's other end takes over if it projects into
+  // the edge, or the edge's end that projects into that one.
+  const bool back = slot == 2;
+  const std::uint32_t g = back ? sum.frame(w).before(state.v) : state.v;
+  const std::uint32_t v = back ? g : sum.frame(w).after(state.v);
+  if (sum.sign(sum.past(z, state.e, false, v)) == Sign::kNegative) return {true, w, g, state.e};
+  if (sum.sign(sum.short_of(z, state.e, true, v)) == Sign::kNegative) {
+    return {true, w, g, sum.frame(z).after(state.e)};
+  }
+  return {true, z, state.e, v};
+}
+
+void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
+  const SumBoundary sum = boundary(p);
+  const State state = state_[p];
+  if (is_contact_slot(p, slot)) {
+    const Feature line{true, state.e}, vertex{false, state.v};
+    contact(p, state.z == 0 ? line : vertex, state.z == 0 ? vertex : line);
+    return;
+  }
+  enter(p, sum, next(sum, state, slot));
+  report(p, kChange);
+}
+
+std::size_t ClosestFeatures::bytes() const {
+  return CollisionPairs::bytes() + state_.capacity() * sizeof(State);
+}
+
+}  // namespace kinex

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/collision_pairs.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+#include "predicates/pose_2.h"
+
+namespace kinex {
+
+CollisionPairs::CollisionPairs(Kernel& kernel, StructureId id, const Scene& scene, CutPolicy policy)
+    : kernel_(kernel),
+      id_(id),
+      scene_(scene),
+      frames_(kernel, scene, policy),
+      pose_(make_pose_2()),
+      pairs_of_(scene.objects.size()),
+      alive_(scene.objects.size(), 0) {}
+
+void CollisionPairs::build(std::span<const ObjectId> objects) {
+  for (const ObjectId object : objects) insert(object);
+}
+
+void CollisionPairs::rebuild() {
+  for (PairId p = 0; p < pairs_.size(); ++p) {
+    if (pairs_[p].a == kNoObject || pairs_[p].touching) continue;
+    stop(p);
+    drop_certificates(p);
+    follow(p);
+  }
+}
+
+void CollisionPairs::certificate_failed(CertificateId failed) {
+  const std::uint32_t tag = kernel_.tag(failed);
+  failed_ = failed;
+  fail(tag / kMostCertificates, tag % kMostCertificates);
+  failed_ = kNoCertificate;
+}
+
+void CollisionPairs::insert(ObjectId object) {
+  for (ObjectId other = 0; other < alive_.size(); ++other) {
+    if (alive_[other] == 0) continue;
+    follow(add_pair(std::min(object, other), std::max(object, other)));
+  }
+  alive_[object] = 1;
+}
+
+void CollisionPairs::erase(ObjectId object) {
+  alive_[object] = 0;
+  const std::vector<PairId> gone = pairs_of_[object];
+  for (const PairId p : gone) remove_pair(p);
+}
+
+void CollisionPairs::motions_changed(std::span<const ObjectId> objects) {
+  std::vector<PairId> again;
+  for (const ObjectId object : objects) {
+    for (const PairId p : pairs_of_[object]) {
+      if (pairs_[p].touching) again.push_back(p);
+    }
+  }
+  std::sort(again.begin(), again.end());
+  again.erase(std::unique(again.begin(), again.end()), again.end());
+  for (const PairId p : again) follow(p);
+}
+
+void CollisionPairs::follow(PairId p) { pairs_[p].touching = !start(p); }
+
+PairId CollisionPairs::add_pair(ObjectId a, ObjectId b) {
+  const std::array<ObjectId, 2> bases{a, b};
+  std::string name = scene_.objects[a].id + "|" + scene_.objects[b].id;
+  PairId p = static_cast<PairId>(pairs_.size());
+  if (free_.empty()) {
+    pairs_.emplace_back();
+    pairs_[p].pose = kernel_.derive(std::move(name), pose_, bases);
+  } else {
+    p = free_.back();
+    free_.pop_back();
+    kernel_.rederive(pairs_[p].pose, std::move(name), bases);
+  }
+  pairs_[p].a = a;
+  pairs_[p].b = b;
+  pairs_[p].touching = false;
+  pairs_of_[a].push_back(p);
+  pairs_of_[b].push_back(p);
+  most_pairs_ = std::max(most_pairs_, ++live_pairs_);
+  return p;
+}
+
+void CollisionPairs::remove_pair(PairId p) {
+  stop(p);
+  drop_certificates(p);
+  for (const ObjectId body : {pairs_[p].a, pairs_[p].b}) {
+    std::vector<PairId>& list = pairs_of_[body];
+    list.erase(std::find(list.begin(), list.end(), p));
+  }
+  pairs_[p].a = pairs_[p].b = kNoObject;
+  free_.push_back(p);
+  --live_pairs_;
+}
+
+void CollisionPairs::drop_certificates(PairId p) {
+  Pair& pair = pairs_[p];
+  for (std::uint8_t i = 0; i < pair.certificates; ++i) kernel_.retract(pair.certificate[i]);
+  pair.certificates = 0;
+}
+
+void CollisionPairs::set_certificates(PairId p, std::span<const Query> queries) {
+  require(queries.size() <= kMostCertificates, "a proof has too many certificates");
+  Pair& pair = pairs_[p];
+  const std::array<CertificateId, kMostCertificates> old = pair.certificate;
+  const std::uint32_t before = pair.certificates;
+  std::uint32_t used = 0;  // bits: old certificates that stay or are replaced
+  std::array<CertificateId, kMostCertificates> now{};
+  now.fill(kNoCertificate);
+  const auto tag = [p](std::size_t slot) {
+    return p * kMostCertificates + static_cast<std::uint32_t>(slot);
+  };
+  for (std::size_t slot = 0; slot < queries.size(); ++slot) {
+    for (std::uint32_t i = 0; i < before; ++i) {
+      // The one that failed is out of the queue: if its claim is needed again it is made anew.
+      if ((used >> i & 1) != 0 || old[i] == failed_) continue;
+      if (!(kernel_.query(old[i]) == queries[slot])) continue;
+      used |= 1u << i;
+      now[slot] = old[i];
+      kernel_.set_tag(old[i], tag(slot));
+      break;
+    }
+  }
+  std::uint32_t next = 0;
+  for (std::size_t slot = 0; slot < queries.size(); ++slot) {
+    if (now[slot] != kNoCertificate) continue;
+    while (next < before && (used >> next & 1) != 0) ++next;
+    if (next < before) {
+      used |= 1u << next;
+      now[slot] = old[next];
+      kernel_.replace(old[next], queries[slot], tag(slot));
+    } else {
+      now[slot] = kernel_.create(id_, queries[slot], tag(slot)).id;
+    }
+  }
+  for (std::uint32_t i = 0; i < before; ++i) {
+    if ((used >> i & 1) == 0) kernel_.retract(old[i]);
+  }
+  pair.certificate = now;
+  pair.certificates = static_cast<std::uint8_t>(queries.size());
+}
+
+// The place of the feature in the scene's list of vertices; frames begin elsewhere.
+ObjectId CollisionPairs::feature_object(ObjectId body, bool negated, Feature feature) {
+  const FramePoint vertex = frames_.frame(body, negated).hierarchy().polygon().vertices[feature.i];
+  const std::vector<Vertex2>& polygon = scene_.objects[body].polygon;
+  std::size_t place = 0;
+  const auto is_there = [&](const Vertex2& v) {
+    return (negated ? frame_point(-v[0], -v[1]) : frame_point(v[0], v[1])) == vertex;
+  };
+  while (place + 1 < polygon.size() && !is_there(polygon[place])) ++place;
+  return kernel_.constant(
+      scene_.objects[body].id + (feature.edge ? ".e" : ".v") + std::to_string(place), {Rational()});
+}
+
+void CollisionPairs::contact(PairId p, Feature of_a, Feature of_b) {
+  const ObjectId a = pairs_[p].a, b = pairs_[p].b;
+  kernel_.report(id_, kContact,
+                 {a, b, feature_object(a, false, of_a), feature_object(b, true, of_b)}, true);
+  stop(p);
+  drop_certificates(p);
+  pairs_[p].touching = true;
+}
+
+Attribute CollisionPairs::attribute() const {
+  std::vector<std::pair<ObjectId, ObjectId>> touching;
+  for (const Pair& pair : pairs_) {
+    if (pair.a != kNoObject && pair.touching) touching.emplace_back(pair.a, pair.b);
+  }
+  std::sort(touching.begin(), touching.end());
+  Attribute attribute;
+  attribute.shape = Attribute::Shape::kEdges;
+  for (const auto& [a, b] : touching) attribute.ids.insert(attribute.ids.end(), {a, b});
+  return attribute;
+}
+
+std::vector<BoundCheck> CollisionPairs::bounds(const BoundContext& context) const {
+  const std::string own(name());
+  return {at_most(own + ".compactness", "a proof has a constant number of certificates",
+                  Integer(static_cast<std::int64_t>(most_pairs_ * most_certificates())),
+                  Integer(static_cast<std::int64_t>(context.ledger->max_live)))};
+}
+
+void CollisionPairs::check_invariants(AuditReport& report) const {
+  for (PairId p = 0; p < pairs_.size(); ++p) {
+    const Pair& pair = pairs_[p];
+    if (pair.a == kNoObject) continue;
+    const std::string who = scene_.objects[pair.a].id + " and " + scene_.objects[pair.b].id;
+    report.check(alive_[pair.a] != 0 && alive_[pair.b] != 0,
+                 [&] { return "a pair of bodies that are not there: " + who; });
+    report.check(pair.touching == (pair.certificates == 0),
+                 [&] { return "a pair without a proof, or a contact with one: " + who; });
+    for (std::uint32_t i = 0; i < pair.certificates; ++i) {
+      report.check(kernel_.tag(pair.certificate[i]) == p * kMostCertificates + i,
+                   [&] { return "a certificate with a wrong tag: " + who; });
+    }
+  }
+}
+
+std::size_t CollisionPairs::bytes() const {
+  std::size_t total = frames_.bytes() + pairs_.capacity() * sizeof(Pair) +
+                      free_.capacity() * sizeof(PairId) + alive_.capacity() +
+                      pairs_of_.capacity() * sizeof(pairs_of_[0]);
+  for (const auto& list : pairs_of_) total += list.capacity() * sizeof(PairId);
+  return total;
+}
+
+}  // namespace kinex

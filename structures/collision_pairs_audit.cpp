@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The witness of CollisionPairs: CGAL's exact intersection tests of the polygons' edges.
+#include <CGAL/Gmpq.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "structures/collision_pairs.h"
+
+namespace kinex {
+namespace {
+
+using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
+using Point = Exact::Point_2;
+using Segment = Exact::Segment_2;
+
+struct Placed {
+  std::vector<Point> vertices;
+  CGAL::Bbox_2 box;
+};
+
+Placed placed(const SceneObject& body, const Snapshot& snapshot, ObjectId id) {
+  const Rational& x = snapshot.position(id, 0);
+  const Rational& y = snapshot.position(id, 1);
+  const Rational& p = snapshot.position(id, 2);
+  const Rational& q = snapshot.position(id, 3);
+  const Rational n = p * p + q * q;
+  const Rational c = (p * p - q * q) / n, s = Rational(2) * p * q / n;
+  Placed result;
+  for (const Vertex2& v : body.polygon) {
+    const Rational wx = x + c * v[0] - s * v[1], wy = y + s * v[0] + c * v[1];
+    result.vertices.emplace_back(CGAL::Gmpq(wx.raw()), CGAL::Gmpq(wy.raw()));
+  }
+  for (const Point& v : result.vertices) result.box += v.bbox();
+  return result;
+}
+
+bool meet(const Placed& a, const Placed& b) {
+  if (!CGAL::do_overlap(a.box, b.box)) return false;
+  const std::size_t n = a.vertices.size(), m = b.vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Segment edge(a.vertices[i], a.vertices[(i + 1) % n]);
+    const CGAL::Bbox_2 box = edge.bbox();
+    if (!CGAL::do_overlap(box, b.box)) continue;
+    for (std::size_t j = 0; j < m; ++j) {
+      const Segment other(b.vertices[j], b.vertices[(j + 1) % m]);
+      if (CGAL::do_overlap(box, other.bbox()) && CGAL::do_intersect(edge, other)) return true;
+    }
+  }
+  const auto inside = [](const Point& p, const std::vector<Point>& polygon) {
+    return CGAL::bounded_side_2(polygon.begin(), polygon.end(), p, Exact()) !=
+           CGAL::ON_UNBOUNDED_SIDE;
+  };
+  return inside(a.vertices.front(), b.vertices) || inside(b.vertices.front(), a.vertices);
+}
+
+}  // namespace
+
+void CollisionPairs::audit(const Snapshot& snapshot, AuditReport& report) const {
+  std::vector<Placed> bodies(scene_.objects.size());
+  for (ObjectId id = 0; id < bodies.size(); ++id) {
+    if (snapshot.alive(id)) bodies[id] = placed(scene_.objects[id], snapshot, id);
+  }
+  const Attribute touching = attribute();
+  for (ObjectId a = 0; a < bodies.size(); ++a) {
+    for (ObjectId b = a + 1; b < bodies.size(); ++b) {
+      if (!snapshot.alive(a) || !snapshot.alive(b)) continue;
+      bool known = false;
+      for (std::size_t i = 0; i + 1 < touching.ids.size(); i += 2) {
+        known = known || (touching.ids[i] == a && touching.ids[i + 1] == b);
+      }
+      if (known) continue;
+      report.check(!meet(bodies[a], bodies[b]), [&] {
+        return scene_.objects[a].id + " and " + scene_.objects[b].id +
+               " meet, and no contact is known, at t = " + snapshot.time().to_string();
+      });
+    }
+  }
+}
+
+}  // namespace kinex

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// InnerTangents: collision detection by the two inner common tangents of two convex polygons: a
+// baseline.
+//
+// State: for either tangent the vertices a of A and b of B that it touches. Along the first, from a
+// to b, A lies on the left and B on the right; along the second the other way round. Each has 4
+// certificates, the turns at a and at b towards their neighbours. A failure advances one vertex;
+// when both tangents touch the same two vertices the bodies meet. (As seen from A, they are the
+// tangents to the Minkowski sum from the point that B is.) At constant separation there can be
+// Omega(n^2) events in a turn. Compactness: 8 certificates a pair. Responsiveness: O(1).
+//
+// Source: the classic separation proof by tangents; certificates and moves worked out here.
+#ifndef KINEX_STRUCTURES_INNER_TANGENTS_H
+#define KINEX_STRUCTURES_INNER_TANGENTS_H
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "structures/collision_pairs.h"
+#include "structures/sum_boundary.h"
+
+namespace kinex {
+
+class InnerTangents : public CollisionPairs {
+ public:
+  static constexpr std::uint8_t kChange = kContact + 1;  // of a vertex of a tangent
+
+  InnerTangents(Kernel& kernel, StructureId id, const Scene& scene);
+
+  std::string_view name() const override { return "inner_tangents"; }
+  std::vector<std::string_view> event_kinds() const override;
+  std::size_t bytes() const override;
+
+ protected:
+  bool start(PairId p) override;
+  void fail(PairId p, std::uint32_t slot) override;
+  std::uint32_t most_certificates() const override { return 8; }
+
+ private:
+  using Touch = std::array<std::uint32_t, 2>;  // a vertex of A, one of B'
+  using Tangents = std::array<Touch, 2>;
+  SumBoundary boundary(PairId p);
+  void enter(PairId p, const SumBoundary& sum, const Tangents& tangents);
+
+  PosePredicates predicates_;
+  std::vector<Tangents> tangents_;  // per pair
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// OuterHierarchy: the boomerang hierarchies of one convex polygon P. From its bounding box on,
+// vertices are cut off by lines tangent to P; what is cut off tiles the box minus P.
+//
+// A node (boomerang) is a vertex of some stage: its apex, where its left edge and its right edge
+// meet (counter-clockwise), and the chain of P's edges with normals strictly between theirs. A node
+// with an empty chain is a leaf: its apex is a vertex of P. A cut makes a new edge and two children
+// on it; the tile of the cut is the triangle of the apex and the children's apexes. Level k
+// performs all cuts of that level at once: the polygon of a stage is convex and holds P, and the
+// next lies inside it.
+//
+// Policies, and what holds for them (r: radius of a disc that holds P, D: its diameter, n: its
+// vertices):
+//   kMedian          the line of the middle edge of the chain. Depth ceil(log2 n) + 1.
+//   kCompass         the middle direction of a fixed dyadic set of directions.
+//   kDudley          the normal at the point of P nearest to a middle point of a square about P
+//   (Dudley's
+//                    approximation): a node below i such cuts has its apex within 5.5 r / 4^i of P.
+//   kBalancedDudley  Dudley's cut at even levels; at odd level 2i + 1 the middle edge where the
+//   chain has
+//                    more than n / 2^(i+1) edges. Depth O(log min(n, sqrt(D / s))) for nodes at
+//                    distance s.
+// Any of them: pairwise disjoint nodes with apexes at distance s or more are at most sqrt(2 pi D /
+// s). A cut whose normal would split nothing of the chain takes its first or last edge instead; so
+// there are at most 2 n cuts in all.
+//
+// Exact; built once per polygon in O(n depth) operations on rationals of a few times the input's
+// bits. Source: Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for
+// convex objects (1999), introduction; definitions, policies and constants are worked out here.
+#ifndef KINEX_STRUCTURES_OUTER_HIERARCHY_H
+#define KINEX_STRUCTURES_OUTER_HIERARCHY_H
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "predicates/frame_geometry.h"
+
+namespace kinex {
+
+enum class CutPolicy : std::uint8_t { kMedian, kCompass, kDudley, kBalancedDudley };
+std::string_view cut_policy_name(CutPolicy policy);
+
+class OuterHierarchy {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  static constexpr int kNever = 0x3fffffff;
+
+  struct Edge {
+    FrameLine line;
+    int level = -1;                             // of the cut that made it; -1: an edge of the box
+    std::uint32_t creator = kNone;              // the node that was cut; kNone: an edge of the box
+    std::uint32_t polygon_edge = kNone;         // the edge of P on this line, if there is one
+    std::uint32_t first = kNone, last = kNone;  // the nodes at its ends when it was made
+  };
+  struct Node {
+    FramePoint apex;
+    std::uint32_t point = kNone;  // number of the apex among the distinct apexes
+    std::uint32_t left_edge = kNone, right_edge = kNone;
+    std::uint32_t parent = kNone;
+    bool is_left = false;                // of its parent
+    std::uint32_t begin = 0, count = 0;  // its chain: edges begin, .. of P, cyclically
+    int depth = 0;                       // cuts above it
+    int dudley_depth = 0;                // Dudley cuts above it
+    // when it is cut:
+    int cut_level = kNever;
+    std::uint32_t cut = kNone, left = kNone, right = kNone;  // the new edge, the children
+  };
+
+  // A single point: one node, no edges.
+  static OuterHierarchy of_point(FramePoint point);
+  OuterHierarchy(FramePolygon polygon, CutPolicy policy);
+
+  const FramePolygon& polygon() const { return polygon_; }
+  bool is_point() const { return edges_.empty(); }
+  const std::vector<Edge>& edges() const { return edges_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const Edge& edge(std::uint32_t e) const { return edges_[e]; }
+  const Node& node(std::uint32_t v) const { return nodes_[v]; }
+  // The distinct apexes, in the order in which they were made.
+  const std::vector<FramePoint>& points() const { return points_; }
+  // The roots: the corners of the box, counter-clockwise; corner i lies between edges i and i + 1.
+  // (One node for a point.)
+  std::uint32_t roots() const { return is_point() ? 1 : 4; }
+  int levels() const { return levels_; }
+  int depth() const;
+  // A rational between the radius of the smallest disc about the box's centre that holds P and a
+  // hundredth more.
+  const Rational& radius() const { return radius_; }
+  const FramePoint& centre() const { return centre_; }
+  std::size_t bytes() const;
+
+ private:
+  struct Range {  // of a node: the ends of its part of a square's outline, by distance along it
+    Rational from, to;
+  };
+  OuterHierarchy() = default;
+  void make_box();
+  std::uint32_t add_node(std::uint32_t left_edge, std::uint32_t right_edge, std::uint32_t begin,
+                         std::uint32_t count);
+  void cut(std::uint32_t v, CutPolicy how, int level);
+  // outer_hierarchy_cuts.cpp
+  struct Choice {
+    std::optional<FrameLine> line;  // nullopt: that of a polygon edge
+    std::uint32_t split = 0;        // edges of the chain before the cut
+    bool consumes = false;          // the cut is along edge `split` of the chain
+    Rational middle;                // of the range
+  };
+  Choice choose(std::uint32_t v, CutPolicy how) const;
+  Choice by_normal(const Node& node, const FrameLine& normal) const;
+  Choice median(const Node& node) const;
+  Choice compass(std::uint32_t v) const;
+  Choice dudley(std::uint32_t v) const;
+  std::uint32_t chain_edge(const Node& node, std::uint32_t k) const {
+    return static_cast<std::uint32_t>((node.begin + k) % polygon_.size());
+  }
+
+  FramePolygon polygon_;
+  std::vector<Edge> edges_;
+  std::vector<Node> nodes_;
+  std::vector<Range> ranges_;  // per node
+  std::vector<FramePoint> points_;
+  int levels_ = 0;
+  Rational radius_;
+  FramePoint centre_;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/separation_hysteresis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace kinex {
+namespace {
+
+// What a wedge withstands, in thousandths of the separation.
+constexpr int kWithstands = 230;
+
+}  // namespace
+
+SeparationHysteresis::SeparationHysteresis(Kernel& kernel, StructureId id, const Scene& scene)
+    : ClosestFeatures(kernel, id, scene), least_(std::numeric_limits<double>::infinity()) {}
+
+std::vector<std::string_view> SeparationHysteresis::event_kinds() const {
+  return common_event_kinds({"contact", "change", "wedge"});
+}
+
+const FramePolygon& SeparationHysteresis::polygon(ObjectId body, bool negated) {
+  return frames_.frame(body, negated).hierarchy().polygon();
+}
+
+const RoughPolygon& SeparationHysteresis::rough(ObjectId body, bool negated) {
+  const auto found = rough_.find({body, negated});
+  if (found != rough_.end()) return found->second;
+  return rough_.try_emplace({body, negated}, polygon(body, negated)).first->second;
+}
+
+RoughPose SeparationHysteresis::pose_now(PairId p) const {
+  return RoughPose(kernel_.derived().trajectory(pair(p).pose),
+                   kernel_.arithmetic().now_approximate());
+}
+
+// True if a wedge holds right after now and is in place.
+bool SeparationHysteresis::put_wedge(PairId p) {
+  const ObjectId a = pair(p).a, b = pair(p).b;
+  const RoughPose pose = pose_now(p);
+  const auto found =
+      separating_wedge(polygon(a, false), rough(a, false), polygon(b, true), rough(b, true), pose);
+  if (!found) return false;
+  Wedge& wedge = wedges_[p];
+  wedge.turn ^= 1;
+  std::array<ObjectId, 4>& ids = wedge.objects[wedge.turn];
+  const std::array<const FrameLine*, 3> lines{&found->line, &found->g1, &found->g2};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!found->turns && (i == 1 || i == 2)) continue;
+    std::string name = i < 3 ? lines[i]->to_string() : found->v.to_string();
+    std::vector<Rational> at = i < 3 ? lines[i]->coordinates() : found->v.coordinates();
+    if (ids[i] == 0) {
+      ids[i] = kernel_.constant(std::move(name), std::move(at));
+    } else {
+      kernel_.redefine(ids[i], std::move(name), std::move(at));
+    }
+  }
+  const ObjectId body = pair(p).pose;
+  const std::array<Query, 3> all{Query(predicates_.side[0], {body, ids[0], ids[3]}),
+                                 Query(predicates_.normal_order, {body, ids[0], ids[1]}),
+                                 Query(predicates_.normal_order_reversed, {body, ids[0], ids[2]})};
+  const std::span<const Query> queries(all.data(), found->turns ? 3 : 1);
+  for (const Query& query : queries) {
+    if (kernel_.arithmetic().sign_after(query) != Sign::kPositive) {
+      wedge.turn ^= 1;
+      return false;
+    }
+  }
+  set_certificates(p, queries);
+  wedge.in_use = true;
+  wedge.separation = found->separation;
+  wedge.t = pose.t;
+  wedge.c = pose.c;
+  wedge.s = pose.s;
+  return true;
+}
+
+bool SeparationHysteresis::start(PairId p) {
+  if (wedges_.size() <= p) wedges_.resize(p + std::size_t{1});
+  wedges_[p].in_use = false;
+  return put_wedge(p) || ClosestFeatures::start(p);
+}
+
+void SeparationHysteresis::measure(PairId p) {
+  const Wedge& wedge = wedges_[p];
+  const RoughPose pose = pose_now(p);
+  const double moved = std::hypot(pose.t[0] - wedge.t[0], pose.t[1] - wedge.t[1]);
+  const double turned =
+      std::atan2(wedge.c * pose.s - wedge.s * pose.c, wedge.c * pose.c + wedge.s * pose.s);
+  const double reach = rough(pair(p).b, true).reach;
+  least_ = std::min(least_, (moved + reach * std::fabs(turned)) / wedge.separation);
+}
+
+void SeparationHysteresis::fail(PairId p, std::uint32_t slot) {
+  if (!wedges_[p].in_use) {
+    const bool is_contact = is_contact_slot(p, slot);
+    if (!is_contact && put_wedge(p)) {
+      report(p, kWedge);
+      return;
+    }
+    ClosestFeatures::fail(p, slot);
+    return;
+  }
+  measure(p);
+  if (put_wedge(p)) {
+    report(p, kWedge);
+    return;
+  }
+  wedges_[p].in_use = false;
+  if (ClosestFeatures::start(p)) {
+    report(p, kWedge);
+    return;
+  }
+  // A wedge proves that there is room: only an inexact arithmetic comes here.
+  kernel_.corrupt(id_, "the bodies meet although a wedge was between them");
+}
+
+std::vector<BoundCheck> SeparationHysteresis::bounds(const BoundContext& context) const {
+  std::vector<BoundCheck> checks = ClosestFeatures::bounds(context);
+  if (!(least_ < 1e6)) return checks;
+  const std::int64_t least = static_cast<std::int64_t>(std::floor(1000 * least_));
+  BoundCheck check{"separation_hysteresis.displacement",
+                   "a wedge withstands 0.23 of the separation at which it was made (thousandths)",
+                   Integer(kWithstands), Integer(least), least >= kWithstands};
+  checks.push_back(std::move(check));
+  return checks;
+}
+
+std::size_t SeparationHysteresis::bytes() const {
+  std::size_t total = ClosestFeatures::bytes() + wedges_.capacity() * sizeof(Wedge);
+  for (const auto& [key, polygon] : rough_) {
+    total += sizeof(key) + sizeof(polygon) + polygon.vertices.capacity() * 2 * sizeof(double);
+  }
+  return total;
+}
+
+}  // namespace kinex

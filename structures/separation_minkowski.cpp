@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/separation_minkowski.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace kinex {
+
+SeparationMinkowski::SeparationMinkowski(Kernel& kernel, StructureId id, const Scene& scene,
+                                         CutPolicy policy)
+    : SeparationMixed(kernel, id, scene, policy),
+      policy_(policy),
+      point_(OuterHierarchy::of_point(frame_point(0, 0)), frames_.constants()) {}
+
+bool SeparationMinkowski::start(PairId p) {
+  if (sums_.size() <= p) sums_.resize(p + std::size_t{1});
+  const ObjectId a = pair(p).a, b = pair(p).b;
+  auto sum = minkowski_sum(frames_.frame(a, false).hierarchy().polygon(),
+                           frames_.frame(b, true).hierarchy().polygon(),
+                           kernel_.derived().trajectory(pair(p).pose));
+  if (!sum) {
+    throw std::invalid_argument(
+        "separation_minkowski is for bodies that do not turn against each other; " +
+        scene_.objects[a].id + " and " + scene_.objects[b].id + " do: use separation_mixed");
+  }
+  auto made = std::make_unique<Sum>();
+  made->frame =
+      std::make_unique<BodyFrame>(OuterHierarchy(sum->polygon, policy_), frames_.constants());
+  made->sum = std::move(*sum);
+  sums_[p] = std::move(made);
+  return SeparationMixed::start(p);
+}
+
+void SeparationMinkowski::stop(PairId p) {
+  if (p < sums_.size()) sums_[p].reset();
+}
+
+SeparationMixed::Features SeparationMinkowski::features(PairId p, const MixedTiles::Move& move) {
+  const Sum& made = *sums_[p];
+  const OuterHierarchy& tree = made.frame->hierarchy();
+  const OuterHierarchy::Edge& edge = tree.edge(move.edge);
+  if (edge.polygon_edge == OuterHierarchy::kNone) {  // a line that only touches M, at a vertex
+    std::uint32_t end = edge.first;
+    while (tree.node(end).right != OuterHierarchy::kNone) end = tree.node(end).right;
+    const std::size_t i = tree.node(end).begin % tree.polygon().size();
+    return {{false, made.sum.a[i]}, {false, made.sum.b[i]}};
+  }
+  const MinkowskiSum::Origin& origin = made.sum.edges[edge.polygon_edge];
+  const Feature line{true, origin.edge}, vertex{false, origin.vertex};
+  return origin.z == 0 ? Features{line, vertex} : Features{vertex, line};
+}
+
+std::vector<BoundCheck> SeparationMinkowski::bounds(const BoundContext& context) const {
+  std::vector<BoundCheck> checks = SeparationMixed::bounds(context);
+  if (!context.plain() || context.degree > 1) return checks;
+  std::int64_t most = 0;
+  for (PairId p = 0; p < pairs(); ++p) {
+    if (pair(p).a == kNoObject) continue;
+    const Trajectory& pose = kernel_.derived().trajectory(pair(p).pose);
+    if (pose.degree() > 1 || sums_.size() <= p || sums_[p] == nullptr) return checks;
+    most += 2 * sums_[p]->frame->hierarchy().levels() + 8;
+  }
+  checks.push_back(at_most("separation_minkowski.line",
+                           "a line meets every ring between two stages in at most two triangles",
+                           Integer(most),
+                           Integer(static_cast<std::int64_t>(context.ledger->processed))));
+  return checks;
+}
+
+std::size_t SeparationMinkowski::bytes() const {
+  std::size_t total = SeparationMixed::bytes() + sums_.capacity() * sizeof(sums_[0]);
+  for (const auto& sum : sums_) {
+    if (sum != nullptr) total += sizeof(Sum) + sum->frame->bytes();
+  }
+  return total;
+}
+
+}  // namespace kinex

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SeparationMinkowski: separation-sensitive collision detection of bodies that do not turn against
+// each other, by the hierarchy of their Minkowski sum M itself.
+//
+// B as seen from A is a point that moves outside the fixed convex polygon M. The proof is the tile
+// of the exterior's hierarchy that holds the point: a triangle, 3 certificates, or a half-plane
+// beyond the box, 1. The ring between two stages is the difference of two convex sets, so a
+// straight line meets it in at most two intervals, each inside one triangle: at most 2 per level
+// and 8 beyond the box.
+//
+// Certificates, ties and sources: structures/separation_mixed.h, of which this is the special case
+// where the second polygon is a point. M takes O(n) to build and its hierarchy O(n depth), for
+// every pair.
+#ifndef KINEX_STRUCTURES_SEPARATION_MINKOWSKI_H
+#define KINEX_STRUCTURES_SEPARATION_MINKOWSKI_H
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "predicates/minkowski_sum.h"
+#include "structures/separation_mixed.h"
+
+namespace kinex {
+
+class SeparationMinkowski final : public SeparationMixed {
+ public:
+  SeparationMinkowski(Kernel& kernel, StructureId id, const Scene& scene,
+                      CutPolicy policy = CutPolicy::kBalancedDudley);
+
+  std::string_view name() const override { return "separation_minkowski"; }
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  std::size_t bytes() const override;
+
+ protected:
+  // Throws std::invalid_argument if the bodies turn against each other.
+  bool start(PairId p) override;
+  void stop(PairId p) override;
+  std::uint32_t most_certificates() const override { return 3; }
+  std::array<BodyFrame*, 2> frames_of(PairId p) override {
+    return {sums_[p]->frame.get(), &point_};
+  }
+  Features features(PairId p, const MixedTiles::Move& move) override;
+
+ private:
+  struct Sum {
+    MinkowskiSum sum;
+    std::unique_ptr<BodyFrame> frame;
+  };
+  CutPolicy policy_;
+  BodyFrame point_;
+  std::vector<std::unique_ptr<Sum>> sums_;  // per pair
+};
+
+}  // namespace kinex
+
+#endif

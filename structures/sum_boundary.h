@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SumBoundary: the boundary of the Minkowski sum M of A and R B' right after now, in terms of the
+// polygons' own edges and vertices.
+//
+// Every edge of M is an edge of one polygon translated by a vertex of the other, whose cone holds
+// the edge's normal; every vertex is the sum of two vertices. Parallel for ever: A's edge comes
+// first.
+#ifndef KINEX_STRUCTURES_SUM_BOUNDARY_H
+#define KINEX_STRUCTURES_SUM_BOUNDARY_H
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/kernel.h"
+#include "structures/body_frames.h"
+#include "structures/mixed_tiles.h"
+
+namespace kinex {
+
+class SumBoundary {
+ public:
+  using Id = std::uint32_t;
+  // Edge `edge` of polygon z, at vertex `vertex` of the other.
+  struct Edge {
+    std::uint8_t z;
+    Id edge, vertex;
+  };
+
+  // `frames[1]` is B'. The references must live as long as this object.
+  SumBoundary(Kernel& kernel, const PosePredicates& predicates, ObjectId pose,
+              std::array<BodyFrame*, 2> frames)
+      : kernel_(kernel), predicates_(predicates), pose_(pose), frames_(frames) {}
+
+  BodyFrame& frame(std::uint8_t z) const { return *frames_[z]; }
+  static std::uint8_t other(std::uint8_t z) { return static_cast<std::uint8_t>(1 - z); }
+  // Where the point is with respect to edge e of polygon z at vertex v of the other: outside,
+  // inside.
+  Query beyond(std::uint8_t z, Id e, Id v) const { return side(false, z, e, v); }
+  Query within(std::uint8_t z, Id e, Id v) const { return side(true, z, e, v); }
+  // With respect to the line across edge e of polygon z at its first or last end, at vertex v: on
+  // the side that the edge points to, or on the other.
+  Query past(std::uint8_t z, Id e, bool last, Id v) const;
+  Query short_of(std::uint8_t z, Id e, bool last, Id v) const;
+  // The normal of edge e of polygon z is after (counter-clockwise from) that of edge f of the
+  // other, or before it.
+  Query order_after(std::uint8_t z, Id e, Id f) const;
+  Query order_before(std::uint8_t z, Id e, Id f) const;
+  Sign sign(const Query& query) const { return kernel_.arithmetic().sign_after(query); }
+  bool before(std::uint8_t z, Id e, Id f) const;
+
+  // All edges of M, counter-clockwise, from the first edge of A on: O(n_A + n_B) signs.
+  std::vector<Edge> edges() const;
+
+ private:
+  Query side(bool inward, std::uint8_t z, Id e, Id v) const;
+
+  Kernel& kernel_;
+  const PosePredicates& predicates_;
+  ObjectId pose_;
+  std::array<BodyFrame*, 2> frames_;
+};
+
+}  // namespace kinex
+
+#endif
