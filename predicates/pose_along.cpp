@@ -48,8 +48,8 @@ struct AlongB {
 }  // namespace
 
 std::shared_ptr<const Predicate> make_pose_along(Frame frame) {
-  if (frame == Frame::kA) return std::make_shared<PoseForm<AlongA>>(AlongA{});
-  return std::make_shared<PoseForm<AlongB>>(AlongB{});
+  if (frame == Frame::kA) return make_pose_form(AlongA{});
+  return make_pose_form(AlongB{});
 }
 
 }  // namespace kinex

@@ -12,9 +12,7 @@ struct NormalOrder {
   bool reversed;
 
   std::string_view name() const { return reversed ? "normal_order_reversed" : "normal_order"; }
-  std::string_view opposite() const {
-    return reversed ? "normal_order" : "normal_order_reversed";
-  }
+  std::string_view opposite() const { return reversed ? "normal_order" : "normal_order_reversed"; }
 
   template <class R>
   std::array<R, 2> factors(const Constant<R>* constants) const {
@@ -30,7 +28,7 @@ struct NormalOrder {
 }  // namespace
 
 std::shared_ptr<const Predicate> make_pose_normal_order(bool reversed) {
-  return std::make_shared<PoseForm<NormalOrder>>(NormalOrder{reversed});
+  return make_pose_form(NormalOrder{reversed});
 }
 
 }  // namespace kinex

@@ -50,8 +50,8 @@ struct SideB {
 }  // namespace
 
 std::shared_ptr<const Predicate> make_pose_side(Frame frame, bool inward) {
-  if (frame == Frame::kA) return std::make_shared<PoseForm<SideA>>(SideA{inward});
-  return std::make_shared<PoseForm<SideB>>(SideB{inward});
+  if (frame == Frame::kA) return make_pose_form(SideA{inward});
+  return make_pose_form(SideB{inward});
 }
 
 }  // namespace kinex

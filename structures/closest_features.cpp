@@ -20,20 +20,25 @@ SumBoundary ClosestFeatures::boundary(PairId p) {
 // short of the vertex in the direction of the edge after it, past it in that of the edge before it.
 void ClosestFeatures::enter(PairId p, const SumBoundary& sum, const State& state) {
   state_[p] = state;
+  std::array<Query, 6> queries;
+  std::size_t count = 0;
+  const auto add = [&](const Query& query) { queries[count++] = query; };
   if (state.edge) {
     const std::uint8_t z = state.z, w = SumBoundary::other(z);
-    const std::array<Query, 5> queries{
-        sum.past(z, state.e, false, state.v), sum.short_of(z, state.e, true, state.v),
-        sum.order_after(z, state.e, sum.frame(w).before(state.v)),
-        sum.order_before(z, state.e, state.v), sum.beyond(z, state.e, state.v)};
-    set_certificates(p, queries);
-    return;
+    add(sum.past(z, state.e, false, state.v));
+    add(sum.short_of(z, state.e, true, state.v));
+    add(sum.order_after(z, state.e, sum.frame(w).before(state.v)));
+    add(sum.order_before(z, state.e, state.v));
+    add(sum.beyond(z, state.e, state.v));
+  } else {
+    const std::uint32_t x = state.e, y = state.v;
+    add(sum.short_of(0, x, false, y));
+    add(sum.past(0, sum.frame(0).before(x), true, y));
+    add(sum.short_of(1, y, false, x));
+    add(sum.past(1, sum.frame(1).before(y), true, x));
   }
-  const std::uint32_t x = state.e, y = state.v;
-  const std::array<Query, 4> queries{
-      sum.short_of(0, x, false, y), sum.past(0, sum.frame(0).before(x), true, y),
-      sum.short_of(1, y, false, x), sum.past(1, sum.frame(1).before(y), true, x)};
-  set_certificates(p, queries);
+  if (const auto more = extra(p)) add(*more);
+  set_certificates(p, {queries.data(), count});
 }
 
 bool ClosestFeatures::start(PairId p) {

@@ -17,6 +17,7 @@
 #define KINEX_STRUCTURES_CLOSEST_FEATURES_H
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +40,12 @@ class ClosestFeatures : public CollisionPairs {
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
   std::uint32_t most_certificates() const override { return 5; }
+  // One more certificate beside those of the features, in the last slot.
+  virtual std::optional<Query> extra(PairId p) {
+    static_cast<void>(p);
+    return std::nullopt;
+  }
+  std::uint32_t extra_slot(PairId p) const { return state_[p].edge ? 5 : 4; }
   // The certificate of this slot is the one that fails at contact.
   bool is_contact_slot(PairId p, std::uint32_t slot) const { return state_[p].edge && slot == 4; }
 

@@ -3,16 +3,22 @@
 
 #include <stdexcept>
 
+#include "structures/bounding_volumes.h"
+#include "structures/closest_features.h"
 #include "structures/convex_hull_2.h"
 #include "structures/convex_hull_2_brute_force.h"
 #include "structures/convex_hull_2_delaunay.h"
 #include "structures/delaunay_2.h"
+#include "structures/inner_tangents.h"
 #include "structures/maximum_dual_hull.h"
 #include "structures/maximum_envelope.h"
 #include "structures/maximum_hanger.h"
 #include "structures/maximum_heap.h"
 #include "structures/maximum_of_list.h"
 #include "structures/maximum_tournament.h"
+#include "structures/separation_hysteresis.h"
+#include "structures/separation_minkowski.h"
+#include "structures/separation_mixed.h"
 #include "structures/sorted_list.h"
 
 namespace kinex {
@@ -61,6 +67,12 @@ std::unique_ptr<Structure> make_of_list(const Request&, const Scene&, Kernel& ke
                                         StructureId id, const Structure* list) {
   return std::make_unique<MaximumOfList>(kernel, id, dynamic_cast<const SortedList&>(*list),
                                          kExtremum);
+}
+
+template <class S>
+std::unique_ptr<Structure> make_of_bodies(const Request&, const Scene& scene, Kernel& kernel,
+                                          StructureId id, const Structure*) {
+  return std::make_unique<S>(kernel, id, scene);
 }
 
 struct Entry {
@@ -117,6 +129,25 @@ const std::vector<Entry>& entries() {
       {{"convex_hull_2_delaunay", "the convex hull, read off the Delaunay triangulation", 2, false,
         "delaunay_2"},
        make_convex_hull_2_delaunay},
+      {{"separation_mixed", "collisions of convex polygons, by the mixed hierarchy", 2, false, "",
+        false, true},
+       make_of_bodies<SeparationMixed>},
+      {{"separation_minkowski",
+        "collisions of convex polygons that do not turn, by the hierarchy of their Minkowski sum",
+        2, false, "", false, true},
+       make_of_bodies<SeparationMinkowski>},
+      {{"separation_hysteresis", "collisions of convex polygons, by wedges that last", 2, false, "",
+        false, true},
+       make_of_bodies<SeparationHysteresis>},
+      {{"closest_features", "collisions of convex polygons, by the closest features", 2, false, "",
+        false, true},
+       make_of_bodies<ClosestFeatures>},
+      {{"inner_tangents", "collisions of convex polygons, by the inner common tangents", 2, false,
+        "", false, true},
+       make_of_bodies<InnerTangents>},
+      {{"bounding_volumes", "collisions of convex polygons, by boxes, discs and closest features",
+        2, false, "", false, true},
+       make_of_bodies<BoundingVolumes>},
   };
   return kEntries;
 }
@@ -155,6 +186,11 @@ std::unique_ptr<Structure> make_structure(const Request& request, const Scene& s
     }
     throw std::invalid_argument("unknown structure \"" + request.structure + "\"; choose one of " +
                                 names);
+  }
+  if (scene.has_bodies() != entry->info.bodies && !scene.objects.empty()) {
+    throw std::invalid_argument(request.structure + (entry->info.bodies
+                                                         ? " is for rigid bodies, not for points"
+                                                         : " is for points, not for rigid bodies"));
   }
   if (scene.dimension < entry->info.min_dimension) {
     throw std::invalid_argument(request.structure + " needs a scene of dimension " +
