@@ -201,7 +201,7 @@ std::pair<std::size_t, std::size_t> closest(const Polygon2& a, const Polygon2& b
 TEST(PolygonWorkload, FanIsCrossedTwicePerVertex) {
   const int n = 8, m = 3;
   const Scene scene = generate("polygon-fan", n, m, 2);
-  const int samples = test::kSanitized ? 2000 : 6000;
+  const int samples = test::kSanitized ? 600 : 1500;
   std::optional<std::pair<std::size_t, std::size_t>> last;
   int changes = 0;
   for (int k = 0; k <= samples; ++k) {
@@ -235,7 +235,7 @@ std::pair<std::size_t, std::size_t> tangent(const Polygon2& a, const Polygon2& b
 TEST(PolygonWorkload, TangentsCrossTheirFanTwicePerVertex) {
   const int n = 8, m = 3;
   const Scene scene = generate("polygon-tangents", n, m, 2);
-  const int samples = test::kSanitized ? 1000 : 3000;
+  const int samples = test::kSanitized ? 600 : 1500;
   std::optional<std::pair<std::size_t, std::size_t>> last;
   int changes = 0;
   for (int k = 0; k <= samples; ++k) {
@@ -250,9 +250,9 @@ TEST(PolygonWorkload, TangentsCrossTheirFanTwicePerVertex) {
 
 TEST(PolygonWorkload, PathsKeepTheirClearance) {
   const Rational separation = fraction_of(1, 50);
-  const Scene kinks = generate("polygon-kinks", 16, 20, separation);
-  EXPECT_EQ(kinks.objects[1].motion.pieces.size(), 21u);
-  const Scene approach = generate("polygon-approach", 16, 0, separation);
+  const Scene kinks = generate("polygon-kinks", 8, 12, separation);
+  EXPECT_EQ(kinks.objects[1].motion.pieces.size(), 13u);
+  const Scene approach = generate("polygon-approach", 8, 0, separation);
   for (const Scene* scene : {&kinks, &approach}) {
     const std::int64_t steps = scene->end->numerator().to_int64() * 8;
     for (std::int64_t k = 0; k <= steps; ++k) {
