@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "experiments/scene_reader.h"
 #include "tests/experiments/body_fixture.h"
 
 namespace kinex {
@@ -184,6 +185,34 @@ TEST(CollisionWitness, SeamsOfFlightPlans) {
   ASSERT_TRUE(late.penetration);
   EXPECT_TRUE(is_at(*late.penetration, 1));
   EXPECT_EQ(find_contacts(a, b, 0, ratio(1, 2)).first(), nullptr);
+}
+
+// The degenerate scenes of the corpus are what their descriptions say.
+TEST(CollisionWitness, DegenerateScenes) {
+  struct Case {
+    const char* name;
+    std::size_t grazes;
+    std::optional<Rational> penetration;
+  };
+  for (const Case& one : std::initializer_list<Case>{{"parallel-squares", 0, {}},
+                                                     {"through-corners", 0, {}},
+                                                     {"graze", 1, {}},
+                                                     {"corner-meets-corner", 0, ratio(1, 2)},
+                                                     {"corner-passes-corner", 1, {}},
+                                                     {"half-turned-twins", 0, {}},
+                                                     {"twins-at-rest", 0, {}},
+                                                     {"slide", 1, {}},
+                                                     {"square-turns", 0, {}},
+                                                     {"move-as-one", 0, {}}}) {
+    const Scene scene = read_scene(
+        std::string(KINEX_SOURCE_DIR "/tests/corpus/scenes/good/bodies-") + one.name + ".json");
+    const auto found = find_contacts(scene.objects[0], scene.objects[1], scene.start, scene.end);
+    EXPECT_EQ(found.grazes.size(), one.grazes) << one.name;
+    ASSERT_EQ(found.penetration.has_value(), one.penetration.has_value()) << one.name;
+    if (one.penetration) {
+      EXPECT_TRUE(is_at(*found.penetration, *one.penetration)) << one.name;
+    }
+  }
 }
 
 // Against sampling: apart before the first contact, never overlapping before the penetration,
