@@ -27,6 +27,16 @@ std::string known_structures() {
   return "known are " + result;
 }
 
+std::string structures_for(bool bodies) {
+  std::string result;
+  for (const StructureInfo& info : structure_infos()) {
+    if (info.bodies != bodies) continue;
+    result += result.empty() ? "maintain one of " : ", ";
+    result += info.name;
+  }
+  return result.empty() ? "leave \"maintain\" out" : result;
+}
+
 std::optional<int> axis_of(std::string_view name, int dimension) {
   if (name.size() != 1) return std::nullopt;
   const std::size_t axis = kAxisNames.find(name[0]);
@@ -57,6 +67,11 @@ std::optional<Complaint> complaint_about(const std::string& name, const Scene& s
   const StructureInfo* info = find_structure_info(name);
   if (info == nullptr)
     return Complaint{show_text(name) + " is not a known structure", known_structures()};
+  if (!scene.objects.empty() && info->bodies != scene.has_bodies()) {
+    return Complaint{show_text(name) + (info->bodies ? " is for rigid bodies, the scene has points"
+                                                     : " is for points, the scene has bodies"),
+                     structures_for(scene.has_bodies())};
+  }
   if (dimension < info->min_dimension) {
     return Complaint{show_text(name) + " needs " + std::to_string(info->min_dimension) +
                          " axes, the scene has " + std::to_string(dimension),

@@ -87,6 +87,22 @@ std::string left_out(const Scene& scene, const PlanCounts& counts) {
   return text.empty() ? "nothing" : text;
 }
 
+std::string described_bodies(const Scene& scene) {
+  std::size_t vertices = 0, largest = 0;
+  int positions = 0, rotors = 0;
+  for (const SceneObject& body : scene.objects) {
+    vertices += body.polygon.size();
+    largest = std::max(largest, body.polygon.size());
+    for (const MotionPiece& piece : body.motion.pieces) {
+      positions = std::max(positions, piece.trajectory.degree_of_axes(0, 2));
+      rotors = std::max(rotors, piece.trajectory.degree_of_axes(2, kBodyAxes));
+    }
+  }
+  return "bodies    convex polygons of " + std::to_string(vertices) + " vertices, " +
+         std::to_string(largest) + " at most; positions of degree " + std::to_string(positions) +
+         ", rotors of degree " + std::to_string(rotors) + "\n";
+}
+
 }  // namespace
 
 std::string describe_model(const Scene& scene, const std::string& hash) {
@@ -100,6 +116,7 @@ std::string describe_model(const Scene& scene, const std::string& hash) {
           std::to_string(scene.objects.size() - counts.at_rest) + " moving in degree " +
           std::to_string(scene.degree()) + " at most, " + std::to_string(counts.at_rest) +
           " at rest\n";
+  if (scene.has_bodies()) text += described_bodies(scene);
   text += "plan      " + counted(counts.updates, "change", "changes") + ", " +
           counted(counts.insertions, "insertion", "insertions") + ", " +
           counted(counts.erasures, "erasure", "erasures") + "\n";
@@ -118,7 +135,7 @@ std::string explain_model(const Scene& scene, const Simulator& simulator) {
     const Predicate& predicate = numbers.predicate(id);
     const std::string line = std::string(predicate.name()) + " of " +
                              std::to_string(predicate.arity()) + " objects: degree " +
-                             std::to_string(predicate.degree(std::max(1, scene.degree()))) +
+                             std::to_string(predicate.degree(std::max(1, scene.held_degree()))) +
                              " in t, " + numbers.polynomial_model(id);
     if (told.insert(line).second) text += "          " + line + "\n";
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "experiments/input_error.h"
 #include "experiments/scene_parts.h"
@@ -17,6 +19,19 @@ constexpr std::size_t kMaxSeamBits = std::size_t{1} << 22;
 constexpr const char* kMotionRemedy =
     "write one coefficient list per axis, [[x0, x1, ..], [y0, y1, ..]], or a list of pieces";
 
+std::vector<Rational> read_coefficients(const JsonNode& list, int max_degree, const char* what) {
+  list.require_array();
+  if (list.size() == 0)
+    list.fail("an empty coefficient list", "write [0] for a coordinate that is 0");
+  if (list.size() > static_cast<std::size_t>(max_degree) + 1) {
+    list.fail(std::string("a ") + what + " of degree " + std::to_string(list.size() - 1),
+              "the largest degree is " + std::to_string(max_degree));
+  }
+  std::vector<Rational> coefficients;
+  for (std::size_t k = 0; k < list.size(); ++k) coefficients.push_back(list.at(k).rational());
+  return coefficients;
+}
+
 Trajectory read_coordinates(const JsonNode& node, int dimension) {
   node.require_array();
   if (node.size() != static_cast<std::size_t>(dimension)) {
@@ -26,23 +41,26 @@ Trajectory read_coordinates(const JsonNode& node, int dimension) {
   }
   Trajectory trajectory;
   for (std::size_t axis = 0; axis < node.size(); ++axis) {
-    const JsonNode list = node.at(axis);
-    list.require_array();
-    if (list.size() == 0)
-      list.fail("an empty coefficient list", "write [0] for a coordinate that is 0");
-    if (list.size() > kMaxMotionDegree + 1) {
-      list.fail("a motion of degree " + std::to_string(list.size() - 1),
-                "the largest degree is " + std::to_string(kMaxMotionDegree));
-    }
-    std::vector<Rational>& coefficients = trajectory.coordinates.emplace_back();
-    for (std::size_t k = 0; k < list.size(); ++k) coefficients.push_back(list.at(k).rational());
+    trajectory.coordinates.push_back(read_coefficients(node.at(axis), kMaxMotionDegree, "motion"));
   }
   trajectory.normalise();
   return trajectory;
 }
 
-MotionPiece read_piece(const JsonNode& node, int dimension, bool first, bool last) {
-  node.require_object({"from", "to", "coordinates"});
+// Appends the rotor of `owner`, an object or a piece, to its trajectory.
+void add_rotor(const JsonNode& owner, MotionPiece& piece, const Scene& scene) {
+  const std::optional<JsonNode> node = owner.find("rotor");
+  for (std::vector<Rational>& part : read_rotor(node)) {
+    piece.trajectory.coordinates.push_back(std::move(part));
+  }
+  piece.trajectory.normalise();
+  if (!node) return;
+  check_rotor(*node, piece.trajectory, piece.from.value_or(scene.start),
+              piece.to ? piece.to : scene.end);
+}
+
+MotionPiece read_piece(const JsonNode& node, const Scene& scene, bool body, bool first, bool last) {
+  node.require_object({"from", "to", "coordinates", "rotor"});
   MotionPiece piece;
   if (const auto from = node.find("from")) {
     piece.from = from->rational();
@@ -58,12 +76,17 @@ MotionPiece read_piece(const JsonNode& node, int dimension, bool first, bool las
   } else if (!last) {
     node.fail("\"to\" is missing", "only the last piece may go on for ever");
   }
-  piece.trajectory = read_coordinates(node.member("coordinates"), dimension);
+  piece.trajectory = read_coordinates(node.member("coordinates"), scene.dimension);
+  if (body) {
+    add_rotor(node, piece, scene);
+  } else if (const auto rotor = node.find("rotor")) {
+    rotor->fail("a rotor of a point", "remove it, or give the object a \"polygon\"");
+  }
   return piece;
 }
 
 void check_seam(const MotionPiece& before, const MotionPiece& after, const JsonNode& node,
-                bool jumps) {
+                const Scene& scene) {
   const Rational& seam = *after.from;
   if (seam < *before.to) {
     node.member("from").fail("the piece begins at " + show_text(seam.to_string()) +
@@ -71,7 +94,7 @@ void check_seam(const MotionPiece& before, const MotionPiece& after, const JsonN
                                  show_text(before.to->to_string()),
                              "pieces ascend in time and do not overlap");
   }
-  if (jumps || seam != *before.to) return;
+  if (scene.jumps || seam != *before.to) return;
   const auto degree =
       static_cast<std::size_t>(std::max(before.trajectory.degree(), after.trajectory.degree()));
   const std::size_t bits = seam.numerator().bit_length() + seam.denominator().bit_length();
@@ -79,7 +102,8 @@ void check_seam(const MotionPiece& before, const MotionPiece& after, const JsonN
     node.fail("whether the pieces meet takes numbers of " + std::to_string(degree * bits) + " bits",
               "write a shorter time or a smaller degree");
   }
-  for (int axis = 0; axis < after.trajectory.dimension(); ++axis) {
+  if (before.trajectory.meets(after.trajectory, seam)) return;
+  for (int axis = 0; axis < scene.dimension; ++axis) {
     const Rational there = before.trajectory.position(axis, seam);
     const Rational here = after.trajectory.position(axis, seam);
     if (there == here) continue;
@@ -88,22 +112,45 @@ void check_seam(const MotionPiece& before, const MotionPiece& after, const JsonN
                   " on axis " + std::to_string(axis),
               "make the pieces meet, or say \"jumps\": true in the scene");
   }
+  const auto rotor = [&](const Trajectory& trajectory) {
+    return show_text(trajectory.position(2, seam).to_string()) + ", " +
+           show_text(trajectory.position(3, seam).to_string());
+  };
+  node.fail("the object turns suddenly at " + show_text(seam.to_string()) + " from the rotor " +
+                rotor(before.trajectory) + " to " + rotor(after.trajectory),
+            "make the rotors equal up to a factor, or say \"jumps\": true in the scene");
 }
 
 }  // namespace
 
-Motion read_motion(const JsonNode& node, int dimension, bool jumps) {
+std::vector<std::vector<Rational>> read_rotor(const std::optional<JsonNode>& node) {
+  if (!node) return {{Rational(1)}, {Rational(0)}};
+  node->require_array();
+  if (node->size() != 2) {
+    node->fail(std::to_string(node->size()) + " coefficient lists in a rotor",
+               "write two, [[p0, p1, ..], [q0, q1, ..]]");
+  }
+  return {read_coefficients(node->at(0), kMaxRotorDegree, "rotor"),
+          read_coefficients(node->at(1), kMaxRotorDegree, "rotor")};
+}
+
+Motion read_motion(const JsonNode& object, const Scene& scene, bool body) {
+  const JsonNode node = object.member("motion");
   if (!node.is(JsonValue::Kind::kArray)) node.refuse("a motion", kMotionRemedy);
   if (node.size() == 0) node.fail("an empty motion", kMotionRemedy);
   Motion motion;
   if (!node.at(0).is(JsonValue::Kind::kObject)) {
-    motion.pieces.push_back({std::nullopt, std::nullopt, read_coordinates(node, dimension)});
+    motion.pieces.push_back({std::nullopt, std::nullopt, read_coordinates(node, scene.dimension)});
+    if (body) add_rotor(object, motion.pieces.back(), scene);
     return motion;
+  }
+  if (const auto rotor = object.find("rotor")) {
+    rotor->fail("a rotor beside a motion in pieces", "write a rotor inside each piece");
   }
   for (std::size_t i = 0; i < node.size(); ++i) {
     const JsonNode entry = node.at(i);
-    MotionPiece piece = read_piece(entry, dimension, i == 0, i + 1 == node.size());
-    if (i > 0) check_seam(motion.pieces.back(), piece, entry, jumps);
+    MotionPiece piece = read_piece(entry, scene, body, i == 0, i + 1 == node.size());
+    if (i > 0) check_seam(motion.pieces.back(), piece, entry, scene);
     motion.pieces.push_back(std::move(piece));
   }
   return motion;

@@ -3,15 +3,30 @@
 #ifndef KINEX_EXPERIMENTS_SCENE_PARTS_H
 #define KINEX_EXPERIMENTS_SCENE_PARTS_H
 
+#include <optional>
+#include <vector>
+
 #include "core/scene.h"
 #include "experiments/json_node.h"
 
 namespace kinex {
 
-// [[c0, c1, ..], ..] or a list of pieces {"from", "to", "coordinates"}: ascending, not overlapping,
-// continuous where two pieces meet unless `jumps`. A gap between two pieces is a time without the
-// object.
-Motion read_motion(const JsonNode& node, int dimension, bool jumps);
+// The "motion" of an object, [[c0, c1, ..], ..] or a list of pieces {"from", "to", "coordinates"}:
+// ascending, not overlapping, continuous where two pieces meet unless the scene jumps. A gap
+// between two pieces is a time without the object. The motion of a body has kBodyAxes axes: the
+// "rotor" stands beside "motion" or inside each piece. The scene's dimension and time must have
+// been read.
+Motion read_motion(const JsonNode& object, const Scene& scene, bool body);
+
+// The two coefficient lists of a rotor, or those of no turn where there is none.
+std::vector<std::vector<Rational>> read_rotor(const std::optional<JsonNode>& node);
+// Refuses a rotor whose two parts vanish together in [from, to].
+void check_rotor(const JsonNode& node, const Trajectory& trajectory, const Rational& from,
+                 const std::optional<Rational>& to);
+// A convex polygon, vertices counter-clockwise, no three consecutive ones on a line.
+std::vector<Vertex2> read_polygon(const JsonNode& node);
+// Refuses two bodies that are not apart at the scene's start.
+void check_apart(const JsonNode& objects, const Scene& scene);
 
 // Fills scene.maintain; the objects must have been read.
 void read_maintain(const JsonNode& node, Scene& scene);

@@ -4,6 +4,7 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "experiments/file_io.h"
 #include "experiments/input_error.h"
@@ -33,13 +34,34 @@ void read_time(const JsonNode& node, Scene& scene) {
   }
 }
 
+// The polygon of a body; empty for a point.
+std::vector<Vertex2> read_shape(const JsonNode& object, bool first, const Scene& scene) {
+  const auto polygon = object.find("polygon");
+  if (!first && polygon.has_value() != scene.has_bodies()) {
+    const JsonNode& odd = polygon ? *polygon : object;
+    odd.fail(polygon ? "a body in a scene of points" : "a point in a scene of bodies",
+             "give every object a \"polygon\", or none");
+  }
+  if (!polygon) {
+    if (const auto rotor = object.find("rotor")) {
+      rotor->fail("a rotor of a point", "remove it, or give the object a \"polygon\"");
+    }
+    return {};
+  }
+  if (scene.dimension != 2) {
+    polygon->fail("a polygon in a scene of dimension " + std::to_string(scene.dimension),
+                  "write \"dimension\": 2, or remove the polygon");
+  }
+  return read_polygon(*polygon);
+}
+
 void read_objects(const JsonNode& node, Scene& scene) {
   node.require_array();
   std::unordered_map<std::string, std::size_t> seen;
   scene.objects.reserve(node.size());
   for (std::size_t i = 0; i < node.size(); ++i) {
     const JsonNode entry = node.at(i);
-    entry.require_object({"id", "motion"});
+    entry.require_object({"id", "motion", "polygon", "rotor"});
     const JsonNode id = entry.member("id");
     if (id.string().empty()) id.fail("an empty id", "write a name");
     if (id.string().size() > kMaxIdBytes) {
@@ -51,9 +73,11 @@ void read_objects(const JsonNode& node, Scene& scene) {
                   std::to_string(other->second) + " too",
               "ids are unique");
     }
-    Motion motion = read_motion(entry.member("motion"), scene.dimension, scene.jumps);
-    scene.objects.push_back({id.string(), std::move(motion)});
+    std::vector<Vertex2> polygon = read_shape(entry, i == 0, scene);
+    Motion motion = read_motion(entry, scene, !polygon.empty());
+    scene.objects.push_back({id.string(), std::move(motion), std::move(polygon)});
   }
+  if (scene.has_bodies()) check_apart(node, scene);
 }
 
 }  // namespace

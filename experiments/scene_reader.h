@@ -3,8 +3,9 @@
 //
 // Numbers are exact: what is written, as a decimal, a fraction or a hexadecimal binary64, is what
 // is read. Everything that a run relies on is checked here: ids, dimensions, pieces and their
-// continuity, what is to be maintained. A scene that is returned is valid; anything else throws
-// InputError with file, JSON path, offending text and remedy. Unknown fields are refused.
+// continuity, polygons and rotors, that bodies are apart at the start, what is to be maintained. A
+// scene that is returned is valid; anything else throws InputError with file, JSON path, offending
+// text and remedy. Unknown fields are refused.
 #ifndef KINEX_EXPERIMENTS_SCENE_READER_H
 #define KINEX_EXPERIMENTS_SCENE_READER_H
 
@@ -19,6 +20,7 @@ namespace kinex {
 
 inline constexpr int kMaxDimension = 3;
 inline constexpr int kMaxMotionDegree = 1000;
+inline constexpr int kMaxRotorDegree = 100;
 inline constexpr std::size_t kMaxIdBytes = 1000;
 
 // `file` is for messages only.

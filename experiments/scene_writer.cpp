@@ -19,20 +19,38 @@ void write_number(JsonWriter& json, const Rational& value) {
   }
 }
 
-void write_coordinates(JsonWriter& json, const Trajectory& trajectory) {
+template <class Numbers>
+void write_numbers(JsonWriter& json, const Numbers& numbers) {
   json.begin_array();
-  for (const std::vector<Rational>& axis : trajectory.coordinates) {
-    json.begin_array();
-    for (const Rational& coefficient : axis) write_number(json, coefficient);
-    json.end_array();
+  for (const Rational& number : numbers) write_number(json, number);
+  json.end_array();
+}
+
+void write_axes(JsonWriter& json, const Trajectory& trajectory, int first, int last) {
+  json.begin_array();
+  for (int axis = first; axis < last; ++axis) {
+    write_numbers(json, trajectory.coordinates[static_cast<std::size_t>(axis)]);
   }
   json.end_array();
 }
 
-void write_motion(JsonWriter& json, const Motion& motion) {
+bool turns(const Trajectory& trajectory) {
+  return trajectory.coordinates[2] != std::vector<Rational>{1} ||
+         trajectory.coordinates[3] != std::vector<Rational>{0};
+}
+
+// The coordinates as the value of the key just written, then the rotor of a body that has one.
+void write_trajectory(JsonWriter& json, const Trajectory& trajectory, bool body) {
+  write_axes(json, trajectory, 0, body ? 2 : trajectory.dimension());
+  if (!body || !turns(trajectory)) return;
+  json.key("rotor");
+  write_axes(json, trajectory, 2, kBodyAxes);
+}
+
+void write_motion(JsonWriter& json, const Motion& motion, bool body) {
   const MotionPiece& first = motion.pieces.front();
   if (motion.pieces.size() == 1 && !first.from && !first.to) {
-    write_coordinates(json, first.trajectory);
+    write_trajectory(json, first.trajectory, body);
     return;
   }
   json.begin_array();
@@ -47,7 +65,7 @@ void write_motion(JsonWriter& json, const Motion& motion) {
       write_number(json, *piece.to);
     }
     json.key("coordinates");
-    write_coordinates(json, piece.trajectory);
+    write_trajectory(json, piece.trajectory, body);
     json.end_object();
   }
   json.end_array();
@@ -104,8 +122,14 @@ std::string write_scene(const Scene& scene) {
   if (scene.jumps) json.key("jumps").boolean(true);
   json.line(1).key("objects").begin_array();
   for (const SceneObject& object : scene.objects) {
-    json.line(2).begin_object().key("id").string(object.id).key("motion");
-    write_motion(json, object.motion);
+    json.line(2).begin_object().key("id").string(object.id);
+    if (!object.polygon.empty()) {
+      json.key("polygon").begin_array();
+      for (const Vertex2& vertex : object.polygon) write_numbers(json, vertex);
+      json.end_array();
+    }
+    json.key("motion");
+    write_motion(json, object.motion, !object.polygon.empty());
     json.end_object();
   }
   json.end_array();

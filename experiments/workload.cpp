@@ -3,6 +3,8 @@
 
 #include "experiments/input_error.h"
 #include "experiments/workloads/families.h"
+#include "experiments/workloads/polygons.h"
+#include "structures/registry.h"
 
 namespace kinex {
 
@@ -18,15 +20,38 @@ std::string range(int low, int high) {
   return "write a number from " + std::to_string(low) + " to " + std::to_string(high);
 }
 
+void check_body_parameters(const Workload& workload, const WorkloadParameters& parameters) {
+  if (parameters.separation && !workload.separation) {
+    refuse(workload, "--separation", "this family takes none", "leave --separation out");
+  }
+  if (parameters.separation && parameters.separation->sign() <= 0) {
+    refuse(workload, "--separation", parameters.separation->to_string() + " is no distance",
+           "write a number greater than 0");
+  }
+  if (parameters.turns != -1 && !workload.takes_turns) {
+    refuse(workload, "--turns", "this family takes none", "leave --turns out");
+  }
+  if (!workload.takes_turns) return;
+  if (parameters.turns < workload.min_turns || parameters.turns > kMaxWorkloadTurns) {
+    refuse(workload, "--turns", std::to_string(parameters.turns) + " turns",
+           range(workload.min_turns, kMaxWorkloadTurns));
+  }
+}
+
 void check_parameters(const Workload& workload, const WorkloadParameters& parameters) {
-  if (parameters.n < 1 || parameters.n > kMaxWorkloadSize) {
-    refuse(workload, "--n", std::to_string(parameters.n) + " objects", range(1, kMaxWorkloadSize));
+  if (parameters.n < workload.min_n || parameters.n > kMaxWorkloadSize) {
+    refuse(workload, "--n",
+           std::to_string(parameters.n) + (workload.min_n > 1 ? " vertices" : " objects"),
+           range(workload.min_n, kMaxWorkloadSize));
   }
   if (parameters.m != 0 && !workload.takes_m) {
     refuse(workload, "--m", "this family has one size only", "leave --m out");
   }
-  if (parameters.m < 0 || parameters.m > kMaxWorkloadSize) {
-    refuse(workload, "--m", std::to_string(parameters.m) + " objects", range(1, kMaxWorkloadSize));
+  const int min_m = workload.takes_m ? workload.min_m : 0;
+  if (parameters.m < min_m || parameters.m > kMaxWorkloadSize) {
+    refuse(workload, "--m",
+           std::to_string(parameters.m) + (workload.min_m > 1 ? " vertices" : " objects"),
+           range(workload.min_m, kMaxWorkloadSize));
   }
   if (parameters.degree != 1 && !workload.takes_degree) {
     refuse(workload, "--degree", "this family has a degree of its own", "leave --degree out");
@@ -40,6 +65,7 @@ void check_parameters(const Workload& workload, const WorkloadParameters& parame
     refuse(workload, "--dimension", "dimension " + std::to_string(parameters.dimension),
            range(workload.min_dimension, workload.max_dimension));
   }
+  check_body_parameters(workload, parameters);
 }
 
 std::string describe(const Workload& workload, const WorkloadParameters& parameters) {
@@ -52,18 +78,24 @@ std::string describe(const Workload& workload, const WorkloadParameters& paramet
   if (parameters.dimension != workload.default_dimension) {
     name += " dimension=" + std::to_string(parameters.dimension);
   }
+  if (workload.separation) name += " separation=" + parameters.separation->to_string();
+  if (workload.takes_turns) name += " turns=" + std::to_string(parameters.turns);
   if (workload.random) name += " seed=" + std::to_string(parameters.seed);
   return name;
 }
 
-std::string_view default_structure(int dimension) {
-  return dimension == 2 ? "delaunay_2" : "sorted_list";
+// Empty if there is nothing for a family.
+std::string_view default_structure(const Workload& workload, int dimension) {
+  if (!workload.maintain.empty()) return workload.maintain;
+  if (!workload.bodies) return dimension == 2 ? "delaunay_2" : "sorted_list";
+  for (const StructureInfo& info : structure_infos()) {
+    if (info.bodies) return info.name;
+  }
+  return "";
 }
 
-}  // namespace
-
-const std::vector<Workload>& workloads() {
-  static const std::vector<Workload> kWorkloads{
+std::vector<Workload> point_workloads() {
+  return {
       {"uniform-square", "origin and destination uniform in the unit square (interval, cube)", 2, 1,
        3, true, true, false, "", generate_uniform_square},
       {"uniform-disk", "origin and destination uniform in the unit disk (interval, ball)", 2, 1, 3,
@@ -98,6 +130,16 @@ const std::vector<Workload>& workloads() {
       {"static-one-mover", "one object crosses n - 1 objects at rest", 2, 1, 3, true, false, false,
        "", generate_static_one_mover},
   };
+}
+
+}  // namespace
+
+const std::vector<Workload>& workloads() {
+  static const std::vector<Workload> kWorkloads = [] {
+    std::vector<Workload> all = point_workloads();
+    all.insert(all.end(), polygon_workloads().begin(), polygon_workloads().end());
+    return all;
+  }();
   return kWorkloads;
 }
 
@@ -110,17 +152,20 @@ const Workload* find_workload(std::string_view name) {
 
 Scene generate_scene(const Workload& workload, WorkloadParameters parameters) {
   if (parameters.dimension == 0) parameters.dimension = workload.default_dimension;
-  if (parameters.m == 0 && workload.takes_m) parameters.m = parameters.n;
+  if (parameters.m == 0 && workload.takes_m) {
+    parameters.m = workload.default_m == 0 ? parameters.n : workload.default_m;
+  }
+  if (!parameters.separation) parameters.separation = workload.separation;
+  if (workload.takes_turns && parameters.turns == -1) parameters.turns = 1;
   check_parameters(workload, parameters);
   Scene scene;
   scene.name = describe(workload, parameters);
   scene.dimension = parameters.dimension;
   workload.generate(parameters, scene);
   Request request;
-  request.structure =
-      workload.maintain.empty() ? default_structure(parameters.dimension) : workload.maintain;
+  request.structure = default_structure(workload, parameters.dimension);
   request.label = request.structure;
-  scene.maintain.push_back(std::move(request));
+  if (!request.structure.empty()) scene.maintain.push_back(std::move(request));
   return scene;
 }
 

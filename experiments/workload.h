@@ -5,6 +5,7 @@
 #define KINEX_EXPERIMENTS_WORKLOAD_H
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,10 +16,12 @@ namespace kinex {
 
 struct WorkloadParameters {
   int n = 100;             // objects; >= 1
-  int m = 0;               // a second size, where a family has one; 0: same as n
+  int m = 0;               // a second size, where a family has one; 0: the family's own
   std::uint64_t seed = 1;  // ignored by families that draw nothing
   int degree = 1;          // of the motion, where a family has a choice
   int dimension = 0;       // 0: the family's own
+  std::optional<Rational> separation = std::nullopt;  // of two bodies; nullopt: the family's own
+  int turns = -1;                                     // -1: once
 };
 
 struct Workload {
@@ -32,10 +35,17 @@ struct Workload {
   std::string_view maintain;  // in the default dimension; "" means by dimension
   // Fills time and objects; the parameters are valid and their dimension is set.
   void (*generate)(const WorkloadParameters&, Scene&);
+  int min_n = 1, min_m = 1;
+  int default_m = 0;                                  // 0: same as n
+  bool bodies = false;                                // rigid polygons, not points
+  std::optional<Rational> separation = std::nullopt;  // the default, where a family takes one
+  bool takes_turns = false;
+  int min_turns = 1;
 };
 
 inline constexpr int kMaxWorkloadSize = 10000000;
 inline constexpr int kMaxWorkloadDegree = 20;
+inline constexpr int kMaxWorkloadTurns = 100000;
 
 // All families, in the order in which they are listed to people.
 const std::vector<Workload>& workloads();

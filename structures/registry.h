@@ -21,6 +21,7 @@ struct StructureInfo {
   bool uses_key;             // a "key" makes sense for it
   std::string_view reads;    // the structure, of the same key, that it watches; empty: none
   bool linear = false;       // for linear motions and keys (not squared distances) only
+  bool bodies = false;       // for rigid bodies; otherwise for points
 };
 
 // All structures, in the order in which they are listed to people.

@@ -22,7 +22,8 @@ struct GenOptions {
   std::string workload;
   WorkloadParameters parameters;
   std::string seed;
-  std::optional<int> m, dimension;
+  std::optional<int> m, dimension, turns;
+  std::string separation;
   std::vector<std::string> maintain;
   std::string name, output;
   bool force = false;
@@ -44,12 +45,21 @@ WorkloadParameters parameters_of(const GenOptions& options, const Workload& work
   WorkloadParameters parameters = options.parameters;
   if (!options.seed.empty()) parameters.seed = seed_option("--seed", options.seed);
   if (options.m) {
-    if (workload.takes_m) check_range("--m", *options.m, 1, kMaxWorkloadSize);
+    if (workload.takes_m) check_range("--m", *options.m, workload.min_m, kMaxWorkloadSize);
     parameters.m = *options.m == 0 ? 1 : *options.m;  // refused where the family takes none
   }
   if (options.dimension) {
     check_range("--dimension", *options.dimension, workload.min_dimension, workload.max_dimension);
     parameters.dimension = *options.dimension;
+  }
+  if (!options.separation.empty()) {
+    parameters.separation = rational_option("--separation", options.separation);
+  }
+  if (options.turns) {
+    if (workload.takes_turns) {
+      check_range("--turns", *options.turns, workload.min_turns, kMaxWorkloadTurns);
+    }
+    parameters.turns = std::max(0, *options.turns);  // refused where the family takes none
   }
   return parameters;
 }
@@ -78,10 +88,12 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_option("WORKLOAD", options->workload, "The family");
   verb->add_flag("--list", options->list, "List the families and stop");
   verb->add_option("--n", options->parameters.n, "Objects (100)");
-  verb->add_option("--m", options->m, "Second size of hull-worst (same as --n)");
+  verb->add_option("--m", options->m, "Second size, where a family has one (same as --n)");
   verb->add_option("--seed", options->seed, "Seed of the random families (1)");
   verb->add_option("--degree", options->parameters.degree, "Degree of the motion (1)");
   verb->add_option("--dimension", options->dimension, "Axes, 1 to 3");
+  verb->add_option("--separation", options->separation, "Distance that two bodies keep");
+  verb->add_option("--turns", options->turns, "Rounds of a body about another (1)");
   add_maintain_option(*verb, options->maintain, "What to maintain");
   verb->add_option("--name", options->name, "Name of the scene");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");

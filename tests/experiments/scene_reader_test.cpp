@@ -5,6 +5,7 @@
 
 #include "experiments/scene_writer.h"
 #include "tests/experiments/expect_input_error.h"
+#include "tests/sanitized.h"
 
 namespace kinex {
 namespace {
@@ -108,6 +109,64 @@ TEST(SceneWriter, RoundTrip) {
   }
   EXPECT_EQ(again.maintain[3].key.object, 0u);
   EXPECT_EQ(again.maintain[1].key.direction, scene.maintain[1].key.direction);
+}
+
+constexpr const char* kBodies = R"(
+  {"kinex": 1, "name": "bodies", "dimension": 2, "time": {"start": 0, "end": 1},
+   "objects": [
+     {"id": "a", "polygon": [[0, 0], [1, "1/3"], [0, 1]], "motion": [[0, 1], ["1/3", 0, -1]]},
+     {"id": "b", "polygon": [[9, 9], [10, 9], [9, 11]], "motion": [[0], [0]], "rotor": [[1], [0, 1]]},
+     {"id": "c", "polygon": [[0, 5], [1, 5], [0, 6]], "motion": [
+       {"to": "1/2", "coordinates": [[0], [0, 1]], "rotor": [[1, -1], [0, 1, 0]]},
+       {"from": "1/2", "coordinates": [[0], ["1/2"]], "rotor": [["-1/2"], ["-1/2"]]}]}]})";
+
+TEST(SceneReader, ReadsBodies) {
+  const Scene scene = parse(kBodies);
+  EXPECT_TRUE(scene.has_bodies());
+  EXPECT_EQ(scene.axes(), kBodyAxes);
+  ASSERT_EQ(scene.objects.size(), 3u);
+  EXPECT_EQ(scene.objects[0].polygon[1], (Vertex2{Rational(1), ratio(1, 3)}));
+  const auto coordinates = [&](std::size_t object, std::size_t piece) {
+    return scene.objects[object].motion.pieces[piece].trajectory.coordinates;
+  };
+  using Lists = std::vector<std::vector<Rational>>;
+  EXPECT_EQ(coordinates(0, 0), (Lists{{0, 1}, {ratio(1, 3), 0, -1}, {1}, {0}}));
+  EXPECT_EQ(coordinates(1, 0), (Lists{{0}, {0}, {1}, {0, 1}}));
+  EXPECT_EQ(coordinates(2, 0), (Lists{{0}, {0, 1}, {1, -1}, {0, 1}}));
+  EXPECT_EQ(coordinates(2, 1), (Lists{{0}, {ratio(1, 2)}, {ratio(-1, 2)}, {ratio(-1, 2)}}));
+}
+
+TEST(SceneWriter, BodiesRoundTrip) {
+  const Scene scene = parse(kBodies);
+  const std::string text = write_scene(scene);
+  const Scene again = parse(text);
+  EXPECT_EQ(write_scene(again), text);
+  ASSERT_EQ(again.objects.size(), scene.objects.size());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    EXPECT_EQ(again.objects[i].polygon, scene.objects[i].polygon);
+    for (std::size_t k = 0; k < scene.objects[i].motion.pieces.size(); ++k) {
+      EXPECT_EQ(again.objects[i].motion.pieces[k].trajectory,
+                scene.objects[i].motion.pieces[k].trajectory);
+    }
+  }
+}
+
+// A grid of squares in each other's way for boxes, and not for polygons.
+TEST(SceneReader, ManyBodiesAreFoundApart) {
+  std::string objects;
+  const int side = test::kSanitized ? 30 : 100;
+  for (int i = 0; i < side * side; ++i) {
+    const std::string x = std::to_string(i % side) + ".0", y = std::to_string(i / side) + "e0";
+    objects +=
+        (i == 0 ? "" : ", ") +
+        (R"({"id": "b)" + std::to_string(i) +
+         R"(", "polygon": [["-0.6", 0], [0, "-0.1"], ["0.6", 0], [0, "0.1"]], "motion": [[)" + x +
+         "], [" + y + R"(]], "rotor": [[2], [1]]})");
+  }
+  const std::string head = R"({"kinex": 1, "dimension": 2, "time": {"start": 0}, "objects": [)";
+  EXPECT_EQ(parse(head + objects + "]}").objects.size(), static_cast<std::size_t>(side * side));
+  objects += R"(, {"id": "z", "polygon": [[0, 0], [1, 0], [0, 1]], "motion": [["5.5"], ["5.5"]]})";
+  EXPECT_INPUT_ERROR(parse(head + objects + "]}"), "\"z\" overlap at the scene's start");
 }
 
 TEST(SceneHash, DependsOnContentNotOnForm) {

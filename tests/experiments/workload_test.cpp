@@ -37,7 +37,7 @@ TEST(Workload, GoldenHashes) {
   const std::map<std::string, std::string> golden{
 #include "tests/experiments/workload_hashes.inc"
   };
-  EXPECT_EQ(golden.size(), workloads().size() + 5);
+  EXPECT_EQ(golden.size(), workloads().size() + 8);
   for (const Workload& workload : workloads()) {
     const std::string name(workload.name);
     EXPECT_EQ(motion_hash(generate(name, 16)), golden.at(name)) << name;
@@ -48,14 +48,30 @@ TEST(Workload, GoldenHashes) {
   EXPECT_EQ(motion_hash(generate("gaussian", 16, 1, 1, 3)), golden.at("gaussian dimension 3"));
   EXPECT_EQ(motion_hash(generate("sort-worst", 16, 1, 2)), golden.at("sort-worst degree 2"));
   EXPECT_EQ(motion_hash(generate("hull-worst", 4, 1, 1, 0, 7)), golden.at("hull-worst 4 7"));
+  EXPECT_EQ(motion_hash(generate("polygon-random", 16, 1, 3)),
+            golden.at("polygon-random degree 3"));
+  WorkloadParameters parameters;
+  parameters.n = 16;
+  parameters.turns = 3;
+  EXPECT_EQ(motion_hash(generate_scene(*find_workload("polygon-spin-orbit"), parameters)),
+            golden.at("polygon-spin-orbit turns 3"));
+  parameters = {};
+  parameters.n = 4;
+  parameters.m = 7;
+  parameters.separation = Rational(Integer(1), Integer(100));
+  EXPECT_EQ(motion_hash(generate_scene(*find_workload("polygon-fan"), parameters)),
+            golden.at("polygon-fan 4 7 1/100"));
 }
 
 TEST(Workload, EveryFamilyIsAValidScene) {
   for (const Workload& workload : workloads()) {
     for (int dimension = workload.min_dimension; dimension <= workload.max_dimension; ++dimension) {
       Scene scene = generate(workload.name, 8, 3, 1, dimension);
-      EXPECT_EQ(scene.objects.size(), workload.takes_m ? 16u : 8u);
-      EXPECT_FALSE(scene.maintain.empty());
+      EXPECT_EQ(scene.has_bodies(), workload.bodies);
+      if (!workload.bodies) {
+        EXPECT_EQ(scene.objects.size(), workload.takes_m ? 16u : 8u);
+        EXPECT_FALSE(scene.maintain.empty());
+      }
       scene.maintain.clear();
       const std::string text = write_scene(scene);
       EXPECT_EQ(write_scene(parse_scene(text, "again")), text) << workload.name;

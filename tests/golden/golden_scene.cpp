@@ -176,6 +176,11 @@ Scene make_scene(const std::string& description) {
     parameters.seed = static_cast<std::uint64_t>(number(options, "seed", 1));
     parameters.degree = number(options, "degree", 1);
     parameters.dimension = number(options, "dimension", 0);
+    parameters.turns = number(options, "turns", -1);
+    const auto separation = options.find("separation");
+    if (separation != options.end()) {
+      parameters.separation = Rational::parse(separation->second);
+    }
     scene = generate_scene(*workload, parameters);
   }
   const auto maintain = options.find("maintain");

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the families of rigid polygons share: nearly regular polygons with rational vertices on a
+// circle, rotors of many turns, paths of straight lines. No floating point: sines are series in
+// fixed-point numbers.
+#ifndef KINEX_EXPERIMENTS_WORKLOADS_POLYGONS_H
+#define KINEX_EXPERIMENTS_WORKLOADS_POLYGONS_H
+
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+#include "experiments/workload.h"
+
+namespace kinex {
+
+using Coefficients = std::vector<Rational>;
+
+// The multiple of 2^-bits nearest to a number.
+Rational rounded(const Rational& value, unsigned long bits);
+// Approximations to about 2^-60.
+Rational approximate_pi();
+Rational approximate_root(const Rational& square);  // square >= 0
+struct CosSin {
+  Rational cos, sin;
+};
+CosSin approximate_cos_sin(const Rational& angle);  // 0 <= angle <= 2
+
+// Vertices exactly on the circle, counter-clockwise from (radius, 0), their angles within about
+// 2^-39 of those of the regular polygon; quarter turns are exact. n >= 3.
+std::vector<Vertex2> regular_polygon(int n, const Rational& radius);
+// The largest y of a vertex.
+Rational top_of(const std::vector<Vertex2>& polygon);
+
+// A rotor in one piece of time.
+struct RotorPiece {
+  std::optional<Rational> from, to;
+  Coefficients p, q;
+};
+// `count` half turns of the rotor's argument, that is as many turns of a body by half a turn,
+// counter-clockwise, in the time from 0 to `span`; each in a piece of its own and linear in t. The
+// first and the last piece go on for ever. count >= 1.
+std::vector<RotorPiece> half_turns(int count, const Rational& span);
+// The same body twice: `fine` refines `coarse`. The products of both rotors, in the pieces of
+// `fine`.
+std::vector<RotorPiece> composed(const std::vector<RotorPiece>& fine,
+                                 const std::vector<RotorPiece>& coarse);
+
+// A body that stays at (x, y) and turns.
+void add_turning_body(Scene& scene, std::string id, std::vector<Vertex2> polygon, const Rational& x,
+                      const Rational& y, const std::vector<RotorPiece>& rotor);
+// A body with one flight plan.
+void add_body(Scene& scene, std::string id, std::vector<Vertex2> polygon, Coefficients x,
+              Coefficients y, Coefficients p = {1}, Coefficients q = {0});
+// A body that is at points[i] at t = i, and moves in straight lines without turning. Two points at
+// least.
+void add_body_on_polyline(Scene& scene, std::string id, std::vector<Vertex2> polygon,
+                          const std::vector<Vertex2>& points);
+
+// All families of rigid polygons.
+const std::vector<Workload>& polygon_workloads();
+
+// polygon_orbits.cpp: two nearly regular polygons of radius 1
+void generate_polygon_orbit(const WorkloadParameters&, Scene&);
+void generate_polygon_orbit_arcs(const WorkloadParameters&, Scene&);
+void generate_polygon_spin_orbit(const WorkloadParameters&, Scene&);
+void generate_polygon_line(const WorkloadParameters&, Scene&);
+// polygon_fans.cpp: a turning polygon before a fan of nearly parallel edges
+void generate_polygon_fan(const WorkloadParameters&, Scene&);
+void generate_polygon_tangents(const WorkloadParameters&, Scene&);
+// polygon_paths.cpp: paths of straight lines
+void generate_polygon_jitter(const WorkloadParameters&, Scene&);
+void generate_polygon_kinks(const WorkloadParameters&, Scene&);
+void generate_polygon_approach(const WorkloadParameters&, Scene&);
+// polygon_random.cpp
+void generate_polygon_random(const WorkloadParameters&, Scene&);
+void generate_polygons_in_box(const WorkloadParameters&, Scene&);
+
+}  // namespace kinex
+
+#endif
