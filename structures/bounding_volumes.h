@@ -12,7 +12,6 @@
 #define KINEX_STRUCTURES_BOUNDING_VOLUMES_H
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -29,7 +28,6 @@ class BoundingVolumes final : public ClosestFeatures {
   BoundingVolumes(Kernel& kernel, StructureId id, const Scene& scene);
 
   std::string_view name() const override { return "bounding_volumes"; }
-  std::vector<std::string_view> event_kinds() const override;
   std::size_t bytes() const override;
 
  protected:
@@ -40,12 +38,8 @@ class BoundingVolumes final : public ClosestFeatures {
 
  private:
   bool put_volume(PairId p);
-  ObjectId reach(PairId p);
 
-  std::array<PredicateId, 2> gap_;  // per axis
-  PredicateId discs_apart_, discs_overlap_;
-  std::vector<std::uint8_t> near_;        // per pair
-  std::map<Rational, ObjectId> reaches_;  // constants
+  std::vector<std::uint8_t> near_;  // per pair
 };
 
 }  // namespace kinex

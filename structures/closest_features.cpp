@@ -7,7 +7,7 @@ ClosestFeatures::ClosestFeatures(Kernel& kernel, StructureId id, const Scene& sc
     : CollisionPairs(kernel, id, scene, CutPolicy::kMedian), predicates_(kernel) {}
 
 std::vector<std::string_view> ClosestFeatures::event_kinds() const {
-  return common_event_kinds({"contact", "change"});
+  return collision_kinds({"change"});
 }
 
 SumBoundary ClosestFeatures::boundary(PairId p) {

@@ -28,7 +28,7 @@ namespace kinex {
 
 class ClosestFeatures : public CollisionPairs {
  public:
-  static constexpr std::uint8_t kChange = kContact + 1;  // of the pair of features
+  static constexpr std::uint8_t kChange = kFirstOwn;  // of the pair of features
 
   ClosestFeatures(Kernel& kernel, StructureId id, const Scene& scene);
 

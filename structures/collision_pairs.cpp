@@ -13,9 +13,18 @@ CollisionPairs::CollisionPairs(Kernel& kernel, StructureId id, const Scene& scen
       id_(id),
       scene_(scene),
       frames_(kernel, scene, policy),
+      volumes_(kernel, scene),
       pose_(make_pose_2()),
       pairs_of_(scene.objects.size()),
-      alive_(scene.objects.size(), 0) {}
+      alive_(scene.objects.size(), 0) {
+  if (scene.objects.size() <= 2) return;
+  grid_.emplace(kernel, id, Rational(2) * volumes_.largest_radius(), scene.objects.size());
+}
+
+std::vector<std::string_view> CollisionPairs::collision_kinds(std::vector<std::string_view> own) {
+  own.insert(own.begin(), {"contact", "volume", "grid"});
+  return common_event_kinds(std::move(own));
+}
 
 void CollisionPairs::build(std::span<const ObjectId> objects) {
   for (const ObjectId object : objects) insert(object);
@@ -24,20 +33,39 @@ void CollisionPairs::build(std::span<const ObjectId> objects) {
 void CollisionPairs::rebuild() {
   for (PairId p = 0; p < pairs_.size(); ++p) {
     if (pairs_[p].a == kNoObject || pairs_[p].touching) continue;
-    stop(p);
+    if (!pairs_[p].apart) stop(p);
     drop_certificates(p);
-    follow(p);
+    follow_near(p);
   }
 }
 
 void CollisionPairs::certificate_failed(CertificateId failed) {
   const std::uint32_t tag = kernel_.tag(failed);
+  if ((tag & BodyGrid::kTag) != 0) {
+    const ObjectId body = grid_->move_on(tag);
+    update_pairs(body);
+    kernel_.report(id_, kGrid, {body}, false);
+    return;
+  }
+  const PairId p = tag / kMostCertificates;
   failed_ = failed;
-  fail(tag / kMostCertificates, tag % kMostCertificates);
+  if (pairs_[p].apart) {
+    follow_near(p);
+    report(p, kVolume);
+  } else {
+    fail(p, tag % kMostCertificates);
+  }
   failed_ = kNoCertificate;
 }
 
 void CollisionPairs::insert(ObjectId object) {
+  most_bodies_ = std::max(most_bodies_, ++bodies_);
+  if (grid_) {
+    alive_[object] = 1;
+    grid_->insert(object);
+    update_pairs(object);
+    return;
+  }
   for (ObjectId other = 0; other < alive_.size(); ++other) {
     if (alive_[other] == 0) continue;
     follow(add_pair(std::min(object, other), std::max(object, other)));
@@ -47,8 +75,29 @@ void CollisionPairs::insert(ObjectId object) {
 
 void CollisionPairs::erase(ObjectId object) {
   alive_[object] = 0;
+  --bodies_;
+  if (grid_) grid_->erase(object);
   const std::vector<PairId> gone = pairs_of_[object];
   for (const PairId p : gone) remove_pair(p);
+}
+
+void CollisionPairs::update_pairs(ObjectId body) {
+  const std::vector<PairId> had = pairs_of_[body];
+  for (const PairId p : had) {
+    // A contact is known for good.
+    if (!pairs_[p].touching && !grid_->are_near(pairs_[p].a, pairs_[p].b)) remove_pair(p);
+  }
+  for (const ObjectId other : grid_->near(body)) {
+    const ObjectId a = std::min(body, other), b = std::max(body, other);
+    if (find_pair(a, b) == kNoPair) follow_near(add_pair(a, b));
+  }
+}
+
+PairId CollisionPairs::find_pair(ObjectId a, ObjectId b) const {
+  for (const PairId p : pairs_of_[a]) {
+    if (pairs_[p].a == a && pairs_[p].b == b) return p;
+  }
+  return kNoPair;
 }
 
 void CollisionPairs::motions_changed(std::span<const ObjectId> objects) {
@@ -63,37 +112,66 @@ void CollisionPairs::motions_changed(std::span<const ObjectId> objects) {
   for (const PairId p : again) follow(p);
 }
 
-void CollisionPairs::follow(PairId p) { pairs_[p].touching = !start(p); }
+// By a volume if there is one that is a proof.
+void CollisionPairs::follow_near(PairId p) {
+  if (grid_) {
+    if (const auto query = volumes_.proof(pairs_[p].a, pairs_[p].b)) {
+      pairs_[p].apart = true;
+      set_certificates(p, {&*query, 1});
+      return;
+    }
+  }
+  follow(p);
+}
+
+void CollisionPairs::follow(PairId p) {
+  add_pose(p);
+  pairs_[p].apart = false;
+  pairs_[p].touching = !start(p);
+  if (pairs_[p].touching) drop_certificates(p);
+}
 
 PairId CollisionPairs::add_pair(ObjectId a, ObjectId b) {
-  const std::array<ObjectId, 2> bases{a, b};
-  std::string name = scene_.objects[a].id + "|" + scene_.objects[b].id;
   PairId p = static_cast<PairId>(pairs_.size());
   if (free_.empty()) {
     pairs_.emplace_back();
-    pairs_[p].pose = kernel_.derive(std::move(name), pose_, bases);
   } else {
     p = free_.back();
     free_.pop_back();
-    kernel_.rederive(pairs_[p].pose, std::move(name), bases);
   }
   pairs_[p].a = a;
   pairs_[p].b = b;
-  pairs_[p].touching = false;
+  pairs_[p].touching = pairs_[p].apart = false;
   pairs_of_[a].push_back(p);
   pairs_of_[b].push_back(p);
   most_pairs_ = std::max(most_pairs_, ++live_pairs_);
   return p;
 }
 
+void CollisionPairs::add_pose(PairId p) {
+  Pair& pair = pairs_[p];
+  if (pair.pose != kNoObject) return;
+  const std::array<ObjectId, 2> bases{pair.a, pair.b};
+  std::string name = scene_.objects[pair.a].id + "|" + scene_.objects[pair.b].id;
+  if (free_poses_.empty()) {
+    pair.pose = kernel_.derive(std::move(name), pose_, bases);
+  } else {
+    pair.pose = free_poses_.back();
+    free_poses_.pop_back();
+    kernel_.rederive(pair.pose, std::move(name), bases);
+  }
+}
+
 void CollisionPairs::remove_pair(PairId p) {
-  stop(p);
+  Pair& pair = pairs_[p];
+  if (!pair.apart && !pair.touching) stop(p);
   drop_certificates(p);
-  for (const ObjectId body : {pairs_[p].a, pairs_[p].b}) {
+  for (const ObjectId body : {pair.a, pair.b}) {
     std::vector<PairId>& list = pairs_of_[body];
     list.erase(std::find(list.begin(), list.end(), p));
   }
-  pairs_[p].a = pairs_[p].b = kNoObject;
+  if (pair.pose != kNoObject) free_poses_.push_back(pair.pose);
+  pair = Pair{};
   free_.push_back(p);
   --live_pairs_;
 }
@@ -181,9 +259,12 @@ Attribute CollisionPairs::attribute() const {
 
 std::vector<BoundCheck> CollisionPairs::bounds(const BoundContext& context) const {
   const std::string own(name());
-  return {at_most(own + ".compactness", "a proof has a constant number of certificates",
-                  Integer(static_cast<std::int64_t>(most_pairs_ * most_certificates())),
-                  Integer(static_cast<std::int64_t>(context.ledger->max_live)))};
+  return {at_most(
+      own + ".compactness",
+      "a constant number of certificates for a pair that is near, and for a body in the grid",
+      Integer(static_cast<std::int64_t>(most_pairs_ * most_certificates() +
+                                        (grid_ ? 4 * most_bodies_ : 0))),
+      Integer(static_cast<std::int64_t>(context.ledger->max_live)))};
 }
 
 void CollisionPairs::check_invariants(AuditReport& report) const {
@@ -203,7 +284,8 @@ void CollisionPairs::check_invariants(AuditReport& report) const {
 }
 
 std::size_t CollisionPairs::bytes() const {
-  std::size_t total = frames_.bytes() + pairs_.capacity() * sizeof(Pair) +
+  std::size_t total = frames_.bytes() + volumes_.bytes() + (grid_ ? grid_->bytes() : 0) +
+                      free_poses_.capacity() * sizeof(ObjectId) + pairs_.capacity() * sizeof(Pair) +
                       free_.capacity() * sizeof(PairId) + alive_.capacity() +
                       pairs_of_.capacity() * sizeof(pairs_of_[0]);
   for (const auto& list : pairs_of_) total += list.capacity() * sizeof(PairId);

@@ -7,6 +7,11 @@
 // has no certificates; when the motion of one of its bodies changes and they are disjoint right
 // after it, it is followed again.
 //
+// In scenes of more than two bodies a grid is the broad phase (structures/body_grid.h): bodies that
+// are not in neighbouring cells have no proof of their own, and those that are have one certificate
+// while a box or a disc about them is a proof (structures/body_volumes.h). With two bodies there is
+// neither.
+//
 // Ties. A pair that touches without penetrating (the distance is zero at one instant, or for a
 // while along an edge, and never negative) has no contact: its certificates never become negative.
 #ifndef KINEX_STRUCTURES_COLLISION_PAIRS_H
@@ -15,6 +20,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +31,8 @@
 #include "core/scene.h"
 #include "core/structure.h"
 #include "structures/body_frames.h"
+#include "structures/body_grid.h"
+#include "structures/body_volumes.h"
 
 namespace kinex {
 
@@ -32,10 +40,12 @@ using PairId = std::uint32_t;
 
 class CollisionPairs : public Structure {
  public:
-  // The rank of "contact"; the kinds of derived classes follow it. A contact names the two bodies
-  // and the features that meet, as derived objects: "a.v3" is vertex 3 of body a, "a.e3" the edge
-  // from it to the next (counted from 0 in the scene's order).
-  static constexpr std::uint8_t kContact = 0;
+  // The ranks of "contact", "volume" and "grid"; the kinds of derived classes follow them. A
+  // contact names the two bodies and the features that meet, as derived objects: "a.v3" is vertex 3
+  // of body a, "a.e3" the edge from it to the next (counted from 0 in the scene's order). A volume
+  // is another proof of one certificate, or the end of the last one; "grid" names a body that
+  // changes its cell.
+  static constexpr std::uint8_t kContact = 0, kVolume = 1, kGrid = 2, kFirstOwn = 3;
   // A proof has at most so many certificates.
   static constexpr std::uint32_t kMostCertificates = 8;
 
@@ -58,6 +68,7 @@ class CollisionPairs : public Structure {
     ObjectId a = kNoObject, b = kNoObject;  // a < b; kNoObject: not in use
     ObjectId pose = kNoObject;
     bool touching = false;
+    bool apart = false;  // one certificate on volumes is the proof
     std::uint8_t certificates = 0;
     std::array<CertificateId, kMostCertificates> certificate{};
   };
@@ -71,6 +82,9 @@ class CollisionPairs : public Structure {
   virtual void stop(PairId pair) { static_cast<void>(pair); }
   // The largest number of certificates that a proof has between events.
   virtual std::uint32_t most_certificates() const = 0;
+
+  // The kinds of events: these, the derived class's own, the common ones.
+  static std::vector<std::string_view> collision_kinds(std::vector<std::string_view> own);
 
   const Pair& pair(PairId p) const { return pairs_[p]; }
   std::size_t pairs() const { return pairs_.size(); }
@@ -94,21 +108,30 @@ class CollisionPairs : public Structure {
   const StructureId id_;
   const Scene& scene_;
   BodyFrames frames_;
+  BodyVolumes volumes_;
 
  private:
+  static constexpr PairId kNoPair = 0xffffffffu;
+  PairId find_pair(ObjectId a, ObjectId b) const;
+  // Adds the pairs of this body that are near and not there; removes those that are near no more.
+  void update_pairs(ObjectId body);
+  void follow_near(PairId p);
   PairId add_pair(ObjectId a, ObjectId b);
   void remove_pair(PairId p);
-  void follow(PairId p);
+  void follow(PairId p);  // by the derived class's proof
+  void add_pose(PairId p);
   void drop_certificates(PairId p);
   ObjectId feature_object(ObjectId body, bool negated, Feature feature);
 
   std::shared_ptr<const Construction> pose_;
   std::vector<Pair> pairs_;
   std::vector<PairId> free_;
+  std::vector<ObjectId> free_poses_;
+  std::optional<BodyGrid> grid_;
   std::vector<std::vector<PairId>> pairs_of_;  // per body
   std::vector<std::uint8_t> alive_;
   CertificateId failed_ = kNoCertificate;  // while it is handled
-  std::size_t live_pairs_ = 0, most_pairs_ = 0;
+  std::size_t live_pairs_ = 0, most_pairs_ = 0, most_bodies_ = 0, bodies_ = 0;
 };
 
 }  // namespace kinex

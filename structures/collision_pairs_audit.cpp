@@ -5,6 +5,8 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "structures/collision_pairs.h"
@@ -60,18 +62,27 @@ bool meet(const Placed& a, const Placed& b) {
 
 void CollisionPairs::audit(const Snapshot& snapshot, AuditReport& report) const {
   std::vector<Placed> bodies(scene_.objects.size());
+  std::vector<ObjectId> order;  // by the left ends of their boxes
   for (ObjectId id = 0; id < bodies.size(); ++id) {
-    if (snapshot.alive(id)) bodies[id] = placed(scene_.objects[id], snapshot, id);
+    if (!snapshot.alive(id)) continue;
+    bodies[id] = placed(scene_.objects[id], snapshot, id);
+    order.push_back(id);
   }
-  const Attribute touching = attribute();
-  for (ObjectId a = 0; a < bodies.size(); ++a) {
-    for (ObjectId b = a + 1; b < bodies.size(); ++b) {
-      if (!snapshot.alive(a) || !snapshot.alive(b)) continue;
-      bool known = false;
-      for (std::size_t i = 0; i + 1 < touching.ids.size(); i += 2) {
-        known = known || (touching.ids[i] == a && touching.ids[i + 1] == b);
-      }
-      if (known) continue;
+  std::sort(order.begin(), order.end(), [&](ObjectId a, ObjectId b) {
+    const double x = bodies[a].box.xmin(), y = bodies[b].box.xmin();
+    return x != y ? x < y : a < b;
+  });
+  std::set<std::pair<ObjectId, ObjectId>> touching;
+  const Attribute known = attribute();
+  for (std::size_t i = 0; i + 1 < known.ids.size(); i += 2) {
+    touching.emplace(known.ids[i], known.ids[i + 1]);
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    ++report.checks;
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const ObjectId a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
+      if (bodies[order[j]].box.xmin() > bodies[order[i]].box.xmax()) break;
+      if (touching.count({a, b}) != 0) continue;
       report.check(!meet(bodies[a], bodies[b]), [&] {
         return scene_.objects[a].id + " and " + scene_.objects[b].id +
                " meet, and no contact is known, at t = " + snapshot.time().to_string();

@@ -7,7 +7,7 @@ InnerTangents::InnerTangents(Kernel& kernel, StructureId id, const Scene& scene)
     : CollisionPairs(kernel, id, scene, CutPolicy::kMedian), predicates_(kernel) {}
 
 std::vector<std::string_view> InnerTangents::event_kinds() const {
-  return common_event_kinds({"contact", "change"});
+  return collision_kinds({"change"});
 }
 
 SumBoundary InnerTangents::boundary(PairId p) {

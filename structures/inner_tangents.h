@@ -25,7 +25,7 @@ namespace kinex {
 
 class InnerTangents : public CollisionPairs {
  public:
-  static constexpr std::uint8_t kChange = kContact + 1;  // of a vertex of a tangent
+  static constexpr std::uint8_t kChange = kFirstOwn;  // of a vertex of a tangent
 
   InnerTangents(Kernel& kernel, StructureId id, const Scene& scene);
 

@@ -19,7 +19,7 @@ SeparationHysteresis::SeparationHysteresis(Kernel& kernel, StructureId id, const
     : ClosestFeatures(kernel, id, scene), least_(std::numeric_limits<double>::infinity()) {}
 
 std::vector<std::string_view> SeparationHysteresis::event_kinds() const {
-  return common_event_kinds({"contact", "change", "wedge"});
+  return collision_kinds({"change", "wedge"});
 }
 
 const FramePolygon& SeparationHysteresis::polygon(ObjectId body, bool negated) {

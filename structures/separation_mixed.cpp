@@ -10,7 +10,7 @@ SeparationMixed::SeparationMixed(Kernel& kernel, StructureId id, const Scene& sc
     : CollisionPairs(kernel, id, scene, policy), predicates_(kernel) {}
 
 std::vector<std::string_view> SeparationMixed::event_kinds() const {
-  return common_event_kinds({"contact", "side", "flip", "cell"});
+  return collision_kinds({"side", "flip", "cell"});
 }
 
 std::array<BodyFrame*, 2> SeparationMixed::frames_of(PairId p) {

@@ -31,9 +31,9 @@ namespace kinex {
 class SeparationMixed : public CollisionPairs {
  public:
   enum Kind : std::uint8_t {
-    kSide = kContact + 1,  // the point has crossed a side
-    kFlip,                 // the two tiles about it were divided anew
-    kCell,                 // it has moved between half-planes, into the boxes or out of them
+    kSide = kFirstOwn,  // the point has crossed a side
+    kFlip,              // the two tiles about it were divided anew
+    kCell,              // it has moved between half-planes, into the boxes or out of them
   };
 
   SeparationMixed(Kernel& kernel, StructureId id, const Scene& scene,
