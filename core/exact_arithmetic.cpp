@@ -285,6 +285,11 @@ Sign ExactArithmetic::sign_after(const Query& query) {
       return *sign;
     }
   }
+  // What has just become negative, or its opposite.
+  if (const int relation = relation_to_now(query)) {
+    ++counts[static_cast<int>(Stage::kDouble)];
+    return relation > 0 ? Sign::kNegative : Sign::kPositive;
+  }
   ++counts[static_cast<int>(Stage::kExact)];
   return exact_sign_after(query);
 }

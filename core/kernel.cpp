@@ -239,9 +239,10 @@ void Kernel::count_created(StructureId structure, const Query& query) {
   ++ledger.live;
   std::vector<std::uint32_t>& live = live_per_object_[structure];
   for (std::size_t i = 0; i < query.arity; ++i) {
-    const ObjectId object = query.ids[i];
-    ++live[object];
-    note_or_defer(structure, object);
+    each_base(query.ids[i], [&](ObjectId object) {
+      ++live[object];
+      note_or_defer(structure, object);
+    });
   }
 }
 
@@ -250,12 +251,14 @@ void Kernel::count_retracted(StructureId structure, const Query& query) {
   ++ledger.certificates_retracted;
   --ledger.live;
   std::vector<std::uint32_t>& live = live_per_object_[structure];
-  for (std::size_t i = 0; i < query.arity; ++i) --live[query.ids[i]];
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    each_base(query.ids[i], [&live](ObjectId object) { --live[object]; });
+  }
 }
 
 // Most objects of a certificate stay: they need no counting.
 void Kernel::count_replaced(StructureId structure, const Query& before, const Query& after) {
-  if (before.arity != 2 || after.arity != 2) {
+  if (before.arity != 2 || after.arity != 2 || derived_.size() > 0) {
     count_retracted(structure, before);
     count_created(structure, after);
     return;
@@ -397,7 +400,8 @@ std::span<const CertificateId> Kernel::certificates_of(ObjectId object) {
 }
 
 std::size_t Kernel::bytes() const {
-  std::size_t total = queue_.bytes() + derived_.bytes() + ledgers_.size() * sizeof(StructureLedger) +
+  std::size_t total = queue_.bytes() + derived_.bytes() +
+                      ledgers_.size() * sizeof(StructureLedger) +
                       touched_.capacity() * sizeof(touched_[0]) +
                       index_position_.capacity() * sizeof(index_position_[0]) +
                       index_.capacity() * sizeof(index_[0]);

@@ -166,6 +166,13 @@ class Kernel {
   void count_created(StructureId structure, const Query& query);
   void count_retracted(StructureId structure, const Query& query);
   void count_replaced(StructureId structure, const Query& before, const Query& after);
+  // Calls visit(object) for every object of the scene that the argument stands for: itself, or the
+  // bases that it is derived from.
+  template <class Visit>
+  void each_base(ObjectId id, const Visit& visit) const {
+    if (!derived_.is_derived(id)) return visit(id);
+    for (const ObjectId base : derived_.object(id).bases) visit(base);
+  }
   void note_live(StructureId structure, ObjectId object);
   // A count that is no record now need not be looked at later: what comes after only retracts, or
   // comes here again.

@@ -178,9 +178,10 @@ std::optional<MixedTiles::Move> MixedTiles::next(const Tile& tile, std::uint32_t
 
 // ---- where the point is
 
+// The tile exists at this angle: its normals are in order.
 bool MixedTiles::holds(const Tile& tile) const {
   const Certificates proof = certificates(tile);
-  for (std::uint32_t i = 0; i < proof.count; ++i) {
+  for (std::uint32_t i = 0; i < proof.sides; ++i) {
     if (kernel_.arithmetic().sign_after(proof.query[i]) == Sign::kNegative) return false;
   }
   return true;
