@@ -26,9 +26,9 @@
 // motions and O(n log n) always. Responsiveness: a failure is repaired in O(1) at its node; if it
 // changes purple, one corner is replaced by two or two by one, and so in place at every ancestor
 // where it shows. Events, linear motion: each pair of points fails s- and end certificates at one
-// instant and at one node only, C(n,2); y at most 2 C(n,3) and x at most 6 C(n,4), n^(2 + epsilon)
-// in fact. Insertion and erasure rebuild the chains on one path of the tree. New motions leave the
-// tree as it is.
+// instant and at one node only, C(n,2); y at most 4 C(n,3) and x at most 4 C(n,4) in the two halves
+// (four points have one node at which two are red and two blue), n^(2 + epsilon) in fact. Insertion
+// and erasure rebuild the chains on one path of the tree. New motions leave the tree as it is.
 //
 // The naive variant has y at all corners and no s. Corners far from all crossings depend on their
 // contender then, and one line may be in n certificates: it is not local.

@@ -5,6 +5,8 @@
 // Rounds of different arithmetics are interleaved; the best of each is taken; times are thread CPU
 // time; n = 1,000,000 is built and run for a while only. Output: see result_table.h; options: see
 // options.h.
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -68,6 +70,13 @@ Result measure(const Scene& scene, const char* arithmetic, std::uint64_t events)
   return result;
 }
 
+// The most memory that this process has had so far; contests grow.
+double process_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1e3;
+}
+
 void add_row(const Contest& contest, const Result& exact, const Result& plain, ResultTable& table) {
   double levels = 0;
   for (int k = 1; k < contest.n; k *= 2) ++levels;
@@ -75,7 +84,8 @@ void add_row(const Contest& contest, const Result& exact, const Result& plain, R
   const double each = exact.run / events;
   table.row({contest.structure, contest.n, exact.events, exact.build, exact.run, 1 / each,
              plain.run > 0 ? exact.run / plain.run : 0, 1e9 * each, 1e9 * each / levels,
-             static_cast<double>(exact.bytes) / 1e6, exact.live, exact.per_object});
+             static_cast<double>(exact.bytes) / 1e6, process_megabytes(), exact.live,
+             exact.per_object});
 }
 
 }  // namespace
@@ -107,6 +117,7 @@ int main(int argc, char** argv) {
        {"ns_per_event", 0},
        {"ns_per_event_and_level", 0},
        {"megabytes", 1},
+       {"process_megabytes", 0},
        {"certificates", 0},
        {"most_per_point", 0}});
   for (const Contest& contest : contests) {

@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "experiments/reproduce/part.h"
@@ -124,6 +126,39 @@ PaperClaim claim_on_delaunay(const CostTable& table, const PolynomialWeights& we
   return claim;
 }
 
+// On every scene, that is for equal workloads, sizes and seeds.
+PaperClaim claim_on_changes(const std::vector<SeriesResult>& results, const std::string& command) {
+  PaperClaim claim;
+  claim.id = "figure-3.same-changes";
+  claim.place = "section 11";
+  claim.kind = "finding";
+  claim.statement = "The three methods see the same changes of the hull.";
+  claim.command = command;
+  claim.expected = "as many on every scene";
+  claim.tolerance = "none";
+  claim.verdict = ClaimVerdict::kConfirmed;
+  std::map<std::string, std::map<std::string, std::set<std::uint64_t>>> changes;  // scene, method
+  for (const SeriesResult& result : results) {
+    const RunKey& key = result.point.key;
+    for (std::size_t i = 0; i < result.runs.size(); ++i) {
+      const std::string scene = fmt::format("{} n={}, scene {}", key.workload, key.n, i + 1);
+      changes[scene][key.structure].insert(result.runs[i].external);
+    }
+  }
+  std::size_t compared = 0;
+  for (const auto& [scene, by_method] : changes) {
+    std::set<std::uint64_t> counts;
+    for (const auto& [method, values] : by_method) counts.insert(values.begin(), values.end());
+    if (by_method.size() < 2) continue;
+    ++compared;
+    if (counts.size() == 1) continue;
+    claim.verdict = ClaimVerdict::kRefuted;
+    claim.observed += fmt::format("{}differ on {}", claim.observed.empty() ? "" : "; ", scene);
+  }
+  if (claim.observed.empty()) claim.observed = fmt::format("as many on all {} scenes", compared);
+  return claim;
+}
+
 std::string table_text(const std::vector<SeriesResult>& results,
                        const std::vector<PolynomialWeights>& weights) {
   std::string text =
@@ -221,6 +256,7 @@ PartReport kds_figure_3_report(const std::vector<SeriesResult>& results,
       report.figure_names.push_back("figure-3-" + workload);
     }
   }
+  report.claims.push_back(claim_on_changes(results, command));
   report.tables = "Weights by degree 1, 2, 4: ";
   for (std::size_t i = 0; i < weights.size(); ++i) {
     report.tables +=

@@ -153,8 +153,9 @@ void reproduce(Options options, int& exit_code) {
   if (!drawings.problem.empty()) {
     std::fprintf(stderr, "kinex: no figures: %s\n", drawings.problem.c_str());
   }
-  std::fprintf(stderr, "kinex: claims.json and README.md are in %s%s\n", options.folder.c_str(),
-               interrupted ? "; interrupted: the same command goes on from there" : "");
+  std::fprintf(
+      stderr, "kinex: claims.json and README.md are in %s%s\n", options.folder.c_str(),
+      interrupted ? "; interrupted: the same command with --force goes on from there" : "");
   if (failed || refuted) {
     exit_code = kExitFailed;
   } else if (interrupted) {

@@ -150,7 +150,8 @@ void add_worst_cases(Catalogue& catalogue, Extent extent) {
   add_hull(catalogue, 5, 68, 0.3);
   add_hull(catalogue, 6, 107, 0.5);
   for (const int size : {8, 12, 16, 24}) add_hull(catalogue, size, 0, 0.5);
-  for (const char* hull : {"convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force"}) {
+  for (const char* hull : {"convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force",
+                           "convex_hull_2_delaunay"}) {
     for (const int size : {3, 4, 5, 8, 16}) add_hull_changes(catalogue, hull, size, 0.2);
   }
   if (full) {
