@@ -67,23 +67,44 @@ SumBoundary::Edge InnerTangents::beside(const SumBoundary& sum, const Touch& tou
   return {1, y, touch[0]};
 }
 
-// Edges of both polygons at one vertex fail together if they are parallel; the tangent goes along
-// the boundary of M, by the nearer one.
+// Along an edge of M, from a vertex of it.
+InnerTangents::Touch InnerTangents::across(const SumBoundary& sum, const SumBoundary::Edge& edge,
+                                           bool forward) {
+  const std::uint32_t own = forward ? sum.frame(edge.z).after(edge.edge) : edge.edge;
+  return edge.z == 0 ? Touch{own, edge.vertex} : Touch{edge.vertex, own};
+}
+
+// A tangent's vertex divides the edges of M that the point sees from those that it does not.
+// Several certificates may fail together: it goes along the boundary of M, outwards if the next
+// edge there is seen, or at least not unseen, and else inwards. If the tangents meet, nothing is
+// seen, unless it is beside the vertex: then the point passes it outside.
 void InnerTangents::fail(PairId p, std::uint32_t slot) {
   const SumBoundary sum = boundary(p);
   Tangents tangents = tangents_[p];
-  const bool forward = slot % 2 == 0;
-  if (sum.sign(claim(sum, tangents, slot ^ 2u)) == Sign::kNegative) {
-    slot = (slot & ~2u) + 2u * beside(sum, tangents[slot / 4], forward).z;
-  }
+  const auto seen = [&sum](const SumBoundary::Edge& edge) {
+    return sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex));
+  };
   const std::size_t k = slot / 4;
-  const std::uint8_t z = static_cast<std::uint8_t>(slot / 2 % 2);
-  std::uint32_t& vertex = tangents[k][z];
-  const std::uint32_t edge = forward ? vertex : sum.frame(z).before(vertex);
-  vertex = forward ? sum.frame(z).after(vertex) : edge;
-  if (tangents[0] == tangents[1]) {
-    meet(p, sum, {z, edge, tangents[k][SumBoundary::other(z)]});
-    return;
+  const bool outwards = k == 1;  // forwards
+  const SumBoundary::Edge outer = beside(sum, tangents[k], outwards);
+  const SumBoundary::Edge inner = beside(sum, tangents[k], !outwards);
+  const Sign at_outer = seen(outer);
+  if (at_outer == Sign::kPositive || (at_outer == Sign::kZero && seen(inner) == Sign::kNegative)) {
+    tangents[k] = across(sum, outer, outwards);
+  } else {
+    tangents[k] = across(sum, inner, !outwards);
+    if (tangents[0] == tangents[1]) {
+      const SumBoundary::Edge after = beside(sum, tangents[0], true);
+      const SumBoundary::Edge before = beside(sum, tangents[0], false);
+      if (seen(after) != Sign::kNegative) {
+        tangents[1] = across(sum, after, true);
+      } else if (seen(before) != Sign::kNegative) {
+        tangents[0] = across(sum, before, false);
+      } else {
+        meet(p, sum, inner);
+        return;
+      }
+    }
   }
   enter(p, sum, tangents);
   report(p, kChange);
@@ -92,13 +113,10 @@ void InnerTangents::fail(PairId p, std::uint32_t slot) {
 // The point has passed the line of this edge of M: on the edge, or, beyond its ends, on the next
 // one.
 void InnerTangents::meet(PairId p, const SumBoundary& sum, SumBoundary::Edge edge) {
-  const auto end = [&edge](std::uint32_t own) {
-    return edge.z == 0 ? Touch{own, edge.vertex} : Touch{edge.vertex, own};
-  };
   if (sum.sign(sum.past(edge.z, edge.edge, false, edge.vertex)) == Sign::kNegative) {
-    edge = beside(sum, end(edge.edge), false);
+    edge = beside(sum, across(sum, edge, false), false);
   } else if (sum.sign(sum.short_of(edge.z, edge.edge, true, edge.vertex)) == Sign::kNegative) {
-    edge = beside(sum, end(sum.frame(edge.z).after(edge.edge)), true);
+    edge = beside(sum, across(sum, edge, true), true);
   }
   const Feature line{true, edge.edge}, other{false, edge.vertex};
   contact(p, edge.z == 0 ? line : other, edge.z == 0 ? other : line);
