@@ -9,9 +9,12 @@
 #include "core/gsl_arithmetic.h"
 #include "core/mpfr_arithmetic.h"
 #include "core/query_relation.h"
+#include "core/rounded_instant.h"
 #include "core/sturm_arithmetic.h"
 
 namespace kinex {
+
+double Arithmetic::now_rounded() { return rounded_down(now_approximate()); }
 
 std::string Arithmetic::polynomial_model(PredicateId) const { return name(); }
 

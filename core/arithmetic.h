@@ -69,6 +69,9 @@ class Arithmetic {
   virtual void leave();
   // A double near now, for people and progress.
   virtual double now_approximate() const = 0;
+  // now, rounded down to 40 significant bits: the same in every exact arithmetic, for structures whose
+  // choices may depend on it.
+  virtual double now_rounded();
   virtual InstantText describe_now() = 0;
 
   // Sign on (now, now + eps); kZero only if identically zero there.

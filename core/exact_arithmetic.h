@@ -35,6 +35,7 @@ class ExactArithmetic final : public Arithmetic {
   void visit(const Query& query, const FailureTime& time) override;
   void leave() override;
   double now_approximate() const override { return now_.lo + 0.5 * (now_.hi - now_.lo); }
+  double now_rounded() override;
   InstantText describe_now() override;
   Sign sign_after(const Query& query) override;
   Outlook failure(const Query& query, FailureTime& time) override;

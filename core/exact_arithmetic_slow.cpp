@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/exact_arithmetic.h"
+#include "core/rounded_instant.h"
 
 namespace kinex {
 namespace {
@@ -259,6 +260,17 @@ std::optional<Rational> ExactArithmetic::rational_between(const Query* query, Fa
     return (now.upper() + next.lower()) / Rational(2);
   }
   return (*Rational::from_double(now_.hi) + *Rational::from_double(time->lo)) / Rational(2);
+}
+
+double ExactArithmetic::now_rounded() {
+  const double low = rounded_down(now_.lo);
+  if (low == rounded_down(now_.hi)) return low;
+  RealRoot& now = roots_[now_root()];
+  const double result = rounded_down(
+      now, [&](const Rational& t) { return kinex::compare(now, t, root_counters_); },
+      [&] { now.refine(root_counters_); });
+  update_counters();
+  return result;
 }
 
 InstantText ExactArithmetic::describe_now() {

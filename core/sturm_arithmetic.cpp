@@ -8,6 +8,7 @@
 
 #include "core/check.h"
 #include "core/real_root.h"
+#include "core/rounded_instant.h"
 #include "core/sturm_instant.h"
 
 namespace kinex {
@@ -90,6 +91,10 @@ class SturmArithmetic final : public Arithmetic {
   }
   double now_approximate() const override {
     return ((now().lower() + now().upper()) / Rational(2)).to_double();
+  }
+  double now_rounded() override {
+    return rounded_down(
+        now(), [&](const Rational& t) { return now().compare(t); }, [&] { now().refine(work_); });
   }
   InstantText describe_now() override;
   Sign sign_after(const Query& query) override;

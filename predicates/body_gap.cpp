@@ -3,6 +3,7 @@
 // x_a - reach. Homogeneous of degree 2 and 1 in all lengths.
 #include "predicates/body_gap.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "predicates/wide_predicate.h"
@@ -50,6 +51,7 @@ struct DiscsApart {
           }
         }
       }
+      std::fill_n(difference.begin(), used, zero);
     }
     const R& reach = points[2][0];
     if (negated) {

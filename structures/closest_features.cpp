@@ -18,26 +18,43 @@ SumBoundary ClosestFeatures::boundary(PairId p) {
 // The slots of a vertex and an edge: past its first end, short of its last one, after the edge
 // before the vertex, before the edge after it, outside. Of two vertices: for A and then for B',
 // short of the vertex in the direction of the edge after it, past it in that of the edge before it.
+Query ClosestFeatures::claim(const SumBoundary& sum, const State& state, std::uint32_t slot) {
+  if (state.edge) {
+    const std::uint8_t z = state.z, w = SumBoundary::other(z);
+    switch (slot) {
+      case 0:
+        return sum.past(z, state.e, false, state.v);
+      case 1:
+        return sum.short_of(z, state.e, true, state.v);
+      case 2:
+        return sum.order_after(z, state.e, sum.frame(w).before(state.v));
+      case 3:
+        return sum.order_before(z, state.e, state.v);
+      default:
+        return sum.beyond(z, state.e, state.v);
+    }
+  }
+  const std::uint32_t x = state.e, y = state.v;
+  switch (slot) {
+    case 0:
+      return sum.short_of(0, x, false, y);
+    case 1:
+      return sum.past(0, sum.frame(0).before(x), true, y);
+    case 2:
+      return sum.short_of(1, y, false, x);
+    default:
+      return sum.past(1, sum.frame(1).before(y), true, x);
+  }
+}
+
 void ClosestFeatures::enter(PairId p, const SumBoundary& sum, const State& state) {
   state_[p] = state;
   std::array<Query, 6> queries;
-  std::size_t count = 0;
-  const auto add = [&](const Query& query) { queries[count++] = query; };
-  if (state.edge) {
-    const std::uint8_t z = state.z, w = SumBoundary::other(z);
-    add(sum.past(z, state.e, false, state.v));
-    add(sum.short_of(z, state.e, true, state.v));
-    add(sum.order_after(z, state.e, sum.frame(w).before(state.v)));
-    add(sum.order_before(z, state.e, state.v));
-    add(sum.beyond(z, state.e, state.v));
-  } else {
-    const std::uint32_t x = state.e, y = state.v;
-    add(sum.short_of(0, x, false, y));
-    add(sum.past(0, sum.frame(0).before(x), true, y));
-    add(sum.short_of(1, y, false, x));
-    add(sum.past(1, sum.frame(1).before(y), true, x));
+  std::uint32_t count = 0;
+  for (const std::uint32_t own = state.edge ? 5 : 4; count < own; ++count) {
+    queries[count] = claim(sum, state, count);
   }
-  if (const auto more = extra(p)) add(*more);
+  if (const auto more = extra(p)) queries[count++] = *more;
   set_certificates(p, {queries.data(), count});
 }
 
@@ -103,6 +120,10 @@ ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State
 void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
   const SumBoundary sum = boundary(p);
   const State state = state_[p];
+  // The vertex has passed the edge's line: beside the edge, if another certificate fails too.
+  for (std::uint32_t i = 0; is_contact_slot(p, slot) && i < 4; ++i) {
+    if (sum.sign(claim(sum, state, i)) == Sign::kNegative) slot = i;
+  }
   if (is_contact_slot(p, slot)) {
     const Feature line{true, state.e}, vertex{false, state.v};
     contact(p, state.z == 0 ? line : vertex, state.z == 0 ? vertex : line);

@@ -60,6 +60,7 @@ class ClosestFeatures : public CollisionPairs {
     std::uint32_t e = 0, v = 0;  // vertices: of A, of B'
   };
   SumBoundary boundary(PairId p);
+  static Query claim(const SumBoundary& sum, const State& state, std::uint32_t slot);
   void enter(PairId p, const SumBoundary& sum, const State& state);
   State next(const SumBoundary& sum, const State& state, std::uint32_t slot) const;
 

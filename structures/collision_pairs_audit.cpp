@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The witness of CollisionPairs: CGAL's exact intersection tests of the polygons' edges.
+// The witness of CollisionPairs: CGAL's exact orientations of one polygon's vertices against the
+// edges of the other. Polygons that only touch have no contact.
 #include <CGAL/Gmpq.h>
-#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -16,7 +16,6 @@ namespace {
 
 using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
 using Point = Exact::Point_2;
-using Segment = Exact::Segment_2;
 
 struct Placed {
   std::vector<Point> vertices;
@@ -39,23 +38,24 @@ Placed placed(const SceneObject& body, const Snapshot& snapshot, ObjectId id) {
   return result;
 }
 
-bool meet(const Placed& a, const Placed& b) {
-  if (!CGAL::do_overlap(a.box, b.box)) return false;
-  const std::size_t n = a.vertices.size(), m = b.vertices.size();
+// Some edge of `a` has all of `b` on its other side.
+bool separates(const Placed& a, const Placed& b) {
+  const std::size_t n = a.vertices.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const Segment edge(a.vertices[i], a.vertices[(i + 1) % n]);
-    const CGAL::Bbox_2 box = edge.bbox();
-    if (!CGAL::do_overlap(box, b.box)) continue;
-    for (std::size_t j = 0; j < m; ++j) {
-      const Segment other(b.vertices[j], b.vertices[(j + 1) % m]);
-      if (CGAL::do_overlap(box, other.bbox()) && CGAL::do_intersect(edge, other)) return true;
+    const Point& from = a.vertices[i];
+    const Point& to = a.vertices[(i + 1) % n];
+    if (std::none_of(b.vertices.begin(), b.vertices.end(), [&](const Point& v) {
+          return CGAL::orientation(from, to, v) == CGAL::LEFT_TURN;
+        })) {
+      return true;
     }
   }
-  const auto inside = [](const Point& p, const std::vector<Point>& polygon) {
-    return CGAL::bounded_side_2(polygon.begin(), polygon.end(), p, Exact()) !=
-           CGAL::ON_UNBOUNDED_SIDE;
-  };
-  return inside(a.vertices.front(), b.vertices) || inside(b.vertices.front(), a.vertices);
+  return false;
+}
+
+// Two convex polygons whose interiors are disjoint are on two sides of an edge of one of them.
+bool overlap(const Placed& a, const Placed& b) {
+  return CGAL::do_overlap(a.box, b.box) && !separates(a, b) && !separates(b, a);
 }
 
 }  // namespace
@@ -83,9 +83,9 @@ void CollisionPairs::audit(const Snapshot& snapshot, AuditReport& report) const 
       const ObjectId a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
       if (bodies[order[j]].box.xmin() > bodies[order[i]].box.xmax()) break;
       if (touching.count({a, b}) != 0) continue;
-      report.check(!meet(bodies[a], bodies[b]), [&] {
+      report.check(!overlap(bodies[a], bodies[b]), [&] {
         return scene_.objects[a].id + " and " + scene_.objects[b].id +
-               " meet, and no contact is known, at t = " + snapshot.time().to_string();
+               " overlap, and no contact is known, at t = " + snapshot.time().to_string();
       });
     }
   }

@@ -18,18 +18,19 @@ SumBoundary InnerTangents::boundary(PairId p) {
 // Slot 4 k + 2 z + s: of tangent k, at its vertex of polygon z, the edge after it (s = 0) or before
 // it. The first tangent's vertex has the point beyond the edge after it and within the one before;
 // the second's the other way round.
+Query InnerTangents::claim(const SumBoundary& sum, const Tangents& tangents, std::uint32_t slot) {
+  const std::size_t k = slot / 4;
+  const std::uint8_t z = static_cast<std::uint8_t>(slot / 2 % 2);
+  const bool forward = slot % 2 == 0;
+  const std::uint32_t own = tangents[k][z], other = tangents[k][SumBoundary::other(z)];
+  const std::uint32_t edge = forward ? own : sum.frame(z).before(own);
+  return (k == 0) == forward ? sum.beyond(z, edge, other) : sum.within(z, edge, other);
+}
+
 void InnerTangents::enter(PairId p, const SumBoundary& sum, const Tangents& tangents) {
   tangents_[p] = tangents;
   std::array<Query, 8> queries;
-  std::size_t slot = 0;
-  for (std::size_t k = 0; k < 2; ++k) {
-    for (std::uint8_t z = 0; z < 2; ++z) {
-      const std::uint32_t own = tangents[k][z], other = tangents[k][SumBoundary::other(z)];
-      const std::uint32_t before = sum.frame(z).before(own);
-      queries[slot++] = k == 0 ? sum.beyond(z, own, other) : sum.within(z, own, other);
-      queries[slot++] = k == 0 ? sum.within(z, before, other) : sum.beyond(z, before, other);
-    }
-  }
+  for (std::uint32_t slot = 0; slot < 8; ++slot) queries[slot] = claim(sum, tangents, slot);
   set_certificates(p, queries);
 }
 
@@ -57,22 +58,68 @@ bool InnerTangents::start(PairId p) {
   return true;
 }
 
+// The edge of M after a vertex of it, or before it: of the two edges there are, of either polygon,
+// that whose normal is nearer.
+SumBoundary::Edge InnerTangents::beside(const SumBoundary& sum, const Touch& touch, bool forward) {
+  const std::uint32_t x = forward ? touch[0] : sum.frame(0).before(touch[0]);
+  const std::uint32_t y = forward ? touch[1] : sum.frame(1).before(touch[1]);
+  if (sum.before(0, x, y) == forward) return {0, x, touch[1]};
+  return {1, y, touch[0]};
+}
+
+// Along an edge of M, from a vertex of it.
+InnerTangents::Touch InnerTangents::across(const SumBoundary& sum, const SumBoundary::Edge& edge,
+                                           bool forward) {
+  const std::uint32_t own = forward ? sum.frame(edge.z).after(edge.edge) : edge.edge;
+  return edge.z == 0 ? Touch{own, edge.vertex} : Touch{edge.vertex, own};
+}
+
+// A tangent's vertex divides the edges of M that the point sees from those that it does not.
+// Several certificates may fail together: it goes along the boundary of M, outwards if the next
+// edge there is seen, or at least not unseen, and else inwards. If the tangents meet, nothing is
+// seen, unless it is beside the vertex: then the point passes it outside.
 void InnerTangents::fail(PairId p, std::uint32_t slot) {
   const SumBoundary sum = boundary(p);
   Tangents tangents = tangents_[p];
+  const auto seen = [&sum](const SumBoundary::Edge& edge) {
+    return sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex));
+  };
   const std::size_t k = slot / 4;
-  const std::uint8_t z = static_cast<std::uint8_t>(slot / 2 % 2);
-  const bool forward = slot % 2 == 0;
-  std::uint32_t& vertex = tangents[k][z];
-  const std::uint32_t edge = forward ? vertex : sum.frame(z).before(vertex);
-  vertex = forward ? sum.frame(z).after(vertex) : edge;
-  if (tangents[0] == tangents[1]) {
-    const Feature line{true, edge}, other{false, tangents[k][SumBoundary::other(z)]};
-    contact(p, z == 0 ? line : other, z == 0 ? other : line);
-    return;
+  const bool outwards = k == 1;  // forwards
+  const SumBoundary::Edge outer = beside(sum, tangents[k], outwards);
+  const SumBoundary::Edge inner = beside(sum, tangents[k], !outwards);
+  const Sign at_outer = seen(outer);
+  if (at_outer == Sign::kPositive || (at_outer == Sign::kZero && seen(inner) == Sign::kNegative)) {
+    tangents[k] = across(sum, outer, outwards);
+  } else {
+    tangents[k] = across(sum, inner, !outwards);
+    if (tangents[0] == tangents[1]) {
+      const SumBoundary::Edge after = beside(sum, tangents[0], true);
+      const SumBoundary::Edge before = beside(sum, tangents[0], false);
+      if (seen(after) != Sign::kNegative) {
+        tangents[1] = across(sum, after, true);
+      } else if (seen(before) != Sign::kNegative) {
+        tangents[0] = across(sum, before, false);
+      } else {
+        meet(p, sum, inner);
+        return;
+      }
+    }
   }
   enter(p, sum, tangents);
   report(p, kChange);
+}
+
+// The point has passed the line of this edge of M: on the edge, or, beyond its ends, on the next
+// one.
+void InnerTangents::meet(PairId p, const SumBoundary& sum, SumBoundary::Edge edge) {
+  if (sum.sign(sum.past(edge.z, edge.edge, false, edge.vertex)) == Sign::kNegative) {
+    edge = beside(sum, across(sum, edge, false), false);
+  } else if (sum.sign(sum.short_of(edge.z, edge.edge, true, edge.vertex)) == Sign::kNegative) {
+    edge = beside(sum, across(sum, edge, true), true);
+  }
+  const Feature line{true, edge.edge}, other{false, edge.vertex};
+  contact(p, edge.z == 0 ? line : other, edge.z == 0 ? other : line);
 }
 
 std::size_t InnerTangents::bytes() const {

@@ -56,13 +56,22 @@ MixedTiles::Move MixedTiles::descend(std::uint8_t z, Id edge, Id node, int time)
 }
 
 // A side is a segment, its certificate a line: where sides fail together, at a corner or because a
-// tile is flat, the point may have passed the line beside the segment.
+// tile is flat, the point may have passed the line beside the segment. If it is in M then, it has
+// passed the next edge of M, which may go on along the same line.
 MixedTiles::Move MixedTiles::at_boundary(std::uint8_t z, Id edge, Id node) const {
   const Id l = first_end(z, edge, kNever), r = last_end(z, edge, kNever);
-  if (along(z, edge, l, node) == Sign::kNegative || along(z, edge, r, node) == Sign::kPositive) {
-    if (const auto tile = locate()) return {tile, 0, 0, 0};
+  const bool back = along(z, edge, l, node) == Sign::kNegative;
+  if (!back && along(z, edge, r, node) != Sign::kPositive) return {std::nullopt, z, edge, node};
+  if (const auto tile = locate()) return {tile, 0, 0, 0};
+  const std::uint8_t w = other(z);
+  const Id own = back ? l : r;
+  const Id e = back ? edge_before(z, own, kNever) : edge_after(z, own, kNever);
+  const Id f = back ? edge_before(w, node, kNever) : edge_after(w, node, kNever);
+  // The one whose normal is nearer.
+  if (f == OuterHierarchy::kNone || before(z, e, f) != back) {
+    return {std::nullopt, z, e, facing(w, node, z, e, kNever)};
   }
-  return {std::nullopt, z, edge, node};
+  return {std::nullopt, w, f, facing(z, own, w, f, kNever)};
 }
 
 // Of the two inner sides of a parallelogram, or of the two outer ones, that both fail: the one that

@@ -33,8 +33,7 @@ const RoughPolygon& SeparationHysteresis::rough(ObjectId body, bool negated) {
 }
 
 RoughPose SeparationHysteresis::pose_now(PairId p) const {
-  return RoughPose(kernel_.derived().trajectory(pair(p).pose),
-                   kernel_.arithmetic().now_approximate());
+  return RoughPose(kernel_.derived().trajectory(pair(p).pose), kernel_.arithmetic().now_rounded());
 }
 
 // True if a wedge holds right after now and is in place.

@@ -33,6 +33,7 @@ class StageWatch final : public Arithmetic {
   void set_now(const Rational& t) override { inner_->set_now(t); }
   void advance(const Query& query, FailureTime& time) override { inner_->advance(query, time); }
   double now_approximate() const override { return inner_->now_approximate(); }
+  double now_rounded() override { return inner_->now_rounded(); }
   InstantText describe_now() override { return inner_->describe_now(); }
   Sign sign_after(const Query& query) override { return inner_->sign_after(query); }
   Outlook failure(const Query& query, FailureTime& time) override;

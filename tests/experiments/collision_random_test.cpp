@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random motions of two convex polygons, every structure against the witness.
+#include <gtest/gtest.h>
+
+#include "tests/experiments/collision_runs.h"
+#include "tests/sanitized.h"
+
+namespace kinex::test {
+namespace {
+
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : engine_(seed) {}
+  int between(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
+  }
+  Rational eighths(int low, int high) { return ratio(between(8 * low, 8 * high), 8); }
+  Polygon2 polygon(int points, int size) { return random_polygon(engine_, points, size); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+using Axes = std::vector<std::vector<Rational>>;
+
+// A rotor that never vanishes: 1 + a t and b t with b not zero.
+void add_spin(Draw& draw, Axes& axes) {
+  const int way = draw.between(0, 1) == 0 ? 1 : -1;
+  axes.push_back({1, draw.eighths(-1, 1)});
+  axes.push_back({0, Rational(way) * ratio(draw.between(1, 16), 8)});
+}
+
+// B turns and goes across.
+Axes across(Draw& draw) {
+  Axes axes{{draw.eighths(8, 12), draw.eighths(-14, -3)},
+            {draw.eighths(-8, 8), draw.eighths(-6, 6)}};
+  add_spin(draw, axes);
+  return axes;
+}
+
+// B swings near A and may turn.
+Axes wobble(Draw& draw) {
+  Axes axes;
+  axes.push_back({draw.eighths(6, 9), draw.eighths(-12, 3), draw.eighths(-2, 9)});
+  axes.push_back(
+      {draw.eighths(-6, 6), draw.eighths(-9, 9), draw.eighths(-6, 6), draw.eighths(-2, 2)});
+  if (draw.between(0, 2) == 0) {
+    axes.push_back({1});
+    axes.push_back({draw.eighths(-1, 1)});
+  } else {
+    add_spin(draw, axes);
+  }
+  return axes;
+}
+
+// A turns, and B is carried around it as A sees it, slowly coming nearer.
+Axes around(Draw& draw) {
+  Axes axes{{draw.eighths(6, 9), draw.eighths(-2, 0)}, {draw.eighths(-2, 2)}};
+  if (draw.between(0, 1) == 0) {
+    axes.push_back({1});
+    axes.push_back({0});
+  } else {
+    add_spin(draw, axes);
+  }
+  return axes;
+}
+
+// No scene if the bodies do not start apart.
+std::optional<Scene> draw_scene(std::uint64_t seed, int most, bool turning) {
+  Draw draw(seed);
+  const int points = draw.between(3, most);
+  const Polygon2 p = draw.polygon(points, 4), q = draw.polygon(draw.between(3, most), 4);
+  Axes a{{0}, {0}, {1}, {0}}, b;
+  switch (draw.between(0, 2)) {
+    case 0:
+      b = across(draw);
+      break;
+    case 1:
+      b = wobble(draw);
+      break;
+    default:
+      b = around(draw);
+      a.resize(2);
+      add_spin(draw, a);
+  }
+  if (!turning) {
+    a = {{0}, {draw.eighths(-1, 1), draw.eighths(-1, 1)}, {1}, {2}};
+    b[2] = {1};
+    b[3] = {2};
+  }
+  Scene scene = scene_of_bodies({body("a", p, a), body("b", q, b)}, 0, Rational(3));
+  if (contact_of(placed_polygon(p, scene.objects[0].motion.pieces[0].trajectory, 0),
+                 placed_polygon(q, scene.objects[1].motion.pieces[0].trajectory, 0)) !=
+      Contact::kApart) {
+    return std::nullopt;
+  }
+  return scene;
+}
+
+void check_many(std::uint64_t first, int count, int most, bool turning, std::size_t contacts) {
+  std::size_t found = 0;
+  int runs = 0;
+  for (std::uint64_t seed = first; runs < count; ++seed) {
+    SCOPED_TRACE(seed);
+    const std::optional<Scene> scene = draw_scene(seed, most, turning);
+    if (!scene) continue;
+    ++runs;
+    found += check_runs(*scene);
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GE(found, contacts);
+  EXPECT_LT(found, static_cast<std::size_t>(count));  // some never meet
+}
+
+TEST(CollisionRuns, SmallPolygonsThatTurn) { check_many(1, kSanitized ? 4 : 25, 8, true, 1); }
+TEST(CollisionRuns, SmallPolygonsThatDoNotTurn) {
+  check_many(1000, kSanitized ? 4 : 25, 8, false, 1);
+}
+TEST(CollisionRuns, LargerPolygons) { check_many(2000, kSanitized ? 1 : 4, 24, true, 0); }
+
+TEST(SlowCollisionRuns, Turning) { check_many(10000, kSanitized ? 20 : 200, 12, true, 10); }
+TEST(SlowCollisionRuns, NotTurning) { check_many(20000, kSanitized ? 20 : 200, 12, false, 10); }
+TEST(SlowCollisionRuns, Large) { check_many(30000, kSanitized ? 3 : 40, 24, true, 1); }
+
+}  // namespace
+}  // namespace kinex::test

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole runs of the structures for collisions against the witness: the same contacts, at the same
+// exact instants, by features that do meet there.
+#ifndef KINEX_TESTS_EXPERIMENTS_COLLISION_RUNS_H
+#define KINEX_TESTS_EXPERIMENTS_COLLISION_RUNS_H
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/real_root.h"
+#include "experiments/collision_witness.h"
+#include "tests/experiments/body_fixture.h"
+#include "tests/structures/test_run.h"
+
+namespace kinex::test {
+
+// All structures that can follow the scene: one of them only where nothing turns against anything.
+inline std::vector<std::string> collision_structures(bool turning) {
+  std::vector<std::string> names;
+  for (const StructureInfo& info : structure_infos()) {
+    if (!info.bodies || (turning && info.name == "separation_minkowski")) continue;
+    names.emplace_back(info.name);
+  }
+  return names;
+}
+
+inline Scene scene_of_bodies(std::vector<SceneObject> bodies, Rational start,
+                             std::optional<Rational> end) {
+  Scene scene;
+  scene.name = "bodies";
+  scene.dimension = 2;
+  scene.start = std::move(start);
+  scene.end = std::move(end);
+  scene.objects = std::move(bodies);
+  return scene;
+}
+
+// True if some body's rotor is not constant, or rotors differ.
+inline bool turns(const Scene& scene) {
+  for (const SceneObject& object : scene.objects) {
+    for (const MotionPiece& piece : object.motion.pieces) {
+      for (std::size_t k = 2; k < 4; ++k) {
+        const auto& first = scene.objects[0].motion.pieces[0].trajectory.coordinates[k];
+        if (piece.trajectory.coordinates[k] != first || first.size() > 1) return true;
+      }
+    }
+  }
+  return false;
+}
+
+struct SeenContact {
+  RealRoot instant;
+  std::string of_a, of_b;  // "v3", "e0"
+};
+
+inline RealRoot instant_of(const Recorded& event) {
+  std::vector<Integer> coefficients;
+  for (const std::string& c : event.polynomial) {
+    coefficients.push_back(Rational::parse(c)->numerator());
+  }
+  RootCounters counters;
+  auto roots = isolate_real_roots(Polynomial(std::move(coefficients)), counters);
+  return roots.at(static_cast<std::size_t>(event.root - 1)).root;
+}
+
+// The contacts of a run, by pair.
+inline std::map<std::pair<ObjectId, ObjectId>, std::vector<SeenContact>> contacts_of(
+    const Trial& trial) {
+  std::map<std::pair<ObjectId, ObjectId>, std::vector<SeenContact>> result;
+  for (const Recorded& event : trial.sink.recorder.events) {
+    if (!event.external || event.ids.size() != 4) continue;
+    const auto feature = [&](std::size_t i) {
+      const std::string& name = trial.simulator.object_name(event.ids[i]);
+      const std::string body = trial.simulator.object_name(event.ids[i - 2]);
+      EXPECT_EQ(name.substr(0, body.size() + 1), body + ".");
+      return name.substr(body.size() + 1);
+    };
+    result[{event.ids[0], event.ids[1]}].push_back({instant_of(event), feature(2), feature(3)});
+  }
+  return result;
+}
+
+// True if the two features are among those that meet. A vertex that meets a vertex lies on the two
+// edges beside it.
+inline bool are_met(const SeenContact& seen, const BodyContact& witness, const SceneObject& a,
+                    const SceneObject& b) {
+  const auto number = [](const std::string& name) {
+    return static_cast<std::uint32_t>(std::stoul(name.substr(1)));
+  };
+  const std::uint32_t i = number(seen.of_a), j = number(seen.of_b);
+  const auto is_met = [&](FeaturePair pair) {
+    return std::binary_search(witness.features.begin(), witness.features.end(), pair);
+  };
+  if (seen.of_a[0] == 'e' && seen.of_b[0] == 'v') return is_met({false, j, i});
+  if (seen.of_a[0] == 'v' && seen.of_b[0] == 'e') return is_met({true, i, j});
+  if (seen.of_a[0] == 'e') return false;
+  const auto before = [](std::uint32_t k, const SceneObject& body) {
+    return (k == 0 ? static_cast<std::uint32_t>(body.polygon.size()) : k) - 1;
+  };
+  return is_met({true, i, j}) && is_met({true, i, before(j, b)}) && is_met({false, j, i}) &&
+         is_met({false, j, before(i, a)});
+}
+
+// The contacts that the witness sees: the first, and, after a change of motion after which the
+// bodies do not overlap, the next.
+inline std::vector<BodyContact> expected_contacts(const SceneObject& a, const SceneObject& b,
+                                                  const Scene& scene) {
+  std::vector<Rational> seams;
+  for (const SceneObject* body : {&a, &b}) {
+    for (const MotionPiece& piece : body->motion.pieces) {
+      if (piece.from) seams.push_back(*piece.from);
+    }
+  }
+  std::sort(seams.begin(), seams.end());
+  std::vector<BodyContact> result;
+  RootCounters counters;
+  Rational from = scene.start;
+  std::size_t next = 0;
+  for (;;) {
+    CollisionWitness found = find_contacts(a, b, from, scene.end);
+    if (!found.penetration) return result;
+    // Those that overlap right after the change are in contact as before.
+    if (result.empty() || compare(found.penetration->instant, from, counters) != 0) {
+      result.push_back(*found.penetration);
+    }
+    RealRoot instant = found.penetration->instant;
+    while (next < seams.size() && compare(instant, seams[next], counters) >= 0) ++next;
+    if (next == seams.size()) return result;
+    from = seams[next];
+  }
+}
+
+using Expected = std::map<std::pair<ObjectId, ObjectId>, std::vector<BodyContact>>;
+
+inline Expected expected_contacts(const Scene& scene) {
+  Expected result;
+  for (ObjectId a = 0; a < scene.objects.size(); ++a) {
+    for (ObjectId b = a + 1; b < scene.objects.size(); ++b) {
+      auto contacts = expected_contacts(scene.objects[a], scene.objects[b], scene);
+      if (!contacts.empty()) result[{a, b}] = std::move(contacts);
+    }
+  }
+  return result;
+}
+
+inline void expect_contacts(const Trial& trial, const Scene& scene, const Expected& expected) {
+  RootCounters counters;
+  auto seen = contacts_of(trial);
+  EXPECT_EQ(seen.size(), expected.size());
+  for (const auto& [pair, witnesses] : expected) {
+    const std::string who = scene.objects[pair.first].id + " and " + scene.objects[pair.second].id;
+    std::vector<SeenContact>& mine = seen[pair];
+    ASSERT_EQ(mine.size(), witnesses.size()) << who;
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+      BodyContact witness = witnesses[i];
+      EXPECT_EQ(compare(mine[i].instant, witness.instant, counters), 0) << who;
+      EXPECT_TRUE(are_met(mine[i], witness, scene.objects[pair.first], scene.objects[pair.second]))
+          << who << ": " << mine[i].of_a << " " << mine[i].of_b;
+    }
+  }
+}
+
+// Every structure over the scene, with all audits, against the witness and against `sturm`; and in
+// `double` to its end. The number of contacts.
+inline std::size_t check_runs(const Scene& scene, AuditLevel audit = AuditLevel::kEvents) {
+  const Expected expected = expected_contacts(scene);
+  std::size_t contacts = 0;
+  for (const auto& [pair, witnesses] : expected) contacts += witnesses.size();
+  for (const std::string& name : collision_structures(turns(scene))) {
+    SCOPED_TRACE(name);
+    {
+      Trial trial(scene, name, "exact", audit);
+      trial.to_end();
+      trial.expect_clean();
+      expect_contacts(trial, scene, expected);
+    }
+    Trial rough(scene, name, "double", AuditLevel::kNone);
+    EXPECT_NO_THROW(rough.to_end());
+    if (testing::Test::HasFailure()) break;
+  }
+  return contacts;
+}
+
+}  // namespace kinex::test
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tile that a run is in, at rational times, against all tiles there are at that time.
+#include "structures/separation_mixed.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/sanitized.h"
+#include "tests/structures/test_run.h"
+#include "tests/structures/tile_bench.h"
+
+namespace kinex::test {
+namespace {
+
+using Axes = std::vector<std::vector<Rational>>;
+
+Polygon negated(Polygon polygon) {
+  for (Vertex2& v : polygon) v = {-v[0], -v[1]};
+  return polygon;
+}
+
+// B as A sees it at t: where it is, and the rotor.
+struct Pose {
+  Pose(const Scene& scene, const Rational& t) {
+    const Trajectory& a = scene.objects[0].motion.pieces[0].trajectory;
+    const Trajectory& b = scene.objects[1].motion.pieces[0].trajectory;
+    const Rational p = a.position(2, t), q = a.position(3, t);
+    const Rational r = b.position(2, t), s = b.position(3, t);
+    rotor = {p * r + q * s, p * s - q * r};
+    const Polygon way{{b.position(0, t) - a.position(0, t), b.position(1, t) - a.position(1, t)}};
+    at = turned(way, p, -q)[0];
+  }
+  Vertex2 at, rotor;
+};
+
+struct Seen {
+  int inside = 0, beyond = 0, on_side = 0, flips = 0, sides = 0, contacts = 0;
+};
+
+void follow(const Scene& scene, int steps, Seen& seen) {
+  const Bench bench(scene.objects[0].polygon, negated(scene.objects[1].polygon),
+                    CutPolicy::kBalancedDudley);
+  Trial trial(scene, "separation_mixed");
+  const auto& structure = dynamic_cast<const SeparationMixed&>(trial.simulator.structure(0));
+  for (int k = 0; k <= steps; ++k) {
+    const Rational t = scene.start + (*scene.end - scene.start) * over(k, steps);
+    trial.run_until(t);
+    const auto tile = structure.tile(0, 1);
+    if (!tile) break;
+    const Pose pose(scene, t);
+    const TileGeometry geometry = bench.geometry(pose.rotor);
+    if (tile->kind == Tile::Kind::kHalf) {
+      ++seen.beyond;
+      EXPECT_LE(where(pose.at, geometry.sum(0)), 0);
+      continue;
+    }
+    const Polygon outline = convex_hull(geometry.placed(*tile).outline);
+    EXPECT_GE(where(pose.at, outline), 0);
+    const auto holder = geometry.holder(pose.at);
+    if (!holder) {
+      ++seen.on_side;
+      continue;
+    }
+    ++seen.inside;
+    EXPECT_EQ(outline, *holder);
+  }
+  trial.to_end();
+  trial.expect_clean();
+  for (const Recorded& event : trial.sink.recorder.events) {
+    seen.sides += event.kind == SeparationMixed::kSide;
+    seen.flips += event.kind == SeparationMixed::kFlip;
+    seen.contacts += event.kind == SeparationMixed::kContact;
+  }
+}
+
+TEST(SeparationMixed, IsInTheTileThatHoldsThePoint) {
+  Random random(41);
+  Seen seen;
+  const int rounds = kSanitized ? 6 : 40;
+  for (int round = 0; round < rounds; ++round) {
+    SCOPED_TRACE(round);
+    const Polygon a = random_hull(random, random.between(3, 12), 9);
+    const Polygon b = random_hull(random, random.between(3, 12), 9);
+    // Near A and round about it, turning either way.
+    const auto draw = [&](int most) { return over(random.between(-most, most), 8); };
+    const Scene scene = body_scene(
+        {rigid("a", a,
+               {{0, draw(8)}, {draw(8)}, {1, draw(4)}, {0, over(random.between(1, 16), 8)}}),
+         rigid("b", b,
+               {{random.between(20, 24), draw(60), draw(40)},
+                {draw(80), draw(60), draw(20)},
+                {1, draw(4)},
+                {0, over(random.between(-16, -1), 8)}})},
+        0, Rational(2));
+    follow(scene, 40, seen);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(seen.inside, 5 * rounds);
+  EXPECT_GT(seen.beyond, rounds);
+  EXPECT_GT(seen.sides, rounds);
+  EXPECT_GT(seen.flips, rounds / 2);
+  EXPECT_GT(seen.contacts, 0);
+}
+
+// Close by, while the body turns about itself: flips, and sides that pass to and fro.
+TEST(SeparationMixed, TurnsCloseBy) {
+  Random random(43);
+  Seen seen;
+  for (int round = 0; round < (kSanitized ? 2 : 8); ++round) {
+    SCOPED_TRACE(round);
+    const int n = random.between(5, 12), m = random.between(5, 12);
+    const Scene scene =
+        body_scene({rigid("a", regular(n, 0.1 * round), {{0}, {0}, {1}, {0}}),
+                    rigid("b", regular(m, 0.3), {{over(101, 50)}, {over(round, 9)}, {1}, {0, 1}})},
+                   -3, Rational(3));
+    follow(scene, 60, seen);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(seen.inside, 100);
+  EXPECT_GT(seen.flips, 30);
+}
+
+}  // namespace
+}  // namespace kinex::test
