@@ -124,6 +124,15 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
   for (std::uint32_t i = 0; is_contact_slot(p, slot) && i < 4; ++i) {
     if (sum.sign(claim(sum, state, i)) == Sign::kNegative) slot = i;
   }
+  // At an end of the edge, and staying there: it may slide along the next edge of M.
+  for (std::uint32_t i = 0; is_contact_slot(p, slot) && i < 2; ++i) {
+    if (sum.sign(claim(sum, state, i)) != Sign::kZero) continue;
+    const bool forward = i == 1;
+    const std::uint32_t own = forward ? sum.frame(state.z).after(state.e) : state.e;
+    const SumBoundary::Edge next =
+        state.z == 0 ? sum.beside(own, state.v, forward) : sum.beside(state.v, own, forward);
+    if (sum.sign(sum.beyond(next.z, next.edge, next.vertex)) != Sign::kNegative) slot = i;
+  }
   if (is_contact_slot(p, slot)) {
     const Feature line{true, state.e}, vertex{false, state.v};
     contact(p, state.z == 0 ? line : vertex, state.z == 0 ? vertex : line);

@@ -61,6 +61,8 @@ class CollisionPairs : public Structure {
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  // False where a body's rotor vanishes: beyond the end of its flight plan.
+  bool holds_at(const Snapshot& snapshot) const override;
   std::size_t bytes() const override;
 
  protected:

@@ -60,6 +60,16 @@ bool overlap(const Placed& a, const Placed& b) {
 
 }  // namespace
 
+bool CollisionPairs::holds_at(const Snapshot& snapshot) const {
+  for (ObjectId id = 0; id < scene_.objects.size(); ++id) {
+    if (snapshot.alive(id) && snapshot.position(id, 2).is_zero() &&
+        snapshot.position(id, 3).is_zero()) {
+      return false;
+    }
+  }
+  return true;
+}
+
 void CollisionPairs::audit(const Snapshot& snapshot, AuditReport& report) const {
   std::vector<Placed> bodies(scene_.objects.size());
   std::vector<ObjectId> order;  // by the left ends of their boxes

@@ -58,13 +58,8 @@ bool InnerTangents::start(PairId p) {
   return true;
 }
 
-// The edge of M after a vertex of it, or before it: of the two edges there are, of either polygon,
-// that whose normal is nearer.
 SumBoundary::Edge InnerTangents::beside(const SumBoundary& sum, const Touch& touch, bool forward) {
-  const std::uint32_t x = forward ? touch[0] : sum.frame(0).before(touch[0]);
-  const std::uint32_t y = forward ? touch[1] : sum.frame(1).before(touch[1]);
-  if (sum.before(0, x, y) == forward) return {0, x, touch[1]};
-  return {1, y, touch[0]};
+  return sum.beside(touch[0], touch[1], forward);
 }
 
 // Along an edge of M, from a vertex of it.

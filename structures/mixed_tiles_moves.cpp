@@ -60,9 +60,12 @@ MixedTiles::Move MixedTiles::descend(std::uint8_t z, Id edge, Id node, int time)
 // passed the next edge of M, which may go on along the same line.
 MixedTiles::Move MixedTiles::at_boundary(std::uint8_t z, Id edge, Id node) const {
   const Id l = first_end(z, edge, kNever), r = last_end(z, edge, kNever);
-  const bool back = along(z, edge, l, node) == Sign::kNegative;
-  if (!back && along(z, edge, r, node) != Sign::kPositive) return {std::nullopt, z, edge, node};
+  const Sign at_first = along(z, edge, l, node), at_last = along(z, edge, r, node);
+  const Move here{std::nullopt, z, edge, node};
+  if (at_first == Sign::kPositive && at_last == Sign::kNegative) return here;
   if (const auto tile = locate()) return {tile, 0, 0, 0};
+  const bool back = at_first == Sign::kNegative;
+  if (!back && at_last != Sign::kPositive) return here;
   const std::uint8_t w = other(z);
   const Id own = back ? l : r;
   const Id e = back ? edge_before(z, own, kNever) : edge_after(z, own, kNever);

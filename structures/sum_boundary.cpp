@@ -33,6 +33,12 @@ bool SumBoundary::before(std::uint8_t z, Id e, Id f) const {
   return s == Sign::kPositive || (s == Sign::kZero && z == 0);
 }
 
+SumBoundary::Edge SumBoundary::beside(Id x, Id y, bool forward) const {
+  const Id e = forward ? x : frame(0).before(x), f = forward ? y : frame(1).before(y);
+  if (before(0, e, f) == forward) return {0, e, y};
+  return {1, f, x};
+}
+
 std::vector<SumBoundary::Edge> SumBoundary::edges() const {
   const Id n = frame(0).size(), m = frame(1).size();
   // The vertex of B' whose cone holds the normal of A's first edge.

@@ -49,6 +49,9 @@ class SumBoundary {
   Sign sign(const Query& query) const { return kernel_.arithmetic().sign_after(query); }
   bool before(std::uint8_t z, Id e, Id f) const;
 
+  // The edge of M after its vertex x + y, or before it: of the two edges there are, of either
+  // polygon, that whose normal is nearer.
+  Edge beside(Id x, Id y, bool forward) const;
   // All edges of M, counter-clockwise, from the first edge of A on: O(n_A + n_B) signs.
   std::vector<Edge> edges() const;
 

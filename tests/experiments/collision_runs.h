@@ -124,8 +124,10 @@ inline std::vector<BodyContact> expected_contacts(const SceneObject& a, const Sc
   for (;;) {
     CollisionWitness found = find_contacts(a, b, from, scene.end);
     if (!found.penetration) return result;
-    // Those that overlap right after the change are in contact as before.
-    if (result.empty() || compare(found.penetration->instant, from, counters) != 0) {
+    // Those that overlap right after the change are in contact as before, or from a jump or an
+    // arrival on, which is no event.
+    const bool arrived = found.penetration->features.empty();
+    if (!arrived && (result.empty() || compare(found.penetration->instant, from, counters) != 0)) {
       result.push_back(*found.penetration);
     }
     RealRoot instant = found.penetration->instant;
