@@ -36,9 +36,15 @@ void audit_extremum(const Key& key, Extremum extremum, std::size_t objects,
   });
 }
 
+void check_told(const MaximumEvents& events, ObjectId winner, AuditReport& report) {
+  report.check(events.winner() == winner,
+               [] { return std::string("a change of the maximum was not reported"); });
+}
+
 }  // namespace
 
 void MaximumTournament::check_invariants(AuditReport& report) const {
+  check_told(events_, winner(), report);
   for (Node v = 1; v < leaves_; ++v) {
     const auto where = [&] { return " at node " + std::to_string(v); };
     const ObjectId a = winner_[2 * v], b = winner_[2 * v + 1];
@@ -64,6 +70,7 @@ void MaximumTournament::audit(const Snapshot& snapshot, AuditReport& report) con
 }
 
 void MaximumHeap::check_invariants(AuditReport& report) const {
+  check_told(events_, top(), report);
   for (Place i = 0; i < heap_.size(); ++i) {
     const auto where = [&] { return " at place " + std::to_string(i); };
     report.check(place_of_[heap_[i]] == i, [&] { return "a lost object" + where(); });
@@ -89,6 +96,7 @@ void MaximumHeap::audit(const Snapshot& snapshot, AuditReport& report) const {
 }
 
 void MaximumHanger::check_invariants(AuditReport& report) const {
+  check_told(events_, best(), report);
   std::size_t found = 0;
   for (Place p = 0; p < nodes_.size(); ++p) {
     const Node& node = nodes_[p];
@@ -170,7 +178,7 @@ void MaximumDualHull::audit(const Snapshot& snapshot, AuditReport& report) const
 }
 
 void MaximumOfList::check_invariants(AuditReport& report) const {
-  report.check(winner_ == list_->extreme(extremum_),
+  report.check(winner() == extreme(),
                [] { return std::string("it has missed a change of its list"); });
 }
 

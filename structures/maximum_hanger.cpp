@@ -14,6 +14,7 @@ MaximumHanger::MaximumHanger(Kernel& kernel, StructureId id, const Key& key, con
     : kernel_(&kernel),
       id_(id),
       contest_(extremum, kernel, key, scene),
+      events_(kernel, id, kReplace),
       seed_(seed),
       place_of_(scene.objects.size(), kNone) {}
 
@@ -22,7 +23,7 @@ std::string_view MaximumHanger::name() const {
 }
 
 std::vector<std::string_view> MaximumHanger::event_kinds() const {
-  return common_event_kinds({"swap", "tie"});
+  return common_event_kinds({"swap", "tie", "replace"});
 }
 
 // The next bit of a fixed sequence: a counter, scrambled (Steele, Lea, Flood, "Fast splittable
@@ -38,6 +39,7 @@ bool MaximumHanger::coin() {
 
 void MaximumHanger::build(std::span<const ObjectId> objects) {
   construct(contest_.order().members(objects));
+  events_.begin(best());
 }
 
 void MaximumHanger::rebuild() {
@@ -107,10 +109,10 @@ void MaximumHanger::exchange(Place child) {
 
 void MaximumHanger::certificate_failed(CertificateId failed) {
   const Place child = kernel_->tag(failed);
-  const ObjectId best = nodes_[root_].object, up = nodes_[child].object, down = above(child);
+  const ObjectId up = nodes_[child].object, down = above(child);
   exchange(child);
   settle_ties();
-  kernel_->report(id_, kSwap, {down, up}, nodes_[root_].object != best);
+  events_.repaired(kSwap, down, up, best());
 }
 
 // Each exchange moves a smaller id up: it ends after at most as many as there are pairs of an
@@ -124,7 +126,7 @@ void MaximumHanger::settle_ties() {
     const ObjectId up = nodes_[p].object, down = above(p);
     if (down < up) continue;
     exchange(p);
-    kernel_->report(id_, kTie, {down, up}, nodes_[p].parent == root_);
+    kernel_->report(id_, kTie, {down, up}, false);
   }
 }
 
@@ -177,6 +179,7 @@ void MaximumHanger::insert(ObjectId object) {
   for (const Place p : moved) set_certificate(p);
   for (const Place p : moved) set_certificates_below(p, kNone);
   settle_ties();
+  events_.begin(best());
 }
 
 void MaximumHanger::erase(ObjectId object) {
@@ -210,6 +213,7 @@ void MaximumHanger::erase(ObjectId object) {
   for (const Place p : moved) set_certificate(p);
   for (const Place p : moved) set_certificates_below(p, kNone);
   settle_ties();
+  events_.begin(best());
 }
 
 // ---- what it says

@@ -42,14 +42,16 @@
 #include "core/scene.h"
 #include "core/structure.h"
 #include "structures/key_order.h"
+#include "structures/maximum_events.h"
 
 namespace kinex {
 
 class MaximumHanger final : public Structure {
  public:
   enum Kind : std::uint8_t {
-    kSwap,  // parent and child change places: the old parent, the new one
-    kTie,   // the same, because their keys have become equal for ever
+    kSwap,     // parent and child change places: the old parent, the new one
+    kTie,      // the same, because their keys have become equal for ever
+    kReplace,  // another maximum, by more than one swap: the old one, the new one
   };
   static constexpr std::uint64_t kSeed = 0x6b696e6574696373;
 
@@ -64,12 +66,15 @@ class MaximumHanger final : public Structure {
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_settled() override { events_.settle(best()); }
   Attribute attribute() const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
+  // kNoObject if there is none.
+  ObjectId best() const { return root_ == kNone ? kNoObject : nodes_[root_].object; }
   // The largest number of steps from the root to an object.
   std::size_t depth() const;
 
@@ -101,6 +106,7 @@ class MaximumHanger final : public Structure {
   Kernel* kernel_;
   StructureId id_;
   Contest contest_;
+  MaximumEvents events_;
   std::uint64_t seed_;
   std::uint64_t coins_ = 0;  // thrown so far
   std::vector<Node> nodes_;

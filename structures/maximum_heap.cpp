@@ -14,6 +14,7 @@ MaximumHeap::MaximumHeap(Kernel& kernel, StructureId id, const Key& key, const S
     : kernel_(&kernel),
       id_(id),
       contest_(extremum, kernel, key, scene),
+      events_(kernel, id, kReplace),
       place_of_(scene.objects.size(), kNone) {}
 
 std::string_view MaximumHeap::name() const {
@@ -21,13 +22,14 @@ std::string_view MaximumHeap::name() const {
 }
 
 std::vector<std::string_view> MaximumHeap::event_kinds() const {
-  return common_event_kinds({"swap", "tie"});
+  return common_event_kinds({"swap", "tie", "replace"});
 }
 
 // ---- the static algorithm
 
 void MaximumHeap::build(std::span<const ObjectId> objects) {
   construct(contest_.order().members(objects));
+  events_.begin(top());
 }
 
 void MaximumHeap::rebuild() {
@@ -99,10 +101,10 @@ void MaximumHeap::exchange(Place child) {
 
 void MaximumHeap::certificate_failed(CertificateId failed) {
   const Place child = kernel_->tag(failed);
-  const ObjectId top_before = heap_[0], up = heap_[child], down = heap_[(child - 1) / 2];
+  const ObjectId up = heap_[child], down = heap_[(child - 1) / 2];
   exchange(child);
   settle_ties();
-  kernel_->report(id_, kSwap, {down, up}, heap_[0] != top_before);
+  events_.repaired(kSwap, down, up, top());
 }
 
 // Each exchange moves a smaller id up: it ends after at most as many as there are pairs of an
@@ -116,7 +118,7 @@ void MaximumHeap::settle_ties() {
     const ObjectId up = heap_[i], down = heap_[(i - 1) / 2];
     if (down < up) continue;
     exchange(i);
-    kernel_->report(id_, kTie, {down, up}, i <= 2);
+    kernel_->report(id_, kTie, {down, up}, false);
   }
 }
 
@@ -186,6 +188,7 @@ void MaximumHeap::insert(ObjectId object) {
   std::vector<Place> moved;
   sift_up(static_cast<Place>(heap_.size() - 1), moved);
   renew(moved);
+  events_.begin(top());
 }
 
 // The last object takes the place that becomes free, and sifts.
@@ -197,12 +200,13 @@ void MaximumHeap::erase(ObjectId object) {
   heap_.pop_back();
   certificate_.pop_back();
   place_of_[object] = kNone;
-  if (object == last) return;
+  if (object == last) return events_.begin(top());
   put(hole, last);
   std::vector<Place> moved;
   sift_up(hole, moved);
   if (place_of_[last] == hole) sift_down(hole, moved);
   renew(moved);
+  events_.begin(top());
 }
 
 // ---- what it says

@@ -32,14 +32,16 @@
 #include "core/scene.h"
 #include "core/structure.h"
 #include "structures/key_order.h"
+#include "structures/maximum_events.h"
 
 namespace kinex {
 
 class MaximumHeap final : public Structure {
  public:
   enum Kind : std::uint8_t {
-    kSwap,  // parent and child change places: the old parent, the new one
-    kTie,   // the same, because their keys have become equal for ever
+    kSwap,     // parent and child change places: the old parent, the new one
+    kTie,      // the same, because their keys have become equal for ever
+    kReplace,  // another maximum, by more than one swap: the old one, the new one
   };
 
   MaximumHeap(Kernel& kernel, StructureId id, const Key& key, const Scene& scene,
@@ -53,6 +55,7 @@ class MaximumHeap final : public Structure {
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_settled() override { events_.settle(top()); }
   Attribute attribute() const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
@@ -82,6 +85,7 @@ class MaximumHeap final : public Structure {
   Kernel* kernel_;
   StructureId id_;
   Contest contest_;
+  MaximumEvents events_;
   std::vector<ObjectId> heap_;
   std::vector<CertificateId> certificate_;  // per place, of it and its parent; none for the root
   std::vector<Place> place_of_;             // per object

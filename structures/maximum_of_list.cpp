@@ -7,19 +7,17 @@ std::vector<std::string_view> MaximumOfList::event_kinds() const {
   return common_event_kinds({"replace"});
 }
 
-void MaximumOfList::build(std::span<const ObjectId>) { winner_ = list_->extreme(extremum_); }
+void MaximumOfList::build(std::span<const ObjectId>) { events_.begin(extreme()); }
 
 // Objects that came or went are no events of motion: what is new with them is not reported.
-void MaximumOfList::look(bool report) {
-  const ObjectId old = winner_;
-  winner_ = list_->extreme(extremum_);
-  if (!report || old == winner_ || old == kNoObject || winner_ == kNoObject) return;
-  kernel_->report(id_, kReplace, {old, winner_}, true);
+void MaximumOfList::watched_changed(const Event* event) {
+  if (event == nullptr) return events_.begin(extreme());
+  events_.watched_changed(event->structure, extreme());
 }
 
 Attribute MaximumOfList::attribute() const {
   Attribute result{Attribute::Shape::kObject, {}};
-  if (winner_ != kNoObject) result.ids.push_back(winner_);
+  if (winner() != kNoObject) result.ids.push_back(winner());
   return result;
 }
 

@@ -7,8 +7,8 @@
 // Quality: that of the list, all of which is paid for one object: every swap is an event of the
 // list, and n(n-1)/2 of them may come with n - 1 changes of the maximum. The inefficient baseline
 // that the report begins with.
-// Events: at an instant at which several neighbours of the list change places the maximum may pass
-// through objects that all have the largest key at it.
+// Events: one per instant that changes the maximum, however many neighbours of the list change
+// places at it.
 //
 // Ties. Of objects whose keys are equal for ever the smallest id wins.
 //
@@ -23,6 +23,7 @@
 #include "core/kernel.h"
 #include "core/structure.h"
 #include "structures/key_order.h"
+#include "structures/maximum_events.h"
 #include "structures/sorted_list.h"
 
 namespace kinex {
@@ -35,22 +36,22 @@ class MaximumOfList final : public Structure {
 
   // `list` outlives this structure and is watched by it.
   MaximumOfList(Kernel& kernel, StructureId id, const SortedList& list, Extremum extremum)
-      : kernel_(&kernel), id_(id), list_(&list), extremum_(extremum) {}
+      : list_(&list), extremum_(extremum), events_(kernel, id, kReplace) {}
 
   std::string_view name() const override {
     return extremum_ == Extremum::kMaximum ? "maximum_sorted_list" : "minimum_sorted_list";
   }
   std::vector<std::string_view> event_kinds() const override;
   void build(std::span<const ObjectId> objects) override;
-  void rebuild() override { winner_ = list_->extreme(extremum_); }
+  void rebuild() override {}
   // Never called: it has no certificates.
   void certificate_failed(CertificateId) override {}
   // Objects come and go in the list.
   void insert(ObjectId) override {}
   void erase(ObjectId) override {}
   // New motions may part objects that were tied, without a swap.
-  void instant_settled() override { look(true); }
-  void watched_changed(const Event* event) override { look(event != nullptr); }
+  void instant_settled() override { events_.settle(extreme()); }
+  void watched_changed(const Event* event) override;
   Attribute attribute() const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
@@ -58,16 +59,14 @@ class MaximumOfList final : public Structure {
   std::size_t bytes() const override { return sizeof *this; }
 
   // kNoObject if there is none.
-  ObjectId winner() const { return winner_; }
+  ObjectId winner() const { return events_.winner(); }
 
  private:
-  void look(bool report);
+  ObjectId extreme() const { return list_->extreme(extremum_); }
 
-  Kernel* kernel_;
-  StructureId id_;
   const SortedList* list_;
   Extremum extremum_;
-  ObjectId winner_ = kNoObject;
+  MaximumEvents events_;
 };
 
 }  // namespace kinex

@@ -15,6 +15,7 @@ MaximumTournament::MaximumTournament(Kernel& kernel, StructureId id, const Key& 
     : kernel_(&kernel),
       id_(id),
       contest_(extremum, kernel, key, scene),
+      events_(kernel, id, kReplace),
       leaf_of_(scene.objects.size(), 0) {}
 
 std::string_view MaximumTournament::name() const {
@@ -27,6 +28,7 @@ std::vector<std::string_view> MaximumTournament::event_kinds() const {
 
 void MaximumTournament::build(std::span<const ObjectId> objects) {
   construct(contest_.order().members(objects));
+  events_.begin(winner());
 }
 
 void MaximumTournament::rebuild() {
@@ -113,9 +115,9 @@ void MaximumTournament::flip(Node v) {
 
 void MaximumTournament::certificate_failed(CertificateId failed) {
   const Node v = kernel_->tag(failed);
-  const ObjectId root = winner_[1], old = winner_[v], fresh = loser(v);
+  const ObjectId old = winner_[v], fresh = loser(v);
   flip(v);
-  kernel_->report(id_, kReplace, {old, fresh}, winner_[1] != root);
+  events_.repaired(kReplace, old, fresh, winner());
 }
 
 void MaximumTournament::motions_changed(std::span<const ObjectId> objects) {
@@ -139,10 +141,10 @@ void MaximumTournament::motions_changed(std::span<const ObjectId> objects) {
   }
   std::sort(ties.begin(), ties.end(), std::greater<>());
   for (const Node v : ties) {
-    const ObjectId root = winner_[1], old = winner_[v], fresh = loser(v);
+    const ObjectId old = winner_[v], fresh = loser(v);
     if (kernel_->outlook(certificate_[v]) != Outlook::kIdenticallyZero || old < fresh) continue;
     flip(v);
-    kernel_->report(id_, kTie, {old, fresh}, winner_[1] != root);
+    kernel_->report(id_, kTie, {old, fresh}, false);
   }
 }
 
@@ -162,11 +164,13 @@ void MaximumTournament::decide(Node v) {
   }
 }
 
-// Decides all nodes on the paths from these inner nodes to the root, children first.
+// Decides all nodes on the paths from these inner nodes to the root, children first; an object has
+// come or gone.
 void MaximumTournament::replay(Node a, Node b) {
   touched_.assign({a, b});
   begin_epochs(touched_);
   for (const Node v : touched_) decide(v);
+  events_.begin(winner());
 }
 
 // The first leaf becomes an inner node above its object and the new one.
@@ -178,7 +182,7 @@ void MaximumTournament::insert(ObjectId object) {
   if (leaves_ == 1) {
     winner_[1] = object;
     leaf_of_[object] = 1;
-    return;
+    return events_.begin(object);
   }
   winner_[2 * v] = winner_[v];
   winner_[2 * v + 1] = object;
@@ -196,7 +200,7 @@ void MaximumTournament::erase(ObjectId object) {
   --leaves_;
   if (leaves_ == 0) {
     winner_[1] = kNoObject;
-    return;
+    return events_.begin(kNoObject);
   }
   const Node parent = static_cast<Node>(leaves_);
   const ObjectId a = winner_[2 * parent], b = winner_[2 * parent + 1];

@@ -38,14 +38,15 @@
 #include "core/scene.h"
 #include "core/structure.h"
 #include "structures/key_order.h"
+#include "structures/maximum_events.h"
 
 namespace kinex {
 
 class MaximumTournament final : public Structure {
  public:
   enum Kind : std::uint8_t {
-    kReplace,  // another winner at a node: the old one, the new one
-    kTie,      // the same, because the two keys have become equal for ever
+    kReplace,  // another winner at a node, or another maximum: the old one, the new one
+    kTie,      // at a node, because the two keys have become equal for ever
   };
 
   MaximumTournament(Kernel& kernel, StructureId id, const Key& key, const Scene& scene,
@@ -59,6 +60,7 @@ class MaximumTournament final : public Structure {
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_settled() override { events_.settle(winner()); }
   Attribute attribute() const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
@@ -85,6 +87,7 @@ class MaximumTournament final : public Structure {
   Kernel* kernel_;
   StructureId id_;
   Contest contest_;
+  MaximumEvents events_;
   std::size_t leaves_ = 0;
   std::vector<ObjectId> winner_;            // per node from 1; at a leaf its object
   std::vector<CertificateId> certificate_;  // per inner node from 1

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/simulator.h"
@@ -30,34 +30,36 @@ inline std::vector<std::string> maximum_family(const Scene& scene, const Key& ke
   return names;
 }
 
-// The changes of a maximum, per structure and instant: who was it before the first external event
-// of the instant, and who was it after the last. A structure may pass through objects that are
-// equal at the instant; where it comes back nothing has changed.
+// One external event of a maximum as it was reported: the number of its instant from the start of
+// the run, and what it says.
+struct Change {
+  std::uint64_t instant = 0;
+  ObjectId old = kNoObject, fresh = kNoObject;
+  friend bool operator==(const Change&, const Change&) = default;
+};
+
+inline void PrintTo(const Change& c, std::ostream* out) {
+  *out << c.old << " to " << c.fresh << " at instant " << c.instant;
+}
+
+// The external events of each structure, in their order.
 class Changes final : public EventSink {
  public:
-  using Change = std::pair<ObjectId, ObjectId>;  // old, new
   explicit Changes(const Simulator& simulator) : simulator_(&simulator) {}
   void event(const Event& event, Arithmetic&) override {
     if (!event.external) return;
-    const ObjectId now = simulator_->structure(event.structure).attribute().ids.at(0);
-    const auto [place, fresh] = by_structure[event.structure].try_emplace(
-        simulator_->ledger().instants, Change{event.ids[0], now});
-    if (!fresh) place->second.second = now;
+    EXPECT_EQ(event.count, 2);
+    by_structure_[event.structure].push_back(
+        {simulator_->ledger().instants, event.ids[0], event.ids[1]});
   }
-  // The instants are numbered from the start of the run.
-  std::map<std::uint64_t, Change> of(StructureId id) const {
-    std::map<std::uint64_t, Change> result;
-    const auto found = by_structure.find(id);
-    if (found == by_structure.end()) return result;
-    for (const auto& [instant, change] : found->second) {
-      if (change.first != change.second) result.emplace(instant, change);
-    }
-    return result;
+  std::vector<Change> of(StructureId id) const {
+    const auto found = by_structure_.find(id);
+    return found == by_structure_.end() ? std::vector<Change>{} : found->second;
   }
 
  private:
   const Simulator* simulator_;
-  std::map<StructureId, std::map<std::uint64_t, Change>> by_structure;
+  std::map<StructureId, std::vector<Change>> by_structure_;
 };
 
 struct FamilyRun {
@@ -86,7 +88,13 @@ struct FamilyRun {
   }
   void expect_agreement() const {
     EXPECT_EQ(simulator->violations(), std::vector<std::string>{});
-    const auto expected = changes->of(members().front());
+    const std::vector<Change> expected = changes->of(members().front());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_NE(expected[i].old, expected[i].fresh);
+      if (i > 0) {
+        EXPECT_LT(expected[i - 1].instant, expected[i].instant);
+      }
+    }
     for (const StructureId id : members()) {
       const std::string& name = simulator->label(id);
       EXPECT_EQ(changes->of(id), expected) << name;

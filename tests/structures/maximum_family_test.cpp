@@ -78,6 +78,53 @@ TEST(MaximumFamily, ManyAtOneInstant) {
   EXPECT_EQ(expect_family(scene_of(t, 0, std::nullopt)), 23u);
 }
 
+// 2, 1 + t and 2 t at 1, in all orders: the middle one is never the maximum.
+TEST(MaximumFamily, ThreeLinesThroughOnePoint) {
+  const std::vector<Trajectory> lines{path({{2}}), path({{1, 1}}), path({{0, 2}})};
+  std::vector<ObjectId> place{0, 1, 2};  // of each line
+  do {
+    std::vector<Trajectory> t(3);
+    for (std::size_t i = 0; i < 3; ++i) t[place[i]] = lines[i];
+    const Scene scene = scene_of(t, 0, Rational(2));
+    EXPECT_EQ(expect_family(scene), 1u);
+    for (const bool minimum : {false, true}) {
+      FamilyRun run(scene, {}, minimum, "exact");
+      run.simulator->run_until({});
+      const Change change{1, minimum ? place[2] : place[0], minimum ? place[0] : place[2]};
+      for (const StructureId id : run.members()) {
+        EXPECT_EQ(run.changes->of(id), std::vector<Change>{change}) << run.simulator->label(id);
+      }
+    }
+  } while (std::next_permutation(place.begin(), place.end()));
+}
+
+// Objects of a grid, by their x, with velocities of a grid: many meet at each of few instants, by
+// threes and more, some for ever; some turn there.
+TEST(MaximumFamily, GridsThatMeet) {
+  std::size_t changes = 0;
+  for (int shift = 0; shift < 5; ++shift) {
+    SCOPED_TRACE("shift " + std::to_string(shift));
+    std::vector<Trajectory> t;
+    for (int i = 0; i < 20; ++i) {
+      const int x = i % 4, v = (i / 4 + shift * i) % 5 - 2;
+      t.push_back(path({{-x * (v < 0 ? -1 : 1), v}}));
+    }
+    Scene scene = scene_of(t, -2, Rational(4));
+    changes += expect_family(scene);
+    for (std::size_t i = 0; i < t.size(); i += 3) {  // those are at rest from 1 on
+      Rational at(0);
+      for (const Rational& c : t[i].coordinates[0]) at += c;
+      std::vector<MotionPiece>& pieces = scene.objects[i].motion.pieces;
+      pieces[0].to = Rational(1);
+      Trajectory rest;
+      rest.coordinates = {{at}};
+      pieces.push_back({Rational(1), std::nullopt, rest});
+    }
+    changes += expect_family(scene);
+  }
+  EXPECT_GT(changes, 10u);
+}
+
 // Those with one certificate have one event per change, however many meet.
 TEST(MaximumFamily, NobodyPassesThroughWhereOnlyTheLastCounts) {
   for (const int n : {2, 3, 9, 16, 33}) {

@@ -74,8 +74,7 @@ Scene generic_scene(unsigned seed, int n, int degree) {
 }
 
 TEST(MaximumOfList, IsRightThroughFlightPlansAndTies) {
-  // Audited after every instant. Where several meet at once it may pass through more objects than
-  // the tournament does.
+  // Audited after every instant.
   for (const int degree : {1, 2, 3}) {
     for (const unsigned seed : {1u, 2u, 3u}) {
       SharedRun run(random_flights(seed, 24, 1, degree, seed == 3),

@@ -49,7 +49,8 @@ std::optional<std::string> word(const std::string& structure, const Image& image
         return std::nullopt;  // flight plans; these scenes have no other kind
     }
   }
-  if (event.kind != 0 || (!internal && !event.external)) return std::nullopt;
+  const bool net = event.external && !is_list(structure);  // whatever the structure calls it
+  if ((event.kind != 0 && !net) || (!internal && !event.external)) return std::nullopt;
   if (back != (is_list(structure) && image.reverses_order)) std::swap(ids[0], ids[1]);
   return std::to_string(ids[0]) + " then " + std::to_string(ids[1]);
 }
