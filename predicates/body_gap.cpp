@@ -48,8 +48,8 @@ struct DiscsApart {
             out[i + j] += product;
           }
         }
-        difference[i] = zero;
       }
+      for (std::size_t i = 0; i < used; ++i) difference[i] = zero;
     }
     const R& reach = points[2][0];
     if (negated) {
