@@ -33,6 +33,7 @@ struct DiscsApart {
     for (int axis = 0; axis < 2; ++axis) {
       const R* a = axis_of<R>(points, 0, axis, powers);
       const R* b = axis_of<R>(points, 1, axis, powers);
+      for (R& coefficient : difference) coefficient = zero;
       std::size_t used = 0;
       for (std::size_t k = 0; k < powers; ++k) {
         if (is_exactly_zero(a[k]) && is_exactly_zero(b[k])) continue;
@@ -49,7 +50,6 @@ struct DiscsApart {
           }
         }
       }
-      for (std::size_t i = 0; i < used; ++i) difference[i] = zero;
     }
     const R& reach = points[2][0];
     if (negated) {
@@ -81,7 +81,40 @@ struct AxisGap {
   }
 };
 
+struct BeyondLine {
+  static constexpr int kArity = 2;
+  static constexpr int kHomogeneity = 1;
+  static constexpr int kDimension = 2;
+  int axis;
+  bool negated;
+
+  std::string_view name() const {
+    if (negated) return axis == 0 ? "x_short_of" : "y_short_of";
+    return axis == 0 ? "x_beyond" : "y_beyond";
+  }
+  std::string_view opposite() const { return BeyondLine{axis, !negated}.name(); }
+  int degree(int motion_degree) const { return motion_degree; }
+
+  template <class R>
+  void value(int d, const MotionView<R>* points, R* out, const R& zero) const {
+    const std::size_t powers = static_cast<std::size_t>(d) + 1;
+    const R* a = axis_of<R>(points, 0, axis, powers);
+    for (std::size_t k = 0; k < powers; ++k) {
+      out[k] = negated && !is_exactly_zero(a[k]) ? zero - a[k] : a[k];
+    }
+    if (negated) {
+      out[0] += points[1][0];
+    } else {
+      out[0] -= points[1][0];
+    }
+  }
+};
+
 }  // namespace
+
+std::shared_ptr<const Predicate> make_beyond_line(int axis, bool negated) {
+  return std::make_shared<WidePredicate<BeyondLine>>(BeyondLine{axis, negated});
+}
 
 std::shared_ptr<const Predicate> make_discs_apart(bool negated) {
   return std::make_shared<WidePredicate<DiscsApart>>(DiscsApart{negated});

@@ -19,6 +19,10 @@ std::shared_ptr<const Predicate> make_discs_apart(bool negated);
 // axis_gap(a, b, reach) = b - a - reach on `axis` (0 or 1; named x_gap, y_gap). Degree d.
 std::shared_ptr<const Predicate> make_axis_gap(int axis);
 
+// beyond_line(a, line) = a - line on `axis`, `line` a constant object of one axis (named x_beyond,
+// y_beyond). `negated`: line - a (x_short_of, y_short_of). Degree d.
+std::shared_ptr<const Predicate> make_beyond_line(int axis, bool negated);
+
 }  // namespace kinex
 
 #endif

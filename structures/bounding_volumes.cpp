@@ -26,8 +26,7 @@ std::vector<std::string_view> BoundingVolumes::event_kinds() const {
   return common_event_kinds({"contact", "change", "volume"});
 }
 
-// The sum of the two radii.
-ObjectId BoundingVolumes::reach(PairId p) {
+ObjectId BoundingVolumes::make_reach(PairId p) {
   const Rational sum = radius_about_origin(scene_.objects[pair(p).a].polygon) +
                        radius_about_origin(scene_.objects[pair(p).b].polygon);
   const auto [place, is_new] = reaches_.try_emplace(sum, kNoObject);
@@ -36,7 +35,7 @@ ObjectId BoundingVolumes::reach(PairId p) {
 }
 
 bool BoundingVolumes::put_volume(PairId p) {
-  const ObjectId a = pair(p).a, b = pair(p).b, far = reach(p);
+  const ObjectId a = pair(p).a, b = pair(p).b, far = reach_[p];
   const std::array<Query, 5> proofs{Query(gap_[0], {a, b, far}), Query(gap_[0], {b, a, far}),
                                     Query(gap_[1], {a, b, far}), Query(gap_[1], {b, a, far}),
                                     Query(discs_apart_, {a, b, far})};
@@ -52,11 +51,13 @@ bool BoundingVolumes::put_volume(PairId p) {
 
 bool BoundingVolumes::start(PairId p) {
   if (near_.size() <= p) near_.resize(p + std::size_t{1}, 0);
+  if (reach_.size() <= p) reach_.resize(p + std::size_t{1}, kNoObject);
+  reach_[p] = make_reach(p);
   return put_volume(p) || ClosestFeatures::start(p);
 }
 
 std::optional<Query> BoundingVolumes::extra(PairId p) {
-  return Query(discs_overlap_, {pair(p).a, pair(p).b, reach(p)});
+  return Query(discs_overlap_, {pair(p).a, pair(p).b, reach_[p]});
 }
 
 void BoundingVolumes::fail(PairId p, std::uint32_t slot) {
@@ -73,7 +74,7 @@ void BoundingVolumes::fail(PairId p, std::uint32_t slot) {
 }
 
 std::size_t BoundingVolumes::bytes() const {
-  return ClosestFeatures::bytes() + near_.capacity() +
+  return ClosestFeatures::bytes() + near_.capacity() + reach_.capacity() * sizeof(ObjectId) +
          reaches_.size() * (sizeof(Rational) + sizeof(ObjectId) + 48);
 }
 

@@ -40,11 +40,12 @@ class BoundingVolumes final : public ClosestFeatures {
 
  private:
   bool put_volume(PairId p);
-  ObjectId reach(PairId p);
+  ObjectId make_reach(PairId p);
 
   std::array<PredicateId, 2> gap_;  // per axis
   PredicateId discs_apart_, discs_overlap_;
   std::vector<std::uint8_t> near_;        // per pair
+  std::vector<ObjectId> reach_;           // per pair: the sum of the two radii
   std::map<Rational, ObjectId> reaches_;  // constants
 };
 

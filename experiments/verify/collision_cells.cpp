@@ -127,7 +127,7 @@ void add_rounds(Catalogue& catalogue, const Method& method, Extent extent) {
 }
 
 void add_lines(Catalogue& catalogue, const Method& method, Extent extent) {
-  const int n = extent == Extent::kQuick ? 256 : 2048;
+  const int n = extent == Extent::kQuick ? 128 : 1024;
   const int last = extent == Extent::kQuick ? 14 : 20;
   for (int k = 2; k <= last; k += 2) {
     Cell cell = scene(method, "B2 line", "polygon-line", n);
@@ -147,16 +147,17 @@ void add_lines(Catalogue& catalogue, const Method& method, Extent extent) {
   catalogue.growths.push_back(growth(cell, "collision.line.mu", Variable::kMu, 0, 0.5, true));
 }
 
-// mu = 2^k at separation 2^(1 - 2k); as many rounds.
+// Separation 2 / mu^2, and as many rounds as mu.
 void add_spins(Catalogue& catalogue, const Method& method, Extent extent) {
-  for (int k = 1; k <= (extent == Extent::kQuick ? 3 : 5); ++k) {
+  for (const int mu : {2, 3, 4, 6, 8, 12, 16, 24, 32}) {
+    if (mu > 12 && extent == Extent::kQuick) continue;
     Cell cell = scene(method, "B3 rounds while turning", "polygon-spin-orbit", 64);
-    cell.parameters.separation = power(2 * k - 1);
-    cell.parameters.turns = 1 << k;
+    cell.parameters.separation = Rational(2) / Rational(mu * mu);
+    cell.parameters.turns = mu;
     cell.family = "B3 mu rounds in a turn";
     cell.variable = Variable::kMu;
-    cell.cost = k;
-    if (k == 3) cell.comparison = "collision";
+    cell.cost = mu * 0.2;
+    if (mu == 8) cell.comparison = "collision";
     catalogue.cells.push_back(std::move(cell));
   }
   if (std::string_view(method.name) != "separation_mixed") return;

@@ -24,7 +24,7 @@ namespace kinex {
 namespace {
 
 constexpr double kSlack = 1 + 1e-9;
-constexpr double kNodes = 8;  // of min(n, sqrt(D / s)); measured: below 6
+constexpr double kNodes = 4;  // of min(n, sqrt(D / s)); measured: 2.6
 
 using Point = std::array<double, 2>;
 
