@@ -71,15 +71,18 @@ PaperClaim power_claim(std::string id, std::string statement, const std::vector<
 }
 
 Figure curves_figure(std::string title, std::string caption, const std::string& x,
-                     const std::vector<NamedCurve>& curves, const std::string& more) {
+                     const std::vector<NamedCurve>& curves) {
   Figure figure;
   figure.title = std::move(title);
   figure.caption = std::move(caption);
   figure.height = 500;
   std::string plot;
+  double low = 1e300, high = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     figure.script += fmt::format("$curve{} << EOD\n", i);
     for (const FitPoint& point : curves[i].points) {
+      low = std::min(low, point.n);
+      high = std::max(high, point.n);
       figure.script += fmt::format("{:.8g} {:.8g} {:.8g}\n", point.n, std::max(point.count, 0.5),
                                    2 * point.error);
     }
@@ -89,12 +92,12 @@ Figure curves_figure(std::string title, std::string caption, const std::string& 
         plot.empty() ? "plot " : ", \\\n  ", i, look(i).symbol, look(i).colour,
         quoted(curves[i].name));
   }
-  if (!more.empty()) plot += ", \\\n  " + more;
   figure.script +=
       "set logscale xy\nset grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\n"
       "set tics nomirror\nset format y '10^{%L}'\nset ylabel 'events'\n"
-      "set key below center horizontal Left reverse samplen 2.5 maxcols 2\nset xlabel " +
-      quoted(x) + "\n" + plot + "\n";
+      "set key below center horizontal Left reverse samplen 2.5 maxcols 2 width -4\n" +
+      fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.8 * low, 1.25 * high) + "set xlabel \"" + x +
+      "\\n \"\n" + plot + "\n";
   return figure;
 }
 

@@ -34,9 +34,9 @@ struct NamedCurve {
   std::string name;
   std::vector<FitPoint> points;
 };
-// Logarithmic axes; `more` is added to the plot.
+// Logarithmic axes.
 Figure curves_figure(std::string title, std::string caption, const std::string& x,
-                     const std::vector<NamedCurve>& curves, const std::string& more = "");
+                     const std::vector<NamedCurve>& curves);
 
 // All runs in a table, and every claim's place and command.
 void finish(PartReport& report, const std::vector<SeriesResult>& results,

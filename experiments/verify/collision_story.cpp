@@ -68,24 +68,29 @@ std::vector<Curve> curves_of(const std::vector<CellResult>& cells, const std::st
   return result;
 }
 
-// One panel of the figure: data blocks first, then the plot.
+// One panel of the figure: data blocks first, then the plot. What is no method is black.
 std::string panel(const std::vector<CellResult>& cells, const std::vector<Curve>& curves,
-                  const std::string& tag, const std::string& bound) {
+                  const std::string& tag) {
   const std::vector<std::string> methods = methods_of(cells);
   std::string data, plot;
+  double low = 1e300, high = 0;
   for (const Curve& curve : curves) {
     const auto i = static_cast<std::size_t>(
         std::find(methods.begin(), methods.end(), curve.method) - methods.begin());
+    const bool is_bound = i == methods.size();
     data += fmt::format("${}{} << EOD\n", tag, i);
-    for (const auto& [x, y] : curve.points) data += fmt::format("{:.8g} {:.8g}\n", x, y);
+    for (const auto& [x, y] : curve.points) {
+      data += fmt::format("{:.8g} {:.8g}\n", x, y);
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
     data += "EOD\n";
     plot +=
         fmt::format("{}${}{} using 1:2 with linespoints lw 1.5 ps 0.8 pt {} lc rgb '{}' title {}",
-                    plot.empty() ? "plot " : ", \\\n  ", tag, i, look(i).symbol, look(i).colour,
-                    quoted(curve.method));
+                    plot.empty() ? "plot " : ", \\\n  ", tag, i, is_bound ? 1 : look(i).symbol,
+                    is_bound ? "#000000" : look(i).colour, quoted(curve.method));
   }
-  if (!bound.empty() && !plot.empty()) plot += ", \\\n  " + bound;
-  return data + plot + "\n";
+  return data + fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.8 * low, 1.25 * high) + plot + "\n";
 }
 
 }  // namespace
@@ -152,14 +157,24 @@ std::optional<MeasuresTable> signs_table(const std::vector<CellResult>& cells) {
 }
 
 std::optional<Figure> collision_figure(const std::vector<CellResult>& cells) {
-  const std::vector<Curve> mu = curves_of(cells, "B1 round", Variable::kMu);
+  std::vector<Curve> mu = curves_of(cells, "B1 round", Variable::kMu);
   const std::vector<Curve> fan = curves_of(cells, "B4 turn", Variable::kVertices);
   const std::vector<Curve> tangents = curves_of(cells, "B5 turn", Variable::kVertices);
-  if (mu.empty() || fan.empty() || tangents.empty()) return std::nullopt;
+  std::map<double, double> least;
+  for (const CellResult& cell : cells) {
+    if (cell.cell.family.rfind("B1 round", 0) != 0) continue;
+    if (cell.cell.variable != Variable::kMu) continue;
+    for (const Expectation& expectation : cell.cell.expectations) {
+      if (expectation.kind != ExpectationKind::kAtLeast) continue;
+      least[variable_of(cell.cell, Variable::kMu)] = expectation.exact.to_double() + 1;
+    }
+  }
+  mu.push_back({"lower bound", {least.begin(), least.end()}});
+  if (mu.size() == 1 || fan.empty() || tangents.empty()) return std::nullopt;
   Figure figure;
   figure.title = "collision: events of every method, against mu and against n";
   figure.caption =
-      "Left: one polygon goes once round another at falling separation; dashed: the least number "
+      "Left: one polygon goes once round another at falling separation; black: the least number "
       "of certificates for convex sets of positions. Middle and right: a regular polygon of n "
       "vertices turns once before a fan of n edges, two radii away: the closest features (middle) "
       "or an inner tangent (right) change n^2 times; a count of 0 is drawn as 1/2.";
@@ -170,13 +185,13 @@ std::optional<Figure> collision_figure(const std::vector<CellResult>& cells) {
       "set multiplot layout 1,3\nset logscale xy\nset grid lc rgb '#dddddd' lw 0.7\n"
       "set border 3 lc rgb '#444444'\nset tics nomirror\nset format y '10^{%L}'\n"
       "set key below center horizontal Left reverse samplen 2 maxcols 2\nset ylabel 'events'\n"
-      "set xlabel 'mu = min(n, sqrt(D / separation))'\nset title 'B1: once round'\n";
+      "set xlabel \"mu = min(n, sqrt(D / separation))\\n \"\nset title 'B1: once round'\n";
+  script += panel(cells, mu, "mu");
   script +=
-      panel(cells, mu, "mu", "pi*x/2 with lines dt 2 lw 1.5 lc rgb '#000000' title 'lower bound'");
-  script += "set xlabel 'n'\nset title 'B4: a turn before a fan'\nset yrange [0.3:]\n";
-  script += panel(cells, fan, "fan", "");
+      "set xlabel \"n\\n \"\nset ytics\nset title 'B4: a turn before a fan'\nset yrange [0.3:]\n";
+  script += panel(cells, fan, "fan");
   script += "set title 'B5: a turn before a tangent fan'\n";
-  script += panel(cells, tangents, "tangents", "");
+  script += panel(cells, tangents, "tangents");
   script += "unset multiplot\n";
   return figure;
 }
