@@ -13,6 +13,20 @@ const std::vector<Paper>& papers() {
          kds_large_runs_points, kds_large_runs_report},
         {"section-9", "how many events random motion causes", kds_section_9_points,
          kds_section_9_report}}},
+      {"separation-sensitive-1999",
+       "J. Erickson, L. J. Guibas, J. Stolfi, L. Zhang, Separation-sensitive collision detection "
+       "for "
+       "convex objects, 1999",
+       {{"translation", "how many certificates two polygons need that do not turn",
+         separation_translation_points, separation_translation_report},
+        {"rigid", "how many, and at what cost, when they turn", separation_rigid_points,
+         separation_rigid_report},
+        {"features", "what closest features and tangents cost at any distance",
+         separation_features_points, separation_features_report},
+        {"hysteresis", "certificates that last", separation_hysteresis_points,
+         separation_hysteresis_report},
+        {"hierarchies", "outer hierarchies of one polygon", separation_hierarchies_points,
+         separation_hierarchies_report}}},
   };
   return kPapers;
 }

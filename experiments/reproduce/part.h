@@ -51,6 +51,25 @@ std::vector<SeriesPoint> kds_section_9_points(bool quick);
 PartReport kds_section_9_report(const std::vector<SeriesResult>& results,
                                 const std::string& command);
 
+// separation_translation.cpp
+std::vector<SeriesPoint> separation_translation_points(bool quick);
+PartReport separation_translation_report(const std::vector<SeriesResult>& results,
+                                         const std::string& command);
+// separation_rigid.cpp
+std::vector<SeriesPoint> separation_rigid_points(bool quick);
+PartReport separation_rigid_report(const std::vector<SeriesResult>& results,
+                                   const std::string& command);
+std::vector<SeriesPoint> separation_features_points(bool quick);
+PartReport separation_features_report(const std::vector<SeriesResult>& results,
+                                      const std::string& command);
+// separation_far.cpp
+std::vector<SeriesPoint> separation_hysteresis_points(bool quick);
+PartReport separation_hysteresis_report(const std::vector<SeriesResult>& results,
+                                        const std::string& command);
+std::vector<SeriesPoint> separation_hierarchies_points(bool quick);
+PartReport separation_hierarchies_report(const std::vector<SeriesResult>& results,
+                                         const std::string& command);
+
 }  // namespace kinex
 
 #endif

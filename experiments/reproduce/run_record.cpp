@@ -9,6 +9,7 @@
 #include "experiments/json_value.h"
 #include "experiments/json_writer.h"
 #include "experiments/scene_run.h"
+#include "experiments/turned_scene.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
 
@@ -21,12 +22,24 @@ Scene scene_for(const RunKey& key) {
   parameters.n = key.n;
   parameters.dimension = key.dimension;
   parameters.seed = key.seed;
+  parameters.m = key.m;
+  if (!key.separation.empty()) parameters.separation = Rational::parse(key.separation);
+  parameters.turns = key.turns;
   Scene scene = generate_scene(*find_workload(key.workload), parameters);
+  if (key.turned) turn_scene(scene, static_cast<int>(key.seed) - 1);
   if (key.forever) scene.end.reset();
   Request request;
   request.structure = request.label = key.structure;
   scene.maintain = {std::move(request)};
   return scene;
+}
+
+std::uint64_t signs_of(const ArithmeticCounters& counters) {
+  std::uint64_t sum = 0;
+  for (const PredicateCounters& predicate : counters.by_predicate) {
+    for (const std::uint64_t count : predicate.signs) sum += count;
+  }
+  return sum;
 }
 
 std::uint64_t whole_number(const JsonValue& value, const std::string& file, std::size_t line) {
@@ -45,6 +58,10 @@ std::uint64_t whole_number(const JsonValue& value, const std::string& file, std:
 std::string RunKey::text() const {
   std::string text = structure + " " + workload + " n=" + std::to_string(n) +
                      " d=" + std::to_string(dimension) + " seed=" + std::to_string(seed);
+  if (m != 0) text += " m=" + std::to_string(m);
+  if (!separation.empty()) text += " separation=" + separation;
+  if (turns != -1) text += " turns=" + std::to_string(turns);
+  if (turned) text += " turned";
   if (forever) text += " forever";
   if (max_events != 0) text += " events=" + std::to_string(max_events);
   return text;
@@ -60,11 +77,13 @@ std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool(
   const auto simulator = make_simulator(scene, "exact", std::move(options));
   simulator->start();
   RunRecord record;
+  const std::uint64_t signs_at_start = signs_of(simulator->kernel().arithmetic().counters());
   record.key = key.text();
   record.seconds_setup = cpu_seconds() - begin;
   begin = cpu_seconds();
   const RunStatus status = simulator->run_until(std::nullopt);
   record.seconds = cpu_seconds() - begin;
+  record.signs = signs_of(simulator->kernel().arithmetic().counters()) - signs_at_start;
   if (status == RunStatus::kInterrupted || !go_on()) return std::nullopt;
   const StructureId id = asked_structure(scene);
   if (status == RunStatus::kDone && !simulator->audit()) {
@@ -98,6 +117,7 @@ std::string record_line(const RunRecord& record) {
   json.begin_object().key("run").string(record.key);
   json.key("processed").number(record.processed).key("external").number(record.external);
   json.key("max_live").number(record.max_live).key("max_per_object").number(record.max_per_object);
+  json.key("signs").number(record.signs);
   json.key("solved").begin_array();
   for (const std::uint64_t count : record.solved) json.number(count);
   json.end_array().key("kinds").begin_object();
@@ -129,6 +149,7 @@ RunRecord parse_record(std::string_view line, const std::string& file, std::size
   record.external = count("external");
   record.max_live = count("max_live");
   record.max_per_object = count("max_per_object");
+  record.signs = count("signs");
   for (const JsonValue& one : member("solved").items) {
     record.solved.push_back(whole_number(one, file, number));
   }

@@ -23,6 +23,11 @@ struct RunKey {
   std::uint64_t seed = 1;
   bool forever = false;          // until no event is left, instead of the workload's time
   std::uint64_t max_events = 0;  // the run is stopped there; 0: it is not
+  // Bodies: where a workload takes them. Empty, 0 and -1 stand for its own.
+  int m = 0;
+  std::string separation;  // a rational
+  int turns = -1;
+  bool turned = false;  // by an angle that goes with the seed (turned_scene.h)
 
   // "convex_hull_2 uniform-square n=100 d=2 seed=1 forever"
   std::string text() const;
@@ -34,6 +39,7 @@ struct RunRecord {
   std::uint64_t external = 0;         // of the structure that was asked for
   std::uint64_t max_live = 0;         // certificates, over all structures that were built
   std::uint64_t max_per_object = 0;   // likewise
+  std::uint64_t signs = 0;            // asked for after the start
   std::vector<std::uint64_t> solved;  // by degree: failure times asked for
   std::map<std::string, std::uint64_t> kinds;  // events of the structure asked for, by kind
   std::uint64_t peak_bytes = 0;

@@ -12,6 +12,8 @@ namespace kinex {
 double quantity_of(const RunRecord& record, const std::string& quantity) {
   if (quantity == "processed") return static_cast<double>(record.processed);
   if (quantity == "external") return static_cast<double>(record.external);
+  if (quantity == "max_live") return static_cast<double>(record.max_live);
+  if (quantity == "signs") return static_cast<double>(record.signs);
   if (quantity == "max_per_object") return static_cast<double>(record.max_per_object);
   if (quantity.rfind("kind.", 0) == 0) {
     const auto found = record.kinds.find(quantity.substr(5));

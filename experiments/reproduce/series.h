@@ -13,8 +13,9 @@
 
 namespace kinex {
 
-// A number of a run: "processed", "external", "max_per_object", "kind.NAME", "solved.DEGREE" (0 if
-// nothing was counted under that name). Throws std::invalid_argument for other names.
+// A number of a run: "processed", "external", "max_live", "max_per_object", "signs", "kind.NAME",
+// "solved.DEGREE" (0 if nothing was counted under that name). Throws std::invalid_argument for
+// other names.
 double quantity_of(const RunRecord& record, const std::string& quantity);
 
 // Runs with seeds 1, 2, .. until the standard error of `precise` is below `relative_error` of its

@@ -169,8 +169,10 @@ void add_reproduce_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand(
       "reproduce", "Runs a paper's experiments again: claims with their verdicts, and figures");
-  verb->add_option("PAPER", options->paper, "kds-report-1998")->required();
-  verb->add_option("PART", options->parts, "figure-3, large-runs, section-9 (default: all)");
+  verb->add_option("PAPER", options->paper, "kds-report-1998 or separation-sensitive-1999")
+      ->required();
+  verb->add_option("PART", options->parts,
+                   "A part of it, such as figure-3 or rigid (default: all)");
   verb->add_flag("--quick", options->quick, "Smaller sizes: minutes");
   verb->add_option("-o,--output", options->folder, "Write into this folder (PAPER, PAPER-quick)");
   verb->add_flag("--force", options->force, "Replace results that exist");

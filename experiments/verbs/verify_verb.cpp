@@ -94,9 +94,13 @@ void verify(const Options& options, int& exit_code) {
   for (const GrowthResult& growth : result.growths) {
     print(options.json ? json_row(growth) : table_row(growth));
   }
+  for (const StudyResult& study : result.studies) {
+    print(options.json ? json_row(study) : table_row(study));
+  }
   if (!options.json) {
     print(closing_line(result));
     for (const MeasuresTable& table : measures_tables(result.cells)) print(measures_text(table));
+    for (const StudyResult& study : result.studies) print(measures_text(study_table(study)));
   }
 
   PageFacts facts;
@@ -126,7 +130,7 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "verify", "The bound-verification experiments: writes verify.sqlite and verify.html");
   verb->add_option("STRUCTURE", options->structure,
-                   "A structure, maximum, minimum (all structures for it), or all (default)");
+                   "A structure, maximum, minimum, collision (all structures for it), or all (default)");
   verb->add_flag("--quick", options->quick, "Smaller sizes: a few minutes on one core");
   verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
   verb->add_flag("--force", options->force, "Replace results that exist");

@@ -13,11 +13,14 @@ namespace kinex {
 namespace {
 
 bool is_group(std::string_view structure) {
-  return structure == "all" || structure == "maximum" || structure == "minimum";
+  return structure == "all" || structure == "maximum" || structure == "minimum" ||
+         structure == "collision";
 }
 
-bool is_selected(std::string_view structure, std::string_view name) {
+bool is_selected(std::string_view structure, const StructureInfo& info) {
+  const std::string_view name = info.name;
   if (structure == "all" || structure == name) return true;
+  if (structure == "collision") return info.bodies;
   return is_group(structure) &&
          name.substr(0, structure.size() + 1) == std::string(structure) + "_";
 }
@@ -27,7 +30,7 @@ template <class Item>
 void select(std::vector<Item>& items, std::string_view structure) {
   std::vector<Item> selected;
   for (const StructureInfo& info : structure_infos()) {
-    if (!is_selected(structure, info.name)) continue;
+    if (!is_selected(structure, info)) continue;
     for (Item& item : items) {
       if (item.structure == info.name) selected.push_back(std::move(item));
     }
@@ -57,7 +60,7 @@ void count_comparisons(std::vector<Cell>& cells) {
 
 Catalogue make_catalogue(std::string_view structure, Extent extent) {
   if (!is_group(structure) && find_structure_info(structure) == nullptr) {
-    std::string names = "all, maximum, minimum";
+    std::string names = "all, maximum, minimum, collision";
     for (const StructureInfo& info : structure_infos()) names += ", " + std::string(info.name);
     throw InputError("verify", "", show_text(structure) + " is not a structure",
                      "choose one of " + names);
@@ -67,6 +70,8 @@ Catalogue make_catalogue(std::string_view structure, Extent extent) {
   add_random_motion(catalogue, extent);
   for (const StructureInfo& info : structure_infos()) add_common_cells(catalogue, info, extent);
   add_maximum_comparison(catalogue, extent);
+  add_collision_cells(catalogue, extent);
+  if (structure == "all" || structure == "collision") add_collision_studies(catalogue, extent);
   select(catalogue.cells, structure);
   count_comparisons(catalogue.cells);
   select(catalogue.growths, structure);

@@ -16,8 +16,8 @@ namespace kinex {
 
 enum class Extent { kQuick, kFull };
 
-// `structure`: a registered name, "maximum" or "minimum" (all structures for it), or "all". Throws
-// InputError for any other name.
+// `structure`: a registered name, "maximum" or "minimum" (all structures for it), "collision" (all
+// for bodies), or "all". Throws InputError for any other name.
 Catalogue make_catalogue(std::string_view structure, Extent extent);
 
 // ---- the parts, for structures that are registered or not
@@ -28,6 +28,10 @@ void add_worst_cases(Catalogue& catalogue, Extent extent);
 void add_random_motion(Catalogue& catalogue, Extent extent);
 // maximum_cells.cpp: all structures for a maximum on the same scenes.
 void add_maximum_comparison(Catalogue& catalogue, Extent extent);
+// collision_cells.cpp: all structures for collisions on the same scenes.
+void add_collision_cells(Catalogue& catalogue, Extent extent);
+// contact_agreement.cpp: contacts against a witness; outer hierarchies.
+void add_collision_studies(Catalogue& catalogue, Extent extent);
 // common_cells.cpp: hard bounds and audits of one structure on every kind of scene.
 void add_common_cells(Catalogue& catalogue, const StructureInfo& structure, Extent extent);
 

@@ -3,6 +3,7 @@
 #ifndef KINEX_EXPERIMENTS_VERIFY_CELL_H
 #define KINEX_EXPERIMENTS_VERIFY_CELL_H
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,13 +25,24 @@ enum class ExpectationKind {
   kExact,    // every run counts exactly this
   kWitness,  // every run counts exactly what `witness` finds in its scene, without simulating it
   kMean,     // the mean over seeds agrees with a reference mean
+  kAtLeast,  // no run counts less than this
+  kAtMost,   // or more
+};
+
+// What the scenes of a family differ in.
+enum class Variable {
+  kObjects,   // n
+  kVertices,  // the parameter n of two bodies: vertices of each, or of one
+  kMu,        // of two bodies: min(all vertices, sqrt(diameter / separation))
+  kLogMu,     // log2 of that
+  kHalvings,  // log2(4 / separation): how often the distance is halved in an approach
 };
 
 struct Expectation {
   std::string claim;  // stable id, for example "sorted_list.worst_case"
   ExpectationKind kind = ExpectationKind::kExact;
   Quantity quantity;
-  Integer exact;                                     // kExact
+  Integer exact;                                     // kExact, kAtLeast, kAtMost
   Integer (*witness)(const Scene& scene) = nullptr;  // kWitness
   // kMean: |mean - reference| <= z sqrt(se^2 + reference_error^2) + tolerance; see allowed_errors.
   double reference = 0;
@@ -45,10 +57,13 @@ struct Cell {
   std::string structure;
   std::string workload;
   WorkloadParameters parameters;  // its seed is the first; scene k has seed + k
+  bool turned = false;            // bodies: scene k is turned by the k-th angle (turned_scene.h)
   bool mirrored = false;          // all coordinates negated: a maximum's scene becomes a minimum's
   std::string family;             // the curve that it is a point of, for plots and growth claims
   bool random = false;
+  Variable variable = Variable::kObjects;  // of its family
   std::string comparison;  // the table of measures that it has a row in; empty: none
+  std::string story;       // bodies: the rows in the table of all methods; empty: none
   // Random families: seeds are added until the standard error of the mean of every quantity in
   // `precise` is below its relative error times the mean, from min_seeds to max_seeds.
   int min_seeds = 1;
@@ -68,21 +83,37 @@ struct Cell {
   std::string workload_text() const;
 };
 
-// The counts of the cells of one family of a structure grow like n^exponent.
+// The variable of two bodies of radius 1: vertices, mu, ..
+double variable_of(const Cell& cell, Variable variable);
+std::string variable_name(Variable variable);  // "objects n"
+
+// The counts of the cells of one family of a structure grow like x^exponent, x the number of
+// objects or another variable.
 struct GrowthClaim {
   std::string claim;
   std::string structure;
   std::string family;
   Quantity quantity;
-  double smallest = 1;  // n from which on the law is expected to show
+  double smallest = 1;  // x from which on the law is expected to show
   double exponent = 1;
   double tolerance = 0.03;
   std::string source;
+  Variable variable = Variable::kObjects;
+  bool at_most = false;  // or slower
+};
+
+// An experiment that is not a run of one structure: a table, and what was checked.
+struct StudyResult;
+struct Study {
+  std::string name;
+  StudyResult (*run)(bool quick, const std::function<bool()>& go_on);
+  bool quick = false;
 };
 
 struct Catalogue {
   std::vector<Cell> cells;
   std::vector<GrowthClaim> growths;
+  std::vector<Study> studies;
 };
 
 // The scene of a cell for its k-th seed, asking for the cell's structure only.

@@ -4,7 +4,7 @@
 //   higher degrees, and scenes full of simultaneous and degenerate events?
 // Source: the bounds that the structure registers, each with its own.
 // Parameters: n = 24 (16 where there are ties, audited after every event), one seed; in full n = 96
-//   and four seeds.
+//   and four seeds. Bodies: 8 vertices (40 in full), 5 bodies where there may be many.
 // Expected: every bound holds, no audit finds anything.
 // Cost: about 1 s a structure.
 #include <algorithm>
@@ -39,9 +39,54 @@ constexpr Scenes kScenes[] = {
     {"counter-rotating-rings", 1, 2, true},
 };
 
+struct BodyScenes {
+  const char* workload;
+  int n, degree;
+  bool turns;  // the bodies turn against each other
+};
+
+constexpr BodyScenes kBodyScenes[] = {
+    {"polygon-random", 8, 1, true},      {"polygon-random", 8, 2, true},
+    {"polygon-random", 8, 3, true},      {"polygons-in-box", 5, 1, true},
+    {"polygon-orbit-arcs", 8, 1, false}, {"polygon-spin-orbit", 8, 1, true},
+    {"polygon-jitter", 8, 1, false},     {"polygon-kinks", 8, 1, false},
+    {"polygon-approach", 8, 1, false},
+};
+
+void add_common_body_cells(Catalogue& catalogue, const StructureInfo& structure, Extent extent) {
+  for (const BodyScenes& scenes : kBodyScenes) {
+    if (scenes.turns && structure.name == "separation_minkowski") continue;
+    const Workload* workload = find_workload(scenes.workload);
+    if (workload == nullptr) continue;
+    Cell cell;
+    cell.question = "Do the hard bounds hold?";
+    cell.structure = structure.name;
+    cell.workload = scenes.workload;
+    cell.parameters.n = scenes.n;
+    cell.parameters.degree = scenes.degree;
+    cell.family = cell.workload_text();
+    cell.variable = Variable::kVertices;
+    cell.random = workload->random;
+    if (cell.random) cell.min_seeds = cell.max_seeds = 4;
+    cell.audit = AuditLevel::kEvents;
+    cell.cost = 0.3;
+    catalogue.cells.push_back(cell);
+    if (extent == Extent::kQuick) continue;
+    cell.parameters.n = 5 * scenes.n;
+    if (cell.random) cell.min_seeds = cell.max_seeds = 8;
+    cell.audit = AuditLevel::kEnd;
+    cell.cost = 2;
+    catalogue.cells.push_back(std::move(cell));
+  }
+}
+
 }  // namespace
 
 void add_common_cells(Catalogue& catalogue, const StructureInfo& structure, Extent extent) {
+  if (structure.bodies) {
+    add_common_body_cells(catalogue, structure, extent);
+    return;
+  }
   for (const Scenes& scenes : kScenes) {
     const Workload* workload = find_workload(scenes.workload);
     const int dimension = std::max(structure.min_dimension, scenes.min_dimension);

@@ -20,7 +20,8 @@ struct Contest {
 };
 
 // `exact`: what the scene gives in exact arithmetic. Rounds in the two arithmetics take turns until
-// each has taken 20 ms, at least one and at most 40. nullopt if `go_on` says to stop.
+// each has taken 20 ms, at least one and at most 40, and a second for all of it. nullopt if `go_on`
+// says to stop.
 std::optional<Contest> compare_with_double(const Scene& scene, const Measurement& exact,
                                            const std::function<bool()>& go_on);
 

@@ -39,6 +39,9 @@ CREATE TABLE growth(claim_id TEXT NOT NULL, structure TEXT NOT NULL, family TEXT
   quantity TEXT NOT NULL, points INTEGER NOT NULL, expected TEXT NOT NULL, exponent TEXT,
   lower_95 TEXT, upper_95 TEXT, chi_square TEXT, degrees INTEGER, verdict TEXT NOT NULL,
   source TEXT NOT NULL, PRIMARY KEY(claim_id, structure)) STRICT, WITHOUT ROWID;
+CREATE TABLE study(name TEXT NOT NULL, claim_id TEXT NOT NULL, expected TEXT NOT NULL,
+  observed TEXT NOT NULL, verdict TEXT NOT NULL, source TEXT NOT NULL,
+  PRIMARY KEY(name, claim_id)) STRICT, WITHOUT ROWID;
 )";
 
 constexpr std::array<const char*, kStages> kStageNames{"double", "wide", "multiprecision", "exact"};
@@ -51,6 +54,12 @@ std::string parameters_json(const CellResult& cell) {
   json.key("dimension").number(cell.cell.parameters.dimension);
   json.key("first_seed").number(cell.cell.parameters.seed);
   json.key("seeds").number(static_cast<std::uint64_t>(cell.trials.size()));
+  if (cell.cell.parameters.m != 0) json.key("m").number(cell.cell.parameters.m);
+  if (cell.cell.parameters.separation) {
+    json.key("separation").string(cell.cell.parameters.separation->to_string());
+  }
+  if (cell.cell.parameters.turns != -1) json.key("turns").number(cell.cell.parameters.turns);
+  if (cell.cell.turned) json.key("turned").boolean(true);
   json.key("mirrored").boolean(cell.cell.mirrored).end_object();
   return text;
 }
@@ -63,6 +72,7 @@ class Writer {
         counter_(database, "INSERT INTO counter VALUES(?, ?, ?, ?)"),
         extreme_(database, "INSERT INTO extreme VALUES(?, ?, ?)"),
         claim_(database, "INSERT INTO claim_result VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+        study_(database, "INSERT INTO study VALUES(?, ?, ?, ?, ?, ?)"),
         growth_(database, "INSERT INTO growth VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)") {}
 
   void write(const CellResult& cell) {
@@ -87,6 +97,13 @@ class Writer {
       }
       claim_.text(check.expected).text(check.observed).text(verdict_name(check.verdict));
       claim_.text(check.source).run();
+    }
+  }
+
+  void write(const StudyResult& study) {
+    for (const Check& check : study.checks) {
+      study_.text(study.name).text(check.claim).text(check.expected).text(check.observed);
+      study_.text(verdict_name(check.verdict)).text(check.source).run();
     }
   }
 
@@ -172,7 +189,7 @@ class Writer {
     extreme_.integer(id).text(name).text(std::to_string(value)).run();
   }
 
-  Statement cell_, run_, counter_, extreme_, claim_, growth_;
+  Statement cell_, run_, counter_, extreme_, claim_, study_, growth_;
 };
 
 }  // namespace
@@ -187,6 +204,7 @@ std::string verify_database(const VerifyResult& result, const BuildFacts& build,
     Writer writer(database);
     for (const CellResult& cell : result.cells) writer.write(cell);
     for (const GrowthResult& growth : result.growths) writer.write(growth);
+    for (const StudyResult& study : result.studies) writer.write(study);
   }
   database.execute("COMMIT");
   return database.serialise();

@@ -11,6 +11,7 @@
 //   extreme          run_id, name, value_text: largest values
 //   claim_result     what was expected of a cell, and what came out; run_id: the run that decided
 //   growth           fitted exponents
+//   study            what was checked without a run
 // Unique keys make a second insertion of the same result impossible.
 #ifndef KINEX_EXPERIMENTS_VERIFY_DATABASE_H
 #define KINEX_EXPERIMENTS_VERIFY_DATABASE_H

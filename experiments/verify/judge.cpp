@@ -22,26 +22,29 @@ std::string of_all(std::size_t good, std::size_t all) {
 Check check_counts(const Expectation& expectation, std::size_t index,
                    const std::vector<Trial>& trials) {
   const bool witness = expectation.kind == ExpectationKind::kWitness;
-  Check check{expectation.claim,
-              witness ? "witness" : "exact",
-              expectation.quantity,
-              "",
-              "",
-              expectation.source,
-              Verdict::kPass,
-              std::nullopt};
+  const char* const kind = witness                                         ? "witness"
+                           : expectation.kind == ExpectationKind::kAtLeast ? "at least"
+                           : expectation.kind == ExpectationKind::kAtMost  ? "at most"
+                                                                           : "exact";
+  Check check{expectation.claim,  kind,           expectation.quantity, "", "",
+              expectation.source, Verdict::kPass, std::nullopt};
   const auto expected = [&](std::size_t i) {
     return witness ? trials[i].witnessed[index] : expectation.exact;
   };
   const auto observed = [&](std::size_t i) {
     return whole(trials[i].measurement.count_of(expectation.quantity));
   };
+  const auto is_right = [&](std::size_t i) {
+    if (expectation.kind == ExpectationKind::kAtLeast) return !(observed(i) < expected(i));
+    if (expectation.kind == ExpectationKind::kAtMost) return !(expected(i) < observed(i));
+    return observed(i) == expected(i);
+  };
   std::size_t good = 0;
   std::optional<std::size_t> shown;  // the first that is wrong, or else the first
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (trials[i].measurement.status != RunStatus::kDone) {
       check.verdict = std::max(check.verdict, Verdict::kGaveUp);
-    } else if (observed(i) == expected(i)) {
+    } else if (is_right(i)) {
       ++good;
       if (!shown) shown = i;
     } else if (check.verdict != Verdict::kFail) {
@@ -50,7 +53,12 @@ Check check_counts(const Expectation& expectation, std::size_t index,
     }
   }
   const bool each_its_own = witness && trials.size() > 1 && check.verdict != Verdict::kFail;
-  check.expected = each_its_own ? "as the scenes say" : shown ? expected(*shown).to_string() : "-";
+  const std::string limit = expectation.kind == ExpectationKind::kAtLeast  ? ">= "
+                            : expectation.kind == ExpectationKind::kAtMost ? "<= "
+                                                                           : "";
+  check.expected = each_its_own ? "as the scenes say"
+                   : shown      ? limit + expected(*shown).to_string()
+                                : "-";
   check.observed = each_its_own ? "equal" : shown ? observed(*shown).to_string() : "-";
   if (trials.size() > 1) check.observed += " (right " + of_all(good, trials.size()) + ")";
   return check;
@@ -172,6 +180,12 @@ Verdict CellResult::verdict() const {
   return worst;
 }
 
+Verdict StudyResult::verdict() const {
+  Verdict worst = Verdict::kPass;
+  for (const Check& check : checks) worst = std::max(worst, check.verdict);
+  return worst;
+}
+
 RunningMean mean_of(const std::vector<Trial>& trials, const Quantity& quantity) {
   RunningMean mean;
   for (const Trial& trial : trials) {
@@ -217,10 +231,12 @@ GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult
   for (const CellResult& cell : cells) {
     if (cell.cell.structure != claim.structure || cell.cell.family != claim.family) continue;
     if (cell.trials.empty()) continue;
-    if (static_cast<double>(cell.trials.front().measurement.objects) < claim.smallest) continue;
+    const double x = claim.variable == Variable::kObjects
+                         ? static_cast<double>(cell.trials.front().measurement.objects)
+                         : variable_of(cell.cell, claim.variable);
+    if (x < claim.smallest) continue;
     const RunningMean mean = mean_of(cell.trials, claim.quantity);
-    result.points.push_back({static_cast<double>(cell.trials.front().measurement.objects),
-                             mean.mean(), mean.standard_error()});
+    result.points.push_back({x, mean.mean(), mean.standard_error()});
   }
   std::sort(result.points.begin(), result.points.end(),
             [](const FitPoint& a, const FitPoint& b) { return a.n < b.n; });
@@ -230,20 +246,24 @@ GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult
   check.kind = "growth";
   check.quantity = claim.quantity;
   check.source = claim.source;
-  check.expected =
-      "n^(" + number_text(claim.exponent, 4) + " +-" + number_text(claim.tolerance, 3) + ")";
+  const bool objects = claim.variable == Variable::kObjects;
+  const std::string base = objects ? "n" : "(" + variable_name(claim.variable) + ")";
+  check.expected = base + (claim.at_most ? "^(<= " : "^(") + number_text(claim.exponent, 4) +
+                   " +-" + number_text(claim.tolerance, 3) + ")";
   if (!result.fit) {
     check.observed = "too few sizes";
     check.verdict = Verdict::kInconclusive;
     return result;
   }
   char text[96];
-  std::snprintf(text, sizeof text, "n^%.4f, 95%% in [%.4f, %.4f]", result.fit->exponent,
+  std::snprintf(text, sizeof text, "^%.4f, 95%% in [%.4f, %.4f]", result.fit->exponent,
                 result.fit->lower, result.fit->upper);
-  check.observed = text;
-  if (std::fabs(result.fit->exponent - claim.exponent) > claim.tolerance) {
+  check.observed = base + text;
+  const double apart = result.fit->exponent - claim.exponent;
+  if ((claim.at_most ? apart : std::fabs(apart)) > claim.tolerance) {
     check.verdict = Verdict::kFail;
-  } else if (result.fit->upper - result.fit->lower > 2 * claim.tolerance) {
+  } else if (claim.at_most ? result.fit->upper > claim.exponent + claim.tolerance
+                           : result.fit->upper - result.fit->lower > 2 * claim.tolerance) {
     check.verdict = Verdict::kInconclusive;
   }
   return result;

@@ -79,6 +79,16 @@ struct GrowthResult {
 // there are fewer than three sizes.
 GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells);
 
+struct StudyResult {
+  std::string name;
+  std::string title;
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<Check> checks;
+
+  Verdict verdict() const;
+};
+
 // A number for people: integers whole, others with about `digits` significant digits.
 std::string number_text(double value, int digits);
 // "586 +-6": the error with two digits, the mean to the same place.

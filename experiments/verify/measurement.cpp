@@ -36,6 +36,14 @@ std::uint64_t one_count(const Measurement& run, const std::string& name) {
   throw std::invalid_argument("no quantity " + name);
 }
 
+std::uint64_t all_signs(const ArithmeticCounters& numbers) {
+  std::uint64_t sum = 0;
+  for (const PredicateCounters& predicate : numbers.by_predicate) {
+    for (const std::uint64_t count : predicate.signs) sum += count;
+  }
+  return sum;
+}
+
 void add(const PredicateCounters& one, PredicateCounters& sum) {
   for (std::size_t s = 0; s < kStages; ++s) {
     sum.signs[s] += one.signs[s];
@@ -74,6 +82,8 @@ void add_costs(const StructureLedger& read, StructureLedger& sum) {
 
 }  // namespace
 
+std::uint64_t Measurement::signs() const { return all_signs(numbers) - signs_at_start; }
+
 std::uint64_t Measurement::count_of(const Quantity& quantity) const {
   std::uint64_t sum = 0;
   std::size_t begin = 0;
@@ -97,6 +107,7 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
   const std::unique_ptr<Simulator> simulator =
       make_simulator(scene, std::string(arithmetic), std::move(options));
   simulator->start();
+  result.signs_at_start = all_signs(simulator->kernel().arithmetic().counters());
   const double begin = cpu_seconds();
   result.status = simulator->run_until(std::nullopt);
   result.seconds = cpu_seconds() - begin;

@@ -28,6 +28,7 @@ struct Measurement {
   StructureLedger costs;
   RunLedger run;
   ArithmeticCounters numbers;
+  std::uint64_t signs_at_start = 0;     // asked for when the structure was built
   std::vector<std::string> predicates;  // names, by PredicateId
   std::vector<BoundCheck> bounds;
   std::vector<std::string> violations;  // of audits
@@ -39,6 +40,8 @@ struct Measurement {
   bool clean() const {
     return violations.empty() && !ledger.corrupt && costs.audit_violations == 0;
   }
+  // Signs asked for while the scene ran.
+  std::uint64_t signs() const;
   // A quantity (cell.h). Throws std::invalid_argument for a name that there is not.
   std::uint64_t count_of(const Quantity& quantity) const;
 };

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "experiments/verify/collision_story.h"
+
 namespace kinex {
 
 namespace {
@@ -48,10 +50,14 @@ std::vector<MeasuresTable> measures_tables(const std::vector<CellResult>& cells)
     comparisons[cell.cell.comparison].push_back(&cell);
   }
   std::vector<MeasuresTable> tables;
+  for (auto table : {collision_table(cells), signs_table(cells)}) {
+    if (table) tables.push_back(*std::move(table));
+  }
   for (auto& [comparison, rows] : comparisons) {
     std::stable_sort(rows.begin(), rows.end(), [](const CellResult* a, const CellResult* b) {
       const auto place = [](const CellResult* c) {
-        return std::tuple(c->cell.workload, c->cell.parameters.degree, c->cell.parameters.n);
+        return std::tuple(c->cell.workload, c->cell.parameters.degree, c->cell.parameters.n,
+                          c->cell.workload_text());
       };
       return place(a) < place(b);
     });
@@ -74,6 +80,10 @@ std::vector<MeasuresTable> measures_tables(const std::vector<CellResult>& cells)
     tables.push_back(std::move(table));
   }
   return tables;
+}
+
+MeasuresTable study_table(const StudyResult& study) {
+  return {study.title, study.header, study.rows};
 }
 
 std::string measures_text(const MeasuresTable& table) {

@@ -33,8 +33,10 @@ struct MeasuresTable {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
 };
-// One table per comparison that cells take part in.
+// What cells of collisions tell together (collision_story.h), then one table per comparison that
+// cells take part in.
 std::vector<MeasuresTable> measures_tables(const std::vector<CellResult>& cells);
+MeasuresTable study_table(const StudyResult& study);
 // As text, in Markdown, with a newline in front.
 std::string measures_text(const MeasuresTable& table);
 

@@ -36,6 +36,9 @@ std::string summary_part(const VerifyResult& result) {
   for (const GrowthResult& fit : result.growths) {
     ++counts[static_cast<std::size_t>(fit.check.verdict)];
   }
+  for (const StudyResult& study : result.studies) {
+    ++counts[static_cast<std::size_t>(study.verdict())];
+  }
   std::string text = "<div class=\"verdicts\">";
   for (const Verdict verdict :
        {Verdict::kPass, Verdict::kFail, Verdict::kInconclusive, Verdict::kGaveUp}) {
@@ -111,6 +114,29 @@ std::string measures_part(const VerifyResult& result) {
   return text;
 }
 
+std::string studies_part(const VerifyResult& result) {
+  std::string text;
+  for (const StudyResult& study : result.studies) {
+    text += "<h2>" + escape(study.title) + " &middot; " +
+            verdict_span(verdict_name(study.verdict())) + "</h2>\n<table><tr>";
+    for (const std::string& cell : study.header) text += "<th>" + escape(cell) + "</th>";
+    text += "</tr>\n";
+    for (const auto& row : study.rows) {
+      text += "<tr>";
+      for (const std::string& cell : row) text += "<td>" + escape(cell) + "</td>";
+      text += "</tr>\n";
+    }
+    text += "</table>\n<p class=\"facts\">";
+    for (const Check& check : study.checks) {
+      text += escape(check.claim + ": expected " + check.expected + ", observed " + check.observed +
+                     " (" + check.source + ")") +
+              " " + verdict_span(verdict_name(check.verdict)) + "<br>\n";
+    }
+    text += "</p>\n";
+  }
+  return text;
+}
+
 std::string cells_part(const VerifyResult& result) {
   std::string text =
       "<h2>All cells</h2>\n<p class=\"facts\">Events are means over the runs where there are "
@@ -153,6 +179,7 @@ std::string verify_page(const VerifyResult& result, const std::vector<Figure>& f
   page += trouble_part(result);
   page += fits_part(result);
   page += measures_part(result);
+  page += studies_part(result);
   page += plots_part(figures, drawings);
   page += cells_part(result);
   page += facts_part(facts);

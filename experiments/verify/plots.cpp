@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "experiments/verify/collision_story.h"
+
 namespace kinex {
 
 namespace {
@@ -44,6 +46,7 @@ std::vector<Family> families_of(const std::vector<CellResult>& cells,
   for (const CellResult& cell : cells) {
     if (cell.cell.structure != structure || cell.trials.empty()) continue;
     const RunningMean mean = mean_of(cell.trials, "processed");
+    if (cell.cell.variable != Variable::kObjects) continue;  // see collision_story.h
     if (!(mean.mean() > 0)) continue;  // nothing to be seen on a logarithmic axis
     const Measurement& run = cell.trials.front().measurement;
     const BoundCheck* bound = event_bound(run);
@@ -164,7 +167,7 @@ std::vector<Point> references_of(const VerifyResult& result, const GrowthResult&
       continue;
     }
     const auto n = static_cast<double>(cell.trials.front().measurement.objects);
-    if (n < growth.claim.smallest) continue;
+    if (growth.claim.variable != Variable::kObjects || n < growth.claim.smallest) continue;
     for (const Expectation& expectation : cell.cell.expectations) {
       if (expectation.kind != ExpectationKind::kMean ||
           expectation.quantity != growth.claim.quantity) {
@@ -194,8 +197,9 @@ Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
   }
   const std::vector<Point> references = references_of(result, growth);
   figure.script = std::string(kCommon) + "set ylabel 'count / fit - 1, in %'\n" +
-                  "set samples 200\n" + x_range(points.front().n, points.back().n) +
-                  size_tics(points) + data_block("seen", points);
+                  "set samples 200\nset xlabel " + quoted(variable_name(growth.claim.variable)) +
+                  "\n" + x_range(points.front().n, points.back().n) + size_tics(points) +
+                  data_block("seen", points);
   if (!references.empty()) figure.script += data_block("reference", references);
   // With the exponents at the ends of the interval, through the centre of the fit.
   const double centre = growth.fit->centre;
@@ -228,6 +232,7 @@ std::vector<Figure> verify_figures(const VerifyResult& result) {
     }
   }
   std::vector<Figure> figures;
+  if (auto story = collision_figure(result.cells)) figures.push_back(*std::move(story));
   for (const std::string& structure : structures) {
     Figure figure = counts_figure(result, structure);
     if (!figure.script.empty()) figures.push_back(std::move(figure));

@@ -154,13 +154,9 @@ void add_delaunay(Catalogue& catalogue) {
 }
 
 void add_hull(Catalogue& catalogue, Extent extent) {
-  static constexpr Reference kReferences[] = {{10, 10.2, 0.2, 0.1},
-                                              {100, 45.7, 0.5, 0.3},
-                                              {200, 0, 0, 0.5},
-                                              {500, 0, 0, 1},
-                                              {1000, 106.9, 0.9, 2},
-                                              {3000, 145, 2, 5},
-                                              {10000, 194, 4, 15}};
+  static constexpr Reference kReferences[] = {
+      {10, 10.2, 0.2, 0.1},  {100, 45.7, 0.5, 0.3}, {200, 0, 0, 0.5},   {500, 0, 0, 1},
+      {1000, 106.9, 0.9, 2}, {3000, 145, 2, 5},     {10000, 194, 4, 15}};
   for (const Reference& reference : kReferences) {
     if (reference.n > 3000 && extent == Extent::kQuick) continue;
     Cell cell = uniform("convex_hull_2", reference.n, 2);

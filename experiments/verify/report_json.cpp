@@ -16,6 +16,15 @@ void write_check(JsonWriter& json, const Check& check) {
   json.end_object();
 }
 
+void write_body_parameters(JsonWriter& json, const Cell& cell) {
+  if (cell.parameters.m != 0) json.key("m").number(cell.parameters.m);
+  if (cell.parameters.separation) {
+    json.key("separation").string(cell.parameters.separation->to_string());
+  }
+  if (cell.parameters.turns != -1) json.key("turns").number(cell.parameters.turns);
+  if (cell.turned) json.key("turned").boolean(true);
+}
+
 void write_mean(JsonWriter& json, const RunningMean& mean) {
   json.begin_object().key("mean").real(mean.mean());
   json.key("standard_error").real(mean.standard_error());
@@ -34,6 +43,7 @@ std::string json_row(const CellResult& cell) {
   json.key("degree").number(cell.cell.parameters.degree);
   json.key("dimension").number(cell.cell.parameters.dimension);
   json.key("first_seed").number(cell.cell.parameters.seed);
+  write_body_parameters(json, cell.cell);
   json.key("mirrored").boolean(cell.cell.mirrored).end_object();
   json.key("objects").raw(row.n).key("runs").raw(row.runs);
   for (const char* quantity : {"processed", "external", "internal"}) {
@@ -74,6 +84,24 @@ std::string json_row(const CellResult& cell) {
   json.key("kept").begin_array();
   for (const std::string& file : cell.kept) json.string(file);
   json.end_array().key("seconds").real(cell.seconds).end_object();
+  return text + "\n";
+}
+
+std::string json_row(const StudyResult& study) {
+  std::string text;
+  JsonWriter json(text);
+  json.begin_object().key("row").string("study").key("study").string(study.name);
+  json.key("title").string(study.title).key("header").begin_array();
+  for (const std::string& cell : study.header) json.string(cell);
+  json.end_array().key("rows").begin_array();
+  for (const auto& row : study.rows) {
+    json.begin_array();
+    for (const std::string& cell : row) json.string(cell);
+    json.end_array();
+  }
+  json.end_array().key("checks").begin_array();
+  for (const Check& check : study.checks) write_check(json, check);
+  json.end_array().key("verdict").string(verdict_name(study.verdict())).end_object();
   return text + "\n";
 }
 

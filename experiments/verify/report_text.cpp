@@ -46,7 +46,9 @@ CellRow cell_row(const CellResult& cell) {
   for (const Check& check : cell.checks) good += check.verdict == Verdict::kPass ? 1 : 0;
   row.checks = fmt::format("{}/{}", good, cell.checks.size());
   if (cell.trials.empty()) return row;
-  row.n = std::to_string(cell.trials.front().measurement.objects);
+  if (cell.cell.variable == Variable::kObjects) {
+    row.n = std::to_string(cell.trials.front().measurement.objects);
+  }
   row.external = mean_count(cell, "external");
   row.internal = mean_count(cell, "internal");
   if (const BoundCheck* bound = event_bound(cell.trials.front().measurement)) {
@@ -83,6 +85,15 @@ std::string table_row(const GrowthResult& growth) {
                      verdict_name(growth.check.verdict));
 }
 
+std::string table_row(const StudyResult& study) {
+  std::string text;
+  for (const Check& check : study.checks) {
+    text += fmt::format("{:<18} {:<30} expected {}, observed {}  {}\n", study.name, check.claim,
+                        check.expected, check.observed, verdict_name(check.verdict));
+  }
+  return text;
+}
+
 std::string closing_line(const VerifyResult& result) {
   std::array<std::size_t, 4> by_verdict{};
   std::size_t checks = result.growths.size(), runs = 0;
@@ -96,8 +107,16 @@ std::string closing_line(const VerifyResult& result) {
   for (const GrowthResult& growth : result.growths) {
     ++by_verdict[static_cast<std::size_t>(growth.check.verdict)];
   }
+  for (const StudyResult& study : result.studies) {
+    checks += study.checks.size();
+    ++by_verdict[static_cast<std::size_t>(study.verdict())];
+  }
   std::string text =
       fmt::format("{} cells and {} fits:", result.cells.size(), result.growths.size());
+  if (!result.studies.empty()) {
+    text = fmt::format("{} cells, {} fits and {} studies:", result.cells.size(),
+                       result.growths.size(), result.studies.size());
+  }
   for (const Verdict verdict :
        {Verdict::kPass, Verdict::kInconclusive, Verdict::kGaveUp, Verdict::kFail}) {
     text += fmt::format("{} {} {}", verdict == Verdict::kPass ? "" : ",",

@@ -25,12 +25,15 @@ std::string table_header();
 // One line, and one more for each check that is not a PASS, and for each scene kept.
 std::string table_row(const CellResult& cell);
 std::string table_row(const GrowthResult& growth);
+// Its checks, a line each.
+std::string table_row(const StudyResult& study);
 // Cells by verdict, checks, runs, and events over all of them.
 std::string closing_line(const VerifyResult& result);
 
 // {"row": "cell", ..} and {"row": "growth", ..}, with a newline.
 std::string json_row(const CellResult& cell);
 std::string json_row(const GrowthResult& growth);
+std::string json_row(const StudyResult& study);
 
 }  // namespace kinex
 

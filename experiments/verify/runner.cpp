@@ -107,6 +107,7 @@ Verdict VerifyResult::verdict() const {
   Verdict worst = Verdict::kPass;
   for (const CellResult& cell : cells) worst = std::max(worst, cell.verdict());
   for (const GrowthResult& growth : growths) worst = std::max(worst, growth.check.verdict);
+  for (const StudyResult& study : studies) worst = std::max(worst, study.verdict());
   return worst;
 }
 
@@ -129,6 +130,11 @@ VerifyResult run_catalogue(const Catalogue& catalogue, const VerifyOptions& opti
       result.growths.push_back(std::move(growth));
     }
   }
+  for (const Study& study : catalogue.studies) {
+    if (result.interrupted || !options.go_on()) break;
+    result.studies.push_back(study.run(study.quick, options.go_on));
+  }
+  result.interrupted = result.interrupted || result.studies.size() < catalogue.studies.size();
   return result;
 }
 

@@ -29,6 +29,7 @@ struct VerifyOptions {
 struct VerifyResult {
   std::vector<CellResult> cells;  // those that were finished
   std::vector<GrowthResult> growths;
+  std::vector<StudyResult> studies;
   bool interrupted = false;
 
   Verdict verdict() const;

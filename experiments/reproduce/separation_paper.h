@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the parts of separation-sensitive-1999 share. Bodies have radius 1, so D = 2.
+#ifndef KINEX_EXPERIMENTS_REPRODUCE_SEPARATION_PAPER_H
+#define KINEX_EXPERIMENTS_REPRODUCE_SEPARATION_PAPER_H
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/rational.h"
+#include "experiments/reproduce/part.h"
+
+namespace kinex {
+
+// One run, or `scenes` of them.
+SeriesPoint separation_point(std::string structure, std::string workload, int n,
+                             std::string separation, int scenes = 1);
+std::string inverse_power(int k);  // "1/2^k", written out
+
+// min(2 n, sqrt(2 / separation))
+double mu_of(const SeriesResult& result);
+
+// Mean events of a structure on a workload against x.
+std::vector<FitPoint> points_of(const std::vector<SeriesResult>& results,
+                                const std::string& structure, const std::string& workload,
+                                const std::function<double(const SeriesResult&)>& x);
+
+// "events grow like NAME^exponent at most": confirmed if the fitted exponent is at most `exponent`
+// + 0.1 or the 95 % interval reaches down to it.
+PaperClaim power_claim(std::string id, std::string statement, const std::vector<FitPoint>& points,
+                       const std::string& name, double exponent);
+
+struct NamedCurve {
+  std::string name;
+  std::vector<FitPoint> points;
+};
+// Logarithmic axes.
+Figure curves_figure(std::string title, std::string caption, const std::string& x,
+                     const std::vector<NamedCurve>& curves);
+
+// All runs in a table, and every claim's place and command.
+void finish(PartReport& report, const std::vector<SeriesResult>& results,
+            const std::string& command);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The same scene of bodies in another direction: structures that favour the axes do not know it.
+#ifndef KINEX_EXPERIMENTS_TURNED_SCENE_H
+#define KINEX_EXPERIMENTS_TURNED_SCENE_H
+
+#include "core/scene.h"
+
+namespace kinex {
+
+// Turns polygons and paths about the origin by the k-th of many angles between 0 and 90 degrees,
+// well spread for every number of them; exactly. Rotors stay, for turns commute. Bodies only.
+void turn_scene(Scene& scene, int k);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Studies of collision detection that are not runs of one structure.
+#ifndef KINEX_EXPERIMENTS_VERIFY_COLLISION_STUDIES_H
+#define KINEX_EXPERIMENTS_VERIFY_COLLISION_STUDIES_H
+
+#include <functional>
+
+#include "experiments/verify/judge.h"
+
+namespace kinex {
+
+// outer_hierarchies.cpp. Do the outer hierarchies of a polygon have as few nodes at a distance, and
+// are they as shallow, as their bounds say? Every policy of cuts on round, random, thin and
+// exponentially uneven polygons.
+StudyResult study_outer_hierarchies(bool quick, const std::function<bool()>& go_on);
+
+// contact_agreement.cpp. Do all methods report a contact at the same instant, that of the witness
+// (collision_witness.h)? Random pairs of polygons, as they are and without turning.
+StudyResult study_contacts(bool quick, const std::function<bool()>& go_on);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: is the instant of contact the same, whatever proves that there was none before?
+// Witness: every vertex against every edge, without structures (collision_witness.h).
+// Parameters: pairs of random polygons of 10 vertices at most in random motion of degree 1 and 2,
+// as
+//   they are and without turning. Expected: the same algebraic number from all; none where the
+//   witness finds none. Cost: 2 s, 20 s in full.
+#include <fmt/format.h>
+
+#include <exception>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/collision_witness.h"
+#include "experiments/scene_run.h"
+#include "experiments/verify/catalogue.h"
+#include "experiments/verify/collision_studies.h"
+
+namespace kinex {
+namespace {
+
+class ContactSink final : public EventSink {
+ public:
+  void event(const Event& event, Arithmetic& arithmetic) override {
+    if (!event.external || contact_) return;
+    const InstantText now = arithmetic.describe_now();
+    const Rational lower = Rational::parse(now.lower).value();
+    if (now.lower == now.upper) {
+      contact_.emplace(lower);
+      return;
+    }
+    std::vector<Integer> coefficients;
+    for (const std::string& c : now.polynomial) coefficients.push_back(Integer::parse(c).value());
+    contact_.emplace(Polynomial(std::move(coefficients)), lower,
+                     Rational::parse(now.upper).value());
+  }
+  std::optional<RealRoot>& contact() { return contact_; }
+
+ private:
+  std::optional<RealRoot> contact_;
+};
+
+std::optional<RealRoot> contact_by(const StructureInfo& info, Scene scene) {
+  Request request;
+  request.structure = request.label = info.name;
+  scene.maintain = {request};
+  const auto simulator = make_simulator(scene, "exact", {});
+  ContactSink sink;
+  simulator->set_sink(&sink);
+  simulator->start();
+  simulator->run_until(std::nullopt);
+  return std::move(sink.contact());
+}
+
+bool same(std::optional<RealRoot> a, std::optional<RealRoot> b) {
+  if (!a || !b) return !a && !b;
+  RootCounters counters;
+  return compare(*a, *b, counters) == 0;
+}
+
+void stop_turning(Scene& scene) {
+  for (SceneObject& object : scene.objects) {
+    for (MotionPiece& piece : object.motion.pieces) {
+      piece.trajectory.coordinates[2] = {Rational(1)};
+      piece.trajectory.coordinates[3] = {Rational()};
+      piece.trajectory.normalise();
+    }
+  }
+}
+
+struct Tally {
+  int right = 0, scenes = 0;
+  std::string first_wrong;
+};
+
+}  // namespace
+
+StudyResult study_contacts(bool quick, const std::function<bool()>& go_on) {
+  StudyResult result;
+  result.name = "contacts";
+  result.title = "collision: instants of contact, against the witness";
+  result.header = {"structure", "scenes", "with a contact", "the same instant"};
+  std::map<std::string, Tally> tallies;
+  std::map<std::string, int> contacts;
+  for (int k = 0; k < (quick ? 24 : 200) && go_on(); ++k) {
+    WorkloadParameters parameters;
+    parameters.n = parameters.m = 10;
+    parameters.degree = 1 + k % 2;
+    parameters.seed = static_cast<std::uint64_t>(k) + 1;
+    Scene scene = generate_scene(*find_workload("polygon-random"), parameters);
+    const bool turning = k % 4 < 2;
+    if (!turning) stop_turning(scene);
+    const CollisionWitness witness =
+        find_contacts(scene.objects[0], scene.objects[1], scene.start, scene.end);
+    std::optional<RealRoot> truth;
+    if (witness.penetration) truth = witness.penetration->instant;
+    for (const StructureInfo& info : structure_infos()) {
+      if (!info.bodies || (turning && info.name == "separation_minkowski")) continue;
+      const std::string name(info.name);
+      Tally& tally = tallies[name];
+      ++tally.scenes;
+      contacts[name] += truth ? 1 : 0;
+      std::string wrong = "another instant";
+      bool right = false;
+      try {
+        right = same(contact_by(info, scene), truth);
+      } catch (const std::exception& error) {
+        wrong = error.what();
+      }
+      tally.right += right ? 1 : 0;
+      if (!right && tally.first_wrong.empty()) {
+        tally.first_wrong = fmt::format("; first in {}{}: {}", scene.name,
+                                        turning ? "" : " without turning", wrong);
+      }
+    }
+  }
+  for (const StructureInfo& info : structure_infos()) {
+    const auto found = tallies.find(std::string(info.name));
+    if (found == tallies.end()) continue;
+    const auto& [name, tally] = *found;
+    result.rows.push_back({name, std::to_string(tally.scenes), std::to_string(contacts[name]),
+                           std::to_string(tally.right)});
+    result.checks.push_back(
+        {"contact." + name, "witness", "", fmt::format("{} right", tally.scenes),
+         fmt::format("{} right{}", tally.right, tally.first_wrong),
+         "every vertex against every edge",
+         tally.right == tally.scenes ? Verdict::kPass : Verdict::kFail, std::nullopt});
+  }
+  return result;
+}
+
+void add_collision_studies(Catalogue& catalogue, Extent extent) {
+  const bool quick = extent == Extent::kQuick;
+  catalogue.studies.push_back({"contacts", study_contacts, quick});
+  catalogue.studies.push_back({"outer_hierarchy", study_outer_hierarchies, quick});
+}
+
+}  // namespace kinex
