@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// FCL 0.7: double precision, prisms as fcl::Convex. overlap and distance: its defaults (libccd's
+// GJK inside). Variants of cast: 0 its defaults, which are 10 samples, but for the motion: the
+// default one leaves rotation out, and here it is CCDM_LINEAR; 1 conservative advancement, 1000
+// iterations; 2 the same on a bounding volume hierarchy of triangles.
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/convex.h>
+#include <fcl/math/bv/OBBRSS.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/continuous_collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <memory>
+
+#include "experiments/peers/peer.h"
+
+namespace {
+
+using namespace kinex;
+using Vertices = std::vector<fcl::Vector3d>;
+
+struct Solid {
+  std::unique_ptr<fcl::Convexd> convex;
+  std::unique_ptr<fcl::BVHModel<fcl::OBBRSSd>> triangles;
+
+  void make(const PeerShape& shape, double half) {
+    const int n = static_cast<int>(shape.size());
+    auto vertices = std::make_shared<Vertices>();
+    for (const double z : {-half, half}) {
+      for (const auto& v : shape) vertices->emplace_back(v[0], v[1], z);
+    }
+    // Bottom, seen from below; top; sides.
+    auto faces = std::make_shared<std::vector<int>>();
+    faces->push_back(n);
+    for (int i = n; i-- > 0;) faces->push_back(i);
+    faces->push_back(n);
+    for (int i = 0; i < n; ++i) faces->push_back(n + i);
+    std::vector<fcl::Triangle> parts;
+    const auto part = [&](int i, int j, int k) {
+      parts.emplace_back(static_cast<std::size_t>(i), static_cast<std::size_t>(j),
+                         static_cast<std::size_t>(k));
+    };
+    for (int i = 0; i < n; ++i) {
+      const int next = (i + 1) % n;
+      for (const int v : {4, i, next, n + next, n + i}) faces->push_back(v);
+      part(i, next, n + next);
+      part(i, n + next, n + i);
+      if (i > 0 && next > 0) {
+        part(0, next, i);
+        part(n, n + i, n + next);
+      }
+    }
+    convex = std::make_unique<fcl::Convexd>(vertices, n + 2, faces);
+    triangles = std::make_unique<fcl::BVHModel<fcl::OBBRSSd>>();
+    triangles->beginModel();
+    triangles->addSubModel(*vertices, parts);
+    triangles->endModel();
+  }
+};
+
+class Fcl final : public Peer {
+ public:
+  bool load(const PeerShape& a, const PeerShape& b) override {
+    a_.make(a, 1);
+    b_.make(b, 0.5);
+    return true;
+  }
+
+  Verdict overlap(int, const PeerPose& a, const PeerPose& b) override {
+    ++work.steps;
+    fcl::CollisionRequestd request;
+    fcl::CollisionResultd result;
+    fcl::collide(a_.convex.get(), transform(a), b_.convex.get(), transform(b), request, result);
+    return result.isCollision() ? Verdict::kHit : Verdict::kMiss;
+  }
+
+  double distance(const PeerPose& a, const PeerPose& b) override {
+    ++work.steps;
+    fcl::DistanceRequestd request;
+    fcl::DistanceResultd result;
+    fcl::distance(a_.convex.get(), transform(a), b_.convex.get(), transform(b), request, result);
+    return result.min_distance;
+  }
+
+  Cast cast(int variant, const PeerPose& a0, const PeerPose& a1, const PeerPose& b0,
+            const PeerPose& b1) override {
+    fcl::ContinuousCollisionRequestd request;
+    request.ccd_motion_type = fcl::CCDM_LINEAR;
+    if (variant != 0) {
+      request.ccd_solver_type = fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
+      request.num_max_iterations = 1000;
+    }
+    const fcl::CollisionGeometryd* a = a_.convex.get();
+    const fcl::CollisionGeometryd* b = b_.convex.get();
+    if (variant == 2) {
+      a = a_.triangles.get();
+      b = b_.triangles.get();
+    }
+    fcl::ContinuousCollisionResultd result;
+    fcl::continuousCollide(a, transform(a0), transform(a1), b, transform(b0), transform(b1),
+                           request, result);
+    if (result.time_of_contact != result.time_of_contact) return {Verdict::kNotANumber, 0};
+    return {result.is_collide ? Verdict::kHit : Verdict::kMiss, result.time_of_contact};
+  }
+
+ private:
+  static fcl::Transform3d transform(const PeerPose& pose) {
+    fcl::Transform3d result = fcl::Transform3d::Identity();
+    result.rotate(Eigen::AngleAxisd(pose.angle, fcl::Vector3d::UnitZ()));
+    result.translation() = fcl::Vector3d(pose.x, pose.y, 0);
+    return result;
+  }
+
+  Solid a_, b_;
+};
+
+}  // namespace
+
+extern "C" kinex::Peer* kinex_make_peer() { return new Fcl; }
