@@ -71,8 +71,8 @@ class Bullet final : public Peer {
     Report report;
     report.m_fraction = 1;
     const std::uint64_t before = work.supports;
-    const bool hit = test.calcTimeOfImpact(transform(a0), transform(a1), transform(b0),
-                                           transform(b1), report);
+    const bool hit =
+        test.calcTimeOfImpact(transform(a0), transform(a1), transform(b0), transform(b1), report);
     work.iterations += (work.supports - before) / 2;
     const double time = static_cast<double>(report.m_fraction);
     if (time != time) return {Verdict::kNotANumber, 0};
@@ -97,9 +97,8 @@ class Bullet final : public Peer {
     return result;
   }
   static btTransform transform(const PeerPose& pose) {
-    return btTransform(
-        btQuaternion(btVector3(0, 0, 1), static_cast<btScalar>(pose.angle)),
-        btVector3(static_cast<btScalar>(pose.x), static_cast<btScalar>(pose.y), 0));
+    return btTransform(btQuaternion(btVector3(0, 0, 1), static_cast<btScalar>(pose.angle)),
+                       btVector3(static_cast<btScalar>(pose.x), static_cast<btScalar>(pose.y), 0));
   }
 
   btVoronoiSimplexSolver simplex_;

@@ -53,8 +53,7 @@ double closest(const PeerShape& a, const PeerShape& b) {
     const auto& q = a[(i + 1) % a.size()];
     const double dx = q[0] - p[0], dy = q[1] - p[1], square = dx * dx + dy * dy;
     for (const auto& v : b) {
-      const double s =
-          std::clamp(((v[0] - p[0]) * dx + (v[1] - p[1]) * dy) / square, 0.0, 1.0);
+      const double s = std::clamp(((v[0] - p[0]) * dx + (v[1] - p[1]) * dy) / square, 0.0, 1.0);
       best = std::min(best, std::hypot(v[0] - p[0] - s * dx, v[1] - p[1] - s * dy));
     }
   }
@@ -76,8 +75,7 @@ PeerCase PeerCase::as_float() const {
 
 PeerFrame PeerCase::at(double time) const {
   const double place = time * static_cast<double>(frames.size() - 1);
-  const std::size_t i =
-      std::min(static_cast<std::size_t>(std::max(place, 0.0)), frames.size() - 2);
+  const std::size_t i = std::min(static_cast<std::size_t>(std::max(place, 0.0)), frames.size() - 2);
   const double s = place - static_cast<double>(i);
   return {between(frames[i].a, frames[i + 1].a, s), between(frames[i].b, frames[i + 1].b, s)};
 }
@@ -97,9 +95,7 @@ double outer_radius(const PeerShape& shape) {
   return radius;
 }
 
-double inner_radius(const PeerShape& shape) {
-  return -best_line(shape, PeerShape{{0.0, 0.0}});
-}
+double inner_radius(const PeerShape& shape) { return -best_line(shape, PeerShape{{0.0, 0.0}}); }
 
 double signed_distance(const PeerCase& question, const PeerFrame& frame) {
   const PeerShape a = placed(question.a, frame.a), b = placed(question.b, frame.b);

@@ -69,16 +69,21 @@ PeerShape regular_shape(int n) {
 
 PeerCase line_case(int n, double gap) {
   PeerCase result{gap > 0 ? "line, apart" : "line, overlap",
-                  "n=" + std::to_string(n) + " gap=" + number(gap), regular_shape(n),
-                  regular_shape(n), {}};
+                  "n=" + std::to_string(n) + " gap=" + number(gap),
+                  regular_shape(n),
+                  regular_shape(n),
+                  {}};
   const double height = top(result.a) - bottom(result.b) + gap;
   result.frames = {{{}, {-4, height, 0}}, {{}, {4.25, height, 0}}};
   return result;
 }
 
 PeerCase orbit_case(int n, double gap) {
-  PeerCase result{"orbit", "n=" + std::to_string(n) + " gap=" + number(gap), regular_shape(n),
-                  regular_shape(n), {}};
+  PeerCase result{"orbit",
+                  "n=" + std::to_string(n) + " gap=" + number(gap),
+                  regular_shape(n),
+                  regular_shape(n),
+                  {}};
   for (int quarter = 0; quarter <= 4; ++quarter) {
     const double angle = quarter * std::numbers::pi / 2;
     result.frames.push_back({{0, 0, angle}, {2 + gap, 0, angle}});
@@ -87,8 +92,11 @@ PeerCase orbit_case(int n, double gap) {
 }
 
 PeerCase spin_case(int n, int steps) {
-  PeerCase result{"spin", "n=" + std::to_string(n) + " steps=" + std::to_string(steps),
-                  regular_shape(n), regular_shape(n), {}};
+  PeerCase result{"spin",
+                  "n=" + std::to_string(n) + " steps=" + std::to_string(steps),
+                  regular_shape(n),
+                  regular_shape(n),
+                  {}};
   for (int i = 0; i <= steps; ++i) {
     const double s = static_cast<double>(i) / steps;
     result.frames.push_back({{}, {-5 + 10 * s, 1.9, 6 * s}});
@@ -98,8 +106,11 @@ PeerCase spin_case(int n, int steps) {
 
 PeerCase random_case(int n, int seed) {
   Maker make(seed * 1000 + n);
-  PeerCase result{"random", "n=" + std::to_string(n) + " seed=" + std::to_string(seed),
-                  make.shape(n), make.shape(n), {}};
+  PeerCase result{"random",
+                  "n=" + std::to_string(n) + " seed=" + std::to_string(seed),
+                  make.shape(n),
+                  make.shape(n),
+                  {}};
   const PeerShape places = regular_shape(64);
   const auto& start = places[static_cast<std::size_t>(make.between(0, 64)) % 64];
   const double x = make.between(-1.5, 1.5), y = make.between(-1.5, 1.5);  // half way

@@ -37,11 +37,11 @@ std::vector<PeerCase> corpus_cases() {
   cases.push_back(one_step("bar turns 180 degrees past a post", box(0.25, 0.25), box(2, 0.03125),
                            {0, 1.5, 0}, {0, 1.5, pi}));
   // Thin plates face each other.
-  cases.push_back(
-      one_step("thin plates through each other", box(0.01, 1), box(0.01, 1), {-5, 0, 0}, {5, 0.5, 0}));
+  cases.push_back(one_step("thin plates through each other", box(0.01, 1), box(0.01, 1), {-5, 0, 0},
+                           {5, 0.5, 0}));
   cases.push_back(one_step("cubes head-on (fcl 555)", box(1, 1), box(1, 1), {-5, 0, 0}, {5, 0, 0}));
-  cases.push_back(
-      one_step("octagon by its corner", regular_shape(8), regular_shape(8), {-20, 1.95, 0}, {20, 1.95, 0}));
+  cases.push_back(one_step("octagon by its corner", regular_shape(8), regular_shape(8),
+                           {-20, 1.95, 0}, {20, 1.95, 0}));
   // Its lower side ends 0.01 inside the plate.
   cases.push_back(one_step("box sinks into a long plate", box(50, 0.5), box(0.25, 0.25),
                            {-40, 0.76, 0}, {40, 0.74, 0}));

@@ -19,13 +19,13 @@ struct PeerMethod {
   std::string name;
   std::string module;  // of the library
   Kind kind = Kind::kCast;
-  int variant = 0;         // of overlap or cast
-  int steps = 0;           // kSteps
-  double stop = 0;         // kAdvance: a contact is a distance of at most this
-  double tolerance = 0;    // a contact may be reported at a gap of this size: documented
-  bool single = false;     // works on floats
-  double most_turn = 3;    // kCast: longer turns are cut into parts below this
-  const char* certifies;   // which instants it looks at
+  int variant = 0;        // of overlap or cast
+  int steps = 0;          // kSteps
+  double stop = 0;        // kAdvance: a contact is a distance of at most this
+  double tolerance = 0;   // a contact may be reported at a gap of this size: documented
+  bool single = false;    // works on floats
+  double most_turn = 3;   // kCast: longer turns are cut into parts below this
+  const char* certifies;  // which instants it looks at
 };
 
 struct PeerAnswer {

@@ -15,8 +15,8 @@ namespace kinex {
 namespace {
 
 constexpr double kPieceTurn = 0.1;
-// Vertices times edges times pieces that the witness is asked for.
-constexpr std::size_t kWitnessWork = 40000;
+// Vertices times edges times pieces that the witness is asked for: without turns, with turns.
+constexpr std::size_t kWitnessWork[] = {100000, 40000};
 
 Rational exactly(double x) { return *Rational::from_double(x); }
 
@@ -51,15 +51,15 @@ Motion motion_of(const PeerCase& question, PeerPose PeerFrame::*body) {
       };
       const auto half = [&](std::int64_t i) {
         if (i == parts) return q.angle / 2;
-        return (p.angle + (q.angle - p.angle) * static_cast<double>(i) /
-                              static_cast<double>(parts)) / 2;
+        return (p.angle +
+                (q.angle - p.angle) * static_cast<double>(i) / static_cast<double>(parts)) /
+               2;
       };
-      Trajectory trajectory{{line(begin, end, exactly(p.x), exactly(q.x)),
-                             line(begin, end, exactly(p.y), exactly(q.y)),
-                             line(at(j), at(j + 1), exactly(std::cos(half(j))),
-                                  exactly(std::cos(half(j + 1)))),
-                             line(at(j), at(j + 1), exactly(std::sin(half(j))),
-                                  exactly(std::sin(half(j + 1))))}};
+      Trajectory trajectory{
+          {line(begin, end, exactly(p.x), exactly(q.x)),
+           line(begin, end, exactly(p.y), exactly(q.y)),
+           line(at(j), at(j + 1), exactly(std::cos(half(j))), exactly(std::cos(half(j + 1)))),
+           line(at(j), at(j + 1), exactly(std::sin(half(j))), exactly(std::sin(half(j + 1))))}};
       trajectory.normalise();
       MotionPiece piece{at(j), at(j + 1), std::move(trajectory)};
       if (motion.pieces.empty()) piece.from = std::nullopt;
@@ -76,11 +76,12 @@ double nearly(RealRoot root) {
   return root.lower().to_double();
 }
 
-std::optional<double> first_overlap(const Scene& scene, bool& by_witness) {
+std::optional<double> first_overlap(const Scene& scene, bool turns, bool& by_witness) {
   const std::optional<double> contact = run_ours(scene, "separation_mixed", "exact").contact;
   const SceneObject& a = scene.objects[0];
   const SceneObject& b = scene.objects[1];
-  by_witness = a.polygon.size() * b.polygon.size() * b.motion.pieces.size() <= kWitnessWork;
+  by_witness =
+      a.polygon.size() * b.polygon.size() * b.motion.pieces.size() <= kWitnessWork[turns ? 1 : 0];
   std::optional<double> other;
   if (by_witness) {
     const CollisionWitness witness = find_contacts(a, b, scene.start, scene.end);
@@ -88,7 +89,8 @@ std::optional<double> first_overlap(const Scene& scene, bool& by_witness) {
       other = nearly(witness.penetration->instant);
     }
   } else {
-    other = run_ours(scene, "separation_hysteresis", "exact").contact;
+    const char* structure = turns ? "separation_hysteresis" : "separation_minkowski";
+    other = run_ours(scene, structure, "exact").contact;
   }
   if (contact.has_value() != other.has_value() ||
       (contact && std::abs(*contact - *other) > 1e-12)) {
@@ -103,8 +105,7 @@ bool touches(const PeerCase& question) {
   const Rational larger = Rational(1) + Rational(1, Integer::power_of_two(60));
   if (!run_ours(scene_of(question, larger), "separation_mixed", "exact").contact) return false;
   const Scene scene = scene_of(question);
-  return !find_contacts(scene.objects[0], scene.objects[1], scene.start, scene.end)
-              .grazes.empty();
+  return !find_contacts(scene.objects[0], scene.objects[1], scene.start, scene.end).grazes.empty();
 }
 
 }  // namespace
@@ -124,7 +125,7 @@ Truth find_truth(const PeerCase& question) {
   Truth truth;
   if (!question.turns()) {
     const Scene scene = scene_of(question);
-    const auto contact = first_overlap(scene, truth.by_witness);
+    const auto contact = first_overlap(scene, false, truth.by_witness);
     truth.kind = contact             ? TruthKind::kOverlap
                  : touches(question) ? TruthKind::kTouch
                                      : TruthKind::kApart;
@@ -132,13 +133,13 @@ Truth find_truth(const PeerCase& question) {
     return truth;
   }
   const double part = question.largest_turn() / static_cast<double>(parts_of(question));
-  const double off = (0.0042 * part * part * part + 1e-15) *
-                     (outer_radius(question.a) + outer_radius(question.b));
+  const double off =
+      (0.0042 * part * part * part + 1e-15) * (outer_radius(question.a) + outer_radius(question.b));
   const Rational grow = exactly(1.001 * off / inner_radius(question.b));
   bool second = false;
-  const auto larger = first_overlap(scene_of(question, Rational(1) + grow), truth.by_witness);
+  const auto larger = first_overlap(scene_of(question, Rational(1) + grow), true, truth.by_witness);
   const auto smaller =
-      larger ? first_overlap(scene_of(question, Rational(1) - grow), second) : std::nullopt;
+      larger ? first_overlap(scene_of(question, Rational(1) - grow), true, second) : std::nullopt;
   truth.kind = !larger ? TruthKind::kApart : smaller ? TruthKind::kOverlap : TruthKind::kUnknown;
   truth.earliest = larger.value_or(0);
   truth.latest = smaller.value_or(1);

@@ -9,7 +9,7 @@
 //
 // separation_mixed answers, in `exact`. It is checked against the witness, which shares nothing
 // with it but polynomials and their roots, or, where that would take minutes, against
-// separation_hysteresis.
+// separation_hysteresis (separation_minkowski without turns).
 #ifndef KINEX_EXPERIMENTS_PEERS_TRUTH_H
 #define KINEX_EXPERIMENTS_PEERS_TRUTH_H
 
