@@ -17,9 +17,9 @@ struct Family {
   std::vector<PeerQuestion> questions;
 };
 
-Family family_of(std::string name, const std::vector<PeerCase>& cases) {
+Family family_of(PeerQuestions& questions, std::string name, const std::vector<PeerCase>& cases) {
   Family family{std::move(name), {}};
-  for (const PeerCase& one : cases) family.questions.push_back(question_of(one));
+  for (const PeerCase& one : cases) family.questions.push_back(questions.of(one));
   return family;
 }
 
@@ -96,14 +96,15 @@ void families_table(const BenchOptions& options, const std::vector<PeerMethod>& 
 }
 
 // A column for each gap: what is wrong with the answers.
-void gaps_table(const BenchOptions& options, const std::vector<PeerMethod>& methods, bool apart,
-                int finest, const std::vector<int>& sizes) {
+void gaps_table(const BenchOptions& options, PeerQuestions& questions,
+                const std::vector<PeerMethod>& methods, bool apart, const std::vector<int>& powers,
+                const std::vector<int>& sizes) {
   std::vector<Family> families;
   std::vector<ResultTable::Column> columns{{"method", ResultTable::kText, 22}};
-  for (int k = 1; k <= finest; ++k) {
+  for (const int k : powers) {
     std::vector<PeerCase> cases;
     for (const int n : sizes) cases.push_back(line_case(n, (apart ? 1 : -1) * std::pow(10.0, -k)));
-    families.push_back(family_of("", cases));
+    families.push_back(family_of(questions, "", cases));
     columns.push_back({exponent(k), ResultTable::kText, 8});
   }
   std::string about = apart ? "B passes A at this gap: false alarms beyond the tolerance."
@@ -130,8 +131,9 @@ void gaps_table(const BenchOptions& options, const std::vector<PeerMethod>& meth
   }
 }
 
-void corpus_table(const BenchOptions& options, std::vector<PeerMethod> methods) {
-  const Family corpus = family_of("corpus", corpus_cases());
+void corpus_table(const BenchOptions& options, PeerQuestions& questions,
+                  std::vector<PeerMethod> methods) {
+  const Family corpus = family_of(questions, "corpus", corpus_cases());
   std::vector<ResultTable::Column> columns{{"case", ResultTable::kText, 40},
                                            {"exact", ResultTable::kText, 10}};
   std::erase_if(methods, [](const PeerMethod& method) {
@@ -160,30 +162,32 @@ void corpus_table(const BenchOptions& options, std::vector<PeerMethod> methods) 
 
 }  // namespace
 
-void answer_tables(const BenchOptions& options) {
+void answer_tables(const BenchOptions& options, PeerQuestions& questions) {
   const bool quick = options.smoke;
   const std::vector<PeerMethod> methods = peer_methods();
   const std::vector<int> sizes =
       quick ? std::vector<int>{8} : std::vector<int>{8, 16, 64, 200, 255};
+  const std::vector<int> powers =
+      quick ? std::vector<int>{1, 3} : std::vector<int>{1, 2, 3, 4, 6, 9, 12};
   std::vector<PeerCase> random8, random64, spins, orbits, touches;
-  for (int seed = 1; seed <= (quick ? 5 : 200); ++seed) {
+  for (int seed = 1; seed <= (quick ? 2 : 60); ++seed) {
     random8.push_back(random_case(8, seed));
-    if (seed <= 100 && !quick) random64.push_back(random_case(64, seed));
+    if (seed <= 40 && !quick) random64.push_back(random_case(64, seed));
   }
   for (const int n : sizes) {
     spins.push_back(spin_case(n, 4));
     touches.push_back(touch_case(n / 4 * 4));
     for (const double gap : {0.1, 0.01, 0.001}) orbits.push_back(orbit_case(n, gap));
   }
-  std::vector<Family> families{family_of("random, n=8", random8)};
-  if (!quick) families.push_back(family_of("random, n=64", random64));
-  families.push_back(family_of("spin", spins));
-  families.push_back(family_of("orbit", orbits));
-  families.push_back(family_of("touch", touches));
+  std::vector<Family> families{family_of(questions, "random, n=8", random8)};
+  if (!quick) families.push_back(family_of(questions, "random, n=64", random64));
+  families.push_back(family_of(questions, "spin", spins));
+  families.push_back(family_of(questions, "orbit", orbits));
+  families.push_back(family_of(questions, "touch", touches));
   families_table(options, methods, families);
-  gaps_table(options, methods, false, quick ? 3 : 12, sizes);
-  gaps_table(options, methods, true, quick ? 3 : 12, sizes);
-  if (!quick) corpus_table(options, methods);
+  gaps_table(options, questions, methods, false, powers, sizes);
+  gaps_table(options, questions, methods, true, powers, sizes);
+  if (!quick) corpus_table(options, questions, methods);
 }
 
 }  // namespace kinex

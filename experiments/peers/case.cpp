@@ -89,6 +89,14 @@ double PeerCase::largest_turn() const {
   return most;
 }
 
+bool PeerCase::turns_alike() const {
+  const PeerFrame& first = frames.front();
+  return std::all_of(frames.begin(), frames.end(), [&](const PeerFrame& frame) {
+    return frame.a.angle == frame.b.angle && frame.a.x == first.a.x && frame.a.y == first.a.y &&
+           frame.b.x == first.b.x && frame.b.y == first.b.y;
+  });
+}
+
 double outer_radius(const PeerShape& shape) {
   double radius = 0;
   for (const auto& v : shape) radius = std::max(radius, std::hypot(v[0], v[1]));

@@ -27,6 +27,8 @@ struct PeerCase {
   // The largest turn of a body between two frames.
   double largest_turn() const;
   bool turns() const { return largest_turn() > 0; }
+  // Both turn alike and their centres rest: whether they meet does not depend on the pace.
+  bool turns_alike() const;
   int vertices() const { return static_cast<int>(a.size() + b.size()); }
 };
 

@@ -74,7 +74,7 @@ std::vector<PeerMethod> continuous_methods() {
 
 }  // namespace
 
-std::vector<Figure> crossover_tables(const BenchOptions& options) {
+std::vector<Figure> crossover_tables(const BenchOptions& options, PeerQuestions& questions) {
   const bool quick = options.smoke;
   const double measure = quick ? 0.001 : 0.02;
   const int rounds = quick ? 1 : 7;
@@ -91,18 +91,18 @@ std::vector<Figure> crossover_tables(const BenchOptions& options) {
   const std::vector<PeerMethod> methods = continuous_methods();
   Sweep by_gap(table, "gap"), by_size(table, "n"), by_looks(table, "looks");
   const auto orbit = [&](Sweep& sweep, double x, int n, double gap) {
-    const PeerQuestion question = question_of(orbit_case(n, gap));
+    const PeerQuestion& question = questions.of(orbit_case(n, gap));
     sweep.put(kMixed, x, our_microseconds(orbit_scene(question.exact), 1, rounds));
     for (const PeerMethod& method : methods) {
       sweep.put(method.name, x, peer_microseconds(method, question, measure));
     }
   };
-  for (int k = 0; k <= (quick ? 2 : 12); ++k) {
+  for (int k = 0; k <= (quick ? 1 : 12); ++k) {
     const double gap = std::pow(10.0, -0.5 * k);
     orbit(by_gap, gap, quick ? 8 : 64, gap);
   }
   for (int n = 4; n <= (quick ? 8 : 1024); n *= 2) orbit(by_size, n, n, 0.01);
-  const PeerQuestion line = question_of(line_case(quick ? 8 : 64, 1e-3));
+  const PeerQuestion& line = questions.of(line_case(quick ? 8 : 64, 1e-3));
   const Scene scene = scene_of(line.exact);
   for (int looks = 1; looks <= (quick ? 4 : 1 << 14); looks *= quick ? 2 : 4) {
     by_looks.put(kMixed, looks, our_microseconds(scene, looks, rounds));

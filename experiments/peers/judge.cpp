@@ -19,8 +19,12 @@ double beyond(double time, const Truth& truth) {
 
 }  // namespace
 
-PeerQuestion question_of(const PeerCase& one) {
-  PeerQuestion question{one, one.as_float(), {}, {}};
+const PeerQuestion& PeerQuestions::of(const PeerCase& one) {
+  const auto [found, is_new] = known_.try_emplace(one.family + " " + one.name);
+  PeerQuestion& question = found->second;
+  if (!is_new) return question;
+  question.exact = one;
+  question.single = one.as_float();
   question.truth = find_truth(question.exact);
   question.truth_single = find_truth(question.single);
   return question;

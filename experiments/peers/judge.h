@@ -3,6 +3,7 @@
 #ifndef KINEX_EXPERIMENTS_PEERS_JUDGE_H
 #define KINEX_EXPERIMENTS_PEERS_JUDGE_H
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,14 @@ struct PeerQuestion {
   PeerCase exact, single;
   Truth truth, truth_single;
 };
-// Finds the truths.
-PeerQuestion question_of(const PeerCase& one);
+// Truths are found once.
+class PeerQuestions {
+ public:
+  const PeerQuestion& of(const PeerCase& one);
+
+ private:
+  std::map<std::string, PeerQuestion> known_;  // by family and name
+};
 
 enum class Outcome {
   kRight,

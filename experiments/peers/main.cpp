@@ -64,10 +64,13 @@ int main(int argc, char** argv) {
   const auto options = read_options(argc, argv);
   if (!options) return 2;
   try {
-    answer_tables(options->bench);
-    cost_table(options->bench);
-    std::vector<Figure> figures = sample_tables(options->bench);
-    for (Figure& figure : crossover_tables(options->bench)) figures.push_back(std::move(figure));
+    PeerQuestions questions;
+    answer_tables(options->bench, questions);
+    cost_table(options->bench, questions);
+    std::vector<Figure> figures = sample_tables(options->bench, questions);
+    for (Figure& figure : crossover_tables(options->bench, questions)) {
+      figures.push_back(std::move(figure));
+    }
     if (!options->plots.empty()) write_plots(*options, figures);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "kinex_peers: %s\n", error.what());

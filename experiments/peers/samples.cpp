@@ -19,13 +19,13 @@ struct Family {
   std::vector<PeerQuestion> questions;  // that overlap
 };
 
-Family overlaps(std::string name, const std::vector<PeerCase>& cases) {
+Family overlaps(PeerQuestions& questions, std::string name, const std::vector<PeerCase>& cases) {
   Family family{std::move(name), {}};
   for (const PeerCase& one : cases) {
-    PeerQuestion question = question_of(one);
+    const PeerQuestion& question = questions.of(one);
     if (question.truth.kind == TruthKind::kOverlap &&
         question.truth_single.kind == TruthKind::kOverlap) {
-      family.questions.push_back(std::move(question));
+      family.questions.push_back(question);
     }
   }
   return family;
@@ -33,7 +33,7 @@ Family overlaps(std::string name, const std::vector<PeerCase>& cases) {
 
 }  // namespace
 
-std::vector<Figure> sample_tables(const BenchOptions& options) {
+std::vector<Figure> sample_tables(const BenchOptions& options, PeerQuestions& questions) {
   const bool quick = options.smoke;
   std::vector<Family> families;
   std::vector<PeerCase> cases;
@@ -44,11 +44,11 @@ std::vector<Figure> sample_tables(const BenchOptions& options) {
     for (const int n : sizes) cases.push_back(line_case(n, -depth));
     char name[40];
     std::snprintf(name, sizeof name, "line, depth %.0e", depth);
-    families.push_back(overlaps(name, cases));
+    families.push_back(overlaps(questions, name, cases));
   }
   cases.clear();
-  for (int seed = 1; seed <= (quick ? 5 : 200); ++seed) cases.push_back(random_case(8, seed));
-  families.push_back(overlaps("random, n=8", cases));
+  for (int seed = 1; seed <= (quick ? 2 : 60); ++seed) cases.push_back(random_case(8, seed));
+  families.push_back(overlaps(questions, "random, n=8", cases));
   ResultTable table(
       options, "peers_samples",
       "Fixed steps: of the questions of a family that overlap, how many are missed with 2^k steps; "

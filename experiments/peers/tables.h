@@ -13,13 +13,13 @@
 namespace kinex {
 
 // answers.cpp: who is right, by family, by gap, and on reported failures
-void answer_tables(const BenchOptions& options);
+void answer_tables(const BenchOptions& options, PeerQuestions& questions);
 // costs.cpp: work and time of single queries
-void cost_table(const BenchOptions& options);
+void cost_table(const BenchOptions& options, PeerQuestions& questions);
 // samples.cpp: fixed steps, and how many of them find every overlap of a family
-std::vector<Figure> sample_tables(const BenchOptions& options);
+std::vector<Figure> sample_tables(const BenchOptions& options, PeerQuestions& questions);
 // crossovers.cpp: time against separation, vertices and looks on the way
-std::vector<Figure> crossover_tables(const BenchOptions& options);
+std::vector<Figure> crossover_tables(const BenchOptions& options, PeerQuestions& questions);
 
 // ---- shared (curves.cpp)
 

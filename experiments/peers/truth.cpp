@@ -34,6 +34,7 @@ std::vector<Rational> line(const Rational& from, const Rational& to, const Ratio
 }
 
 std::int64_t parts_of(const PeerCase& question) {
+  if (question.turns_alike()) return 1;
   return std::max<std::int64_t>(1, std::llround(std::ceil(question.largest_turn() / kPieceTurn)));
 }
 
@@ -123,13 +124,14 @@ Scene scene_of(const PeerCase& question, const Rational& scale) {
 
 Truth find_truth(const PeerCase& question) {
   Truth truth;
-  if (!question.turns()) {
+  if (!question.turns() || question.turns_alike()) {
     const Scene scene = scene_of(question);
-    const auto contact = first_overlap(scene, false, truth.by_witness);
+    const auto contact = first_overlap(scene, question.turns(), truth.by_witness);
     truth.kind = contact             ? TruthKind::kOverlap
                  : touches(question) ? TruthKind::kTouch
                                      : TruthKind::kApart;
     truth.earliest = truth.latest = contact.value_or(0);
+    if (contact && question.turns()) truth.latest = 1;
     return truth;
   }
   const double part = question.largest_turn() / static_cast<double>(parts_of(question));

@@ -4,8 +4,9 @@
 // Without turns that motion is a scene of kinex, number by number. An angle that is linear in time
 // is followed by rotors in pieces of at most 0.1 radians: in one of d radians the angle is off by
 // 0.0042 d^3 at most. Body B, made larger or smaller by more than that can move any point, encloses
-// the truth: if the larger one stays clear the bodies do, if the smaller one overlaps so do they,
-// and the first time is between the two. What is left is unknown.
+// the truth (unless only the pace of the turn matters, which decides no answer): if the larger one
+// stays clear the bodies do, if the smaller one overlaps so do they, and the first time is between
+// the two. What is left is unknown.
 //
 // separation_mixed answers, in `exact`. It is checked against the witness, which shares nothing
 // with it but polynomials and their roots, or, where that would take minutes, against
