@@ -24,12 +24,12 @@ class Box2d final : public Peer {
   }
 
   Verdict overlap(int, const PeerPose& a, const PeerPose& b) override {
-    const double d = distance(a, b);
+    const double d = distance(0, a, b);
     if (d != d) return Verdict::kNotANumber;
     return d <= 0 ? Verdict::kHit : Verdict::kMiss;
   }
 
-  double distance(const PeerPose& a, const PeerPose& b) override {
+  double distance(int, const PeerPose& a, const PeerPose& b) override {
     b2DistanceInput input;
     input.proxyA = a_;
     input.proxyB = b_;

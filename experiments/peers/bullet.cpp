@@ -48,12 +48,12 @@ class Bullet final : public Peer {
   }
 
   Verdict overlap(int, const PeerPose& a, const PeerPose& b) override {
-    const double d = distance(a, b);
+    const double d = distance(0, a, b);
     if (d != d) return Verdict::kNotANumber;
     return d <= 0 ? Verdict::kHit : Verdict::kMiss;
   }
 
-  double distance(const PeerPose& a, const PeerPose& b) override {
+  double distance(int, const PeerPose& a, const PeerPose& b) override {
     ++work.steps;
     btGjkPairDetector::ClosestPointInput input;
     input.m_transformA = transform(a);

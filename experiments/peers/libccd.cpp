@@ -99,7 +99,7 @@ class Libccd final : public Peer {
     return iterations >= kMostIterations ? Verdict::kFailed : verdict;
   }
 
-  double distance(const PeerPose&, const PeerPose&) override {
+  double distance(int, const PeerPose&, const PeerPose&) override {
     return std::numeric_limits<double>::quiet_NaN();
   }
   Cast cast(int, const PeerPose&, const PeerPose&, const PeerPose&, const PeerPose&) override {

@@ -66,6 +66,7 @@ int main(int argc, char** argv) {
   try {
     PeerQuestions questions;
     answer_tables(options->bench, questions);
+    distance_table(options->bench);
     cost_table(options->bench, questions);
     std::vector<Figure> figures = sample_tables(options->bench, questions);
     for (Figure& figure : crossover_tables(options->bench, questions)) {

@@ -42,7 +42,7 @@ PeerAnswer by_advancing(Peer& peer, const PeerMethod& method, const PeerCase& qu
     const double end = static_cast<double>(i + 1) / static_cast<double>(spans);
     for (;;) {
       const PeerFrame frame = question.at(t);
-      const double distance = peer.distance(frame.a, frame.b);
+      const double distance = peer.distance(method.variant, frame.a, frame.b);
       if (std::isnan(distance)) return {Verdict::kNotANumber, t, {}, 0, 0};
       if (distance <= method.stop) return {Verdict::kHit, t, {}, 0, 0};
       if (++steps > kMostAdvances) return {Verdict::kFailed, t, {}, 0, 0};
@@ -94,6 +94,10 @@ PeerAnswer ask(Peer& peer, const PeerMethod& method, const PeerCase& question) {
       break;
     case PeerMethod::Kind::kCast:
       answer = by_casting(peer, method, question);
+      break;
+    case PeerMethod::Kind::kDistance:
+      answer.time = peer.distance(method.variant, question.frames[0].a, question.frames[0].b);
+      answer.verdict = std::isnan(answer.time) ? Verdict::kNotANumber : Verdict::kHit;
       break;
   }
   answer.work = peer.work;

@@ -12,20 +12,21 @@ namespace kinex {
 
 struct PeerMethod {
   enum class Kind {
-    kSteps,    // overlap() in poses at equal distances in time
-    kAdvance,  // conservative advancement: as far as the bodies cannot meet, by distance()
-    kCast,     // the library's continuous test
+    kSteps,     // overlap() in poses at equal distances in time
+    kAdvance,   // conservative advancement: as far as the bodies cannot meet, by distance()
+    kCast,      // the library's continuous test
+    kDistance,  // distance() in the first pose, as the answer's time
   };
   std::string name;
   std::string module;  // of the library
   Kind kind = Kind::kCast;
-  int variant = 0;        // of overlap or cast
-  int steps = 0;          // kSteps
-  double stop = 0;        // kAdvance: a contact is a distance of at most this
-  double tolerance = 0;   // a contact may be reported at a gap of this size: documented
-  bool single = false;    // works on floats
-  double most_turn = 3;   // kCast: longer turns are cut into parts below this
-  const char* certifies;  // which instants it looks at
+  int variant = 0;             // of overlap or cast
+  int steps = 0;               // kSteps
+  double stop = 0;             // kAdvance: a contact is a distance of at most this
+  double tolerance = 0;        // a contact may be reported at a gap of this size: documented
+  bool single = false;         // works on floats
+  double most_turn = 3;        // kCast: longer turns are cut into parts below this
+  const char* certifies = "";  // which instants it looks at
 };
 
 struct PeerAnswer {

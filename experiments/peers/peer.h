@@ -43,8 +43,9 @@ class Peer {
   virtual bool load(const PeerShape& a, const PeerShape& b) = 0;
   // Do the bodies overlap in these poses? `variant`: of the library's tests.
   virtual Verdict overlap(int variant, const PeerPose& a, const PeerPose& b) = 0;
-  // Their distance; 0 or less if they overlap, NaN if the library knows none.
-  virtual double distance(const PeerPose& a, const PeerPose& b) = 0;
+  // Their distance; 0 or less if they overlap, NaN if the library knows none. `variant`: of the
+  // library's solvers.
+  virtual double distance(int variant, const PeerPose& a, const PeerPose& b) = 0;
   struct Cast {
     Verdict verdict = Verdict::kUnsupported;
     double time = 0;  // of the contact, in [0, 1]

@@ -14,6 +14,8 @@ namespace kinex {
 
 // answers.cpp: who is right, by family, by gap, and on reported failures
 void answer_tables(const BenchOptions& options, PeerQuestions& questions);
+// distances.cpp: how far off the distances are that all else is built on
+void distance_table(const BenchOptions& options);
 // costs.cpp: work and time of single queries
 void cost_table(const BenchOptions& options, PeerQuestions& questions);
 // samples.cpp: fixed steps, and how many of them find every overlap of a family
