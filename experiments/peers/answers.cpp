@@ -170,9 +170,9 @@ void answer_tables(const BenchOptions& options, PeerQuestions& questions) {
   const std::vector<int> powers =
       quick ? std::vector<int>{1, 3} : std::vector<int>{1, 2, 3, 4, 6, 9, 12};
   std::vector<PeerCase> random8, random64, spins, orbits, touches;
-  for (int seed = 1; seed <= (quick ? 2 : 60); ++seed) {
+  for (int seed = 1; seed <= (quick ? 2 : 30); ++seed) {
     random8.push_back(random_case(8, seed));
-    if (seed <= 40 && !quick) random64.push_back(random_case(64, seed));
+    if (seed <= 12 && !quick) random64.push_back(random_case(64, seed));
   }
   for (const int n : sizes) {
     spins.push_back(spin_case(n, 4));

@@ -96,7 +96,7 @@ void cost_table(const BenchOptions& options, PeerQuestions& questions) {
     groups.push_back(group_of(questions, "orbit, n=200, gap 1e-4", {orbit_case(200, 1e-4)}, true));
     groups.push_back(group_of(questions, "spin, n=64", {spin_case(64, 4)}));
     std::vector<PeerCase> small, large;
-    for (int seed = 1; seed <= 40; ++seed) {
+    for (int seed = 1; seed <= 12; ++seed) {
       small.push_back(random_case(8, seed));
       large.push_back(random_case(64, seed));
     }
@@ -136,8 +136,8 @@ void cost_table(const BenchOptions& options, PeerQuestions& questions) {
                cost.supports / n, cost.events / n, cost.polynomials / n, cost.roots / n,
                cost.signs / n});
   };
-  const int rounds = quick ? 1 : 9;
-  const WorkerLimits limits{5, quick ? 0.001 : 0.02};
+  const int rounds = quick ? 1 : 5;
+  const WorkerLimits limits{5, quick ? 0.001 : 0.01};
   for (const Group& group : groups) {
     std::vector<std::pair<std::string, std::string>> ours{{"separation_mixed", "exact"},
                                                           {"separation_mixed", "double"}};

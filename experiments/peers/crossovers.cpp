@@ -29,7 +29,7 @@ double our_microseconds(const Scene& scene, int looks, int rounds) {
 // nullopt if the answer is wrong or there is none.
 std::optional<double> peer_microseconds(const PeerMethod& method, const PeerQuestion& question,
                                         double measure) {
-  const PeerAnswer answer = ask_all(method, {question.exact}, {5, measure}).front();
+  const PeerAnswer answer = ask_all(method, {question.exact}, {20, measure}).front();
   const Outcome outcome = judge(method, question, answer).outcome;
   if (outcome != Outcome::kRight) return std::nullopt;
   return 1e6 * (answer.seconds + answer.load_seconds);
@@ -76,8 +76,8 @@ std::vector<PeerMethod> continuous_methods() {
 
 std::vector<Figure> crossover_tables(const BenchOptions& options, PeerQuestions& questions) {
   const bool quick = options.smoke;
-  const double measure = quick ? 0.001 : 0.02;
-  const int rounds = quick ? 1 : 7;
+  const double measure = quick ? 0.001 : 0.01;
+  const int rounds = quick ? 1 : 5;
   ResultTable table(
       options, "peers_crossovers",
       "Time of one question in microseconds, build included, against the gap (orbit, "
@@ -97,11 +97,11 @@ std::vector<Figure> crossover_tables(const BenchOptions& options, PeerQuestions&
       sweep.put(method.name, x, peer_microseconds(method, question, measure));
     }
   };
-  for (int k = 0; k <= (quick ? 1 : 12); ++k) {
+  for (int k = 0; k <= (quick ? 1 : 10); ++k) {
     const double gap = std::pow(10.0, -0.5 * k);
     orbit(by_gap, gap, quick ? 8 : 64, gap);
   }
-  for (int n = 4; n <= (quick ? 8 : 1024); n *= 2) orbit(by_size, n, n, 0.01);
+  for (int n = 4; n <= (quick ? 8 : 512); n *= 2) orbit(by_size, n, n, 0.01);
   const PeerQuestion& line = questions.of(line_case(quick ? 8 : 64, 1e-3));
   const Scene scene = scene_of(line.exact);
   for (int looks = 1; looks <= (quick ? 4 : 1 << 14); looks *= quick ? 2 : 4) {

@@ -53,7 +53,7 @@ void distance_table(const BenchOptions& options) {
     bool single;
   };
   for (const int n : {8, 64}) {
-    const std::vector<PeerCase> cases = poses(n, quick ? 2 : 60, quick ? 10 : 200);
+    const std::vector<PeerCase> cases = poses(n, quick ? 2 : 60, quick ? 10 : 100);
     for (const Solver& solver :
          {Solver{"box2d", "box2d", 0, true}, Solver{"bullet", "bullet", 0, true},
           Solver{"bullet64", "bullet64", 0, false}, Solver{"fcl libccd", "fcl", 0, false},

@@ -12,7 +12,7 @@ namespace kinex {
 
 namespace {
 
-constexpr int kMostLevels = 16;  // 2^16 steps
+constexpr int kMostLevels = 14;  // 2^14 steps
 
 struct Family {
   std::string name;
@@ -47,7 +47,7 @@ std::vector<Figure> sample_tables(const BenchOptions& options, PeerQuestions& qu
     families.push_back(overlaps(questions, name, cases));
   }
   cases.clear();
-  for (int seed = 1; seed <= (quick ? 2 : 60); ++seed) cases.push_back(random_case(8, seed));
+  for (int seed = 1; seed <= (quick ? 2 : 30); ++seed) cases.push_back(random_case(8, seed));
   families.push_back(overlaps(questions, "random, n=8", cases));
   ResultTable table(
       options, "peers_samples",

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPieceTurn = 0.1;
 // Vertices times edges times pieces that the witness is asked for: without turns, with turns.
-constexpr std::size_t kWitnessWork[] = {100000, 40000};
+constexpr std::size_t kWitnessWork[] = {20000, 2000};
 
 Rational exactly(double x) { return *Rational::from_double(x); }
 
