@@ -9,7 +9,11 @@ namespace kinex {
 
 namespace {
 
-double nearest_float(double x) { return static_cast<double>(static_cast<float>(x)); }
+// Through memory: g++ 12 with -O3 leaves the rounding out where it does two at once.
+double nearest_float(double x) {
+  const volatile float rounded = static_cast<float>(x);
+  return static_cast<double>(rounded);
+}
 
 PeerPose nearest_float(const PeerPose& pose) {
   return {nearest_float(pose.x), nearest_float(pose.y), nearest_float(pose.angle)};

@@ -8,8 +8,8 @@ namespace kinex {
 
 namespace {
 
-// Of a gap that is computed in doubles.
-constexpr double kRounding = 1e-14;
+// Of coordinates up to 4, a few times: no answer is held against its number format.
+constexpr double kRounding = 1e-14, kSingleRounding = 1e-6;
 
 // The part of `late` that the truth's own uncertainty does not explain.
 double beyond(double time, const Truth& truth) {
@@ -45,8 +45,9 @@ Judgement judge(const PeerMethod& method, const PeerQuestion& question, const Pe
     result.outcome = Outcome::kRight;
     result.late = beyond(answer.time, truth);
   } else {
+    const double rounding = method.single ? kSingleRounding : kRounding;
     result.outcome =
-        result.gap <= method.tolerance + kRounding ? Outcome::kTolerated : Outcome::kAlarm;
+        result.gap <= method.tolerance + rounding ? Outcome::kTolerated : Outcome::kAlarm;
   }
   return result;
 }

@@ -30,6 +30,7 @@ enum class Outcome {
   kRight,
   kMissed,     // they overlap, and it says that they never do: a false negative
   kAlarm,      // they never overlap, and it reports a contact at a gap beyond its tolerance
+               // (and the rounding of its numbers)
   kTolerated,  // the same within its documented tolerance, or at a mere touch
   kUnknown,    // the truth is not known
   kNone,       // no answer: the verdict says why
