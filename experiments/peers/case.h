@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A question for all: do two convex polygons overlap at some time of a motion, and when first?
+// Everything is a binary64, so what a library is given is known exactly.
+#ifndef KINEX_EXPERIMENTS_PEERS_CASE_H
+#define KINEX_EXPERIMENTS_PEERS_CASE_H
+
+#include <string>
+#include <vector>
+
+#include "experiments/peers/peer.h"
+
+namespace kinex {
+
+struct PeerFrame {
+  PeerPose a, b;
+};
+
+struct PeerCase {
+  std::string family, name;
+  PeerShape a, b;
+  // Poses at equal distances in the time [0, 1]. In between centres and angles are linear in time.
+  std::vector<PeerFrame> frames;
+
+  // In single precision: the nearest floats.
+  PeerCase as_float() const;
+  PeerFrame at(double time) const;
+  // The largest turn of a body between two frames.
+  double largest_turn() const;
+  bool turns() const { return largest_turn() > 0; }
+  // Both turn alike and their centres rest: whether they meet does not depend on the pace.
+  bool turns_alike() const;
+  int vertices() const { return static_cast<int>(a.size() + b.size()); }
+};
+
+// Of the vertices, from the origin of the frame.
+double outer_radius(const PeerShape& shape);
+// Of a disc around the origin that is inside.
+double inner_radius(const PeerShape& shape);
+// The distance of the polygons in these poses; if they overlap, minus the depth. In doubles.
+double signed_distance(const PeerCase& question, const PeerFrame& frame);
+
+// ---- families (cases.cpp)
+
+PeerShape regular_shape(int n);
+// B passes A on a straight line, vertex above vertex, `gap` above it; below 0: it overlaps it.
+PeerCase line_case(int n, double gap);
+// Both turn once alike, so that B goes round A at the distance `gap`; quarter turns.
+PeerCase orbit_case(int n, double gap);
+// B crosses A's upper part and turns by six radians, in `frames` equal steps.
+PeerCase spin_case(int n, int steps);
+// Random polygons of at most n vertices in random motion; they may meet.
+PeerCase random_case(int n, int seed);
+// B slides along A and touches it all the time, without overlap.
+PeerCase touch_case(int n);
+// Reported failures, one step each (corpus.cpp).
+std::vector<PeerCase> corpus_cases();
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+
+#include "core/simulator.h"
+#include "experiments/cpu_clock.h"
+#include "experiments/peers/truth.h"
+#include "experiments/workloads/polygons.h"
+#include "structures/registry.h"
+
+namespace kinex {
+
+namespace {
+
+class FirstContact final : public EventSink {
+ public:
+  void event(const Event& event, Arithmetic& arithmetic) override {
+    if (event.external && !time) time = std::stod(arithmetic.describe_now().approximate);
+  }
+  std::optional<double> time;
+};
+
+}  // namespace
+
+Scene orbit_scene(const PeerCase& orbit) {
+  Scene scene;
+  scene.name = orbit.name;
+  scene.dimension = 2;
+  scene.start = 0;
+  scene.end = 1;
+  const auto polygon = [](const PeerShape& shape) {
+    std::vector<Vertex2> result;
+    for (const auto& v : shape) {
+      result.push_back({*Rational::from_double(v[0]), *Rational::from_double(v[1])});
+    }
+    return result;
+  };
+  const std::vector<RotorPiece> turn = half_turns(2, 1);
+  add_turning_body(scene, "a", polygon(orbit.a), 0, 0, turn);
+  add_turning_body(scene, "b", polygon(orbit.b), *Rational::from_double(orbit.frames[0].b.x), 0,
+                   turn);
+  return scene;
+}
+
+OurRun run_ours(const Scene& scene, const std::string& structure, const std::string& arithmetic,
+                int looks) {
+  OurRun result;
+  const double begin = cpu_seconds();
+  SimulatorOptions options;
+  options.audit = AuditLevel::kNone;
+  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  const StructureId id = simulator.reserve();
+  simulator.add(id, make_structure({structure, structure, {}}, scene, simulator.kernel(), id),
+                structure);
+  FirstContact sink;
+  simulator.set_sink(&sink);
+  simulator.start();
+  // Overlaps that are there from the start are no events.
+  if (!simulator.structure(id).attribute().ids.empty()) sink.time = scene.start.to_double();
+  const double built = cpu_seconds();
+  for (int i = 1; i <= looks && !sink.time; ++i) {
+    simulator.run_until(scene.start + (*scene.end - scene.start) * Rational(i) / Rational(looks));
+  }
+  result.run_seconds = cpu_seconds() - built;
+  result.build_seconds = built - begin;
+  result.contact = sink.time;
+  const StructureLedger& ledger = simulator.kernel().ledger(id);
+  const ArithmeticCounters& counters = simulator.kernel().arithmetic().counters();
+  result.events = ledger.processed;
+  result.roots = ledger.failures_found;
+  for (const std::uint64_t count : counters.polynomials_solved) result.polynomials += count;
+  for (const PredicateCounters& one : counters.by_predicate) {
+    for (const std::uint64_t count : one.signs) result.signs += count;
+  }
+  return result;
+}
+
+}  // namespace kinex

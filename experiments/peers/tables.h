@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tables of kinex_peers.
+#ifndef KINEX_EXPERIMENTS_PEERS_TABLES_H
+#define KINEX_EXPERIMENTS_PEERS_TABLES_H
+
+#include <string>
+#include <vector>
+
+#include "experiments/bench/options.h"
+#include "experiments/peers/judge.h"
+#include "experiments/verify/gnuplot.h"
+
+namespace kinex {
+
+// answers.cpp: who is right, by family, by gap, and on reported failures
+void answer_tables(const BenchOptions& options, PeerQuestions& questions);
+// distances.cpp: how far off the distances are that all else is built on
+void distance_table(const BenchOptions& options);
+// costs.cpp: work and time of single queries
+void cost_table(const BenchOptions& options, PeerQuestions& questions);
+// samples.cpp: fixed steps, and how many of them find every overlap of a family
+std::vector<Figure> sample_tables(const BenchOptions& options, PeerQuestions& questions);
+// crossovers.cpp: time against separation, vertices and looks on the way
+std::vector<Figure> crossover_tables(const BenchOptions& options, PeerQuestions& questions);
+
+// ---- shared (curves.cpp)
+
+struct Curve {
+  std::string name;
+  std::vector<std::array<double, 2>> points;
+};
+// On logarithmic axes; curves without points are left out.
+Figure figure_of(const std::string& title, const std::string& caption, const std::string& x_label,
+                 const std::string& y_label, const std::vector<Curve>& curves);
+
+}  // namespace kinex
+
+#endif

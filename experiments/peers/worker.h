@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Asks a library in a process of its own, which may die or never end.
+#ifndef KINEX_EXPERIMENTS_PEERS_WORKER_H
+#define KINEX_EXPERIMENTS_PEERS_WORKER_H
+
+#include <vector>
+
+#include "experiments/peers/method.h"
+
+namespace kinex {
+
+struct WorkerLimits {
+  double seconds = 5;          // of wall time for one question
+  double measure_seconds = 0;  // go on asking for so long to measure the time; 0: not measured
+};
+
+// One answer a question. Float methods are given the nearest floats. Throws std::runtime_error if
+// no process can be started or the module cannot be loaded.
+std::vector<PeerAnswer> ask_all(const PeerMethod& method, const std::vector<PeerCase>& questions,
+                                const WorkerLimits& limits = {});
+
+}  // namespace kinex
+
+#endif
