@@ -37,11 +37,24 @@ TEST(ReproduceVerb, WritesItsFilesOnceAndGoesOn) {
       run_kinex({"reproduce", "kds-report-1998", "large-runs", "--quick", "-o", folder});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.err, HasSubstr("--force"));
-  const Finished again = run_kinex(
-      {"reproduce", "kds-report-1998", "large-runs", "--quick", "-o", folder, "--force"});
+  const Finished again =
+      run_kinex({"reproduce", "kds-report-1998", "large-runs", "--quick", "-o", folder, "--force"});
   EXPECT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(read_file(folder + "/runs.jsonl"), runs);  // nothing was run
   EXPECT_EQ(again.out, first.out);
+}
+
+TEST(ReproduceVerb, TellsThePaperOnCollisions) {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.file("features");
+  const Finished run =
+      run_kinex({"reproduce", "separation-sensitive-1999", "features", "--quick", "-o", folder});
+  EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+  EXPECT_THAT(run.out, HasSubstr("confirmed  features.closest"));
+  EXPECT_THAT(read_file(folder + "/README.md"), HasSubstr("n (3n + 2)"));
+  const Finished part = run_kinex({"reproduce", "separation-sensitive-1999", "figure-3"});
+  EXPECT_EQ(part.exit_code, 2);
+  EXPECT_THAT(part.err, HasSubstr("translation, rigid, features, hysteresis, hierarchies"));
 }
 
 }  // namespace
