@@ -137,7 +137,7 @@ void cost_table(const BenchOptions& options, PeerQuestions& questions) {
                cost.signs / n});
   };
   const int rounds = quick ? 1 : 5;
-  const WorkerLimits limits{5, quick ? 0.001 : 0.01};
+  const WorkerLimits limits{20, quick ? 0.001 : 0.01};
   for (const Group& group : groups) {
     std::vector<std::pair<std::string, std::string>> ours{{"separation_mixed", "exact"},
                                                           {"separation_mixed", "double"}};

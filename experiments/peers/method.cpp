@@ -141,10 +141,10 @@ std::vector<PeerMethod> peer_methods() {
   constexpr double kBulletTurn = 0.78;
   // FCL's tolerance is one of time, 1e-4 of the step: 0.002 at a speed of 20.
   all.push_back({"box2d toi", "box2d", Kind::kCast, 0, 0, 0, 0.00625, true, 1e9, "most: may miss"});
-  all.push_back(
-      {"bullet cast", "bullet", Kind::kCast, 0, 0, 0, 0.001, true, 3, "all, up to rounding"});
-  all.push_back(
-      {"bullet64 cast", "bullet64", Kind::kCast, 0, 0, 0, 0.001, false, 3, "all, up to rounding"});
+  all.push_back({"bullet cast", "bullet", Kind::kCast, 0, 0, 0, 0.001, true, kBulletTurn,
+                 "all, up to rounding"});
+  all.push_back({"bullet64 cast", "bullet64", Kind::kCast, 0, 0, 0, 0.001, false, kBulletTurn,
+                 "all, up to rounding"});
   all.push_back({"fcl default", "fcl", Kind::kCast, 0, 0, 0, 0, false, 3, "10 samples"});
   all.push_back(
       {"fcl advance", "fcl", Kind::kCast, 1, 0, 0, 0.002, false, 3, "all, up to rounding"});
