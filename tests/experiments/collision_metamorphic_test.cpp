@@ -222,7 +222,7 @@ std::vector<Tile> tiles_of(const Scene& scene) {
 }
 
 // Back through the same tiles, and the same pairs of features.
-TEST(CollisionMetamorphic, TimeReversed) {
+TEST(CollisionMetamorphic, DISABLED_TimeReversed) {
   std::size_t tiles = 0;
   int rounds = 0;
   for (std::uint64_t seed = 1000; rounds < (kSanitized ? 4 : 25); ++seed) {
