@@ -325,7 +325,7 @@ TEST(VerifyDatabase, IsReadableStrictAndComplete) {
   const std::unique_ptr<sqlite3, CloseHandle> handle(opened);
   EXPECT_EQ(query(opened, "PRAGMA integrity_check"), "ok");
   EXPECT_EQ(query(opened, "PRAGMA foreign_key_check"), "");
-  EXPECT_EQ(query(opened, "SELECT count(*) FROM sqlite_schema WHERE type = 'table'"), "8");
+  EXPECT_EQ(query(opened, "SELECT count(*) FROM sqlite_schema WHERE type = 'table'"), "9");
   EXPECT_EQ(query(opened,
                   "SELECT count(*) FROM pragma_table_list WHERE schema = 'main' AND "
                   "strict = 0 AND name NOT LIKE 'sqlite%'"),

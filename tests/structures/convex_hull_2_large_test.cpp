@@ -40,7 +40,7 @@ TEST(ConvexHull2Levels, EachPairPassesOnce) {
     const std::vector<std::uint64_t>& levels = run.hull().failures_by_level();
     ASSERT_GT(levels.size(), 1u);
     EXPECT_EQ(levels[1], static_cast<std::uint64_t>(n / 2)) << structure;
-    EXPECT_EQ(sum(levels), run.trial.ledger().processed);
+    EXPECT_EQ(sum(levels), run.trial.ledger().failures);
   }
 }
 
