@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <stdexcept>
 
 #include "experiments/event_log.h"
 #include "experiments/input_error.h"
@@ -47,6 +48,10 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "kinex: gave up: there is not enough memory\n");
     return kinex::kExitGaveUp;
+  } catch (const std::invalid_argument& error) {
+    // A run finds out what no reader can see: bodies that turn against each other, for one.
+    std::fprintf(stderr, "kinex: %s\n", error.what());
+    return kinex::kExitBadInput;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "kinex: internal error: %s; please report it with the input\n",
                  error.what());

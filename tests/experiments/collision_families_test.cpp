@@ -59,7 +59,7 @@ TEST(CollisionFamilies, ClosestFeaturesChangeQuadraticallyOften) {
 }
 
 // n (2m + 1) changes of the tangent at the fan, and n of the other one.
-TEST(CollisionFamilies, DISABLED_TangentsChangeQuadraticallyOften) {
+TEST(CollisionFamilies, TangentsChangeQuadraticallyOften) {
   for (const Sizes& s :
        {Sizes{8, 8, "2"}, Sizes{16, kSanitized ? 4 : 16, "2"}, Sizes{16, 5, "29"}}) {
     SCOPED_TRACE(std::to_string(s.n) + " " + std::to_string(s.m));
@@ -175,7 +175,7 @@ std::uint64_t cover(const Scene& scene) {
 }
 
 // Wedges are at most as many as balls that cover the path, however jagged it is.
-TEST(CollisionFamilies, DISABLED_WedgesFollowTheBallCover) {
+TEST(SlowCollisionFamilies, WedgesFollowTheBallCover) {
   for (const int kinks : {5, kSanitized ? 6 : 15}) {
     const Scene scene = family("polygon-kinks", 12, kinks, "1/4");
     EXPECT_LE(count(scene, "separation_hysteresis", true).processed, cover(scene));
@@ -183,7 +183,7 @@ TEST(CollisionFamilies, DISABLED_WedgesFollowTheBallCover) {
 }
 
 // Closer by halves: a constant number of wedges for each.
-TEST(CollisionFamilies, DISABLED_WedgesFollowAnApproach) {
+TEST(CollisionFamilies, WedgesFollowAnApproach) {
   std::uint64_t last = 0;
   for (const int j : {4, 8, 12, 16}) {
     const std::string separation = "1/" + std::to_string(1 << j);
@@ -199,7 +199,7 @@ TEST(CollisionFamilies, DISABLED_WedgesFollowAnApproach) {
 }
 
 // No wedge fails before 0.23 of the separation has been travelled, turning or not.
-TEST(CollisionFamilies, DISABLED_WedgesLast) {
+TEST(SlowCollisionFamilies, WedgesLast) {
   for (std::uint64_t seed = 1; seed <= (kSanitized ? 4 : 20); ++seed) {
     WorkloadParameters parameters;
     parameters.n = 12;
@@ -215,7 +215,7 @@ TEST(CollisionFamilies, DISABLED_WedgesLast) {
 }
 
 // Every pair has a proof of constant size, far apart of one certificate.
-TEST(CollisionFamilies, DISABLED_ProofsAreSmall) {
+TEST(CollisionFamilies, ProofsAreSmall) {
   const Scene scene = family("polygons-in-box", 9, 8, nullptr);
   for (const std::string& name : collision_structures(true)) {
     Trial trial(scene, name, "exact", AuditLevel::kEnd);
