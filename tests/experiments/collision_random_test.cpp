@@ -109,7 +109,9 @@ void check_many(std::uint64_t first, int count, int most, bool turning, std::siz
     if (testing::Test::HasFailure()) return;
   }
   EXPECT_GE(found, contacts);
-  EXPECT_LT(found, static_cast<std::size_t>(count));  // some never meet
+  if (count > 1) {
+    EXPECT_LT(found, static_cast<std::size_t>(count));  // some never meet
+  }
 }
 
 TEST(CollisionRuns, SmallPolygonsThatTurn) { check_many(1, kSanitized ? 4 : 25, 8, true, 1); }
@@ -118,8 +120,12 @@ TEST(CollisionRuns, SmallPolygonsThatDoNotTurn) {
 }
 TEST(CollisionRuns, LargerPolygons) { check_many(2000, kSanitized ? 1 : 4, 24, true, 0); }
 
-TEST(SlowCollisionRuns, DISABLED_Turning) { check_many(10000, kSanitized ? 20 : 200, 12, true, 10); }
-TEST(SlowCollisionRuns, DISABLED_NotTurning) { check_many(20000, kSanitized ? 20 : 200, 12, false, 10); }
+TEST(SlowCollisionRuns, DISABLED_Turning) {
+  check_many(10000, kSanitized ? 20 : 200, 12, true, 10);
+}
+TEST(SlowCollisionRuns, DISABLED_NotTurning) {
+  check_many(20000, kSanitized ? 20 : 200, 12, false, 10);
+}
 TEST(SlowCollisionRuns, DISABLED_Large) { check_many(30000, kSanitized ? 3 : 40, 24, true, 1); }
 
 }  // namespace

@@ -134,9 +134,10 @@ TEST(MixedTiles, PointsAreCoveredOnce) {
       EXPECT_EQ(convex_hull(geometry.placed(*found).outline), convex_hull(holder->outline));
     }
   });
-  EXPECT_GT(inside, 100);
-  EXPECT_GT(in_m, 100);
-  EXPECT_GT(beyond, 50);
+  const int enough = kSanitized ? 20 : 100;
+  EXPECT_GT(inside, enough);
+  EXPECT_GT(in_m, enough);
+  EXPECT_GT(beyond, enough / 2);
 }
 
 // The certificates of a tile are its sides: zero on them, positive within, negative beyond.

@@ -94,8 +94,9 @@ TEST(SeparationMixed, IsInTheTileThatHoldsThePoint) {
     follow(scene, 40, seen);
     if (HasFailure()) return;
   }
-  EXPECT_GT(seen.inside, 0);
   EXPECT_GT(seen.beyond, rounds);
+  if (kSanitized) return;  // fewer rounds
+  EXPECT_GT(seen.inside, 0);
   EXPECT_GT(seen.sides, rounds);
   EXPECT_GT(seen.flips, 0);
   EXPECT_GT(seen.contacts, 0);
@@ -115,8 +116,8 @@ TEST(SeparationMixed, TurnsCloseBy) {
     follow(scene, 60, seen);
     if (HasFailure()) return;
   }
-  EXPECT_GT(seen.inside, 100);
-  EXPECT_GT(seen.flips, 30);
+  EXPECT_GT(seen.inside, kSanitized ? 20 : 100);
+  EXPECT_GT(seen.flips, kSanitized ? 5 : 30);
 }
 
 }  // namespace
