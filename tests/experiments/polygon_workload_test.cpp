@@ -197,10 +197,10 @@ std::pair<std::size_t, std::size_t> closest(const Polygon2& a, const Polygon2& b
   return best;
 }
 
-// One tooth of the fan, sampled: 3m + 2 changes as the polygon turns by one vertex.
-TEST(PolygonWorkload, FanIsCrossedTwicePerVertex) {
-  const int n = 8, m = 3;
-  const Scene scene = generate("polygon-fan", n, m, 2);
+// How often the pair that `pair_of` finds changes as the polygon turns by one of its 8 vertices,
+// sampled.
+template <class PairOf>
+int changes_of_a_tooth(const Scene& scene, const PairOf& pair_of) {
   const int samples = test::kSanitized ? 600 : 1500;
   std::optional<std::pair<std::size_t, std::size_t>> last;
   int changes = 0;
@@ -208,11 +208,17 @@ TEST(PolygonWorkload, FanIsCrossedTwicePerVertex) {
     // In the first piece the body is turned by 2 atan(t / (1 - t)): from 0 to 45 degrees.
     const Rational tan = fraction_of(k, samples) * fraction_of(41421356, 100000000);
     const Rational t = tan / (Rational(1) + tan);
-    const auto now = closest(at(scene, 0, t), at(scene, 1, t));
+    const auto now = pair_of(at(scene, 0, t), at(scene, 1, t));
     changes += last && *last != now;
     last = now;
   }
-  EXPECT_EQ(changes, 3 * m + 2);
+  return changes;
+}
+
+TEST(PolygonWorkload, FanIsCrossedTwicePerVertex) {
+  const int n = 8, m = 3;
+  const Scene scene = generate("polygon-fan", n, m, 2);
+  EXPECT_EQ(changes_of_a_tooth(scene, closest), 3 * m + 2);
 }
 
 // The vertices that the inner tangent with b on its left touches: all of a is on its right.
@@ -235,17 +241,7 @@ std::pair<std::size_t, std::size_t> tangent(const Polygon2& a, const Polygon2& b
 TEST(PolygonWorkload, TangentsCrossTheirFanTwicePerVertex) {
   const int n = 8, m = 3;
   const Scene scene = generate("polygon-tangents", n, m, 2);
-  const int samples = test::kSanitized ? 600 : 1500;
-  std::optional<std::pair<std::size_t, std::size_t>> last;
-  int changes = 0;
-  for (int k = 0; k <= samples; ++k) {
-    const Rational tan = fraction_of(k, samples) * fraction_of(41421356, 100000000);
-    const Rational t = tan / (Rational(1) + tan);
-    const auto now = tangent(at(scene, 0, t), at(scene, 1, t));
-    changes += last && *last != now;
-    last = now;
-  }
-  EXPECT_EQ(changes, 2 * m + 1);
+  EXPECT_EQ(changes_of_a_tooth(scene, tangent), 2 * m + 1);
 }
 
 TEST(PolygonWorkload, PathsKeepTheirClearance) {
