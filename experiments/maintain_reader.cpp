@@ -77,6 +77,11 @@ std::optional<Complaint> complaint_about(const std::string& name, const Scene& s
                          " axes, the scene has " + std::to_string(dimension),
                      "maintain something else, or give the scene more axes"};
   }
+  if (!info->any_dimension() && dimension > info->min_dimension) {
+    return Complaint{show_text(name) + " is for " + std::to_string(info->min_dimension) +
+                         " axes, the scene has " + std::to_string(dimension),
+                     "leave axes out, or maintain something else"};
+  }
   if (info->linear && scene.degree() > 1) {
     return Complaint{show_text(name) + " needs linear motions, the scene has motions of degree " +
                          std::to_string(scene.degree()),

@@ -129,6 +129,10 @@ std::vector<Workload> point_workloads() {
        generate_rotating_circle},
       {"static-one-mover", "one object crosses n - 1 objects at rest", 2, 1, 3, true, false, false,
        "", generate_static_one_mover},
+      {"new-plans", "random motion; --m times an object heads for another destination", 2, 1, 3,
+       true, false, true, "", generate_new_plans},
+      {"come-and-go", "random motion; half of the objects appear, and half disappear, on the way",
+       2, 1, 3, true, false, false, "", generate_come_and_go},
   };
 }
 

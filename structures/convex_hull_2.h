@@ -64,6 +64,10 @@ namespace kinex {
 
 class ConvexHull2 final : public Structure {
  public:
+  // Certificates that a point is in at most, per half and level. Seen: at most 4.1 (the benchmark
+  // hull_levels).
+  static constexpr int kPerLevel = 24;
+
   enum class Variant { kLocal, kNaive };
   // After those of HullEvents; all internal.
   enum Kind : std::uint8_t {
@@ -112,10 +116,6 @@ class ConvexHull2 final : public Structure {
   using Corner = HullSigns::Corner;
   static constexpr Index kNone = 0xffffffffu;
   static constexpr unsigned kHalves = 2;
-  // Certificates that a point is in at most, per half and level. Seen: at most 4.1 (the benchmark
-  // hull_levels).
-  static constexpr int kPerLevel = 24;
-
   // What a certificate is for: tag = 8 * (edge or node) + slot.
   enum Slot : std::uint32_t { kSlotX, kSlotY, kSlotS1, kSlotS2, kSlotLeft, kSlotRight };
   // Where the slope of a line falls in the run over it, as seen from the corner that says so.

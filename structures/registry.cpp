@@ -197,6 +197,11 @@ std::unique_ptr<Structure> make_structure(const Request& request, const Scene& s
                                 std::to_string(entry->info.min_dimension) + " or more, not " +
                                 std::to_string(scene.dimension));
   }
+  if (!entry->info.any_dimension() && scene.dimension > entry->info.min_dimension) {
+    throw std::invalid_argument(request.structure + " is for scenes of dimension " +
+                                std::to_string(entry->info.min_dimension) + ", not " +
+                                std::to_string(scene.dimension));
+  }
   if (!entry->info.reads.empty() && (watched == nullptr || watched->name() != entry->info.reads)) {
     throw std::invalid_argument(request.structure + " has to watch a " +
                                 std::string(entry->info.reads));

@@ -22,6 +22,9 @@ struct StructureInfo {
   std::string_view reads;    // the structure, of the same key, that it watches; empty: none
   bool linear = false;       // for linear motions and keys (not squared distances) only
   bool bodies = false;       // for rigid bodies; otherwise for points
+
+  // What has a key takes scenes of more axes, too; others would leave them out of account.
+  bool any_dimension() const { return uses_key; }
 };
 
 // All structures, in the order in which they are listed to people.

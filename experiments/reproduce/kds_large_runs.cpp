@@ -46,6 +46,7 @@ std::vector<SeriesPoint> kds_large_runs_points(bool quick) {
 PartReport kds_large_runs_report(const std::vector<SeriesResult>& results,
                                  const std::string& command) {
   PartReport report;
+  std::string on_time;  // the events of the claimed points up to t = 1
   report.tables =
       "| n | until | events | events a point | hull changes | certificates | set-up, CPU s | run, "
       "CPU s | events/s | bytes |\n| ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
@@ -58,7 +59,11 @@ PartReport kds_large_runs_report(const std::vector<SeriesResult>& results,
         "| {} | {} | {} | {:.2f} | {} | {} | {:.1f} | {:.1f} | {:.0f} | {} |\n", key.n,
         key.forever ? "no event is left" : "t = 1", run.processed, events / key.n, run.external,
         run.max_live, run.seconds_setup, run.seconds, events / run.seconds, run.peak_bytes);
-    if (key.n != kClaimedPoints || !key.forever) continue;
+    if (key.n != kClaimedPoints) continue;
+    if (!key.forever) {
+      on_time = fmt::format("{} events up to t = 1, ", run.processed);
+      continue;
+    }
     PaperClaim claim;
     claim.id = "section-11.50000";
     claim.place = "section 11";
@@ -68,7 +73,7 @@ PartReport kds_large_runs_report(const std::vector<SeriesResult>& results,
     claim.expected = "about 400,000 events";
     claim.tolerance = "a factor of 2: motion and end of the run are not stated";
     claim.observed =
-        fmt::format("{} events until none is left, {} of them hull changes; {}", run.processed,
+        fmt::format("{}{} until none is left, {} of these hull changes; {}", on_time, run.processed,
                     run.external, run.clean ? "audit and bounds hold" : run.trouble);
     const double ratio = events / kClaimedEvents;
     claim.verdict =

@@ -55,7 +55,8 @@ const std::vector<Family>& families() {
        "The hull changes Theta(log^2 n) times.",
        Law::kLogSquared,
        0,
-       {10, 20, 50, 100, 200, 400, 800, 1000, 1600, 3000, 6400, 10000, 25600},
+       // doubling from 25 on, and what the references have
+       {10, 25, 50, 100, 200, 400, 800, 1000, 1600, 3000, 3200, 6400, 10000, 12800, 25600},
        1000,
        0.5,
        1,

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "core/arithmetic.h"
 #include "experiments/cpu_clock.h"
@@ -15,34 +17,33 @@ namespace kinex {
 namespace {
 
 constexpr int kObjects = 200;
-constexpr int kRounds = 5;
+constexpr int kRounds = 15;
 
-// CPU seconds per failure time, the best of some rounds.
-double seconds_per_question(Arithmetic& arithmetic, PredicateId predicate, std::size_t arity,
-                            int questions) {
-  double best = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    WorkloadRandom random(17);
-    const double begin = cpu_seconds();
-    for (int k = 0; k < questions; ++k) {
-      std::array<ObjectId, 4> ids{};
-      for (std::size_t i = 0; i < arity; ++i) {
-        do {
-          ids[i] = static_cast<ObjectId>(random.below(kObjects));
-        } while (std::find(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(i), ids[i]) !=
-                 ids.begin() + static_cast<std::ptrdiff_t>(i));
-      }
-      const Query query = arity == 2   ? Query(predicate, {ids[0], ids[1]})
-                          : arity == 3 ? Query(predicate, {ids[0], ids[1], ids[2]})
-                                       : Query(predicate, {ids[0], ids[1], ids[2], ids[3]});
-      FailureTime time;
-      arithmetic.failure(query, time);
-      arithmetic.release(time);
+// CPU seconds of so many failure times.
+double seconds_of(Arithmetic& arithmetic, PredicateId predicate, std::size_t arity, int questions) {
+  WorkloadRandom random(17);
+  const double begin = cpu_seconds();
+  for (int k = 0; k < questions; ++k) {
+    std::array<ObjectId, 4> ids{};
+    for (std::size_t i = 0; i < arity; ++i) {
+      do {
+        ids[i] = static_cast<ObjectId>(random.below(kObjects));
+      } while (std::find(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(i), ids[i]) !=
+               ids.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    const double each = (cpu_seconds() - begin) / questions;
-    if (round == 0 || each < best) best = each;
+    const Query query = arity == 2   ? Query(predicate, {ids[0], ids[1]})
+                        : arity == 3 ? Query(predicate, {ids[0], ids[1], ids[2]})
+                                     : Query(predicate, {ids[0], ids[1], ids[2], ids[3]});
+    FailureTime time;
+    arithmetic.failure(query, time);
+    arithmetic.release(time);
   }
-  return best;
+  return cpu_seconds() - begin;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
 }
 
 }  // namespace
@@ -64,15 +65,20 @@ PolynomialWeights measured_weights(const std::string& arithmetic) {
     numbers->set_motion(i, scene.objects[i].motion.pieces[0].trajectory, std::nullopt);
   }
   numbers->set_now(scene.start);
-  const int questions = arithmetic == "exact" ? 20000 : 300;
-  const double order =
-      seconds_per_question(*numbers, numbers->bind(make_coordinate_order(0)), 2, questions);
-  const double orientation =
-      seconds_per_question(*numbers, numbers->bind(make_orientation_2()), 3, questions);
-  const double circle =
-      seconds_per_question(*numbers, numbers->bind(make_in_circle_2()), 4, questions);
-  const double two = orientation / order, four = circle / order;
-  return {"measured in " + arithmetic, {0, 1, two, (two + four) / 2, four}};
+  const int questions = arithmetic == "exact" ? 10000 : 100;
+  const PredicateId order = numbers->bind(make_coordinate_order(0));
+  const PredicateId orientation = numbers->bind(make_orientation_2());
+  const PredicateId circle = numbers->bind(make_in_circle_2());
+  // The machine's speed varies from minute to minute: ratios are taken within a round, right after
+  // one another, and the median of the rounds counts.
+  std::vector<double> two, four;
+  for (int round = 0; round < kRounds; ++round) {
+    const double one = seconds_of(*numbers, order, 2, questions);
+    two.push_back(seconds_of(*numbers, orientation, 3, questions) / one);
+    four.push_back(seconds_of(*numbers, circle, 4, questions) / one);
+  }
+  const double w2 = median(two), w4 = median(four);
+  return {"measured in " + arithmetic, {0, 1, w2, (w2 + w4) / 2, w4}};
 }
 
 double cost_of(const RunRecord& record, const PolynomialWeights& weights) {

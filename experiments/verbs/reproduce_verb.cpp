@@ -86,6 +86,12 @@ ReproducedPart run_part(const PaperPart& part, const Options& options, RecordSto
   done.report = part.report(run.results, command_of(options, part.name));
   done.interrupted = run.interrupted;
   done.troubles = std::move(run.troubles);
+  if (run.interrupted) {
+    for (PaperClaim& claim : done.report.claims) {
+      claim.verdict = ClaimVerdict::kOpen;
+      claim.observed += "; interrupted: not all runs were made";
+    }
+  }
   return done;
 }
 

@@ -129,8 +129,10 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand(
       "verify", "The bound-verification experiments: writes verify.sqlite and verify.html");
-  verb->add_option("STRUCTURE", options->structure,
-                   "A structure, maximum, minimum, collision (all structures for it), or all (default)");
+  verb->add_option(
+      "STRUCTURE", options->structure,
+      "A structure; maximum, minimum, convex_hull or collision: all structures for it; "
+      "or all (default)");
   verb->add_flag("--quick", options->quick, "Smaller sizes: a few minutes on one core");
   verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
   verb->add_flag("--force", options->force, "Replace results that exist");

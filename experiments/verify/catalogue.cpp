@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/input_error.h"
+#include "experiments/verify/point_studies.h"
 
 namespace kinex {
 
@@ -14,7 +15,7 @@ namespace {
 
 bool is_group(std::string_view structure) {
   return structure == "all" || structure == "maximum" || structure == "minimum" ||
-         structure == "collision";
+         structure == "convex_hull" || structure == "collision";
 }
 
 bool is_selected(std::string_view structure, const StructureInfo& info) {
@@ -60,7 +61,7 @@ void count_comparisons(std::vector<Cell>& cells) {
 
 Catalogue make_catalogue(std::string_view structure, Extent extent) {
   if (!is_group(structure) && find_structure_info(structure) == nullptr) {
-    std::string names = "all, maximum, minimum, collision";
+    std::string names = "all, maximum, minimum, convex_hull, collision";
     for (const StructureInfo& info : structure_infos()) names += ", " + std::string(info.name);
     throw InputError("verify", "", show_text(structure) + " is not a structure",
                      "choose one of " + names);
@@ -71,7 +72,17 @@ Catalogue make_catalogue(std::string_view structure, Extent extent) {
   for (const StructureInfo& info : structure_infos()) add_common_cells(catalogue, info, extent);
   add_maximum_comparison(catalogue, extent);
   add_collision_cells(catalogue, extent);
-  if (structure == "all" || structure == "collision") add_collision_studies(catalogue, extent);
+  const bool quick = extent == Extent::kQuick;
+  const auto asked = [&](std::string_view group, std::string_view one) {
+    return structure == "all" || structure == group || structure == one;
+  };
+  if (asked("maximum", "maximum_hanger")) {
+    catalogue.studies.push_back({"maximum_hanger", study_hanger, quick});
+  }
+  if (asked("convex_hull", "convex_hull_2")) {
+    catalogue.studies.push_back({"convex_hull_2", study_hull_locality, quick});
+  }
+  if (asked("collision", "collision")) add_collision_studies(catalogue, extent);
   select(catalogue.cells, structure);
   count_comparisons(catalogue.cells);
   select(catalogue.growths, structure);

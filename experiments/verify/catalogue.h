@@ -16,8 +16,8 @@ namespace kinex {
 
 enum class Extent { kQuick, kFull };
 
-// `structure`: a registered name, "maximum" or "minimum" (all structures for it), "collision" (all
-// for bodies), or "all". Throws InputError for any other name.
+// `structure`: a registered name, "maximum", "minimum" or "convex_hull" (all structures for it),
+// "collision" (all for bodies), or "all". Throws InputError for any other name.
 Catalogue make_catalogue(std::string_view structure, Extent extent);
 
 // ---- the parts, for structures that are registered or not

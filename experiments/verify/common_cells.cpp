@@ -29,6 +29,8 @@ constexpr Scenes kScenes[] = {
     {"uniform-disk", 1, 1, false},
     {"gaussian", 1, 1, false},
     {"static-one-mover", 1, 1, false},
+    {"new-plans", 1, 1, false},
+    {"come-and-go", 1, 1, false},
     {"grid", 1, 1, true},
     {"lattice", 1, 1, true},
     {"meet", 1, 1, true},

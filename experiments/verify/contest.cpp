@@ -17,14 +17,14 @@ constexpr double kPatience = 1;  // seconds, set-up included
 
 }  // namespace
 
-std::optional<Contest> compare_with_double(const Scene& scene, const Measurement& exact,
-                                           const std::function<bool()>& go_on) {
+std::optional<SpeedContest> compare_with_double(const Scene& scene, const Measurement& exact,
+                                                const std::function<bool()>& go_on) {
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   options.progress = [&](const Simulator&) { return go_on(); };
   SimulatorOptions limited = options;  // rounding errors may make events without end
   limited.max_events = 4 * exact.run.events + 10000;
-  Contest contest;
+  SpeedContest contest;
   const double began = cpu_seconds();
   double best_exact = 0, best_double = 0, total_exact = 0, total_double = 0;
   for (int round = 0; round < kMostRounds; ++round) {

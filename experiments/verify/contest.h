@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contest: what exactness costs on one scene: CPU time in `exact` over CPU time in `double`.
+// SpeedContest: what exactness costs on one scene: CPU time in `exact` over CPU time in `double`.
 #ifndef KINEX_EXPERIMENTS_VERIFY_CONTEST_H
 #define KINEX_EXPERIMENTS_VERIFY_CONTEST_H
 
@@ -10,7 +10,7 @@
 
 namespace kinex {
 
-struct Contest {
+struct SpeedContest {
   Measurement rival;  // the run in `double`
   // Simulation only, best of the rounds; nullopt if the time is too short to be measured, or a run
   // gave up.
@@ -22,8 +22,8 @@ struct Contest {
 // `exact`: what the scene gives in exact arithmetic. Rounds in the two arithmetics take turns until
 // each has taken 20 ms, at least one and at most 40, and a second for all of it. nullopt if `go_on`
 // says to stop.
-std::optional<Contest> compare_with_double(const Scene& scene, const Measurement& exact,
-                                           const std::function<bool()>& go_on);
+std::optional<SpeedContest> compare_with_double(const Scene& scene, const Measurement& exact,
+                                                const std::function<bool()>& go_on);
 
 }  // namespace kinex
 

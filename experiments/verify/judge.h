@@ -46,7 +46,7 @@ struct Trial {
 struct CellResult {
   Cell cell;
   std::vector<Trial> trials;
-  std::optional<Contest> contest;  // on the first scene
+  std::optional<SpeedContest> contest;  // on the first scene
   std::vector<Check> checks;
   std::vector<std::string> kept;  // files: scenes that failed
   double seconds = 0;             // all of it, wall clock

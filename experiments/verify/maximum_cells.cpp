@@ -3,8 +3,9 @@
 //   locality, compactness and efficiency of each.
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5, for the
 //   structures and for the worst cases of tournament and heap; worst_cases.cpp and uniform_lines.h.
-// Parameters: the two worst-case families and random motion, of degree 1 to 3; eight seeds where
-//   there are no other experiments on the same scenes.
+// Parameters: the two worst-case families; random motion, of degree 1 to 3; random motion in which
+//   every object changes its flight plan once on the mean, or three of four come or go; eight seeds
+//   where there are no other experiments on the same scenes.
 // Expected: the maximum changes equally often, whoever maintains it; the sorted list swaps all
 // pairs;
 //   the envelope and the dual hull have no internal events.
@@ -34,6 +35,8 @@ constexpr Family kFamilies[] = {
     {"heap-worst", 63, 1, false},       {"heap-worst", 255, 1, true},
     {"uniform-square", 256, 1, false},  {"uniform-square", 1024, 1, false},
     {"uniform-square", 24, 2, false},   {"uniform-square", 24, 3, false},
+    {"new-plans", 64, 1, false},        {"new-plans", 256, 1, false},
+    {"come-and-go", 64, 1, false},      {"come-and-go", 256, 1, false},
 };
 
 Expectation expect(std::string claim, ExpectationKind kind, Quantity quantity, std::string source) {
@@ -58,8 +61,8 @@ Cell new_cell(const std::string& structure, const Family& family) {
   if (cell.random) {
     cell.parameters.dimension = 1;
     cell.min_seeds = cell.max_seeds = kSeeds;
-    cell.family = "uniform";
-    if (family.degree == 1) {
+    cell.family = family.workload == std::string("uniform-square") ? "uniform" : family.workload;
+    if (family.degree == 1 && cell.family == "uniform") {
       cell.expectations.push_back(expect("maximum.envelope", ExpectationKind::kWitness, "external",
                                          "breakpoints of the envelope, from the lines sorted by "
                                          "slope"));

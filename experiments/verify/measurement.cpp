@@ -44,6 +44,14 @@ std::uint64_t all_signs(const ArithmeticCounters& numbers) {
   return sum;
 }
 
+std::uint64_t all_failures(const ArithmeticCounters& numbers) {
+  std::uint64_t sum = 0;
+  for (const PredicateCounters& predicate : numbers.by_predicate) {
+    for (const std::uint64_t count : predicate.failures) sum += count;
+  }
+  return sum;
+}
+
 void add(const PredicateCounters& one, PredicateCounters& sum) {
   for (std::size_t s = 0; s < kStages; ++s) {
     sum.signs[s] += one.signs[s];
@@ -84,6 +92,14 @@ void add_costs(const StructureLedger& read, StructureLedger& sum) {
 
 std::uint64_t Measurement::signs() const { return all_signs(numbers) - signs_at_start; }
 
+std::uint64_t Measurement::scene_changes() const {
+  return ledger.motion_updates + ledger.insertions + ledger.erasures;
+}
+
+std::uint64_t Measurement::asked_by_scene() const {
+  return all_failures(numbers) - failures_at_start - costs.created_per_event.total;
+}
+
 std::uint64_t Measurement::count_of(const Quantity& quantity) const {
   std::uint64_t sum = 0;
   std::size_t begin = 0;
@@ -108,11 +124,13 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
       make_simulator(scene, std::string(arithmetic), std::move(options));
   simulator->start();
   result.signs_at_start = all_signs(simulator->kernel().arithmetic().counters());
+  result.failures_at_start = all_failures(simulator->kernel().arithmetic().counters());
   const double begin = cpu_seconds();
   result.status = simulator->run_until(std::nullopt);
   result.seconds = cpu_seconds() - begin;
-  if (audit_end && result.status == RunStatus::kDone) simulator->audit();
   const Kernel& kernel = simulator->kernel();
+  result.numbers = kernel.arithmetic().counters();
+  if (audit_end && result.status == RunStatus::kDone) simulator->audit();
   result.arithmetic = kernel.arithmetic().name();
   const StructureId asked = asked_structure(scene);
   result.ledger = result.costs = kernel.ledger(asked);
@@ -120,7 +138,6 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
     if (id != asked) add_costs(kernel.ledger(id), result.costs);
   }
   result.run = simulator->ledger();
-  result.numbers = kernel.arithmetic().counters();
   // Structures that read one another may ask the same question: counted under one name.
   std::vector<PredicateCounters> counters;
   for (std::size_t id = 0; id < result.numbers.by_predicate.size(); ++id) {

@@ -29,6 +29,7 @@ struct Measurement {
   RunLedger run;
   ArithmeticCounters numbers;
   std::uint64_t signs_at_start = 0;     // asked for when the structure was built
+  std::uint64_t failures_at_start = 0;  // failure times, likewise
   std::vector<std::string> predicates;  // names, by PredicateId
   std::vector<BoundCheck> bounds;
   std::vector<std::string> violations;  // of audits
@@ -42,6 +43,10 @@ struct Measurement {
   }
   // Signs asked for while the scene ran.
   std::uint64_t signs() const;
+  // Changes of the scene: flight plans that changed, objects that came and went.
+  std::uint64_t scene_changes() const;
+  // Failure times asked for by these, and by rebuilding, rather than by events.
+  std::uint64_t asked_by_scene() const;
   // A quantity (cell.h). Throws std::invalid_argument for a name that there is not.
   std::uint64_t count_of(const Quantity& quantity) const;
 };

@@ -21,11 +21,19 @@ std::string count_text(double mean) {
 
 }  // namespace
 
-Measures measures_of(const CellResult& cell) {
+Measures measures_of(const CellResult& cell) { return measures_of(cell, cell.trials.size()); }
+
+Measures measures_of(const CellResult& cell, std::size_t trials) {
+  const std::vector<Trial> first(
+      cell.trials.begin(),
+      cell.trials.begin() + static_cast<std::ptrdiff_t>(std::min(trials, cell.trials.size())));
   Measures result;
-  std::uint64_t changed = 0, events = 0;
-  for (const Trial& trial : cell.trials) {
+  std::uint64_t changed = 0, events = 0, scene_changes = 0, asked_by_scene = 0, signs = 0;
+  for (const Trial& trial : first) {
     const StructureLedger& ledger = trial.measurement.costs;
+    scene_changes += trial.measurement.scene_changes();
+    asked_by_scene += trial.measurement.asked_by_scene();
+    signs += trial.measurement.signs();
     // The largest numbers of both, which need not be of the same event, but are wherever every
     // certificate that goes is replaced.
     result.most_changed = std::max(result.most_changed,
@@ -35,10 +43,18 @@ Measures measures_of(const CellResult& cell) {
     result.per_object = std::max(result.per_object, ledger.max_per_object);
     result.certificates = std::max(result.certificates, ledger.max_live);
   }
-  result.events = mean_of(cell.trials, "processed").mean();
-  result.external = mean_of(cell.trials, "external").mean();
-  result.internal = mean_of(cell.trials, "internal").mean();
+  result.events = mean_of(first, "processed").mean();
+  result.external = mean_of(first, "external").mean();
+  result.internal = mean_of(first, "internal").mean();
   if (events > 0) result.mean_changed = static_cast<double>(changed) / static_cast<double>(events);
+  if (scene_changes > 0) {
+    result.asked_by_scene =
+        static_cast<double>(asked_by_scene) / static_cast<double>(scene_changes);
+  }
+  const double asked =
+      result.events * static_cast<double>(first.size()) + static_cast<double>(scene_changes);
+  if (asked > 0 && cell.cell.audit != AuditLevel::kEvents)
+    result.signs = static_cast<double>(signs) / asked;
   return result;
 }
 
@@ -54,27 +70,43 @@ std::vector<MeasuresTable> measures_tables(const std::vector<CellResult>& cells)
     if (table) tables.push_back(*std::move(table));
   }
   for (auto& [comparison, rows] : comparisons) {
-    std::stable_sort(rows.begin(), rows.end(), [](const CellResult* a, const CellResult* b) {
-      const auto place = [](const CellResult* c) {
-        return std::tuple(c->cell.workload, c->cell.parameters.degree, c->cell.parameters.n,
-                          c->cell.workload_text());
-      };
-      return place(a) < place(b);
-    });
+    const auto place = [](const CellResult* c) {
+      return std::tuple(c->cell.workload, c->cell.parameters.degree, c->cell.parameters.n,
+                        c->cell.workload_text());
+    };
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&](const CellResult* a, const CellResult* b) { return place(a) < place(b); });
+    std::map<decltype(place(nullptr)), std::size_t> seeds;  // those that all have
+    for (const CellResult* cell : rows) {
+      std::size_t& fewest = seeds.try_emplace(place(cell), cell->trials.size()).first->second;
+      fewest = std::min(fewest, cell->trials.size());
+    }
     MeasuresTable table;
     table.title = comparison + ": responsiveness, locality, compactness and efficiency";
-    table.header = {"workload",     "n",
-                    "structure",    "events",
-                    "external",     "certificates changed per event: most",
-                    "mean",         "certificates per object",
-                    "certificates", "internal per external"};
+    table.header = {"workload",
+                    "n",
+                    "structure",
+                    "scenes",
+                    "events",
+                    "external",
+                    "certificates changed per event: most",
+                    "mean",
+                    "failure times by a change of the scene",
+                    "signs per event or change",
+                    "certificates per object",
+                    "certificates",
+                    "internal per external"};
     for (const CellResult* cell : rows) {
-      const Measures m = measures_of(*cell);
+      const std::size_t scenes = seeds.at(place(cell));
+      const Measures m = measures_of(*cell, scenes);
       table.rows.push_back(
           {cell->cell.workload_text(), std::to_string(cell->cell.parameters.n),
-           cell->cell.structure, count_text(m.events), count_text(m.external),
-           std::to_string(m.most_changed), fmt::format("{:.1f}", m.mean_changed),
-           std::to_string(m.per_object), std::to_string(m.certificates),
+           cell->cell.structure, std::to_string(scenes), count_text(m.events),
+           count_text(m.external), std::to_string(m.most_changed),
+           fmt::format("{:.1f}", m.mean_changed),
+           m.asked_by_scene < 0 ? "-" : fmt::format("{:.1f}", m.asked_by_scene),
+           m.signs < 0 ? "-" : fmt::format("{:.1f}", m.signs), std::to_string(m.per_object),
+           std::to_string(m.certificates),
            m.internal_per_external() < 0 ? "-" : fmt::format("{:.2f}", m.internal_per_external())});
     }
     tables.push_back(std::move(table));

@@ -4,6 +4,7 @@
 #ifndef KINEX_EXPERIMENTS_VERIFY_MEASURES_H
 #define KINEX_EXPERIMENTS_VERIFY_MEASURES_H
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,10 +22,16 @@ struct Measures {
   double mean_changed = 0;         // the mean of that
   std::uint64_t per_object = 0;    // locality: the most certificates of one object
   std::uint64_t certificates = 0;  // compactness: the most certificates at one time
+  // Mean of the failure times asked for by a change of the scene: a flight plan that changes, an
+  // object that comes or goes. Negative if there was none.
+  double asked_by_scene = -1;
+  // Mean of the signs asked for, by event or change of the scene. Negative if audits asked as well.
+  double signs = -1;
   // Efficiency: internal events per external one; negative if there was no external one.
   double internal_per_external() const { return external > 0 ? internal / external : -1; }
 };
-// Requires at least one trial.
+// Of the first `trials` scenes, or of all where there are no more. Requires at least one.
+Measures measures_of(const CellResult& cell, std::size_t trials);
 Measures measures_of(const CellResult& cell);
 
 // One row of text per cell, in the order of the scenes: title, header, cells.
@@ -34,7 +41,7 @@ struct MeasuresTable {
   std::vector<std::vector<std::string>> rows;
 };
 // What cells of collisions tell together (collision_story.h), then one table per comparison that
-// cells take part in.
+// cells take part in: structures are compared on the same scenes, as many as each has.
 std::vector<MeasuresTable> measures_tables(const std::vector<CellResult>& cells);
 MeasuresTable study_table(const StudyResult& study);
 // As text, in Markdown, with a newline in front.

@@ -34,7 +34,7 @@ std::string keep_scene(const Cell& cell, int k, const std::string& folder) {
 }
 
 Trial run_trial(const Cell& cell, int k, const VerifyOptions& options,
-                std::optional<Contest>& contest) {
+                std::optional<SpeedContest>& contest) {
   const Scene scene = scene_of(cell, k);
   SimulatorOptions simulator;
   simulator.audit = cell.audit;

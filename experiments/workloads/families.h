@@ -78,6 +78,9 @@ void generate_expanding_circle(const WorkloadParameters&, Scene&);
 void generate_rotating_circle(const WorkloadParameters&, Scene&);
 // static_one_mover.cpp
 void generate_static_one_mover(const WorkloadParameters&, Scene&);
+// changes.cpp: flight plans that change, objects that come and go
+void generate_new_plans(const WorkloadParameters&, Scene&);
+void generate_come_and_go(const WorkloadParameters&, Scene&);
 
 }  // namespace kinex
 

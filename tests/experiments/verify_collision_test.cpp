@@ -60,8 +60,8 @@ TEST(CollisionCatalogue, IsAGroupOfAllStructuresForBodies) {
   EXPECT_TRUE(std::includes(structures.begin(), structures.end(), all.begin(), all.end()));
   EXPECT_EQ(common, structures);
   EXPECT_EQ(group.studies.size(), 2u);
-  EXPECT_EQ(make_catalogue("all", Extent::kQuick).studies.size(), 2u);
-  EXPECT_TRUE(make_catalogue("maximum", Extent::kQuick).studies.empty());
+  EXPECT_EQ(make_catalogue("all", Extent::kQuick).studies.size(), 4u);
+  EXPECT_TRUE(make_catalogue("minimum", Extent::kQuick).studies.empty());
 }
 
 TEST(CollisionCatalogue, ExpectsTheCountsOfTheFans) {

@@ -69,13 +69,34 @@ TEST(Workload, EveryFamilyIsAValidScene) {
       Scene scene = generate(workload.name, 8, 3, 1, dimension);
       EXPECT_EQ(scene.has_bodies(), workload.bodies);
       if (!workload.bodies) {
-        EXPECT_EQ(scene.objects.size(), workload.takes_m ? 16u : 8u);
+        EXPECT_EQ(scene.objects.size(), workload.name == "hull-worst" ? 16u : 8u);
         EXPECT_FALSE(scene.maintain.empty());
       }
       scene.maintain.clear();
       const std::string text = write_scene(scene);
       EXPECT_EQ(write_scene(parse_scene(text, "again")), text) << workload.name;
     }
+  }
+}
+
+// As many changes as asked for, at instants of their own; who is there at which time.
+TEST(Workload, ChangesAreWhatTheFamiliesSay) {
+  const Scene plans = generate("new-plans", 5, 1, 1, 0, 40);
+  std::size_t changes = 0;
+  for (const SceneObject& object : plans.objects) {
+    changes += object.motion.pieces.size() - 1;
+    for (std::size_t k = 1; k < object.motion.pieces.size(); ++k) {
+      const MotionPiece& piece = object.motion.pieces[k];
+      EXPECT_TRUE(object.motion.pieces[k - 1].trajectory.meets(piece.trajectory, *piece.from));
+      EXPECT_FALSE(object.motion.pieces[k - 1].trajectory == piece.trajectory);
+    }
+  }
+  EXPECT_EQ(changes, 40u);
+  const Scene guests = generate("come-and-go", 8);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const MotionPiece& piece = guests.objects[i].motion.pieces.front();
+    EXPECT_EQ(piece.from.has_value(), i % 2 == 1) << i;
+    EXPECT_EQ(piece.to.has_value(), i % 4 >= 2) << i;
   }
 }
 

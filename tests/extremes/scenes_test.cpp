@@ -159,6 +159,7 @@ class ExtremeScene : public testing::Test {
     for (const StructureInfo& info : structure_infos()) {
       const std::string name(info.name);
       if (name == own || info.min_dimension > scene.dimension || info.bodies) continue;
+      if (!info.any_dimension() && info.min_dimension < scene.dimension) continue;
       if (info.linear && scene.degree() > 1) continue;
       SCOPED_TRACE(name);
       scene.maintain = {{name, name, {}}};
