@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/simulator.h"
@@ -34,7 +35,17 @@ struct Result {
   std::uint64_t events = 0;
   double build = 0, run = 0;
   std::uint64_t bytes = 0, live = 0, per_object = 0;
+  std::uint64_t changed = 0, signs = 0;  // certificates and signs, by events
 };
+
+std::uint64_t signs_so_far(const Simulator& simulator) {
+  std::uint64_t sum = 0;
+  for (const PredicateCounters& predicate :
+       simulator.kernel().arithmetic().counters().by_predicate) {
+    for (const std::uint64_t count : predicate.signs) sum += count;
+  }
+  return sum;
+}
 
 Scene scene_of(const Contest& contest) {
   WorkloadParameters parameters;
@@ -56,15 +67,18 @@ Result measure(const Scene& scene, const char* arithmetic, std::uint64_t events)
   Result result;
   const double start = cpu_seconds();
   simulator.start();
+  const std::uint64_t signs = signs_so_far(simulator);
   const double built = cpu_seconds();
   simulator.run_until(std::nullopt);
   result.build = built - start;
   result.run = cpu_seconds() - built;
   result.events = simulator.ledger().events;
   result.bytes = simulator.ledger().peak_bytes;
+  result.signs = signs_so_far(simulator) - signs;
   for (std::size_t i = 0; i < simulator.structures(); ++i) {
     const StructureLedger& ledger = simulator.kernel().ledger(static_cast<StructureId>(i));
     result.live += ledger.max_live;
+    result.changed += ledger.created_per_event.total + ledger.retracted_per_event.total;
     result.per_object = std::max(result.per_object, ledger.max_per_object);
   }
   return result;
@@ -77,15 +91,48 @@ double process_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1e3;
 }
 
-void add_row(const Contest& contest, const Result& exact, const Result& plain, ResultTable& table) {
+double levels_of(int n) {
   double levels = 0;
-  for (int k = 1; k < contest.n; k *= 2) ++levels;
+  for (int k = 1; k < n; k *= 2) ++levels;
+  return levels;
+}
+
+void add_row(const Contest& contest, const Result& exact, const Result& plain, ResultTable& table) {
+  const double levels = levels_of(contest.n);
   const double events = static_cast<double>(std::max<std::uint64_t>(exact.events, 1));
   const double each = exact.run / events;
   table.row({contest.structure, contest.n, exact.events, exact.build, exact.run, 1 / each,
              plain.run > 0 ? exact.run / plain.run : 0, 1e9 * each, 1e9 * each / levels,
              static_cast<double>(exact.bytes) / 1e6, process_megabytes(), exact.live,
              exact.per_object});
+}
+
+// What an event costs, in numbers that no machine changes, and in time; each by level of the tree.
+void add_growth(const Contest& contest, const Result& exact, ResultTable& table) {
+  const double levels = levels_of(contest.n);
+  const double events = static_cast<double>(std::max<std::uint64_t>(exact.events, 1));
+  const double changed = static_cast<double>(exact.changed) / events;
+  const double signs = static_cast<double>(exact.signs) / events;
+  table.row({contest.n, levels, changed, changed / levels, signs, signs / levels,
+             1e9 * exact.run / events / levels});
+}
+
+struct Aim {
+  std::string what;
+  double wanted, measured;
+  bool at_most;
+};
+
+void add_aims(const std::vector<Aim>& aims, const BenchOptions& options) {
+  ResultTable table(options, "hull_aims", "Aims.",
+                    {{"aim", ResultTable::kText, 40},
+                     {"wanted", 2, 10},
+                     {"measured", 2, 10},
+                     {"met", ResultTable::kText, 4}});
+  for (const Aim& aim : aims) {
+    const bool met = aim.at_most ? aim.measured <= aim.wanted : aim.measured >= aim.wanted;
+    table.row({aim.what, aim.wanted, aim.measured, met ? "yes" : "no"});
+  }
 }
 
 }  // namespace
@@ -104,32 +151,60 @@ int main(int argc, char** argv) {
                 {"convex_hull_2_brute_force", 20, 1, 0},
                 {"convex_hull_2_delaunay", 20, 1, 0}};
   }
-  ResultTable table(
-      *options, "hull",
-      "Kinetic convex hulls on uniform-square, in exact arithmetic; time over double.",
-      {{"structure", ResultTable::kText, 25},
-       {"n", 0, 8},
-       {"events", 0, 9},
-       {"build_seconds", 3},
-       {"seconds", 3},
-       {"events_per_second", 0},
-       {"time_over_double", 2},
-       {"ns_per_event", 0},
-       {"ns_per_event_and_level", 0},
-       {"megabytes", 1},
-       {"process_megabytes", 0},
-       {"certificates", 0},
-       {"most_per_point", 0}});
-  for (const Contest& contest : contests) {
-    const Scene scene = scene_of(contest);
-    Result best[2];
-    for (int round = 0; round < contest.rounds; ++round) {
-      for (const int which : {0, 1}) {
-        const Result result = measure(scene, which == 0 ? "exact" : "double", contest.events);
-        if (round == 0 || result.run < best[which].run) best[which] = result;
+  std::vector<std::pair<Contest, Result>> growth;
+  std::vector<Aim> aims;
+  {
+    ResultTable table(
+        *options, "hull",
+        "Kinetic convex hulls on uniform-square, in exact arithmetic; time over double.",
+        {{"structure", ResultTable::kText, 25},
+         {"n", 0, 8},
+         {"events", 0, 9},
+         {"build_seconds", 3},
+         {"seconds", 3},
+         {"events_per_second", 0},
+         {"time_over_double", 2},
+         {"ns_per_event", 0},
+         {"ns_per_event_and_level", 0},
+         {"megabytes", 1},
+         {"process_megabytes", 0},
+         {"certificates", 0},
+         {"most_per_point", 0}});
+    for (const Contest& contest : contests) {
+      const Scene scene = scene_of(contest);
+      Result best[2];
+      for (int round = 0; round < contest.rounds; ++round) {
+        for (const int which : {0, 1}) {
+          const Result result = measure(scene, which == 0 ? "exact" : "double", contest.events);
+          if (round == 0 || result.run < best[which].run) best[which] = result;
+        }
+      }
+      add_row(contest, best[0], best[1], table);
+      if (std::string(contest.structure) != "convex_hull_2") continue;
+      growth.emplace_back(contest, best[0]);
+      const double events = static_cast<double>(best[0].events);
+      if (contest.n == 10000) {
+        aims.push_back({"events per second at n = 10,000", 500000, events / best[0].run, false});
+        aims.push_back({"exact / double at n = 10,000", 1.25, best[0].run / best[1].run, true});
+      } else if (contest.n == 1000000) {
+        aims.push_back({"events run at n = 1,000,000", 1e6, events, false});
+        aims.push_back({"megabytes at n = 1,000,000", 8000, process_megabytes(), true});
       }
     }
-    add_row(contest, best[0], best[1], table);
   }
+  {
+    ResultTable table(*options, "hull_growth",
+                      "Per event of convex_hull_2, and per event and level: certificates created "
+                      "and retracted, signs, time. What grows like log n is constant per level.",
+                      {{"n", 0, 8},
+                       {"levels", 0},
+                       {"certificates_changed", 2},
+                       {"certificates_per_level", 3},
+                       {"signs", 2},
+                       {"signs_per_level", 3},
+                       {"ns_per_level", 0}});
+    for (const auto& [contest, result] : growth) add_growth(contest, result, table);
+  }
+  if (!aims.empty()) add_aims(aims, *options);
   return 0;
 }
