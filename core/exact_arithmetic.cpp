@@ -145,7 +145,7 @@ void ExactArithmetic::update_origin() {
 void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
                                  const std::optional<Rational>& until) {
   const int before = motions_.degree();
-  motions_.set(object, trajectory);
+  motions_.set(object, trajectory, origin_);
   if (motions_.degree() != before) {
     for (std::size_t i = 0; i < models_.size(); ++i) {
       models_[i].narrow = models_[i].linear = false;
@@ -208,6 +208,18 @@ void ExactArithmetic::approximate_shifted(const Query& query, Approximation& p) 
   for (int i = 0; i <= model.degree; ++i) p.m[i] = std::fabs(p.c[i]) + model.reach_error * power[i];
 }
 
+// From the anchor that the query's motions share to the origin, where doubles hold it exactly.
+std::optional<double> ExactArithmetic::shift_from_anchor(const Query& query) const {
+  if (!motions_.model().anchored) return std::nullopt;
+  const std::optional<double> anchor = motions_.shared_anchor(query.ids.data(), query.arity);
+  if (!anchor) return std::nullopt;
+  const double shift = origin_ - *anchor;
+  const double back = shift - origin_;
+  const double lost = (origin_ - (shift - back)) - (*anchor + back);
+  if (lost != 0) return std::nullopt;
+  return shift;
+}
+
 bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation& p) const {
   const PredicateModel& model = models_[query.predicate];
   const Predicate& predicate = *predicates_[query.predicate];
@@ -229,10 +241,14 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
   } else {
     if (stage != Stage::kDouble || degree > filter::kMaxFilterDegree) return false;
     std::array<MotionView<Ball>, kMaxArity> points;
-    for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.ball(query.ids[i]);
+    const bool shifts = predicate.shifts(motions_.degree());
+    const std::optional<double> from = shifts ? shift_from_anchor(query) : std::nullopt;
+    for (std::size_t i = 0; i < query.arity; ++i) {
+      points[i] = from ? motions_.anchored(query.ids[i]) : motions_.ball(query.ids[i]);
+    }
     Ball out[kRoomForCoefficients];
-    predicate.ball(motions_.degree(), points.data(), origin_, out);
-    p.origin = predicate.shifts(motions_.degree()) ? origin_ : 0;
+    predicate.ball(motions_.degree(), points.data(), from.value_or(origin_), out);
+    p.origin = shifts ? origin_ : 0;
     // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
     const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(0);
     double sum = 0;

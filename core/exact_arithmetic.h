@@ -88,6 +88,7 @@ class ExactArithmetic final : public Arithmetic {
   // The polynomial in the form of one stage (kDouble or kWide); false if the stage cannot have it.
   bool approximate(const Query& query, Stage stage, Approximation& p) const;
   void approximate_shifted(const Query& query, Approximation& p) const;
+  std::optional<double> shift_from_anchor(const Query& query) const;
   void update_origin();
   bool shift_is_exact(double origin, double step) const;
   void wide_coefficients(const Query& query, Int128* out) const;

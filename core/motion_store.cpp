@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace kinex {
 namespace {
@@ -51,13 +52,15 @@ NumberModel choose_number_model(const Scene& scene) {
     const Rational scale(model.scale);
     narrow = each([&model, &scale](std::size_t k, const Rational& c) {
       const Rational scaled = c * scale;
-      const double bound = std::max(std::fabs(scaled.lower_double()), std::fabs(scaled.upper_double()));
+      const double bound =
+          std::max(std::fabs(scaled.lower_double()), std::fabs(scaled.upper_double()));
       if (!(bound <= kMaxNarrow)) return false;
       if (k < model.magnitude.size()) model.magnitude[k] = std::max(model.magnitude[k], bound);
       return true;
     });
   }
   model.narrow = narrow;
+  model.anchored = scene.has_bodies();
   if (!narrow) {
     model.scale = Integer(1);
     model.magnitude.clear();
@@ -68,7 +71,8 @@ NumberModel choose_number_model(const Scene& scene) {
 MotionStore::MotionStore(const NumberModel& model, std::size_t objects)
     : model_(model),
       objects_(objects),
-      stride_(static_cast<std::size_t>(model.dimension) * static_cast<std::size_t>(model.degree + 1)) {
+      stride_(static_cast<std::size_t>(model.dimension) *
+              static_cast<std::size_t>(model.degree + 1)) {
   if (model_.narrow) narrow_.assign(objects_ * stride_, 0);
   narrow_object_.assign(objects_, 0);
   if (!model_.narrow) need_balls();
@@ -78,6 +82,10 @@ void MotionStore::need_balls() {
   if (balls_needed_) return;
   balls_needed_ = true;
   balls_.assign(objects_ * stride_, Ball{});
+  if (model_.anchored) {
+    anchored_.assign(objects_ * stride_, Ball{});
+    anchors_.resize(objects_, std::numeric_limits<double>::infinity());
+  }
   for (ObjectId i = 0; i < objects_; ++i) set_ball(i);
 }
 
@@ -95,6 +103,40 @@ void MotionStore::set_ball(ObjectId object) {
   for (std::size_t i = 0; i < stride_; ++i) {
     out[i] = enclose(Rational(it->second.coefficients[i]) * unit);
   }
+  if (model_.anchored) set_anchored(object);
+}
+
+// Requires big integers.
+void MotionStore::set_anchored(ObjectId object) {
+  const BigMotion& big = big_.at(object);
+  const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
+  const Rational unit(model_.scale, big.denominator);
+  const double anchor = anchors_[object];
+  const Rational shift = std::isfinite(anchor) ? *Rational::from_double(anchor) : Rational();
+  for (std::size_t begin = 0; begin < stride_; begin += powers) {
+    std::vector<Rational> axis;
+    for (std::size_t k = 0; k < powers; ++k) axis.emplace_back(big.coefficients[begin + k]);
+    std::size_t degree = powers - 1;
+    while (degree > 0 && axis[degree].is_zero()) --degree;
+    if (!shift.is_zero()) {
+      for (std::size_t k = 0; k < degree; ++k) {
+        for (std::size_t j = degree; j > k; --j) axis[j - 1] += shift * axis[j];
+      }
+    }
+    for (std::size_t k = 0; k < powers; ++k)
+      anchored_[object * stride_ + begin + k] = enclose(axis[k] * unit);
+  }
+}
+
+std::optional<double> MotionStore::shared_anchor(const ObjectId* ids, std::size_t count) const {
+  std::optional<double> shared;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double anchor = anchors_[ids[i]];
+    if (std::isinf(anchor)) continue;
+    if (shared && *shared != anchor) return std::nullopt;
+    shared = anchor;
+  }
+  return shared;
 }
 
 void MotionStore::grow_degree(int degree) {
@@ -137,11 +179,18 @@ void MotionStore::grow(std::size_t objects) {
   narrow_object_.resize(objects_, 0);
   if (model_.narrow) narrow_.resize(objects_ * stride_, 0);
   if (balls_needed_) balls_.resize(objects_ * stride_, Ball{});
+  if (model_.anchored) {
+    anchored_.resize(objects_ * stride_, Ball{});
+    anchors_.resize(objects_, std::numeric_limits<double>::infinity());
+  }
 }
 
-void MotionStore::set(ObjectId object, const Trajectory& trajectory) {
+void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anchor) {
   if (object >= objects_) grow(object + std::size_t{1});
   if (trajectory.degree() > model_.degree) grow_degree(trajectory.degree());
+  if (model_.anchored) {
+    anchors_[object] = trajectory.degree() == 0 ? std::numeric_limits<double>::infinity() : anchor;
+  }
   const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
   bool narrow = model_.narrow;
   if (narrow) {
@@ -197,9 +246,8 @@ Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) c
     Integer factor = common;
     factor.divide_exactly(it == big_.end() ? model_.scale : it->second.denominator);
     for (std::size_t k = 0; k < stride_; ++k) {
-      out[k] = it == big_.end()
-                   ? Integer(static_cast<std::int64_t>(narrow_[ids[i] * stride_ + k]))
-                   : it->second.coefficients[k];
+      out[k] = it == big_.end() ? Integer(static_cast<std::int64_t>(narrow_[ids[i] * stride_ + k]))
+                                : it->second.coefficients[k];
       out[k] *= factor;
     }
   }
@@ -208,7 +256,8 @@ Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) c
 
 std::size_t MotionStore::bytes() const {
   std::size_t total = narrow_.capacity() * sizeof(double) + narrow_object_.capacity() +
-                      balls_.capacity() * sizeof(Ball);
+                      (balls_.capacity() + anchored_.capacity()) * sizeof(Ball) +
+                      anchors_.capacity() * sizeof(double);
   for (const auto& [id, big] : big_) {
     total += sizeof(big) + 64 + big.coefficients.capacity() * (sizeof(Integer) + 16);
   }

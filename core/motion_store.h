@@ -21,6 +21,7 @@ struct NumberModel {
   bool narrow = false;          // all coefficients, times `scale`, are integers of at most 2^52
   Integer scale = Integer(1);   // common denominator of all coefficients
   std::vector<double> magnitude;  // largest |coefficient| * scale per power of t, rounded up
+  bool anchored = false;  // doubles about a time of their own are kept for every motion, too
 };
 NumberModel choose_number_model(const Scene& scene);
 
@@ -30,8 +31,8 @@ class MotionStore {
  public:
   MotionStore(const NumberModel& model, std::size_t objects);
 
-  // The object may be a new one.
-  void set(ObjectId object, const Trajectory& trajectory);
+  // The object may be a new one. `anchor`: a time near which the motion will be looked at.
+  void set(ObjectId object, const Trajectory& trajectory, double anchor = 0);
   // Doubles with error bounds are kept only from the first call on.
   void need_balls();
 
@@ -44,6 +45,11 @@ class MotionStore {
   // The number of coefficients of one object.
   std::size_t stride() const { return stride_; }
   MotionView<Ball> ball(ObjectId object) const { return &balls_[object * stride_]; }
+  // The same in t - anchor, shifted exactly before it was rounded: far from t = 0 the coefficients in t
+  // cancel, these do not. Requires model().anchored.
+  MotionView<Ball> anchored(ObjectId object) const { return &anchored_[object * stride_]; }
+  // The anchor that all moving objects of these share; nullopt if nothing moves, or they do not.
+  std::optional<double> shared_anchor(const ObjectId* ids, std::size_t count) const;
   // The exact polynomial of `predicate` over these objects, times a positive constant.
   Polynomial exact(const Predicate& predicate, const ObjectId* ids) const;
   std::size_t bytes() const;
@@ -56,6 +62,7 @@ class MotionStore {
   void grow(std::size_t objects);
   void grow_degree(int degree);
   void set_ball(ObjectId object);
+  void set_anchored(ObjectId object);
 
   NumberModel model_;
   std::size_t objects_;
@@ -63,6 +70,8 @@ class MotionStore {
   std::vector<double> narrow_;  // integers
   std::vector<std::uint8_t> narrow_object_;
   std::vector<Ball> balls_;
+  std::vector<Ball> anchored_;
+  std::vector<double> anchors_;  // per object; infinity: it does not move
   std::map<ObjectId, BigMotion> big_;
   bool balls_needed_ = false;
 };
