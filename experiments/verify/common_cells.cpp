@@ -51,8 +51,8 @@ constexpr BodyScenes kBodyScenes[] = {
     {"polygon-random", 8, 1, true},      {"polygon-random", 8, 2, true},
     {"polygon-random", 8, 3, true},      {"polygons-in-box", 5, 1, true},
     {"polygon-orbit-arcs", 8, 1, false}, {"polygon-spin-orbit", 8, 1, true},
-    {"polygon-jitter", 8, 1, false},     {"polygon-kinks", 8, 1, false},
-    {"polygon-approach", 8, 1, false},
+    {"polygon-gears", 9, 1, true},       {"polygon-jitter", 8, 1, false},
+    {"polygon-kinks", 8, 1, false},      {"polygon-approach", 8, 1, false},
 };
 
 void add_common_body_cells(Catalogue& catalogue, const StructureInfo& structure, Extent extent) {

@@ -68,6 +68,12 @@ std::vector<Workload> make() {
                                       generate_polygon_spin_orbit),
                                  near),
                  0),
+      with_turns(
+          with_separation(pair("polygon-gears",
+                               "both turn side by side, one --turns times, the other once more",
+                               generate_polygon_gears),
+                          near),
+          1),
       with_separation(pair("polygon-line", "the same, passing by on a line", generate_polygon_line),
                       near),
       with_count(with_separation(

@@ -81,6 +81,18 @@ void generate_polygon_spin_orbit(const WorkloadParameters& parameters, Scene& sc
   add_turning_body(scene, "b", regular_polygon(parameters.m, 1), distance, 0, rotor);
 }
 
+// Neither moves, both turn counter-clockwise: A `turns` times in the time 2, B once more. All
+// rotors are linear, in pieces of a half turn. R = 2 + separation.
+void generate_polygon_gears(const WorkloadParameters& parameters, Scene& scene) {
+  scene.start = 0;
+  scene.end = 2;
+  add_turning_body(scene, "a", regular_polygon(parameters.n, 1), 0, 0,
+                   half_turns(2 * parameters.turns, 2));
+  add_turning_body(scene, "b", regular_polygon(parameters.m, 1),
+                   Rational(2) + *parameters.separation, 0,
+                   half_turns(2 * parameters.turns + 2, 2));
+}
+
 // B passes above A on a horizontal line, at the distance `separation` above the top of their
 // Minkowski sum.
 void generate_polygon_line(const WorkloadParameters& parameters, Scene& scene) {

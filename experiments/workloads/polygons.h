@@ -63,6 +63,7 @@ const std::vector<Workload>& polygon_workloads();
 void generate_polygon_orbit(const WorkloadParameters&, Scene&);
 void generate_polygon_orbit_arcs(const WorkloadParameters&, Scene&);
 void generate_polygon_spin_orbit(const WorkloadParameters&, Scene&);
+void generate_polygon_gears(const WorkloadParameters&, Scene&);
 void generate_polygon_line(const WorkloadParameters&, Scene&);
 // polygon_fans.cpp: a turning polygon before a fan of nearly parallel edges
 void generate_polygon_fan(const WorkloadParameters&, Scene&);
