@@ -14,7 +14,8 @@ const at = (run, k) => k - run.before - 1;
 const timeOf = (run, k) => (k <= run.before ? 0 : run.u[at(run, k)]);
 const instantOf = (run, k) => run.instants[run.i[at(run, k)]];
 const kindOf = (run, k) => DATA.structures[run.s[at(run, k)]].kinds[run.k[at(run, k)]];
-const nameOf = object => DATA.ids[object];
+const nameOf = object =>
+  (object < OBJECTS ? DATA.ids[object] : DATA.things[object - OBJECTS][0]);
 const listOf = objects => objects.map(nameOf).join(", ");
 
 // The number of events at times <= u, counted in the whole run.

@@ -1,0 +1,193 @@
+// Configuration space: in the frame of the first body the second one is a point, outside of the sum
+// M of the first and the negated second. The certificates of a proof are half-planes about it.
+class Chart {
+  constructor(app) {
+    this.app = app;
+    this.frame = new Frame();
+    this.whole = false;
+  }
+  fit() { this.frame.fit(); }
+
+  draw(context, rectangle) {
+    const { app } = this;
+    const pair = app.pair();
+    const [a, b] = pairOf(pair);
+    const poses = [poseOf(a, app.u), poseOf(b, app.u)];
+    const [left, top, width, height] = rectangle;
+    context.save();
+    context.beginPath();
+    context.rect(left, top, width, height);
+    context.clip();
+    context.fillStyle = COLOUR.panel;
+    context.fillRect(left, top, width, height);
+    this.frame.rectangle = rectangle;
+    if (poses[0] !== null && poses[1] !== null) this.drawPair(context, rectangle, a, b, poses);
+    context.restore();
+    label(context, nameOf(b) + " as seen from " + nameOf(a), left + 8, top + 13, COLOUR.quiet);
+    label(context, "T: the " + (this.whole ? "tile" : "whole sum"), left + width - 8, top + 13,
+          COLOUR.quiet, "right");
+  }
+
+  // Of all structures: the half-planes of the proof of this pair, in the frame of the first body.
+  cells(pair, pose) {
+    const { app } = this;
+    return app.proofs.map((proofs, index) => {
+      const claims = app.replays[index].lost ? [] : proofs.claims(pair, app.k);
+      const failing = proofs.failingSlot(pair, app.k);
+      const sides = [];
+      claims.forEach((claim, slot) => {
+        if (claim.kind === "side") {
+          sides.push({ slot, fails: slot === failing, half: halfPlane(claim, pose) });
+        }
+      });
+      return sides;
+    });
+  }
+
+  drawPair(context, rectangle, a, b, poses) {
+    const { app, frame } = this;
+    const pose = relative(...poses), pair = app.pair();
+    const t = [pose.x, pose.y];
+    const sum = sumOf(a, b, pose);
+    const all = joined(boxOf(sum), boxOf([t]));
+    const reach = 3 * Math.max(all[1] - all[0], all[3] - all[2]);
+    const square = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
+      .map(([x, y]) => [t[0] + x * reach, t[1] + y * reach]);
+    const cells = this.cells(pair, pose);
+    const own = cells[app.shown()];
+    const cell = own.reduce((polygon, side) => clip(polygon, side.half), square);
+    frame.show(rectangle, this.box(own, cell, t, all), 46);
+    const corners = frame.corners();
+    const shownCell = sides => sides.reduce((polygon, side) => clip(polygon, side.half), corners)
+      .map(p => frame.at(p));
+    // M
+    trace(context, sum.map(p => frame.at(p)), true);
+    context.fillStyle = COLOUR.line;
+    context.fill();
+    context.strokeStyle = COLOUR.point;
+    context.lineWidth = 1.2;
+    context.stroke();
+    this.drawPath(context, a, b);
+    if (own.length > 0) {
+      trace(context, shownCell(own), true);
+      context.fillStyle = app.colourOf(app.shown());
+      context.globalAlpha = 0.16;
+      context.fill();
+      context.globalAlpha = 1;
+    }
+    cells.forEach((sides, index) => {
+      if (sides.length === 0 || index === app.shown()) return;
+      trace(context, shownCell(sides), true);
+      context.strokeStyle = app.colourOf(index);
+      context.setLineDash([5, 4]);
+      context.lineWidth = 1.4;
+      context.stroke();
+      context.setLineDash([]);
+    });
+    if (app.other !== null && !app.other.lost) this.drawOther(context, pair, pose, corners);
+    this.drawSides(context, own, corners);
+    this.drawNames(context, sum, t, a, b);
+  }
+
+  // The tile with some room; everything if there is none, if it has no end, or if that is asked for.
+  box(own, cell, t, all) {
+    if (this.whole || own.length === 0 || cell.length < 3) return all;
+    const box = joined(boxOf(cell), boxOf([t]));
+    const size = Math.max(box[1] - box[0], box[3] - box[2]);
+    if (!(size < 1.2 * Math.max(all[1] - all[0], all[3] - all[2]))) return all;
+    const room = 0.3 * size;
+    return [box[0] - room, box[1] + room, box[2] - room, box[3] + room];
+  }
+
+  drawPath(context, a, b) {
+    const points = [];
+    for (let i = 0; i <= 400; ++i) {
+      const pa = poseOf(a, i / 400), pb = poseOf(b, i / 400);
+      if (pa === null || pb === null) continue;
+      const pose = relative(pa, pb);
+      points.push(this.frame.at([pose.x, pose.y]));
+    }
+    trace(context, points, false);
+    context.strokeStyle = COLOUR.quiet;
+    context.lineWidth = 0.8;
+    context.setLineDash([1, 4]);
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  // Where each half-plane bounds what is shown of the tile.
+  drawSides(context, own, corners) {
+    const { app, frame } = this;
+    for (const side of own) {
+      const rest = own.filter(other => other !== side)
+        .reduce((polygon, other) => clip(polygon, other.half), corners);
+      const ends = crossings(rest, side.half).map(p => frame.at(p));
+      if (ends.length < 2) continue;
+      trace(context, ends, false);
+      context.strokeStyle = side.fails ? COLOUR.failed : app.colourOf(app.shown());
+      context.lineWidth = side.fails ? 4 : 2;
+      context.stroke();
+      const [x, y] = middleOf(ends);
+      badge(context, String(side.slot + 1), x, y,
+            side.fails ? COLOUR.failed : app.colourOf(app.shown()));
+    }
+  }
+
+  // The tile of the second run, if it is another one.
+  drawOther(context, pair, pose, corners) {
+    const { app } = this;
+    const texts = list => list.map(claim => claim.text).join();
+    const claims = app.otherProofs[app.shown()].claims(pair, app.kOther());
+    if (texts(claims) === texts(app.proofs[app.shown()].claims(pair, app.k))) return;
+    const sides = claims.filter(claim => claim.kind === "side").map(c => halfPlane(c, pose));
+    if (sides.length === 0) return;
+    trace(context, sides.reduce(clip, corners).map(p => this.frame.at(p)), true);
+    context.strokeStyle = COLOUR.second;
+    context.lineWidth = 3;
+    context.setLineDash([8, 5]);
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  drawNames(context, sum, t, a, b) {
+    const { frame } = this;
+    const [x, y] = frame.at(t);
+    dot(context, x, y, 5.5, COLOUR.back);
+    dot(context, x, y, 4, COLOUR.text);
+    label(context, nameOf(b), x + 9, y - 9, COLOUR.text);
+    const [left, top, width, height] = frame.rectangle;
+    const inside = corners => middleOf(sum.reduce(
+      (polygon, p, i) => {
+        const q = sum[(i + 1) % sum.length];
+        const n = [p[1] - q[1], q[0] - p[0]];  // inward: counter-clockwise
+        return clip(polygon, { n, offset: n[0] * p[0] + n[1] * p[1] });
+      }, corners));
+    const [mx, my] = frame.at(inside(frame.corners()));
+    if (isNaN(mx) || Math.hypot(mx - x, my - y) < 20) return;
+    label(context, nameOf(a) + " \u2295 \u2212" + nameOf(b),
+          Math.min(left + width - 40, Math.max(left + 40, mx)),
+          Math.min(top + height - 12, Math.max(top + 30, my)), COLOUR.quiet, "center");
+  }
+}
+
+// Where the line of a half-plane crosses the outline of a convex polygon.
+function crossings(polygon, { n, offset }) {
+  const value = p => n[0] * p[0] + n[1] * p[1] - offset;
+  const result = [];
+  polygon.forEach((p, i) => {
+    const q = polygon[(i + 1) % polygon.length], a = value(p), b = value(q);
+    if ((a < 0) === (b < 0)) return;
+    const f = a / (a - b);
+    result.push([p[0] + f * (q[0] - p[0]), p[1] + f * (q[1] - p[1])]);
+  });
+  return result;
+}
+// A number on a small disc.
+function badge(context, text, x, y, colour) {
+  dot(context, x, y, 8.5, COLOUR.back);
+  dot(context, x, y, 7.5, colour);
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillStyle = COLOUR.back;
+  context.fillText(text, x, y + 0.5);
+}
