@@ -23,6 +23,12 @@ class Arena {
     return box;
   }
 
+  // Everything that the run shows; two bodies that travel far are followed.
+  box() {
+    const now = this.boxAt(this.app.u);
+    return OBJECTS > 2 || !(sizeOf(this.everywhere) > 1.8 * sizeOf(now)) ? this.everywhere : now;
+  }
+
   draw(picture) {
     const context = picture.begin();
     const { width, height } = picture;
@@ -30,7 +36,7 @@ class Arena {
     const part = beside ? Math.max(width * 0.4, Math.min(width * 0.5, height)) : height * 0.45;
     this.poses = DATA.ids.map((_, body) => poseOf(body, this.app.u));
     this.frame.show(beside ? [0, 22, width - part - 8, height - 22]
-                           : [0, 22, width, height - part - 30], this.everywhere, 26);
+                           : [0, 22, width, height - part - 30], this.box(), 30);
     context.save();
     context.beginPath();
     context.rect(...this.frame.rectangle);
@@ -45,7 +51,9 @@ class Arena {
   }
 
   drawBodies(context) {
-    const pair = pairOf(this.app.pair());
+    const { app } = this;
+    const pair = pairOf(app.pair());
+    const touching = new Set([...(app.replay.lost ? [] : app.replay.edges)].flatMap(pairOf));
     this.outlines = this.poses.map((pose, body) =>
       (pose === null ? null : worldPolygon(body, pose).map(p => this.frame.at(p))));
     this.outlines.forEach((outline, body) => {
@@ -54,7 +62,7 @@ class Arena {
       context.fillStyle = COLOUR.line;
       context.globalAlpha = pair.includes(body) ? 1 : 0.45;
       context.fill();
-      context.strokeStyle = COLOUR.point;
+      context.strokeStyle = touching.has(body) ? COLOUR.failed : COLOUR.point;
       context.lineWidth = 1.2;
       context.stroke();
       if (outline.length <= 40) {
@@ -120,7 +128,7 @@ class Arena {
     const claims = proofs.claims(pair, app.k), failing = proofs.failingSlot(pair, app.k);
     const tangents = proofs.tangents(claims);
     if (tangents) this.drawTangents(context, tangents);
-    if (index >= 0 && proofs.name === "separation_hysteresis") this.drawWedge(context, claims);
+    if (proofs.name === "separation_hysteresis") this.drawWedge(context, claims);
     const found = proofs.features(claims);
     if (found) this.join(context, found, app.colourOf(index));
     // What fails next comes last, on top.
@@ -134,7 +142,8 @@ class Arena {
       for (const part of parts) {
         const where = this.mark(context, part.z, part.feature, part.numbers, colour,
                                 fails ? 1.6 : claim.kind === "order" ? 0 : 1);
-        if (where && (claim.kind === "side" || fails)) {
+        const named = fails || (claim.kind === "side" && (!tangents || part === claim.point));
+        if (where && named) {
           this.note(part.z, part.feature, where, String(slot + 1), colour);
         }
       }
@@ -225,21 +234,40 @@ class Arena {
       const [x, y] = middleOf(outline);
       label(context, nameOf(body), x, y, pair.includes(body) ? COLOUR.text : COLOUR.quiet, "center");
     });
+    this.drawFeatureNames(context, pair);
+  }
+
+  // Away from the bodies; where these are close to each other to the sides of the gap between them,
+  // those of the first body on one side and those of the second one on the other.
+  drawFeatureNames(context, pair) {
+    if (this.labels.length === 0) return;
     const [left, top, width, height] = this.frame.rectangle;
+    const middles = pair.map(body => middleOf(this.outlines[body]));
+    const across = [middles[0][1] - middles[1][1], middles[1][0] - middles[0][0]];
+    const size = Math.hypot(...across) || 1;
+    const narrow = this.labels.some(p => p.z === 0 && this.labels.some(q => q.z === 1 &&
+      Math.hypot(p.where[0] - q.where[0], p.where[1] - q.where[1]) < 90));
     const taken = [];
     for (const { z, feature, where, numbers, colour } of this.labels) {
-      const outline = this.outlines[pair[z]];
-      const [mx, my] = middleOf(outline);
-      const away = Math.hypot(where[0] - mx, where[1] - my) || 1;
-      let x = where[0] + (where[0] - mx) / away * 20, y = where[1] + (where[1] - my) / away * 16;
-      x = Math.max(left + 30, Math.min(left + width - 50, x));
+      const away = Math.hypot(where[0] - middles[z][0], where[1] - middles[z][1]) || 1;
+      const side = (z === 0 ? 1 : -1) / size;
+      const d = narrow ? across.map(c => c * side * 64)
+                       : [0, 1].map(i => (where[i] - middles[z][i]) / away * 20);
+      let [x, y] = [where[0] + d[0], where[1] + d[1]];
+      x = Math.max(left + 60, Math.min(left + width - 60, x));
       y = Math.max(top + 10, Math.min(top + height - 10, y));
-      const close = () => taken.some(([a, b]) => Math.abs(a - x) < 74 && Math.abs(b - y) < 14);
-      for (let i = 0; i < 12 && close(); ++i) y += y > my ? 14 : -14;
+      const close = () => taken.some(([a, b]) => Math.abs(a - x) < 84 && Math.abs(b - y) < 15);
+      for (let i = 0; i < 12 && close(); ++i) y += d[1] > 0 ? 15 : -15;
       taken.push([x, y]);
+      if (narrow) {
+        trace(context, [where, [x, y]], false);
+        context.strokeStyle = colour;
+        context.lineWidth = 0.7;
+        context.stroke();
+      }
       label(context, featureName(pair[z], feature) +
             (numbers.length > 0 ? " (" + numbers.sort().join(", ") + ")" : ""), x, y, colour,
-            x > mx ? "left" : "right");
+            d[0] > 12 ? "left" : d[0] < -12 ? "right" : "center");
     }
   }
 

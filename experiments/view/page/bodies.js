@@ -27,6 +27,7 @@ const boxOf = points => points.reduce(
                     Math.max(box[3], y)], [Infinity, -Infinity, Infinity, -Infinity]);
 const joined = (a, b) => [Math.min(a[0], b[0]), Math.max(a[1], b[1]), Math.min(a[2], b[2]),
                           Math.max(a[3], b[3])];
+const sizeOf = box => Math.max(box[1] - box[0], box[3] - box[2]);
 const middleOf = points => {
   const sum = points.reduce(([a, b], [x, y]) => [a + x, b + y], [0, 0]);
   return [sum[0] / points.length, sum[1] / points.length];

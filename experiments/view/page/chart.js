@@ -5,8 +5,14 @@ class Chart {
     this.app = app;
     this.frame = new Frame();
     this.whole = false;
+    this.stretch = 1;
   }
   fit() { this.frame.fit(); }
+  turnOver() {
+    this.whole = !this.whole;
+    this.fit();
+    this.app.changed();
+  }
 
   draw(context, rectangle) {
     const { app } = this;
@@ -21,11 +27,13 @@ class Chart {
     context.fillStyle = COLOUR.panel;
     context.fillRect(left, top, width, height);
     this.frame.rectangle = rectangle;
+    this.stretch = 1;
     if (poses[0] !== null && poses[1] !== null) this.drawPair(context, rectangle, a, b, poses);
     context.restore();
     label(context, nameOf(b) + " as seen from " + nameOf(a), left + 8, top + 13, COLOUR.quiet);
-    label(context, "T: the " + (this.whole ? "tile" : "whole sum"), left + width - 8, top + 13,
-          COLOUR.quiet, "right");
+    const view = this.whole ? "the whole sum"
+               : this.stretch > 1 ? "the tile, drawn " + this.stretch + " times as wide" : "the tile";
+    label(context, view, left + width - 8, top + 13, COLOUR.quiet, "right");
   }
 
   // Of all structures: the half-planes of the proof of this pair, in the frame of the first body.
@@ -47,7 +55,7 @@ class Chart {
   drawPair(context, rectangle, a, b, poses) {
     const { app, frame } = this;
     const pose = relative(...poses), pair = app.pair();
-    const t = [pose.x, pose.y];
+    const t = this.point = [pose.x, pose.y];
     const sum = sumOf(a, b, pose);
     const all = joined(boxOf(sum), boxOf([t]));
     const reach = 3 * Math.max(all[1] - all[0], all[3] - all[2]);
@@ -56,12 +64,13 @@ class Chart {
     const cells = this.cells(pair, pose);
     const own = cells[app.shown()];
     const cell = own.reduce((polygon, side) => clip(polygon, side.half), square);
-    frame.show(rectangle, this.box(own, cell, t, all), 46);
-    const corners = frame.corners();
+    this.setStretch(own, cell, all);
+    frame.show(rectangle, this.box(own, cell, all), 46);
+    const corners = frame.corners().map(p => this.stretched(p, 1 / this.stretch));
     const shownCell = sides => sides.reduce((polygon, side) => clip(polygon, side.half), corners)
-      .map(p => frame.at(p));
+      .map(p => this.at(p));
     // M
-    trace(context, sum.map(p => frame.at(p)), true);
+    trace(context, sum.map(p => this.at(p)), true);
     context.fillStyle = COLOUR.line;
     context.fill();
     context.strokeStyle = COLOUR.point;
@@ -89,14 +98,45 @@ class Chart {
     this.drawNames(context, sum, t, a, b);
   }
 
+  // Near the sum tiles are long and thin: they are drawn wider, by a power of two, 1024 at most.
+  setStretch(own, cell, all) {
+    this.stretch = 1;
+    this.along = [1, 0];
+    if (this.whole || cell.length < 3 || !(sizeOf(boxOf(cell)) < 1.2 * sizeOf(all))) return;
+    let longest = 0;
+    cell.forEach((p, i) => {
+      const q = cell[(i + 1) % cell.length], length = Math.hypot(q[0] - p[0], q[1] - p[1]);
+      if (length <= longest) return;
+      longest = length;
+      this.along = [(q[0] - p[0]) / length, (q[1] - p[1]) / length];
+    });
+    const across = cell.map(p => this.along[0] * p[1] - this.along[1] * p[0]);
+    const width = Math.max(...across) - Math.min(...across);
+    const most = longest / (3 * width);
+    if (most >= 2) this.stretch = 2 ** Math.min(10, Math.floor(Math.log2(most)));
+  }
+  // By a factor about the point, across the direction `along`.
+  stretched([x, y], factor) {
+    const [ex, ey] = this.along, [tx, ty] = this.point;
+    const a = (x - tx) * ex + (y - ty) * ey, b = ((y - ty) * ex - (x - tx) * ey) * factor;
+    return [tx + a * ex - b * ey, ty + a * ey + b * ex];
+  }
+  at(p) { return this.frame.at(this.stretched(p, this.stretch)); }
+
   // The tile with some room; everything if there is none, if it has no end, or if that is asked for.
-  box(own, cell, t, all) {
+  box(own, cell, all) {
     if (this.whole || own.length === 0 || cell.length < 3) return all;
-    const box = joined(boxOf(cell), boxOf([t]));
-    const size = Math.max(box[1] - box[0], box[3] - box[2]);
-    if (!(size < 1.2 * Math.max(all[1] - all[0], all[3] - all[2]))) return all;
-    const room = 0.3 * size;
-    return [box[0] - room, box[1] + room, box[2] - room, box[3] + room];
+    const grown = (box, room) => [box[0] - room, box[1] + room, box[2] - room, box[3] + room];
+    const t = this.point;
+    if (sizeOf(boxOf(cell)) < 1.2 * sizeOf(all)) {
+      const box = joined(boxOf(cell.map(p => this.stretched(p, this.stretch))), boxOf([t]));
+      return grown(box, 0.3 * sizeOf(box));
+    }
+    // It has no end, or none that is near: about the point, with the nearest side.
+    const distances = own.map(({ half: { n, offset } }) =>
+      Math.abs(n[0] * t[0] + n[1] * t[1] - offset) / Math.hypot(...n));
+    const about = grown(boxOf([t]), Math.max(6 * Math.min(...distances), 0.06 * sizeOf(all)));
+    return sizeOf(about) < sizeOf(all) ? about : all;
   }
 
   drawPath(context, a, b) {
@@ -105,7 +145,7 @@ class Chart {
       const pa = poseOf(a, i / 400), pb = poseOf(b, i / 400);
       if (pa === null || pb === null) continue;
       const pose = relative(pa, pb);
-      points.push(this.frame.at([pose.x, pose.y]));
+      points.push(this.at([pose.x, pose.y]));
     }
     trace(context, points, false);
     context.strokeStyle = COLOUR.quiet;
@@ -117,20 +157,28 @@ class Chart {
 
   // Where each half-plane bounds what is shown of the tile.
   drawSides(context, own, corners) {
-    const { app, frame } = this;
+    const { app } = this;
     for (const side of own) {
       const rest = own.filter(other => other !== side)
         .reduce((polygon, other) => clip(polygon, other.half), corners);
-      const ends = crossings(rest, side.half).map(p => frame.at(p));
+      const ends = crossings(rest, side.half).map(p => this.at(p));
       if (ends.length < 2) continue;
       trace(context, ends, false);
       context.strokeStyle = side.fails ? COLOUR.failed : app.colourOf(app.shown());
       context.lineWidth = side.fails ? 4 : 2;
       context.stroke();
-      const [x, y] = middleOf(ends);
+      const [x, y] = this.besidePoint(middleOf(ends), ends);
       badge(context, String(side.slot + 1), x, y,
             side.fails ? COLOUR.failed : app.colourOf(app.shown()));
     }
+  }
+
+  // A place on a segment that does not hide the point.
+  besidePoint([x, y], [p, q]) {
+    const [px, py] = this.at(this.point);
+    const length = Math.hypot(q[0] - p[0], q[1] - p[1]);
+    if (Math.hypot(px - x, py - y) > 30 || length < 90) return [x, y];
+    return [x + (q[0] - p[0]) / length * 40, y + (q[1] - p[1]) / length * 40];
   }
 
   // The tile of the second run, if it is another one.
@@ -141,7 +189,7 @@ class Chart {
     if (texts(claims) === texts(app.proofs[app.shown()].claims(pair, app.k))) return;
     const sides = claims.filter(claim => claim.kind === "side").map(c => halfPlane(c, pose));
     if (sides.length === 0) return;
-    trace(context, sides.reduce(clip, corners).map(p => this.frame.at(p)), true);
+    trace(context, sides.reduce(clip, corners).map(p => this.at(p)), true);
     context.strokeStyle = COLOUR.second;
     context.lineWidth = 3;
     context.setLineDash([8, 5]);
@@ -151,7 +199,7 @@ class Chart {
 
   drawNames(context, sum, t, a, b) {
     const { frame } = this;
-    const [x, y] = frame.at(t);
+    const [x, y] = this.at(t);
     dot(context, x, y, 5.5, COLOUR.back);
     dot(context, x, y, 4, COLOUR.text);
     label(context, nameOf(b), x + 9, y - 9, COLOUR.text);
@@ -162,7 +210,7 @@ class Chart {
         const n = [p[1] - q[1], q[0] - p[0]];  // inward: counter-clockwise
         return clip(polygon, { n, offset: n[0] * p[0] + n[1] * p[1] });
       }, corners));
-    const [mx, my] = frame.at(inside(frame.corners()));
+    const [mx, my] = this.at(inside(frame.corners().map(p => this.stretched(p, 1 / this.stretch))));
     if (isNaN(mx) || Math.hypot(mx - x, my - y) < 20) return;
     label(context, nameOf(a) + " \u2295 \u2212" + nameOf(b),
           Math.min(left + width - 40, Math.max(left + 40, mx)),

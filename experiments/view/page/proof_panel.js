@@ -1,3 +1,6 @@
+const shortName = name =>
+  (name.length <= 30 ? name : name.slice(0, 13) + "\u2026" + name.slice(-13));
+
 // The proof of a pair in words: which certificates it has, and of the one that fails next the
 // polynomial, the interval and the stage, before it does.
 class ProofPanel extends Panel {
@@ -18,6 +21,7 @@ class ProofPanel extends Panel {
     const { app } = this;
     const index = app.shown(), pair = app.pair(), proofs = app.proofs[index];
     const title = make("h2", DATA.structures[index].label + ": " + pairOf(pair).map(nameOf).join(", "));
+    this.proof.style.borderColor = app.colourOf(index);
     this.proof.replaceChildren(title);
     if (app.replays[index].lost) {
       this.proof.append(make("p", "The structure was led astray: it has no proof."));
@@ -99,7 +103,7 @@ class ProofPanel extends Panel {
 
   // Constants of a proof can be long numbers.
   certificateText(run, certificate) {
-    const names = certificate[1].map(id => shortText(nameOf(id), 48)).join(", ");
+    const names = certificate[1].map(id => shortName(nameOf(id))).join(", ");
     const text = make("span", run.predicates[certificate[0]] + "(" + names + ") \u2265 0 fails");
     text.title = run.predicates[certificate[0]] + "(" + listOf(certificate[1]) + ")";
     return text;

@@ -56,6 +56,8 @@ function describePage() {
 // Scenes of bodies have one drawing, and of more than two bodies a choice of the pair.
 function describePairs() {
   document.getElementById("drawing-label").hidden = true;
+  document.getElementById("whole").hidden = false;
+  onClick("whole", () => app.drawing.chart.turnOver());
   const pairs = new Set(app.proofs.flatMap(proofs => [...proofs.pairs.keys()]));
   if (pairs.size < 2) return;
   const select = document.getElementById("pair");
@@ -122,7 +124,7 @@ function pressed(key) {
     f: () => { app.drawing.fit(); app.changed(); },
     ",": () => app.setSpan(1.5), ".": () => app.setSpan(1 / 1.5),
     d: () => { if (PARTED > BEFORE) app.setEvent(PARTED); },
-    t: () => { if (BODIES) app.drawing.chart.whole = !app.drawing.chart.whole; app.changed(); },
+    t: () => { if (BODIES) app.drawing.chart.turnOver(); },
   };
   const action = actions[key.key] || actions[key.key.toLowerCase()];
   if (!action) return;
