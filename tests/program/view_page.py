@@ -50,7 +50,12 @@ async function answer() {{
     await settle();
     const state = kinexState();
     state.shown = document.body.dataset.event;
-    state.text = document.getElementById("event").innerText;
+    const words = id => document.getElementById(id).innerText;
+    state.text = words("event") + [...document.querySelectorAll("#event [title]")]
+      .map(e => "\\n" + e.title).join("");
+    state.proofText = words("proof");
+    state.claims = [...document.querySelectorAll("#proof li")].map(
+      e => [e.innerText, e.title, e.className]);
     state.row = document.querySelector(".row.now").dataset.event;
     state.ink = [ink("picture"), ink("window"), ink("overview")];
     result.states.push(state);
@@ -316,4 +321,5 @@ def main():
     print(f"{total} displayed states are those of kinex run")
 
 
-main()
+if __name__ == "__main__":
+    main()
