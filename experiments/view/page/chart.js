@@ -32,7 +32,7 @@ class Chart {
     context.restore();
     label(context, nameOf(b) + " as seen from " + nameOf(a), left + 8, top + 13, COLOUR.quiet);
     const view = this.whole ? "the whole sum"
-               : this.stretch > 1 ? "the tile, drawn " + this.stretch + " times as wide" : "the tile";
+               : this.stretch > 1 ? "close up, " + this.stretch + " times as wide" : "close up";
     label(context, view, left + width - 8, top + 13, COLOUR.quiet, "right");
   }
 

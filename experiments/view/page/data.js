@@ -41,7 +41,7 @@ function shortNumber(x) {
 function shortText(text, most = 34) {
   if (text.length <= most) return text;
   const half = (most - 2) >> 1;
-  if (DATA.polygons) return text.slice(0, 7) + "\u2026" + text.slice(-6);  // there are many of them
+  if (DATA.polygons) return text.slice(0, 6) + "\u2026" + text.slice(-4);  // there are many of them
   return text.slice(0, half) + "\u2026" + text.slice(-half) + " (" + text.length + " characters)";
 }
 // An element with a text and a class.

@@ -1,5 +1,5 @@
 const shortName = name =>
-  (name.length <= 30 ? name : name.slice(0, 13) + "\u2026" + name.slice(-13));
+  (name.length <= 30 ? name : name.slice(0, 12) + "\u2026" + name.slice(-8));
 
 // The proof of a pair in words: which certificates it has, and of the one that fails next the
 // polynomial, the interval and the stage, before it does.
