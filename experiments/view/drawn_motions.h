@@ -24,7 +24,8 @@ struct DrawnMotions {
   Rational exact_scale = Rational(1);
 };
 
-// A rotor is divided by another number, which changes nothing. Pieces that lie outside of [start, start + span] are left out. Requires span > 0.
+// A rotor is divided by another number, which changes nothing. Pieces that lie outside of [start,
+// start + span] are left out. Requires span > 0.
 DrawnMotions drawn_motions(const Scene& scene, const Rational& start, const Rational& span);
 
 }  // namespace kinex

@@ -126,7 +126,9 @@ void ProofRecorder::look(StructureId id, const Structure& structure, std::uint64
   if (watched_.size() <= id) watched_.resize(run_.structures.size());
   Watched& watched = watched_[id];
   const StructureLedger& ledger = simulator_.kernel().ledger(id);
-  if (watched.created == ledger.certificates_created && watched.retracted == ledger.certificates_retracted) return;
+  if (watched.created == ledger.certificates_created &&
+      watched.retracted == ledger.certificates_retracted)
+    return;
   watched.created = ledger.certificates_created;
   watched.retracted = ledger.certificates_retracted;
   const EventQueue& queue = simulator_.kernel().queue();

@@ -42,8 +42,8 @@ class ProofRecorder {
   const Scene& scene_;
   Simulator& simulator_;
   RecordedRun& run_;
-  std::vector<Watched> watched_;       // per structure
-  std::vector<ObjectId> thing_of_;     // per derived object, the last one seen
+  std::vector<Watched> watched_;    // per structure
+  std::vector<ObjectId> thing_of_;  // per derived object, the last one seen
   std::map<std::pair<PredicateId, std::vector<ObjectId>>, std::uint32_t> claims_;
 };
 

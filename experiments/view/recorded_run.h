@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RecordedRun: a run as data: every event with its certificate and instant, and the attribute of
-// every structure after each of them; in scenes of bodies also the proof of every pair. Nothing in it
-// is recomputed: it is what the run said.
+// every structure after each of them; in scenes of bodies also the proof of every pair. Nothing in
+// it is recomputed: it is what the run said.
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 
@@ -59,7 +59,7 @@ struct RecordedRun {
   std::size_t objects = 0;  // of the scene
   std::vector<RecordedThing> things;
   std::vector<RecordedClaim> claims;
-  std::string digest;                   // of `all`, as an event log has it
+  std::string digest;  // of `all`, as an event log has it
 };
 
 // The attribute of a structure after event `event` (numbered from 1 in the whole run, at least

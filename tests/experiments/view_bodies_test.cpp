@@ -240,7 +240,9 @@ TEST(ViewBodies, PosesAreThoseOfTheScene) {
           }
         }
         ASSERT_EQ(drawn.size(), 4u);
-        const auto exact = [&](int axis) { return piece->trajectory.position(axis, t).to_double(); };
+        const auto exact = [&](int axis) {
+          return piece->trajectory.position(axis, t).to_double();
+        };
         EXPECT_NEAR(drawn[0] * scale, exact(0), 1e-9 * scale);
         EXPECT_NEAR(drawn[1] * scale, exact(1), 1e-9 * scale);
         // The same rotor up to a positive factor.

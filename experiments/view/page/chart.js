@@ -63,12 +63,12 @@ class Chart {
       .map(([x, y]) => [t[0] + x * reach, t[1] + y * reach]);
     const cells = this.cells(pair, pose);
     const own = cells[app.shown()];
-    const cell = own.reduce((polygon, side) => clip(polygon, side.half), square);
+    const cell = clipped(square, own);
     this.setStretch(own, cell, all);
-    frame.show(rectangle, this.box(own, cell, all), 46);
+    const box = joined(this.box(own, cell, all), this.failingBox(own, square));
+    frame.show(rectangle, box, 46);
     const corners = frame.corners().map(p => this.stretched(p, 1 / this.stretch));
-    const shownCell = sides => sides.reduce((polygon, side) => clip(polygon, side.half), corners)
-      .map(p => this.at(p));
+    const shownCell = sides => clipped(corners, sides).map(p => this.at(p));
     // M
     trace(context, sum.map(p => this.at(p)), true);
     context.fillStyle = COLOUR.line;
@@ -95,6 +95,7 @@ class Chart {
     });
     if (app.other !== null && !app.other.lost) this.drawOther(context, pair, pose, corners);
     this.drawSides(context, own, corners);
+    this.drawTurn(context, pair, pose);
     this.drawNames(context, sum, t, a, b);
   }
 
@@ -139,6 +140,15 @@ class Chart {
     return sizeOf(about) < sizeOf(all) ? about : all;
   }
 
+  // So that the side that fails next is in sight: its place that is nearest to the point.
+  failingBox(own, square) {
+    const side = own.find(other => other.fails);
+    if (!side) return boxOf([]);
+    const ends = boundary(square, own, side, sizeOf(boxOf(square)) * 1e-9);
+    const near = ends.length < 2 ? [] : [this.stretched(nearestOn(ends, this.point), this.stretch)];
+    return boxOf(near);
+  }
+
   drawPath(context, a, b) {
     const points = [];
     for (let i = 0; i <= 400; ++i) {
@@ -158,10 +168,9 @@ class Chart {
   // Where each half-plane bounds what is shown of the tile.
   drawSides(context, own, corners) {
     const { app } = this;
-    for (const side of own) {
-      const rest = own.filter(other => other !== side)
-        .reduce((polygon, other) => clip(polygon, other.half), corners);
-      const ends = crossings(rest, side.half).map(p => this.at(p));
+    for (const side of [...own].sort((x, y) => x.fails - y.fails)) {  // what fails next on top
+      const wide = 1e-3 / this.frame.scale / this.stretch;
+      const ends = boundary(corners, own, side, wide).map(p => this.at(p));
       if (ends.length < 2) continue;
       trace(context, ends, false);
       context.strokeStyle = side.fails ? COLOUR.failed : app.colourOf(app.shown());
@@ -171,6 +180,33 @@ class Chart {
       badge(context, String(side.slot + 1), x, y,
             side.fails ? COLOUR.failed : app.colourOf(app.shown()));
     }
+  }
+
+  // An order of normals that fails next: the two normals, which will be parallel then.
+  drawTurn(context, pair, pose) {
+    const { app } = this;
+    const proofs = app.proofs[app.shown()], slot = proofs.failingSlot(pair, app.k);
+    if (slot < 0 || app.replay.lost) return;
+    const claim = proofs.claims(pair, app.k)[slot];
+    if (claim.kind !== "order") return;
+    const from = this.at(this.point);
+    const ends = claim.lines.map(({ z, numbers }) => {
+      const n = z === 0 ? numbers : turn(pose, numbers), size = Math.hypot(n[0], n[1]);
+      const step = 1 / (this.frame.scale * size);
+      const [x, y] = this.at([this.point[0] + n[0] * step, this.point[1] + n[1] * step]);
+      const length = Math.hypot(x - from[0], y - from[1]);
+      return [from[0] + (x - from[0]) / length * 52, from[1] + (y - from[1]) / length * 52];
+    });
+    context.strokeStyle = COLOUR.failed;
+    context.lineWidth = 2.5;
+    for (const end of ends) {
+      trace(context, [from, end], false);
+      context.stroke();
+      dot(context, ...end, 3, COLOUR.failed);
+    }
+    const [x, y] = middleOf(ends), length = Math.hypot(x - from[0], y - from[1]) || 1;
+    badge(context, String(slot + 1), from[0] + (x - from[0]) / length * 66,
+          from[1] + (y - from[1]) / length * 66, COLOUR.failed);
   }
 
   // A place on a segment that does not hide the point.
@@ -216,6 +252,14 @@ class Chart {
           Math.min(left + width - 40, Math.max(left + 40, mx)),
           Math.min(top + height - 12, Math.max(top + 30, my)), COLOUR.quiet, "center");
   }
+}
+
+const clipped = (polygon, sides) => sides.reduce((rest, side) => clip(rest, side.half), polygon);
+// The part of a side's line that bounds the others, which may have the same line: they are `wide` wider.
+function boundary(polygon, sides, side, wide) {
+  const others = sides.filter(other => other !== side).map(({ half: { n, offset } }) =>
+    ({ half: { n, offset: offset - wide * Math.hypot(...n) } }));
+  return crossings(clipped(polygon, others), side.half);
 }
 
 // Where the line of a half-plane crosses the outline of a convex polygon.

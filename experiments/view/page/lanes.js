@@ -21,6 +21,7 @@ class Lanes extends TimeWindow {
     this.drawTicks(context, axis, picture.height - 10);
     this.drawNow(context, axis, 18, 4);
     this.drawDivergence(context, axis);
+    DATA.structures.forEach((_, index) => this.drawName(context, axis, index));
   }
 
   // The parts of a lane: the name, the bars of the first run, those of the second.
@@ -47,16 +48,6 @@ class Lanes extends TimeWindow {
     if (OTHER !== null) {
       this.laneBars(context, axis, OTHER, index, base + 1, depth, COLOUR.second, app.kOther());
     }
-    const counts = this.counts[0][index];
-    let text = DATA.structures[index].label + "  " + (placeUntil(counts.events, app.k) + 1) + " of " +
-      counts.events.length + " events";
-    if (counts.external > 0) text += ", " + counts.external + " external";
-    if (OTHER !== null) text += " (" + OTHER.arithmetic + ": " + this.counts[1][index].events.length + ")";
-    label(context, text, axis.left + 5, top + 9, colour);
-    if (index === 0) {
-      label(context, "long bars: external events, short: internal; ring: fails next",
-            axis.right - 4, top + 9, COLOUR.quiet, "right");
-    }
     const next = app.proofs[index].nextFailure(app.pair(), app.k);
     if (next === null) return;
     const x = axis.x(timeOf(FIRST, next));
@@ -66,6 +57,21 @@ class Lanes extends TimeWindow {
     context.beginPath();
     context.arc(x, base - long * 0.42 - 6, shown ? 4.5 : 3.5, 0, 2 * Math.PI);
     context.stroke();
+  }
+
+  drawName(context, axis, index) {
+    const { app } = this;
+    const { top } = this.parts(index);
+    const counts = this.counts[0][index];
+    let text = DATA.structures[index].label + "  " + (placeUntil(counts.events, app.k) + 1) + " of " +
+      counts.events.length + " events";
+    if (counts.external > 0) text += ", " + counts.external + " external";
+    if (OTHER !== null) text += " (" + OTHER.arithmetic + ": " + this.counts[1][index].events.length + ")";
+    label(context, text, axis.left + 5, top + 9, app.colourOf(index));
+    if (index === 0) {
+      label(context, "long bars: external events, short: internal; ring: fails next",
+            axis.right - 4, top + 9, COLOUR.quiet, "right");
+    }
   }
 
   laneBars(context, axis, run, index, base, length, colour, now) {
