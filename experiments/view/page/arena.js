@@ -254,7 +254,12 @@ class Arena {
       const d = narrow ? across.map(c => c * side * 64)
                        : [0, 1].map(i => (where[i] - middles[z][i]) / away * 20);
       let [x, y] = [where[0] + d[0], where[1] + d[1]];
-      x = Math.max(left + 60, Math.min(left + width - 60, x));
+      const text = featureName(pair[z], feature) +
+        (numbers.length > 0 ? " (" + numbers.sort().join(", ") + ")" : "");
+      const align = d[0] > 12 ? "left" : d[0] < -12 ? "right" : "center";
+      const room = context.measureText(text).width + 4;
+      const before = align === "left" ? 2 : align === "right" ? room : room / 2;
+      x = Math.max(left + before, Math.min(left + width - (room + 2 - before), x));
       y = Math.max(top + 10, Math.min(top + height - 10, y));
       const close = () => taken.some(([a, b]) => Math.abs(a - x) < 84 && Math.abs(b - y) < 15);
       for (let i = 0; i < 12 && close(); ++i) y += d[1] > 0 ? 15 : -15;
@@ -265,9 +270,7 @@ class Arena {
         context.lineWidth = 0.7;
         context.stroke();
       }
-      label(context, featureName(pair[z], feature) +
-            (numbers.length > 0 ? " (" + numbers.sort().join(", ") + ")" : ""), x, y, colour,
-            d[0] > 12 ? "left" : d[0] < -12 ? "right" : "center");
+      label(context, text, x, y, colour, align);
     }
   }
 
