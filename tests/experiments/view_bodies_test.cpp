@@ -209,6 +209,10 @@ TEST(ViewBodies, RunsOfTwoArithmeticsHaveTheSameEvents) {
   RecordedRun other = sturm;
   const Event contact = other.all.back();
   ASSERT_EQ(contact.count, 4);
+  // Under another number the same name is the same object.
+  other.things.push_back(other.things[contact.ids[3] - other.objects]);
+  other.all.back().ids[3] = static_cast<ObjectId>(other.objects + other.things.size() - 1);
+  EXPECT_EQ(first_divergence(exact, other), 0u);
   // The same bodies meet by another feature.
   other.things.push_back({"b.v99", {}});
   other.all.back().ids[3] = static_cast<ObjectId>(other.objects + other.things.size() - 1);
