@@ -32,7 +32,7 @@ bool same_instant(const LogInstant& a, const InstantText& b) {
 
 LogFollower::LogFollower(std::string_view text, const std::string& file, const Scene& scene,
                          const std::string& hash)
-    : scene_(scene), reader_(text, file) {
+    : reader_(text, file) {
   if (header().scene_hash != hash) {
     throw InputError(file, "line 1",
                      "it is a log of another scene (" + show_text(header().scene) + ", hash " +
