@@ -68,7 +68,7 @@ class Lanes extends TimeWindow {
     if (counts.external > 0) text += ", " + counts.external + " external";
     if (OTHER !== null) text += " (" + OTHER.arithmetic + ": " + this.counts[1][index].events.length + ")";
     label(context, text, axis.left + 5, top + 9, app.colourOf(index));
-    if (index === 0) {
+    if (index === 0 && app.partedAt === null) {
       label(context, "long bars: external events, short: internal; ring: fails next",
             axis.right - 4, top + 9, COLOUR.quiet, "right");
     }
