@@ -107,10 +107,6 @@ Viewed read_input(const Options& options) {
     viewed.runs.push_back({options.arithmetic.empty() ? "exact" : options.arithmetic, "", ""});
   }
   viewed.scene = parse_scene(text, scene_file);
-  if (viewed.scene.has_bodies()) {
-    throw InputError(scene_file, "/objects", "the viewer shows points, and the scene has bodies",
-                     "look at its event log (kinex run --events FILE)");
-  }
   viewed.hash = scene_hash(viewed.scene);
   if (names_arithmetic(options.with)) {
     viewed.runs.push_back({options.with, "", ""});

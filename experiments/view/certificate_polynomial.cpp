@@ -17,23 +17,22 @@ void MotionsInForce::changed(ObjectId object, const Rational& t) {
   if (piece != nullptr) trajectories_[object] = &piece->trajectory;
 }
 
-Polynomial certificate_polynomial(const Predicate& predicate, const Query& query,
-                                  const MotionsInForce& motions) {
+Polynomial certificate_polynomial(const Predicate& predicate,
+                                  std::span<const Trajectory* const> motions) {
   int degree = 1;
   std::size_t axes = static_cast<std::size_t>(predicate.dimension());
-  for (std::size_t i = 0; i < query.arity; ++i) {
-    const Trajectory* trajectory = motions.of(query.ids[i]);
+  for (const Trajectory* trajectory : motions) {
     if (trajectory == nullptr) return {};
     degree = std::max(degree, trajectory->degree());
     axes = std::max(axes, trajectory->coordinates.size());
   }
   const std::size_t powers = static_cast<std::size_t>(degree) + 1;
-  std::vector<Rational> numbers(query.arity * axes * powers);
+  std::vector<Rational> numbers(motions.size() * axes * powers);
   std::array<MotionView<Rational>, kMaxArity> points{};
-  for (std::size_t i = 0; i < query.arity; ++i) {
+  for (std::size_t i = 0; i < motions.size(); ++i) {
     Rational* point = &numbers[i * axes * powers];
     points[i] = point;
-    const auto& coordinates = motions.of(query.ids[i])->coordinates;
+    const auto& coordinates = motions[i]->coordinates;
     for (std::size_t a = 0; a < coordinates.size(); ++a) {
       for (std::size_t k = 0; k < std::min(powers, coordinates[a].size()); ++k) {
         point[a * powers + k] = coordinates[a][k];
@@ -41,6 +40,20 @@ Polynomial certificate_polynomial(const Predicate& predicate, const Query& query
     }
   }
   return Polynomial::from_rationals(predicate.rational(degree, points.data()));
+}
+
+Polynomial certificate_polynomial(const Predicate& predicate, const Query& query,
+                                  const MotionsInForce& motions) {
+  std::array<const Trajectory*, kMaxArity> of{};
+  for (std::size_t i = 0; i < query.arity; ++i) of[i] = motions.of(query.ids[i]);
+  return certificate_polynomial(predicate, std::span(of.data(), query.arity));
+}
+
+Polynomial certificate_polynomial(const Predicate& predicate, const Query& query,
+                                  const DerivedObjects& motions) {
+  std::array<const Trajectory*, kMaxArity> of{};
+  for (std::size_t i = 0; i < query.arity; ++i) of[i] = &motions.trajectory(query.ids[i]);
+  return certificate_polynomial(predicate, std::span(of.data(), query.arity));
 }
 
 }  // namespace kinex

@@ -3,9 +3,11 @@
 #ifndef KINEX_EXPERIMENTS_VIEW_CERTIFICATE_POLYNOMIAL_H
 #define KINEX_EXPERIMENTS_VIEW_CERTIFICATE_POLYNOMIAL_H
 
+#include <span>
 #include <vector>
 
 #include "core/certificate.h"
+#include "core/derived_objects.h"
 #include "core/polynomial.h"
 #include "core/predicate.h"
 #include "core/scene.h"
@@ -27,9 +29,14 @@ class MotionsInForce {
 };
 
 // A positive multiple of the predicate's value with coprime integer coefficients; zero if it is
-// zero for ever, or if one of its objects has no motion.
+// zero for ever, or if one of its objects has no motion. `motions`: one of each argument.
+Polynomial certificate_polynomial(const Predicate& predicate,
+                                  std::span<const Trajectory* const> motions);
 Polynomial certificate_polynomial(const Predicate& predicate, const Query& query,
                                   const MotionsInForce& motions);
+// Under the motions that a kernel keeps, which must be those in force: of a scene of bodies.
+Polynomial certificate_polynomial(const Predicate& predicate, const Query& query,
+                                  const DerivedObjects& motions);
 
 }  // namespace kinex
 

@@ -29,6 +29,15 @@ struct ExactPiece {
   std::vector<std::vector<Rational>> coordinates;
 };
 
+// The largest absolute value of a coefficient on these axes and those after it.
+Rational largest_of(const ExactPiece& piece, std::size_t axis) {
+  Rational largest;
+  for (; axis < piece.coordinates.size(); ++axis) {
+    for (const Rational& x : piece.coordinates[axis]) largest = std::max(largest, absolute(x));
+  }
+  return largest.is_zero() ? Rational(1) : largest;
+}
+
 }  // namespace
 
 DrawnMotions drawn_motions(const Scene& scene, const Rational& start, const Rational& span) {
@@ -44,19 +53,32 @@ DrawnMotions drawn_motions(const Scene& scene, const Rational& start, const Rati
       if (piece.to) own.drawn.to = ((*piece.to - start) / span).to_double();
       for (const std::vector<Rational>& c : piece.trajectory.coordinates) {
         own.coordinates.push_back(in_u(c, start, span));
+        if (scene.has_bodies() && own.coordinates.size() > 2) continue;  // the rotor
         for (const Rational& x : own.coordinates.back()) largest = std::max(largest, absolute(x));
       }
+    }
+    for (const Vertex2& vertex : object.polygon) {
+      for (const Rational& x : vertex) largest = std::max(largest, absolute(x));
     }
   }
   const Rational scale = largest.is_zero() ? Rational(1) : power_of_two(ceil_log2(largest));
   DrawnMotions result;
   result.scale = scale.to_double();
+  result.exact_scale = scale;
+  for (const SceneObject& object : scene.objects) {
+    auto& polygon = result.polygons.emplace_back();
+    for (const Vertex2& vertex : object.polygon) {
+      polygon.push_back({(vertex[0] / scale).to_double(), (vertex[1] / scale).to_double()});
+    }
+  }
   for (std::vector<ExactPiece>& pieces : exact) {
     std::vector<DrawnPiece>& drawn = result.objects.emplace_back();
     for (ExactPiece& piece : pieces) {
+      const Rational turn = scene.has_bodies() ? largest_of(piece, 2) : scale;
       for (const std::vector<Rational>& c : piece.coordinates) {
         std::vector<double>& out = piece.drawn.coordinates.emplace_back();
-        for (const Rational& x : c) out.push_back((x / scale).to_double());
+        const Rational& by = piece.drawn.coordinates.size() > 2 ? turn : scale;
+        for (const Rational& x : c) out.push_back((x / by).to_double());
       }
       drawn.push_back(std::move(piece.drawn));
     }

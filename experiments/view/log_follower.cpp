@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/view/log_follower.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "experiments/input_error.h"
@@ -31,7 +32,7 @@ bool same_instant(const LogInstant& a, const InstantText& b) {
 
 LogFollower::LogFollower(std::string_view text, const std::string& file, const Scene& scene,
                          const std::string& hash)
-    : scene_(scene), reader_(text, file) {
+    : reader_(text, file) {
   if (header().scene_hash != hash) {
     throw InputError(file, "line 1",
                      "it is a log of another scene (" + show_text(header().scene) + ", hash " +
@@ -61,11 +62,9 @@ bool LogFollower::follow(const SeenEvent& event) {
   if (next_.structure != event.structure) part = "structure";
   if (next_.kind != event.kind) part = "kind";
   if (next_.external != event.event.external) part = "effect";
-  bool same_ids = next_.ids.size() == event.event.count;
-  for (std::size_t i = 0; same_ids && i < next_.ids.size(); ++i) {
-    same_ids = next_.ids[i] == scene_.objects[event.event.ids[i]].id;
+  if (!std::equal(next_.ids.begin(), next_.ids.end(), event.ids.begin(), event.ids.end())) {
+    part = "objects";
   }
-  if (!same_ids) part = "objects";
   if (!same_instant(next_.time, event.instant)) part = "time";
   if (part == nullptr) return true;
   problem_ = reader_.file() + ": line " + std::to_string(next_.line) +

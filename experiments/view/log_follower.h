@@ -29,7 +29,6 @@ class LogFollower {
   const std::string& problem() const { return problem_; }
 
  private:
-  const Scene& scene_;
   LogReader reader_;
   LogEvent next_;
   std::string problem_;

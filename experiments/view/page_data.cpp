@@ -2,42 +2,18 @@
 #include "experiments/view/page_data.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "experiments/event_log.h"
 #include "experiments/json_writer.h"
 #include "experiments/scene_writer.h"
 #include "experiments/trade/binary_scale.h"
+#include "experiments/view/data_writer.h"
 #include "experiments/view/drawn_motions.h"
+#include "experiments/view/proof_data.h"
 
 namespace kinex {
 
 namespace {
-
-// The shortest text that reads back as the same double; null if it is not finite.
-void write_double(JsonWriter& json, double value) {
-  if (!std::isfinite(value)) {
-    json.null();
-    return;
-  }
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, value);
-  json.raw(std::string_view(text, static_cast<std::size_t>(end - text)));
-}
-
-template <class Range>
-void write_ids(JsonWriter& json, const Range& ids) {
-  json.begin_array();
-  for (const ObjectId id : ids) json.number(std::uint64_t{id});
-  json.end_array();
-}
-
-void write_texts(JsonWriter& json, const std::vector<std::string>& texts) {
-  json.begin_array();
-  for (const std::string& text : texts) json.string(text);
-  json.end_array();
-}
 
 std::string_view shape_name(Attribute::Shape shape) {
   switch (shape) {
@@ -90,6 +66,20 @@ void write_motions(JsonWriter& json, const Scene& scene, const DrawnMotions& mot
         json.end_array();
       }
       json.end_array().end_array();
+    }
+    json.end_array();
+  }
+  json.end_array();
+}
+
+void write_polygons(JsonWriter& json, const DrawnMotions& motions) {
+  json.key("polygons").begin_array();
+  for (const auto& polygon : motions.polygons) {
+    json.begin_array();
+    for (const auto& vertex : polygon) {
+      json.begin_array();
+      for (const double x : vertex) write_double(json, x);
+      json.end_array();
     }
     json.end_array();
   }
@@ -204,10 +194,13 @@ std::vector<double> drawn_times(const RecordedRun& run, const Rational& span) {
   return times;
 }
 
-void write_events(JsonWriter& json, const RecordedRun& run, const Rational& span) {
+void write_events(JsonWriter& json, const RecordedRun& run, std::size_t index,
+                  const ShownThings& things, const Rational& span) {
   const std::vector<double> times = drawn_times(run, span);
-  const auto ids = [](const auto& list, std::size_t count) {
-    return std::span<const ObjectId>(list.data(), count);
+  const auto ids = [&](const auto& list, std::size_t count) {
+    std::vector<ObjectId> shown;
+    for (std::size_t i = 0; i < count; ++i) shown.push_back(things.shown(index, list[i]));
+    return shown;
   };
   EventColumns(json, run)
       .column("u", [&](const RecordedEvent& e) { write_double(json, times[e.instant]); })
@@ -252,13 +245,15 @@ void write_events(JsonWriter& json, const RecordedRun& run, const Rational& span
   json.end_object();
 }
 
-void write_run(JsonWriter& json, const RecordedRun& run, const Rational& span) {
+void write_run(JsonWriter& json, const RecordedRun& run, std::size_t index,
+               const ShownThings& things, const Rational& span) {
   json.begin_object().key("arithmetic").string(run.arithmetic).key("exact").boolean(run.exact);
   json.key("before").number(run.before).key("stopped").string(run.stopped).key("predicates");
   write_texts(json, run.predicates);
-  write_events(json, run, span);
+  write_events(json, run, index, things, span);
   write_instants(json, run);
   write_states(json, run);
+  if (!run.claims.empty()) write_proofs(json, run, index, things);
   json.end_object();
 }
 
@@ -279,10 +274,16 @@ std::string page_data(const Scene& scene, const std::string& hash,
   json.end_array().key("span");
   write_double(json, span.to_double());
   json.end_object();
-  write_motions(json, scene, drawn_motions(scene, start, span));
+  const DrawnMotions motions = drawn_motions(scene, start, span);
+  const ShownThings things(runs);
+  write_motions(json, scene, motions);
+  if (scene.has_bodies()) {
+    write_polygons(json, motions);
+    things.write(json, motions.exact_scale);
+  }
   write_structures(json, runs.front(), scene);
   json.key("runs").begin_array();
-  for (const RecordedRun& run : runs) write_run(json, run, span);
+  for (std::size_t i = 0; i < runs.size(); ++i) write_run(json, runs[i], i, things, span);
   json.end_array().key("divergence");
   json.number(runs.size() < 2 ? std::uint64_t{0} : first_divergence(runs[0], runs[1]));
   json.end_object();

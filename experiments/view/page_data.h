@@ -15,7 +15,8 @@
 //     "instants": [[DECIMAL, POLYNOMIAL, ROOT, LOWER, UPPER]], "reasons": {EVENT: TEXT},
 //     "states": [{"initial": [..], "changes": [[EVENT, PLACE, [REMOVED], [ADDED]]], "corrupt"}]}],
 //  "divergence": EVENT or 0}
-// Objects are numbers, places in "ids". See page/*.js for who reads it.
+// Objects are numbers, places in "ids". A body has four axes; its rotor is divided by a number of
+// its own. Scenes of bodies have more: proof_data.h. See page/*.js for who reads it.
 #ifndef KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H
 #define KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H
 

@@ -7,8 +7,10 @@ namespace kinex {
 
 namespace {
 
-bool same(const Event& a, const Event& b) {
-  return a.structure == b.structure && a.kind == b.kind && a.count == b.count && a.ids == b.ids;
+// Derived objects are the same if their names are: each run numbers its own.
+bool same_object(const RecordedRun& a, ObjectId x, const RecordedRun& b, ObjectId y) {
+  if (x < a.objects || y < b.objects) return x == y;
+  return a.things[x - a.objects].name == b.things[y - b.objects].name;
 }
 
 }  // namespace
@@ -24,6 +26,11 @@ std::optional<Attribute> attribute_after(const RecordedStructure& structure, std
 }
 
 std::uint64_t first_divergence(const RecordedRun& a, const RecordedRun& b) {
+  const auto same = [&](const Event& x, const Event& y) {
+    bool all = x.structure == y.structure && x.kind == y.kind && x.count == y.count;
+    for (std::size_t i = 0; all && i < x.count; ++i) all = same_object(a, x.ids[i], b, y.ids[i]);
+    return all;
+  };
   const auto [x, y] = std::mismatch(a.all.begin(), a.all.end(), b.all.begin(), b.all.end(), same);
   const bool a_ends = x == a.all.end(), b_ends = y == b.all.end();
   if (a_ends && b_ends) return 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RecordedRun: a run as data: every event with its certificate and instant, and the attribute of
-// every structure after each of them. Nothing in it is recomputed: it is what the run said.
+// every structure after each of them; in scenes of bodies also the proof of every pair. Nothing in
+// it is recomputed: it is what the run said.
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 
@@ -13,6 +14,7 @@
 #include "core/rational.h"
 #include "experiments/scene_run.h"
 #include "experiments/view/attribute_change.h"
+#include "experiments/view/recorded_proof.h"
 #include "experiments/view/stage_watch.h"
 
 namespace kinex {
@@ -38,6 +40,7 @@ struct RecordedStructure {
   // An inexact arithmetic led it astray after this many events: no attribute from then on.
   std::optional<std::uint64_t> corrupt_after;
   std::string corruption;
+  std::vector<PairHistory> pairs;  // of bodies; in the order in which they first had a proof
 };
 
 struct RecordedRun {
@@ -52,7 +55,11 @@ struct RecordedRun {
   std::vector<InstantText> instants;
   std::vector<RecordedStructure> structures;
   std::vector<std::string> predicates;  // by PredicateId
-  std::string digest;                   // of `all`, as an event log has it
+  // Derived objects that the record names; their ids are counted on from those of the scene.
+  std::size_t objects = 0;  // of the scene
+  std::vector<RecordedThing> things;
+  std::vector<RecordedClaim> claims;
+  std::string digest;  // of `all`, as an event log has it
 };
 
 // The attribute of a structure after event `event` (numbered from 1 in the whole run, at least

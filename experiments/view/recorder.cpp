@@ -12,6 +12,7 @@
 #include "experiments/input_error.h"
 #include "experiments/sha256.h"
 #include "experiments/view/certificate_polynomial.h"
+#include "experiments/view/proof_recorder.h"
 #include "experiments/view/watched_structure.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
@@ -49,6 +50,8 @@ class Recorder final : public EventSink {
       return !full_ && (!options_.progress || options_.progress(running));
     };
     simulator_.emplace(scene, std::move(watch), simulator_options);
+    run_.objects = scene.objects.size();
+    if (scene.has_bodies()) proofs_.emplace(scene, *simulator_, run_);
     add_structures();
     simulator_->set_sink(this);
   }
@@ -89,14 +92,17 @@ class Recorder final : public EventSink {
     const std::string& kind = structure.kinds[event.kind];
     if (recording_ && !record)
       return stop("it has more than " + std::to_string(options_.max_events) + " events");
+    names_.clear();
+    for (std::size_t i = 0; i < event.count; ++i) {
+      names_.push_back(simulator_->object_name(event.ids[i]));
+    }
     if (options_.observe &&
-        !options_.observe({events_ + 1, structure.label, kind, event, instant})) {
+        !options_.observe({events_ + 1, structure.label, kind, names_, event, instant})) {
       return stop(std::string(kLogEnds));
     }
     ++events_;
-    run_.all.push_back(event);
-    run_.all.back().reason = {};
-    add_to_digest(event, structure.label, kind);
+    run_.all.push_back(as_recorded(event));
+    digest_.add(digest_line(structure.label, kind, names_));
     if (!record) return;
     if (state.first_pending == 0) state.first_pending = events_;
     state.changed = state.changed || event.external || common;
@@ -156,20 +162,29 @@ class Recorder final : public EventSink {
     }
   }
 
-  void add_to_digest(const Event& event, std::string_view label, std::string_view kind) {
-    std::vector<std::string_view> ids;
-    for (std::size_t i = 0; i < event.count; ++i) ids.push_back(scene_.objects[event.ids[i]].id);
-    digest_.add(digest_line(label, kind, ids));
+  // Without its reason, and with derived objects as the record numbers them.
+  Event as_recorded(Event event) {
+    event.reason = {};
+    if (!proofs_) return event;
+    for (std::size_t i = 0; i < event.count; ++i) event.ids[i] = proofs_->recorded(event.ids[i]);
+    for (std::size_t i = 0; i < event.certificate.arity; ++i) {
+      event.certificate.ids[i] = proofs_->recorded(event.certificate.ids[i]);
+    }
+    return event;
+  }
+
+  Polynomial polynomial(const Query& query) const {
+    const Predicate& predicate = stages_->predicate(query.predicate);
+    if (proofs_) return certificate_polynomial(predicate, query, simulator_->kernel().derived());
+    return certificate_polynomial(predicate, query, motions_);
   }
 
   void record_event(const Event& event, InstantText instant) {
     RecordedEvent record;
-    record.event = event;
-    record.event.reason = {};
+    record.event = as_recorded(event);
     record.reason = std::string(event.reason);
     if (event.certificate.arity > 0) {
-      const Polynomial p = certificate_polynomial(stages_->predicate(event.certificate.predicate),
-                                                  event.certificate, motions_);
+      const Polynomial p = polynomial(event.certificate);
       record.polynomial = coefficients(p);
       record.stages = stages_->stages(event.certificate);
       if (instant.exact && record.polynomial == instant.polynomial) {
@@ -199,6 +214,7 @@ class Recorder final : public EventSink {
     if (simulator_->kernel().ledger(id).corrupt) return;
     state.attribute = state.structure->attribute();
     run_.structures[id].initial = state.attribute;
+    if (proofs_) proofs_->look(id, *state.structure, events_);
   }
 
   // The structure has returned from a call.
@@ -210,6 +226,7 @@ class Recorder final : public EventSink {
     const std::uint64_t first = std::exchange(state.first_pending, 0);
     const bool changed = std::exchange(state.changed, false);
     if (simulator_->kernel().ledger(id).corrupt) return;
+    if (proofs_ && !full_) proofs_->look(id, *state.structure, first != 0 ? first : events_);
     if (first == 0 ? full_ : !changed) return;
     Attribute attribute = state.structure->attribute();
     AttributeChange change = difference(state.attribute, attribute);
@@ -246,6 +263,8 @@ class Recorder final : public EventSink {
   StageWatch* stages_ = nullptr;
   std::vector<State> states_;
   std::optional<Simulator> simulator_;
+  std::optional<ProofRecorder> proofs_;  // in scenes of bodies
+  std::vector<std::string_view> names_;  // of the present event's objects
   std::uint64_t events_ = 0;
   bool recording_ = false;
   bool full_ = false;

@@ -4,11 +4,13 @@
 // The attribute is taken from the structure itself whenever it has done its work: after a failure
 // is repaired, an object inserted, and so on. What changed is put down to the first event that the
 // structure reported meanwhile; further events of the same repair (ties put in order) find it done.
+// Likewise the proofs of pairs of bodies.
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDER_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDER_H
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -24,6 +26,7 @@ inline constexpr std::string_view kLogEnds = "the log ends here";
 struct SeenEvent {
   std::uint64_t number;  // from 1
   std::string_view structure, kind;
+  std::span<const std::string_view> ids;  // names
   const Event& event;
   const InstantText& instant;
 };

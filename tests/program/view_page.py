@@ -40,6 +40,18 @@ const ink = id => {{
   }}
   return [count, colours.size];
 }};
+// Pixels in the colour of what fails, left and right of where configuration space begins.
+const marked = () => {{
+  const canvas = document.getElementById("picture");
+  const colour = [1, 3, 5].map(i => parseInt(COLOUR.failed.slice(i, i + 2), 16));
+  const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+  const border = app.drawing.chart.frame.rectangle[0] * canvas.width / canvas.clientWidth;
+  const counts = [0, 0];
+  for (let i = 0; i < pixels.length; i += 4) {{
+    if (colour.every((c, j) => pixels[i + j] === c)) ++counts[(i / 4) % canvas.width < border ? 0 : 1];
+  }}
+  return counts;
+}};
 async function answer() {{
   await settle();
   const result = {{ opened: kinexState().event, states: [] }};
@@ -50,7 +62,13 @@ async function answer() {{
     await settle();
     const state = kinexState();
     state.shown = document.body.dataset.event;
-    state.text = document.getElementById("event").innerText;
+    const words = id => document.getElementById(id).innerText;
+    state.text = words("event") + [...document.querySelectorAll("#event [title]")]
+      .map(e => "\\n" + e.title).join("");
+    state.proofText = words("proof");
+    if (BODIES) state.failed = marked();
+    state.claims = [...document.querySelectorAll("#proof li")].map(
+      e => [e.innerText, e.title, e.className]);
     state.row = document.querySelector(".row.now").dataset.event;
     state.ink = [ink("picture"), ink("window"), ink("overview")];
     result.states.push(state);
@@ -316,4 +334,5 @@ def main():
     print(f"{total} displayed states are those of kinex run")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -164,6 +164,35 @@ TEST_F(ViewVerb, LimitsAreToldAndKept) {
   EXPECT_THAT(later.out, HasSubstr("exact, 0 events after "));
 }
 
+// Scenes of rigid polygons; the log names derived objects.
+TEST_F(ViewVerb, Bodies) {
+  const std::string bodies = scratch_.file("bodies.json"), log = scratch_.file("bodies.jsonl");
+  ASSERT_EQ(run_kinex({"gen", "polygon-random", "--n", "9", "--m", "8", "--seed", "3", "--maintain",
+                       "separation_mixed,closest_features", "-o", bodies})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_kinex({"run", bodies, "--events", log}).exit_code, 0);
+  const Finished of_scene = run_kinex({"view", bodies, "--with", "double", "-o", page_});
+  EXPECT_EQ(of_scene.exit_code, 0) << of_scene.err;
+  const Finished of_log =
+      run_kinex({"view", log, "--scene", bodies, "--with", "double", "-o", "-"});
+  EXPECT_EQ(of_log.exit_code, 0) << of_log.err;
+  EXPECT_EQ(of_log.out, read_file(page_));
+  EXPECT_THAT(of_log.out, HasSubstr("\"polygons\": [[["));
+  // The bodies meet by other features than the log says.
+  std::string text = read_file(log);
+  const std::size_t contact = text.find("\"kind\": \"contact\"", text.find("\"seq\": 1"));
+  ASSERT_NE(contact, std::string::npos);
+  const std::size_t feature = text.find("\"b.", contact);
+  text.replace(feature, 3, "\"c.");
+  write_file(log, text);
+  std::filesystem::remove(page_);
+  expect_refused({log, "--scene", bodies, "-o", page_}, "other objects", 1);
+  expect_refused({bodies, "--maintain", "separation_minkowski", "-o", page_},
+                 "do not turn against each other");
+  expect_refused({bodies, "--maintain", "delaunay_2", "-o", page_}, "bodies");
+}
+
 TEST_F(ViewVerb, MoreObjectsThanAPageDraws) {
   const std::string many = scratch_.file("many.json");
   ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "20001", "--dimension", "1", "--maintain",

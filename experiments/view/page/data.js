@@ -14,7 +14,8 @@ const at = (run, k) => k - run.before - 1;
 const timeOf = (run, k) => (k <= run.before ? 0 : run.u[at(run, k)]);
 const instantOf = (run, k) => run.instants[run.i[at(run, k)]];
 const kindOf = (run, k) => DATA.structures[run.s[at(run, k)]].kinds[run.k[at(run, k)]];
-const nameOf = object => DATA.ids[object];
+const nameOf = object =>
+  (object < OBJECTS ? DATA.ids[object] : DATA.things[object - OBJECTS][0]);
 const listOf = objects => objects.map(nameOf).join(", ");
 
 // The number of events at times <= u, counted in the whole run.
@@ -40,6 +41,7 @@ function shortNumber(x) {
 function shortText(text, most = 34) {
   if (text.length <= most) return text;
   const half = (most - 2) >> 1;
+  if (DATA.polygons) return text.slice(0, 6) + "\u2026" + text.slice(-4);  // there are many of them
   return text.slice(0, half) + "\u2026" + text.slice(-half) + " (" + text.length + " characters)";
 }
 // An element with a text and a class.

@@ -17,17 +17,46 @@ class App {
       this.partedAt = PARTED <= LAST ? timeOf(FIRST, PARTED) : timeOf(OTHER, PARTED);
     }
     this.picture = new Picture("picture");
+    if (BODIES) return this.startBodies();
     this.drawings = { plane: new Plane(this), time: new Diagram(this) };
     this.window = new TimeWindow(this);
     this.panel = new Panel(this);
   }
+
+  startBodies() {
+    this.chosen = null;  // the pair that is shown; null: that of the event
+    const proofs = run => DATA.structures.map((_, i) => new Proofs(run, i));
+    this.proofs = proofs(FIRST);
+    this.otherProofs = OTHER === null ? null : proofs(OTHER);
+    this.span = 1.03;
+    this.rate = 1 / 30;
+    this.drawings = { plane: new Arena(this) };
+    this.window = new Lanes(this);
+    this.panel = new ProofPanel(this);
+  }
+  // The pair of bodies that is shown: that of the event, or of the next one that is about a pair.
+  pair() {
+    if (this.chosen !== null) return this.chosen;
+    for (let e = Math.max(0, at(FIRST, this.k)); e < FIRST.u.length; ++e) {
+      const pair = pairOfEvent(FIRST, e);
+      if (pair !== null) return pair;
+    }
+    for (let e = Math.min(at(FIRST, this.k), FIRST.u.length - 1); e >= 0; --e) {
+      const pair = pairOfEvent(FIRST, e);
+      if (pair !== null) return pair;
+    }
+    return pairCode(0, Math.min(1, OBJECTS - 1));
+  }
+  colourOf(index) { return COLOUR["s" + index % 6]; }
 
   // ---- what others ask
   shown() { return this.index; }
   get replay() { return this.replays[this.index]; }
   get other() { return this.others === null ? null : this.others[this.index]; }
   get drawing() { return this.drawings[this.mode]; }
-  state() { return this.k + "/" + this.kOther() + "/" + this.index; }
+  state() {
+    return this.k + "/" + this.kOther() + "/" + this.index + (BODIES ? "/" + this.pair() : "");
+  }
   eventStructure() { return this.k > BEFORE ? FIRST.s[at(FIRST, this.k)] : -1; }
   // Of the event k itself, in whatever structure.
   certificateObjects() {
@@ -164,9 +193,13 @@ class App {
       line.style.color = COLOUR[colour];
       legend.append(line, text);
     };
-    entry("first", structure.label + (OTHER === null ? "" : ", " + FIRST.arithmetic));
+    entry(BODIES ? "s" + this.index % 6 : "first", structure.label + (OTHER === null ? "" : ", " + FIRST.arithmetic));
     if (OTHER !== null) entry("second", "otherwise in " + OTHER.arithmetic);
-    if (this.k > BEFORE) entry("failed", "event " + this.k + ": what failed and what it changed");
+    if (BODIES) {
+      entry("failed", "fails next, or contact");
+    } else if (this.k > BEFORE) {
+      entry("failed", "event " + this.k + ": what failed and what it changed");
+    }
     this.picture.canvas.setAttribute("aria-label", structure.label + " after event " + this.k);
   }
 }
@@ -181,5 +214,6 @@ function kinexState() {
     certificate: app.certificateName(), objects: app.certificateObjects().map(nameOf),
     structures: values(app.replays), diverges: PARTED,
     other: app.others === null ? null : { event: app.kOther(), structures: values(app.others) },
+    ...(BODIES ? { proof: proofState() } : {}),
   };
 }

@@ -111,14 +111,17 @@ class Panel {
       row("certificate", "none: a change of the scene or of the whole proof");
       return;
     }
-    const name = run.predicates[certificate[0]];
-    row("certificate", name + "(" + listOf(certificate[1]) + ") \u2265 0 fails");
+    row("certificate", this.certificateText(run, certificate));
     const own = run.p[e], instant = run.instants[run.i[e]];
     if (Array.isArray(own)) {
       row("polynomial", own.length === 0 ? "0" : polynomial(own));
     } else if (own !== 0) {
       row("polynomial", polynomial(own > 0 ? instant[1] : negated(instant[1])));
     }
+  }
+
+  certificateText(run, certificate) {
+    return run.predicates[certificate[0]] + "(" + listOf(certificate[1]) + ") \u2265 0 fails";
   }
 
   describeInstant(run, k, e, row) {

@@ -27,9 +27,10 @@ const COLOUR = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
   for (const name of ["back", "text", "quiet", "line", "point", "first", "fill", "failed",
-                      "second", "external", "internal"]) {
+                      "second", "external", "internal", "panel", "s1", "s2", "s3", "s4", "s5"]) {
     COLOUR[name] = style.getPropertyValue("--" + name).trim();
   }
+  COLOUR.s0 = COLOUR.first;
 }
 
 function dot(context, x, y, radius, colour) {

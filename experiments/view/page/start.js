@@ -25,6 +25,7 @@ function describePage() {
     option.value = i;
     select.append(option);
   });
+  if (BODIES) describePairs();
   for (const id of ["scrub", "number"]) {
     const input = document.getElementById(id);
     input.min = BEFORE;
@@ -50,6 +51,28 @@ function describePage() {
   const go = make("button", "Go there (D)");
   go.addEventListener("click", () => app.setEvent(PARTED));
   box.append(go);
+}
+
+// Scenes of bodies have one drawing, and of more than two bodies a choice of the pair.
+function describePairs() {
+  document.getElementById("drawing-label").hidden = true;
+  document.getElementById("whole").hidden = false;
+  onClick("whole", () => app.drawing.chart.turnOver());
+  const pairs = new Set(app.proofs.flatMap(proofs => [...proofs.pairs.keys()]));
+  if (pairs.size < 2) return;
+  const select = document.getElementById("pair");
+  document.getElementById("pair-label").hidden = false;
+  const choice = (text, value) => {
+    const option = make("option", text);
+    option.value = value;
+    select.append(option);
+  };
+  choice("of the event", "");
+  for (const pair of [...pairs].sort((a, b) => a - b)) choice(pairOf(pair).map(nameOf).join(", "), pair);
+  select.addEventListener("change", () => {
+    app.chosen = select.value === "" ? null : +select.value;
+    app.changed();
+  });
 }
 
 function listen() {
@@ -101,6 +124,7 @@ function pressed(key) {
     f: () => { app.drawing.fit(); app.changed(); },
     ",": () => app.setSpan(1.5), ".": () => app.setSpan(1 / 1.5),
     d: () => { if (PARTED > BEFORE) app.setEvent(PARTED); },
+    t: () => { if (BODIES) app.drawing.chart.turnOver(); },
   };
   const action = actions[key.key] || actions[key.key.toLowerCase()];
   if (!action) return;
@@ -122,7 +146,7 @@ function listenToPointers() {
   canvas.addEventListener("pointermove", e => {
     const [x, y] = place(canvas, e);
     if (dragged !== null) {
-      const sideways = app.drawing.move(x - dragged[0], y - dragged[1]);
+      const sideways = app.drawing.move(x - dragged[0], y - dragged[1], ...dragged);
       if (sideways) app.setTime(app.u - (x - dragged[0]) / canvas.clientWidth * app.span);
       dragged = [x, y];
       app.changed();

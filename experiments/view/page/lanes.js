@@ -1,0 +1,120 @@
+// The time window of a scene of bodies: one lane for each structure, on one time axis, so that one
+// sees which proof changes often and which seldom. A second run hangs below the lines.
+class Lanes extends TimeWindow {
+  constructor(app) {
+    super(app);
+    const lanes = DATA.structures.length;
+    const each = OTHER === null ? 52 : 74;
+    this.picture.canvas.parentElement.style.height =
+      Math.max(96, 34 + Math.min(lanes * each, 260)) + "px";
+    this.counts = [FIRST, OTHER].map(run => (run === null ? null
+      : DATA.structures.map((_, i) => countsOf(run, i))));
+  }
+
+  draw() {
+    const { app, picture } = this;
+    const context = picture.begin();
+    const axis = app.axis(picture.width);
+    this.axis = axis;
+    this.height = (picture.height - 26) / DATA.structures.length;
+    DATA.structures.forEach((_, index) => this.drawLane(context, axis, index));
+    this.drawTicks(context, axis, picture.height - 10);
+    this.drawNow(context, axis, 18, 4);
+    this.drawDivergence(context, axis);
+    DATA.structures.forEach((_, index) => this.drawName(context, axis, index));
+  }
+
+  // The parts of a lane: the name, the bars of the first run, those of the second.
+  parts(index) {
+    const top = index * this.height;
+    const base = OTHER === null ? top + this.height - 5 : top + 16 + (this.height - 18) * 0.55;
+    return { top, base, long: base - top - 19, depth: top + this.height - 4 - base };
+  }
+
+  drawLane(context, axis, index) {
+    const { app } = this;
+    const { top, base, long, depth } = this.parts(index);
+    const shown = index === app.shown(), colour = app.colourOf(index);
+    if (shown) {
+      context.fillStyle = COLOUR.panel;
+      context.fillRect(axis.left, top, axis.right - axis.left, this.height - 2);
+    }
+    context.strokeStyle = COLOUR.line;
+    context.lineWidth = 1;
+    trace(context, [[axis.x(Math.max(0, axis.from)), base + 0.5],
+                    [axis.x(Math.min(1, axis.to)), base + 0.5]], false);
+    context.stroke();
+    this.laneBars(context, axis, FIRST, index, base, -long, colour, app.k);
+    if (OTHER !== null) {
+      this.laneBars(context, axis, OTHER, index, base + 1, depth, COLOUR.second, app.kOther());
+    }
+    const next = app.proofs[index].nextFailure(app.pair(), app.k);
+    if (next === null) return;
+    const x = axis.x(timeOf(FIRST, next));
+    if (x < axis.left || x > axis.right) return;
+    context.strokeStyle = COLOUR.failed;
+    context.lineWidth = shown ? 2 : 1.2;
+    context.beginPath();
+    context.arc(x, base - long * 0.42 - 6, shown ? 4.5 : 3.5, 0, 2 * Math.PI);
+    context.stroke();
+  }
+
+  drawName(context, axis, index) {
+    const { app } = this;
+    const { top } = this.parts(index);
+    const counts = this.counts[0][index];
+    let text = DATA.structures[index].label + "  " + (placeUntil(counts.events, app.k) + 1) + " of " +
+      counts.events.length + " events";
+    if (counts.external > 0) text += ", " + counts.external + " external";
+    if (OTHER !== null) text += " (" + OTHER.arithmetic + ": " + this.counts[1][index].events.length + ")";
+    label(context, text, axis.left + 5, top + 9, app.colourOf(index));
+    if (index === 0 && app.partedAt === null) {
+      label(context, "long bars: external events, short: internal; ring: fails next",
+            axis.right - 4, top + 9, COLOUR.quiet, "right");
+    }
+  }
+
+  laneBars(context, axis, run, index, base, length, colour, now) {
+    const { events } = this.counts[run === FIRST ? 0 : 1][index];
+    const taken = [-9, -9];
+    let i = placeUntil(events, eventsUntil(run, axis.from - 1e-12)) + 1;
+    for (; i < events.length; ++i) {
+      const k = events[i], u = timeOf(run, k);
+      if (u > axis.to) break;
+      const x = Math.round(axis.x(u)), long = run.x[at(run, k)];
+      if (k !== now && taken[long] === x) continue;
+      taken[long] = x;
+      context.fillStyle = k === now ? COLOUR.failed : colour;
+      const wide = k === now ? 4 : events.length > 300 ? 1 : 2;
+      context.fillRect(x - wide / 2, base, wide, length * (long === 1 ? 1 : 0.42));
+    }
+  }
+
+  laneAt(y) {
+    return Math.max(0, Math.min(DATA.structures.length - 1, Math.floor(y / this.height)));
+  }
+  // The event of the lane whose bar is nearest to x, or null if none is near.
+  eventAt(x, y) {
+    const { events } = this.counts[0][this.laneAt(y)];
+    const near = placeUntil(events, eventsUntil(FIRST, this.axis.u(x)));
+    let best = null, distance = 7;
+    for (const k of [events[near], events[near + 1]]) {
+      if (k === undefined) continue;
+      const d = Math.abs(this.axis.x(timeOf(FIRST, k)) - x);
+      if (d < distance) { distance = d; best = k; }
+    }
+    return best;
+  }
+}
+
+// The numbers of a structure's events that its certificates cause, and how many are external.
+function countsOf(run, index) {
+  const events = [];
+  let external = 0;
+  run.u.forEach((_, e) => {
+    if (run.s[e] !== index || run.certificates[e] === 0) return;
+    events.push(e + run.before + 1);
+    external += run.x[e];
+  });
+  return { events, external };
+}

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `kinex view` records and writes of scenes of rigid polygons: the proofs of the run itself,
+// after every event, and what their lines and points are on the polygons.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/real_root.h"
+#include "experiments/view/page_data.h"
+#include "structures/body_grid.h"
+#include "structures/separation_mixed.h"
+#include "tests/experiments/view_fixture.h"
+
+namespace kinex {
+namespace {
+
+using nlohmann::json;
+using test::plain_run;
+using test::record;
+
+Scene family(const char* name, int n, int m, const std::string& maintain) {
+  WorkloadParameters parameters;
+  parameters.n = n;
+  parameters.m = m;
+  parameters.seed = 3;
+  Scene scene = generate_scene(*find_workload(name), parameters);
+  set_maintain(scene, {maintain});
+  return scene;
+}
+
+const char* const kBoth = "separation_mixed,closest_features";
+
+std::vector<Scene> scenes() {
+  return {family("polygon-fan", 3, 3, kBoth),
+          family("polygon-random", 9, 8, "separation_hysteresis,separation_mixed,inner_tangents"),
+          family("polygon-spin-orbit", 6, 5, kBoth),
+          family("polygon-approach", 6, 0, "separation_minkowski,bounding_volumes"),
+          family("polygons-in-box", 5, 4, "separation_mixed,separation_hysteresis")};
+}
+
+// Odd parts of the scene's time, so that no event is at one of them.
+std::vector<Rational> times_in(const Scene& scene, int count) {
+  std::vector<Rational> times;
+  for (int i = 1; i < count; ++i) {
+    times.push_back(scene.start + (*scene.end - scene.start) *
+                                      Rational(Integer(1009 * i + 1), Integer(1009 * count)));
+  }
+  return times;
+}
+
+std::string name_of(const Scene& scene, const RecordedRun& run, ObjectId id) {
+  return id < scene.objects.size() ? scene.objects[id].id
+                                   : run.things[id - scene.objects.size()].name;
+}
+
+TEST(ViewBodies, RunsAreThoseWithoutARecorder) {
+  for (const Scene& scene : scenes()) {
+    for (const char* arithmetic : {"exact", "double"}) {
+      const RecordedRun recorded = record(scene, arithmetic);
+      const auto plain = plain_run(scene, arithmetic, times_in(scene, 20));
+      EXPECT_EQ(recorded.digest, plain.digest) << scene.name << " " << arithmetic;
+      for (const auto& sample : plain.samples) {
+        for (std::size_t i = 0; i < recorded.structures.size(); ++i) {
+          const auto value = attribute_after(recorded.structures[i], sample.events);
+          if (!value) continue;  // led astray
+          EXPECT_EQ(*value, sample.values[i]) << scene.name << " " << arithmetic;
+        }
+      }
+    }
+  }
+}
+
+// The certificates of another run, which is stopped between two events.
+TEST(ViewBodies, ProofsAreTheLiveCertificates) {
+  std::size_t compared = 0, tiles = 0;
+  for (const Scene& scene : scenes()) {
+    const RecordedRun run = record(scene);
+    SimulatorOptions options;
+    options.audit = AuditLevel::kNone;
+    const auto simulator = make_simulator(scene, "exact", options);
+    EventLog log(*simulator, "", nullptr);
+    simulator->set_sink(&log);
+    simulator->start();
+    for (const Rational& t : times_in(scene, 30)) {
+      simulator->run_until(t);
+      const EventQueue& queue = simulator->kernel().queue();
+      for (StructureId id = 0; id < simulator->structures(); ++id) {
+        std::multiset<std::string> live, recorded;
+        for (CertificateId c = 0; c < queue.capacity(); ++c) {
+          const Certificate& certificate = queue.certificate(c);
+          if (!certificate.live || certificate.structure != id) continue;
+          if ((certificate.tag & BodyGrid::kTag) != 0) continue;
+          const Query& query = certificate.query;
+          std::string text(simulator->kernel().arithmetic().predicate(query.predicate).name());
+          for (std::size_t i = 0; i < query.arity; ++i) {
+            text += " " + simulator->object_name(query.ids[i]);
+          }
+          live.insert(text);
+        }
+        const auto* mixed = dynamic_cast<const SeparationMixed*>(&simulator->structure(id));
+        for (const PairHistory& history : run.structures[id].pairs) {
+          const PairProof* proof = proof_after(history, log.events());
+          if (proof == nullptr) continue;
+          for (const std::uint32_t c : proof->claims) {
+            const RecordedClaim& claim = run.claims[c];
+            std::string text = run.predicates[claim.predicate];
+            for (const ObjectId object : claim.arguments) text += " " + name_of(scene, run, object);
+            recorded.insert(text);
+          }
+          if (mixed != nullptr && proof->tile) {
+            EXPECT_EQ(mixed->tile(history.a, history.b), proof->tile) << scene.name;
+            ++tiles;
+          }
+        }
+        EXPECT_EQ(live, recorded) << scene.name << " " << run.structures[id].label << " at "
+                                  << t.to_string();
+        compared += live.size();
+      }
+    }
+  }
+  EXPECT_GT(compared, 500u);
+  EXPECT_GT(tiles, 50u);
+}
+
+// The certificate of an event is one of the proof before it.
+TEST(ViewBodies, WhatFailsWasPartOfTheProof) {
+  for (const Scene& scene : scenes()) {
+    const RecordedRun run = record(scene);
+    for (std::size_t k = 1; k <= run.events.size(); ++k) {
+      const Event& event = run.events[k - 1].event;
+      if (event.certificate.arity == 0 || event.count < 2) continue;
+      const std::vector<PairHistory>& pairs = run.structures[event.structure].pairs;
+      const auto history = std::find_if(pairs.begin(), pairs.end(), [&](const PairHistory& h) {
+        return h.a == event.ids[0] && h.b == event.ids[1];
+      });
+      ASSERT_NE(history, pairs.end()) << scene.name << " event " << k;
+      const PairProof* proof = proof_after(*history, k - 1);
+      ASSERT_NE(proof, nullptr);
+      const auto& ids = event.certificate.ids;
+      const std::vector<ObjectId> arguments(ids.begin(), ids.begin() + event.certificate.arity);
+      const auto is_it = [&](std::uint32_t c) {
+        return run.claims[c].predicate == event.certificate.predicate &&
+               run.claims[c].arguments == arguments;
+      };
+      // (Two tangents that touch the same vertices can say the same thing.)
+      EXPECT_TRUE(std::any_of(proof->claims.begin(), proof->claims.end(), is_it))
+          << scene.name << " event " << k;
+    }
+  }
+}
+
+TEST(ViewBodies, PolynomialsVanishAtTheirInstants) {
+  const Scene scene = family("polygon-random", 7, 6, kBoth);
+  const RecordedRun run = record(scene);
+  RootCounters counters;
+  const auto read = [](const std::vector<std::string>& texts) {
+    std::vector<Integer> coefficients;
+    for (const std::string& text : texts) coefficients.push_back(*Integer::parse(text));
+    return Polynomial(std::move(coefficients));
+  };
+  int seen = 0;
+  for (const RecordedEvent& event : run.events) {
+    if (event.event.certificate.arity == 0) continue;
+    const InstantText& text = run.instants[event.instant];
+    const Polynomial instant = read(text.polynomial);
+    const Rational lower = *Rational::parse(text.lower);
+    RealRoot root = text.lower == text.upper
+                        ? RealRoot(lower)
+                        : RealRoot(instant, lower, *Rational::parse(text.upper));
+    const Polynomial own = event.sign != 0 ? instant : read(event.polynomial);
+    EXPECT_GT(own.degree(), 0);
+    EXPECT_EQ(sign_at(own, root, counters), Sign::kZero) << text.approximate;
+    EXPECT_TRUE(event.stages.has_value());
+    ++seen;
+  }
+  EXPECT_GT(seen, 3);
+}
+
+TEST(ViewBodies, APartOfARun) {
+  const Scene scene = family("polygon-fan", 3, 3, kBoth);
+  const RecordedRun whole = record(scene);
+  RecordOptions options;
+  options.from = Rational(Integer(2), Integer(3));
+  options.max_events = 9;
+  const RecordedRun part = record_run(scene, options);
+  ASSERT_GT(part.before, 0u);
+  const auto names = [&](const RecordedRun& run, std::size_t structure, std::uint64_t k) {
+    std::vector<std::string> result;
+    const PairProof* proof = proof_after(run.structures[structure].pairs.at(0), k);
+    for (const std::uint32_t c : proof->claims) {
+      for (const ObjectId id : run.claims[c].arguments) result.push_back(name_of(scene, run, id));
+    }
+    return result;
+  };
+  for (std::uint64_t k = part.before; k <= part.before + 9; ++k) {
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(names(part, i, k), names(whole, i, k)) << k;
+  }
+}
+
+TEST(ViewBodies, RunsOfTwoArithmeticsHaveTheSameEvents) {
+  const Scene scene = family("polygon-random", 9, 8, kBoth);  // it ends with a contact
+  const RecordedRun exact = record(scene), sturm = record(scene, "sturm");
+  EXPECT_EQ(first_divergence(exact, sturm), 0u);
+  RecordedRun other = sturm;
+  const Event contact = other.all.back();
+  ASSERT_EQ(contact.count, 4);
+  // Under another number the same name is the same object.
+  other.things.push_back(other.things[contact.ids[3] - other.objects]);
+  other.all.back().ids[3] = static_cast<ObjectId>(other.objects + other.things.size() - 1);
+  EXPECT_EQ(first_divergence(exact, other), 0u);
+  // The same bodies meet by another feature.
+  other.things.push_back({"b.v99", {}});
+  other.all.back().ids[3] = static_cast<ObjectId>(other.objects + other.things.size() - 1);
+  EXPECT_EQ(first_divergence(exact, other), exact.all.size());
+}
+
+// Drawn poses agree with exact ones.
+TEST(ViewBodies, PosesAreThoseOfTheScene) {
+  for (const Scene& scene : scenes()) {
+    const json data = json::parse(page_data(scene, "hash", {record(scene)}));
+    const double scale = data["scale"].get<double>();
+    for (const Rational& t : times_in(scene, 12)) {
+      const double u = ((t - scene.start) / (*scene.end - scene.start)).to_double();
+      for (ObjectId body = 0; body < scene.objects.size(); ++body) {
+        const MotionPiece* piece = scene.objects[body].motion.piece_after(t);
+        std::vector<double> drawn;
+        for (const json& p : data["motions"][body]) {
+          const bool holds = (p[0].is_null() || p[0].get<double>() <= u) &&
+                             (p[1].is_null() || u < p[1].get<double>());
+          if (!holds) continue;
+          drawn.clear();
+          for (const json& c : p[2]) {
+            double value = 0, power = 1;
+            for (const json& x : c) {
+              value += x.get<double>() * power;
+              power *= u;
+            }
+            drawn.push_back(value);
+          }
+        }
+        ASSERT_EQ(drawn.size(), 4u);
+        const auto exact = [&](int axis) {
+          return piece->trajectory.position(axis, t).to_double();
+        };
+        EXPECT_NEAR(drawn[0] * scale, exact(0), 1e-9 * scale);
+        EXPECT_NEAR(drawn[1] * scale, exact(1), 1e-9 * scale);
+        // The same rotor up to a positive factor.
+        EXPECT_NEAR(drawn[2] * exact(3), drawn[3] * exact(2), 1e-9);
+        EXPECT_GT(drawn[2] * exact(2) + drawn[3] * exact(3), 0);
+        for (std::size_t i = 0; i < scene.objects[body].polygon.size(); ++i) {
+          const json& vertex = data["polygons"][body][i];
+          EXPECT_NEAR(vertex[0].get<double>() * scale,
+                      scene.objects[body].polygon[i][0].to_double(), 1e-12 * scale);
+        }
+      }
+    }
+  }
+}
+
+// A page of points has nothing of all this.
+TEST(ViewBodies, PagesOfPointsAreAsTheyWere) {
+  const Scene scene = test::workload("uniform-square", 8, "delaunay_2");
+  const json data = json::parse(page_data(scene, "hash", {record(scene)}));
+  EXPECT_FALSE(data.contains("polygons") || data.contains("things"));
+  EXPECT_FALSE(data["runs"][0].contains("proofs") || data["runs"][0].contains("claims"));
+}
+
+std::vector<Rational> numbers(std::vector<int> values) { return {values.begin(), values.end()}; }
+
+TEST(FrameFeature, LinesOfASquareAndATriangle) {
+  using Kind = FrameFeature::Kind;
+  const std::vector<Vertex2> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  const auto line = [&](std::vector<int> l, bool negated = false) {
+    return line_feature(square, negated, numbers(std::move(l)));
+  };
+  EXPECT_EQ(line({0, -1, 0}), (FrameFeature{Kind::kEdge, 0, 0}));
+  EXPECT_EQ(line({1, 0, 2}), (FrameFeature{Kind::kEdge, 1, 1}));
+  EXPECT_EQ(line({-1, 0, 0}), (FrameFeature{Kind::kEdge, 3, 3}));  // from the last to the first
+  EXPECT_EQ(line({1, 1, 4}), (FrameFeature{Kind::kVertex, 2, 2}));
+  EXPECT_EQ(line({-3, -1, 0}), (FrameFeature{Kind::kVertex, 0, 0}));
+  // Across edge 0 at its first end; at its last end that is the line of edge 1.
+  EXPECT_EQ(line({1, 0, 0}), (FrameFeature{Kind::kAcross, 0, 0}));
+  EXPECT_EQ(line({1, 1, 3}), (FrameFeature{Kind::kSupport, 2, 2}));
+  EXPECT_EQ(line({0, 1, 9}), (FrameFeature{Kind::kSupport, 2, 3}));
+  // Negated the square lies in [-2, 0]^2, its vertex 2 at (-2, -2).
+  EXPECT_EQ(line({-1, -1, 4}, true), (FrameFeature{Kind::kVertex, 2, 2}));
+  EXPECT_EQ(line({0, 1, 0}, true), (FrameFeature{Kind::kEdge, 0, 0}));
+  EXPECT_EQ(support_feature(square, true, {Rational(1), Rational(0)}),
+            (FrameFeature{Kind::kSupport, 3, 0}));
+}
+
+TEST(FrameFeature, PointsOfASquare) {
+  using Kind = FrameFeature::Kind;
+  const std::vector<Vertex2> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  const auto point = [&](std::vector<int> p, bool negated = false) {
+    return point_feature(square, negated, numbers(std::move(p)));
+  };
+  EXPECT_EQ(point({2, 0, 1}), (FrameFeature{Kind::kVertex, 1, 1}));
+  EXPECT_EQ(point({6, 6, 3}), (FrameFeature{Kind::kVertex, 2, 2}));
+  EXPECT_EQ(point({-2, -2, 1}, true), (FrameFeature{Kind::kVertex, 2, 2}));
+  EXPECT_EQ(point({1, -1, 1}), (FrameFeature{Kind::kCorner, 0, 1}));
+  EXPECT_EQ(point({3, -1, 1}), (FrameFeature{Kind::kCorner, 0, 2}));
+  EXPECT_EQ(point({-1, 1, 1}), (FrameFeature{Kind::kCorner, 3, 0}));
+  EXPECT_EQ(point({-1, -1, 1}), (FrameFeature{Kind::kCorner, 3, 1}));
+  // On the line of an edge: only what it sees.
+  EXPECT_EQ(point({3, 0, 1}), (FrameFeature{Kind::kCorner, 1, 2}));
+  EXPECT_EQ(point({1, 1, 1}), FrameFeature{});
+  EXPECT_EQ(point({1, 0, 1}), FrameFeature{});
+}
+
+TEST(ViewBodies, ProofAfter) {
+  const PairHistory history{0, 1, {{3, {1}, {}}, {7, {2}, {}}, {9, {}, {}}}};
+  EXPECT_EQ(proof_after(history, 2), nullptr);
+  EXPECT_EQ(proof_after(history, 3), &history.proofs[0]);
+  EXPECT_EQ(proof_after(history, 6), &history.proofs[0]);
+  EXPECT_EQ(proof_after(history, 7), &history.proofs[1]);
+  EXPECT_EQ(proof_after(history, 100), &history.proofs[2]);
+}
+
+}  // namespace
+}  // namespace kinex
