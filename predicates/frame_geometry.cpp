@@ -2,6 +2,7 @@
 #include "predicates/frame_geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace kinex {
@@ -16,6 +17,19 @@ void make_primitive(Integer& a, Integer& b, Integer& c) {
   c.divide_exactly(g);
 }
 
+// Long integers of a homogeneous triple by the power of two that leaves the largest just below 1:
+// products of several would leave the doubles.
+std::vector<Rational> near_one(const std::array<Integer, 3>& triple) {
+  constexpr std::size_t kLong = 64;
+  std::size_t bits = 0;
+  for (const Integer& i : triple) bits = std::max(bits, i.bit_length());
+  const Rational scale =
+      bits > kLong ? Rational(Integer(1), Integer::power_of_two(bits)) : Rational(1);
+  std::vector<Rational> scaled;
+  for (const Integer& i : triple) scaled.push_back(Rational(i) * scale);
+  return scaled;
+}
+
 Sign sign_of(const Integer& i) {
   return i.sign() > 0 ? Sign::kPositive : i.sign() < 0 ? Sign::kNegative : Sign::kZero;
 }
@@ -26,13 +40,13 @@ std::string FramePoint::to_string() const {
   return "(" + Rational(x, w).to_string() + ", " + Rational(y, w).to_string() + ")";
 }
 
-std::vector<Rational> FramePoint::coordinates() const { return {x, y, w}; }
+std::vector<Rational> FramePoint::coordinates() const { return near_one({x, y, w}); }
 
 std::string FrameLine::to_string() const {
   return "[" + nx.to_string() + ", " + ny.to_string() + " | " + h.to_string() + "]";
 }
 
-std::vector<Rational> FrameLine::coordinates() const { return {nx, ny, h}; }
+std::vector<Rational> FrameLine::coordinates() const { return near_one({nx, ny, h}); }
 
 FramePoint frame_point(const Rational& x, const Rational& y) {
   const Integer w = lcm(x.denominator(), y.denominator());

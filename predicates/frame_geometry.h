@@ -20,7 +20,7 @@ struct FramePoint {
   friend bool operator==(const FramePoint&, const FramePoint&) = default;
   friend std::strong_ordering operator<=>(const FramePoint& a, const FramePoint& b) = default;
   std::string to_string() const;              // "(1/2, 3)"
-  std::vector<Rational> coordinates() const;  // three: x, y, w
+  std::vector<Rational> coordinates() const;  // three: x, y, w, times a positive number
 };
 
 // The points with nx x + ny y = h; (nx, ny) is its normal, outward where the line bounds a polygon.
@@ -30,7 +30,7 @@ struct FrameLine {
   friend bool operator==(const FrameLine&, const FrameLine&) = default;
   friend std::strong_ordering operator<=>(const FrameLine& a, const FrameLine& b) = default;
   std::string to_string() const;              // "[3, 4 | 5]"
-  std::vector<Rational> coordinates() const;  // three: nx, ny, h
+  std::vector<Rational> coordinates() const;  // three: nx, ny, h, times a positive number
 };
 
 FramePoint frame_point(const Rational& x, const Rational& y);
