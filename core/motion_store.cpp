@@ -14,10 +14,16 @@ constexpr std::size_t kMaxScaleBits = 60;
 // Differences of two narrow numbers are still exact in doubles.
 constexpr double kMaxNarrow = 0x1p52;
 
-Ball enclose(const Rational& q) {
-  const double v = q.to_double();
-  // to_double is within one unit in the last place.
-  return {v, v == 0 && q.is_zero() ? 0.0 : std::fabs(v) * 2 * Ball::kUnit + 0x1p-1070};
+// n / d * 2^exponent, d > 0.
+Ball enclose(const Integer& n, const Integer& d, long exponent) {
+  if (n.is_zero()) return {};
+  long n_exponent, d_exponent;
+  // Both are truncated to 53 bits: within one unit in the last place; the quotient is rounded.
+  const double a = mpz_get_d_2exp(&n_exponent, n.raw());
+  const double b = mpz_get_d_2exp(&d_exponent, d.raw());
+  const long scale = std::clamp(n_exponent - d_exponent + exponent, -5000L, 5000L);
+  const double v = std::ldexp(a / b, static_cast<int>(scale));
+  return {v, std::fabs(v) * 3 * Ball::kUnit + 0x1p-1070};
 }
 
 }  // namespace
@@ -99,32 +105,42 @@ void MotionStore::set_ball(ObjectId object) {
   const auto it = big_.find(object);
   if (it == big_.end()) return;
   // Balls are in the model's units, like the narrow integers, so that they can be mixed.
-  const Rational unit(model_.scale, it->second.denominator);
+  const BigMotion& big = it->second;
+  const bool unit = model_.scale == Integer(1);
   for (std::size_t i = 0; i < stride_; ++i) {
-    out[i] = enclose(Rational(it->second.coefficients[i]) * unit);
+    out[i] = unit ? enclose(big.coefficients[i], big.denominator, 0)
+                  : enclose(big.coefficients[i] * model_.scale, big.denominator, 0);
   }
   if (model_.anchored) set_anchored(object);
 }
 
-// Requires big integers.
+// With anchor = a / 2^e, the polynomial of degree d in u = 2^e t, times 2^(e d), has integer
+// coefficients, and so has what is shifted by a. Requires big integers in units of 1.
 void MotionStore::set_anchored(ObjectId object) {
   const BigMotion& big = big_.at(object);
-  const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
-  const Rational unit(model_.scale, big.denominator);
   const double anchor = anchors_[object];
-  const Rational shift = std::isfinite(anchor) ? *Rational::from_double(anchor) : Rational();
+  if (std::isinf(anchor) || anchor == 0) {
+    std::copy_n(&balls_[object * stride_], stride_, &anchored_[object * stride_]);
+    return;
+  }
+  const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
+  const Rational exact = *Rational::from_double(anchor);
+  const Integer a = exact.numerator();
+  const unsigned long e = exact.denominator().trailing_zeros();
+  std::vector<Integer> axis;
   for (std::size_t begin = 0; begin < stride_; begin += powers) {
-    std::vector<Rational> axis;
-    for (std::size_t k = 0; k < powers; ++k) axis.emplace_back(big.coefficients[begin + k]);
-    std::size_t degree = powers - 1;
-    while (degree > 0 && axis[degree].is_zero()) --degree;
-    if (!shift.is_zero()) {
-      for (std::size_t k = 0; k < degree; ++k) {
-        for (std::size_t j = degree; j > k; --j) axis[j - 1] += shift * axis[j];
-      }
+    axis.assign(big.coefficients.begin() + static_cast<std::ptrdiff_t>(begin),
+                big.coefficients.begin() + static_cast<std::ptrdiff_t>(begin + powers));
+    std::size_t d = powers - 1;
+    while (d > 0 && axis[d].is_zero()) --d;
+    for (std::size_t k = 0; k < d; ++k) axis[k] <<= e * (d - k);
+    for (std::size_t k = 0; k < d; ++k) {
+      for (std::size_t j = d; j > k; --j) axis[j - 1].add_product(a, axis[j]);
     }
-    for (std::size_t k = 0; k < powers; ++k)
-      anchored_[object * stride_ + begin + k] = enclose(axis[k] * unit);
+    for (std::size_t k = 0; k < powers; ++k) {
+      anchored_[object * stride_ + begin + k] =
+          k > d ? Ball{} : enclose(axis[k], big.denominator, -static_cast<long>(e * (d - k)));
+    }
   }
 }
 
@@ -221,7 +237,9 @@ void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anch
     for (std::size_t a = 0; a < trajectory.coordinates.size(); ++a) {
       const auto& axis = trajectory.coordinates[a];
       for (std::size_t k = 0; k < axis.size() && k < powers; ++k) {
-        big.coefficients[a * powers + k] = (axis[k] * Rational(denominator)).numerator();
+        Integer factor = denominator;
+        factor.divide_exactly(axis[k].denominator());
+        big.coefficients[a * powers + k] = axis[k].numerator() * factor;
       }
     }
     big_[object] = std::move(big);

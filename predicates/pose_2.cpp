@@ -2,44 +2,77 @@
 #include "predicates/pose_2.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
+#include "core/integer.h"
 #include "core/rational.h"
 
 namespace kinex {
 namespace {
 
-using Coefficients = std::vector<Rational>;
+// Integers over a denominator > 0 that all coefficients share: reduced once, at the end.
+struct Fractions {
+  std::vector<Integer> c;
+  Integer denominator = Integer(1);
+};
 
-Coefficients plus(const Coefficients& a, const Coefficients& b, int sign) {
-  Coefficients sum(std::max(a.size(), b.size()));
-  for (std::size_t i = 0; i < a.size(); ++i) sum[i] += a[i];
-  for (std::size_t i = 0; i < b.size(); ++i) {
+Fractions fractions(const std::vector<Rational>& coefficients) {
+  Fractions f;
+  for (const Rational& q : coefficients) f.denominator = lcm(f.denominator, q.denominator());
+  for (const Rational& q : coefficients) {
+    Integer factor = f.denominator;
+    factor.divide_exactly(q.denominator());
+    f.c.push_back(q.numerator() * factor);
+  }
+  return f;
+}
+
+std::vector<Rational> rationals(const Fractions& f) {
+  std::vector<Rational> coefficients;
+  for (const Integer& i : f.c) {
+    coefficients.push_back(i.is_zero() ? Rational() : Rational(i, f.denominator));
+  }
+  return coefficients;
+}
+
+Fractions plus(const Fractions& a, const Fractions& b, int sign) {
+  const bool alike = a.denominator == b.denominator;
+  const Integer one(1);
+  const Integer& to_a = alike ? one : b.denominator;
+  const Integer& to_b = alike ? one : a.denominator;
+  Fractions sum;
+  sum.denominator = alike ? a.denominator : a.denominator * b.denominator;
+  sum.c.resize(std::max(a.c.size(), b.c.size()));
+  for (std::size_t i = 0; i < a.c.size(); ++i) sum.c[i].add_product(a.c[i], to_a);
+  for (std::size_t i = 0; i < b.c.size(); ++i) {
     if (sign > 0) {
-      sum[i] += b[i];
+      sum.c[i].add_product(b.c[i], to_b);
     } else {
-      sum[i] -= b[i];
+      sum.c[i].subtract_product(b.c[i], to_b);
     }
   }
   return sum;
 }
-Coefficients operator+(const Coefficients& a, const Coefficients& b) { return plus(a, b, 1); }
-Coefficients operator-(const Coefficients& a, const Coefficients& b) { return plus(a, b, -1); }
-Coefficients operator*(const Coefficients& a, const Coefficients& b) {
-  Coefficients product(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].is_zero()) continue;
-    for (std::size_t j = 0; j < b.size(); ++j) product[i + j] += a[i] * b[j];
+Fractions operator+(const Fractions& a, const Fractions& b) { return plus(a, b, 1); }
+Fractions operator-(const Fractions& a, const Fractions& b) { return plus(a, b, -1); }
+Fractions operator*(const Fractions& a, const Fractions& b) {
+  Fractions product;
+  product.denominator = a.denominator * b.denominator;
+  product.c.resize(a.c.size() + b.c.size() - 1);
+  for (std::size_t i = 0; i < a.c.size(); ++i) {
+    if (a.c[i].is_zero()) continue;
+    for (std::size_t j = 0; j < b.c.size(); ++j) product.c[i + j].add_product(a.c[i], b.c[j]);
   }
   return product;
 }
 
 struct Turn {  // the square of a rotor, and its absolute value
-  Coefficients c, s, n;
+  Fractions c, s, n;
 };
-Turn square(const Coefficients& p, const Coefficients& q) {
-  const Coefficients pp = p * p, qq = q * q, pq = p * q;
+Turn square(const Fractions& p, const Fractions& q) {
+  const Fractions pp = p * p, qq = q * q, pq = p * q;
   return {pp - qq, pq + pq, pp + qq};
 }
 
@@ -48,20 +81,25 @@ class Pose2 final : public Construction {
   std::string_view name() const override { return "pose_2"; }
 
   Trajectory derive(std::span<const Trajectory* const> bases) const override {
-    const auto& a = bases[0]->coordinates;
-    const auto& b = bases[1]->coordinates;
-    const Coefficients x = b[0] - a[0], y = b[1] - a[1];
+    std::array<std::array<Fractions, kBodyAxes>, 2> body;
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t axis = 0; axis < kBodyAxes; ++axis) {
+        body[i][axis] = fractions(bases[i]->coordinates[axis]);
+      }
+    }
+    const auto& [a, b] = body;
+    const Fractions x = b[0] - a[0], y = b[1] - a[1];
     const Turn turn_a = square(a[2], a[3]), turn_b = square(b[2], b[3]);
     // conj(w_A) w_B
     const Turn turn = square(a[2] * b[2] + a[3] * b[3], a[2] * b[3] - a[3] * b[2]);
     Trajectory pose;
-    pose.coordinates = {turn_b.n * (turn_a.c * x + turn_a.s * y),
-                        turn_b.n * (turn_a.c * y - turn_a.s * x),
-                        turn_a.n * (turn_b.c * x + turn_b.s * y),
-                        turn_a.n * (turn_b.c * y - turn_b.s * x),
-                        turn.n,
-                        turn.c,
-                        turn.s};
+    pose.coordinates = {rationals(turn_b.n * (turn_a.c * x + turn_a.s * y)),
+                        rationals(turn_b.n * (turn_a.c * y - turn_a.s * x)),
+                        rationals(turn_a.n * (turn_b.c * x + turn_b.s * y)),
+                        rationals(turn_a.n * (turn_b.c * y - turn_b.s * x)),
+                        rationals(turn.n),
+                        rationals(turn.c),
+                        rationals(turn.s)};
     pose.normalise();
     return pose;
   }
