@@ -87,17 +87,9 @@ bool ClosestFeatures::start(PairId p) {
 ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State& state,
                                              std::uint32_t slot) const {
   if (!state.edge) {
-    const std::uint32_t x = state.e, y = state.v;
-    switch (slot) {
-      case 0:
-        return {true, 0, x, y};
-      case 1:
-        return {true, 0, sum.frame(0).before(x), y};
-      case 2:
-        return {true, 1, y, x};
-      default:
-        return {true, 1, sum.frame(1).before(y), x};
-    }
+    // Slots 0 and 2: past the vertex of M in the direction of its next edge.
+    const SumBoundary::Edge edge = sum.beside(state.e, state.v, slot % 2 == 0);
+    return {true, edge.z, edge.edge, edge.vertex};
   }
   const std::uint8_t z = state.z, w = SumBoundary::other(z);
   const auto vertices = [z](std::uint32_t own, std::uint32_t other) {
@@ -134,12 +126,26 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
     if (sum.sign(sum.beyond(next.z, next.edge, next.vertex)) != Sign::kNegative) slot = i;
   }
   if (is_contact_slot(p, slot)) {
-    const Feature line{true, state.e}, vertex{false, state.v};
-    contact(p, state.z == 0 ? line : vertex, state.z == 0 ? vertex : line);
+    meet(p, {state.z, state.e, state.v});
     return;
+  }
+  if (!state.edge) {
+    // The normal cone of a vertex of M meets M in that vertex only.
+    const SumBoundary::Edge after = sum.beside(state.e, state.v, true);
+    const SumBoundary::Edge before = sum.beside(state.e, state.v, false);
+    if (sum.sign(sum.beyond(after.z, after.edge, after.vertex)) == Sign::kNegative &&
+        sum.sign(sum.beyond(before.z, before.edge, before.vertex)) == Sign::kNegative) {
+      meet(p, after);
+      return;
+    }
   }
   enter(p, sum, next(sum, state, slot));
   report(p, kChange);
+}
+
+void ClosestFeatures::meet(PairId p, const SumBoundary::Edge& edge) {
+  const Feature line{true, edge.edge}, vertex{false, edge.vertex};
+  contact(p, edge.z == 0 ? line : vertex, edge.z == 0 ? vertex : line);
 }
 
 std::size_t ClosestFeatures::bytes() const {

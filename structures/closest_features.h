@@ -62,6 +62,8 @@ class ClosestFeatures : public CollisionPairs {
   SumBoundary boundary(PairId p);
   static Query claim(const SumBoundary& sum, const State& state, std::uint32_t slot);
   void enter(PairId p, const SumBoundary& sum, const State& state);
+  // The point is on this edge of M.
+  void meet(PairId p, const SumBoundary::Edge& edge);
   State next(const SumBoundary& sum, const State& state, std::uint32_t slot) const;
 
   std::vector<State> state_;  // per pair

@@ -43,7 +43,7 @@ TEST(CollisionDegenerate, DISABLED_ScenesOfTheCorpus) {
 }
 
 // A square meets a square: side by side, corner to corner, corner to side; and only touches.
-TEST(CollisionDegenerate, DISABLED_Squares) {
+TEST(CollisionDegenerate, Squares) {
   const Polygon2 square = square_of(1);
   EXPECT_EQ(check_pair(square, kRest, square, {{5, -1}, {0}, {1}, {0}}, 0, 9), 1u);
   EXPECT_EQ(check_pair(square, kRest, square, {{5, -1}, {5, -1}, {1}, {0}}, 0, 9), 1u);
@@ -79,7 +79,7 @@ TEST(CollisionDegenerate, TwinsTurnThroughParallelity) {
 
 // Integer polygons that do not turn, or are turned by quarters, on lines of the grid: along sides,
 // through corners.
-TEST(CollisionDegenerate, DISABLED_LinesOfTheGrid) {
+TEST(CollisionDegenerate, LinesOfTheGrid) {
   std::mt19937_64 random(8);
   const auto draw = [&](int low, int high) {
     return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));

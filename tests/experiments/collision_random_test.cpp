@@ -120,13 +120,13 @@ TEST(CollisionRuns, SmallPolygonsThatDoNotTurn) {
 }
 TEST(CollisionRuns, LargerPolygons) { check_many(2000, kSanitized ? 1 : 4, 24, true, 0); }
 
-TEST(SlowCollisionRuns, DISABLED_Turning) {
+TEST(SlowCollisionRuns, Turning) {
   check_many(10000, kSanitized ? 20 : 200, 12, true, 10);
 }
-TEST(SlowCollisionRuns, DISABLED_NotTurning) {
+TEST(SlowCollisionRuns, NotTurning) {
   check_many(20000, kSanitized ? 20 : 200, 12, false, 10);
 }
-TEST(SlowCollisionRuns, DISABLED_Large) { check_many(30000, kSanitized ? 3 : 40, 24, true, 1); }
+TEST(SlowCollisionRuns, Large) { check_many(30000, kSanitized ? 3 : 40, 24, true, 1); }
 
 }  // namespace
 }  // namespace kinex::test
