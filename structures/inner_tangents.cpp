@@ -69,10 +69,19 @@ InnerTangents::Touch InnerTangents::across(const SumBoundary& sum, const SumBoun
   return edge.z == 0 ? Touch{own, edge.vertex} : Touch{edge.vertex, own};
 }
 
+// From the first end of this edge of M the point lies in the edge's direction; or, from the last
+// one, against it.
+bool InnerTangents::is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward) {
+  const Query claim = forward ? sum.past(edge.z, edge.edge, false, edge.vertex)
+                              : sum.short_of(edge.z, edge.edge, true, edge.vertex);
+  return sum.sign(claim) == Sign::kPositive;
+}
+
 // A tangent's vertex divides the edges of M that the point sees from those that it does not.
 // Several certificates may fail together: it goes along the boundary of M, outwards if the next
-// edge there is seen, or at least not unseen, and else inwards. If the tangents meet, nothing is
-// seen, unless it is beside the vertex: then the point passes it outside.
+// edge there is seen, or at least not unseen, and else inwards; where the point slides along two
+// edges of one line, after the point. If the tangents meet, nothing is seen, unless it is beside
+// the vertex: then the point passes it outside.
 void InnerTangents::fail(PairId p, std::uint32_t slot) {
   const SumBoundary sum = boundary(p);
   Tangents tangents = tangents_[p];
@@ -84,7 +93,13 @@ void InnerTangents::fail(PairId p, std::uint32_t slot) {
   const SumBoundary::Edge outer = beside(sum, tangents[k], outwards);
   const SumBoundary::Edge inner = beside(sum, tangents[k], !outwards);
   const Sign at_outer = seen(outer);
-  if (at_outer == Sign::kPositive || (at_outer == Sign::kZero && seen(inner) == Sign::kNegative)) {
+  bool goes_outwards = at_outer == Sign::kPositive;
+  if (at_outer == Sign::kZero) {
+    const Sign at_inner = seen(inner);
+    goes_outwards =
+        at_inner == Sign::kNegative || (at_inner == Sign::kZero && is_along(sum, outer, outwards));
+  }
+  if (goes_outwards) {
     tangents[k] = across(sum, outer, outwards);
   } else {
     tangents[k] = across(sum, inner, !outwards);

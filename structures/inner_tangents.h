@@ -45,6 +45,7 @@ class InnerTangents : public CollisionPairs {
   static Query claim(const SumBoundary& sum, const Tangents& tangents, std::uint32_t slot);
   static SumBoundary::Edge beside(const SumBoundary& sum, const Touch& touch, bool forward);
   static Touch across(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
+  static bool is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
   void meet(PairId p, const SumBoundary& sum, SumBoundary::Edge edge);
   void enter(PairId p, const SumBoundary& sum, const Tangents& tangents);
 
