@@ -84,13 +84,9 @@ bool ClosestFeatures::start(PairId p) {
   return false;
 }
 
+// From a vertex and an edge.
 ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State& state,
                                              std::uint32_t slot) const {
-  if (!state.edge) {
-    // Slots 0 and 2: past the vertex of M in the direction of its next edge.
-    const SumBoundary::Edge edge = sum.beside(state.e, state.v, slot % 2 == 0);
-    return {true, edge.z, edge.edge, edge.vertex};
-  }
   const std::uint8_t z = state.z, w = SumBoundary::other(z);
   const auto vertices = [z](std::uint32_t own, std::uint32_t other) {
     return State{false, 0, z == 0 ? own : other, z == 0 ? other : own};
@@ -129,17 +125,27 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
     meet(p, {state.z, state.e, state.v});
     return;
   }
-  if (!state.edge) {
-    // The normal cone of a vertex of M meets M in that vertex only.
-    const SumBoundary::Edge after = sum.beside(state.e, state.v, true);
-    const SumBoundary::Edge before = sum.beside(state.e, state.v, false);
-    if (sum.sign(sum.beyond(after.z, after.edge, after.vertex)) == Sign::kNegative &&
-        sum.sign(sum.beyond(before.z, before.edge, before.vertex)) == Sign::kNegative) {
-      meet(p, after);
-      return;
+  State to;
+  if (state.edge) {
+    to = next(sum, state, slot);
+  } else {
+    // To the edge of M after the vertex (slots 0 and 2) or before it. The normal cone of a vertex
+    // meets M in that vertex only: where several certificates fail the point may be there, and go
+    // into M, or out beyond the other edge.
+    const auto in_m = [&sum](const SumBoundary::Edge& edge) {
+      return sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex)) == Sign::kNegative;
+    };
+    SumBoundary::Edge edge = sum.beside(state.e, state.v, slot % 2 == 0);
+    if (in_m(edge)) {
+      edge = sum.beside(state.e, state.v, slot % 2 != 0);
+      if (in_m(edge)) {
+        meet(p, edge);
+        return;
+      }
     }
+    to = {true, edge.z, edge.edge, edge.vertex};
   }
-  enter(p, sum, next(sum, state, slot));
+  enter(p, sum, to);
   report(p, kChange);
 }
 
