@@ -238,15 +238,20 @@ std::optional<Tile> MixedTiles::locate_at(std::uint8_t x, Id node) const {
   const Tile triangle{Tile::Kind::kTriangle, x, node, w};
   if (holds(triangle)) return triangle;
   if (tree(y).is_point()) return std::nullopt;
-  for (Id f = edge_before(y, w, time); before(x, v.left_edge, f);
-       f = edge_before(y, first_end(y, f, time), time)) {
+  // Not more than once around: an inexact arithmetic may know no end.
+  const Id last = edge_after(y, w, time);
+  for (Id f = edge_before(y, w, time); before(x, v.left_edge, f);) {
     const Tile tile{Tile::Kind::kLeft, x, node, f};
     if (holds(tile)) return tile;
+    if (f == last) break;
+    f = edge_before(y, first_end(y, f, time), time);
   }
-  for (Id f = edge_after(y, w, time); !before(x, v.right_edge, f);
-       f = edge_after(y, last_end(y, f, time), time)) {
+  const Id first = edge_before(y, w, time);
+  for (Id f = last; !before(x, v.right_edge, f);) {
     const Tile tile{Tile::Kind::kRight, x, node, f};
     if (holds(tile)) return tile;
+    if (f == first) break;
+    f = edge_after(y, last_end(y, f, time), time);
   }
   return std::nullopt;
 }
