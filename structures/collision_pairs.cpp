@@ -2,6 +2,7 @@
 #include "structures/collision_pairs.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "core/check.h"
 #include "predicates/pose_2.h"
@@ -27,7 +28,7 @@ std::vector<std::string_view> CollisionPairs::collision_kinds(std::vector<std::s
 }
 
 void CollisionPairs::build(std::span<const ObjectId> objects) {
-  for (const ObjectId object : objects) insert(object);
+  for (const ObjectId object : objects) add_body(object);
 }
 
 void CollisionPairs::rebuild() {
@@ -58,7 +59,23 @@ void CollisionPairs::certificate_failed(CertificateId failed) {
   failed_ = kNoCertificate;
 }
 
+// In doubles nobody can tell.
 void CollisionPairs::insert(ObjectId object) {
+  add_body(object);
+  if (!kernel_.is_exact()) return;
+  for (const PairId p : pairs_of_[object]) {
+    if (!pairs_[p].touching) continue;
+    const ObjectId other = pairs_[p].a == object ? pairs_[p].b : pairs_[p].a;
+    // A body comes at a rational time.
+    const std::vector<std::string> now = kernel_.arithmetic().describe_now().polynomial;
+    const Rational t = -(*Rational::parse(now[0]) / *Rational::parse(now[1]));
+    throw std::invalid_argument(scene_.objects[object].id + " appears at " + t.to_string() +
+                                " in contact with " + scene_.objects[other].id +
+                                "; let it come, or jump, to where it is apart from all others");
+  }
+}
+
+void CollisionPairs::add_body(ObjectId object) {
   most_bodies_ = std::max(most_bodies_, ++bodies_);
   if (grid_) {
     alive_[object] = 1;

@@ -5,7 +5,9 @@
 // class keeps: a handful of certificates in the pair's pose (predicates/pose_2.h). The attribute is
 // the set of pairs that have come into contact; an external event is a contact. A pair in contact
 // has no certificates; when the motion of one of its bodies changes and they are disjoint right
-// after it, it is followed again.
+// after it, it is followed again. Bodies may be in contact at the start, which is no event; a body
+// that appears later, or jumps, must be apart from all others (std::invalid_argument names both and
+// the time).
 //
 // In scenes of more than two bodies a grid is the broad phase (structures/body_grid.h): bodies that
 // are not in neighbouring cells have no proof of their own, and those that are have one certificate
@@ -114,6 +116,7 @@ class CollisionPairs : public Structure {
 
  private:
   static constexpr PairId kNoPair = 0xffffffffu;
+  void add_body(ObjectId object);
   PairId find_pair(ObjectId a, ObjectId b) const;
   // Adds the pairs of this body that are near and not there; removes those that are near no more.
   void update_pairs(ObjectId body);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/inner_tangents.h"
 
+#include <algorithm>
+
 namespace kinex {
 
 InnerTangents::InnerTangents(Kernel& kernel, StructureId id, const Scene& scene)
@@ -38,9 +40,15 @@ bool InnerTangents::start(PairId p) {
   if (tangents_.size() <= p) tangents_.resize(p + std::size_t{1});
   const SumBoundary sum = boundary(p);
   const std::vector<SumBoundary::Edge> edges = sum.edges();
-  std::vector<bool> seen;  // the point is beyond the edge
+  std::vector<Sign> signs;  // where the point is beyond the edge
   for (const SumBoundary::Edge& edge : edges) {
-    seen.push_back(sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex)) == Sign::kPositive);
+    signs.push_back(sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex)));
+  }
+  // A point that stays on an edge sees that one.
+  const bool outside = std::find(signs.begin(), signs.end(), Sign::kPositive) != signs.end();
+  std::vector<bool> seen;
+  for (const Sign sign : signs) {
+    seen.push_back(sign == Sign::kPositive || (!outside && sign == Sign::kZero));
   }
   Tangents tangents{};
   bool found = false;
