@@ -31,7 +31,7 @@ Query ClosestFeatures::claim(const SumBoundary& sum, const State& state, std::ui
       case 3:
         return sum.order_before(z, state.e, state.v);
       default:
-        return sum.beyond(z, state.e, state.v);
+        return sum.at_touch(z, sum.beyond(z, state.e, state.v));
     }
   }
   const std::uint32_t x = state.e, y = state.v;
@@ -39,7 +39,7 @@ Query ClosestFeatures::claim(const SumBoundary& sum, const State& state, std::ui
     case 0:
       return sum.short_of(0, x, false, y);
     case 1:
-      return sum.past(0, sum.frame(0).before(x), true, y);
+      return sum.at_touch(0, sum.past(0, sum.frame(0).before(x), true, y));
     case 2:
       return sum.short_of(1, y, false, x);
     default:
@@ -122,7 +122,7 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
     if (sum.sign(sum.beyond(next.z, next.edge, next.vertex)) != Sign::kNegative) slot = i;
   }
   if (is_contact_slot(p, slot)) {
-    meet(p, {state.z, state.e, state.v});
+    contact(p, at({state.z, state.e, state.v}));
     return;
   }
   State to;
@@ -139,7 +139,7 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
     if (in_m(edge)) {
       edge = sum.beside(state.e, state.v, slot % 2 != 0);
       if (in_m(edge)) {
-        meet(p, edge);
+        contact(p, at(edge));
         return;
       }
     }
@@ -149,9 +149,24 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
   report(p, kChange);
 }
 
-void ClosestFeatures::meet(PairId p, const SumBoundary::Edge& edge) {
+CollisionPairs::Features ClosestFeatures::at(const SumBoundary::Edge& edge) {
   const Feature line{true, edge.edge}, vertex{false, edge.vertex};
-  contact(p, edge.z == 0 ? line : vertex, edge.z == 0 ? vertex : line);
+  return edge.z == 0 ? Features{line, vertex} : Features{vertex, line};
+}
+
+// At a vertex of M all four certificates are zero, and two along edges of A that meet only there.
+std::optional<CollisionPairs::Features> ClosestFeatures::touch(PairId p, SignNow* now) {
+  const SumBoundary sum = boundary(p);
+  const State& state = state_[p];
+  const auto is_zero = [&](std::uint32_t slot) {
+    return sign(claim(sum, state, slot), now) == Sign::kZero;
+  };
+  if (state.edge) {
+    if (!is_zero(4)) return std::nullopt;
+    return at({state.z, state.e, state.v});
+  }
+  if (!is_zero(0) || !is_zero(1)) return std::nullopt;
+  return at(sum.beside(state.e, state.v, true));
 }
 
 std::size_t ClosestFeatures::bytes() const {

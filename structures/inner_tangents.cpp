@@ -26,7 +26,8 @@ Query InnerTangents::claim(const SumBoundary& sum, const Tangents& tangents, std
   const bool forward = slot % 2 == 0;
   const std::uint32_t own = tangents[k][z], other = tangents[k][SumBoundary::other(z)];
   const std::uint32_t edge = forward ? own : sum.frame(z).before(own);
-  return (k == 0) == forward ? sum.beyond(z, edge, other) : sum.within(z, edge, other);
+  if ((k == 0) != forward) return sum.within(z, edge, other);
+  return sum.at_touch(z, sum.beyond(z, edge, other));
 }
 
 void InnerTangents::enter(PairId p, const SumBoundary& sum, const Tangents& tangents) {
@@ -136,8 +137,30 @@ void InnerTangents::meet(PairId p, const SumBoundary& sum, SumBoundary::Edge edg
   } else if (sum.sign(sum.short_of(edge.z, edge.edge, true, edge.vertex)) == Sign::kNegative) {
     edge = beside(sum, across(sum, edge, true), true);
   }
+  contact(p, at(edge));
+}
+
+CollisionPairs::Features InnerTangents::at(const SumBoundary::Edge& edge) {
   const Feature line{true, edge.edge}, other{false, edge.vertex};
-  contact(p, edge.z == 0 ? line : other, edge.z == 0 ? other : line);
+  return edge.z == 0 ? Features{line, other} : Features{other, line};
+}
+
+// The point is on the lines of the first and of the last edge that it sees, and on one of them.
+std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, SignNow* now) {
+  const SumBoundary sum = boundary(p);
+  const Tangents& tangents = tangents_[p];
+  const std::array<SumBoundary::Edge, 2> ends{beside(sum, tangents[0], true),
+                                              beside(sum, tangents[1], false)};
+  for (const SumBoundary::Edge& edge : ends) {
+    if (sign(sum.beyond(edge.z, edge.edge, edge.vertex), now) != Sign::kZero) return std::nullopt;
+  }
+  for (const SumBoundary::Edge& edge : ends) {
+    if (sign(sum.past(edge.z, edge.edge, false, edge.vertex), now) != Sign::kNegative &&
+        sign(sum.short_of(edge.z, edge.edge, true, edge.vertex), now) != Sign::kNegative) {
+      return at(edge);
+    }
+  }
+  return std::nullopt;
 }
 
 std::size_t InnerTangents::bytes() const {

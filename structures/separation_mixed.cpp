@@ -47,8 +47,7 @@ void SeparationMixed::fail(PairId p, std::uint32_t slot) {
     return;
   }
   if (!move->tile) {
-    const Features met = features(p, *move);
-    contact(p, met.of_a, met.of_b);
+    contact(p, features(p, *move));
     return;
   }
   const bool half = from.kind == Tile::Kind::kHalf || move->tile->kind == Tile::Kind::kHalf;
@@ -56,7 +55,13 @@ void SeparationMixed::fail(PairId p, std::uint32_t slot) {
   report(p, half ? kCell : is_side ? kSide : kFlip);
 }
 
-SeparationMixed::Features SeparationMixed::features(PairId p, const MixedTiles::Move& move) {
+std::optional<CollisionPairs::Features> SeparationMixed::touch(PairId p, SignNow* now) {
+  const auto move = tiles(p).touch(tile_[p], now);
+  if (!move) return std::nullopt;
+  return features(p, *move);
+}
+
+CollisionPairs::Features SeparationMixed::features(PairId p, const MixedTiles::Move& move) {
   const std::array<BodyFrame*, 2> frames = frames_of(p);
   const OuterHierarchy& own = frames[move.x]->hierarchy();
   const OuterHierarchy& other = frames[1 - move.x]->hierarchy();

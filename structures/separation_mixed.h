@@ -50,10 +50,8 @@ class SeparationMixed : public CollisionPairs {
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
   std::uint32_t most_certificates() const override { return MixedTiles::kMost; }
+  std::optional<Features> touch(PairId p, SignNow* now) override;
   // The features of the two bodies that meet.
-  struct Features {
-    Feature of_a, of_b;
-  };
   virtual Features features(PairId p, const MixedTiles::Move& contact);
   // The two hierarchies of a pair.
   virtual std::array<BodyFrame*, 2> frames_of(PairId p);
