@@ -51,6 +51,9 @@ std::shared_ptr<const Predicate> make_pose_touch(Frame frame);
 // turned by a quarter counter-clockwise. The degree of the pose.
 std::shared_ptr<const Predicate> make_pose_along(Frame frame);
 
+// The same, or its negated value (`reversed`; named against_a, against_b), failing at a touch too.
+std::shared_ptr<const Predicate> make_pose_along_touch(Frame frame, bool reversed);
+
 // normal_order(pose, line of A, line of B') = (R g) x m: positive iff the normal m of A is
 // counter-clockwise, by less than half a turn, from the turned normal g of B'. `reversed`: the
 // negated value (named normal_order_reversed). Degree: twice that of both rotors.

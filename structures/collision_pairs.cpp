@@ -176,6 +176,7 @@ void CollisionPairs::motions_changed(std::span<const ObjectId> objects) {
     if (pairs_[p].touching) {
       follow(p);
     } else {
+      if (!pairs_[p].apart) moved(p);
       look_for_touch(p);
     }
   }

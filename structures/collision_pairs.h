@@ -90,6 +90,8 @@ class CollisionPairs : public Structure {
   // The certificate of this slot is negative right after now: repairs the proof and reports one
   // event, or calls contact().
   virtual void fail(PairId pair, std::uint32_t slot) = 0;
+  // The motion of one of the two bodies has changed.
+  virtual void moved(PairId pair) { static_cast<void>(pair); }
   // The pair is followed no more; its certificates are retracted afterwards.
   virtual void stop(PairId pair) { static_cast<void>(pair); }
   // The largest number of certificates that a proof has between events.

@@ -145,20 +145,24 @@ CollisionPairs::Features InnerTangents::at(const SumBoundary::Edge& edge) {
   return edge.z == 0 ? Features{line, other} : Features{other, line};
 }
 
-// The point is on the lines of the first and of the last edge that it sees, and on one of them.
+// All edges that the point sees are on two lines at most that meet where it is.
 std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, SignNow* now) {
   const SumBoundary sum = boundary(p);
   const Tangents& tangents = tangents_[p];
-  const std::array<SumBoundary::Edge, 2> ends{beside(sum, tangents[0], true),
-                                              beside(sum, tangents[1], false)};
-  for (const SumBoundary::Edge& edge : ends) {
-    if (sign(sum.beyond(edge.z, edge.edge, edge.vertex), now) != Sign::kZero) return std::nullopt;
-  }
-  for (const SumBoundary::Edge& edge : ends) {
+  const auto is_on_line = [&](const SumBoundary::Edge& edge) {
+    return sign(sum.beyond(edge.z, edge.edge, edge.vertex), now) == Sign::kZero;
+  };
+  if (!is_on_line(beside(sum, tangents[1], false))) return std::nullopt;
+  Touch at_first = tangents[0];
+  // Two edges on a line, if they are parallel.
+  for (int i = 0; i < 4; ++i) {
+    const SumBoundary::Edge edge = beside(sum, at_first, true);
+    if (!is_on_line(edge)) break;
     if (sign(sum.past(edge.z, edge.edge, false, edge.vertex), now) != Sign::kNegative &&
         sign(sum.short_of(edge.z, edge.edge, true, edge.vertex), now) != Sign::kNegative) {
       return at(edge);
     }
+    at_first = across(sum, edge, true);
   }
   return std::nullopt;
 }

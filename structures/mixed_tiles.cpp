@@ -6,15 +6,23 @@
 
 namespace kinex {
 
-PosePredicates::PosePredicates(Kernel& kernel)
-    : side{kernel.bind(make_pose_side(Frame::kA, false)),
-           kernel.bind(make_pose_side(Frame::kB, false))},
-      inside{kernel.bind(make_pose_side(Frame::kA, true)),
-             kernel.bind(make_pose_side(Frame::kB, true))},
-      along{kernel.bind(make_pose_along(Frame::kA)), kernel.bind(make_pose_along(Frame::kB))},
-      touch{kernel.bind(make_pose_touch(Frame::kA)), kernel.bind(make_pose_touch(Frame::kB))},
-      normal_order(kernel.bind(make_pose_normal_order(false))),
-      normal_order_reversed(kernel.bind(make_pose_normal_order(true))) {}
+// The order is that of ties in the queue: a side that fails at a touch too comes where it would come
+// without that.
+PosePredicates::PosePredicates(Kernel& kernel) {
+  const std::array<Frame, 2> frames{Frame::kA, Frame::kB};
+  for (std::size_t z = 0; z < 2; ++z) {
+    side[z] = kernel.bind(make_pose_side(frames[z], false));
+    touch[z] = kernel.bind(make_pose_touch(frames[z]));
+  }
+  for (std::size_t z = 0; z < 2; ++z) inside[z] = kernel.bind(make_pose_side(frames[z], true));
+  for (std::size_t z = 0; z < 2; ++z) along[z] = kernel.bind(make_pose_along(frames[z]));
+  normal_order = kernel.bind(make_pose_normal_order(false));
+  normal_order_reversed = kernel.bind(make_pose_normal_order(true));
+  for (std::size_t z = 0; z < 2; ++z) {
+    along_touch[z] = kernel.bind(make_pose_along_touch(frames[z], false));
+    against_touch[z] = kernel.bind(make_pose_along_touch(frames[z], true));
+  }
+}
 
 MixedTiles::MixedTiles(Kernel& kernel, const PosePredicates& predicates, ObjectId pose,
                        std::array<BodyFrame*, 2> frames)
@@ -160,32 +168,59 @@ Query MixedTiles::inner(const Tile& tile) const {
   return query;
 }
 
+MixedTiles::Face MixedTiles::face(const Move& at, SignNow* now) const {
+  const std::uint8_t z = at.x, w = other(z);
+  Face face{{first_end(z, at.edge, kNever), last_end(z, at.edge, kNever)}, {at.node, at.node}};
+  if (tree(w).is_point()) return face;
+  const bool leaf = cut_time(w, at.node) == kNever;
+  for (const bool left : {true, false}) {
+    Id f = left ? tree(w).node(at.node).left_edge : tree(w).node(at.node).right_edge;
+    if (leaf) f = left ? edge_before(w, at.node, kNever) : edge_after(w, at.node, kNever);
+    if (!is_parallel(z, at.edge, f, now)) continue;
+    face.parallel = f;
+    face.others = {first_end(w, f, kNever), last_end(w, f, kNever)};
+  }
+  return face;
+}
+
 std::optional<MixedTiles::Move> MixedTiles::touch(const Tile& tile, SignNow* now) const {
   const Move at = inner_side(tile);
-  const std::uint8_t z = at.x, w = other(z);
+  const std::uint8_t z = at.x;
   if (sign(side(z, at.edge, at.node, false), now) != Sign::kZero) return std::nullopt;
   if (!supports(z, at.edge, at.node, now)) return std::nullopt;
-  // There M has the side [l, r] + [first, last].
-  const Id l = first_end(z, at.edge, kNever), r = last_end(z, at.edge, kNever);
-  Id first = at.node, last = at.node, parallel = OuterHierarchy::kNone;
-  if (!tree(w).is_point()) {
-    const bool leaf = cut_time(w, at.node) == kNever;
-    for (const bool left : {true, false}) {
-      Id f = left ? tree(w).node(at.node).left_edge : tree(w).node(at.node).right_edge;
-      if (leaf) f = left ? edge_before(w, at.node, kNever) : edge_after(w, at.node, kNever);
-      if (!is_parallel(z, at.edge, f, now)) continue;
-      parallel = f;
-      first = first_end(w, f, kNever);
-      last = last_end(w, f, kNever);
-    }
+  const Face m = face(at, now);
+  const auto place = [&](std::size_t own, std::size_t foreign) {
+    return sign(along_query(z, at.edge, m.own[own], m.others[foreign]), now);
+  };
+  if (place(0, 0) == Sign::kNegative || place(1, 1) == Sign::kPositive) return std::nullopt;
+  if (m.parallel == OuterHierarchy::kNone || place(1, 0) != Sign::kPositive) {
+    return Move{std::nullopt, z, at.edge, m.others[0]};
   }
-  if (sign(along_query(z, at.edge, l, first), now) == Sign::kNegative) return std::nullopt;
-  if (sign(along_query(z, at.edge, r, last), now) == Sign::kPositive) return std::nullopt;
-  if (parallel == OuterHierarchy::kNone ||
-      sign(along_query(z, at.edge, r, first), now) != Sign::kPositive) {
-    return Move{std::nullopt, z, at.edge, first};
+  return Move{std::nullopt, other(z), m.parallel, m.own[1]};
+}
+
+MixedTiles::Certificates MixedTiles::slide(const Tile& tile) const {
+  Certificates result;
+  const Query line = inner(tile);
+  const Move at = inner_side(tile);
+  if (line.predicate != predicates_.touch[at.x] || sign(line, nullptr) != Sign::kZero) {
+    return result;
   }
-  return Move{std::nullopt, w, parallel, r};
+  const Face m = face(at, nullptr);
+  const auto add = [&](std::size_t end, bool against) {
+    Query query = along_query(at.x, at.edge, m.own[end], m.others[end]);
+    query.predicate = (against ? predicates_.against_touch : predicates_.along_touch)[at.x];
+    result.query[result.count++] = query;
+  };
+  if (along(at.x, at.edge, m.own[0], m.others[0]) == Sign::kNegative) {
+    add(0, true);
+  } else if (along(at.x, at.edge, m.own[1], m.others[1]) == Sign::kPositive) {
+    add(1, false);
+  } else {
+    add(0, false);
+    add(1, true);
+  }
+  return result;
 }
 
 // ---- certificates

@@ -43,7 +43,7 @@ namespace kinex {
 struct PosePredicates {
   explicit PosePredicates(Kernel& kernel);
   // [frame]: the frame of the line
-  std::array<PredicateId, 2> side, inside, along, touch;
+  std::array<PredicateId, 2> side, inside, along, touch, along_touch, against_touch;
   PredicateId normal_order, normal_order_reversed;
 };
 
@@ -85,6 +85,9 @@ class MixedTiles {
   // The side where the tile touches M, if the point is on M there (Move::tile is nullopt): right
   // after now, or at now (`now` is not nullptr). The certificates hold right after now.
   std::optional<Move> touch(const Tile& tile, SignNow* now) const;
+  // While the point stays on the line of that side: certificates that fail where it comes to M or
+  // leaves it; at most two.
+  Certificates slide(const Tile& tile) const;
   // Levels of the operation that made the tile; 0 for half-planes.
   int level(const Tile& tile) const;
 
@@ -118,6 +121,12 @@ class MixedTiles {
   // Side 0 of a tile, the inner one: the only one that can touch M, and only if its line supports
   // M.
   Move inner_side(const Tile& tile) const;
+  // The side of M on this line: from [0] to [1], each a node of Z and one of W.
+  struct Face {
+    std::array<Id, 2> own, others;
+    Id parallel = 0xffffffffu;  // the edge of W that is parallel, if there is one
+  };
+  Face face(const Move& at, SignNow* now) const;
   bool supports(std::uint8_t z, Id e, Id node, SignNow* now) const;
   bool is_parallel(std::uint8_t z, Id e, Id f, SignNow* now) const;
   Query inner(const Tile& tile) const;
