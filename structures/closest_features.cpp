@@ -105,6 +105,14 @@ ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State
   return {true, z, state.e, v};
 }
 
+// From its first end the point lies in the edge's direction; or, from its last one, against it.
+bool ClosestFeatures::is_along(const SumBoundary& sum, const SumBoundary::Edge& edge,
+                               bool forward) {
+  const Query claim = forward ? sum.past(edge.z, edge.edge, false, edge.vertex)
+                              : sum.short_of(edge.z, edge.edge, true, edge.vertex);
+  return sum.sign(claim) == Sign::kPositive;
+}
+
 void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
   const SumBoundary sum = boundary(p);
   const State state = state_[p];
@@ -132,13 +140,19 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
     // To the edge of M after the vertex (slots 0 and 2) or before it. The normal cone of a vertex
     // meets M in that vertex only: where several certificates fail the point may be there, and go
     // into M, or out beyond the other edge.
-    const auto in_m = [&sum](const SumBoundary::Edge& edge) {
-      return sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex)) == Sign::kNegative;
+    const auto seen = [&sum](const SumBoundary::Edge& edge) {
+      return sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex));
     };
-    SumBoundary::Edge edge = sum.beside(state.e, state.v, slot % 2 == 0);
-    if (in_m(edge)) {
-      edge = sum.beside(state.e, state.v, slot % 2 != 0);
-      if (in_m(edge)) {
+    bool forward = slot % 2 == 0;
+    SumBoundary::Edge edge = sum.beside(state.e, state.v, forward);
+    const Sign at_edge = seen(edge);
+    // A point that slides along two edges of one line goes to the one that it is on.
+    if (at_edge == Sign::kNegative || (at_edge == Sign::kZero && !is_along(sum, edge, forward))) {
+      forward = !forward;
+      const SumBoundary::Edge other = sum.beside(state.e, state.v, forward);
+      if (seen(other) != Sign::kNegative) {
+        if (at_edge == Sign::kNegative || is_along(sum, other, forward)) edge = other;
+      } else if (at_edge == Sign::kNegative) {
         contact(p, at(edge));
         return;
       }

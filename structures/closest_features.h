@@ -64,6 +64,7 @@ class ClosestFeatures : public CollisionPairs {
   static Query claim(const SumBoundary& sum, const State& state, std::uint32_t slot);
   void enter(PairId p, const SumBoundary& sum, const State& state);
   // The point is on this edge of M.
+  static bool is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
   static Features at(const SumBoundary::Edge& edge);
   State next(const SumBoundary& sum, const State& state, std::uint32_t slot) const;
 
