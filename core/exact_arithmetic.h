@@ -19,10 +19,11 @@
 #include "core/arithmetic.h"
 #include "core/motion_store.h"
 #include "core/root_table.h"
+#include "core/touch.h"
 
 namespace kinex {
 
-class ExactArithmetic final : public Arithmetic {
+class ExactArithmetic final : public Arithmetic, public SignNow {
  public:
   explicit ExactArithmetic(const Scene& scene);
 
@@ -38,6 +39,7 @@ class ExactArithmetic final : public Arithmetic {
   double now_rounded() override;
   InstantText describe_now() override;
   Sign sign_after(const Query& query) override;
+  Sign sign_now(const Query& query) override;
   Outlook failure(const Query& query, FailureTime& time) override;
   Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;
   Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override;
@@ -82,6 +84,8 @@ class ExactArithmetic final : public Arithmetic {
     int homogeneity = 0;
     bool linear = false;     // a difference of linear motions: doubles hold the polynomial
     double reach_error = 0;  // Predicate::reach_error divided by gamma (core/first_root.h)
+    bool touches = false;    // FailsAtTouch
+    PredicateId plain = 0;   // the same polynomial
   };
 
   bool all_narrow(const Query& query) const;
@@ -129,6 +133,7 @@ class ExactArithmetic final : public Arithmetic {
   int solved_degree_ = -1;  // of the polynomial that was looked at last; -1: zero
   MotionStore motions_;
   std::vector<PredicateModel> models_;
+  bool touches_ = false;  // some predicate is FailsAtTouch
   std::vector<double> until_;  // per object; empty if no motion of the scene ends
   std::optional<Rational> end_;
   double end_upper_;

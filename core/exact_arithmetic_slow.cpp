@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/exact_arithmetic.h"
+#include "core/polynomial_gcd.h"
 #include "core/rounded_instant.h"
 
 namespace kinex {
@@ -121,6 +122,24 @@ Sign ExactArithmetic::exact_sign_after(const Query& query) {
   return sign;
 }
 
+Sign ExactArithmetic::sign_now(const Query& query) {
+  StageCounts& counts = count(query).signs;
+  Approximation a;
+  if (approximate(query, Stage::kDouble, a)) {
+    const auto sign = a.degree < 0 ? std::optional<Sign>(Sign::kZero) : sign_over_now(a);
+    if (sign) {
+      ++counts[static_cast<int>(Stage::kDouble)];
+      return *sign;
+    }
+  }
+  ++counts[static_cast<int>(Stage::kExact)];
+  const Polynomial p = exact_polynomial(query);
+  const Sign sign =
+      p.is_zero() ? Sign::kZero : kinex::sign_at(p, roots_[now_root()], root_counters_);
+  update_counters();
+  return sign;
+}
+
 Outlook ExactArithmetic::exact_failure(const Query& query, FailureTime& time) {
   const Polynomial p = exact_polynomial(query);
   if (p.is_zero()) return Outlook::kIdenticallyZero;
@@ -130,7 +149,9 @@ Outlook ExactArithmetic::exact_failure(const Query& query, FailureTime& time) {
   Outlook outlook = Outlook::kNever;
   if (kinex::sign_after(p, now, root_counters_) == Sign::kNegative) {
     outlook = fails_now(time);
-  } else if (auto root = first_sign_change_after(p, now, end_, root_counters_)) {
+  } else if (auto root =
+                 first_sign_change_after(models_[query.predicate].touches ? square_free_part(p) : p,
+                                         now, end_, root_counters_)) {
     for (int bits = 0; !is_tight(*root) && bits < kEnclosureBits; ++bits)
       root->refine(root_counters_);
     time.lo = root->lower_double();

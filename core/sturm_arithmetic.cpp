@@ -10,6 +10,7 @@
 #include "core/real_root.h"
 #include "core/rounded_instant.h"
 #include "core/sturm_instant.h"
+#include "core/touch.h"
 
 namespace kinex {
 namespace {
@@ -63,7 +64,7 @@ class InstantPool {
   std::vector<std::uint32_t> free_;
 };
 
-class SturmArithmetic final : public Arithmetic {
+class SturmArithmetic final : public Arithmetic, public SignNow {
  public:
   explicit SturmArithmetic(const Scene& scene)
       : degree_(std::max(1, scene.held_degree())),
@@ -98,6 +99,7 @@ class SturmArithmetic final : public Arithmetic {
   }
   InstantText describe_now() override;
   Sign sign_after(const Query& query) override;
+  Sign sign_now(const Query& query) override;
   Outlook failure(const Query& query, FailureTime& time) override {
     return look_ahead(query, kInfinity, time);
   }
@@ -115,6 +117,11 @@ class SturmArithmetic final : public Arithmetic {
     // A rational of a word needs two limbs beside its header.
     return coefficients_.capacity() * (sizeof(Rational) + 16) +
            until_.capacity() * sizeof(std::optional<Rational>) + instants_.bytes();
+  }
+
+ protected:
+  void bound_predicate(PredicateId id) override {
+    touches_.push_back(dynamic_cast<const FailsAtTouch*>(predicates_[id].get()) != nullptr);
   }
 
  private:
@@ -138,6 +145,7 @@ class SturmArithmetic final : public Arithmetic {
   void enclose(FailureTime& time) const;
   void update_counters();
 
+  std::vector<bool> touches_;  // per predicate
   int degree_;
   std::size_t axes_;
   std::vector<Rational>
@@ -240,6 +248,16 @@ Sign SturmArithmetic::sign_after(const Query& query) {
   return sign;
 }
 
+Sign SturmArithmetic::sign_now(const Query& query) {
+  const RationalPolynomial p = polynomial(query);
+  if (!p.is_zero() && vanishes_at(p, now(), work_)) {
+    ++counters_.by_predicate[query.predicate].signs[static_cast<int>(Stage::kExact)];
+    update_counters();
+    return Sign::kZero;
+  }
+  return sign_after(query);
+}
+
 Outlook SturmArithmetic::look_ahead(const Query& query, double limit, FailureTime& time) {
   time = {kInfinity, kInfinity, 0};
   ++counters_.by_predicate[query.predicate].failures[static_cast<int>(Stage::kExact)];
@@ -284,7 +302,18 @@ Outlook SturmArithmetic::first_failure(const Query& query, const RationalPolynom
       return Outlook::kLater;
     }
   }
-  auto first = first_failure_after(p, sturm, from, end, work_);
+  std::optional<SturmInstant> first;
+  if (touches_[query.predicate]) {
+    // Where the square-free part, made positive right after `from`, changes sign next.
+    RationalPolynomial simple = sturm.square_free();
+    Sign sign = simple.sign_at(from);
+    if (sign == Sign::kZero) sign = simple.derivative().sign_at(from);
+    if (sign == Sign::kNegative) simple = -simple;
+    if (simple.degree() < 1) return Outlook::kNever;
+    first = first_failure_after(simple, RationalSturm(simple, work_), from, end, work_);
+  } else {
+    first = first_failure_after(p, sturm, from, end, work_);
+  }
   if (!first) return Outlook::kNever;
   time = {-kInfinity, kInfinity, instants_.add(std::move(*first))};
   ++counters_.roots_made_exact;

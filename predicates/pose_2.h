@@ -43,10 +43,16 @@ enum class Frame { kA, kB };
 // inside_a, inside_b). The degree of the pose.
 std::shared_ptr<const Predicate> make_pose_side(Frame frame, bool inward);
 
+// The same as make_pose_side(frame, false), but fails at a touch too (core/touch.h).
+std::shared_ptr<const Predicate> make_pose_touch(Frame frame);
+
 // along_a(pose, line of A, point of A, point of B'), along_b(pose, line of B', point of A, point of
 // B'): positive iff t lies beyond the sum of the two points in the line's direction, its normal
 // turned by a quarter counter-clockwise. The degree of the pose.
 std::shared_ptr<const Predicate> make_pose_along(Frame frame);
+
+// The same, or its negated value (`reversed`; named against_a, against_b), failing at a touch too.
+std::shared_ptr<const Predicate> make_pose_along_touch(Frame frame, bool reversed);
 
 // normal_order(pose, line of A, line of B') = (R g) x m: positive iff the normal m of A is
 // counter-clockwise, by less than half a turn, from the turned normal g of B'. `reversed`: the

@@ -8,6 +8,7 @@ namespace kinex {
 namespace {
 
 struct AlongA {
+  static constexpr bool kOfA = true;
   static constexpr int kArity = 4;
   static constexpr std::array<int, 5> kAxes{0, 1, 4, 5, 6};
 
@@ -27,6 +28,7 @@ struct AlongA {
 };
 
 struct AlongB {
+  static constexpr bool kOfA = false;
   static constexpr int kArity = 4;
   static constexpr std::array<int, 5> kAxes{2, 3, 4, 5, 6};
 
@@ -45,7 +47,33 @@ struct AlongB {
   }
 };
 
+template <class Along>
+struct AlongTouch : Along {
+  static constexpr bool kFailsAtTouch = true;
+  bool reversed;
+
+  explicit AlongTouch(bool is_reversed) : reversed(is_reversed) {}
+  std::string_view name() const {
+    if (!reversed) return Along::name();
+    return Along::kOfA ? "against_a" : "against_b";
+  }
+
+  template <class R>
+  std::array<R, 5> factors(const Constant<R>* constants) const {
+    std::array<R, 5> all = Along::factors(constants);
+    if (reversed) {
+      for (R& factor : all) factor = minus(factor);
+    }
+    return all;
+  }
+};
+
 }  // namespace
+
+std::shared_ptr<const Predicate> make_pose_along_touch(Frame frame, bool reversed) {
+  if (frame == Frame::kA) return make_pose_form(AlongTouch<AlongA>(reversed));
+  return make_pose_form(AlongTouch<AlongB>(reversed));
+}
 
 std::shared_ptr<const Predicate> make_pose_along(Frame frame) {
   if (frame == Frame::kA) return make_pose_form(AlongA{});

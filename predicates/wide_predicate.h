@@ -5,6 +5,7 @@
 // A Formula is a class with
 //   static constexpr int kArity, kHomogeneity;
 //   name(), degree(motion_degree), and opposite() where there is an opposite predicate;
+//   static constexpr bool kFailsAtTouch = true; for one that FailsAtTouch (core/touch.h);
 //   template <class R> void value(int motion_degree, const MotionView<R>* points, R* out,
 //                                 const R& zero) const;
 // where value() writes degree(motion_degree) + 1 coefficients in t; coefficients that are zero in
@@ -14,10 +15,12 @@
 
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "core/predicate.h"
+#include "core/touch.h"
 
 namespace kinex {
 
@@ -27,8 +30,15 @@ inline bool is_exactly_zero(const Integer& i) { return i.is_zero(); }
 inline bool is_exactly_zero(const Rational& q) { return q.is_zero(); }
 inline bool is_exactly_zero(const MpFloat& f) { return f.sign() == 0 && f.is_finite(); }
 
+struct FailsWhereNegative {};
 template <class Formula>
-class WidePredicate final : public Predicate {
+using FailureRule = std::conditional_t < requires {
+  Formula::kFailsAtTouch;
+}
+, FailsAtTouch, FailsWhereNegative > ;
+
+template <class Formula>
+class WidePredicate final : public Predicate, public FailureRule<Formula> {
  public:
   explicit WidePredicate(Formula formula) : formula_(std::move(formula)) {}
 

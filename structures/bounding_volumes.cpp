@@ -22,6 +22,12 @@ std::optional<Query> BoundingVolumes::extra(PairId p) {
   return volumes_.discs_overlap(pair(p).a, pair(p).b);
 }
 
+// Volumes are larger than the bodies.
+std::optional<CollisionPairs::Features> BoundingVolumes::touch(PairId p, SignNow* now) {
+  if (near_[p] == 0) return std::nullopt;
+  return ClosestFeatures::touch(p, now);
+}
+
 void BoundingVolumes::fail(PairId p, std::uint32_t slot) {
   const bool parted = near_[p] != 0 && slot == extra_slot(p);
   if (near_[p] != 0 && !parted) {

@@ -31,7 +31,7 @@ Query ClosestFeatures::claim(const SumBoundary& sum, const State& state, std::ui
       case 3:
         return sum.order_before(z, state.e, state.v);
       default:
-        return sum.beyond(z, state.e, state.v);
+        return sum.at_touch(z, sum.beyond(z, state.e, state.v));
     }
   }
   const std::uint32_t x = state.e, y = state.v;
@@ -39,7 +39,7 @@ Query ClosestFeatures::claim(const SumBoundary& sum, const State& state, std::ui
     case 0:
       return sum.short_of(0, x, false, y);
     case 1:
-      return sum.past(0, sum.frame(0).before(x), true, y);
+      return sum.at_touch(0, sum.past(0, sum.frame(0).before(x), true, y));
     case 2:
       return sum.short_of(1, y, false, x);
     default:
@@ -84,21 +84,9 @@ bool ClosestFeatures::start(PairId p) {
   return false;
 }
 
+// From a vertex and an edge.
 ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State& state,
                                              std::uint32_t slot) const {
-  if (!state.edge) {
-    const std::uint32_t x = state.e, y = state.v;
-    switch (slot) {
-      case 0:
-        return {true, 0, x, y};
-      case 1:
-        return {true, 0, sum.frame(0).before(x), y};
-      case 2:
-        return {true, 1, y, x};
-      default:
-        return {true, 1, sum.frame(1).before(y), x};
-    }
-  }
   const std::uint8_t z = state.z, w = SumBoundary::other(z);
   const auto vertices = [z](std::uint32_t own, std::uint32_t other) {
     return State{false, 0, z == 0 ? own : other, z == 0 ? other : own};
@@ -115,6 +103,14 @@ ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State
     return {true, w, g, sum.frame(z).after(state.e)};
   }
   return {true, z, state.e, v};
+}
+
+// From its first end the point lies in the edge's direction; or, from its last one, against it.
+bool ClosestFeatures::is_along(const SumBoundary& sum, const SumBoundary::Edge& edge,
+                               bool forward) {
+  const Query claim = forward ? sum.past(edge.z, edge.edge, false, edge.vertex)
+                              : sum.short_of(edge.z, edge.edge, true, edge.vertex);
+  return sum.sign(claim) == Sign::kPositive;
 }
 
 void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
@@ -134,12 +130,57 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
     if (sum.sign(sum.beyond(next.z, next.edge, next.vertex)) != Sign::kNegative) slot = i;
   }
   if (is_contact_slot(p, slot)) {
-    const Feature line{true, state.e}, vertex{false, state.v};
-    contact(p, state.z == 0 ? line : vertex, state.z == 0 ? vertex : line);
+    contact(p, at({state.z, state.e, state.v}));
     return;
   }
-  enter(p, sum, next(sum, state, slot));
+  State to;
+  if (state.edge) {
+    to = next(sum, state, slot);
+  } else {
+    // To the edge of M after the vertex (slots 0 and 2) or before it. The normal cone of a vertex
+    // meets M in that vertex only: where several certificates fail the point may be there, and go
+    // into M, or out beyond the other edge.
+    const auto seen = [&sum](const SumBoundary::Edge& edge) {
+      return sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex));
+    };
+    bool forward = slot % 2 == 0;
+    SumBoundary::Edge edge = sum.beside(state.e, state.v, forward);
+    const Sign at_edge = seen(edge);
+    // A point that slides along two edges of one line goes to the one that it is on.
+    if (at_edge == Sign::kNegative || (at_edge == Sign::kZero && !is_along(sum, edge, forward))) {
+      forward = !forward;
+      const SumBoundary::Edge other = sum.beside(state.e, state.v, forward);
+      if (seen(other) != Sign::kNegative) {
+        if (at_edge == Sign::kNegative || is_along(sum, other, forward)) edge = other;
+      } else if (at_edge == Sign::kNegative) {
+        contact(p, at(edge));
+        return;
+      }
+    }
+    to = {true, edge.z, edge.edge, edge.vertex};
+  }
+  enter(p, sum, to);
   report(p, kChange);
+}
+
+CollisionPairs::Features ClosestFeatures::at(const SumBoundary::Edge& edge) {
+  const Feature line{true, edge.edge}, vertex{false, edge.vertex};
+  return edge.z == 0 ? Features{line, vertex} : Features{vertex, line};
+}
+
+// At a vertex of M all four certificates are zero, and two along edges of A that meet only there.
+std::optional<CollisionPairs::Features> ClosestFeatures::touch(PairId p, SignNow* now) {
+  const SumBoundary sum = boundary(p);
+  const State& state = state_[p];
+  const auto is_zero = [&](std::uint32_t slot) {
+    return sign(claim(sum, state, slot), now) == Sign::kZero;
+  };
+  if (state.edge) {
+    if (!is_zero(4)) return std::nullopt;
+    return at({state.z, state.e, state.v});
+  }
+  if (!is_zero(0) || !is_zero(1)) return std::nullopt;
+  return at(sum.beside(state.e, state.v, true));
 }
 
 std::size_t ClosestFeatures::bytes() const {

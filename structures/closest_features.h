@@ -39,6 +39,7 @@ class ClosestFeatures : public CollisionPairs {
  protected:
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
+  std::optional<Features> touch(PairId p, SignNow* now) override;
   std::uint32_t most_certificates() const override { return 5; }
   // One more certificate beside those of the features, in the last slot.
   virtual std::optional<Query> extra(PairId p) {
@@ -62,6 +63,9 @@ class ClosestFeatures : public CollisionPairs {
   SumBoundary boundary(PairId p);
   static Query claim(const SumBoundary& sum, const State& state, std::uint32_t slot);
   void enter(PairId p, const SumBoundary& sum, const State& state);
+  // The point is on this edge of M.
+  static bool is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
+  static Features at(const SumBoundary::Edge& edge);
   State next(const SumBoundary& sum, const State& state, std::uint32_t slot) const;
 
   std::vector<State> state_;  // per pair

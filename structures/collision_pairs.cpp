@@ -2,6 +2,7 @@
 #include "structures/collision_pairs.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "core/check.h"
 #include "predicates/pose_2.h"
@@ -12,6 +13,7 @@ CollisionPairs::CollisionPairs(Kernel& kernel, StructureId id, const Scene& scen
     : kernel_(kernel),
       id_(id),
       scene_(scene),
+      now_(dynamic_cast<SignNow*>(&kernel.arithmetic())),
       frames_(kernel, scene, policy),
       volumes_(kernel, scene),
       pose_(make_pose_2()),
@@ -22,12 +24,12 @@ CollisionPairs::CollisionPairs(Kernel& kernel, StructureId id, const Scene& scen
 }
 
 std::vector<std::string_view> CollisionPairs::collision_kinds(std::vector<std::string_view> own) {
-  own.insert(own.begin(), {"contact", "volume", "grid"});
+  own.insert(own.begin(), {"contact", "graze", "volume", "grid"});
   return common_event_kinds(std::move(own));
 }
 
 void CollisionPairs::build(std::span<const ObjectId> objects) {
-  for (const ObjectId object : objects) insert(object);
+  for (const ObjectId object : objects) add_body(object);
 }
 
 void CollisionPairs::rebuild() {
@@ -51,14 +53,77 @@ void CollisionPairs::certificate_failed(CertificateId failed) {
   failed_ = failed;
   if (pairs_[p].apart) {
     follow_near(p);
+    pairs_[p].resting = false;
     report(p, kVolume);
-  } else {
+  } else if (!only_touches(failed)) {
     fail(p, tag % kMostCertificates);
   }
   failed_ = kNoCertificate;
+  look_for_touch(p);
 }
 
+bool CollisionPairs::fails_at_touch(const Query& query) const {
+  return dynamic_cast<const FailsAtTouch*>(&kernel_.arithmetic().predicate(query.predicate)) !=
+         nullptr;
+}
+
+bool CollisionPairs::only_touches(CertificateId failed) {
+  const Query query = kernel_.query(failed);
+  if (now_ == nullptr || !fails_at_touch(query) ||
+      kernel_.arithmetic().sign_after(query) == Sign::kNegative) {
+    return false;
+  }
+  kernel_.replace(failed, query, kernel_.tag(failed));
+  return true;
+}
+
+bool CollisionPairs::holds(PairId p) const {
+  const Pair& pair = pairs_[p];
+  for (std::uint8_t i = 0; i < pair.certificates; ++i) {
+    const Query& query = kernel_.query(pair.certificate[i]);
+    if (kernel_.arithmetic().sign_after(query) == Sign::kNegative) return false;
+  }
+  return true;
+}
+
+// After an event of the pair. While its proof does not hold, another one follows at this instant.
+void CollisionPairs::look_for_touch(PairId p) {
+  Pair& pair = pairs_[p];
+  if (now_ == nullptr || pair.touching || pair.apart) return;
+  const std::optional<Features> found = touch(p, now_);
+  if (!found && !pair.resting) return;
+  if (!holds(p)) return;
+  if (found && !pair.resting) {
+    report_meeting(p, kGraze, *found);
+    // Others that touch zero at this instant are done with it too.
+    for (std::uint8_t i = 0; i < pair.certificates; ++i) {
+      const CertificateId id = pair.certificate[i];
+      const Query query = kernel_.query(id);
+      if (fails_at_touch(query) && now_->sign_now(query) == Sign::kZero) {
+        kernel_.replace(id, query, kernel_.tag(id));
+      }
+    }
+  }
+  pair.resting = found && touch(p, nullptr);
+}
+
+// In doubles nobody can tell.
 void CollisionPairs::insert(ObjectId object) {
+  add_body(object);
+  if (!kernel_.is_exact()) return;
+  for (const PairId p : pairs_of_[object]) {
+    if (!pairs_[p].touching) continue;
+    const ObjectId other = pairs_[p].a == object ? pairs_[p].b : pairs_[p].a;
+    // A body comes at a rational time.
+    const std::vector<std::string> now = kernel_.arithmetic().describe_now().polynomial;
+    const Rational t = -(*Rational::parse(now[0]) / *Rational::parse(now[1]));
+    throw std::invalid_argument(scene_.objects[object].id + " appears at " + t.to_string() +
+                                " in contact with " + scene_.objects[other].id +
+                                "; let it come, or jump, to where it is apart from all others");
+  }
+}
+
+void CollisionPairs::add_body(ObjectId object) {
   most_bodies_ = std::max(most_bodies_, ++bodies_);
   if (grid_) {
     alive_[object] = 1;
@@ -101,15 +166,20 @@ PairId CollisionPairs::find_pair(ObjectId a, ObjectId b) const {
 }
 
 void CollisionPairs::motions_changed(std::span<const ObjectId> objects) {
-  std::vector<PairId> again;
+  std::vector<PairId> changed;
   for (const ObjectId object : objects) {
-    for (const PairId p : pairs_of_[object]) {
-      if (pairs_[p].touching) again.push_back(p);
+    changed.insert(changed.end(), pairs_of_[object].begin(), pairs_of_[object].end());
+  }
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  for (const PairId p : changed) {
+    if (pairs_[p].touching) {
+      follow(p);
+    } else {
+      if (!pairs_[p].apart) moved(p);
+      look_for_touch(p);
     }
   }
-  std::sort(again.begin(), again.end());
-  again.erase(std::unique(again.begin(), again.end()), again.end());
-  for (const PairId p : again) follow(p);
 }
 
 // By a volume if there is one that is a proof.
@@ -129,6 +199,7 @@ void CollisionPairs::follow(PairId p) {
   pairs_[p].apart = false;
   pairs_[p].touching = !start(p);
   if (pairs_[p].touching) drop_certificates(p);
+  pairs_[p].resting = !pairs_[p].touching && touch(p, nullptr);
 }
 
 PairId CollisionPairs::add_pair(ObjectId a, ObjectId b) {
@@ -141,7 +212,7 @@ PairId CollisionPairs::add_pair(ObjectId a, ObjectId b) {
   }
   pairs_[p].a = a;
   pairs_[p].b = b;
-  pairs_[p].touching = pairs_[p].apart = false;
+  pairs_[p].touching = pairs_[p].apart = pairs_[p].resting = false;
   pairs_of_[a].push_back(p);
   pairs_of_[b].push_back(p);
   most_pairs_ = std::max(most_pairs_, ++live_pairs_);
@@ -236,13 +307,20 @@ ObjectId CollisionPairs::feature_object(ObjectId body, bool negated, Feature fea
       scene_.objects[body].id + (feature.edge ? ".e" : ".v") + std::to_string(place), {Rational()});
 }
 
-void CollisionPairs::contact(PairId p, Feature of_a, Feature of_b) {
+void CollisionPairs::report_meeting(PairId p, std::uint8_t kind, const Features& features) {
   const ObjectId a = pairs_[p].a, b = pairs_[p].b;
-  kernel_.report(id_, kContact,
-                 {a, b, feature_object(a, false, of_a), feature_object(b, true, of_b)}, true);
+  kernel_.report(
+      id_, kind,
+      {a, b, feature_object(a, false, features.of_a), feature_object(b, true, features.of_b)},
+      true);
+}
+
+void CollisionPairs::contact(PairId p, const Features& features) {
+  report_meeting(p, kContact, features);
   stop(p);
   drop_certificates(p);
   pairs_[p].touching = true;
+  pairs_[p].resting = false;
 }
 
 Attribute CollisionPairs::attribute() const {

@@ -5,7 +5,9 @@
 // class keeps: a handful of certificates in the pair's pose (predicates/pose_2.h). The attribute is
 // the set of pairs that have come into contact; an external event is a contact. A pair in contact
 // has no certificates; when the motion of one of its bodies changes and they are disjoint right
-// after it, it is followed again.
+// after it, it is followed again. Bodies may be in contact at the start, which is no event; a body
+// that appears later, or jumps, must be apart from all others (std::invalid_argument names both and
+// the time).
 //
 // In scenes of more than two bodies a grid is the broad phase (structures/body_grid.h): bodies that
 // are not in neighbouring cells have no proof of their own, and those that are have one certificate
@@ -13,7 +15,13 @@
 // neither.
 //
 // Ties. A pair that touches without penetrating (the distance is zero at one instant, or for a
-// while along an edge, and never negative) has no contact: its certificates never become negative.
+// while along an edge, and never negative) has no contact, as no certificate becomes negative, but
+// grazes: an external event too, at the instant at which the touch begins. One touch is one graze,
+// be it for an instant or for a while, over however many features; a touch that ends in the other
+// body ends with a contact. Bodies that touch when they appear do not graze, nor do those that come
+// out of a contact. A proof finds a touch by those of its certificates that are zero where the
+// bodies touch: they fail at touches too (core/touch.h). Exact arithmetics only: in doubles a touch
+// is an accident.
 #ifndef KINEX_STRUCTURES_COLLISION_PAIRS_H
 #define KINEX_STRUCTURES_COLLISION_PAIRS_H
 
@@ -30,6 +38,7 @@
 #include "core/kernel.h"
 #include "core/scene.h"
 #include "core/structure.h"
+#include "core/touch.h"
 #include "structures/body_frames.h"
 #include "structures/body_grid.h"
 #include "structures/body_volumes.h"
@@ -40,12 +49,12 @@ using PairId = std::uint32_t;
 
 class CollisionPairs : public Structure {
  public:
-  // The ranks of "contact", "volume" and "grid"; the kinds of derived classes follow them. A
-  // contact names the two bodies and the features that meet, as derived objects: "a.v3" is vertex 3
-  // of body a, "a.e3" the edge from it to the next (counted from 0 in the scene's order). A volume
-  // is another proof of one certificate, or the end of the last one; "grid" names a body that
-  // changes its cell.
-  static constexpr std::uint8_t kContact = 0, kVolume = 1, kGrid = 2, kFirstOwn = 3;
+  // The ranks of "contact", "graze", "volume" and "grid"; the kinds of derived classes follow them.
+  // A contact or graze names the two bodies and the features that meet, as derived objects: "a.v3"
+  // is vertex 3 of body a, "a.e3" the edge from it to the next (counted from 0 in the scene's
+  // order). A volume is another proof of one certificate, or the end of the last one; "grid" names
+  // a body that changes its cell.
+  static constexpr std::uint8_t kContact = 0, kGraze = 1, kVolume = 2, kGrid = 3, kFirstOwn = 4;
   // A proof has at most so many certificates.
   static constexpr std::uint32_t kMostCertificates = 8;
 
@@ -70,7 +79,8 @@ class CollisionPairs : public Structure {
     ObjectId a = kNoObject, b = kNoObject;  // a < b; kNoObject: not in use
     ObjectId pose = kNoObject;
     bool touching = false;
-    bool apart = false;  // one certificate on volumes is the proof
+    bool apart = false;    // one certificate on volumes is the proof
+    bool resting = false;  // not in contact, but they touch and go on touching
     std::uint8_t certificates = 0;
     std::array<CertificateId, kMostCertificates> certificate{};
   };
@@ -80,6 +90,8 @@ class CollisionPairs : public Structure {
   // The certificate of this slot is negative right after now: repairs the proof and reports one
   // event, or calls contact().
   virtual void fail(PairId pair, std::uint32_t slot) = 0;
+  // The motion of one of the two bodies has changed.
+  virtual void moved(PairId pair) { static_cast<void>(pair); }
   // The pair is followed no more; its certificates are retracted afterwards.
   virtual void stop(PairId pair) { static_cast<void>(pair); }
   // The largest number of certificates that a proof has between events.
@@ -98,9 +110,18 @@ class CollisionPairs : public Structure {
     bool edge = false;
     std::uint32_t i = 0;
   };
+  struct Features {
+    Feature of_a, of_b;
+  };
+  // The features by which the bodies touch right after now, or at now (`now` is not nullptr);
+  // nullopt: they do not. The proof holds right after now.
+  virtual std::optional<Features> touch(PairId pair, SignNow* now) = 0;
+  Sign sign(const Query& query, SignNow* now) {
+    return now != nullptr ? now->sign_now(query) : kernel_.arithmetic().sign_after(query);
+  }
   // Reports the contact and ends the proof. Features of the second body are those of its negated
   // frame.
-  void contact(PairId p, Feature of_a, Feature of_b);
+  void contact(PairId p, const Features& features);
   void report(PairId p, std::uint8_t kind) {
     kernel_.report(id_, kind, {pairs_[p].a, pairs_[p].b}, false);
   }
@@ -109,11 +130,13 @@ class CollisionPairs : public Structure {
   Kernel& kernel_;
   const StructureId id_;
   const Scene& scene_;
+  SignNow* now_;  // nullptr in an inexact arithmetic
   BodyFrames frames_;
   BodyVolumes volumes_;
 
  private:
   static constexpr PairId kNoPair = 0xffffffffu;
+  void add_body(ObjectId object);
   PairId find_pair(ObjectId a, ObjectId b) const;
   // Adds the pairs of this body that are near and not there; removes those that are near no more.
   void update_pairs(ObjectId body);
@@ -122,6 +145,12 @@ class CollisionPairs : public Structure {
   void remove_pair(PairId p);
   void follow(PairId p);  // by the derived class's proof
   void add_pose(PairId p);
+  // The pair's certificate does not fail, but touches zero: it is made anew.
+  bool fails_at_touch(const Query& query) const;
+  bool only_touches(CertificateId failed);
+  bool holds(PairId p) const;
+  void look_for_touch(PairId p);
+  void report_meeting(PairId p, std::uint8_t kind, const Features& features);
   void drop_certificates(PairId p);
   ObjectId feature_object(ObjectId body, bool negated, Feature feature);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/inner_tangents.h"
 
+#include <algorithm>
+
 namespace kinex {
 
 InnerTangents::InnerTangents(Kernel& kernel, StructureId id, const Scene& scene)
@@ -24,7 +26,8 @@ Query InnerTangents::claim(const SumBoundary& sum, const Tangents& tangents, std
   const bool forward = slot % 2 == 0;
   const std::uint32_t own = tangents[k][z], other = tangents[k][SumBoundary::other(z)];
   const std::uint32_t edge = forward ? own : sum.frame(z).before(own);
-  return (k == 0) == forward ? sum.beyond(z, edge, other) : sum.within(z, edge, other);
+  if ((k == 0) != forward) return sum.within(z, edge, other);
+  return sum.at_touch(z, sum.beyond(z, edge, other));
 }
 
 void InnerTangents::enter(PairId p, const SumBoundary& sum, const Tangents& tangents) {
@@ -38,9 +41,15 @@ bool InnerTangents::start(PairId p) {
   if (tangents_.size() <= p) tangents_.resize(p + std::size_t{1});
   const SumBoundary sum = boundary(p);
   const std::vector<SumBoundary::Edge> edges = sum.edges();
-  std::vector<bool> seen;  // the point is beyond the edge
+  std::vector<Sign> signs;  // where the point is beyond the edge
   for (const SumBoundary::Edge& edge : edges) {
-    seen.push_back(sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex)) == Sign::kPositive);
+    signs.push_back(sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex)));
+  }
+  // A point that stays on an edge sees that one.
+  const bool outside = std::find(signs.begin(), signs.end(), Sign::kPositive) != signs.end();
+  std::vector<bool> seen;
+  for (const Sign sign : signs) {
+    seen.push_back(sign == Sign::kPositive || (!outside && sign == Sign::kZero));
   }
   Tangents tangents{};
   bool found = false;
@@ -69,10 +78,19 @@ InnerTangents::Touch InnerTangents::across(const SumBoundary& sum, const SumBoun
   return edge.z == 0 ? Touch{own, edge.vertex} : Touch{edge.vertex, own};
 }
 
+// From the first end of this edge of M the point lies in the edge's direction; or, from the last
+// one, against it.
+bool InnerTangents::is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward) {
+  const Query claim = forward ? sum.past(edge.z, edge.edge, false, edge.vertex)
+                              : sum.short_of(edge.z, edge.edge, true, edge.vertex);
+  return sum.sign(claim) == Sign::kPositive;
+}
+
 // A tangent's vertex divides the edges of M that the point sees from those that it does not.
 // Several certificates may fail together: it goes along the boundary of M, outwards if the next
-// edge there is seen, or at least not unseen, and else inwards. If the tangents meet, nothing is
-// seen, unless it is beside the vertex: then the point passes it outside.
+// edge there is seen, or at least not unseen, and else inwards; where the point slides along two
+// edges of one line, after the point. If the tangents meet, nothing is seen, unless it is beside
+// the vertex: then the point passes it outside.
 void InnerTangents::fail(PairId p, std::uint32_t slot) {
   const SumBoundary sum = boundary(p);
   Tangents tangents = tangents_[p];
@@ -84,7 +102,13 @@ void InnerTangents::fail(PairId p, std::uint32_t slot) {
   const SumBoundary::Edge outer = beside(sum, tangents[k], outwards);
   const SumBoundary::Edge inner = beside(sum, tangents[k], !outwards);
   const Sign at_outer = seen(outer);
-  if (at_outer == Sign::kPositive || (at_outer == Sign::kZero && seen(inner) == Sign::kNegative)) {
+  bool goes_outwards = at_outer == Sign::kPositive;
+  if (at_outer == Sign::kZero) {
+    const Sign at_inner = seen(inner);
+    goes_outwards =
+        at_inner == Sign::kNegative || (at_inner == Sign::kZero && is_along(sum, outer, outwards));
+  }
+  if (goes_outwards) {
     tangents[k] = across(sum, outer, outwards);
   } else {
     tangents[k] = across(sum, inner, !outwards);
@@ -113,8 +137,34 @@ void InnerTangents::meet(PairId p, const SumBoundary& sum, SumBoundary::Edge edg
   } else if (sum.sign(sum.short_of(edge.z, edge.edge, true, edge.vertex)) == Sign::kNegative) {
     edge = beside(sum, across(sum, edge, true), true);
   }
+  contact(p, at(edge));
+}
+
+CollisionPairs::Features InnerTangents::at(const SumBoundary::Edge& edge) {
   const Feature line{true, edge.edge}, other{false, edge.vertex};
-  contact(p, edge.z == 0 ? line : other, edge.z == 0 ? other : line);
+  return edge.z == 0 ? Features{line, other} : Features{other, line};
+}
+
+// All edges that the point sees are on two lines at most that meet where it is.
+std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, SignNow* now) {
+  const SumBoundary sum = boundary(p);
+  const Tangents& tangents = tangents_[p];
+  const auto is_on_line = [&](const SumBoundary::Edge& edge) {
+    return sign(sum.beyond(edge.z, edge.edge, edge.vertex), now) == Sign::kZero;
+  };
+  if (!is_on_line(beside(sum, tangents[1], false))) return std::nullopt;
+  Touch at_first = tangents[0];
+  // Two edges on a line, if they are parallel.
+  for (int i = 0; i < 4; ++i) {
+    const SumBoundary::Edge edge = beside(sum, at_first, true);
+    if (!is_on_line(edge)) break;
+    if (sign(sum.past(edge.z, edge.edge, false, edge.vertex), now) != Sign::kNegative &&
+        sign(sum.short_of(edge.z, edge.edge, true, edge.vertex), now) != Sign::kNegative) {
+      return at(edge);
+    }
+    at_first = across(sum, edge, true);
+  }
+  return std::nullopt;
 }
 
 std::size_t InnerTangents::bytes() const {

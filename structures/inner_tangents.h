@@ -36,6 +36,7 @@ class InnerTangents : public CollisionPairs {
  protected:
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
+  std::optional<Features> touch(PairId p, SignNow* now) override;
   std::uint32_t most_certificates() const override { return 8; }
 
  private:
@@ -45,6 +46,8 @@ class InnerTangents : public CollisionPairs {
   static Query claim(const SumBoundary& sum, const Tangents& tangents, std::uint32_t slot);
   static SumBoundary::Edge beside(const SumBoundary& sum, const Touch& touch, bool forward);
   static Touch across(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
+  static bool is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
+  static Features at(const SumBoundary::Edge& edge);
   void meet(PairId p, const SumBoundary& sum, SumBoundary::Edge edge);
   void enter(PairId p, const SumBoundary& sum, const Tangents& tangents);
 

@@ -6,18 +6,29 @@
 
 namespace kinex {
 
-PosePredicates::PosePredicates(Kernel& kernel)
-    : side{kernel.bind(make_pose_side(Frame::kA, false)),
-           kernel.bind(make_pose_side(Frame::kB, false))},
-      inside{kernel.bind(make_pose_side(Frame::kA, true)),
-             kernel.bind(make_pose_side(Frame::kB, true))},
-      along{kernel.bind(make_pose_along(Frame::kA)), kernel.bind(make_pose_along(Frame::kB))},
-      normal_order(kernel.bind(make_pose_normal_order(false))),
-      normal_order_reversed(kernel.bind(make_pose_normal_order(true))) {}
+// The order is that of ties in the queue: a side that fails at a touch too comes where it would come
+// without that.
+PosePredicates::PosePredicates(Kernel& kernel) {
+  const std::array<Frame, 2> frames{Frame::kA, Frame::kB};
+  for (std::size_t z = 0; z < 2; ++z) {
+    side[z] = kernel.bind(make_pose_side(frames[z], false));
+    touch[z] = kernel.bind(make_pose_touch(frames[z]));
+  }
+  for (std::size_t z = 0; z < 2; ++z) inside[z] = kernel.bind(make_pose_side(frames[z], true));
+  for (std::size_t z = 0; z < 2; ++z) along[z] = kernel.bind(make_pose_along(frames[z]));
+  normal_order = kernel.bind(make_pose_normal_order(false));
+  normal_order_reversed = kernel.bind(make_pose_normal_order(true));
+  for (std::size_t z = 0; z < 2; ++z) {
+    along_touch[z] = kernel.bind(make_pose_along_touch(frames[z], false));
+    against_touch[z] = kernel.bind(make_pose_along_touch(frames[z], true));
+  }
+}
 
 MixedTiles::MixedTiles(Kernel& kernel, const PosePredicates& predicates, ObjectId pose,
                        std::array<BodyFrame*, 2> frames)
     : kernel_(kernel), predicates_(predicates), pose_(pose), frames_(frames) {
+  const Trajectory& motion = kernel.derived().trajectory(pose);
+  turns_ = motion.coordinates[5].size() > 1 || motion.coordinates[6].size() > 1;
   if (tree(0).is_point() || tree(1).is_point()) return;
   // The error at equal levels is a quarter per two levels of the radius: the smaller polygon waits.
   const std::uint8_t small = tree(1).radius() < tree(0).radius() ? 1 : 0;
@@ -118,11 +129,98 @@ bool MixedTiles::beyond(std::uint8_t z, Id edge, Id node) const {
   return kernel_.arithmetic().sign_after(side(z, edge, node, false)) != Sign::kNegative;
 }
 
-Sign MixedTiles::along(std::uint8_t z, Id edge, Id own_node, Id node) const {
+Query MixedTiles::along_query(std::uint8_t z, Id edge, Id own_node, Id node) const {
   const ObjectId own = frames_[z]->apex(own_node), foreign = frames_[other(z)]->apex(node);
-  return kernel_.arithmetic().sign_after(
-      Query(predicates_.along[z],
-            {pose_, frames_[z]->line(edge), z == 0 ? own : foreign, z == 0 ? foreign : own}));
+  return Query(predicates_.along[z],
+               {pose_, frames_[z]->line(edge), z == 0 ? own : foreign, z == 0 ? foreign : own});
+}
+
+Sign MixedTiles::along(std::uint8_t z, Id edge, Id own_node, Id node) const {
+  return kernel_.arithmetic().sign_after(along_query(z, edge, own_node, node));
+}
+
+MixedTiles::Move MixedTiles::inner_side(const Tile& tile) const {
+  if (tile.kind == Tile::Kind::kHalf) return {std::nullopt, tile.x, tile.v, tile.other};
+  const OuterHierarchy::Node& v = tree(tile.x).node(tile.v);
+  if (tile.kind == Tile::Kind::kTriangle) return {std::nullopt, tile.x, v.cut, tile.other};
+  const Id own = tile.kind == Tile::Kind::kLeft ? v.left : v.right;
+  return {std::nullopt, other(tile.x), tile.other, own};
+}
+
+// The line of edge e of Z at this node of W supports M: the node is at a vertex, or one of its
+// edges is parallel to e.
+bool MixedTiles::supports(std::uint8_t z, Id e, Id node, SignNow* now) const {
+  const std::uint8_t w = other(z);
+  if (cut_time(w, node) == kNever) return true;
+  if (now == nullptr && turns_) return false;
+  return is_parallel(z, e, tree(w).node(node).left_edge, now) ||
+         is_parallel(z, e, tree(w).node(node).right_edge, now);
+}
+
+bool MixedTiles::is_parallel(std::uint8_t z, Id e, Id f, SignNow* now) const {
+  return sign(order(z, e, f), now) == Sign::kZero;
+}
+
+Query MixedTiles::inner(const Tile& tile) const {
+  const Move at = inner_side(tile);
+  Query query = side(at.x, at.edge, at.node, false);
+  if (supports(at.x, at.edge, at.node, nullptr)) query.predicate = predicates_.touch[at.x];
+  return query;
+}
+
+MixedTiles::Face MixedTiles::face(const Move& at, SignNow* now) const {
+  const std::uint8_t z = at.x, w = other(z);
+  Face face{{first_end(z, at.edge, kNever), last_end(z, at.edge, kNever)}, {at.node, at.node}};
+  if (tree(w).is_point()) return face;
+  const bool leaf = cut_time(w, at.node) == kNever;
+  for (const bool left : {true, false}) {
+    Id f = left ? tree(w).node(at.node).left_edge : tree(w).node(at.node).right_edge;
+    if (leaf) f = left ? edge_before(w, at.node, kNever) : edge_after(w, at.node, kNever);
+    if (!is_parallel(z, at.edge, f, now)) continue;
+    face.parallel = f;
+    face.others = {first_end(w, f, kNever), last_end(w, f, kNever)};
+  }
+  return face;
+}
+
+std::optional<MixedTiles::Move> MixedTiles::touch(const Tile& tile, SignNow* now) const {
+  const Move at = inner_side(tile);
+  const std::uint8_t z = at.x;
+  if (sign(side(z, at.edge, at.node, false), now) != Sign::kZero) return std::nullopt;
+  if (!supports(z, at.edge, at.node, now)) return std::nullopt;
+  const Face m = face(at, now);
+  const auto place = [&](std::size_t own, std::size_t foreign) {
+    return sign(along_query(z, at.edge, m.own[own], m.others[foreign]), now);
+  };
+  if (place(0, 0) == Sign::kNegative || place(1, 1) == Sign::kPositive) return std::nullopt;
+  if (m.parallel == OuterHierarchy::kNone || place(1, 0) != Sign::kPositive) {
+    return Move{std::nullopt, z, at.edge, m.others[0]};
+  }
+  return Move{std::nullopt, other(z), m.parallel, m.own[1]};
+}
+
+MixedTiles::Certificates MixedTiles::slide(const Tile& tile) const {
+  Certificates result;
+  const Query line = inner(tile);
+  const Move at = inner_side(tile);
+  if (line.predicate != predicates_.touch[at.x] || sign(line, nullptr) != Sign::kZero) {
+    return result;
+  }
+  const Face m = face(at, nullptr);
+  const auto add = [&](std::size_t end, bool against) {
+    Query query = along_query(at.x, at.edge, m.own[end], m.others[end]);
+    query.predicate = (against ? predicates_.against_touch : predicates_.along_touch)[at.x];
+    result.query[result.count++] = query;
+  };
+  if (along(at.x, at.edge, m.own[0], m.others[0]) == Sign::kNegative) {
+    add(0, true);
+  } else if (along(at.x, at.edge, m.own[1], m.others[1]) == Sign::kPositive) {
+    add(1, false);
+  } else {
+    add(0, false);
+    add(1, true);
+  }
+  return result;
 }
 
 // ---- certificates
@@ -132,7 +230,7 @@ MixedTiles::Certificates MixedTiles::certificates(const Tile& tile) const {
   const auto add = [&result](const Query& query) { result.query[result.count++] = query; };
   const std::uint8_t x = tile.x, y = other(x);
   if (tile.kind == Tile::Kind::kHalf) {
-    add(side(x, tile.v, tile.other, false));
+    add(inner(tile));
     result.sides = 1;
     if (!tree(y).is_point()) {
       const OuterHierarchy::Node& u = tree(y).node(tile.other);
@@ -145,7 +243,7 @@ MixedTiles::Certificates MixedTiles::certificates(const Tile& tile) const {
   const int time = cut_time(x, tile.v);
   if (tile.kind == Tile::Kind::kTriangle) {
     const Id w = tile.other;
-    add(side(x, v.cut, w, false));
+    add(inner(tile));
     add(side(x, v.left_edge, w, true));
     add(side(x, v.right_edge, w, true));
     result.sides = 3;
@@ -158,7 +256,7 @@ MixedTiles::Certificates MixedTiles::certificates(const Tile& tile) const {
   const Id f = tile.other;
   const Id y1 = first_end(y, f, time), y2 = last_end(y, f, time);
   const bool left = tile.kind == Tile::Kind::kLeft;
-  add(side(y, f, left ? v.left : v.right, false));
+  add(inner(tile));
   add(side(y, f, tile.v, true));
   const Id edge = left ? v.left_edge : v.right_edge;
   add(side(x, edge, y1, left));

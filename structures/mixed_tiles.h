@@ -34,6 +34,7 @@
 #include <optional>
 
 #include "core/kernel.h"
+#include "core/touch.h"
 #include "structures/body_frames.h"
 
 namespace kinex {
@@ -42,7 +43,7 @@ namespace kinex {
 struct PosePredicates {
   explicit PosePredicates(Kernel& kernel);
   // [frame]: the frame of the line
-  std::array<PredicateId, 2> side, inside, along;
+  std::array<PredicateId, 2> side, inside, along, touch, along_touch, against_touch;
   PredicateId normal_order, normal_order_reversed;
 };
 
@@ -81,6 +82,12 @@ class MixedTiles {
   std::optional<Move> next(const Tile& tile, std::uint32_t slot) const;
   // A tile that holds the point right after now; nullopt: it lies in M.
   std::optional<Tile> locate() const;
+  // The side where the tile touches M, if the point is on M there (Move::tile is nullopt): right
+  // after now, or at now (`now` is not nullptr). The certificates hold right after now.
+  std::optional<Move> touch(const Tile& tile, SignNow* now) const;
+  // While the point stays on the line of that side: certificates that fail where it comes to M or
+  // leaves it; at most two.
+  Certificates slide(const Tile& tile) const;
   // Levels of the operation that made the tile; 0 for half-planes.
   int level(const Tile& tile) const;
 
@@ -108,7 +115,23 @@ class MixedTiles {
   Query order(std::uint8_t z, Id e, Id f) const;  // non-negative iff before(z, e, f) or parallel
   Query order_after(std::uint8_t z, Id e, Id f) const;
   Query side(std::uint8_t z, Id edge, Id node, bool inward) const;
+  Sign sign(const Query& query, SignNow* now) const {
+    return now != nullptr ? now->sign_now(query) : kernel_.arithmetic().sign_after(query);
+  }
+  // Side 0 of a tile, the inner one: the only one that can touch M, and only if its line supports
+  // M.
+  Move inner_side(const Tile& tile) const;
+  // The side of M on this line: from [0] to [1], each a node of Z and one of W.
+  struct Face {
+    std::array<Id, 2> own, others;
+    Id parallel = 0xffffffffu;  // the edge of W that is parallel, if there is one
+  };
+  Face face(const Move& at, SignNow* now) const;
+  bool supports(std::uint8_t z, Id e, Id node, SignNow* now) const;
+  bool is_parallel(std::uint8_t z, Id e, Id f, SignNow* now) const;
+  Query inner(const Tile& tile) const;
   bool beyond(std::uint8_t z, Id edge, Id node) const;  // right after now
+  Query along_query(std::uint8_t z, Id edge, Id own_node, Id node) const;
   Sign along(std::uint8_t z, Id edge, Id own_node, Id node) const;
 
   Tile ascend(std::uint8_t z, Id edge, Id node, int time) const;
@@ -127,6 +150,7 @@ class MixedTiles {
   const PosePredicates& predicates_;
   ObjectId pose_;
   std::array<BodyFrame*, 2> frames_;
+  bool turns_ = false;           // one body against the other
   std::array<int, 2> offset_{};  // empty levels before those of the smaller polygon
 };
 

@@ -57,13 +57,15 @@ MixedTiles::Move MixedTiles::descend(std::uint8_t z, Id edge, Id node, int time)
 
 // A side is a segment, its certificate a line: where sides fail together, at a corner or because a
 // tile is flat, the point may have passed the line beside the segment. If it is in M then, it has
-// passed the next edge of M, which may go on along the same line.
+// passed the next edge of M, which may go on along the same line. At a
+// sharp corner of M it may pass one side and slide along the other: whether it is in M, the search
+// tells.
 MixedTiles::Move MixedTiles::at_boundary(std::uint8_t z, Id edge, Id node) const {
   const Id l = first_end(z, edge, kNever), r = last_end(z, edge, kNever);
   const Sign at_first = along(z, edge, l, node), at_last = along(z, edge, r, node);
   const Move here{std::nullopt, z, edge, node};
-  if (at_first == Sign::kPositive && at_last == Sign::kNegative) return here;
   if (const auto tile = locate()) return {tile, 0, 0, 0};
+  if (at_first == Sign::kPositive && at_last == Sign::kNegative) return here;
   const bool back = at_first == Sign::kNegative;
   if (!back && at_last != Sign::kPositive) return here;
   const std::uint8_t w = other(z);
@@ -238,15 +240,20 @@ std::optional<Tile> MixedTiles::locate_at(std::uint8_t x, Id node) const {
   const Tile triangle{Tile::Kind::kTriangle, x, node, w};
   if (holds(triangle)) return triangle;
   if (tree(y).is_point()) return std::nullopt;
-  for (Id f = edge_before(y, w, time); before(x, v.left_edge, f);
-       f = edge_before(y, first_end(y, f, time), time)) {
+  // Not more than once around: an inexact arithmetic may know no end.
+  const Id last = edge_after(y, w, time);
+  for (Id f = edge_before(y, w, time); before(x, v.left_edge, f);) {
     const Tile tile{Tile::Kind::kLeft, x, node, f};
     if (holds(tile)) return tile;
+    if (f == last) break;
+    f = edge_before(y, first_end(y, f, time), time);
   }
-  for (Id f = edge_after(y, w, time); !before(x, v.right_edge, f);
-       f = edge_after(y, last_end(y, f, time), time)) {
+  const Id first = edge_before(y, w, time);
+  for (Id f = last; !before(x, v.right_edge, f);) {
     const Tile tile{Tile::Kind::kRight, x, node, f};
     if (holds(tile)) return tile;
+    if (f == first) break;
+    f = edge_after(y, last_end(y, f, time), time);
   }
   return std::nullopt;
 }

@@ -93,6 +93,12 @@ void SeparationHysteresis::measure(PairId p) {
   least_ = std::min(least_, (moved + reach * std::fabs(turned)) / wedge.separation);
 }
 
+// A wedge leaves room.
+std::optional<CollisionPairs::Features> SeparationHysteresis::touch(PairId p, SignNow* now) {
+  if (wedges_[p].in_use) return std::nullopt;
+  return ClosestFeatures::touch(p, now);
+}
+
 void SeparationHysteresis::fail(PairId p, std::uint32_t slot) {
   if (!wedges_[p].in_use) {
     const bool is_contact = is_contact_slot(p, slot);

@@ -37,7 +37,7 @@ void SeparationMinkowski::stop(PairId p) {
   if (p < sums_.size()) sums_[p].reset();
 }
 
-SeparationMixed::Features SeparationMinkowski::features(PairId p, const MixedTiles::Move& move) {
+CollisionPairs::Features SeparationMinkowski::features(PairId p, const MixedTiles::Move& move) {
   const Sum& made = *sums_[p];
   const OuterHierarchy& tree = made.frame->hierarchy();
   const OuterHierarchy::Edge& edge = tree.edge(move.edge);

@@ -36,7 +36,7 @@ class SeparationMinkowski final : public SeparationMixed {
   // Throws std::invalid_argument if the bodies turn against each other.
   bool start(PairId p) override;
   void stop(PairId p) override;
-  std::uint32_t most_certificates() const override { return 3; }
+  std::uint32_t most_certificates() const override { return 3 + slide_certificates(); }
   std::array<BodyFrame*, 2> frames_of(PairId p) override {
     return {sums_[p]->frame.get(), &point_};
   }

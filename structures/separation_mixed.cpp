@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/separation_mixed.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace kinex {
@@ -24,7 +25,24 @@ MixedTiles SeparationMixed::tiles(PairId p) {
 void SeparationMixed::enter(PairId p, const MixedTiles& about, const Tile& tile) {
   tile_[p] = tile;
   const MixedTiles::Certificates proof = about.certificates(tile);
-  set_certificates(p, {proof.query.data(), proof.count});
+  if (now_ == nullptr) {
+    set_certificates(p, {proof.query.data(), proof.count});
+    return;
+  }
+  std::array<Query, kMostCertificates> queries;
+  const auto end = std::copy_n(proof.query.begin(), proof.count, queries.begin());
+  const MixedTiles::Certificates slide = about.slide(tile);
+  slides_ = slides_ || slide.count > 0;
+  std::copy_n(slide.query.begin(), slide.count, end);
+  set_certificates(p, {queries.data(), proof.count + slide.count});
+}
+
+// It may begin to slide, or end.
+void SeparationMixed::moved(PairId p) {
+  if (now_ == nullptr) return;
+  const MixedTiles about = tiles(p);
+  const std::uint32_t count = about.certificates(tile_[p]).count + about.slide(tile_[p]).count;
+  if (count != pair(p).certificates) enter(p, about, tile_[p]);
 }
 
 bool SeparationMixed::start(PairId p) {
@@ -39,7 +57,13 @@ bool SeparationMixed::start(PairId p) {
 void SeparationMixed::fail(PairId p, std::uint32_t slot) {
   const MixedTiles about = tiles(p);
   const Tile from = tile_[p];
-  const bool is_side = slot < about.certificates(from).sides;
+  const MixedTiles::Certificates proof = about.certificates(from);
+  if (slot >= proof.count) {  // it comes to a side of M, or leaves it, along the side's line
+    enter(p, about, from);
+    report(p, kSide);
+    return;
+  }
+  const bool is_side = slot < proof.sides;
   const std::optional<MixedTiles::Move> move = about.next(from, slot);
   if (!move) {
     report_rebuild("a tile has folded up");
@@ -47,8 +71,7 @@ void SeparationMixed::fail(PairId p, std::uint32_t slot) {
     return;
   }
   if (!move->tile) {
-    const Features met = features(p, *move);
-    contact(p, met.of_a, met.of_b);
+    contact(p, features(p, *move));
     return;
   }
   const bool half = from.kind == Tile::Kind::kHalf || move->tile->kind == Tile::Kind::kHalf;
@@ -56,7 +79,13 @@ void SeparationMixed::fail(PairId p, std::uint32_t slot) {
   report(p, half ? kCell : is_side ? kSide : kFlip);
 }
 
-SeparationMixed::Features SeparationMixed::features(PairId p, const MixedTiles::Move& move) {
+std::optional<CollisionPairs::Features> SeparationMixed::touch(PairId p, SignNow* now) {
+  const auto move = tiles(p).touch(tile_[p], now);
+  if (!move) return std::nullopt;
+  return features(p, *move);
+}
+
+CollisionPairs::Features SeparationMixed::features(PairId p, const MixedTiles::Move& move) {
   const std::array<BodyFrame*, 2> frames = frames_of(p);
   const OuterHierarchy& own = frames[move.x]->hierarchy();
   const OuterHierarchy& other = frames[1 - move.x]->hierarchy();

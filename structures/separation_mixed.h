@@ -49,14 +49,18 @@ class SeparationMixed : public CollisionPairs {
  protected:
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
-  std::uint32_t most_certificates() const override { return MixedTiles::kMost; }
+  std::uint32_t most_certificates() const override {
+    return MixedTiles::kMost + slide_certificates();
+  }
+  std::optional<Features> touch(PairId p, SignNow* now) override;
   // The features of the two bodies that meet.
-  struct Features {
-    Feature of_a, of_b;
-  };
   virtual Features features(PairId p, const MixedTiles::Move& contact);
   // The two hierarchies of a pair.
   virtual std::array<BodyFrame*, 2> frames_of(PairId p);
+
+  void moved(PairId p) override;
+  // More, where a point stays on the line of a side of M.
+  std::uint32_t slide_certificates() const { return slides_ ? 2 : 0; }
 
   PosePredicates predicates_;
 
@@ -65,6 +69,7 @@ class SeparationMixed : public CollisionPairs {
   void enter(PairId p, const MixedTiles& about, const Tile& tile);
 
   std::vector<Tile> tile_;  // per pair
+  bool slides_ = false;     // a point has stayed on the line of a side of M
 };
 
 }  // namespace kinex

@@ -38,6 +38,11 @@ class SumBoundary {
   // inside.
   Query beyond(std::uint8_t z, Id e, Id v) const { return side(false, z, e, v); }
   Query within(std::uint8_t z, Id e, Id v) const { return side(true, z, e, v); }
+  // One of side z that fails at a touch too (core/touch.h).
+  Query at_touch(std::uint8_t z, Query query) const {
+    query.predicate = predicates_.touch[z];
+    return query;
+  }
   // With respect to the line across edge e of polygon z at its first or last end, at vertex v: on
   // the side that the edge points to, or on the other.
   Query past(std::uint8_t z, Id e, bool last, Id v) const;

@@ -29,7 +29,7 @@ std::size_t check_pair(Polygon2 a, const Axes& motion_a, Polygon2 b, const Axes&
 
 const Axes kRest{{0}, {0}, {1}, {0}};
 
-TEST(CollisionDegenerate, DISABLED_ScenesOfTheCorpus) {
+TEST(CollisionDegenerate, ScenesOfTheCorpus) {
   const std::string folder = KINEX_SOURCE_DIR "/tests/corpus/scenes/good";
   int scenes = 0;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
@@ -43,7 +43,7 @@ TEST(CollisionDegenerate, DISABLED_ScenesOfTheCorpus) {
 }
 
 // A square meets a square: side by side, corner to corner, corner to side; and only touches.
-TEST(CollisionDegenerate, DISABLED_Squares) {
+TEST(CollisionDegenerate, Squares) {
   const Polygon2 square = square_of(1);
   EXPECT_EQ(check_pair(square, kRest, square, {{5, -1}, {0}, {1}, {0}}, 0, 9), 1u);
   EXPECT_EQ(check_pair(square, kRest, square, {{5, -1}, {5, -1}, {1}, {0}}, 0, 9), 1u);
@@ -79,7 +79,7 @@ TEST(CollisionDegenerate, TwinsTurnThroughParallelity) {
 
 // Integer polygons that do not turn, or are turned by quarters, on lines of the grid: along sides,
 // through corners.
-TEST(CollisionDegenerate, DISABLED_LinesOfTheGrid) {
+TEST(CollisionDegenerate, LinesOfTheGrid) {
   std::mt19937_64 random(8);
   const auto draw = [&](int low, int high) {
     return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
@@ -99,6 +99,74 @@ TEST(CollisionDegenerate, DISABLED_LinesOfTheGrid) {
   }
   EXPECT_GE(contacts, static_cast<std::size_t>(rounds / 5));
   EXPECT_LT(contacts, static_cast<std::size_t>(rounds));
+}
+
+// Touches without penetration, by the witness too: what touches, when, for how long.
+TEST(CollisionDegenerate, Grazes) {
+  const Polygon2 square = square_of(1), wedge{{0, 0}, {1, 2}, {-1, 2}};
+  int scene = 0;
+  const auto expect = [&](const Polygon2& a, const Polygon2& b, const Axes& motion, int end,
+                          std::size_t contacts, std::size_t grazes) {
+    SCOPED_TRACE(++scene);
+    const MeetingCounts found =
+        check_meetings(scene_of_bodies({body("a", a, kRest), body("b", b, motion)}, 0, end));
+    EXPECT_EQ(found.contacts, contacts);
+    EXPECT_EQ(found.grazes, grazes);
+  };
+  // A corner slides past a corner: an instant at which certificates fail.
+  expect(square, square, {{5, -1}, {-1, 1}, {1}, {0}}, 9, 0, 1);
+  // A parabola comes down on an edge, and on a corner; a double root.
+  expect(square, wedge, {{0}, {2, -2, 1}, {1}, {0}}, 9, 0, 1);
+  expect(square, wedge, {{1}, {2, -2, 1}, {1}, {0}}, 9, 0, 1);
+  expect(square, square, {{3, -2, 1}, {3, -2, 1}, {1}, {0}}, 9, 0, 1);
+  expect(square, square, {{3, -2, 1}, {ratio(1, 3)}, {1}, {0}}, 9, 0, 1);
+  // Twice at the same place, by (t - 1)^2 (t - 3)^2; a root of multiplicity 4.
+  expect(square, wedge, {{0}, {10, -24, 22, -8, 1}, {1}, {0}}, 9, 0, 2);
+  expect(square, wedge, {{0}, {2, -4, 6, -4, 1}, {1}, {0}}, 9, 0, 1);
+  // A graze, and then a contact: 1 + (t - 1)^2 (3 - t).
+  expect(square, wedge, {{0}, {4, -7, 5, -1}, {1}, {0}}, 9, 1, 1);
+  // A bar of half-length 5 that turns beside a wall: its ends touch it, a quarter of a turn after
+  // the start and three quarters.
+  const Polygon2 bar{{-5, 0}, {0, ratio(-1, 4)}, {5, 0}}, wall = box(-1, 5, 1, 7);
+  expect(wall, bar, {{0}, {0}, {1, -1}, {0, 1}}, 1, 0, 1);
+  // A square of half-diagonal 5 turns beside it.
+  const Polygon2 diamond{{-3, -4}, {4, -3}, {3, 4}, {-4, 3}};
+  expect(wall, diamond, {{0}, {0}, {1, -1}, {0, 1}}, 1, 0, 2);
+  // And lands flush, side on side, at the instant at which it comes up to it.
+  expect(box(-1, 1, 1, 2), square, {{0}, {-1, 2, -1}, {1}, {-1, 1}}, 3, 1, 0);
+  // A slide along a side is one graze, over two collinear sides and from a corner on; and it may
+  // end in the other body.
+  expect(square, square, {{5, -1}, {2}, {1}, {0}}, 9, 0, 1);
+  expect(square, wedge, {{-3, 1}, {1}, {1}, {0}}, 9, 0, 1);
+  // To and fro on the line of a side: it comes, goes, and comes again; or only to the corner.
+  expect(square, wedge, {{-2, 3, -1}, {1}, {1}, {0}}, 3, 0, 1);
+  expect(square, wedge, {{-5, 9, -6, 1}, {1}, {1}, {0}}, 9, 0, 2);
+  expect(square, wedge, {{-2, 2, -1}, {1}, {1}, {0}}, 3, 0, 1);
+  // A triangle turns about a corner that is on the floor from the start.
+  expect(box(-9, -1, 9, 0), {{0, 0}, {4, 0}, {4, 3}}, {{0}, {0}, {1}, {2, -1}}, 1, 0, 0);
+}
+
+// A touch at the seam of two flight plans; and a rest, with what follows it.
+TEST(CollisionDegenerate, GrazesAtSeams) {
+  const auto with = [](std::vector<MotionPiece> pieces, const Rational& end) {
+    SceneObject b{"b", {std::move(pieces)}, square_of(1)};
+    return check_meetings(scene_of_bodies({body("a", square_of(1), kRest), std::move(b)}, 0, end));
+  };
+  const auto part = [](const Rational& from, const Rational& to, Axes axes) {
+    return MotionPiece{from, to, trajectory(std::move(axes))};
+  };
+  EXPECT_EQ(with({part(0, ratio(3, 2), {{5, -2}, {0}, {1}, {0}}),
+                  part(ratio(3, 2), 4, {{-1, 2}, {0}, {1}, {0}})},
+                 4)
+                .grazes,
+            1u);
+  // It stops at the touch and rests; then it slides off, and comes back.
+  const MeetingCounts rest =
+      with({part(0, 3, {{5, -1}, {0}, {1}, {0}}), part(3, 4, {{2}, {0}, {1}, {0}}),
+            part(4, 8, {{2}, {-4, 1}, {1}, {0}}), part(8, 16, {{2}, {12, -1}, {1}, {0}})},
+           16);
+  EXPECT_EQ(rest.contacts, 0u);
+  EXPECT_EQ(rest.grazes, 2u);
 }
 
 // Both move as one: nothing ever changes.
@@ -176,18 +244,16 @@ TEST(CollisionDegenerate, ComeAndGo) {
 }
 
 TEST(CollisionDegenerate, Jumps) {
-  Scene scene = with_pieces(
-      {piece(0, 1, {{5}, {0}, {1}, {0}}), piece(1, 2, {{-5}, {0}, {1}, {0}}),
-       piece(2, 3, {{ratio(1, 2)}, {0}, {1}, {0}}), piece(3, 9, {{8, -1}, {0}, {1}, {1}})},
-      9);
+  Scene scene =
+      with_pieces({piece(0, 1, {{5}, {0}, {1}, {0}}), piece(1, 2, {{-5}, {0}, {1}, {0}}),
+                   piece(2, 3, {{2}, {0}, {1}, {0}}), piece(3, 9, {{8, -1}, {0}, {1}, {1}})},
+                  9);
   scene.jumps = true;
   for (const std::string& name : collision_structures(true)) {
     SCOPED_TRACE(name);
     Trial trial(scene, name);
-    trial.run_until(ratio(3, 2));
-    EXPECT_TRUE(trial.ids().empty());
     trial.run_until(ratio(5, 2));
-    EXPECT_EQ(trial.ids(), (std::vector<ObjectId>{0, 1}));  // it has jumped into the other
+    EXPECT_TRUE(trial.ids().empty());  // it touches the other
     trial.run_until(4);
     EXPECT_TRUE(trial.ids().empty());
     trial.to_end();
@@ -196,8 +262,36 @@ TEST(CollisionDegenerate, Jumps) {
   }
 }
 
+// A body cannot appear inside another, nor jump there, nor appear in touch and go on into it.
+TEST(CollisionDegenerate, NobodyAppearsInContact) {
+  const auto refused = [](const Scene& scene, const char* what) {
+    for (const std::string& name : collision_structures(true)) {
+      SCOPED_TRACE(name);
+      Trial trial(scene, name);
+      try {
+        trial.to_end();
+        ADD_FAILURE() << "not refused";
+      } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()).rfind(what, 0), 0u) << error.what();
+      }
+      if (testing::Test::HasFailure()) return;
+    }
+  };
+  Scene jump = with_pieces({piece(0, ratio(2, 3), {{5}, {0}, {1}, {0}}),
+                            piece(ratio(2, 3), 2, {{ratio(1, 2)}, {0}, {1}, {0}})},
+                           2);
+  jump.jumps = true;
+  refused(jump, "b appears at 2/3 in contact with a; ");
+  refused(with_pieces({piece(1, 2, {{-1}, {0}, {1}, {0}})}, 2),
+          "b appears at 1 in contact with a; ");
+  refused(with_pieces({piece(1, 2, {{3, -1}, {0}, {1}, {0}})}, 2), "b appears at 1 in ");
+  Scene crowd = with_pieces({piece(1, 2, {{-1}, {0}, {1}, {0}})}, 2);
+  crowd.objects.push_back(body("c", square_of(1), {{9}, {0}, {1}, {0}}));
+  refused(crowd, "b appears at 1 in contact with a; ");
+}
+
 // The same scene in all sizes of space and of time.
-TEST(CollisionDegenerate, DISABLED_HugeAndTiny) {
+TEST(CollisionDegenerate, HugeAndTiny) {
   const Polygon2 p{{-3, -2}, {4, -1}, {2, 3}, {-1, 4}}, q{{0, -2}, {3, 0}, {1, 3}, {-2, 2}};
   for (const char* size : {"1e30", "1e-30", "1e-300", "7e150"}) {
     for (const char* speed : {"1", "1e25", "1e-25"}) {

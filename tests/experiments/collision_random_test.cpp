@@ -114,19 +114,67 @@ void check_many(std::uint64_t first, int count, int most, bool turning, std::siz
   }
 }
 
+// Integer polygons, equal ones too, on lines and parabolas of the grid: contacts and grazes by
+// parallel sides and by corners. No scene if the bodies do not start apart.
+std::optional<Scene> draw_grid_scene(std::uint64_t seed) {
+  Draw draw(seed);
+  const Polygon2 p = draw.polygon(draw.between(3, 9), 3);
+  Polygon2 q = draw.polygon(draw.between(3, 9), 3);
+  if (draw.between(0, 2) == 0) {
+    q = p;
+    if (draw.between(0, 1) == 1) {
+      for (Vertex2& v : q) v = {-v[0], -v[1]};
+    }
+  }
+  const std::array<std::array<int, 2>, 5> ways{{{1, 0}, {1, 1}, {1, -1}, {2, 1}, {1, -2}}};
+  const auto& way = ways[static_cast<std::size_t>(draw.between(0, 4))];
+  const int quarter = draw.between(0, 1), kind = draw.between(0, 3);
+  Axes b{{-12 * way[0], way[0]}, {draw.between(-7, 7) - 12 * way[1], way[1]}, {1}, {quarter}};
+  if (kind == 1) {
+    b[0] = {draw.between(-3, 3) - 6, 1};
+    b[1] = {draw.between(-7, 7) + 36, -12, 1};
+  } else if (kind == 2) {
+    b[0] = {draw.between(4, 7) + 36, -12, 1};
+    b[1] = {draw.between(-4, 4)};
+  } else if (kind == 3) {
+    b[3] = {0, ratio(1, 4)};
+  }
+  const Axes a{{0}, {0}, {1}, {quarter}};
+  if (contact_of(placed_polygon(p, trajectory(a), 0), placed_polygon(q, trajectory(b), 0)) !=
+      Contact::kApart) {
+    return std::nullopt;
+  }
+  return scene_of_bodies({body("a", p, a), body("b", q, b)}, 0, Rational(24));
+}
+
+void check_grid(std::uint64_t first, int count, std::size_t contacts, std::size_t grazes) {
+  MeetingCounts found;
+  for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
+    SCOPED_TRACE(seed);
+    const std::optional<Scene> scene = draw_grid_scene(seed);
+    if (!scene) continue;
+    const MeetingCounts here = check_meetings(*scene);
+    found.contacts += here.contacts;
+    found.grazes += here.grazes;
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GE(found.contacts, contacts);
+  EXPECT_GE(found.grazes, grazes);
+}
+
+TEST(CollisionRuns, LinesAndParabolasOfTheGrid) { check_grid(90, kSanitized ? 8 : 40, 1, 0); }
+TEST(SlowCollisionRuns, LinesAndParabolasOfTheGrid) {
+  check_grid(1000, kSanitized ? 100 : 1500, 10, 5);
+}
 TEST(CollisionRuns, SmallPolygonsThatTurn) { check_many(1, kSanitized ? 4 : 25, 8, true, 1); }
 TEST(CollisionRuns, SmallPolygonsThatDoNotTurn) {
   check_many(1000, kSanitized ? 4 : 25, 8, false, 1);
 }
 TEST(CollisionRuns, LargerPolygons) { check_many(2000, kSanitized ? 1 : 4, 24, true, 0); }
 
-TEST(SlowCollisionRuns, DISABLED_Turning) {
-  check_many(10000, kSanitized ? 20 : 200, 12, true, 10);
-}
-TEST(SlowCollisionRuns, DISABLED_NotTurning) {
-  check_many(20000, kSanitized ? 20 : 200, 12, false, 10);
-}
-TEST(SlowCollisionRuns, DISABLED_Large) { check_many(30000, kSanitized ? 3 : 40, 24, true, 1); }
+TEST(SlowCollisionRuns, Turning) { check_many(10000, kSanitized ? 20 : 200, 12, true, 10); }
+TEST(SlowCollisionRuns, NotTurning) { check_many(20000, kSanitized ? 20 : 200, 12, false, 10); }
+TEST(SlowCollisionRuns, Large) { check_many(30000, kSanitized ? 3 : 40, 24, true, 1); }
 
 }  // namespace
 }  // namespace kinex::test

@@ -14,6 +14,7 @@
 
 #include "core/real_root.h"
 #include "experiments/collision_witness.h"
+#include "structures/collision_pairs.h"
 #include "tests/experiments/body_fixture.h"
 #include "tests/structures/test_run.h"
 
@@ -68,12 +69,14 @@ inline RealRoot instant_of(const Recorded& event) {
   return roots.at(static_cast<std::size_t>(event.root - 1)).root;
 }
 
-// The contacts of a run, by pair.
+// The contacts of a run, by pair; or the grazes.
 inline std::map<std::pair<ObjectId, ObjectId>, std::vector<SeenContact>> contacts_of(
-    const Trial& trial) {
+    const Trial& trial, std::uint8_t kind = CollisionPairs::kContact) {
   std::map<std::pair<ObjectId, ObjectId>, std::vector<SeenContact>> result;
   for (const Recorded& event : trial.sink.recorder.events) {
-    if (!event.external || event.ids.size() != 4) continue;
+    if (event.kind != kind) continue;
+    EXPECT_TRUE(event.external);
+    EXPECT_EQ(event.ids.size(), 4u);
     const auto feature = [&](std::size_t i) {
       const std::string& name = trial.simulator.object_name(event.ids[i]);
       const std::string body = trial.simulator.object_name(event.ids[i - 2]);
@@ -106,24 +109,48 @@ inline bool are_met(const SeenContact& seen, const BodyContact& witness, const S
          is_met({false, j, before(i, a)});
 }
 
-// The contacts that the witness sees: the first, and, after a change of motion after which the
-// bodies do not overlap, the next.
-inline std::vector<BodyContact> expected_contacts(const SceneObject& a, const SceneObject& b,
-                                                  const Scene& scene) {
-  std::vector<Rational> seams;
+// When the body appears or jumps.
+inline std::vector<Rational> appearances(const SceneObject& body) {
+  std::vector<Rational> result;
+  const MotionPiece* last = nullptr;
+  for (const MotionPiece& piece : body.motion.pieces) {
+    const bool goes_on = last != nullptr && last->to == piece.from &&
+                         last->trajectory.meets(piece.trajectory, *piece.from);
+    if (piece.from && !goes_on) result.push_back(*piece.from);
+    last = &piece;
+  }
+  return result;
+}
+
+struct Meetings {
+  std::vector<BodyContact> contacts, grazes;
+};
+
+// What the witness sees: the first contact, and, after a change of motion after which the bodies do
+// not overlap, the next; and the grazes on the way, but for touches that were there from the start,
+// from an appearance or out of a contact.
+inline Meetings expected_meetings(const SceneObject& a, const SceneObject& b, const Scene& scene) {
+  std::vector<Rational> seams, appeared;
   for (const SceneObject* body : {&a, &b}) {
     for (const MotionPiece& piece : body->motion.pieces) {
       if (piece.from) seams.push_back(*piece.from);
     }
+    for (const Rational& t : appearances(*body)) appeared.push_back(t);
   }
   std::sort(seams.begin(), seams.end());
-  std::vector<BodyContact> result;
+  Meetings all;
+  std::vector<BodyContact>& result = all.contacts;
   RootCounters counters;
   Rational from = scene.start;
   std::size_t next = 0;
   for (;;) {
     CollisionWitness found = find_contacts(a, b, from, scene.end);
-    if (!found.penetration) return result;
+    for (BodyContact& graze : found.grazes) {
+      bool old = compare(graze.instant, from, counters) == 0;
+      for (const Rational& t : appeared) old = old || compare(graze.instant, t, counters) == 0;
+      if (!old) all.grazes.push_back(std::move(graze));
+    }
+    if (!found.penetration) return all;
     // Those that overlap right after the change are in contact as before, or from a jump or an
     // arrival on, which is no event.
     const bool arrived = found.penetration->features.empty();
@@ -132,27 +159,33 @@ inline std::vector<BodyContact> expected_contacts(const SceneObject& a, const Sc
     }
     RealRoot instant = found.penetration->instant;
     while (next < seams.size() && compare(instant, seams[next], counters) >= 0) ++next;
-    if (next == seams.size()) return result;
+    if (next == seams.size()) return all;
     from = seams[next];
   }
 }
 
-using Expected = std::map<std::pair<ObjectId, ObjectId>, std::vector<BodyContact>>;
+using BodyContacts = std::map<std::pair<ObjectId, ObjectId>, std::vector<BodyContact>>;
+struct Expected {
+  BodyContacts contacts, grazes;
+};
 
 inline Expected expected_contacts(const Scene& scene) {
   Expected result;
   for (ObjectId a = 0; a < scene.objects.size(); ++a) {
     for (ObjectId b = a + 1; b < scene.objects.size(); ++b) {
-      auto contacts = expected_contacts(scene.objects[a], scene.objects[b], scene);
-      if (!contacts.empty()) result[{a, b}] = std::move(contacts);
+      Meetings found = expected_meetings(scene.objects[a], scene.objects[b], scene);
+      if (!found.contacts.empty()) result.contacts[{a, b}] = std::move(found.contacts);
+      if (!found.grazes.empty()) result.grazes[{a, b}] = std::move(found.grazes);
     }
   }
   return result;
 }
 
-inline void expect_contacts(const Trial& trial, const Scene& scene, const Expected& expected) {
+inline void expect_meetings(const Trial& trial, const Scene& scene, const BodyContacts& expected,
+                            std::uint8_t kind) {
+  SCOPED_TRACE(kind == CollisionPairs::kContact ? "contacts" : "grazes");
   RootCounters counters;
-  auto seen = contacts_of(trial);
+  auto seen = contacts_of(trial, kind);
   EXPECT_EQ(seen.size(), expected.size());
   for (const auto& [pair, witnesses] : expected) {
     const std::string who = scene.objects[pair.first].id + " and " + scene.objects[pair.second].id;
@@ -167,12 +200,21 @@ inline void expect_contacts(const Trial& trial, const Scene& scene, const Expect
   }
 }
 
+inline void expect_contacts(const Trial& trial, const Scene& scene, const Expected& expected) {
+  expect_meetings(trial, scene, expected.contacts, CollisionPairs::kContact);
+  expect_meetings(trial, scene, expected.grazes, CollisionPairs::kGraze);
+}
+
 // Every structure over the scene, with all audits, against the witness and against `sturm`; and in
-// `double` to its end. The number of contacts.
-inline std::size_t check_runs(const Scene& scene, AuditLevel audit = AuditLevel::kEvents) {
+// `double` to its end. The numbers of contacts and of grazes.
+struct MeetingCounts {
+  std::size_t contacts = 0, grazes = 0;
+};
+inline MeetingCounts check_meetings(const Scene& scene, AuditLevel audit = AuditLevel::kEvents) {
   const Expected expected = expected_contacts(scene);
-  std::size_t contacts = 0;
-  for (const auto& [pair, witnesses] : expected) contacts += witnesses.size();
+  MeetingCounts counts;
+  for (const auto& [pair, witnesses] : expected.contacts) counts.contacts += witnesses.size();
+  for (const auto& [pair, witnesses] : expected.grazes) counts.grazes += witnesses.size();
   for (const std::string& name : collision_structures(turns(scene))) {
     SCOPED_TRACE(name);
     {
@@ -185,7 +227,11 @@ inline std::size_t check_runs(const Scene& scene, AuditLevel audit = AuditLevel:
     EXPECT_NO_THROW(rough.to_end());
     if (testing::Test::HasFailure()) break;
   }
-  return contacts;
+  return counts;
+}
+
+inline std::size_t check_runs(const Scene& scene, AuditLevel audit = AuditLevel::kEvents) {
+  return check_meetings(scene, audit).contacts;
 }
 
 }  // namespace kinex::test

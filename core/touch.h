@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Touches: instants at which a certificate's value is zero and not negative right after. By the
+// right-hand rule they are no failures; where something happens at a touch (two bodies graze), a
+// certificate can ask to fail there too.
+#ifndef KINEX_CORE_TOUCH_H
+#define KINEX_CORE_TOUCH_H
+
+#include "core/certificate.h"
+#include "core/sign.h"
+
+namespace kinex {
+
+// A base of a Predicate: in an exact arithmetic its certificates fail at their first root after
+// now, of whatever multiplicity, or now if they are negative right after it. Their structure looks
+// at the sign then. In an inexact arithmetic they are like all others. One of the same name without
+// this base is the same polynomial.
+class FailsAtTouch {
+ public:
+  virtual ~FailsAtTouch() = default;
+};
+
+// A base of an exact Arithmetic: the sign at now, not right after it.
+class SignNow {
+ public:
+  virtual ~SignNow() = default;
+  virtual Sign sign_now(const Query& query) = 0;
+};
+
+}  // namespace kinex
+
+#endif
