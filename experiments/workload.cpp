@@ -28,6 +28,11 @@ void check_body_parameters(const Workload& workload, const WorkloadParameters& p
     refuse(workload, "--separation", parameters.separation->to_string() + " is no distance",
            "write a number greater than 0");
   }
+  if (parameters.separation && workload.min_separation &&
+      *parameters.separation < *workload.min_separation) {
+    refuse(workload, "--separation", parameters.separation->to_string() + " is too near",
+           "write " + workload.min_separation->to_string() + " or more");
+  }
   if (parameters.turns != -1 && !workload.takes_turns) {
     refuse(workload, "--turns", "this family takes none", "leave --turns out");
   }

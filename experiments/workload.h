@@ -41,6 +41,7 @@ struct Workload {
   std::optional<Rational> separation = std::nullopt;  // the default, where a family takes one
   bool takes_turns = false;
   int min_turns = 1;
+  std::optional<Rational> min_separation = std::nullopt;  // nullopt: anything above 0
 };
 
 inline constexpr int kMaxWorkloadSize = 10000000;

@@ -19,6 +19,11 @@ Workload with_separation(Workload workload, const Rational& separation) {
   return workload;
 }
 
+Workload not_nearer_than(Workload workload, const Rational& separation) {
+  workload.min_separation = separation;
+  return workload;
+}
+
 Workload with_turns(Workload workload, int least) {
   workload.takes_turns = true;
   workload.min_turns = least;
@@ -80,10 +85,12 @@ std::vector<Workload> make() {
           pair("polygon-fan", "n (3m + 2) changes of the closest features of two polygons",
                generate_polygon_fan),
           2)),
-      with_count(with_separation(
-          pair("polygon-tangents", "n (2m + 1) changes of an inner tangent of two polygons",
-               generate_polygon_tangents),
-          2)),
+      not_nearer_than(
+          with_count(with_separation(
+              pair("polygon-tangents", "n (2m + 1) changes of an inner tangent of two polygons",
+                   generate_polygon_tangents),
+              2)),
+          Rational(Integer(3), Integer(4))),
       with_count(
           pair("polygon-jitter", "two polygons; one trembles --m times", generate_polygon_jitter)),
       randomised(with_count(with_separation(

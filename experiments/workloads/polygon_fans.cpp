@@ -51,7 +51,8 @@ void generate_polygon_fan(const WorkloadParameters& parameters, Scene& scene) {
 // direction from upright is atan(sin u / (L - cos u)). As a vertex passes, that swings between the
 // direction at cos u = 1/L, the largest, and that at pi/n beside it. The fan's edges have
 // directions in the middle half of the swing and are short, so the tangent crosses the whole fan
-// twice: 2m + 1 changes per vertex, n (2m + 1) in the turn.
+// twice: 2m + 1 changes per vertex, n (2m + 1) in the turn. Nearer than 3/4 the bodies would come
+// into each other's way.
 void generate_polygon_tangents(const WorkloadParameters& parameters, Scene& scene) {
   const Rational distance = Rational(1) + *parameters.separation;
   const Rational cos = Rational(1) / distance;

@@ -283,6 +283,8 @@ TEST(PolygonWorkload, ParametersAreChecked) {
   EXPECT_INPUT_ERROR(generate("polygon-fan", 4, 4, Rational(1), 2),
                      "--turns: this family takes none");
   EXPECT_INPUT_ERROR(generate("polygon-jitter", 4, 4, Rational(1)), "--separation: this family");
+  EXPECT_INPUT_ERROR(generate("polygon-tangents", 4, 4, fraction_of(1, 10)),
+                     "--separation: 1/10 is too near; write 3/4 or more");
   EXPECT_INPUT_ERROR(generate("polygon-approach", 4, 4), "--m: this family has one size only");
   EXPECT_NO_THROW(generate("polygon-fan", 4, 1));
   EXPECT_NO_THROW(generate("polygons-in-box", 1, 3));
