@@ -109,8 +109,10 @@ TEST(Heading, TurnsTheShortWayAndMeetsItsEnds) {
     EXPECT_TRUE(cross(at(motion, t1), rotor_of_heading(to)).is_zero());
     const double way = reduced_heading(to - from).to_double();
     const double expected = way > 180 ? way - 360 : way;  // 180: counter-clockwise
-    EXPECT_NEAR(swept(motion, t0, middle), expected / 2, 2e-10) << from.to_string() << " " << to.to_string();
-    EXPECT_NEAR(swept(motion, middle, t1), expected / 2, 2e-10) << from.to_string() << " " << to.to_string();
+    EXPECT_NEAR(swept(motion, t0, middle), expected / 2, 2e-10)
+        << from.to_string() << " " << to.to_string();
+    EXPECT_NEAR(swept(motion, middle, t1), expected / 2, 2e-10)
+        << from.to_string() << " " << to.to_string();
     EXPECT_LE(motion[0].size(), 2u);
   }
 }
