@@ -88,8 +88,8 @@ TEST(CsvBodies, VelocitiesOfBodies) {
   // Vertex (1, 0) of c is where the heading points.
   const Trajectory& c = scene.objects[2].motion.pieces[0].trajectory;
   const Vertex2 tip = placed_polygon({{1, 0}, {0, 1}, {-1, 0}}, c, 0)[0];
-  EXPECT_NEAR(tip[0].to_double(), 0.79999891, 1e-8);
-  EXPECT_NEAR(tip[1].to_double(), 9.60000145, 1e-8);
+  EXPECT_NEAR(tip[0].to_double(), 0.799998928148509, 4e-12);
+  EXPECT_NEAR(tip[1].to_double(), 9.60000142913266, 4e-12);
 }
 
 TEST(CsvBodies, WithoutHeadingTheyDoNotTurn) {

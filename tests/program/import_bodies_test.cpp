@@ -39,7 +39,7 @@ class ImportBodies : public testing::Test {
     EXPECT_EQ(run_kinex({"check", "-"}, made.out).exit_code, 0);
     const std::string log = scratch_.file("log.jsonl");
     const Finished run = run_kinex({"run", "-", "--maintain", "separation_mixed,closest_features",
-                                    "--audit", "events", "--events", log},
+                                    "--audit", "events", "--events", log, "--force"},
                                    made.out);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return read_file(log);
@@ -67,17 +67,19 @@ TEST_F(ImportBodies, ARodMeetsTheWallWhenItMust) {
   EXPECT_THAT(events.substr(first), HasSubstr(R"("decimal": "0.211324865405187)"));
 }
 
-// From south over west to north: the other end is the first to meet a wall in the north. Headings
-// with the same numbers turn from west over south to east, and this end meets no wall.
+// From south over west to north: the tip meets a wall in the north. Headings with the same
+// numbers turn from west over south to east, and it does not.
 TEST_F(ImportBodies, BearingsTurnClockwiseFromNorth) {
-  write_file(table_, "id,t,x,y,angle\nrod,0,1,0,180\nrod,1,1,0,270\nrod,2,1,0,360\n");
+  write_file(table_, "id,t,x,y,angle\nrod,0,0,0,180\nrod,1,0,0,270\nrod,2,0,0,360\n");
   write_file(polygons_, "id,x,y\nrod,2,0\nrod,0,0.1\nrod,0,-0.1\n*,-9,0\n*,9,0\n*,9,1\n*,-9,1\n");
   const std::vector<std::string> wall{"--fixed", "wall,0,1", "--bearing", "angle"};
-  // After t = 1 the rotor goes from (0, 1) to (1, 1) times the cosine of 45 degrees, that is
-  // 0.7071.
+  // After 1 the rotor is (cs, 1 - s + cs) with c = cos 45, s = t - 1. The tip is at height 1 when
+  // it points to 150 degrees: q/p = tan 75, and 1/s = 1 + (tan 75 - 1) c.
   const std::string events = events_of(import(wall));
-  EXPECT_THAT(events,
-              HasSubstr(R"("kind": "contact", "ids": ["rod", "wall", "rod.v0", "wall.e0"])"));
+  const std::size_t contact =
+      events.find(R"("kind": "contact", "ids": ["rod", "wall", "rod.v0", "wall.e0"])");
+  ASSERT_NE(contact, std::string::npos) << events;
+  EXPECT_THAT(events.substr(contact), HasSubstr(R"("decimal": "1.3410813774)"));
   const std::string south = events_of(import({"--fixed", "wall,0,1", "--heading", "angle"}));
   EXPECT_THAT(south, testing::Not(HasSubstr(R"("kind": "contact", )")));
 }
