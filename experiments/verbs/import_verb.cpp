@@ -79,11 +79,11 @@ void add_import_verb(CLI::App& app, int&) {
   verb->add_option("--polygons", options->polygons,
                    "Make the objects rigid bodies: a CSV file with the columns id,x,y, a row for "
                    "each vertex, counter-clockwise, convex; id * is for all that have no other");
-  CLI::Option* heading = verb->add_option(
-      "--heading", options->heading,
-      "Column of the bodies' headings: degrees counter-clockwise from the x axis, "
-      "to 1.1e-10 degrees, multiples of 90 exactly; turns between two fixes go the short "
-      "way round");
+  CLI::Option* heading =
+      verb->add_option("--heading", options->heading,
+                       "Column of the bodies' headings: degrees counter-clockwise from the x axis, "
+                       "to 1.1e-10 degrees, multiples of 90 exactly; between two fixes they turn "
+                       "the short way round, with velocities not at all");
   verb->add_option("--bearing", options->bearing,
                    "The same, as on a compass: degrees clockwise from the y axis (north)")
       ->excludes(heading);
