@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes a scene of a table: traces (id,t,x,y[,z]) or points with velocities
-// (id,x,y[,z],vx,vy[,vz]).
+// (id,x,y[,z],vx,vy[,vz]). With polygons the points are the origins of rigid bodies.
 #ifndef KINEX_EXPERIMENTS_CSV_IMPORT_H
 #define KINEX_EXPERIMENTS_CSV_IMPORT_H
 
@@ -11,12 +11,20 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "experiments/csv_polygons.h"
 
 namespace kinex {
 
+struct HeadingColumn {
+  std::string column;    // degrees from -360 to 360
+  bool compass = false;  // clockwise from the y axis, not counter-clockwise from the x axis
+};
+
 struct ImportOptions {
-  std::optional<Rational> start, end;  // of the scene; default below
-  std::vector<std::string> fixed;      // rows "id,x[,y[,z]]" of objects that stand still
+  std::optional<Rational> start, end;    // of the scene; default below
+  std::vector<std::string> fixed;        // rows "id,x[,y[,z]]" of objects that stand still
+  std::optional<PolygonTable> polygons;  // makes every object a body; 2 axes
+  std::optional<HeadingColumn> heading;  // of bodies; without it they do not turn
 };
 
 struct ImportReport {
@@ -36,7 +44,12 @@ struct ImportReport {
 // x + vx t from time 0 on unless the options say otherwise; without an end the scene runs until no
 // event is left. The fixed objects come last, and are there at all times.
 //
-// Throws InputError that names the line, or "--fixed".
+// Bodies: the coordinates are those of the origin of a polygon's frame. A heading turns the frame,
+// as exactly as experiments/heading.h says. Between two fixes the rotor is linear in t, the short
+// way round, so that motion is continuous; the body of a row with velocities keeps its heading.
+// Fixed objects have heading 0. Bodies in contact at the start are refused, as scenes refuse them.
+//
+// Throws InputError that names the line, or the option.
 ImportReport import_csv(std::string_view text, const std::string& file,
                         const ImportOptions& options);
 

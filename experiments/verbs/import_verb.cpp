@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// kinex import: a table of traces or velocities to a scene.
+// kinex import: a table of traces or velocities to a scene of points or bodies.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,15 @@ namespace {
 
 struct ImportVerbOptions {
   std::string file, start, end, name, output;
+  std::optional<std::string> polygons, heading, bearing;
   std::vector<std::string> maintain, fixed;
   bool force = false;
 };
+
+const char* usual_structure(const Scene& scene) {
+  if (scene.has_bodies()) return "separation_mixed";
+  return scene.dimension == 2 ? "delaunay_2" : "sorted_list";
+}
 
 void import_file(const ImportVerbOptions& options) {
   keep_input("--output", options.output, options.file);
@@ -30,13 +37,19 @@ void import_file(const ImportVerbOptions& options) {
   if (!options.start.empty()) import_options.start = rational_option("--start", options.start);
   if (!options.end.empty()) import_options.end = rational_option("--end", options.end);
   import_options.fixed = options.fixed;
+  if (options.polygons) {
+    keep_input("--output", options.output, *options.polygons);
+    import_options.polygons = parse_polygons(read_text_file(*options.polygons), *options.polygons);
+  }
+  if (options.heading) import_options.heading = {*options.heading, false};
+  if (options.bearing) import_options.heading = {*options.bearing, true};
   const std::string text = read_text_file(options.file);
   ImportReport report = import_csv(text, options.file, import_options);
   Scene& scene = report.scene;
   scene.name = name_option(
       options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
   std::vector<std::string> maintain = options.maintain;
-  if (maintain.empty()) maintain = {scene.dimension == 2 ? "delaunay_2" : "sorted_list"};
+  if (maintain.empty()) maintain = {usual_structure(scene)};
   set_maintain(scene, maintain);
   write_result(options.output, options.force, write_scene(scene));
   std::fprintf(stderr, "kinex: %zu rows, %zu objects\n", report.rows, scene.objects.size());
@@ -63,12 +76,24 @@ void add_import_verb(CLI::App& app, int&) {
   verb->add_option("--fixed", options->fixed,
                    "Add an object that stands still: ID,X[,Y[,Z]]; can be given several times")
       ->allow_extra_args(false);
+  verb->add_option("--polygons", options->polygons,
+                   "Make the objects rigid bodies: a CSV file with the columns id,x,y, a row for "
+                   "each vertex, counter-clockwise, convex; id * is for all that have no other");
+  CLI::Option* heading =
+      verb->add_option("--heading", options->heading,
+                       "Column of the bodies' headings: degrees counter-clockwise from the x axis, "
+                       "to 1.1e-10 degrees, multiples of 90 exactly; between two fixes they turn "
+                       "the short way round, with velocities not at all");
+  verb->add_option("--bearing", options->bearing,
+                   "The same, as on a compass: degrees clockwise from the y axis (north)")
+      ->excludes(heading);
   verb->add_option("--name", options->name, "Name of the scene (the file's)");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
   verb->footer(
       "Example:\n"
       "  kinex import storms.csv --maintain sorted_list:x -o storms.json\n"
+      "  kinex import ships.csv --polygons hulls.csv --bearing heading -o harbour.json\n"
       "  kinex import stars.csv --fixed Sun,0,0,0 -o stars.json --maintain \\\n"
       "    '{\"structure\": \"minimum_tournament\", \"key\": {\"squared_distance_to\": \"Sun\"}}'");
   verb->callback([options] { import_file(*options); });

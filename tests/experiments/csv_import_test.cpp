@@ -91,7 +91,8 @@ TEST(CsvImport, RefusesWithFileAndLine) {
   EXPECT_INPUT_ERROR(import("name,t,x\n"), "there is no column \"id\"");
   EXPECT_INPUT_ERROR(import("id,t,y\na,0,0\n"), "there is no column \"x\"");
   EXPECT_INPUT_ERROR(import("id,x,y,vx\na,0,0,0\n"), "there is no column \"vy\"");
-  EXPECT_INPUT_ERROR(import("id,t,x,speed\na,0,0,0\n"), "columns that mean nothing");
+  EXPECT_INPUT_ERROR(import("id,t,x,speed\na,0,0,0\n"),
+                     "t.csv: line 1: the column \"speed\" means nothing here");
   EXPECT_INPUT_ERROR(import("id,x,vx\na,0,0\na,0,0\n"), "the id \"a\" is that of line 2 too");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes are a table of traces or velocities that makes a scene which can be written and read,
-// or are refused with InputError; so are lines of them as values of --fixed and --maintain.
+// or are refused with InputError; so are lines of them as values of --fixed and --maintain, the
+// same table with polygons and headings, and a table of polygons.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -48,6 +49,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Scene scene = import_csv(plain, "plain", {}).scene;
     set_maintain(scene, {first_line});
     return scene;
+  }));
+  ImportOptions bodies;
+  bodies.polygons = parse_polygons("id,x,y\n*,0,0\n*,1,0\n*,0,1\n", "plain");
+  const bool heading = first_line.find("heading") != std::string::npos;
+  if (heading) bodies.heading = {"heading", size % 2 == 0};
+  check_scene(scene_or_refusal([&] { return import_csv(text, "fuzz", bodies).scene; }));
+  check_scene(scene_or_refusal([&] {
+    ImportOptions given;
+    given.polygons = parse_polygons(text, "fuzz");
+    const std::string table = "id,x,y,vx,vy\n" + given.polygons->entries[0].id + ",0,0,1,1\n";
+    return import_csv(table, "table", given).scene;
   }));
   return 0;
 }
