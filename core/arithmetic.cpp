@@ -11,6 +11,7 @@
 #include "core/query_relation.h"
 #include "core/rounded_instant.h"
 #include "core/sturm_arithmetic.h"
+#include "core/touch.h"
 
 namespace kinex {
 
@@ -29,9 +30,20 @@ PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
   counters_.by_predicate.emplace_back();
   const PredicateId id = static_cast<PredicateId>(predicates_.size() - 1);
   opposite_.push_back(id);
-  const std::string_view wanted = predicates_[id]->opposite();
+  plain_.push_back(id);
+  const auto fails_at_touch = [this](PredicateId p) {
+    return dynamic_cast<const FailsAtTouch*>(predicates_[p].get()) != nullptr;
+  };
+  const bool touch = fails_at_touch(id);
+  const std::string_view own = predicates_[id]->name(), wanted = predicates_[id]->opposite();
+  for (PredicateId other = id; touch && other-- > 0;) {
+    if (predicates_[other]->name() != own || fails_at_touch(other)) continue;
+    plain_[id] = other;
+    break;
+  }
   for (PredicateId other = id; !wanted.empty() && other-- > 0;) {
     if (opposite_[other] != other || predicates_[other]->name() != wanted) continue;
+    if (fails_at_touch(other) != touch) continue;
     opposite_[other] = id;
     opposite_[id] = other;
     break;
@@ -41,10 +53,13 @@ PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
 }
 
 int Arithmetic::related(const Query& a, const Query& b) const {
-  if (a.predicate == b.predicate) {
-    return query_relation(a, b, predicates_[a.predicate]->alternating());
+  const PredicateId p = plain_[a.predicate], q = plain_[b.predicate];
+  if (p == q) {
+    Query x = a, y = b;
+    x.predicate = y.predicate = p;
+    return query_relation(x, y, predicates_[p]->alternating());
   }
-  return opposite_[a.predicate] == b.predicate && a.ids == b.ids ? -1 : 0;
+  return opposite_[p] == q && a.ids == b.ids ? -1 : 0;
 }
 
 std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene) {
@@ -60,8 +75,9 @@ std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& 
       return make_mpfr_arithmetic(scene, bits);
     }
   }
-  throw std::invalid_argument("unknown arithmetic \"" + std::string(name) +
-                              "\"; choose exact, sturm, double, gsl or mpfr:P with 2 <= P <= 100000 bits");
+  throw std::invalid_argument(
+      "unknown arithmetic \"" + std::string(name) +
+      "\"; choose exact, sturm, double, gsl or mpfr:P with 2 <= P <= 100000 bits");
 }
 
 }  // namespace kinex

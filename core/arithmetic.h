@@ -114,7 +114,7 @@ class Arithmetic {
 
  protected:
   // +1 or -1: the polynomial of `a` is that of `b` times this sign (arguments permuted, or opposite
-  // predicates); 0: not related so.
+  // predicates, whether they fail at touches or not); 0: not related so.
   int related(const Query& a, const Query& b) const;
   // Called by bind, after the predicate has been stored.
   virtual void bound_predicate(PredicateId) {}
@@ -129,6 +129,7 @@ class Arithmetic {
 
  private:
   std::vector<PredicateId> opposite_;  // of every predicate; itself: none
+  std::vector<PredicateId> plain_;     // the same polynomial without FailsAtTouch (core/touch.h)
 };
 
 // "exact", "sturm", "double", "gsl", "mpfr:P" (2 <= P <= 100000). `scene` decides what is built: degree,

@@ -98,10 +98,6 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   }
   model.touches = dynamic_cast<const FailsAtTouch*>(&p) != nullptr;
   touches_ = touches_ || model.touches;
-  model.plain = id;
-  for (PredicateId other = 0; model.touches && other < id; ++other) {
-    if (!models_[other].touches && predicates_[other]->name() == p.name()) model.plain = other;
-  }
   models_.push_back(model);
 }
 
@@ -271,13 +267,9 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
 
 int ExactArithmetic::relation_to_now(const Query& query) const {
   if (!now_.own) return 0;
-  if (!touches_) return related(query, now_.query);
   // At a touch nothing has become negative. Roots that the filter isolates are none.
-  if (models_[now_.query.predicate].touches && !now_.isolated) return 0;
-  Query a = query, b = now_.query;
-  a.predicate = models_[a.predicate].plain;
-  b.predicate = models_[b.predicate].plain;
-  return related(a, b);
+  if (touches_ && models_[now_.query.predicate].touches && !now_.isolated) return 0;
+  return related(query, now_.query);
 }
 
 // The sign of p on all of [now.lo, now.hi], if it is one and the same for certain; it is then the

@@ -85,7 +85,6 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     bool linear = false;     // a difference of linear motions: doubles hold the polynomial
     double reach_error = 0;  // Predicate::reach_error divided by gamma (core/first_root.h)
     bool touches = false;    // FailsAtTouch
-    PredicateId plain = 0;   // the same polynomial
   };
 
   bool all_narrow(const Query& query) const;

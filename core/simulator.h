@@ -224,6 +224,7 @@ class Simulator final : private EventReporter {
   std::chrono::steady_clock::time_point charged_since_;
   std::chrono::steady_clock::time_point run_since_;
   std::uint64_t next_look_ = 0;  // at limits and progress
+  std::uint64_t next_peak_ = 0;  // at the bytes in use
   RunStatus status_ = RunStatus::kDone;
   double seconds_setup_ = 0, seconds_simulate_ = 0, seconds_audit_ = 0;
 };

@@ -12,7 +12,7 @@
 namespace kinex {
 namespace {
 
-// Integers over a denominator > 0 that all coefficients share: reduced once, at the end.
+// Integers over a denominator > 0 that all coefficients share.
 struct Fractions {
   std::vector<Integer> c;
   Integer denominator = Integer(1);
@@ -27,14 +27,6 @@ Fractions fractions(const std::vector<Rational>& coefficients) {
     f.c.push_back(q.numerator() * factor);
   }
   return f;
-}
-
-std::vector<Rational> rationals(const Fractions& f) {
-  std::vector<Rational> coefficients;
-  for (const Integer& i : f.c) {
-    coefficients.push_back(i.is_zero() ? Rational() : Rational(i, f.denominator));
-  }
-  return coefficients;
 }
 
 Fractions plus(const Fractions& a, const Fractions& b, int sign) {
@@ -92,14 +84,37 @@ class Pose2 final : public Construction {
     const Turn turn_a = square(a[2], a[3]), turn_b = square(b[2], b[3]);
     // conj(w_A) w_B
     const Turn turn = square(a[2] * b[2] + a[3] * b[3], a[2] * b[3] - a[3] * b[2]);
+    return whole({turn_b.n * (turn_a.c * x + turn_a.s * y),
+                  turn_b.n * (turn_a.c * y - turn_a.s * x),
+                  turn_a.n * (turn_b.c * x + turn_b.s * y),
+                  turn_a.n * (turn_b.c * y - turn_b.s * x), turn.n, turn.c, turn.s});
+  }
+
+ private:
+  // All axes times the same positive number, so that nothing is left to reduce; very long numbers
+  // by a power of two that keeps them within the doubles.
+  static Trajectory whole(const std::array<Fractions, kPoseAxes>& axes) {
+    constexpr std::size_t kLong = 400;
+    Integer common(1);
+    for (const Fractions& axis : axes) common = lcm(common, axis.denominator);
     Trajectory pose;
-    pose.coordinates = {rationals(turn_b.n * (turn_a.c * x + turn_a.s * y)),
-                        rationals(turn_b.n * (turn_a.c * y - turn_a.s * x)),
-                        rationals(turn_a.n * (turn_b.c * x + turn_b.s * y)),
-                        rationals(turn_a.n * (turn_b.c * y - turn_b.s * x)),
-                        rationals(turn.n),
-                        rationals(turn.c),
-                        rationals(turn.s)};
+    std::size_t bits = 0;
+    for (const Fractions& axis : axes) {
+      Integer factor = common;
+      factor.divide_exactly(axis.denominator);
+      std::vector<Rational>& coefficients = pose.coordinates.emplace_back();
+      for (const Integer& i : axis.c) {
+        Integer scaled = i * factor;
+        bits = std::max(bits, scaled.bit_length());
+        coefficients.emplace_back(std::move(scaled));
+      }
+    }
+    if (bits > kLong) {
+      const Rational scale(Integer(1), Integer::power_of_two(bits - 1));
+      for (auto& axis : pose.coordinates) {
+        for (Rational& c : axis) c *= scale;
+      }
+    }
     pose.normalise();
     return pose;
   }

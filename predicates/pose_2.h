@@ -10,7 +10,8 @@
 //   0, 1: N_B W_A^T (c_B - c_A)    = N t
 //   2, 3: N_A W_B^T (c_B - c_A)    = N R^T t
 //   4:    N                         > 0
-//   5, 6: W = [[c, -s], [s, c]] by c and s.
+//   5, 6: W = [[c, -s], [s, c]] by c and s,
+// all times the same positive number, which makes all coefficients whole.
 // Degree: that of the positions plus twice that of both rotors.
 //
 // Constants, in the frame of A or of B' (a multiple by a positive number is the same constant):

@@ -296,6 +296,11 @@ void CollisionPairs::set_certificates(PairId p, std::span<const Query> queries) 
 
 // The place of the feature in the scene's list of vertices; frames begin elsewhere.
 ObjectId CollisionPairs::feature_object(ObjectId body, bool negated, Feature feature) {
+  ObjectId& known =
+      features_
+          .try_emplace({body, feature.i, (negated ? 2u : 0u) + (feature.edge ? 1u : 0u)}, kNoObject)
+          .first->second;
+  if (known != kNoObject) return known;
   const FramePoint vertex = frames_.frame(body, negated).hierarchy().polygon().vertices[feature.i];
   const std::vector<Vertex2>& polygon = scene_.objects[body].polygon;
   std::size_t place = 0;
@@ -303,8 +308,9 @@ ObjectId CollisionPairs::feature_object(ObjectId body, bool negated, Feature fea
     return (negated ? frame_point(-v[0], -v[1]) : frame_point(v[0], v[1])) == vertex;
   };
   while (place + 1 < polygon.size() && !is_there(polygon[place])) ++place;
-  return kernel_.constant(
-      scene_.objects[body].id + (feature.edge ? ".e" : ".v") + std::to_string(place), {Rational()});
+  return known = kernel_.constant(
+             scene_.objects[body].id + (feature.edge ? ".e" : ".v") + std::to_string(place),
+             {Rational()});
 }
 
 void CollisionPairs::report_meeting(PairId p, std::uint8_t kind, const Features& features) {
@@ -365,7 +371,8 @@ std::size_t CollisionPairs::bytes() const {
   std::size_t total = frames_.bytes() + volumes_.bytes() + (grid_ ? grid_->bytes() : 0) +
                       free_poses_.capacity() * sizeof(ObjectId) + pairs_.capacity() * sizeof(Pair) +
                       free_.capacity() * sizeof(PairId) + alive_.capacity() +
-                      pairs_of_.capacity() * sizeof(pairs_of_[0]);
+                      pairs_of_.capacity() * sizeof(pairs_of_[0]) +
+                      features_.size() * (sizeof(*features_.begin()) + 48);
   for (const auto& list : pairs_of_) total += list.capacity() * sizeof(PairId);
   return total;
 }

@@ -27,6 +27,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -158,6 +159,8 @@ class CollisionPairs : public Structure {
   std::vector<Pair> pairs_;
   std::vector<PairId> free_;
   std::vector<ObjectId> free_poses_;
+  // What events call a feature: by body, place in its frame, and which frame and kind.
+  std::map<std::array<std::uint32_t, 3>, ObjectId> features_;
   std::optional<BodyGrid> grid_;
   std::vector<std::vector<PairId>> pairs_of_;  // per body
   std::vector<std::uint8_t> alive_;

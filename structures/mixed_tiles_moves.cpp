@@ -57,13 +57,18 @@ MixedTiles::Move MixedTiles::descend(std::uint8_t z, Id edge, Id node, int time)
 
 // A side is a segment, its certificate a line: where sides fail together, at a corner or because a
 // tile is flat, the point may have passed the line beside the segment. If it is in M then, it has
-// passed the next edge of M, which may go on along the same line. At a
-// sharp corner of M it may pass one side and slide along the other: whether it is in M, the search
-// tells.
+// passed the next edge of M, which may go on along the same line. At a sharp corner of M it may
+// pass one side and slide along the other: if it is at a corner, the search tells whether it is in
+// M.
 MixedTiles::Move MixedTiles::at_boundary(std::uint8_t z, Id edge, Id node) const {
   const Id l = first_end(z, edge, kNever), r = last_end(z, edge, kNever);
-  const Sign at_first = along(z, edge, l, node), at_last = along(z, edge, r, node);
   const Move here{std::nullopt, z, edge, node};
+  if (auto* const now = dynamic_cast<SignNow*>(&kernel_.arithmetic())) {
+    const Sign to_first = now->sign_now(along_query(z, edge, l, node));
+    const Sign to_last = now->sign_now(along_query(z, edge, r, node));
+    if (to_first == Sign::kPositive && to_last == Sign::kNegative) return here;
+  }
+  const Sign at_first = along(z, edge, l, node), at_last = along(z, edge, r, node);
   if (const auto tile = locate()) return {tile, 0, 0, 0};
   if (at_first == Sign::kPositive && at_last == Sign::kNegative) return here;
   const bool back = at_first == Sign::kNegative;
