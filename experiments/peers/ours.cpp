@@ -6,6 +6,7 @@
 #include "experiments/cpu_clock.h"
 #include "experiments/peers/truth.h"
 #include "experiments/workloads/polygons.h"
+#include "structures/collision_pairs.h"
 #include "structures/registry.h"
 
 namespace kinex {
@@ -15,7 +16,8 @@ namespace {
 class FirstContact final : public EventSink {
  public:
   void event(const Event& event, Arithmetic& arithmetic) override {
-    if (event.external && !time) time = std::stod(arithmetic.describe_now().approximate);
+    if (event.kind == CollisionPairs::kContact && !time)
+      time = std::stod(arithmetic.describe_now().approximate);
   }
   std::optional<double> time;
 };

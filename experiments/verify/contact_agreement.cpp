@@ -19,6 +19,7 @@
 #include "experiments/scene_run.h"
 #include "experiments/verify/catalogue.h"
 #include "experiments/verify/collision_studies.h"
+#include "structures/collision_pairs.h"
 
 namespace kinex {
 namespace {
@@ -26,7 +27,7 @@ namespace {
 class ContactSink final : public EventSink {
  public:
   void event(const Event& event, Arithmetic& arithmetic) override {
-    if (!event.external || contact_) return;
+    if (event.kind != CollisionPairs::kContact || contact_) return;
     const InstantText now = arithmetic.describe_now();
     const Rational lower = Rational::parse(now.lower).value();
     if (now.lower == now.upper) {
