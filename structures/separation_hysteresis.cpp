@@ -126,11 +126,13 @@ void SeparationHysteresis::fail(PairId p, std::uint32_t slot) {
 std::vector<BoundCheck> SeparationHysteresis::bounds(const BoundContext& context) const {
   std::vector<BoundCheck> checks = ClosestFeatures::bounds(context);
   if (!(least_ < 1e6)) return checks;
-  const std::int64_t least = static_cast<std::int64_t>(std::floor(1000 * least_));
-  BoundCheck check{"separation_hysteresis.displacement",
-                   "a wedge withstands 0.23 of the separation at which it was made (thousandths)",
-                   Integer(kWithstands), Integer(least), least >= kWithstands};
-  checks.push_back(std::move(check));
+  constexpr std::int64_t kMost = 1000000 / kWithstands;
+  const double most = std::ceil(std::min(1000 / least_, 1e15));
+  checks.push_back(at_most("separation_hysteresis.displacement",
+                           "the separation at which a wedge was made over the displacement that it "
+                           "withstood: at most 1 / "
+                           "0.23 (thousandths)",
+                           Integer(kMost), Integer(static_cast<std::int64_t>(most))));
   return checks;
 }
 

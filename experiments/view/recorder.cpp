@@ -40,7 +40,7 @@ class Recorder final : public EventSink {
  public:
   Recorder(const Scene& scene, const RecordOptions& options)
       : scene_(scene), options_(options), motions_(scene) {
-    auto watch = std::make_unique<StageWatch>(arithmetic_option(options.arithmetic, scene));
+    auto watch = make_stage_watch(arithmetic_option(options.arithmetic, scene));
     stages_ = watch.get();
     run_.arithmetic = watch->name();
     run_.exact = watch->is_exact();

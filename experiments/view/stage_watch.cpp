@@ -21,6 +21,22 @@ Stage highest(const StageCounts& before, const StageCounts& after) {
 
 StageWatch::StageWatch(std::unique_ptr<Arithmetic> arithmetic) : inner_(std::move(arithmetic)) {}
 
+namespace {
+
+SignNow* signs_of(Arithmetic* arithmetic) { return dynamic_cast<SignNow*>(arithmetic); }
+
+}  // namespace
+
+ExactStageWatch::ExactStageWatch(std::unique_ptr<Arithmetic> arithmetic)
+    : StageWatch(std::move(arithmetic)), signs_(dynamic_cast<SignNow*>(&inner())) {}
+
+std::unique_ptr<StageWatch> make_stage_watch(std::unique_ptr<Arithmetic> arithmetic) {
+  if (signs_of(arithmetic.get()) == nullptr) {
+    return std::make_unique<StageWatch>(std::move(arithmetic));
+  }
+  return std::make_unique<ExactStageWatch>(std::move(arithmetic));
+}
+
 std::size_t StageWatch::Hash::operator()(const Query& query) const {
   std::uint64_t hash = query.predicate;
   for (const ObjectId id : query.ids) hash = (hash ^ id) * 0x9e3779b97f4a7c15u;

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/arithmetic.h"
+#include "core/touch.h"
 
 namespace kinex {
 
@@ -17,7 +18,7 @@ struct StagesUsed {
   Stage ordered = Stage::kDouble;  // the highest that a comparison with it needed
 };
 
-class StageWatch final : public Arithmetic {
+class StageWatch : public Arithmetic {
  public:
   explicit StageWatch(std::unique_ptr<Arithmetic> arithmetic);
 
@@ -26,12 +27,15 @@ class StageWatch final : public Arithmetic {
 
   std::string name() const override { return inner_->name(); }
   bool is_exact() const override { return inner_->is_exact(); }
+  long precision() const override { return inner_->precision(); }
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override {
     inner_->set_motion(object, trajectory, until);
   }
   void set_now(const Rational& t) override { inner_->set_now(t); }
   void advance(const Query& query, FailureTime& time) override { inner_->advance(query, time); }
+  void visit(const Query& query, const FailureTime& time) override { inner_->visit(query, time); }
+  void leave() override { inner_->leave(); }
   double now_approximate() const override { return inner_->now_approximate(); }
   double now_rounded() override { return inner_->now_rounded(); }
   InstantText describe_now() override { return inner_->describe_now(); }
@@ -53,6 +57,7 @@ class StageWatch final : public Arithmetic {
   }
 
  protected:
+  Arithmetic& inner() { return *inner_; }
   void bound_predicate(PredicateId id) override { inner_->bind(predicates_[id]); }
 
  private:
@@ -68,6 +73,20 @@ class StageWatch final : public Arithmetic {
   std::unique_ptr<Arithmetic> inner_;
   std::unordered_map<Query, StagesUsed, Hash> stages_;
 };
+
+// The same of an arithmetic that tells signs at now, too.
+class ExactStageWatch final : public StageWatch, public SignNow {
+ public:
+  // Requires a SignNow.
+  explicit ExactStageWatch(std::unique_ptr<Arithmetic> arithmetic);
+  Sign sign_now(const Query& query) override { return signs_->sign_now(query); }
+
+ private:
+  SignNow* signs_;
+};
+
+// One or the other, as `arithmetic` is.
+std::unique_ptr<StageWatch> make_stage_watch(std::unique_ptr<Arithmetic> arithmetic);
 
 // "double", "128-bit integers", "MPFR", "exact integers".
 std::string_view stage_name(Stage stage);

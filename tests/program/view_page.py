@@ -329,6 +329,14 @@ def main():
             page, "grid", ["grid", "--n", "36", "--maintain", "delaunay_2"], second="double")
         check_parted(page, "grid", answer, events, "double")
         total += compared
+        for name, generate, structures in (
+                ("hull", ["uniform-square", "--n", "40", "--seed", "3"],
+                 "convex_hull_2,convex_hull_2_brute_force"),
+                ("hull-plans", ["new-plans", "--n", "12", "--m", "12"], "convex_hull_2"),
+                ("envelope", ["uniform-square", "--n", "40", "--seed", "3", "--dimension", "1"],
+                 "maximum_envelope,maximum_dual_hull,minimum_hanger")):
+            _, events, compared = one_scene(page, name, [*generate, "--maintain", structures])
+            total += compared
     if total < 30:
         fail(f"only {total} states were compared")
     print(f"{total} displayed states are those of kinex run")
