@@ -124,6 +124,10 @@ Sign ExactArithmetic::exact_sign_after(const Query& query) {
 
 Sign ExactArithmetic::sign_now(const Query& query) {
   StageCounts& counts = count(query).signs;
+  if (relation_to_now(query) != 0) {  // now is a root of it
+    ++counts[static_cast<int>(Stage::kDouble)];
+    return Sign::kZero;
+  }
   Approximation a;
   if (approximate(query, Stage::kDouble, a)) {
     const auto sign = a.degree < 0 ? std::optional<Sign>(Sign::kZero) : sign_over_now(a);
