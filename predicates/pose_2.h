@@ -60,6 +60,11 @@ std::shared_ptr<const Predicate> make_pose_along_touch(Frame frame, bool reverse
 // negated value (named normal_order_reversed). Degree: twice that of both rotors.
 std::shared_ptr<const Predicate> make_pose_normal_order(bool reversed);
 
+// left_of_ray(pose, a0, b0, a, b), all points, of A and of B' in turns: where t is as seen from c =
+// a0 + R b0, positive iff it is to the left of the ray from c through a + R b. `right`: the negated
+// value (named right_of_ray). The degree of the pose.
+std::shared_ptr<const Predicate> make_pose_ray(bool right);
+
 }  // namespace kinex
 
 #endif

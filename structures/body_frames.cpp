@@ -67,6 +67,18 @@ ObjectId BodyFrame::across(std::uint32_t edge, bool last) {
   return ids[edge];
 }
 
+ObjectId BodyFrame::inner() {
+  if (inner_ != kNoObject) return inner_;
+  const FramePolygon& polygon = hierarchy_.polygon();
+  Rational x, y;
+  for (const std::size_t third : {0, 1, 2}) {
+    const FramePoint& v = polygon.vertices[third * polygon.size() / 3];
+    x += Rational(v.x, v.w);
+    y += Rational(v.y, v.w);
+  }
+  return inner_ = constants_->point(frame_point(x / Rational(3), y / Rational(3)));
+}
+
 std::size_t BodyFrame::bytes() const {
   return hierarchy_.bytes() +
          (lines_.capacity() + points_.capacity() + vertices_.capacity() +

@@ -49,6 +49,8 @@ class BodyFrame {
   ObjectId vertex(std::uint32_t i);
   ObjectId polygon_edge(std::uint32_t i);
   ObjectId across(std::uint32_t edge, bool last);
+  // A point strictly inside of the polygon: the mean of three vertices.
+  ObjectId inner();
   std::uint32_t size() const { return static_cast<std::uint32_t>(hierarchy_.polygon().size()); }
   std::uint32_t after(std::uint32_t i) const { return i + 1 == size() ? 0 : i + 1; }
   std::uint32_t before(std::uint32_t i) const { return i == 0 ? size() - 1 : i - 1; }
@@ -61,6 +63,7 @@ class BodyFrame {
   // kNoObject: not made yet
   std::vector<ObjectId> lines_, points_, vertices_, polygon_edges_;
   std::array<std::vector<ObjectId>, 2> across_;
+  ObjectId inner_ = kNoObject;
 };
 
 class BodyFrames {

@@ -22,9 +22,6 @@ namespace kinex {
 
 class BoundingVolumes final : public ClosestFeatures {
  public:
-  static constexpr std::uint8_t kVolume =
-      kChange + 1;  // another volume proves, or none does any more
-
   BoundingVolumes(Kernel& kernel, StructureId id, const Scene& scene);
 
   std::string_view name() const override { return "bounding_volumes"; }

@@ -4,15 +4,10 @@
 namespace kinex {
 
 ClosestFeatures::ClosestFeatures(Kernel& kernel, StructureId id, const Scene& scene)
-    : CollisionPairs(kernel, id, scene, CutPolicy::kMedian), predicates_(kernel) {}
+    : CollisionPairs(kernel, id, scene, CutPolicy::kMedian) {}
 
 std::vector<std::string_view> ClosestFeatures::event_kinds() const {
   return collision_kinds({"change"});
-}
-
-SumBoundary ClosestFeatures::boundary(PairId p) {
-  return SumBoundary(kernel_, predicates_, pair(p).pose,
-                     {&frames_.frame(pair(p).a, false), &frames_.frame(pair(p).b, true)});
 }
 
 // The slots of a vertex and an edge: past its first end, short of its last one, after the edge

@@ -50,8 +50,6 @@ class ClosestFeatures : public CollisionPairs {
   // The certificate of this slot is the one that fails at contact.
   bool is_contact_slot(PairId p, std::uint32_t slot) const { return state_[p].edge && slot == 4; }
 
-  PosePredicates predicates_;
-
  private:
   // Vertices x of A and y of B' (edge = false), or vertex `v` of the other polygon and edge `e` of
   // z.
@@ -60,7 +58,6 @@ class ClosestFeatures : public CollisionPairs {
     std::uint8_t z = 0;
     std::uint32_t e = 0, v = 0;  // vertices: of A, of B'
   };
-  SumBoundary boundary(PairId p);
   static Query claim(const SumBoundary& sum, const State& state, std::uint32_t slot);
   void enter(PairId p, const SumBoundary& sum, const State& state);
   // The point is on this edge of M.

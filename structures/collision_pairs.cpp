@@ -16,6 +16,7 @@ CollisionPairs::CollisionPairs(Kernel& kernel, StructureId id, const Scene& scen
       now_(dynamic_cast<SignNow*>(&kernel.arithmetic())),
       frames_(kernel, scene, policy),
       volumes_(kernel, scene),
+      predicates_(kernel),
       pose_(make_pose_2()),
       pairs_of_(scene.objects.size()),
       alive_(scene.objects.size(), 0) {
@@ -24,7 +25,7 @@ CollisionPairs::CollisionPairs(Kernel& kernel, StructureId id, const Scene& scen
 }
 
 std::vector<std::string_view> CollisionPairs::collision_kinds(std::vector<std::string_view> own) {
-  own.insert(own.begin(), {"contact", "graze", "volume", "grid"});
+  own.insert(own.begin(), {"contact", "graze", "separation", "inside", "volume", "grid"});
   return common_event_kinds(std::move(own));
 }
 
@@ -34,8 +35,8 @@ void CollisionPairs::build(std::span<const ObjectId> objects) {
 
 void CollisionPairs::rebuild() {
   for (PairId p = 0; p < pairs_.size(); ++p) {
-    if (pairs_[p].a == kNoObject || pairs_[p].touching) continue;
-    if (!pairs_[p].apart) stop(p);
+    if (pairs_[p].a == kNoObject) continue;
+    if (!pairs_[p].apart && !pairs_[p].touching) stop(p);
     drop_certificates(p);
     follow_near(p);
   }
@@ -51,7 +52,9 @@ void CollisionPairs::certificate_failed(CertificateId failed) {
   }
   const PairId p = tag / kMostCertificates;
   failed_ = failed;
-  if (pairs_[p].apart) {
+  if (pairs_[p].touching) {
+    fail_in_contact(p);
+  } else if (pairs_[p].apart) {
     follow_near(p);
     pairs_[p].resting = false;
     report(p, kVolume);
@@ -94,7 +97,8 @@ void CollisionPairs::look_for_touch(PairId p) {
   if (!found && !pair.resting) return;
   if (!holds(p)) return;
   if (found && !pair.resting) {
-    report_meeting(p, kGraze, *found);
+    const auto ahead = edge_ahead(p, *found);
+    report_meeting(p, kGraze, ahead ? features_at(p, *ahead) : *found);
     // Others that touch zero at this instant are done with it too.
     for (std::uint8_t i = 0; i < pair.certificates; ++i) {
       const CertificateId id = pair.certificate[i];
@@ -149,7 +153,6 @@ void CollisionPairs::erase(ObjectId object) {
 void CollisionPairs::update_pairs(ObjectId body) {
   const std::vector<PairId> had = pairs_of_[body];
   for (const PairId p : had) {
-    // A contact is known for good.
     if (!pairs_[p].touching && !grid_->are_near(pairs_[p].a, pairs_[p].b)) remove_pair(p);
   }
   for (const ObjectId other : grid_->near(body)) {
@@ -174,11 +177,11 @@ void CollisionPairs::motions_changed(std::span<const ObjectId> objects) {
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   for (const PairId p : changed) {
     if (pairs_[p].touching) {
-      follow(p);
-    } else {
-      if (!pairs_[p].apart) moved(p);
-      look_for_touch(p);
+      move_in_contact(p);
+    } else if (!pairs_[p].apart) {
+      moved(p);
     }
+    look_for_touch(p);
   }
 }
 
@@ -198,7 +201,7 @@ void CollisionPairs::follow(PairId p) {
   add_pose(p);
   pairs_[p].apart = false;
   pairs_[p].touching = !start(p);
-  if (pairs_[p].touching) drop_certificates(p);
+  if (pairs_[p].touching) follow_overlap(p, edge_ahead(p, {}));
   pairs_[p].resting = !pairs_[p].touching && touch(p, nullptr);
 }
 
@@ -256,6 +259,7 @@ void CollisionPairs::drop_certificates(PairId p) {
 void CollisionPairs::set_certificates(PairId p, std::span<const Query> queries) {
   require(queries.size() <= kMostCertificates, "a proof has too many certificates");
   Pair& pair = pairs_[p];
+  most_of_pair_ = std::max(most_of_pair_, static_cast<std::uint32_t>(queries.size()));
   const std::array<CertificateId, kMostCertificates> old = pair.certificate;
   const std::uint32_t before = pair.certificates;
   std::uint32_t used = 0;  // bits: old certificates that stay or are replaced
@@ -321,14 +325,6 @@ void CollisionPairs::report_meeting(PairId p, std::uint8_t kind, const Features&
       true);
 }
 
-void CollisionPairs::contact(PairId p, const Features& features) {
-  report_meeting(p, kContact, features);
-  stop(p);
-  drop_certificates(p);
-  pairs_[p].touching = true;
-  pairs_[p].resting = false;
-}
-
 Attribute CollisionPairs::attribute() const {
   std::vector<std::pair<ObjectId, ObjectId>> touching;
   for (const Pair& pair : pairs_) {
@@ -343,12 +339,15 @@ Attribute CollisionPairs::attribute() const {
 
 std::vector<BoundCheck> CollisionPairs::bounds(const BoundContext& context) const {
   const std::string own(name());
-  return {at_most(
-      own + ".compactness",
-      "a constant number of certificates for a pair that is near, and for a body in the grid",
-      Integer(static_cast<std::int64_t>(most_pairs_ * most_certificates() +
-                                        (grid_ ? 4 * most_bodies_ : 0))),
-      Integer(static_cast<std::int64_t>(context.ledger->max_live)))};
+  const std::uint32_t most = std::max(most_certificates(), OverlapProof::kCertificates);
+  return {
+      at_most(own + ".pair", "a constant number of certificates for a pair",
+              Integer(std::int64_t{most}), Integer(std::int64_t{most_of_pair_})),
+      at_most(
+          own + ".compactness",
+          "a constant number of certificates for a pair that is near, and for a body in the grid",
+          Integer(static_cast<std::int64_t>(most_pairs_ * most + (grid_ ? 4 * most_bodies_ : 0))),
+          Integer(static_cast<std::int64_t>(context.ledger->max_live)))};
 }
 
 void CollisionPairs::check_invariants(AuditReport& report) const {
@@ -358,8 +357,8 @@ void CollisionPairs::check_invariants(AuditReport& report) const {
     const std::string who = scene_.objects[pair.a].id + " and " + scene_.objects[pair.b].id;
     report.check(alive_[pair.a] != 0 && alive_[pair.b] != 0,
                  [&] { return "a pair of bodies that are not there: " + who; });
-    report.check(pair.touching == (pair.certificates == 0),
-                 [&] { return "a pair without a proof, or a contact with one: " + who; });
+    report.check(pair.certificates > 0 || (pair.touching && !kernel_.is_exact()),
+                 [&] { return "a pair without a proof: " + who; });
     for (std::uint32_t i = 0; i < pair.certificates; ++i) {
       report.check(kernel_.tag(pair.certificate[i]) == p * kMostCertificates + i,
                    [&] { return "a certificate with a wrong tag: " + who; });

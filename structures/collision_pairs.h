@@ -2,12 +2,12 @@
 // CollisionPairs: what all structures for collisions of convex polygons have in common.
 //
 // Every pair of bodies that are not in contact has a proof that they are disjoint, which a derived
-// class keeps: a handful of certificates in the pair's pose (predicates/pose_2.h). The attribute is
-// the set of pairs that have come into contact; an external event is a contact. A pair in contact
-// has no certificates; when the motion of one of its bodies changes and they are disjoint right
-// after it, it is followed again. Bodies may be in contact at the start, which is no event; a body
-// that appears later, or jumps, must be apart from all others (std::invalid_argument names both and
-// the time).
+// class keeps: a handful of certificates in the pair's pose (predicates/pose_2.h). A pair in
+// contact has a proof that they overlap, the same for all (structures/overlap_proof.h). The
+// attribute is the set of pairs in contact, that is, of those that overlap right after now;
+// external events are contacts and separations. Bodies may be in contact at the start, which is no
+// event; a body that appears later, or jumps, must be apart from all others (std::invalid_argument
+// names both and the time).
 //
 // In scenes of more than two bodies a grid is the broad phase (structures/body_grid.h): bodies that
 // are not in neighbouring cells have no proof of their own, and those that are have one certificate
@@ -19,9 +19,10 @@
 // grazes: an external event too, at the instant at which the touch begins. One touch is one graze,
 // be it for an instant or for a while, over however many features; a touch that ends in the other
 // body ends with a contact. Bodies that touch when they appear do not graze, nor do those that come
-// out of a contact. A proof finds a touch by those of its certificates that are zero where the
-// bodies touch: they fail at touches too (core/touch.h). Exact arithmetics only: in doubles a touch
-// is an accident.
+// out of a contact: those separate when they cease to overlap. Bodies that overlap right before and
+// right after an instant have no event at it. A proof finds a touch by those of its certificates
+// that are zero where the bodies touch: they fail at touches too (core/touch.h). Exact arithmetics
+// only: in doubles a touch is an accident.
 #ifndef KINEX_STRUCTURES_COLLISION_PAIRS_H
 #define KINEX_STRUCTURES_COLLISION_PAIRS_H
 
@@ -43,6 +44,8 @@
 #include "structures/body_frames.h"
 #include "structures/body_grid.h"
 #include "structures/body_volumes.h"
+#include "structures/overlap_proof.h"
+#include "structures/sum_boundary.h"
 
 namespace kinex {
 
@@ -50,12 +53,15 @@ using PairId = std::uint32_t;
 
 class CollisionPairs : public Structure {
  public:
-  // The ranks of "contact", "graze", "volume" and "grid"; the kinds of derived classes follow them.
-  // A contact or graze names the two bodies and the features that meet, as derived objects: "a.v3"
-  // is vertex 3 of body a, "a.e3" the edge from it to the next (counted from 0 in the scene's
-  // order). A volume is another proof of one certificate, or the end of the last one; "grid" names
-  // a body that changes its cell.
-  static constexpr std::uint8_t kContact = 0, kGraze = 1, kVolume = 2, kGrid = 3, kFirstOwn = 4;
+  // The ranks of "contact", "graze", "separation", "inside", "volume" and "grid"; the kinds of
+  // derived classes follow them. The first three name the two bodies and the features that meet, as
+  // derived objects: "a.v3" is vertex 3 of body a, "a.e3" the edge from it to the next (counted
+  // from 0 in the scene's order). In an exact arithmetic they depend on the motion alone: two
+  // vertices if these meet, else a vertex and an edge. "inside": bodies that overlap would part
+  // elsewhere. A volume is another proof of one certificate, or the end of the last one; "grid"
+  // names a body that changes its cell.
+  static constexpr std::uint8_t kContact = 0, kGraze = 1, kSeparation = 2, kInside = 3, kVolume = 4,
+                                kGrid = 5, kFirstOwn = 6;
   // A proof has at most so many certificates.
   static constexpr std::uint32_t kMostCertificates = 8;
 
@@ -79,10 +85,11 @@ class CollisionPairs : public Structure {
   struct Pair {
     ObjectId a = kNoObject, b = kNoObject;  // a < b; kNoObject: not in use
     ObjectId pose = kNoObject;
-    bool touching = false;
-    bool apart = false;    // one certificate on volumes is the proof
-    bool resting = false;  // not in contact, but they touch and go on touching
+    bool touching = false;  // in contact
+    bool apart = false;     // one certificate on volumes is the proof
+    bool resting = false;   // not in contact, but they touch and go on touching
     std::uint8_t certificates = 0;
+    SumBoundary::Edge ahead{};  // while they are in contact
     std::array<CertificateId, kMostCertificates> certificate{};
   };
 
@@ -120,9 +127,13 @@ class CollisionPairs : public Structure {
   Sign sign(const Query& query, SignNow* now) {
     return now != nullptr ? now->sign_now(query) : kernel_.arithmetic().sign_after(query);
   }
-  // Reports the contact and ends the proof. Features of the second body are those of its negated
-  // frame.
-  void contact(PairId p, const Features& features);
+  // Reports the contact: the proof that they are disjoint ends, the one that they overlap begins.
+  // `near` are features near those that meet, of the second body those of its negated frame.
+  void contact(PairId p, const Features& near);
+  // The boundary of the sum of the two bodies.
+  SumBoundary boundary(PairId p);
+  // Failures that were handled while the two bodies overlapped.
+  std::uint64_t failures_in_contact() const { return failures_in_contact_; }
   void report(PairId p, std::uint8_t kind) {
     kernel_.report(id_, kind, {pairs_[p].a, pairs_[p].b}, false);
   }
@@ -134,6 +145,7 @@ class CollisionPairs : public Structure {
   SignNow* now_;  // nullptr in an inexact arithmetic
   BodyFrames frames_;
   BodyVolumes volumes_;
+  PosePredicates predicates_;
 
  private:
   static constexpr PairId kNoPair = 0xffffffffu;
@@ -153,6 +165,14 @@ class CollisionPairs : public Structure {
   void look_for_touch(PairId p);
   void report_meeting(PairId p, std::uint8_t kind, const Features& features);
   void drop_certificates(PairId p);
+  // What happens while they overlap.
+  OverlapProof overlap_proof(const SumBoundary& sum, PairId p);
+  std::optional<SumBoundary::Edge> edge_ahead(PairId p, const Features& near);
+  Features features_at(PairId p, const SumBoundary::Edge& edge);
+  void follow_overlap(PairId p, const std::optional<SumBoundary::Edge>& ahead);
+  void fail_in_contact(PairId p);
+  void move_in_contact(PairId p);
+  void part(PairId p, const SumBoundary::Edge& edge);
   ObjectId feature_object(ObjectId body, bool negated, Feature feature);
 
   std::shared_ptr<const Construction> pose_;
@@ -161,10 +181,13 @@ class CollisionPairs : public Structure {
   std::vector<ObjectId> free_poses_;
   // What events call a feature: by body, place in its frame, and which frame and kind.
   std::map<std::array<std::uint32_t, 3>, ObjectId> features_;
+  std::optional<RayPredicates> rays_;  // from the first contact on
   std::optional<BodyGrid> grid_;
   std::vector<std::vector<PairId>> pairs_of_;  // per body
   std::vector<std::uint8_t> alive_;
   CertificateId failed_ = kNoCertificate;  // while it is handled
+  std::uint64_t failures_in_contact_ = 0;
+  std::uint32_t most_of_pair_ = 0;  // certificates
   std::size_t live_pairs_ = 0, most_pairs_ = 0, most_bodies_ = 0, bodies_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The witness of CollisionPairs: CGAL's exact orientations of one polygon's vertices against the
-// edges of the other. Polygons that only touch have no contact.
+// edges of the other. Polygons that only touch may be in contact (at the instant of one) or not.
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -38,14 +38,15 @@ Placed placed(const SceneObject& body, const Snapshot& snapshot, ObjectId id) {
   return result;
 }
 
-// Some edge of `a` has all of `b` on its other side.
-bool separates(const Placed& a, const Placed& b) {
+// Some edge of `a` has all of `b` on its other side; `strictly`: and none of it on its line.
+bool separates(const Placed& a, const Placed& b, bool strictly) {
   const std::size_t n = a.vertices.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Point& from = a.vertices[i];
     const Point& to = a.vertices[(i + 1) % n];
     if (std::none_of(b.vertices.begin(), b.vertices.end(), [&](const Point& v) {
-          return CGAL::orientation(from, to, v) == CGAL::LEFT_TURN;
+          const CGAL::Orientation turn = CGAL::orientation(from, to, v);
+          return turn == CGAL::LEFT_TURN || (strictly && turn == CGAL::COLLINEAR);
         })) {
       return true;
     }
@@ -55,7 +56,10 @@ bool separates(const Placed& a, const Placed& b) {
 
 // Two convex polygons whose interiors are disjoint are on two sides of an edge of one of them.
 bool overlap(const Placed& a, const Placed& b) {
-  return CGAL::do_overlap(a.box, b.box) && !separates(a, b) && !separates(b, a);
+  return CGAL::do_overlap(a.box, b.box) && !separates(a, b, false) && !separates(b, a, false);
+}
+bool meet(const Placed& a, const Placed& b) {
+  return !separates(a, b, true) && !separates(b, a, true);
 }
 
 }  // namespace
@@ -85,7 +89,12 @@ void CollisionPairs::audit(const Snapshot& snapshot, AuditReport& report) const 
   std::set<std::pair<ObjectId, ObjectId>> touching;
   const Attribute known = attribute();
   for (std::size_t i = 0; i + 1 < known.ids.size(); i += 2) {
-    touching.emplace(known.ids[i], known.ids[i + 1]);
+    const ObjectId a = known.ids[i], b = known.ids[i + 1];
+    touching.emplace(a, b);
+    report.check(meet(bodies[a], bodies[b]), [&] {
+      return scene_.objects[a].id + " and " + scene_.objects[b].id +
+             " are apart, and in contact for the structure, at t = " + snapshot.time().to_string();
+    });
   }
   for (std::size_t i = 0; i < order.size(); ++i) {
     ++report.checks;

@@ -6,15 +6,10 @@
 namespace kinex {
 
 InnerTangents::InnerTangents(Kernel& kernel, StructureId id, const Scene& scene)
-    : CollisionPairs(kernel, id, scene, CutPolicy::kMedian), predicates_(kernel) {}
+    : CollisionPairs(kernel, id, scene, CutPolicy::kMedian) {}
 
 std::vector<std::string_view> InnerTangents::event_kinds() const {
   return collision_kinds({"change"});
-}
-
-SumBoundary InnerTangents::boundary(PairId p) {
-  return SumBoundary(kernel_, predicates_, pair(p).pose,
-                     {&frames_.frame(pair(p).a, false), &frames_.frame(pair(p).b, true)});
 }
 
 // Slot 4 k + 2 z + s: of tangent k, at its vertex of polygon z, the edge after it (s = 0) or before
@@ -71,13 +66,6 @@ SumBoundary::Edge InnerTangents::beside(const SumBoundary& sum, const Touch& tou
   return sum.beside(touch[0], touch[1], forward);
 }
 
-// Along an edge of M, from a vertex of it.
-InnerTangents::Touch InnerTangents::across(const SumBoundary& sum, const SumBoundary::Edge& edge,
-                                           bool forward) {
-  const std::uint32_t own = forward ? sum.frame(edge.z).after(edge.edge) : edge.edge;
-  return edge.z == 0 ? Touch{own, edge.vertex} : Touch{edge.vertex, own};
-}
-
 // From the first end of this edge of M the point lies in the edge's direction; or, from the last
 // one, against it.
 bool InnerTangents::is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward) {
@@ -109,35 +97,24 @@ void InnerTangents::fail(PairId p, std::uint32_t slot) {
         at_inner == Sign::kNegative || (at_inner == Sign::kZero && is_along(sum, outer, outwards));
   }
   if (goes_outwards) {
-    tangents[k] = across(sum, outer, outwards);
+    tangents[k] = sum.end(outer, outwards);
   } else {
-    tangents[k] = across(sum, inner, !outwards);
+    tangents[k] = sum.end(inner, !outwards);
     if (tangents[0] == tangents[1]) {
       const SumBoundary::Edge after = beside(sum, tangents[0], true);
       const SumBoundary::Edge before = beside(sum, tangents[0], false);
       if (seen(after) != Sign::kNegative) {
-        tangents[1] = across(sum, after, true);
+        tangents[1] = sum.end(after, true);
       } else if (seen(before) != Sign::kNegative) {
-        tangents[0] = across(sum, before, false);
+        tangents[0] = sum.end(before, false);
       } else {
-        meet(p, sum, inner);
+        contact(p, at(inner));
         return;
       }
     }
   }
   enter(p, sum, tangents);
   report(p, kChange);
-}
-
-// The point has passed the line of this edge of M: on the edge, or, beyond its ends, on the next
-// one.
-void InnerTangents::meet(PairId p, const SumBoundary& sum, SumBoundary::Edge edge) {
-  if (sum.sign(sum.past(edge.z, edge.edge, false, edge.vertex)) == Sign::kNegative) {
-    edge = beside(sum, across(sum, edge, false), false);
-  } else if (sum.sign(sum.short_of(edge.z, edge.edge, true, edge.vertex)) == Sign::kNegative) {
-    edge = beside(sum, across(sum, edge, true), true);
-  }
-  contact(p, at(edge));
 }
 
 CollisionPairs::Features InnerTangents::at(const SumBoundary::Edge& edge) {
@@ -162,7 +139,7 @@ std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, SignNow* 
         sign(sum.short_of(edge.z, edge.edge, true, edge.vertex), now) != Sign::kNegative) {
       return at(edge);
     }
-    at_first = across(sum, edge, true);
+    at_first = sum.end(edge, true);
   }
   return std::nullopt;
 }

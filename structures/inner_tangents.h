@@ -42,16 +42,12 @@ class InnerTangents : public CollisionPairs {
  private:
   using Touch = std::array<std::uint32_t, 2>;  // a vertex of A, one of B'
   using Tangents = std::array<Touch, 2>;
-  SumBoundary boundary(PairId p);
   static Query claim(const SumBoundary& sum, const Tangents& tangents, std::uint32_t slot);
   static SumBoundary::Edge beside(const SumBoundary& sum, const Touch& touch, bool forward);
-  static Touch across(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
   static bool is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
   static Features at(const SumBoundary::Edge& edge);
-  void meet(PairId p, const SumBoundary& sum, SumBoundary::Edge edge);
   void enter(PairId p, const SumBoundary& sum, const Tangents& tangents);
 
-  PosePredicates predicates_;
   std::vector<Tangents> tangents_;  // per pair
 };
 

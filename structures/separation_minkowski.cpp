@@ -49,28 +49,8 @@ CollisionPairs::Features SeparationMinkowski::features(PairId p, const MixedTile
   }
   const std::uint32_t i = edge.polygon_edge;
   const MinkowskiSum::Origin& origin = made.sum.edges[i];
-  const std::size_t next = i + std::size_t{1} == tree.polygon().size() ? 0 : i + std::size_t{1};
-  if (origin.z == 0 && made.sum.b[i] != made.sum.b[next] && is_past_edge_of_a(p, i, move.edge)) {
-    return {{false, made.sum.a[next]}, {true, made.sum.b[i]}};
-  }
   const Feature line{true, origin.edge}, vertex{false, origin.vertex};
   return origin.z == 0 ? Features{line, vertex} : Features{vertex, line};
-}
-
-// Edge i of M, of the hierarchy's edge `edge`, is an edge of A and then one of B': whether the
-// point is at the second.
-bool SeparationMinkowski::is_past_edge_of_a(PairId p, std::uint32_t i, std::uint32_t edge) {
-  Sum& made = *sums_[p];
-  const FramePolygon& a = frames_.frame(pair(p).a, false).hierarchy().polygon();
-  const std::uint32_t e = made.sum.edges[i].edge;
-  const FramePoint &from = a.vertices[e], &to = a.vertices[(e + 1) % a.size()];
-  const FramePoint& start = made.frame->hierarchy().polygon().vertices[i];
-  const ObjectId between = frames_.constants().point(
-      frame_point(Rational(start.x, start.w) + Rational(to.x, to.w) - Rational(from.x, from.w),
-                  Rational(start.y, start.w) + Rational(to.y, to.w) - Rational(from.y, from.w)));
-  return kernel_.arithmetic().sign_after(Query(
-             predicates_.along[0],
-             {pair(p).pose, made.frame->line(edge), between, point_.apex(0)})) == Sign::kPositive;
 }
 
 std::vector<BoundCheck> SeparationMinkowski::bounds(const BoundContext& context) const {
@@ -83,10 +63,10 @@ std::vector<BoundCheck> SeparationMinkowski::bounds(const BoundContext& context)
     if (pose.degree() > 1 || sums_.size() <= p || sums_[p] == nullptr) return checks;
     most += 2 * sums_[p]->frame->hierarchy().levels() + 8;
   }
-  checks.push_back(at_most("separation_minkowski.line",
-                           "a line meets every ring between two stages in at most two triangles",
-                           Integer(most),
-                           Integer(static_cast<std::int64_t>(context.ledger->processed))));
+  checks.push_back(at_most(
+      "separation_minkowski.line",
+      "a line meets every ring between two stages in at most two triangles", Integer(most),
+      Integer(static_cast<std::int64_t>(context.ledger->processed - failures_in_contact()))));
   return checks;
 }
 

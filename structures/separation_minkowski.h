@@ -47,7 +47,6 @@ class SeparationMinkowski final : public SeparationMixed {
     MinkowskiSum sum;
     std::unique_ptr<BodyFrame> frame;
   };
-  bool is_past_edge_of_a(PairId p, std::uint32_t i, std::uint32_t edge);
 
   CutPolicy policy_;
   BodyFrame point_;

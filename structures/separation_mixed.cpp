@@ -8,7 +8,7 @@ namespace kinex {
 
 SeparationMixed::SeparationMixed(Kernel& kernel, StructureId id, const Scene& scene,
                                  CutPolicy policy)
-    : CollisionPairs(kernel, id, scene, policy), predicates_(kernel) {}
+    : CollisionPairs(kernel, id, scene, policy) {}
 
 std::vector<std::string_view> SeparationMixed::event_kinds() const {
   return collision_kinds({"side", "flip", "cell"});

@@ -62,8 +62,6 @@ class SeparationMixed : public CollisionPairs {
   // More, where a point stays on the line of a side of M.
   std::uint32_t slide_certificates() const { return slides_ ? 2 : 0; }
 
-  PosePredicates predicates_;
-
  private:
   MixedTiles tiles(PairId p);
   void enter(PairId p, const MixedTiles& about, const Tile& tile);

@@ -39,6 +39,12 @@ SumBoundary::Edge SumBoundary::beside(Id x, Id y, bool forward) const {
   return {1, f, x};
 }
 
+std::array<SumBoundary::Id, 2> SumBoundary::end(const Edge& edge, bool last) const {
+  const Id own = last ? frame(edge.z).after(edge.edge) : edge.edge;
+  if (edge.z == 0) return {own, edge.vertex};
+  return {edge.vertex, own};
+}
+
 std::vector<SumBoundary::Edge> SumBoundary::edges() const {
   const Id n = frame(0).size(), m = frame(1).size();
   // The vertex of B' whose cone holds the normal of A's first edge.

@@ -25,6 +25,7 @@ class SumBoundary {
   struct Edge {
     std::uint8_t z;
     Id edge, vertex;
+    friend bool operator==(const Edge&, const Edge&) = default;
   };
 
   // `frames[1]` is B'. The references must live as long as this object.
@@ -57,6 +58,8 @@ class SumBoundary {
   // The edge of M after its vertex x + y, or before it: of the two edges there are, of either
   // polygon, that whose normal is nearer.
   Edge beside(Id x, Id y, bool forward) const;
+  // The vertex of M at the edge's first or last end: a vertex of A, one of B'.
+  std::array<Id, 2> end(const Edge& edge, bool last) const;
   // All edges of M, counter-clockwise, from the first edge of A on: O(n_A + n_B) signs.
   std::vector<Edge> edges() const;
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CollisionPairs while two bodies overlap: from a contact to the separation.
+#include <stdexcept>
+
+#include "core/check.h"
+#include "structures/collision_pairs.h"
+
+namespace kinex {
+
+SumBoundary CollisionPairs::boundary(PairId p) {
+  return SumBoundary(kernel_, predicates_, pairs_[p].pose,
+                     {&frames_.frame(pairs_[p].a, false), &frames_.frame(pairs_[p].b, true)});
+}
+
+OverlapProof CollisionPairs::overlap_proof(const SumBoundary& sum, PairId p) {
+  if (!rays_) rays_.emplace(kernel_);
+  return OverlapProof(*rays_, sum, pairs_[p].pose);
+}
+
+// Two vertices: from the edge after the first one.
+std::optional<SumBoundary::Edge> CollisionPairs::edge_ahead(PairId p, const Features& near) {
+  const SumBoundary sum = boundary(p);
+  const bool of_b = near.of_b.edge;
+  const SumBoundary::Edge from = of_b ? SumBoundary::Edge{1, near.of_b.i, near.of_a.i}
+                                      : SumBoundary::Edge{0, near.of_a.i, near.of_b.i};
+  return overlap_proof(sum, p).ahead(from);
+}
+
+// The features behind the edge of M that the point is on: at an end of it, two vertices.
+CollisionPairs::Features CollisionPairs::features_at(PairId p, const SumBoundary::Edge& edge) {
+  const SumBoundary sum = boundary(p);
+  if (now_ != nullptr) {
+    for (const bool last : {false, true}) {
+      if (now_->sign_now(sum.past(edge.z, edge.edge, last, edge.vertex)) != Sign::kZero) continue;
+      const auto [x, y] = sum.end(edge, last);
+      return {{false, x}, {false, y}};
+    }
+  }
+  const Feature line{true, edge.edge}, vertex{false, edge.vertex};
+  return edge.z == 0 ? Features{line, vertex} : Features{vertex, line};
+}
+
+// In an inexact arithmetic there may be no proof: the bodies are then in contact until a motion
+// changes.
+void CollisionPairs::follow_overlap(PairId p, const std::optional<SumBoundary::Edge>& ahead) {
+  if (!ahead) {
+    require(!kernel_.is_exact(), "no proof that two bodies overlap");
+    drop_certificates(p);
+    return;
+  }
+  pairs_[p].ahead = *ahead;
+  const SumBoundary sum = boundary(p);
+  set_certificates(p, overlap_proof(sum, p).certificates(*ahead));
+}
+
+void CollisionPairs::contact(PairId p, const Features& near) {
+  const auto ahead = edge_ahead(p, near);
+  report_meeting(p, kContact, ahead ? features_at(p, *ahead) : near);
+  stop(p);
+  pairs_[p].touching = true;
+  pairs_[p].resting = false;
+  follow_overlap(p, ahead);
+}
+
+void CollisionPairs::fail_in_contact(PairId p) {
+  ++failures_in_contact_;
+  const SumBoundary sum = boundary(p);
+  const OverlapProof proof = overlap_proof(sum, p);
+  const auto ahead = proof.ahead(pairs_[p].ahead);
+  if (ahead && !proof.is_inside(*ahead)) {
+    part(p, *ahead);
+    return;
+  }
+  follow_overlap(p, ahead);
+  report(p, kInside);
+}
+
+// The motion of one of the two has changed.
+void CollisionPairs::move_in_contact(PairId p) {
+  if (pairs_[p].certificates == 0) {  // an inexact arithmetic had no proof
+    follow(p);
+    return;
+  }
+  const SumBoundary sum = boundary(p);
+  const OverlapProof proof = overlap_proof(sum, p);
+  const auto ahead = proof.ahead(pairs_[p].ahead);
+  if (ahead && !proof.is_inside(*ahead)) part(p, *ahead);
+}
+
+// Across this edge of M.
+void CollisionPairs::part(PairId p, const SumBoundary::Edge& edge) {
+  report_meeting(p, kSeparation, features_at(p, edge));
+  pairs_[p].touching = false;
+  pairs_[p].resting = true;  // what they touch now they have touched before
+  if (start(p)) return;
+  require(!kernel_.is_exact(), "no proof that two bodies are disjoint when they have parted");
+  pairs_[p].touching = true;
+  pairs_[p].resting = false;
+  drop_certificates(p);
+}
+
+}  // namespace kinex
