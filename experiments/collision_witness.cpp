@@ -207,16 +207,56 @@ Rational between(RealRoot& before, RealRoot& after, RootCounters& counters) {
   return (before.upper() + after.lower()) / Rational(2);
 }
 
+// Right after an instant until which the bodies have these flight plans.
+Contact contact_beyond(const SceneObject& a, const SceneObject& b, const Span& span,
+                       const Rational& instant, RootCounters& counters) {
+  const Span beyond{instant, std::nullopt, span.a, span.b};
+  SpanSearch search(a, b, beyond);
+  std::vector<Moment> moments = in_order(search.candidates(), counters);
+  if (moments.size() == 1) return search.contact_at(instant + Rational(1));
+  return search.contact_at(between(moments[0].instant, moments[1].instant, counters));
+}
+
+// What the instants of one pair come to, one after another.
+class Story {
+ public:
+  void appear() { before_ = Contact::kApart; }
+  void add(Moment moment, Contact after) {
+    BodyContact contact{std::move(moment.instant), std::move(moment.features), after};
+    const bool touches = !contact.features.empty();
+    if (after == Contact::kOverlapping) {
+      if (before_ != Contact::kOverlapping) result_.contacts.push_back(std::move(contact));
+    } else if (before_ == Contact::kOverlapping) {
+      result_.separations.push_back(std::move(contact));
+    } else if (touches && before_ == Contact::kApart) {
+      result_.grazes.push_back(std::move(contact));
+    }
+    before_ = after;
+  }
+  CollisionWitness result() { return std::move(result_); }
+
+ private:
+  Contact before_ = Contact::kApart;
+  CollisionWitness result_;
+};
+
 }  // namespace
+
+const BodyContact* CollisionWitness::first() const {
+  if (grazes.empty()) return contacts.empty() ? nullptr : &contacts.front();
+  if (contacts.empty()) return &grazes.front();
+  RealRoot graze = grazes.front().instant, contact = contacts.front().instant;
+  RootCounters counters;
+  return compare(graze, contact, counters) < 0 ? &grazes.front() : &contacts.front();
+}
 
 CollisionWitness find_contacts(const SceneObject& a, const SceneObject& b, const Rational& start,
                                const std::optional<Rational>& end) {
-  CollisionWitness result;
+  Story story;
   RootCounters counters;
-  Contact before = Contact::kApart;
   std::optional<Rational> reached;
   for (const Span& span : common_spans(a.motion, b.motion, start, end)) {
-    if (reached != span.from) before = Contact::kApart;  // one of them has just appeared
+    if (reached != span.from) story.appear();  // one of them has just appeared
     reached = span.to;
     SpanSearch search(a, b, span);
     std::vector<Moment> moments = in_order(search.candidates(), counters);
@@ -225,28 +265,21 @@ CollisionWitness find_contacts(const SceneObject& a, const SceneObject& b, const
     for (std::size_t i = 0; i < moments.size(); ++i) {
       Moment& moment = moments[i];
       if (last && compare(moment.instant, *last, counters) == 0) {
-        // What follows is told by the next flight plans; if there are none, a touch is a touch.
+        // What follows is told by the next flight plans, if there are any.
         const bool is_last = !end || *span.to == *end;
-        if (is_last && before == Contact::kApart && !moment.features.empty()) {
-          result.grazes.push_back({moment.instant, moment.features, Contact::kApart});
+        if (is_last) {
+          const Contact after = contact_beyond(a, b, span, *span.to, counters);
+          story.add(std::move(moment), after);
         }
         break;
       }
       RealRoot* next = i + 1 < moments.size() ? &moments[i + 1].instant : last ? &*last : nullptr;
       const Rational later =
           next ? between(moment.instant, *next, counters) : moment.instant.upper() + Rational(1);
-      const Contact after = search.contact_at(later);
-      BodyContact contact{moment.instant, std::move(moment.features), after};
-      if (after == Contact::kOverlapping) {
-        result.penetration = std::move(contact);
-        return result;
-      }
-      const bool touches = !contact.features.empty();
-      if (touches && before == Contact::kApart) result.grazes.push_back(std::move(contact));
-      before = after;
+      story.add(std::move(moment), search.contact_at(later));
     }
   }
-  return result;
+  return story.result();
 }
 
 }  // namespace kinex

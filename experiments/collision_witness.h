@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The independent witness of collision detection: every contact of two bodies, by looking at every
-// vertex of one against every edge of the other.
+// The independent witness of collision detection: every contact and separation of two bodies, by
+// looking at every vertex of one against every edge of the other.
 //
 // Polygons whose interiors are disjoint meet only where a vertex of one lies on an edge of the
 // other. The instants at which a vertex crosses the line of an edge are the real roots of a
@@ -35,7 +35,8 @@ struct FeaturePair {
 
 struct BodyContact {
   RealRoot instant;
-  // All that are in contact, in ascending order; none if the bodies overlap from a jump on.
+  // All that are in contact, in ascending order; none if the bodies overlap, or are apart, from a
+  // jump on.
   std::vector<FeaturePair> features;
   // Right after the instant: kApart for a touch of one instant, kTouching if they stay in touch,
   // kOverlapping if they penetrate.
@@ -45,18 +46,21 @@ struct BodyContact {
 struct CollisionWitness {
   // Instants at which bodies that were apart begin to touch, and do not penetrate at once.
   std::vector<BodyContact> grazes;
-  // The first instant right after which the interiors overlap; nothing after it is reported.
-  std::optional<BodyContact> penetration;
+  // Instants right after which the interiors overlap, and did not before, or had no before; in
+  // ascending order. The first is the penetration of bodies that begin apart.
+  std::vector<BodyContact> contacts;
+  // Instants right after which they overlap no more.
+  std::vector<BodyContact> separations;
 
-  // The earliest contact; nullptr if the bodies are apart at all times.
-  const BodyContact* first() const {
-    if (!grazes.empty()) return &grazes.front();
-    return penetration ? &*penetration : nullptr;
-  }
+  // The first contact; nullptr if there is none.
+  const BodyContact* penetration() const { return contacts.empty() ? nullptr : &contacts.front(); }
+  // The earliest touch or contact; nullptr if the bodies are apart at all times.
+  const BodyContact* first() const;
 };
 
-// Contacts from `start` to `end` (for ever if nullopt), where both bodies exist. Bodies that touch
-// already at the start count as beginning to touch there.
+// What happens from `start` to `end` (for ever if nullopt), where both bodies exist. Bodies that
+// touch already at the start count as beginning to touch there. What follows the end is told by the
+// flight plans that end there.
 CollisionWitness find_contacts(const SceneObject& a, const SceneObject& b, const Rational& start,
                                const std::optional<Rational>& end);
 

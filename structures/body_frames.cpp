@@ -69,14 +69,36 @@ ObjectId BodyFrame::across(std::uint32_t edge, bool last) {
 
 ObjectId BodyFrame::inner() {
   if (inner_ != kNoObject) return inner_;
-  const FramePolygon& polygon = hierarchy_.polygon();
-  Rational x, y;
-  for (const std::size_t third : {0, 1, 2}) {
-    const FramePoint& v = polygon.vertices[third * polygon.size() / 3];
-    x += Rational(v.x, v.w);
-    y += Rational(v.y, v.w);
+  struct Place {
+    Rational x, y;
+  };
+  std::vector<Place> places;
+  for (const FramePoint& v : hierarchy_.polygon().vertices) {
+    places.push_back({Rational(v.x, v.w), Rational(v.y, v.w)});
   }
-  return inner_ = constants_->point(frame_point(x / Rational(3), y / Rational(3)));
+  const auto longest = [&](const auto& measure) {
+    std::uint32_t best = 0;
+    Rational most = measure(0);
+    for (std::uint32_t i = 1; i < size(); ++i) {
+      Rational value = measure(i);
+      if (value > most) {
+        most = std::move(value);
+        best = i;
+      }
+    }
+    return best;
+  };
+  const std::uint32_t edge = longest([&](std::uint32_t i) {
+    const Rational x = places[after(i)].x - places[i].x, y = places[after(i)].y - places[i].y;
+    return x * x + y * y;
+  });
+  const Place &p = places[edge], &q = places[after(edge)];
+  const Place& r = places[longest([&](std::uint32_t i) {
+    return (q.x - p.x) * (places[i].y - p.y) - (q.y - p.y) * (places[i].x - p.x);
+  })];
+  const Rational third(Integer(1), Integer(3));
+  return inner_ =
+             constants_->point(frame_point((p.x + q.x + r.x) * third, (p.y + q.y + r.y) * third));
 }
 
 std::size_t BodyFrame::bytes() const {

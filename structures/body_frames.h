@@ -49,7 +49,8 @@ class BodyFrame {
   ObjectId vertex(std::uint32_t i);
   ObjectId polygon_edge(std::uint32_t i);
   ObjectId across(std::uint32_t edge, bool last);
-  // A point strictly inside of the polygon: the mean of three vertices.
+  // A point strictly inside of the polygon: the mean of the ends of a longest edge and of a vertex
+  // farthest from it. The same however the polygon is turned or negated, but for ties.
   ObjectId inner();
   std::uint32_t size() const { return static_cast<std::uint32_t>(hierarchy_.polygon().size()); }
   std::uint32_t after(std::uint32_t i) const { return i + 1 == size() ? 0 : i + 1; }

@@ -12,7 +12,7 @@ OverlapProof::OverlapProof(const RayPredicates& rays, const SumBoundary& sum, Ob
       sum_(sum),
       pose_(pose),
       inner_a_(sum.frame(0).inner()),
-      inner_b_(sum.frame(1).vertex(0)) {}
+      inner_b_(sum.frame(1).inner()) {}
 
 Query OverlapProof::ray(PredicateId predicate, const Edge& edge, bool last) const {
   const auto [x, y] = sum_.end(edge, last);
@@ -52,10 +52,11 @@ std::optional<OverlapProof::Edge> OverlapProof::ahead(Edge from) const {
   const BodyFrame& other = sum_.frame(SumBoundary::other(from.z));
   std::uint32_t steps = 0;
   for (; steps <= other.size(); ++steps) {
-    if (!holds(certificate(from, 4))) {
+    const SumBoundary::Id before = other.before(from.vertex);
+    if (!sum_.before(from.z, from.edge, from.vertex)) {
       from.vertex = other.after(from.vertex);
-    } else if (!holds(certificate(from, 3))) {
-      from.vertex = other.before(from.vertex);
+    } else if (sum_.before(from.z, from.edge, before)) {
+      from.vertex = before;
     } else {
       break;
     }

@@ -2,8 +2,8 @@
 // OverlapProof: that two convex polygons overlap, and where they would part.
 //
 // The bodies overlap while the point t lies inside M, the Minkowski sum of A and R B'
-// (structures/sum_boundary.h). A point c inside M is chosen once: a point inside A plus a vertex of
-// B'. The ray from c through t leaves M by one edge, the edge ahead. Certificates, all
+// (structures/sum_boundary.h). A point c inside M is chosen once: a point inside A plus one
+// inside B'. The ray from c through t leaves M by one edge, the edge ahead. Certificates, all
 // "non-negative":
 //   0     t is on the inner side of that edge's line; when it fails the bodies part there
 //   1, 2  t is to the left of the ray from c through the edge's first end, to the right of that

@@ -86,8 +86,8 @@ std::optional<double> first_overlap(const Scene& scene, bool turns, bool& by_wit
   std::optional<double> other;
   if (by_witness) {
     const CollisionWitness witness = find_contacts(a, b, scene.start, scene.end);
-    if (witness.penetration) {
-      other = nearly(witness.penetration->instant);
+    if (witness.penetration() != nullptr) {
+      other = nearly(witness.penetration()->instant);
     }
   } else {
     const char* structure = turns ? "separation_hysteresis" : "separation_minkowski";

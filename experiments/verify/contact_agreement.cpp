@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: is the instant of contact the same, whatever proves that there was none before?
+// Question: are the instants of contact and of separation the same, whatever proves that there was
+// none before?
 // Witness: every vertex against every edge, without structures (collision_witness.h).
 // Parameters: pairs of random polygons of 10 vertices at most in random motion of degree 1 and 2,
 // as
@@ -7,6 +8,7 @@
 //   witness finds none. Cost: 2 s, 20 s in full.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <map>
 #include <memory>
@@ -14,7 +16,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
 #include "experiments/collision_witness.h"
 #include "experiments/scene_run.h"
 #include "experiments/verify/catalogue.h"
@@ -27,25 +28,26 @@ namespace {
 class ContactSink final : public EventSink {
  public:
   void event(const Event& event, Arithmetic& arithmetic) override {
-    if (event.kind != CollisionPairs::kContact || contact_) return;
+    if (event.kind != CollisionPairs::kContact && event.kind != CollisionPairs::kSeparation) return;
     const InstantText now = arithmetic.describe_now();
     const Rational lower = Rational::parse(now.lower).value();
     if (now.lower == now.upper) {
-      contact_.emplace(lower);
+      instants_.emplace_back(lower);
       return;
     }
     std::vector<Integer> coefficients;
     for (const std::string& c : now.polynomial) coefficients.push_back(Integer::parse(c).value());
-    contact_.emplace(Polynomial(std::move(coefficients)), lower,
-                     Rational::parse(now.upper).value());
+    instants_.emplace_back(Polynomial(std::move(coefficients)), lower,
+                           Rational::parse(now.upper).value());
   }
-  std::optional<RealRoot>& contact() { return contact_; }
+  // Of contacts and separations in turns.
+  std::vector<RealRoot>& instants() { return instants_; }
 
  private:
-  std::optional<RealRoot> contact_;
+  std::vector<RealRoot> instants_;
 };
 
-std::optional<RealRoot> contact_by(const StructureInfo& info, Scene scene) {
+std::vector<RealRoot> instants_by(const StructureInfo& info, Scene scene) {
   Request request;
   request.structure = request.label = info.name;
   scene.maintain = {request};
@@ -54,13 +56,22 @@ std::optional<RealRoot> contact_by(const StructureInfo& info, Scene scene) {
   simulator->set_sink(&sink);
   simulator->start();
   simulator->run_until(std::nullopt);
-  return std::move(sink.contact());
+  return std::move(sink.instants());
 }
 
-bool same(std::optional<RealRoot> a, std::optional<RealRoot> b) {
-  if (!a || !b) return !a && !b;
+std::vector<RealRoot> instants_of(const CollisionWitness& witness) {
+  std::vector<RealRoot> instants;
+  for (std::size_t i = 0; i < witness.contacts.size(); ++i) {
+    instants.push_back(witness.contacts[i].instant);
+    if (i < witness.separations.size()) instants.push_back(witness.separations[i].instant);
+  }
+  return instants;
+}
+
+bool same(std::vector<RealRoot> a, std::vector<RealRoot> b) {
   RootCounters counters;
-  return compare(*a, *b, counters) == 0;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](RealRoot& x, RealRoot& y) { return compare(x, y, counters) == 0; });
 }
 
 void stop_turning(Scene& scene) {
@@ -83,10 +94,12 @@ struct Tally {
 StudyResult study_contacts(bool quick, const std::function<bool()>& go_on) {
   StudyResult result;
   result.name = "contacts";
-  result.title = "collision: instants of contact, against the witness";
-  result.header = {"structure", "scenes", "with a contact", "the same instant"};
+  result.title = "collision: instants of contact and separation, against the witness";
+  result.header = {"structure", "scenes", "with a contact", "contacts and separations",
+                   "scenes with the same instants"};
   std::map<std::string, Tally> tallies;
   std::map<std::string, int> contacts;
+  std::map<std::string, std::size_t> instants;
   for (int k = 0; k < (quick ? 24 : 200) && go_on(); ++k) {
     WorkloadParameters parameters;
     parameters.n = parameters.m = 10;
@@ -97,18 +110,18 @@ StudyResult study_contacts(bool quick, const std::function<bool()>& go_on) {
     if (!turning) stop_turning(scene);
     const CollisionWitness witness =
         find_contacts(scene.objects[0], scene.objects[1], scene.start, scene.end);
-    std::optional<RealRoot> truth;
-    if (witness.penetration) truth = witness.penetration->instant;
+    const std::vector<RealRoot> truth = instants_of(witness);
     for (const StructureInfo& info : structure_infos()) {
       if (!info.bodies || (turning && info.name == "separation_minkowski")) continue;
       const std::string name(info.name);
       Tally& tally = tallies[name];
       ++tally.scenes;
-      contacts[name] += truth ? 1 : 0;
-      std::string wrong = "another instant";
+      contacts[name] += truth.empty() ? 0 : 1;
+      instants[name] += truth.size();
+      std::string wrong = "other instants";
       bool right = false;
       try {
-        right = same(contact_by(info, scene), truth);
+        right = same(instants_by(info, scene), truth);
       } catch (const std::exception& error) {
         wrong = error.what();
       }
@@ -124,7 +137,7 @@ StudyResult study_contacts(bool quick, const std::function<bool()>& go_on) {
     if (found == tallies.end()) continue;
     const auto& [name, tally] = *found;
     result.rows.push_back({name, std::to_string(tally.scenes), std::to_string(contacts[name]),
-                           std::to_string(tally.right)});
+                           std::to_string(instants[name]), std::to_string(tally.right)});
     result.checks.push_back(
         {"contact." + name, "witness", "", fmt::format("{} right", tally.scenes),
          fmt::format("{} right{}", tally.right, tally.first_wrong),

@@ -122,60 +122,42 @@ inline std::vector<Rational> appearances(const SceneObject& body) {
   return result;
 }
 
-struct Meetings {
-  std::vector<BodyContact> contacts, grazes;
-};
-
-// What the witness sees: the first contact, and, after a change of motion after which the bodies do
-// not overlap, the next; and the grazes on the way, but for touches that were there from the start,
-// from an appearance or out of a contact.
-inline Meetings expected_meetings(const SceneObject& a, const SceneObject& b, const Scene& scene) {
-  std::vector<Rational> seams, appeared;
+// What the witness sees, but for what is there from the start or from an appearance, and touches
+// that follow a separation.
+inline CollisionWitness expected_meetings(const SceneObject& a, const SceneObject& b,
+                                          const Scene& scene) {
+  std::vector<Rational> appeared{scene.start};
   for (const SceneObject* body : {&a, &b}) {
-    for (const MotionPiece& piece : body->motion.pieces) {
-      if (piece.from) seams.push_back(*piece.from);
-    }
     for (const Rational& t : appearances(*body)) appeared.push_back(t);
   }
-  std::sort(seams.begin(), seams.end());
-  Meetings all;
-  std::vector<BodyContact>& result = all.contacts;
   RootCounters counters;
-  Rational from = scene.start;
-  std::size_t next = 0;
-  for (;;) {
-    CollisionWitness found = find_contacts(a, b, from, scene.end);
-    for (BodyContact& graze : found.grazes) {
-      bool old = compare(graze.instant, from, counters) == 0;
-      for (const Rational& t : appeared) old = old || compare(graze.instant, t, counters) == 0;
-      if (!old) all.grazes.push_back(std::move(graze));
-    }
-    if (!found.penetration) return all;
-    // Those that overlap right after the change are in contact as before, or from a jump or an
-    // arrival on, which is no event.
-    const bool arrived = found.penetration->features.empty();
-    if (!arrived && (result.empty() || compare(found.penetration->instant, from, counters) != 0)) {
-      result.push_back(*found.penetration);
-    }
-    RealRoot instant = found.penetration->instant;
-    while (next < seams.size() && compare(instant, seams[next], counters) >= 0) ++next;
-    if (next == seams.size()) return all;
-    from = seams[next];
+  CollisionWitness all = find_contacts(a, b, scene.start, scene.end);
+  for (auto* list : {&all.contacts, &all.grazes, &all.separations}) {
+    list->erase(std::remove_if(list->begin(), list->end(),
+                               [&](BodyContact& one) {
+                                 return std::any_of(appeared.begin(), appeared.end(),
+                                                    [&](const Rational& t) {
+                                                      return compare(one.instant, t, counters) == 0;
+                                                    });
+                               }),
+                list->end());
   }
+  return all;
 }
 
 using BodyContacts = std::map<std::pair<ObjectId, ObjectId>, std::vector<BodyContact>>;
 struct Expected {
-  BodyContacts contacts, grazes;
+  BodyContacts contacts, grazes, separations;
 };
 
 inline Expected expected_contacts(const Scene& scene) {
   Expected result;
   for (ObjectId a = 0; a < scene.objects.size(); ++a) {
     for (ObjectId b = a + 1; b < scene.objects.size(); ++b) {
-      Meetings found = expected_meetings(scene.objects[a], scene.objects[b], scene);
+      CollisionWitness found = expected_meetings(scene.objects[a], scene.objects[b], scene);
       if (!found.contacts.empty()) result.contacts[{a, b}] = std::move(found.contacts);
       if (!found.grazes.empty()) result.grazes[{a, b}] = std::move(found.grazes);
+      if (!found.separations.empty()) result.separations[{a, b}] = std::move(found.separations);
     }
   }
   return result;
@@ -183,7 +165,9 @@ inline Expected expected_contacts(const Scene& scene) {
 
 inline void expect_meetings(const Trial& trial, const Scene& scene, const BodyContacts& expected,
                             std::uint8_t kind) {
-  SCOPED_TRACE(kind == CollisionPairs::kContact ? "contacts" : "grazes");
+  SCOPED_TRACE(kind == CollisionPairs::kContact ? "contacts"
+               : kind == CollisionPairs::kGraze ? "grazes"
+                                                : "separations");
   RootCounters counters;
   auto seen = contacts_of(trial, kind);
   EXPECT_EQ(seen.size(), expected.size());
@@ -203,18 +187,34 @@ inline void expect_meetings(const Trial& trial, const Scene& scene, const BodyCo
 inline void expect_contacts(const Trial& trial, const Scene& scene, const Expected& expected) {
   expect_meetings(trial, scene, expected.contacts, CollisionPairs::kContact);
   expect_meetings(trial, scene, expected.grazes, CollisionPairs::kGraze);
+  expect_meetings(trial, scene, expected.separations, CollisionPairs::kSeparation);
+}
+
+// What contacts, grazes and separations name, in some order that depends on the names alone.
+inline std::vector<std::string> features_named(const Trial& trial) {
+  std::vector<std::string> names;
+  for (const Recorded& event : trial.sink.recorder.events) {
+    if (event.kind > CollisionPairs::kSeparation) continue;
+    std::string& all = names.emplace_back();
+    for (const ObjectId id : event.ids) all += trial.simulator.object_name(id) + " ";
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 // Every structure over the scene, with all audits, against the witness and against `sturm`; and in
-// `double` to its end. The numbers of contacts and of grazes.
+// `double` to its end. In exact runs all structures name the same features. The numbers of
+// contacts, grazes and separations.
 struct MeetingCounts {
-  std::size_t contacts = 0, grazes = 0;
+  std::size_t contacts = 0, grazes = 0, separations = 0;
 };
 inline MeetingCounts check_meetings(const Scene& scene, AuditLevel audit = AuditLevel::kEvents) {
   const Expected expected = expected_contacts(scene);
   MeetingCounts counts;
   for (const auto& [pair, witnesses] : expected.contacts) counts.contacts += witnesses.size();
   for (const auto& [pair, witnesses] : expected.grazes) counts.grazes += witnesses.size();
+  for (const auto& [pair, witnesses] : expected.separations) counts.separations += witnesses.size();
+  std::optional<std::vector<std::string>> named;
   for (const std::string& name : collision_structures(turns(scene))) {
     SCOPED_TRACE(name);
     {
@@ -222,6 +222,9 @@ inline MeetingCounts check_meetings(const Scene& scene, AuditLevel audit = Audit
       trial.to_end();
       trial.expect_clean();
       expect_contacts(trial, scene, expected);
+      const std::vector<std::string> names = features_named(trial);
+      if (!named) named = names;
+      EXPECT_EQ(*named, names);
     }
     Trial rough(scene, name, "double", AuditLevel::kNone);
     EXPECT_NO_THROW(rough.to_end());
