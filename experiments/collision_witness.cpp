@@ -97,6 +97,17 @@ class SpanSearch {
     return std::move(found_);
   }
 
+  // A vertex that stays on an edge meets it at every instant.
+  void add_staying(RealRoot& instant, std::vector<FeaturePair>& features) {
+    for (const Staying& one : staying_) {
+      if (sign_at(one.along, instant, counters_) == Sign::kNegative) continue;
+      if (sign_at(one.ahead, instant, counters_) == Sign::kNegative) continue;
+      features.push_back(one.features);
+    }
+    std::sort(features.begin(), features.end());
+    features.erase(std::unique(features.begin(), features.end()), features.end());
+  }
+
   Contact contact_at(const Rational& t) const {
     return contact_of(placed_polygon(a_.polygon, *span_.a, t),
                       placed_polygon(b_.polygon, *span_.b, t));
@@ -139,6 +150,7 @@ class SpanSearch {
       add_roots(side, along, ahead, features);
       return;
     }
+    staying_.push_back({along, ahead, features});
     // The vertex stays on the line: it can only come on the edge at its ends, or be there already.
     add(RealRoot(span_.from), along, ahead, features);
     if (!along.is_zero()) add_roots(along, along, ahead, features);
@@ -162,10 +174,15 @@ class SpanSearch {
     found_.push_back({std::move(instant), features});
   }
 
+  struct Staying {  // a vertex that stays on the line of an edge
+    Polynomial along, ahead;
+    FeaturePair features;
+  };
   const SceneObject& a_;
   const SceneObject& b_;
   const Span& span_;
   std::vector<Candidate> found_;
+  std::vector<Staying> staying_;
   RootCounters counters_;
 };
 
@@ -189,11 +206,6 @@ std::vector<Moment> in_order(std::vector<Candidate> candidates, RootCounters& co
       moments.push_back({candidate.instant, {}});
     }
     if (candidate.features) moments.back().features.push_back(*candidate.features);
-  }
-  for (Moment& moment : moments) {
-    std::vector<FeaturePair>& features = moment.features;
-    std::sort(features.begin(), features.end());
-    features.erase(std::unique(features.begin(), features.end()), features.end());
   }
   return moments;
 }
@@ -264,6 +276,7 @@ CollisionWitness find_contacts(const SceneObject& a, const SceneObject& b, const
     if (span.to) last.emplace(*span.to);
     for (std::size_t i = 0; i < moments.size(); ++i) {
       Moment& moment = moments[i];
+      search.add_staying(moment.instant, moment.features);
       if (last && compare(moment.instant, *last, counters) == 0) {
         // What follows is told by the next flight plans, if there are any.
         const bool is_last = !end || *span.to == *end;

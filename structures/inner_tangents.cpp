@@ -74,6 +74,39 @@ bool InnerTangents::is_along(const SumBoundary& sum, const SumBoundary::Edge& ed
   return sum.sign(claim) == Sign::kPositive;
 }
 
+// The cones of the two vertices have a common normal: their sum is a vertex of M.
+bool InnerTangents::is_vertex(const SumBoundary& sum, const Touch& touch) {
+  const auto& [x, y] = touch;
+  const std::uint32_t e = sum.frame(0).before(x), f = sum.frame(1).before(y);
+  return sum.before(0, e, f) ? sum.before(1, f, x) : sum.before(0, e, y);
+}
+
+// At the instant at which two edges become parallel that meet in a vertex of M, this one goes into
+// M and the sum of the edges' other ends comes out.
+InnerTangents::Touch InnerTangents::on_boundary(const SumBoundary& sum, const Touch& touch) {
+  if (now_ == nullptr || is_vertex(sum, touch)) return touch;
+  BodyFrame &a = sum.frame(0), &b = sum.frame(1);
+  // And not opposite: the edge after f is then less than half a turn ahead.
+  const auto are_parallel = [&](std::uint32_t e, std::uint32_t f) {
+    return now_->sign_now(sum.order_before(0, e, f)) == Sign::kZero &&
+           now_->sign_now(sum.order_before(0, e, b.after(f))) == Sign::kPositive;
+  };
+  auto [x, y] = touch;
+  for (std::uint32_t i = a.size() + b.size(); i > 0; --i) {
+    if (are_parallel(a.before(x), y)) {
+      x = a.before(x);
+      y = b.after(y);
+    } else if (are_parallel(x, b.before(y))) {
+      x = a.after(x);
+      y = b.before(y);
+    } else {
+      break;
+    }
+    if (is_vertex(sum, {x, y})) return {x, y};
+  }
+  return touch;
+}
+
 // A tangent's vertex divides the edges of M that the point sees from those that it does not.
 // Several certificates may fail together: it goes along the boundary of M, outwards if the next
 // edge there is seen, or at least not unseen, and else inwards; where the point slides along two
@@ -86,6 +119,8 @@ void InnerTangents::fail(PairId p, std::uint32_t slot) {
     return sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex));
   };
   const std::size_t k = slot / 4;
+  for (Touch& touch : tangents) touch = on_boundary(sum, touch);
+  const bool was_inside = tangents[k] != tangents_[p][k];
   const bool outwards = k == 1;  // forwards
   const SumBoundary::Edge outer = beside(sum, tangents[k], outwards);
   const SumBoundary::Edge inner = beside(sum, tangents[k], !outwards);
@@ -98,19 +133,19 @@ void InnerTangents::fail(PairId p, std::uint32_t slot) {
   }
   if (goes_outwards) {
     tangents[k] = sum.end(outer, outwards);
-  } else {
+  } else if (!was_inside || seen(inner) == Sign::kNegative) {
     tangents[k] = sum.end(inner, !outwards);
-    if (tangents[0] == tangents[1]) {
-      const SumBoundary::Edge after = beside(sum, tangents[0], true);
-      const SumBoundary::Edge before = beside(sum, tangents[0], false);
-      if (seen(after) != Sign::kNegative) {
-        tangents[1] = sum.end(after, true);
-      } else if (seen(before) != Sign::kNegative) {
-        tangents[0] = sum.end(before, false);
-      } else {
-        contact(p, at(inner));
-        return;
-      }
+  }
+  if (tangents[0] == tangents[1]) {
+    const SumBoundary::Edge after = beside(sum, tangents[0], true);
+    const SumBoundary::Edge before = beside(sum, tangents[0], false);
+    if (seen(after) != Sign::kNegative) {
+      tangents[1] = sum.end(after, true);
+    } else if (seen(before) != Sign::kNegative) {
+      tangents[0] = sum.end(before, false);
+    } else {
+      contact(p, at(inner));
+      return;
     }
   }
   enter(p, sum, tangents);

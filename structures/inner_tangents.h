@@ -44,6 +44,8 @@ class InnerTangents : public CollisionPairs {
   using Tangents = std::array<Touch, 2>;
   static Query claim(const SumBoundary& sum, const Tangents& tangents, std::uint32_t slot);
   static SumBoundary::Edge beside(const SumBoundary& sum, const Touch& touch, bool forward);
+  static bool is_vertex(const SumBoundary& sum, const Touch& touch);
+  Touch on_boundary(const SumBoundary& sum, const Touch& touch);
   static bool is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
   static Features at(const SumBoundary::Edge& edge);
   void enter(PairId p, const SumBoundary& sum, const Tangents& tangents);
