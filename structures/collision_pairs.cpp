@@ -300,10 +300,10 @@ void CollisionPairs::set_certificates(PairId p, std::span<const Query> queries) 
 
 // The place of the feature in the scene's list of vertices; frames begin elsewhere.
 ObjectId CollisionPairs::feature_object(ObjectId body, bool negated, Feature feature) {
-  ObjectId& known =
-      features_
-          .try_emplace({body, feature.i, (negated ? 2u : 0u) + (feature.edge ? 1u : 0u)}, kNoObject)
-          .first->second;
+  if (features_.empty()) features_.resize(scene_.objects.size());
+  std::vector<ObjectId>& of_body = features_[body];
+  if (of_body.empty()) of_body.resize(4 * scene_.objects[body].polygon.size(), kNoObject);
+  ObjectId& known = of_body[4 * feature.i + (negated ? 2u : 0u) + (feature.edge ? 1u : 0u)];
   if (known != kNoObject) return known;
   const FramePoint vertex = frames_.frame(body, negated).hierarchy().polygon().vertices[feature.i];
   const std::vector<Vertex2>& polygon = scene_.objects[body].polygon;
@@ -371,7 +371,8 @@ std::size_t CollisionPairs::bytes() const {
                       free_poses_.capacity() * sizeof(ObjectId) + pairs_.capacity() * sizeof(Pair) +
                       free_.capacity() * sizeof(PairId) + alive_.capacity() +
                       pairs_of_.capacity() * sizeof(pairs_of_[0]) +
-                      features_.size() * (sizeof(*features_.begin()) + 48);
+                      features_.capacity() * sizeof(features_[0]);
+  for (const auto& list : features_) total += list.capacity() * sizeof(ObjectId);
   for (const auto& list : pairs_of_) total += list.capacity() * sizeof(PairId);
   return total;
 }

@@ -28,7 +28,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -95,6 +94,11 @@ class CollisionPairs : public Structure {
 
   // Makes a proof for the pair right after now; false if the bodies are not disjoint there.
   virtual bool start(PairId pair) = 0;
+  // The same when they have just parted at this edge of M.
+  virtual bool leave(PairId pair, const SumBoundary::Edge& edge) {
+    static_cast<void>(edge);
+    return start(pair);
+  }
   // The certificate of this slot is negative right after now: repairs the proof and reports one
   // event, or calls contact().
   virtual void fail(PairId pair, std::uint32_t slot) = 0;
@@ -179,8 +183,8 @@ class CollisionPairs : public Structure {
   std::vector<Pair> pairs_;
   std::vector<PairId> free_;
   std::vector<ObjectId> free_poses_;
-  // What events call a feature: by body, place in its frame, and which frame and kind.
-  std::map<std::array<std::uint32_t, 3>, ObjectId> features_;
+  // What events call a feature: per body, 4 for each place in its frame (kNoObject: not made yet).
+  std::vector<std::vector<ObjectId>> features_;
   std::optional<RayPredicates> rays_;  // from the first contact on
   std::optional<BodyGrid> grid_;
   std::vector<std::vector<PairId>> pairs_of_;  // per body

@@ -92,7 +92,7 @@ void CollisionPairs::part(PairId p, const SumBoundary::Edge& edge) {
   report_meeting(p, kSeparation, features_at(p, edge));
   pairs_[p].touching = false;
   pairs_[p].resting = true;  // what they touch now they have touched before
-  if (start(p)) return;
+  if (leave(p, edge)) return;
   require(!kernel_.is_exact(), "no proof that two bodies are disjoint when they have parted");
   pairs_[p].touching = true;
   pairs_[p].resting = false;

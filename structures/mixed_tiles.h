@@ -82,6 +82,9 @@ class MixedTiles {
   std::optional<Move> next(const Tile& tile, std::uint32_t slot) const;
   // A tile that holds the point right after now; nullopt: it lies in M.
   std::optional<Tile> locate() const;
+  // The same where the point has just left M across edge `edge` of polygon z at vertex `vertex` of
+  // the other: O(1) signs.
+  std::optional<Tile> leave(std::uint8_t z, std::uint32_t edge, std::uint32_t vertex) const;
   // The side where the tile touches M, if the point is on M there (Move::tile is nullopt): right
   // after now, or at now (`now` is not nullptr). The certificates hold right after now.
   std::optional<Move> touch(const Tile& tile, SignNow* now) const;

@@ -263,6 +263,18 @@ std::optional<Tile> MixedTiles::locate_at(std::uint8_t x, Id node) const {
   return std::nullopt;
 }
 
+std::optional<Tile> MixedTiles::leave(std::uint8_t z, std::uint32_t edge,
+                                      std::uint32_t vertex) const {
+  const std::uint8_t w = other(z);
+  const Id node = first_end(w, tree(w).edge_on(vertex), kNever);
+  const Tile tile = ascend(z, tree(z).edge_on(edge), node, kNever);
+  const Certificates proof = certificates(tile);
+  for (std::uint32_t i = 0; i < proof.count; ++i) {
+    if (kernel_.arithmetic().sign_after(proof.query[i]) == Sign::kNegative) return locate();
+  }
+  return tile;
+}
+
 std::optional<Tile> MixedTiles::locate() const {
   if (auto half = locate_half()) return half;
   // All cuts in the order of their operations.

@@ -102,6 +102,10 @@ OuterHierarchy::OuterHierarchy(FramePolygon polygon, CutPolicy policy)
     if (is_new) points_.push_back(node.apex);
     node.point = place->second;
   }
+  edge_on_.resize(polygon_.size());
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    if (edges_[e].polygon_edge != kNone) edge_on_[edges_[e].polygon_edge] = e;
+  }
 }
 
 void OuterHierarchy::make_box() {
@@ -218,7 +222,8 @@ std::size_t OuterHierarchy::bytes() const {
   return nodes_.capacity() * (sizeof(Node) + kNumbers) +
          edges_.capacity() * (sizeof(Edge) + kNumbers) +
          points_.capacity() * (sizeof(FramePoint) + kNumbers) +
-         2 * polygon_.size() * (sizeof(FramePoint) + kNumbers);
+         2 * polygon_.size() * (sizeof(FramePoint) + kNumbers) +
+         edge_on_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace kinex

@@ -77,6 +77,8 @@ class OuterHierarchy {
   const std::vector<Edge>& edges() const { return edges_; }
   const std::vector<Node>& nodes() const { return nodes_; }
   const Edge& edge(std::uint32_t e) const { return edges_[e]; }
+  // The edge on the line of edge i of P.
+  std::uint32_t edge_on(std::uint32_t i) const { return edge_on_[i]; }
   const Node& node(std::uint32_t v) const { return nodes_[v]; }
   // The distinct apexes, in the order in which they were made.
   const std::vector<FramePoint>& points() const { return points_; }
@@ -119,7 +121,8 @@ class OuterHierarchy {
   FramePolygon polygon_;
   std::vector<Edge> edges_;
   std::vector<Node> nodes_;
-  std::vector<Range> ranges_;  // per node
+  std::vector<Range> ranges_;           // per node
+  std::vector<std::uint32_t> edge_on_;  // per edge of P
   std::vector<FramePoint> points_;
   int levels_ = 0;
   Rational radius_;

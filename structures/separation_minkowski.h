@@ -35,6 +35,10 @@ class SeparationMinkowski final : public SeparationMixed {
  protected:
   // Throws std::invalid_argument if the bodies turn against each other.
   bool start(PairId p) override;
+  bool leave(PairId p, const SumBoundary::Edge& edge) override {
+    static_cast<void>(edge);
+    return start(p);
+  }
   void stop(PairId p) override;
   std::uint32_t most_certificates() const override { return 3 + slide_certificates(); }
   std::array<BodyFrame*, 2> frames_of(PairId p) override {

@@ -54,6 +54,14 @@ bool SeparationMixed::start(PairId p) {
   return true;
 }
 
+bool SeparationMixed::leave(PairId p, const SumBoundary::Edge& edge) {
+  const MixedTiles about = tiles(p);
+  const std::optional<Tile> found = about.leave(edge.z, edge.edge, edge.vertex);
+  if (!found) return false;
+  enter(p, about, *found);
+  return true;
+}
+
 void SeparationMixed::fail(PairId p, std::uint32_t slot) {
   const MixedTiles about = tiles(p);
   const Tile from = tile_[p];

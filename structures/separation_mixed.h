@@ -48,6 +48,7 @@ class SeparationMixed : public CollisionPairs {
 
  protected:
   bool start(PairId p) override;
+  bool leave(PairId p, const SumBoundary::Edge& edge) override;
   void fail(PairId p, std::uint32_t slot) override;
   std::uint32_t most_certificates() const override {
     return MixedTiles::kMost + slide_certificates();
