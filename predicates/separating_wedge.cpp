@@ -133,8 +133,13 @@ WedgePlan::Role widest(const RoughPolygon& body, const Vector& m, double s) {
   }
   const auto loss = [&](double phi) {
     const double c = std::cos(phi), sine = std::sin(phi);
-    return (support(body, rotated(m, c, -sine)) + support(body, rotated(m, c, sine))) / (2 * c) -
-           height;
+    const Vector right = rotated(m, c, -sine), left = rotated(m, c, sine);
+    double most_right = dot(body.vertices[0], right), most_left = dot(body.vertices[0], left);
+    for (const Vector& v : body.vertices) {
+      most_right = std::max(most_right, dot(v, right));
+      most_left = std::max(most_left, dot(v, left));
+    }
+    return (most_right + most_left) / (2 * c) - height;
   };
   WedgePlan::Role role{s / (2 * body.diameter), 0};
   role.loss = loss(role.half_angle);
