@@ -39,6 +39,7 @@ class SeparationHysteresis final : public ClosestFeatures {
   std::string_view name() const override { return "separation_hysteresis"; }
   std::vector<std::string_view> event_kinds() const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
   // The smallest displacement, in the metric of its role, at which a wedge has failed, as a
