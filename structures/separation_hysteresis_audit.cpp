@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A wedge's line, looked at by itself: it has the polygon that it belongs to on one side and all
-// vertices of the other one, where they are in the world, on the other side.
+// vertices of the other one, where they are in the world, on the other side. Where a disc is the
+// proof, the line keeps off its middle only, and a parallel to it the polygon.
 #include <algorithm>
+#include <vector>
 
 #include "structures/separation_hysteresis.h"
 
@@ -41,22 +43,25 @@ void SeparationHysteresis::audit(const Snapshot& snapshot, AuditReport& report) 
     const Placed b(scene_.objects[bodies.b], snapshot, bodies.b);
     const Placed &own = of_a ? a : b, &other = of_a ? b : a;
     const Trajectory& line = kernel_.derived().trajectory(wedge.objects[wedge.turn][0]);
-    const auto beyond = [&](const Vertex2& v) {  // in the frame of the line's body
-      Rational along = line.position(0, Rational()) * v[0] + line.position(1, Rational()) * v[1];
-      if (!of_a) along = -along;  // a line of B'
-      return (along - line.position(2, Rational())).sign();
-    };
-    const auto& inner = own.body.polygon;
-    const auto& outer = other.body.polygon;
-    report.check(
-        std::all_of(inner.begin(), inner.end(), [&](const Vertex2& v) { return beyond(v) <= 0; }) &&
-            std::all_of(
-                outer.begin(), outer.end(),
-                [&](const Vertex2& v) { return beyond(own.to_frame(other.to_world(v))) > 0; }),
-        [&] {
-          return "the line of " + own.body.id + " does not keep " + other.body.id +
-                 " off, at t = " + snapshot.time().to_string();
-        });
+    const auto along =
+        [&](const Vertex2& v) {  // the normal of the line, from the frame of its body
+          const Rational product =
+              line.position(0, Rational()) * v[0] + line.position(1, Rational()) * v[1];
+          return of_a ? product : -product;  // a line of B'
+        };
+    std::vector<Rational> inner, outer;
+    for (const Vertex2& v : own.body.polygon) inner.push_back(along(v));
+    for (const Vertex2& v : other.body.polygon) {
+      outer.push_back(along(own.to_frame(other.to_world(v))));
+    }
+    const Rational most = *std::max_element(inner.begin(), inner.end());
+    const Rational least = *std::min_element(outer.begin(), outer.end());
+    const Rational offset = line.position(2, Rational());
+    const bool is_disc = bodies.certificates == 1;
+    report.check(most <= offset && (is_disc ? most : offset) < least, [&] {
+      return "the line of " + own.body.id + " does not keep " + other.body.id +
+             " off, at t = " + snapshot.time().to_string();
+    });
   }
 }
 

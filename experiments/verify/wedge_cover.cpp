@@ -11,6 +11,7 @@
 
 #include <exception>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,12 +30,13 @@ struct Family {
   std::vector<Scene> scenes;
 };
 
-Scene path(const char* workload, int n, int m, std::uint64_t seed, const Rational& separation) {
+Scene path(const char* workload, int n, int m = 0, std::uint64_t seed = 1,
+           std::optional<Rational> separation = std::nullopt) {
   WorkloadParameters parameters;
   parameters.n = n;
   parameters.m = m;
   parameters.seed = seed;
-  parameters.separation = separation;
+  parameters.separation = std::move(separation);
   return generate_scene(*find_workload(workload), parameters);
 }
 
@@ -56,7 +58,7 @@ Scene corners(const Rational& separation) {
 
 std::vector<Family> families(bool quick) {
   std::vector<Family> all{{"trembling", {}}, {"kinks", {}}, {"approach", {}}, {"turning", {}}};
-  for (const int m : {16, 64}) all[0].scenes.push_back(path("polygon-jitter", 16, m, 1, 1));
+  for (const int m : {16, 64}) all[0].scenes.push_back(path("polygon-jitter", 16, m));
   const Rational tenth(Integer(1), Integer(10));
   for (const int m : {20, 80}) {
     for (std::uint64_t seed = 1; seed <= (quick ? 2 : 8); ++seed) {

@@ -208,7 +208,7 @@ TEST(CollisionStudies, OuterHierarchiesKeepTheirBounds) {
 TEST(CollisionStudies, WedgesAreFewerThanBalls) {
   int runs = 0;
   const StudyResult study =
-      study_wedge_cover(true, [&] { return kSanitized ? ++runs <= 8 : true; });
+      study_wedge_cover(true, [&] { return !test::kSanitized || ++runs <= 8; });
   EXPECT_EQ(study.verdict(), Verdict::kPass) << table_row(study);
   ASSERT_EQ(study.checks.size(), 4u);
   ASSERT_GE(study.rows.size(), 8u);

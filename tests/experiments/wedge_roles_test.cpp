@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+#include <string_view>
+#include <utility>
 
 #include "experiments/ball_cover.h"
 #include "experiments/workloads/polygons.h"
@@ -28,7 +29,7 @@ Counted count(const Scene& scene, AuditLevel audit) {
   return {trial.ledger().processed, structure.least_displacement()};
 }
 
-// Both orders; the second one's events.
+// The events in both orders.
 std::pair<std::uint64_t, std::uint64_t> both_ways(Scene scene,
                                                   AuditLevel audit = AuditLevel::kEvents) {
   const Counted plain = count(scene, audit);
@@ -38,10 +39,7 @@ std::pair<std::uint64_t, std::uint64_t> both_ways(Scene scene,
 
 Rational number(const char* text) { return *Rational::parse(text); }
 
-Scene scene_from_0_to(int end) {
-  Scene scene = scene_of_bodies({}, 0, Rational(end));
-  return scene;
-}
+Scene scene_from_0_to(int end) { return scene_of_bodies({}, 0, Rational(end)); }
 
 // A square turns once beside one at rest; its corners pass the edge at this distance of centres,
 // from 0.6 to 6e-6 above it.
@@ -92,7 +90,7 @@ TEST(WedgeRoles, NothingTurns) {
     SCOPED_TRACE(workload);
     WorkloadParameters parameters;
     parameters.n = 16;
-    parameters.m = 20;
+    if (std::string_view(workload) == "polygon-kinks") parameters.m = 20;
     parameters.separation = number("1/16");
     const auto [plain, exchanged] = both_ways(generate_scene(*find_workload(workload), parameters));
     EXPECT_EQ(plain, exchanged);
