@@ -60,6 +60,17 @@ TEST(WedgeRoles, ACornerPassesOverAnEdge) {
   }
 }
 
+// The larger body turns about its middle: in the frame of the other one nothing moves but its
+// farthest points, and they measure what a wedge withstands.
+TEST(WedgeRoles, ALargeSquareTurnsBesideASmallOne) {
+  Scene scene = scene_from_0_to(2);
+  add_turning_body(scene, "large", square_of(8), 0, 0, half_turns(2, 2));
+  add_body(scene, "small", square_of(1), {number("12.5")}, {0});
+  const auto [plain, exchanged] = both_ways(scene);
+  EXPECT_EQ(plain, exchanged);
+  EXPECT_LE(plain, 60u);
+}
+
 TEST(WedgeRoles, ABarSweepsOverASquare) {
   Scene scene = scene_from_0_to(2);
   add_turning_body(scene, "bar", box(-10, -1, 10, 1), 0, 0, half_turns(2, 2));
@@ -147,6 +158,9 @@ TEST(BallCover, OfATurn) {
   const double least = far - 1 - std::sqrt(2.0), most = far - 2;
   EXPECT_GE(static_cast<double>(ball_cover(scene)), length / (0.206 * most));
   EXPECT_LE(static_cast<double>(ball_cover(scene)), 1.35 * length / (0.206 * least) + 1);
+  const std::uint64_t balls = ball_cover(scene);
+  std::swap(scene.objects[0], scene.objects[1]);
+  EXPECT_EQ(ball_cover(scene), balls);
   EXPECT_EQ(ball_cover(scene_of_bodies({body("a", square_of(1), {{0}, {0}, {1}, {0}}),
                                         body("b", square_of(1), {{3}, {0}, {1}, {0}})},
                                        0, Rational(1))),

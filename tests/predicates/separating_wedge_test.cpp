@@ -102,6 +102,31 @@ TEST(SeparatingWedge, TiesAreBrokenByShape) {
   EXPECT_EQ(plan.longer(), Frame::kA);
 }
 
+TEST(SeparatingWedge, TheLargerAngleThenTheSmallerLoss) {
+  WedgePlan plan;
+  plan.separation = 1;
+  plan.line_of_a = {0.2, 0.01};
+  plan.line_of_b = {0.4, 0.2};
+  EXPECT_EQ(plan.longer(), Frame::kB);
+  std::swap(plan.line_of_a, plan.line_of_b);
+  EXPECT_EQ(plan.longer(), Frame::kA);
+  plan.line_of_b = {0.4, 0.1};
+  EXPECT_EQ(plan.longer(), Frame::kB);
+}
+
+// Two bodies that turn: in the second one's frame everything is turned back.
+TEST(RoughPose, InBothFrames) {
+  const Trajectory pose = pose_of(placed(1, 2, 2, 1), placed(-3, 5, 1, 3));
+  const RoughPose a(pose, 0, Frame::kA), b(pose, 0, Frame::kB);
+  EXPECT_NEAR(a.c * a.c + a.s * a.s, 1, 1e-14);
+  EXPECT_NEAR(std::hypot(a.t[0], a.t[1]), 5, 1e-14);
+  EXPECT_NEAR(b.c, a.c, 1e-14);
+  EXPECT_NEAR(b.s, -a.s, 1e-14);
+  EXPECT_GT(std::fabs(a.s), 0.1);
+  EXPECT_NEAR(b.t[0], b.c * a.t[0] - b.s * a.t[1], 1e-14);
+  EXPECT_NEAR(b.t[1], b.s * a.t[0] + b.c * a.t[1], 1e-14);
+}
+
 TEST(SeparatingWedge, FarAwayADiscWillDo) {
   const Polygon small = box(-1, -1, 1, 1), large = box(-20, -2, 20, 2);
   const Pair pair(small, placed(0, 0), large, placed(0, 13));
