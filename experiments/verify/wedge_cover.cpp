@@ -6,7 +6,7 @@
 // Parameters: B6 of collision_cells.cpp: trembling, random walks with kinks, an approach by halves;
 //   and, turning, a square whose corners pass over the edge of another one, and gears. All with
 //   either body as the first one. Expected: the bound in all of them.
-// Cost: 2 s, 4 s in full.
+// Cost: a second, 3 s in full.
 #include <fmt/format.h>
 
 #include <exception>
