@@ -39,18 +39,19 @@ RoughPose SeparationHysteresis::pose_now(PairId p, Frame frame) const {
 
 // True if a wedge holds right after now and is in place.
 bool SeparationHysteresis::put_wedge(PairId p) {
-  const auto plan =
-      plan_wedge(rough(pair(p).a, false), rough(pair(p).b, true), pose_now(p, Frame::kA));
+  const RoughPose pose = pose_now(p, Frame::kA);
+  const auto plan = plan_wedge(rough(pair(p).a, false), rough(pair(p).b, true), pose);
   if (!plan) return false;
   const Frame longer = plan->longer();
-  return put_wedge(p, *plan, longer) ||
-         put_wedge(p, *plan, longer == Frame::kA ? Frame::kB : Frame::kA);
+  return put_wedge(p, *plan, pose, longer) ||
+         put_wedge(p, *plan, pose, longer == Frame::kA ? Frame::kB : Frame::kA);
 }
 
-bool SeparationHysteresis::put_wedge(PairId p, const WedgePlan& plan, Frame line_of) {
+bool SeparationHysteresis::put_wedge(PairId p, const WedgePlan& plan, const RoughPose& in_a,
+                                     Frame line_of) {
   const ObjectId a = pair(p).a, b = pair(p).b;
   const auto found = separating_wedge(plan, line_of, {polygon(a, false), rough(a, false)},
-                                      {polygon(b, true), rough(b, true)}, pose_now(p, Frame::kA));
+                                      {polygon(b, true), rough(b, true)}, in_a);
   if (!found) return false;
   Wedge& wedge = wedges_[p];
   wedge.turn ^= 1;
@@ -85,7 +86,7 @@ bool SeparationHysteresis::put_wedge(PairId p, const WedgePlan& plan, Frame line
     }
   }
   set_certificates(p, queries);
-  const RoughPose pose = pose_now(p, line_of);
+  const RoughPose pose = line_of == Frame::kA ? in_a : pose_now(p, line_of);
   wedge.in_use = true;
   wedge.line_of = line_of;
   wedge.separation = plan.separation;

@@ -65,7 +65,7 @@ class SeparationHysteresis final : public ClosestFeatures {
     double c = 1, s = 0;
   };
   bool put_wedge(PairId p);
-  bool put_wedge(PairId p, const WedgePlan& plan, Frame line_of);
+  bool put_wedge(PairId p, const WedgePlan& plan, const RoughPose& in_a, Frame line_of);
   void measure(PairId p);
   const RoughPolygon& rough(ObjectId body, bool negated);
   const FramePolygon& polygon(ObjectId body, bool negated);
