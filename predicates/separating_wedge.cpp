@@ -121,6 +121,35 @@ int bits_for(double angle) {
 constexpr double kSmallest =
     0x1p-26;                     // separation, of the diameter: what doubles can be trusted with
 constexpr double kWidest = 1.1;  // half-angle in radians
+constexpr double kAlike = 1e-3;  // angles and losses that differ by less are not told apart
+
+// The wedge of this body, seen in direction m of its frame at separation s.
+WedgePlan::Role widest(const RoughPolygon& body, const Vector& m, double s) {
+  const double height = support(body, m);
+  if (s > 2 * body.diameter) {
+    const Vector middle{Rational(body.middle.x, body.middle.w).to_double(),
+                        Rational(body.middle.y, body.middle.w).to_double()};
+    return {std::numeric_limits<double>::infinity(), body.radius + dot(middle, m) - height};
+  }
+  const auto loss = [&](double phi) {
+    const double c = std::cos(phi), sine = std::sin(phi);
+    const Vector right = rotated(m, c, -sine), left = rotated(m, c, sine);
+    double most_right = dot(body.vertices[0], right), most_left = dot(body.vertices[0], left);
+    for (const Vector& v : body.vertices) {
+      most_right = std::max(most_right, dot(v, right));
+      most_left = std::max(most_left, dot(v, left));
+    }
+    return (most_right + most_left) / (2 * c) - height;
+  };
+  WedgePlan::Role role{s / (2 * body.diameter), 0};
+  role.loss = loss(role.half_angle);
+  while (2 * role.half_angle <= kWidest) {
+    const double more = loss(2 * role.half_angle);
+    if (more > s / 4) break;
+    role = {2 * role.half_angle, more};
+  }
+  return role;
+}
 
 }  // namespace
 
@@ -145,52 +174,68 @@ RoughPolygon::RoughPolygon(const FramePolygon& polygon) {
   radius *= 1 + 0x1p-40;
 }
 
-RoughPose::RoughPose(const Trajectory& pose, double now) {
+RoughPose::RoughPose(const Trajectory& pose, double now, Frame frame) {
+  const std::size_t x = frame == Frame::kA ? 0 : 2;
   const double n = value_at(pose.coordinates[4], now);
-  t = {value_at(pose.coordinates[0], now) / n, value_at(pose.coordinates[1], now) / n};
+  t = {value_at(pose.coordinates[x], now) / n, value_at(pose.coordinates[x + 1], now) / n};
   c = value_at(pose.coordinates[5], now) / n;
   s = value_at(pose.coordinates[6], now) / n;
+  if (frame == Frame::kB) s = -s;
 }
 
-std::optional<SeparatingWedge> separating_wedge(const FramePolygon& a, const RoughPolygon& rough_a,
-                                                const FramePolygon& b, const RoughPolygon& rough_b,
-                                                const RoughPose& pose) {
+Frame WedgePlan::longer() const {
+  const double a = line_of_a.half_angle, b = line_of_b.half_angle;
+  if (a > b * (1 + kAlike)) return Frame::kA;
+  if (b > a * (1 + kAlike)) return Frame::kB;
+  const double cost = line_of_a.loss - line_of_b.loss;
+  if (std::fabs(cost) > separation * kAlike) return cost < 0 ? Frame::kA : Frame::kB;
+  return diameter_a > diameter_b ? Frame::kB : Frame::kA;
+}
+
+std::optional<WedgePlan> plan_wedge(const RoughPolygon& a, const RoughPolygon& b,
+                                    const RoughPose& pose) {
   std::vector<Vector> turned_b;
-  for (const Vector& v : rough_b.vertices) turned_b.push_back(rotated(v, pose.c, pose.s));
-  const Vector away = from_sum(rough_a.vertices, turned_b, pose.t);
+  turned_b.reserve(b.vertices.size());
+  for (const Vector& v : b.vertices) turned_b.push_back(rotated(v, pose.c, pose.s));
+  const Vector away = from_sum(a.vertices, turned_b, pose.t);
   const double s = std::hypot(away[0], away[1]);
-  const double diameter = rough_a.diameter + rough_b.diameter;
-  if (!(s > kSmallest * diameter) || !(s < 0x1p500)) return std::nullopt;
-  const Vector m{away[0] / s, away[1] / s};
+  if (!(s > kSmallest * (a.diameter + b.diameter)) || !(s < 0x1p500)) return std::nullopt;
+  WedgePlan plan;
+  plan.separation = s;
+  plan.direction = {away[0] / s, away[1] / s};
+  plan.line_of_a = widest(b, rotated(plan.direction, pose.c, -pose.s), s);
+  plan.line_of_b = widest(a, plan.direction, s);
+  plan.diameter_a = a.diameter;
+  plan.diameter_b = b.diameter;
+  return plan;
+}
+
+std::optional<SeparatingWedge> separating_wedge(const WedgePlan& plan, Frame line_of,
+                                                const WedgeBody& a, const WedgeBody& b,
+                                                const RoughPose& pose) {
+  const bool of_a = line_of == Frame::kA;
+  const WedgeBody &lined = of_a ? a : b, &wedged = of_a ? b : a;
+  const WedgePlan::Role& role = of_a ? plan.line_of_a : plan.line_of_b;
+  const Vector &in_a = plan.direction, in_b = rotated(plan.direction, pose.c, -pose.s);
+  const Vector &m = of_a ? in_a : in_b, &seen = of_a ? in_b : in_a;
+  const double s = plan.separation;
   SeparatingWedge wedge;
-  wedge.separation = s;
-  const FrameLine touching = tangent(a, rough_a, m, bits_for(s / (32 * diameter)));
+  wedge.turns = std::isfinite(role.half_angle);
+  const FrameLine touching = tangent(lined.polygon, lined.rough, m,
+                                     bits_for(s / (32 * (plan.diameter_a + plan.diameter_b))));
   // Its normal is primitive: of any length.
   const double length = std::hypot(touching.nx.to_double(), touching.ny.to_double());
-  const bool is_far = s > 2 * rough_b.diameter;
-  const double guard = s / 8 + (is_far ? rough_b.radius * (1 + 0x1p-8) : 0);
+  const double guard = s / 8 + (wedge.turns ? 0 : wedged.rough.radius * (1 + 0x1p-8));
   wedge.line = frame_line(Rational(touching.nx), Rational(touching.ny),
                           Rational(touching.h) + few_bits(length * guard));
-  if (is_far) {
-    wedge.v = rough_b.middle;
+  if (!wedge.turns) {
+    wedge.v = wedged.rough.middle;
     return wedge;
   }
-  wedge.turns = true;
-
-  const Vector seen = rotated(m, pose.c, -pose.s);  // in the frame of B'
-  const double height = support(rough_b, seen);
-  const auto loss = [&](double phi) {
-    const double c = std::cos(phi), sine = std::sin(phi);
-    const double sum =
-        support(rough_b, rotated(seen, c, -sine)) + support(rough_b, rotated(seen, c, sine));
-    return sum / (2 * c) - height;
-  };
-  double phi = s / (2 * rough_b.diameter);
-  while (2 * phi <= kWidest && loss(2 * phi) <= s / 4) phi *= 2;
-  const double c = std::cos(phi), sine = std::sin(phi);
-  const int bits = bits_for(phi / 256);
-  wedge.g1 = tangent(b, rough_b, rotated(seen, c, -sine), bits);
-  wedge.g2 = tangent(b, rough_b, rotated(seen, c, sine), bits);
+  const double c = std::cos(role.half_angle), sine = std::sin(role.half_angle);
+  const int bits = bits_for(role.half_angle / 256);
+  wedge.g1 = tangent(wedged.polygon, wedged.rough, rotated(seen, c, -sine), bits);
+  wedge.g2 = tangent(wedged.polygon, wedged.rough, rotated(seen, c, sine), bits);
   if (turn(wedge.g1, wedge.g2) != Sign::kPositive) return std::nullopt;
   wedge.v = meeting(wedge.g1, wedge.g2);
   return wedge;

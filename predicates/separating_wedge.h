@@ -1,19 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wedges: long-lived proofs that two convex polygons are disjoint.
 //
-// A wedge is a direction m fixed in A's frame, and two tangent lines of B' with normals g1, g2
-// fixed in its frame that meet at v. It proves disjointness while
+// A wedge is a line of one body and two tangent lines of the other that meet at a point v; its role
+// says whose the line is. With the line's normal m fixed in A's frame, and the tangents' normals
+// g1, g2 in that of B', it proves disjointness while
 //   m.t - h_A(m) - m.(R v) > 0,   (R g1) x m >= 0,   m x (R g2) >= 0:
 // m is then a combination of R g1 and R g2 with non-negative factors, so that m.(R v) bounds B'
 // from above in direction m. The first is side_a, the others are normal_order and its reverse
-// (predicates/pose_2.h).
+// (predicates/pose_2.h). The other role is the same seen from B': m in its frame, R^T for R, t' =
+// R^T t for t; side_b, normal_order_reversed and normal_order.
 //
 // Where to put a wedge is found in doubles; the wedge itself is exact, and so are its certificates.
 // With s the separation: m is within s / (16 D_M) of the direction from the nearest point of M; the
-// half-angle of the wedge starts at atan(s / (2 D_B)) and is doubled while that costs at most s
-// / 4. Then the wedge holds until B' has moved by 0.23 s in the metric |dt| + rho_B |d theta|
-// (rho_B: the farthest point of B'). Source: the hysteresis property is that of Erickson, Guibas,
-// Stolfi, Zhang (1999); certificate, rule and constants are worked out here.
+// half-angle of the wedge starts at s / (2 D) and is doubled while that costs at most s / 4, D the
+// diameter of the body whose tangents they are. Beyond two of its diameters a disc takes its place:
+// the half-angle is then infinite. So a wedge holds until the motion in the frame of its line has
+// gone 0.23 s: in the metric |dt| + rho_B |d theta| where the line is A's, in |dt'| + rho_A |d
+// theta| where it is that of B' (rho: the farthest point of the other body from its origin). Either
+// role holds until the larger of the two has.
+//
+// Which role: the one of the larger half-angle, or at equal ones of the smaller loss; a corner gets
+// the wedge, a long edge the line. Both are told apart by a thousandth of the angle and of the
+// separation, so that rounding does not decide. Then the larger body gets the wedge; where all is
+// equal the line is A's. So the choice does not depend on which body is called A unless they are
+// alike.
+//
+// Source: the hysteresis property is that of Erickson, Guibas, Stolfi, Zhang (1999); certificate,
+// rule and constants are worked out here.
 #ifndef KINEX_PREDICATES_SEPARATING_WEDGE_H
 #define KINEX_PREDICATES_SEPARATING_WEDGE_H
 
@@ -23,6 +36,7 @@
 
 #include "core/motion.h"
 #include "predicates/frame_geometry.h"
+#include "predicates/pose_2.h"
 
 namespace kinex {
 
@@ -36,24 +50,49 @@ struct RoughPolygon {
   double radius = 0;
 };
 
-// A pose at one instant, roughly.
+// A pose at one instant, roughly: the second body as seen from the first, or in the frame of B' the
+// first as seen from the second.
 struct RoughPose {
-  RoughPose(const Trajectory& pose, double now);
+  RoughPose(const Trajectory& pose, double now, Frame frame);
   std::array<double, 2> t{};
   double c = 1, s = 0;  // the rotation
 };
 
-struct SeparatingWedge {
-  bool turns = false;     // false: g1 and g2 are not needed
-  FrameLine line;         // of A: normal m, a little outside A
-  FrameLine g1, g2;       // of B', touching it
-  FramePoint v;           // where they meet
-  double separation = 0;  // roughly
+struct WedgeBody {
+  const FramePolygon& polygon;
+  const RoughPolygon& rough;
 };
 
-// nullopt if the bodies seem to meet, or are so close that doubles tell nothing.
-std::optional<SeparatingWedge> separating_wedge(const FramePolygon& a, const RoughPolygon& rough_a,
-                                                const FramePolygon& b, const RoughPolygon& rough_b,
+// How the bodies lie, and what a wedge of either role withstands; all in doubles.
+struct WedgePlan {
+  struct Role {
+    double half_angle = 0;  // +infinity: a disc, no tangents
+    double loss = 0;        // what the wedge reaches beyond the body
+  };
+  double separation = 0;
+  std::array<double, 2> direction{};  // in A's frame, from the nearest point of M; a unit vector
+  Role line_of_a, line_of_b;
+  double diameter_a = 0, diameter_b = 0;
+  // Whose line withstands more.
+  Frame longer() const;
+};
+
+// `pose` in A's frame; nullopt if the bodies seem to meet, or are so close that doubles tell
+// nothing.
+std::optional<WedgePlan> plan_wedge(const RoughPolygon& a, const RoughPolygon& b,
+                                    const RoughPose& pose);
+
+struct SeparatingWedge {
+  bool turns = false;  // false: g1 and g2 are not needed
+  FrameLine line;      // normal m, a little outside its body
+  FrameLine g1, g2;    // of the other body, touching it
+  FramePoint v;        // where they meet
+};
+
+// The wedge of one role of the plan: `a` and `b` (B') and `pose` as for the plan. nullopt if the
+// lines, rounded, do not meet as they should.
+std::optional<SeparatingWedge> separating_wedge(const WedgePlan& plan, Frame line_of,
+                                                const WedgeBody& a, const WedgeBody& b,
                                                 const RoughPose& pose);
 
 }  // namespace kinex

@@ -32,16 +32,26 @@ const RoughPolygon& SeparationHysteresis::rough(ObjectId body, bool negated) {
   return rough_.try_emplace({body, negated}, polygon(body, negated)).first->second;
 }
 
-RoughPose SeparationHysteresis::pose_now(PairId p) const {
-  return RoughPose(kernel_.derived().trajectory(pair(p).pose), kernel_.arithmetic().now_rounded());
+RoughPose SeparationHysteresis::pose_now(PairId p, Frame frame) const {
+  return RoughPose(kernel_.derived().trajectory(pair(p).pose), kernel_.arithmetic().now_rounded(),
+                   frame);
 }
 
 // True if a wedge holds right after now and is in place.
 bool SeparationHysteresis::put_wedge(PairId p) {
+  const RoughPose pose = pose_now(p, Frame::kA);
+  const auto plan = plan_wedge(rough(pair(p).a, false), rough(pair(p).b, true), pose);
+  if (!plan) return false;
+  const Frame longer = plan->longer();
+  return put_wedge(p, *plan, pose, longer) ||
+         put_wedge(p, *plan, pose, longer == Frame::kA ? Frame::kB : Frame::kA);
+}
+
+bool SeparationHysteresis::put_wedge(PairId p, const WedgePlan& plan, const RoughPose& in_a,
+                                     Frame line_of) {
   const ObjectId a = pair(p).a, b = pair(p).b;
-  const RoughPose pose = pose_now(p);
-  const auto found =
-      separating_wedge(polygon(a, false), rough(a, false), polygon(b, true), rough(b, true), pose);
+  const auto found = separating_wedge(plan, line_of, {polygon(a, false), rough(a, false)},
+                                      {polygon(b, true), rough(b, true)}, in_a);
   if (!found) return false;
   Wedge& wedge = wedges_[p];
   wedge.turn ^= 1;
@@ -58,9 +68,16 @@ bool SeparationHysteresis::put_wedge(PairId p) {
     }
   }
   const ObjectId body = pair(p).pose;
-  const std::array<Query, 3> all{Query(predicates_.side[0], {body, ids[0], ids[3]}),
-                                 Query(predicates_.normal_order, {body, ids[0], ids[1]}),
-                                 Query(predicates_.normal_order_reversed, {body, ids[0], ids[2]})};
+  const PosePredicates& x = predicates_;
+  // The orders take the line of A first, so that seen from B' they are each other's reverse.
+  const std::array<Query, 3> all =
+      line_of == Frame::kA
+          ? std::array<Query, 3>{Query(x.side[0], {body, ids[0], ids[3]}),
+                                 Query(x.normal_order, {body, ids[0], ids[1]}),
+                                 Query(x.normal_order_reversed, {body, ids[0], ids[2]})}
+          : std::array<Query, 3>{Query(x.side[1], {body, ids[0], ids[3]}),
+                                 Query(x.normal_order_reversed, {body, ids[1], ids[0]}),
+                                 Query(x.normal_order, {body, ids[2], ids[0]})};
   const std::span<const Query> queries(all.data(), found->turns ? 3 : 1);
   for (const Query& query : queries) {
     if (kernel_.arithmetic().sign_after(query) != Sign::kPositive) {
@@ -69,8 +86,10 @@ bool SeparationHysteresis::put_wedge(PairId p) {
     }
   }
   set_certificates(p, queries);
+  const RoughPose pose = line_of == Frame::kA ? in_a : pose_now(p, line_of);
   wedge.in_use = true;
-  wedge.separation = found->separation;
+  wedge.line_of = line_of;
+  wedge.separation = plan.separation;
   wedge.t = pose.t;
   wedge.c = pose.c;
   wedge.s = pose.s;
@@ -85,11 +104,12 @@ bool SeparationHysteresis::start(PairId p) {
 
 void SeparationHysteresis::measure(PairId p) {
   const Wedge& wedge = wedges_[p];
-  const RoughPose pose = pose_now(p);
+  const RoughPose pose = pose_now(p, wedge.line_of);
   const double moved = std::hypot(pose.t[0] - wedge.t[0], pose.t[1] - wedge.t[1]);
   const double turned =
       std::atan2(wedge.c * pose.s - wedge.s * pose.c, wedge.c * pose.c + wedge.s * pose.s);
-  const double reach = rough(pair(p).b, true).reach;
+  const bool of_a = wedge.line_of == Frame::kA;
+  const double reach = rough(of_a ? pair(p).b : pair(p).a, of_a).reach;
   least_ = std::min(least_, (moved + reach * std::fabs(turned)) / wedge.separation);
 }
 

@@ -2,13 +2,16 @@
 // SeparationHysteresis: collision detection by wedges that cannot fail before a constant fraction
 // of the separation has been travelled (predicates/separating_wedge.h).
 //
-// A proof is a wedge of 3 certificates. When one fails, a new wedge is put in its place for the
-// present separation s; it cannot fail before B has moved by 0.23 s in the metric |dt| + rho_B |d
-// theta|. So the number of events is at most that of the pieces into which the path splits, each
-// inside a ball of that metric of radius 0.103 times the separation at its centre, however jagged
-// the path is. Where the bodies are so close that doubles do not find a wedge (2^-26 of their
-// size), the pair of closest features takes over until they part: contacts are as exact as
-// everywhere.
+// A proof is a wedge of 3 certificates, of either role: a line of one body and two tangents of the
+// other. When one fails, a new wedge is put in its place for the present separation s, of the role
+// that withstands more; it cannot fail before the bodies have moved by 0.23 s in the metric of its
+// role (|dt| + rho_B |d theta| in A's frame, or |dt'| + rho_A |d theta| in that of B), and so not
+// before they have in the larger of the two metrics. So the number of events is at most that of the
+// pieces into which the path splits, each inside a ball of that larger metric of radius 0.103 times
+// the separation at its centre, however jagged the path is. It does not depend on which body is
+// called A, but for rounding and for bodies that are alike. Where the bodies are so close that
+// doubles do not find a wedge (2^-26 of their size), the pair of closest features takes over until
+// they part: contacts are as exact as everywhere.
 //
 // Compactness: 3 certificates a pair, 5 in the second case. Responsiveness: 3 certificates; the
 // search for a wedge looks at all vertices, in doubles. Source: the hysteresis property of
@@ -36,10 +39,12 @@ class SeparationHysteresis final : public ClosestFeatures {
   std::string_view name() const override { return "separation_hysteresis"; }
   std::vector<std::string_view> event_kinds() const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
-  // The smallest displacement at which a wedge has failed, as a fraction of the separation at which
-  // it was made; +infinity if none has failed. (Failures that follow a change of motion count too.)
+  // The smallest displacement, in the metric of its role, at which a wedge has failed, as a
+  // fraction of the separation at which it was made; +infinity if none has failed. (Failures that
+  // follow a change of motion count too.)
   double least_displacement() const { return least_; }
 
  protected:
@@ -50,19 +55,21 @@ class SeparationHysteresis final : public ClosestFeatures {
  private:
   struct Wedge {
     bool in_use = false;
+    Frame line_of = Frame::kA;  // its role
     // line, g1, g2, v: two sets that take turns, so that no live certificate holds what is
     // redefined
     std::array<std::array<ObjectId, 4>, 2> objects{};
     std::uint8_t turn = 0;
     double separation = 0;
-    std::array<double, 2> t{};  // where it was made
+    std::array<double, 2> t{};  // where it was made, in the frame of its line
     double c = 1, s = 0;
   };
   bool put_wedge(PairId p);
+  bool put_wedge(PairId p, const WedgePlan& plan, const RoughPose& in_a, Frame line_of);
   void measure(PairId p);
   const RoughPolygon& rough(ObjectId body, bool negated);
   const FramePolygon& polygon(ObjectId body, bool negated);
-  RoughPose pose_now(PairId p) const;
+  RoughPose pose_now(PairId p, Frame frame) const;
 
   std::vector<Wedge> wedges_;  // per pair
   std::map<std::pair<ObjectId, bool>, RoughPolygon> rough_;

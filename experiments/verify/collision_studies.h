@@ -18,6 +18,10 @@ StudyResult study_outer_hierarchies(bool quick, const std::function<bool()>& go_
 // (collision_witness.h)? Random pairs of polygons, as they are and without turning.
 StudyResult study_contacts(bool quick, const std::function<bool()>& go_on);
 
+// wedge_cover.cpp. Do the wedges of separation_hysteresis cost no more events than balls cover the
+// motion (ball_cover.h)? Trembling, kinks, an approach, and turning, with either body as the first.
+StudyResult study_wedge_cover(bool quick, const std::function<bool()>& go_on);
+
 }  // namespace kinex
 
 #endif

@@ -151,6 +151,7 @@ void add_collision_studies(Catalogue& catalogue, Extent extent) {
   const bool quick = extent == Extent::kQuick;
   catalogue.studies.push_back({"contacts", study_contacts, quick});
   catalogue.studies.push_back({"outer_hierarchy", study_outer_hierarchies, quick});
+  catalogue.studies.push_back({"wedge_cover", study_wedge_cover, quick});
 }
 
 }  // namespace kinex

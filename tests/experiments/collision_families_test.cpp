@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "experiments/ball_cover.h"
 #include "experiments/workload.h"
 #include "structures/separation_hysteresis.h"
 #include "structures/separation_mixed.h"
@@ -126,59 +127,11 @@ TEST(CollisionFamilies, WedgesDoNotTremble) {
   EXPECT_LE(count(scene, "separation_hysteresis", true).processed, 1u);
 }
 
-// The number of steps along the path, each inside a ball of 0.103 of the separation at its centre,
-// taken greedily: not fewer than there are pieces in the least cover.
-std::uint64_t cover(const Scene& scene) {
-  const SceneObject &a = scene.objects[0], &b = scene.objects[1];
-  const Polygon2 rest = placed_polygon(a.polygon, a.motion.pieces[0].trajectory, 0);
-  const auto place = [&](const MotionPiece& one, double t) {
-    std::array<double, 2> p{};
-    for (std::size_t k = 0; k < 2; ++k) {
-      double power = 1;
-      for (const Rational& c : one.trajectory.coordinates[k]) {
-        p[k] += c.to_double() * power;
-        power *= t;
-      }
-    }
-    return p;
-  };
-  std::vector<std::array<double, 2>> path;
-  std::vector<double> separation;
-  constexpr int kSamples = 40;
-  for (const MotionPiece& one : b.motion.pieces) {
-    const double from = one.from ? one.from->to_double() : scene.start.to_double();
-    const double to = one.to ? one.to->to_double() : scene.end->to_double();
-    for (int i = 0; i < kSamples; ++i) {
-      const double t = from + (to - from) * i / kSamples;
-      path.push_back(place(one, t));
-      const Rational exact = *Rational::from_double(t);
-      separation.push_back(std::sqrt(
-          squared_distance(rest, placed_polygon(b.polygon, one.trajectory, exact)).to_double()));
-    }
-  }
-  const auto way = [&](std::size_t i, std::size_t j) {
-    return std::hypot(path[i][0] - path[j][0], path[i][1] - path[j][1]);
-  };
-  std::uint64_t pieces = 0;
-  for (std::size_t first = 0; first < path.size(); ++pieces) {
-    // The centre is moved on as long as the first point is inside, and the end as long as all are.
-    std::size_t best = first + 1;
-    for (std::size_t centre = first;
-         centre < path.size() && way(first, centre) < 0.103 * separation[centre]; ++centre) {
-      std::size_t last = first;
-      while (last < path.size() && way(last, centre) < 0.103 * separation[centre]) ++last;
-      best = std::max(best, last);
-    }
-    first = best;
-  }
-  return pieces;
-}
-
 // Wedges are at most as many as balls that cover the path, however jagged it is.
 TEST(SlowCollisionFamilies, WedgesFollowTheBallCover) {
   for (const int kinks : {5, kSanitized ? 6 : 15}) {
     const Scene scene = family("polygon-kinks", 12, kinks, "1/4");
-    EXPECT_LE(count(scene, "separation_hysteresis", true).processed, cover(scene));
+    EXPECT_LE(count(scene, "separation_hysteresis", true).processed, ball_cover(scene));
   }
 }
 

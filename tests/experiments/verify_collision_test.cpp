@@ -14,6 +14,7 @@
 #include "experiments/verify/plots.h"
 #include "experiments/verify/report_text.h"
 #include "experiments/verify/runner.h"
+#include "tests/sanitized.h"
 
 namespace kinex {
 namespace {
@@ -59,8 +60,8 @@ TEST(CollisionCatalogue, IsAGroupOfAllStructuresForBodies) {
   const std::set<std::string> all(std::begin(kMethods), std::end(kMethods));
   EXPECT_TRUE(std::includes(structures.begin(), structures.end(), all.begin(), all.end()));
   EXPECT_EQ(common, structures);
-  EXPECT_EQ(group.studies.size(), 2u);
-  EXPECT_EQ(make_catalogue("all", Extent::kQuick).studies.size(), 4u);
+  EXPECT_EQ(group.studies.size(), 3u);
+  EXPECT_EQ(make_catalogue("all", Extent::kQuick).studies.size(), 5u);
   EXPECT_TRUE(make_catalogue("minimum", Extent::kQuick).studies.empty());
 }
 
@@ -202,6 +203,16 @@ TEST(CollisionStudies, OuterHierarchiesKeepTheirBounds) {
   EXPECT_EQ(whole.verdict(), Verdict::kPass) << table_row(whole);
   EXPECT_EQ(whole.rows.size(), 4u * 4u * 4u);
   EXPECT_EQ(whole.checks.size(), 5u);
+}
+
+TEST(CollisionStudies, WedgesAreFewerThanBalls) {
+  int runs = 0;
+  const StudyResult study =
+      study_wedge_cover(true, [&] { return !test::kSanitized || ++runs <= 8; });
+  EXPECT_EQ(study.verdict(), Verdict::kPass) << table_row(study);
+  ASSERT_EQ(study.checks.size(), 4u);
+  ASSERT_GE(study.rows.size(), 8u);
+  for (const auto& row : study.rows) EXPECT_EQ(row.size(), study.header.size());
 }
 
 }  // namespace

@@ -211,17 +211,18 @@ class Arena {
     context.stroke();
   }
 
-  // The line between the bodies, and the two lines of the second body that meet on its side of it.
+  // The line between the bodies, of either of them, and the two lines of the other one that meet on
+  // its side of it.
   drawWedge(context, claims) {
     const line = claims.find(claim => claim.kind === "side");
     if (!line || claims.length > 3) return;
     context.strokeStyle = this.app.colourOf(this.app.shown());
     context.lineWidth = 1.6;
-    this.line(context, 0, line.line.numbers);
+    this.line(context, line.z, line.line.numbers);
     context.lineWidth = 0.9;
     context.setLineDash([4, 4]);
     for (const claim of claims) {
-      if (claim.kind === "order") this.line(context, 1, claim.lines[1].numbers);
+      if (claim.kind === "order") this.line(context, 1 - line.z, claim.lines[1 - line.z].numbers);
     }
     context.setLineDash([]);
   }
