@@ -111,6 +111,20 @@ std::optional<Tile> SeparationMixed::tile(ObjectId a, ObjectId b) const {
   return std::nullopt;
 }
 
+void SeparationMixed::add_hierarchies(HierarchyBounds& bounds) const {
+  frames_.each_hierarchy([&](const OuterHierarchy& tree) { bounds.add(tree); });
+}
+
+std::vector<BoundCheck> SeparationMixed::bounds(const BoundContext& context) const {
+  std::vector<BoundCheck> checks = CollisionPairs::bounds(context);
+  HierarchyBounds hierarchies(frames_.policy());
+  add_hierarchies(hierarchies);
+  for (BoundCheck& check : hierarchies.checks(std::string(name()) + ".hierarchy")) {
+    checks.push_back(std::move(check));
+  }
+  return checks;
+}
+
 std::size_t SeparationMixed::bytes() const {
   return CollisionPairs::bytes() + tile_.capacity() * sizeof(Tile);
 }

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "structures/collision_pairs.h"
+#include "structures/hierarchy_bounds.h"
 #include "structures/mixed_tiles.h"
 
 namespace kinex {
@@ -41,6 +42,8 @@ class SeparationMixed : public CollisionPairs {
 
   std::string_view name() const override { return "separation_mixed"; }
   std::vector<std::string_view> event_kinds() const override;
+  // Also those of the hierarchies that were built (structures/hierarchy_bounds.h).
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::size_t bytes() const override;
 
   // The tile of the pair (a, b), a < b; nullopt if it is not followed.
@@ -57,6 +60,7 @@ class SeparationMixed : public CollisionPairs {
   virtual Features features(PairId p, const MixedTiles::Move& contact);
   // The two hierarchies of a pair.
   virtual std::array<BodyFrame*, 2> frames_of(PairId p);
+  virtual void add_hierarchies(HierarchyBounds& bounds) const;
 
   void moved(PairId p) override;
   // More, where a point stays on the line of a side of M.
