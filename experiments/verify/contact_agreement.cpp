@@ -100,7 +100,7 @@ StudyResult study_contacts(bool quick, const std::function<bool()>& go_on) {
     std::optional<RealRoot> truth;
     if (witness.penetration) truth = witness.penetration->instant;
     for (const StructureInfo& info : structure_infos()) {
-      if (!info.bodies || (turning && info.name == "separation_minkowski")) continue;
+      if (!info.collisions || (turning && info.name == "separation_minkowski")) continue;
       const std::string name(info.name);
       Tally& tally = tallies[name];
       ++tally.scenes;
@@ -132,12 +132,6 @@ StudyResult study_contacts(bool quick, const std::function<bool()>& go_on) {
          tally.right == tally.scenes ? Verdict::kPass : Verdict::kFail, std::nullopt});
   }
   return result;
-}
-
-void add_collision_studies(Catalogue& catalogue, Extent extent) {
-  const bool quick = extent == Extent::kQuick;
-  catalogue.studies.push_back({"contacts", study_contacts, quick});
-  catalogue.studies.push_back({"outer_hierarchy", study_outer_hierarchies, quick});
 }
 
 }  // namespace kinex

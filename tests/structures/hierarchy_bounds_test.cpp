@@ -119,6 +119,10 @@ TEST(HierarchyBounds, TheAntichainIsTheWorstOfAllHeights) {
       }
       const auto checks = checks_of(tree, policy);
       const BoundCheck& check = one(checks, "h.antichain");
+      if (worst == 0) {  // a box
+        EXPECT_TRUE(check.observed.is_zero());
+        continue;
+      }
       EXPECT_NEAR(Rational(check.observed).to_double() / Rational(check.bound).to_double(), worst,
                   1e-9);
     }
