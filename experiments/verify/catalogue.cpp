@@ -89,6 +89,9 @@ Catalogue make_catalogue(std::string_view structure, Extent extent) {
   if (asked("collision", "outer_hierarchy")) {
     catalogue.studies.push_back({"outer_hierarchy", study_outer_hierarchies, quick});
   }
+  if (asked("collision", "inner_tangents")) {
+    catalogue.studies.push_back({"inner_tangents", study_tangents, quick});
+  }
   select(catalogue.cells, structure);
   count_comparisons(catalogue.cells);
   select(catalogue.growths, structure);

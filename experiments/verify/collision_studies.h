@@ -18,6 +18,10 @@ StudyResult study_outer_hierarchies(bool quick, const std::function<bool()>& go_
 // (collision_witness.h)? Random pairs of polygons, as they are and without turning.
 StudyResult study_contacts(bool quick, const std::function<bool()>& go_on);
 
+// tangent_fans.cpp. How often does each of the two inner tangents change while a polygon turns
+// before a fan?
+StudyResult study_tangents(bool quick, const std::function<bool()>& go_on);
+
 }  // namespace kinex
 
 #endif
