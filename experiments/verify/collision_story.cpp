@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <string>
 #include <tuple>
@@ -69,6 +70,9 @@ std::vector<Curve> curves_of(const std::vector<CellResult>& cells, const std::st
   return result;
 }
 
+// Lines are told apart by dashes and symbols as well as by colours.
+constexpr const char* kDashes[] = {"1", "2", "3", "4", "5", "(18,5)"};
+
 // One picture: data blocks first, then the plot. What is no method is black.
 std::string panel(const std::vector<CellResult>& cells, const std::vector<Curve>& curves,
                   const std::string& tag) {
@@ -88,8 +92,9 @@ std::string panel(const std::vector<CellResult>& cells, const std::vector<Curve>
     data += "EOD\n";
     plot += fmt::format(
         "{}${}{} using 1:2 with linespoints lw 1.5 dt {} ps 0.9 pt {} lc rgb '{}' title {}",
-        plot.empty() ? "plot " : ", \\\n  ", tag, i, is_bound ? 1 : i + 1,
-        is_bound ? 1 : look(i).symbol, is_bound ? "#000000" : look(i).colour, quoted(curve.method));
+        plot.empty() ? "plot " : ", \\\n  ", tag, i,
+        is_bound ? "1" : kDashes[i % std::size(kDashes)], is_bound ? 1 : look(i).symbol,
+        is_bound ? "#000000" : look(i).colour, quoted(curve.method));
   }
   return data + fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.8 * low, 1.25 * high) + plot + "\n";
 }
@@ -213,8 +218,11 @@ std::vector<Figure> collision_figures(const std::vector<CellResult>& cells) {
   };
   add("set xlabel \"mu = min(n, sqrt(D / separation))\\n \"\nset title 'B1: once round'\n", mu,
       "mu");
-  add("set xlabel \"n\\n \"\nset yrange [0.3:]\nset title 'B4: a turn before a fan'\n", fan, "fan");
-  add("set xlabel \"n\\n \"\nset yrange [0.3:]\nset title 'B5: a turn before a tangent fan'\n",
+  add("set xlabel \"n\\n \"\nset xtics (8, 16, 32, 64, 128)\nset yrange [0.3:]\nset title 'B4: a "
+      "turn before a fan'\n",
+      fan, "fan");
+  add("set xlabel \"n\\n \"\nset xtics (8, 16, 32, 64, 128)\nset yrange [0.3:]\nset title 'B5: a "
+      "turn before a tangent fan'\n",
       tangents, "tangents");
   return figures;
 }

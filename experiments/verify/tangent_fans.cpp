@@ -23,7 +23,8 @@ class TangentCounter final : public EventSink {
  public:
   explicit TangentCounter(const InnerTangents& structure) : structure_(structure) {}
   void start() { known_ = structure_.tangents(0, 1); }
-  void event(const Event&, Arithmetic&) override {
+  void event(const Event& event, Arithmetic&) override {
+    if (event.kind != InnerTangents::kChange) return;
     const auto now = structure_.tangents(0, 1);
     ++events;
     for (std::size_t k = 0; known_ && now && k < 2; ++k) {
@@ -75,7 +76,7 @@ StudyResult study_tangents(bool quick, const std::function<bool()>& go_on) {
     if (quick && n > 32) continue;
     if (!go_on()) return result;
     const Counts counter = count_changes(n, m);
-    const auto& [fan, other] = counter.changes;
+    const auto& [other, fan] = counter.changes;
     result.rows.push_back({std::to_string(n), std::to_string(m), std::to_string(counter.events),
                            std::to_string(fan), std::to_string(other)});
     ++sizes;
