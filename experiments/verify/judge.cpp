@@ -231,7 +231,7 @@ namespace {
 // Fits a + b log2 x and a + b x to the points of the result.
 void judge_logarithm(GrowthResult& result, const std::string& x) {
   constexpr std::size_t kFewestSizes = 6;
-  constexpr double kHardlyDiffer = 0.05;  // of the mean: both fits follow the noise
+  constexpr double kHardlyDiffer = 0.03;  // of the mean: both fits follow the noise
   const GrowthClaim& claim = result.claim;
   Check& check = result.check;
   char text[160];
@@ -240,11 +240,12 @@ void judge_logarithm(GrowthResult& result, const std::string& x) {
                 100 * claim.tolerance, x.c_str(), claim.exponent);
   check.expected = text;
   std::vector<FitPoint> logarithms = result.points;
-  double mean = 0;
+  RunningMean counts;
   for (FitPoint& point : logarithms) {
     point.n = std::log2(point.n);
-    mean += point.count / static_cast<double>(logarithms.size());
+    counts.add(point.count);
   }
+  const double mean = counts.mean();
   const std::optional<LineFit> logarithm = fit_line(logarithms), line = fit_line(result.points);
   if (!logarithm || !line || !result.fit || result.points.size() < kFewestSizes) {
     check.observed = "too few sizes";
@@ -256,7 +257,7 @@ void judge_logarithm(GrowthResult& result, const std::string& x) {
                 100 * line->scatter / mean, x.c_str(), result.fit->exponent);
   check.observed = text;
   const bool nearer =
-      line->scatter <= kHardlyDiffer * mean || 2 * logarithm->scatter <= line->scatter;
+      counts.deviation() <= kHardlyDiffer * mean || 2 * logarithm->scatter <= line->scatter;
   if (!nearer || logarithm->scatter > claim.tolerance * mean ||
       result.fit->exponent > claim.exponent) {
     check.verdict = Verdict::kFail;
