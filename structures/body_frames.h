@@ -76,6 +76,12 @@ class BodyFrames {
   // for.
   BodyFrame& frame(ObjectId body, bool negated);
   FrameConstants& constants() { return constants_; }
+  CutPolicy policy() const { return policy_; }
+  // Calls visit(hierarchy) for those built so far, each once.
+  template <class Visit>
+  void each_hierarchy(const Visit& visit) const {
+    for (const auto& [vertices, frame] : by_polygon_) visit(frame->hierarchy());
+  }
   std::size_t bytes() const;
 
  private:

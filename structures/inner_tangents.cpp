@@ -179,6 +179,13 @@ std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, SignNow* 
   return std::nullopt;
 }
 
+std::optional<InnerTangents::Tangents> InnerTangents::tangents(ObjectId a, ObjectId b) const {
+  for (PairId p = 0; p < pairs(); ++p) {
+    if (pair(p).a == a && pair(p).b == b && !pair(p).touching) return tangents_[p];
+  }
+  return std::nullopt;
+}
+
 std::size_t InnerTangents::bytes() const {
   return CollisionPairs::bytes() + tangents_.capacity() * sizeof(Tangents);
 }

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,11 @@ class InnerTangents : public CollisionPairs {
   std::vector<std::string_view> event_kinds() const override;
   std::size_t bytes() const override;
 
+  // The vertices of the pair's tangents, a < b; nullopt if it is not followed.
+  using Touch = std::array<std::uint32_t, 2>;  // a vertex of A, one of B'
+  using Tangents = std::array<Touch, 2>;
+  std::optional<Tangents> tangents(ObjectId a, ObjectId b) const;
+
  protected:
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
@@ -40,8 +46,6 @@ class InnerTangents : public CollisionPairs {
   std::uint32_t most_certificates() const override { return 8; }
 
  private:
-  using Touch = std::array<std::uint32_t, 2>;  // a vertex of A, one of B'
-  using Tangents = std::array<Touch, 2>;
   static Query claim(const SumBoundary& sum, const Tangents& tangents, std::uint32_t slot);
   static SumBoundary::Edge beside(const SumBoundary& sum, const Touch& touch, bool forward);
   static bool is_vertex(const SumBoundary& sum, const Touch& touch);

@@ -2,12 +2,14 @@
 // The names of a tile and its certificates. Moves are in mixed_tiles_moves.cpp.
 #include "structures/mixed_tiles.h"
 
+#include <algorithm>
+
 #include "predicates/pose_2.h"
 
 namespace kinex {
 
-// The order is that of ties in the queue: a side that fails at a touch too comes where it would come
-// without that.
+// The order is that of ties in the queue: a side that fails at a touch too comes where it would
+// come without that.
 PosePredicates::PosePredicates(Kernel& kernel) {
   const std::array<Frame, 2> frames{Frame::kA, Frame::kB};
   for (std::size_t z = 0; z < 2; ++z) {
@@ -271,6 +273,10 @@ MixedTiles::Certificates MixedTiles::certificates(const Tile& tile) const {
 int MixedTiles::level(const Tile& tile) const {
   if (tile.kind == Tile::Kind::kHalf) return 0;
   return tree(tile.x).node(tile.v).cut_level + offset_[tile.x] + 1;
+}
+
+int MixedTiles::levels() const {
+  return std::max(tree(0).levels() + offset_[0], tree(1).levels() + offset_[1]);
 }
 
 }  // namespace kinex

@@ -69,6 +69,7 @@ class MixedTiles {
     std::optional<Tile> tile;
     std::uint8_t x = 0;
     std::uint32_t edge = 0, node = 0;
+    bool searched = false;  // locate() was asked
   };
 
   // `frames[1]` is B'. The references must live as long as this object; it is cheap to make.
@@ -93,6 +94,8 @@ class MixedTiles {
   Certificates slide(const Tile& tile) const;
   // Levels of the operation that made the tile; 0 for half-planes.
   int level(const Tile& tile) const;
+  // The largest there are.
+  int levels() const;
 
  private:
   static constexpr int kNever = OuterHierarchy::kNever;

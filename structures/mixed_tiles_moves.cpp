@@ -68,20 +68,21 @@ MixedTiles::Move MixedTiles::at_boundary(std::uint8_t z, Id edge, Id node) const
     const Sign to_last = now->sign_now(along_query(z, edge, r, node));
     if (to_first == Sign::kPositive && to_last == Sign::kNegative) return here;
   }
+  const Move searched{std::nullopt, z, edge, node, true};
   const Sign at_first = along(z, edge, l, node), at_last = along(z, edge, r, node);
-  if (const auto tile = locate()) return {tile, 0, 0, 0};
-  if (at_first == Sign::kPositive && at_last == Sign::kNegative) return here;
+  if (const auto tile = locate()) return {tile, 0, 0, 0, true};
+  if (at_first == Sign::kPositive && at_last == Sign::kNegative) return searched;
   const bool back = at_first == Sign::kNegative;
-  if (!back && at_last != Sign::kPositive) return here;
+  if (!back && at_last != Sign::kPositive) return searched;
   const std::uint8_t w = other(z);
   const Id own = back ? l : r;
   const Id e = back ? edge_before(z, own, kNever) : edge_after(z, own, kNever);
   const Id f = back ? edge_before(w, node, kNever) : edge_after(w, node, kNever);
   // The one whose normal is nearer.
   if (f == OuterHierarchy::kNone || before(z, e, f) != back) {
-    return {std::nullopt, z, e, facing(w, node, z, e, kNever)};
+    return {std::nullopt, z, e, facing(w, node, z, e, kNever), true};
   }
-  return {std::nullopt, w, f, facing(z, own, w, f, kNever)};
+  return {std::nullopt, w, f, facing(z, own, w, f, kNever), true};
 }
 
 // Of the two inner sides of a parallelogram, or of the two outer ones, that both fail: the one that

@@ -11,7 +11,7 @@
 //
 // Policies, and what holds for them (r: radius of a disc that holds P, D: its diameter, n: its
 // vertices):
-//   kMedian          the line of the middle edge of the chain. Depth ceil(log2 n) + 1.
+//   kMedian          the line of the middle edge of the chain. Depth floor(log2 n) + 1.
 //   kCompass         the middle direction of a fixed dyadic set of directions.
 //   kDudley          the normal at the point of P nearest to a middle point of a square about P
 //   (Dudley's
@@ -21,8 +21,9 @@
 //                    more than n / 2^(i+1) edges. Depth O(log min(n, sqrt(D / s))) for nodes at
 //                    distance s.
 // Any of them: pairwise disjoint nodes with apexes at distance s or more are at most sqrt(2 pi D /
-// s). A cut whose normal would split nothing of the chain takes its first or last edge instead; so
-// there are at most 2 n cuts in all.
+// s). In numbers, and checked in every run: structures/hierarchy_bounds.h. A cut whose normal would
+// split nothing of the chain takes its first or last edge instead; so there are at most 2 n cuts in
+// all.
 //
 // Exact; built once per polygon in O(n depth) operations on rationals of a few times the input's
 // bits. Source: Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for

@@ -16,6 +16,7 @@
 #include "structures/maximum_heap.h"
 #include "structures/maximum_of_list.h"
 #include "structures/maximum_tournament.h"
+#include "structures/outer_hierarchies.h"
 #include "structures/separation_hysteresis.h"
 #include "structures/separation_minkowski.h"
 #include "structures/separation_mixed.h"
@@ -130,24 +131,28 @@ const std::vector<Entry>& entries() {
         "delaunay_2"},
        make_convex_hull_2_delaunay},
       {{"separation_mixed", "collisions of convex polygons, by the mixed hierarchy", 2, false, "",
-        false, true},
+        false, true, true},
        make_of_bodies<SeparationMixed>},
       {{"separation_minkowski",
         "collisions of convex polygons that do not turn, by the hierarchy of their Minkowski sum",
-        2, false, "", false, true},
+        2, false, "", false, true, true},
        make_of_bodies<SeparationMinkowski>},
       {{"separation_hysteresis", "collisions of convex polygons, by wedges that last", 2, false, "",
-        false, true},
+        false, true, true},
        make_of_bodies<SeparationHysteresis>},
       {{"closest_features", "collisions of convex polygons, by the closest features", 2, false, "",
-        false, true},
+        false, true, true},
        make_of_bodies<ClosestFeatures>},
       {{"inner_tangents", "collisions of convex polygons, by the inner common tangents", 2, false,
-        "", false, true},
+        "", false, true, true},
        make_of_bodies<InnerTangents>},
       {{"bounding_volumes", "collisions of convex polygons, by boxes, discs and closest features",
-        2, false, "", false, true},
+        2, false, "", false, true, true},
        make_of_bodies<BoundingVolumes>},
+      {{"outer_hierarchy",
+        "the hierarchies of the bodies' polygons under every policy of cuts, held to their bounds",
+        2, false, "", false, true},
+       make_of_bodies<OuterHierarchies>},
   };
   return kEntries;
 }

@@ -22,6 +22,7 @@ struct StructureInfo {
   std::string_view reads;    // the structure, of the same key, that it watches; empty: none
   bool linear = false;       // for linear motions and keys (not squared distances) only
   bool bodies = false;       // for rigid bodies; otherwise for points
+  bool collisions = false;   // maintains which of the bodies are in contact
 
   // What has a key takes scenes of more axes, too; others would leave them out of account.
   bool any_dimension() const { return uses_key; }

@@ -12,7 +12,8 @@ SeparationMinkowski::SeparationMinkowski(Kernel& kernel, StructureId id, const S
                                          CutPolicy policy)
     : SeparationMixed(kernel, id, scene, policy),
       policy_(policy),
-      point_(OuterHierarchy::of_point(frame_point(0, 0)), frames_.constants()) {}
+      point_(OuterHierarchy::of_point(frame_point(0, 0)), frames_.constants()),
+      past_(policy) {}
 
 bool SeparationMinkowski::start(PairId p) {
   if (sums_.size() <= p) sums_.resize(p + std::size_t{1});
@@ -34,7 +35,17 @@ bool SeparationMinkowski::start(PairId p) {
 }
 
 void SeparationMinkowski::stop(PairId p) {
-  if (p < sums_.size()) sums_[p].reset();
+  if (p >= sums_.size() || sums_[p] == nullptr) return;
+  past_.add(sums_[p]->frame->hierarchy());
+  sums_[p].reset();
+}
+
+void SeparationMinkowski::add_hierarchies(HierarchyBounds& bounds) const {
+  bounds = past_;
+  SeparationMixed::add_hierarchies(bounds);
+  for (const auto& sum : sums_) {
+    if (sum != nullptr) bounds.add(sum->frame->hierarchy());
+  }
 }
 
 CollisionPairs::Features SeparationMinkowski::features(PairId p, const MixedTiles::Move& move) {

@@ -45,6 +45,7 @@ class SeparationMinkowski final : public SeparationMixed {
     return {sums_[p]->frame.get(), &point_};
   }
   Features features(PairId p, const MixedTiles::Move& move) override;
+  void add_hierarchies(HierarchyBounds& bounds) const override;
 
  private:
   struct Sum {
@@ -55,6 +56,7 @@ class SeparationMinkowski final : public SeparationMixed {
   CutPolicy policy_;
   BodyFrame point_;
   std::vector<std::unique_ptr<Sum>> sums_;  // per pair
+  HierarchyBounds past_;                    // of sums that are no more
 };
 
 }  // namespace kinex

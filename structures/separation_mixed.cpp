@@ -62,9 +62,40 @@ bool SeparationMixed::leave(PairId p, const SumBoundary::Edge& edge) {
   return true;
 }
 
+std::uint64_t SeparationMixed::signs_asked() const {
+  const auto& counters = kernel_.arithmetic().counters().by_predicate;
+  std::uint64_t sum = 0;
+  const auto add = [&](PredicateId id) {
+    for (const std::uint64_t count : counters[id].signs) sum += count;
+  };
+  for (const auto& ids : {predicates_.side, predicates_.inside, predicates_.along,
+                          predicates_.touch, predicates_.along_touch, predicates_.against_touch}) {
+    for (const PredicateId id : ids) add(id);
+  }
+  add(predicates_.normal_order);
+  add(predicates_.normal_order_reversed);
+  return sum;
+}
+
+void SeparationMixed::certificate_failed(CertificateId failed) {
+  level_.reset();
+  touches_ = false;
+  const std::uint64_t before = signs_asked();
+  CollisionPairs::certificate_failed(failed);
+  if (!level_) return;
+  const std::uint64_t asked = signs_asked() - before;
+  const std::uint64_t bound = kSignsPerLevel * static_cast<std::uint64_t>(*level_ + 1) + kSigns +
+                              (touches_ ? kSignsOfTouch : 0);
+  if (most_signs_ > signs_bound_ || (asked <= bound && asked * signs_bound_ <= most_signs_ * bound))
+    return;
+  most_signs_ = asked;
+  signs_bound_ = bound;
+}
+
 void SeparationMixed::fail(PairId p, std::uint32_t slot) {
   const MixedTiles about = tiles(p);
   const Tile from = tile_[p];
+  level_ = about.level(from);
   const MixedTiles::Certificates proof = about.certificates(from);
   if (slot >= proof.count) {  // it comes to a side of M, or leaves it, along the side's line
     enter(p, about, from);
@@ -73,15 +104,19 @@ void SeparationMixed::fail(PairId p, std::uint32_t slot) {
   }
   const bool is_side = slot < proof.sides;
   const std::optional<MixedTiles::Move> move = about.next(from, slot);
+  if (!move || move->searched) level_.reset();
   if (!move) {
     report_rebuild("a tile has folded up");
     if (const auto found = about.locate()) enter(p, about, *found);
     return;
   }
   if (!move->tile) {
+    if (level_) level_ = about.levels();
+    touches_ = true;
     contact(p, features(p, *move));
     return;
   }
+  if (level_) level_ = std::max(*level_, about.level(*move->tile));
   const bool half = from.kind == Tile::Kind::kHalf || move->tile->kind == Tile::Kind::kHalf;
   enter(p, about, *move->tile);
   report(p, half ? kCell : is_side ? kSide : kFlip);
@@ -89,6 +124,7 @@ void SeparationMixed::fail(PairId p, std::uint32_t slot) {
 
 std::optional<CollisionPairs::Features> SeparationMixed::touch(PairId p, SignNow* now) {
   const auto move = tiles(p).touch(tile_[p], now);
+  touches_ = touches_ || move || pair(p).resting;
   if (!move) return std::nullopt;
   return features(p, *move);
 }
@@ -117,6 +153,25 @@ std::optional<Tile> SeparationMixed::tile(ObjectId a, ObjectId b) const {
     if (pair(p).a == a && pair(p).b == b && !pair(p).touching) return tile_[p];
   }
   return std::nullopt;
+}
+
+void SeparationMixed::add_hierarchies(HierarchyBounds& bounds) const {
+  frames_.each_hierarchy([&](const OuterHierarchy& tree) { bounds.add(tree); });
+}
+
+std::vector<BoundCheck> SeparationMixed::bounds(const BoundContext& context) const {
+  std::vector<BoundCheck> checks = CollisionPairs::bounds(context);
+  checks.push_back(at_most(std::string(name()) + ".signs",
+                           "signs of one failure: 2 for each level of the tile left or entered, "
+                           "and a constant",
+                           Integer(static_cast<std::int64_t>(signs_bound_)),
+                           Integer(static_cast<std::int64_t>(most_signs_))));
+  HierarchyBounds hierarchies(frames_.policy());
+  add_hierarchies(hierarchies);
+  for (BoundCheck& check : hierarchies.checks(std::string(name()) + ".hierarchy")) {
+    checks.push_back(std::move(check));
+  }
+  return checks;
 }
 
 std::size_t SeparationMixed::bytes() const {

@@ -110,7 +110,7 @@ PartReport separation_hierarchies_report(const std::vector<SeriesResult>& result
     claim.id = "hierarchies." + check.claim.substr(check.claim.find('.') + 1);
     claim.kind = "bound";
     claim.statement = check.source + ".";
-    if (check.claim == "hierarchy.nodes") {
+    if (check.claim == "outer_hierarchy.nodes") {
       claim.statement =
           "The Dudley hierarchy has O(sqrt(D / s)) vertices at distance s or more: nodes over "
           "min(n, sqrt(D / s)).";

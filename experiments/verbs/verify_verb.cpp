@@ -65,6 +65,7 @@ void verify(const Options& options, int& exit_code) {
   OutputFile database(options.folder + "/verify.sqlite", options.force);
   OutputFile page(options.folder + "/verify.html", options.force);
 
+  const bool bounds = shows_bounds(catalogue.cells);
   InterruptGuard interrupt;
   VerifyResult result;
   {
@@ -86,9 +87,9 @@ void verify(const Options& options, int& exit_code) {
     running.on_cell = [&](std::size_t index, const CellResult& cell) {
       progress.finished(index);
       progress.wipe();
-      print(options.json ? json_row(cell) : table_row(cell));
+      print(options.json ? json_row(cell) : table_row(cell, bounds));
     };
-    if (!options.json) print(table_header());
+    if (!options.json) print(table_header(bounds));
     result = run_catalogue(catalogue, running);
   }
   for (const GrowthResult& growth : result.growths) {

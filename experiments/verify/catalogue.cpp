@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/input_error.h"
+#include "experiments/verify/collision_studies.h"
 #include "experiments/verify/point_studies.h"
 
 namespace kinex {
@@ -21,7 +22,7 @@ bool is_group(std::string_view structure) {
 bool is_selected(std::string_view structure, const StructureInfo& info) {
   const std::string_view name = info.name;
   if (structure == "all" || structure == name) return true;
-  if (structure == "collision") return info.bodies;
+  if (structure == "collision") return info.collisions;
   return is_group(structure) &&
          name.substr(0, structure.size() + 1) == std::string(structure) + "_";
 }
@@ -82,7 +83,18 @@ Catalogue make_catalogue(std::string_view structure, Extent extent) {
   if (asked("convex_hull", "convex_hull_2")) {
     catalogue.studies.push_back({"convex_hull_2", study_hull_locality, quick});
   }
-  if (asked("collision", "collision")) add_collision_studies(catalogue, extent);
+  if (asked("collision", "collision")) {
+    catalogue.studies.push_back({"contacts", study_contacts, quick});
+  }
+  if (asked("collision", "outer_hierarchy")) {
+    catalogue.studies.push_back({"outer_hierarchy", study_outer_hierarchies, quick});
+  }
+  if (asked("collision", "inner_tangents")) {
+    catalogue.studies.push_back({"inner_tangents", study_tangents, quick});
+  }
+  if (asked("collision", "separation_hysteresis")) {
+    catalogue.studies.push_back({"wedge_cover", study_wedge_cover, quick});
+  }
   select(catalogue.cells, structure);
   count_comparisons(catalogue.cells);
   select(catalogue.growths, structure);

@@ -30,8 +30,6 @@ void add_random_motion(Catalogue& catalogue, Extent extent);
 void add_maximum_comparison(Catalogue& catalogue, Extent extent);
 // collision_cells.cpp: all structures for collisions on the same scenes.
 void add_collision_cells(Catalogue& catalogue, Extent extent);
-// contact_agreement.cpp: contacts against a witness; outer hierarchies.
-void add_collision_studies(Catalogue& catalogue, Extent extent);
 // common_cells.cpp: hard bounds and audits of one structure on every kind of scene.
 void add_common_cells(Catalogue& catalogue, const StructureInfo& structure, Extent extent);
 

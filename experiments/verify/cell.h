@@ -18,7 +18,8 @@ namespace kinex {
 // A quantity is a count of a run by name: "external" (changes of the attribute), "processed" and
 // "internal" (all events that this cost, and those beyond, of the structure that is read as well:
 // Measurement::costs), "kind.NAME" for the events of a kind, or a sum of these:
-// "kind.enter+kind.leave".
+// "kind.enter+kind.leave". "signs_per_event": signs asked for while the scene ran over events and
+// changes of the scene, rounded up.
 using Quantity = std::string;
 
 enum class ExpectationKind {
@@ -100,6 +101,10 @@ struct GrowthClaim {
   std::string source;
   Variable variable = Variable::kObjects;
   bool at_most = false;  // or slower
+  // The law is a + b log2 x: its scatter is at most `tolerance` of the mean count and at most half
+  // of that of a line a + b x, unless the counts hardly differ, and the power of x that fits best
+  // is at most `exponent`. (A power alone would not tell a line with a large offset.)
+  bool logarithm = false;
 };
 
 // An experiment that is not a run of one structure: a table, and what was checked.

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "structures/registry.h"
+#include "structures/separation_mixed.h"
 
 namespace kinex {
 namespace {
@@ -68,7 +70,10 @@ std::vector<Curve> curves_of(const std::vector<CellResult>& cells, const std::st
   return result;
 }
 
-// One panel of the figure: data blocks first, then the plot. What is no method is black.
+// Lines are told apart by dashes and symbols as well as by colours.
+constexpr const char* kDashes[] = {"1", "2", "3", "4", "5", "(18,5)"};
+
+// One picture: data blocks first, then the plot. What is no method is black.
 std::string panel(const std::vector<CellResult>& cells, const std::vector<Curve>& curves,
                   const std::string& tag) {
   const std::vector<std::string> methods = methods_of(cells);
@@ -85,10 +90,11 @@ std::string panel(const std::vector<CellResult>& cells, const std::vector<Curve>
       high = std::max(high, x);
     }
     data += "EOD\n";
-    plot +=
-        fmt::format("{}${}{} using 1:2 with linespoints lw 1.5 ps 0.8 pt {} lc rgb '{}' title {}",
-                    plot.empty() ? "plot " : ", \\\n  ", tag, i, is_bound ? 1 : look(i).symbol,
-                    is_bound ? "#000000" : look(i).colour, quoted(curve.method));
+    plot += fmt::format(
+        "{}${}{} using 1:2 with linespoints lw 1.5 dt {} ps 0.9 pt {} lc rgb '{}' title {}",
+        plot.empty() ? "plot " : ", \\\n  ", tag, i,
+        is_bound ? "1" : kDashes[i % std::size(kDashes)], is_bound ? 1 : look(i).symbol,
+        is_bound ? "#000000" : look(i).colour, quoted(curve.method));
   }
   return data + fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.8 * low, 1.25 * high) + plot + "\n";
 }
@@ -106,6 +112,7 @@ std::optional<MeasuresTable> collision_table(const std::vector<CellResult>& cell
   }
   MeasuresTable table;
   table.title = "collision: events of every method on the same scenes";
+  table.note = "Means over the scenes of a row.";
   table.header = {"scene", "n", "workload", "mu"};
   table.header.insert(table.header.end(), methods.begin(), methods.end());
   for (const auto& [scene, counts] : rows) {
@@ -121,13 +128,24 @@ std::optional<MeasuresTable> collision_table(const std::vector<CellResult>& cell
   return table;
 }
 
+std::optional<double> signs_limit(const Cell& cell) {
+  constexpr double kPerLevel = SeparationMixed::kSignsPerLevel, kRest = SeparationMixed::kSigns;
+  if (cell.structure != "separation_mixed" && cell.structure != "separation_minkowski") return {};
+  const double mu = cell.story.empty() ? 0 : mu_of(cell);
+  if (!(mu > 0)) return {};
+  return kPerLevel * (2 * std::max(0.0, std::log2(mu)) + 6) + kRest;
+}
+
 std::optional<MeasuresTable> signs_table(const std::vector<CellResult>& cells) {
   const std::vector<std::string> methods = methods_of(cells);
   if (methods.empty()) return std::nullopt;
   MeasuresTable table;
-  table.title = "collision: signs per event";
-  table.header = {"scene",  "n",           "workload", "log2 min(n, sqrt(D/s))",
-                  "events", "signs/event", "method",   "over 1 + log2"};
+  table.title = "collision: signs asked for per event or change of the scene";
+  table.note =
+      "Signs and events are of all scenes of a row together; their quotient is compared with the "
+      "limit, c log2 mu + c0 with mu = min(n, sqrt(D / s)).";
+  table.header = {"scene", "n",      "workload",      "log2 mu", "scenes",  "events and changes",
+                  "signs", "method", "signs / event", "limit",   "verdict", "over 1 + log2 mu"};
   std::map<std::string, double> most;
   for (const CellResult& cell : cells) {
     if (cell.cell.comparison.empty() && cell.cell.variable != Variable::kMu) continue;
@@ -135,28 +153,34 @@ std::optional<MeasuresTable> signs_table(const std::vector<CellResult>& cells) {
     double signs = 0, events = 0;
     for (const Trial& trial : cell.trials) {
       signs += static_cast<double>(trial.measurement.signs());
-      events += static_cast<double>(trial.measurement.costs.processed);
+      events += static_cast<double>(trial.measurement.costs.processed +
+                                    trial.measurement.scene_changes());
     }
     if (events < 8) continue;
     const double depth = std::max(0.0, std::log2(mu_of(cell.cell)));
     const double constant = signs / events / (1 + depth);
     double& largest = most[cell.cell.structure];
     largest = std::max(largest, constant);
-    if (cell.cell.comparison.empty()) continue;
-    table.rows.push_back({cell.cell.story, std::to_string(cell.cell.parameters.n),
-                          cell.cell.workload_text(), fmt::format("{:.1f}", depth),
-                          count_text(events), fmt::format("{:.1f}", signs / events),
-                          cell.cell.structure, fmt::format("{:.2f}", constant)});
+    const std::optional<double> limit = signs_limit(cell.cell);
+    const bool holds = !limit || signs <= *limit * events;
+    if (cell.cell.comparison.empty() && holds) continue;
+    table.rows.push_back(
+        {cell.cell.story, std::to_string(cell.cell.parameters.n), cell.cell.workload_text(),
+         fmt::format("{:.1f}", depth), std::to_string(cell.trials.size()), count_text(events),
+         count_text(signs), cell.cell.structure, fmt::format("{:.1f}", signs / events),
+         limit ? fmt::format("<= {:.1f}", *limit) : "-",
+         limit ? std::string(verdict_name(holds ? Verdict::kPass : Verdict::kFail)) : "-",
+         fmt::format("{:.2f}", constant)});
   }
   for (const std::string& method : methods) {
     if (most.count(method) == 0) continue;
-    table.rows.push_back({"the largest of all", "-", "-", "-", "-", "-", method,
+    table.rows.push_back({"the largest of all", "-", "-", "-", "-", "-", "-", method, "-", "-", "-",
                           fmt::format("{:.2f}", most[method])});
   }
   return table;
 }
 
-std::optional<Figure> collision_figure(const std::vector<CellResult>& cells) {
+std::vector<Figure> collision_figures(const std::vector<CellResult>& cells) {
   std::vector<Curve> mu = curves_of(cells, "B1 round", Variable::kMu);
   const std::vector<Curve> fan = curves_of(cells, "B4 turn", Variable::kVertices);
   const std::vector<Curve> tangents = curves_of(cells, "B5 turn", Variable::kVertices);
@@ -170,30 +194,37 @@ std::optional<Figure> collision_figure(const std::vector<CellResult>& cells) {
     }
   }
   mu.push_back({"lower bound", {least.begin(), least.end()}});
-  if (mu.size() == 1 || fan.empty() || tangents.empty()) return std::nullopt;
+  if (mu.size() == 1 || fan.empty() || tangents.empty()) return {};
   Figure figure;
   figure.title = "collision: events of every method, against mu and against n";
   figure.caption =
-      "Left: one polygon goes once round another at falling separation; black: the least number "
-      "of certificates for convex sets of positions. Middle and right: a regular polygon of n "
-      "vertices turns once before a fan of n edges, two radii away: the closest features (middle) "
-      "or an inner tangent (right) change n^2 times; a count of 0 is drawn as 1/2.";
-  figure.width = 1200;
-  figure.height = 520;
-  std::string& script = figure.script;
-  script =
-      "set multiplot layout 1,3\nset logscale xy\nset grid lc rgb '#dddddd' lw 0.7\n"
+      "B1: one polygon goes once round another at falling separation; lower bound: the least "
+      "number "
+      "of certificates for convex sets of positions. B4 and B5: a regular polygon of n vertices "
+      "turns once before a fan of n edges, two radii away: the closest features (B4) or an inner "
+      "tangent (B5) change n^2 times; a count of 0 is drawn as 1/2.";
+  figure.width = 440;
+  figure.height = 470;
+  const std::string common =
+      "set logscale xy\nset grid lc rgb '#dddddd' lw 0.7\n"
       "set border 3 lc rgb '#444444'\nset tics nomirror\nset format y '10^{%L}'\n"
-      "set key below center horizontal Left reverse samplen 2 maxcols 2\nset ylabel 'events'\n"
-      "set xlabel \"mu = min(n, sqrt(D / separation))\\n \"\nset title 'B1: once round'\n";
-  script += panel(cells, mu, "mu");
-  script +=
-      "set xlabel \"n\\n \"\nset ytics\nset title 'B4: a turn before a fan'\nset yrange [0.3:]\n";
-  script += panel(cells, fan, "fan");
-  script += "set title 'B5: a turn before a tangent fan'\n";
-  script += panel(cells, tangents, "tangents");
-  script += "unset multiplot\n";
-  return figure;
+      "set key below center horizontal Left reverse samplen 4 maxcols 2 width -2\n"
+      "set ylabel 'events'\n";
+  std::vector<Figure> figures;
+  const auto add = [&](const char* head, const std::vector<Curve>& curves, const char* tag) {
+    figure.script = common + head + panel(cells, curves, tag);
+    figures.push_back(figure);
+    figure.joins = true;
+  };
+  add("set xlabel \"mu = min(n, sqrt(D / separation))\\n \"\nset title 'B1: once round'\n", mu,
+      "mu");
+  add("set xlabel \"n\\n \"\nset xtics (8, 16, 32, 64, 128)\nset yrange [0.3:]\nset title 'B4: a "
+      "turn before a fan'\n",
+      fan, "fan");
+  add("set xlabel \"n\\n \"\nset xtics (8, 16, 32, 64, 128)\nset yrange [0.3:]\nset title 'B5: a "
+      "turn before a tangent fan'\n",
+      tangents, "tangents");
+  return figures;
 }
 
 }  // namespace kinex

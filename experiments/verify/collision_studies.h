@@ -22,6 +22,10 @@ StudyResult study_contacts(bool quick, const std::function<bool()>& go_on);
 // motion (ball_cover.h)? Trembling, kinks, an approach, and turning, with either body as the first.
 StudyResult study_wedge_cover(bool quick, const std::function<bool()>& go_on);
 
+// tangent_fans.cpp. How often does each of the two inner tangents change while a polygon turns
+// before a fan?
+StudyResult study_tangents(bool quick, const std::function<bool()>& go_on);
+
 }  // namespace kinex
 
 #endif

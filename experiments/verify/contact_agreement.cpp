@@ -112,7 +112,7 @@ StudyResult study_contacts(bool quick, const std::function<bool()>& go_on) {
         find_contacts(scene.objects[0], scene.objects[1], scene.start, scene.end);
     const std::vector<RealRoot> truth = instants_of(witness);
     for (const StructureInfo& info : structure_infos()) {
-      if (!info.bodies || (turning && info.name == "separation_minkowski")) continue;
+      if (!info.collisions || (turning && info.name == "separation_minkowski")) continue;
       const std::string name(info.name);
       Tally& tally = tallies[name];
       ++tally.scenes;
@@ -145,13 +145,6 @@ StudyResult study_contacts(bool quick, const std::function<bool()>& go_on) {
          tally.right == tally.scenes ? Verdict::kPass : Verdict::kFail, std::nullopt});
   }
   return result;
-}
-
-void add_collision_studies(Catalogue& catalogue, Extent extent) {
-  const bool quick = extent == Extent::kQuick;
-  catalogue.studies.push_back({"contacts", study_contacts, quick});
-  catalogue.studies.push_back({"outer_hierarchy", study_outer_hierarchies, quick});
-  catalogue.studies.push_back({"wedge_cover", study_wedge_cover, quick});
 }
 
 }  // namespace kinex

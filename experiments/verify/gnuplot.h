@@ -15,6 +15,7 @@ struct Figure {
   std::string caption;  // what is to be seen
   std::string script;
   int width = 640, height = 460;
+  bool joins = false;  // stands in one frame with the figure before it, whose caption is of both
 };
 
 struct Drawings {

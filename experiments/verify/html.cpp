@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
+
 namespace kinex {
 
 namespace {
@@ -23,10 +25,13 @@ p.facts { color: #555; margin: .2rem 0; }
 .verdicts b { font-size: 1.4rem; margin-right: .3rem; }
 .v { font-weight: 600; white-space: nowrap; }
 .PASS { color: #00583f; } .FAIL { color: #a33a00; } .INCONCLUSIVE, .GAVE { color: #6b5500; }
-.grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(560px, 1fr)); gap: 1.2rem;
-  align-items: start; }
+.grid { display: grid; gap: 1.2rem; align-items: start;
+  grid-template-columns: repeat(auto-fill, minmax(min(560px, 100%), 1fr)); }
 figure { margin: 0; border: 1px solid #ddd; border-radius: 6px; padding: .8rem; }
 figure img { width: 100%; height: auto; }
+figure.row { grid-column: 1 / -1; }
+figure.row div { display: grid; gap: .6rem;
+  grid-template-columns: repeat(auto-fit, minmax(min(380px, 100%), 1fr)); }
 figcaption b { display: block; } figcaption { color: #333; font-size: .87rem; }
 table { border-collapse: collapse; font-size: .84rem; width: 100%; }
 th, td { padding: .22rem .5rem; text-align: left; border-bottom: 1px solid #e4e4e4;
@@ -91,12 +96,23 @@ std::string plots_part(const std::vector<Figure>& figures, const Drawings& drawi
             ". The tables hold the same numbers.</p>\n";
   }
   text += "<div class=\"grid\">\n";
-  for (std::size_t i = 0; i < figures.size() && i < drawings.svg.size(); ++i) {
-    if (drawings.svg[i].empty()) continue;
-    text += fmt::format(
-        "<figure><img alt=\"{0}\" src=\"data:image/svg+xml;base64,{1}\">"
-        "<figcaption><b>{0}</b>{2}</figcaption></figure>\n",
-        escape(figures[i].title), base64(drawings.svg[i]), escape(figures[i].caption));
+  const std::size_t count = std::min(figures.size(), drawings.svg.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Figure& first = figures[i];
+    std::string images;
+    int pictures = 0;
+    for (std::size_t j = i; j < count && (j == i || figures[j].joins); ++j) {
+      i = j;
+      if (drawings.svg[j].empty()) continue;
+      ++pictures;
+      images += fmt::format("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">",
+                            escape(first.title), base64(drawings.svg[j]));
+    }
+    if (pictures == 0) continue;
+    text += fmt::format("<figure{}>{}<figcaption><b>{}</b>{}</figcaption></figure>\n",
+                        pictures > 1 ? " class=\"row\"" : "",
+                        pictures > 1 ? "<div>" + images + "</div>" : images, escape(first.title),
+                        escape(first.caption));
   }
   return text + "</div>\n";
 }

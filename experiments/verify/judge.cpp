@@ -219,12 +219,52 @@ std::vector<Check> judge(const Cell& cell, const std::vector<Trial>& trials) {
 const BoundCheck* event_bound(const Measurement& measurement) {
   for (const BoundCheck& bound : measurement.bounds) {
     if (ends_with(bound.id, ".events") || ends_with(bound.id, ".swaps") ||
-        ends_with(bound.id, ".passes")) {
+        ends_with(bound.id, ".passes") || ends_with(bound.id, ".line")) {
       return &bound;
     }
   }
   return nullptr;
 }
+
+namespace {
+
+// Fits a + b log2 x and a + b x to the points of the result.
+void judge_logarithm(GrowthResult& result, const std::string& x) {
+  constexpr std::size_t kFewestSizes = 6;
+  constexpr double kHardlyDiffer = 0.03;  // of the mean: both fits follow the noise
+  const GrowthClaim& claim = result.claim;
+  Check& check = result.check;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "a + b log2 %s within %.3g %%, twice as near as a line, %s^(<= %.3g)", x.c_str(),
+                100 * claim.tolerance, x.c_str(), claim.exponent);
+  check.expected = text;
+  std::vector<FitPoint> logarithms = result.points;
+  RunningMean counts;
+  for (FitPoint& point : logarithms) {
+    point.n = std::log2(point.n);
+    counts.add(point.count);
+  }
+  const double mean = counts.mean();
+  const std::optional<LineFit> logarithm = fit_line(logarithms), line = fit_line(result.points);
+  if (!logarithm || !line || !result.fit || result.points.size() < kFewestSizes) {
+    check.observed = "too few sizes";
+    check.verdict = Verdict::kInconclusive;
+    return;
+  }
+  std::snprintf(text, sizeof text, "%.3g + %.3g log2 %s within %.2g %%, a line %.2g %%, %s^%.3f",
+                logarithm->offset, logarithm->slope, x.c_str(), 100 * logarithm->scatter / mean,
+                100 * line->scatter / mean, x.c_str(), result.fit->exponent);
+  check.observed = text;
+  const bool nearer =
+      counts.deviation() <= kHardlyDiffer * mean || 2 * logarithm->scatter <= line->scatter;
+  if (!nearer || logarithm->scatter > claim.tolerance * mean ||
+      result.fit->exponent > claim.exponent) {
+    check.verdict = Verdict::kFail;
+  }
+}
+
+}  // namespace
 
 GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells) {
   GrowthResult result{claim, {}, std::nullopt, {}};
@@ -248,6 +288,10 @@ GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult
   check.source = claim.source;
   const bool objects = claim.variable == Variable::kObjects;
   const std::string base = objects ? "n" : "(" + variable_name(claim.variable) + ")";
+  if (claim.logarithm) {
+    judge_logarithm(result, base);
+    return result;
+  }
   check.expected = base + (claim.at_most ? "^(<= " : "^(") + number_text(claim.exponent, 4) +
                    " +-" + number_text(claim.tolerance, 3) + ")";
   if (!result.fit) {

@@ -63,8 +63,8 @@ bool precise_enough(const Cell& cell, const std::vector<Trial>& trials);
 // comes nearest to the bound, or breaks it), then the audits. Requires at least one trial.
 std::vector<Check> judge(const Cell& cell, const std::vector<Trial>& trials);
 
-// The hard bound on the number of events: the one whose id ends in ".events", ".swaps" or
-// ".passes". nullptr if the run has none.
+// The hard bound on the number of events: the one whose id ends in ".events", ".swaps", ".passes"
+// or ".line". nullptr if the run has none.
 const BoundCheck* event_bound(const Measurement& measurement);
 
 struct GrowthResult {
@@ -76,7 +76,7 @@ struct GrowthResult {
 
 // Fits the counts of the family over its cells. The verdict: FAIL if the exponent is not within the
 // tolerance; INCONCLUSIVE if its confidence interval is wider than the tolerance to either side, or
-// there are fewer than three sizes.
+// there are fewer than three sizes. A logarithm (GrowthClaim) wants six sizes.
 GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells);
 
 struct StudyResult {

@@ -33,6 +33,10 @@ std::uint64_t one_count(const Measurement& run, const std::string& name) {
     const auto found = run.ledger.by_kind.find(name.substr(5));
     return found == run.ledger.by_kind.end() ? 0 : found->second;
   }
+  if (name == "signs_per_event") {
+    const std::uint64_t events = run.costs.processed + run.scene_changes();
+    return events == 0 ? 0 : (run.signs() + events - 1) / events;
+  }
   throw std::invalid_argument("no quantity " + name);
 }
 

@@ -109,17 +109,22 @@ std::vector<MeasuresTable> measures_tables(const std::vector<CellResult>& cells)
            std::to_string(m.certificates),
            m.internal_per_external() < 0 ? "-" : fmt::format("{:.2f}", m.internal_per_external())});
     }
+    table.note =
+        "Events are means over the runs; certificates are the most that any run had. Created and "
+        "retracted certificates both count as changed.";
     tables.push_back(std::move(table));
   }
   return tables;
 }
 
 MeasuresTable study_table(const StudyResult& study) {
-  return {study.title, study.header, study.rows};
+  return {study.title, study.header, study.rows, ""};
 }
 
 std::string measures_text(const MeasuresTable& table) {
-  std::string text = "\n## " + table.title + "\n\n|";
+  std::string text = "\n## " + table.title + "\n\n";
+  if (!table.note.empty()) text += table.note + "\n\n";
+  text += "|";
   for (const std::string& cell : table.header) text += " " + cell + " |";
   text += "\n|";
   for (std::size_t i = 0; i < table.header.size(); ++i) {

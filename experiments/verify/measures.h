@@ -39,6 +39,7 @@ struct MeasuresTable {
   std::string title;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
+  std::string note;  // what the numbers are
 };
 // What cells of collisions tell together (collision_story.h), then one table per comparison that
 // cells take part in: structures are compared on the same scenes, as many as each has.

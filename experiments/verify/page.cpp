@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "experiments/verify/html.h"
@@ -93,10 +94,8 @@ std::string fits_part(const VerifyResult& result) {
 std::string measures_part(const VerifyResult& result) {
   std::string text;
   for (const MeasuresTable& table : measures_tables(result.cells)) {
-    text +=
-        "<h2>" + escape(table.title) +
-        "</h2>\n<p class=\"facts\">Events are means over the runs; certificates are the most that "
-        "any run had. Created and retracted certificates both count as changed.</p>\n<table><tr>";
+    text += "<h2>" + escape(table.title) + "</h2>\n<p class=\"facts\">" + escape(table.note) +
+            "</p>\n<table><tr>";
     for (const std::string& cell : table.header) text += "<th>" + escape(cell) + "</th>";
     text += "</tr>\n";
     std::string scenes;
@@ -138,15 +137,20 @@ std::string studies_part(const VerifyResult& result) {
 }
 
 std::string cells_part(const VerifyResult& result) {
+  const bool bounds =
+      std::any_of(result.cells.begin(), result.cells.end(),
+                  [](const CellResult& cell) { return cell_row(cell).bound != "-"; });
   std::string text =
       "<h2>All cells</h2>\n<p class=\"facts\">Events are means over the runs where there are "
-      "several. "
-      "Bound: the hard bound on the events. exact/double: CPU time of the simulation on the first "
+      "several. " +
+      std::string(bounds ? "Bound: the hard bound on the events. " : "") +
+      "exact/double: CPU time of the simulation on the first "
       "scene; &ldquo;differs&rdquo;: doubles handled other events, so times say nothing; "
       "&ldquo;-&rdquo;: too short to be measured.</p>\n"
       "<table><tr><th>structure</th><th>workload</th><th class=\"r\">n</th><th "
       "class=\"r\">runs</th>"
-      "<th class=\"r\">external</th><th class=\"r\">internal</th><th class=\"r\">bound</th>"
+      "<th class=\"r\">external</th><th class=\"r\">internal</th>" +
+      (bounds ? "<th class=\"r\">bound</th>" : "") +
       "<th>expected</th><th>observed</th><th>checks</th><th class=\"r\">exact/double</th>"
       "<th>verdict</th></tr>\n";
   std::string structure;
@@ -156,13 +160,13 @@ std::string cells_part(const VerifyResult& result) {
     structure = row.structure;
     text += fmt::format(
         "<tr{}><td>{}</td><td>{}</td><td class=\"r\">{}</td><td class=\"r\">{}</td>"
-        "<td class=\"r\">{}</td><td class=\"r\">{}</td><td "
-        "class=\"r\">{}</td><td>{}</td><td>{}</td>"
+        "<td class=\"r\">{}</td><td class=\"r\">{}</td>{}<td>{}</td><td>{}</td>"
         "<td><details><summary>{}</summary><div>{}</div></details></td><td "
         "class=\"r\">{}</td><td>{}</td></tr>\n",
         first ? " class=\"first\"" : "", escape(row.structure), escape(row.workload), row.n,
-        row.runs, row.external, row.internal, row.bound, escape(row.expected), escape(row.observed),
-        row.checks, checks_table(cell), row.ratio, verdict_span(row.verdict));
+        row.runs, row.external, row.internal,
+        bounds ? "<td class=\"r\">" + row.bound + "</td>" : "", escape(row.expected),
+        escape(row.observed), row.checks, checks_table(cell), row.ratio, verdict_span(row.verdict));
   }
   return text + "</table>\n";
 }

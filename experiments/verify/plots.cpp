@@ -232,7 +232,7 @@ std::vector<Figure> verify_figures(const VerifyResult& result) {
     }
   }
   std::vector<Figure> figures;
-  if (auto story = collision_figure(result.cells)) figures.push_back(*std::move(story));
+  for (Figure& figure : collision_figures(result.cells)) figures.push_back(std::move(figure));
   for (const std::string& structure : structures) {
     Figure figure = counts_figure(result, structure);
     if (!figure.script.empty()) figures.push_back(std::move(figure));

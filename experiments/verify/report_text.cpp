@@ -3,14 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+
+#include "structures/registry.h"
 
 namespace kinex {
 
 namespace {
 
-constexpr const char* kRowFormat =
-    "{:<18} {:<30} {:>5} {:>4} {:>9} {:>8} {:>15} {:>15} {:<26} {:>6} {:>7}  {}\n";
+std::string row_text(const CellRow& row, bool bounds) {
+  const std::string bound = bounds ? fmt::format("{:>15} ", row.bound) : "";
+  return fmt::format("{:<18} {:<30} {:>5} {:>4} {:>9} {:>8} {}{:>15} {:<26} {:>6} {:>7}  {}\n",
+                     row.structure, row.workload, row.n, row.runs, row.external, row.internal,
+                     bound, row.expected, row.observed, row.checks, row.ratio, row.verdict);
+}
 
 std::string mean_count(const CellResult& cell, const Quantity& quantity) {
   const double mean = mean_of(cell.trials, quantity).mean();
@@ -62,16 +69,32 @@ CellRow cell_row(const CellResult& cell) {
   return row;
 }
 
-std::string table_header() {
-  return fmt::format(fmt::runtime(kRowFormat), "structure", "workload", "n", "runs", "external",
-                     "internal", "bound", "expected", "observed", "checks", "ex/dbl", "verdict");
+bool shows_bounds(const std::vector<Cell>& cells) {
+  return std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
+    const StructureInfo* info = find_structure_info(cell.structure);
+    return info == nullptr || !info->bodies || info->name == "separation_minkowski";
+  });
 }
 
-std::string table_row(const CellResult& cell) {
-  const CellRow row = cell_row(cell);
-  std::string text = fmt::format(fmt::runtime(kRowFormat), row.structure, row.workload, row.n,
-                                 row.runs, row.external, row.internal, row.bound, row.expected,
-                                 row.observed, row.checks, row.ratio, row.verdict);
+std::string table_header(bool bounds) {
+  CellRow row;
+  row.structure = "structure";
+  row.workload = "workload";
+  row.n = "n";
+  row.runs = "runs";
+  row.external = "external";
+  row.internal = "internal";
+  row.bound = "bound";
+  row.expected = "expected";
+  row.observed = "observed";
+  row.checks = "checks";
+  row.ratio = "ex/dbl";
+  row.verdict = "verdict";
+  return row_text(row, bounds);
+}
+
+std::string table_row(const CellResult& cell, bool bounds) {
+  std::string text = row_text(cell_row(cell), bounds);
   for (const Check& check : cell.checks) {
     if (check.verdict != Verdict::kPass) text += explain(check);
   }

@@ -21,9 +21,13 @@ struct CellRow {
 };
 CellRow cell_row(const CellResult& cell);
 
-std::string table_header();
+// Some of these cells may have a hard bound on their events. Structures for bodies have none, but
+// for the one that knows a line.
+bool shows_bounds(const std::vector<Cell>& cells);
+// `bounds`: with a column of bounds.
+std::string table_header(bool bounds = true);
 // One line, and one more for each check that is not a PASS, and for each scene kept.
-std::string table_row(const CellResult& cell);
+std::string table_row(const CellResult& cell, bool bounds = true);
 std::string table_row(const GrowthResult& growth);
 // Its checks, a line each.
 std::string table_row(const StudyResult& study);

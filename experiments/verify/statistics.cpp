@@ -88,4 +88,22 @@ std::optional<PowerFit> fit_power(std::span<const FitPoint> points) {
   return fit;
 }
 
+std::optional<LineFit> fit_line(std::span<const FitPoint> points) {
+  if (points.size() < 3) return std::nullopt;
+  std::vector<double> x, y;
+  for (const FitPoint& point : points) {
+    x.push_back(point.n);
+    y.push_back(point.count);
+  }
+  if (std::all_of(x.begin(), x.end(), [&](double value) { return value == x.front(); })) {
+    return std::nullopt;
+  }
+  LineFit fit;
+  double cov00, cov01, cov11, squares;
+  gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &fit.offset, &fit.slope, &cov00, &cov01,
+                 &cov11, &squares);
+  fit.scatter = std::sqrt(squares / static_cast<double>(x.size()));
+  return fit;
+}
+
 }  // namespace kinex

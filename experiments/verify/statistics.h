@@ -66,6 +66,14 @@ struct PowerFit {
 // errors. nullopt for fewer than three points, or points that are not positive, or a single n.
 std::optional<PowerFit> fit_power(std::span<const FitPoint> points);
 
+// count = offset + slope * x, by linear least squares, all points alike.
+struct LineFit {
+  double offset = 0, slope = 0;
+  double scatter = 0;  // root of the mean of the squared residuals
+};
+// nullopt for fewer than three points, or a single x.
+std::optional<LineFit> fit_line(std::span<const FitPoint> points);
+
 }  // namespace kinex
 
 #endif

@@ -87,7 +87,8 @@ std::vector<Workload> make() {
           2)),
       not_nearer_than(
           with_count(with_separation(
-              pair("polygon-tangents", "n (2m + 1) changes of an inner tangent of two polygons",
+              pair("polygon-tangents",
+                   "n (2m + 1) changes of one inner tangent of two polygons, n of the other",
                    generate_polygon_tangents),
               2)),
           Rational(Integer(3), Integer(4))),

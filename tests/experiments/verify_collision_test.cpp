@@ -60,8 +60,11 @@ TEST(CollisionCatalogue, IsAGroupOfAllStructuresForBodies) {
   const std::set<std::string> all(std::begin(kMethods), std::end(kMethods));
   EXPECT_TRUE(std::includes(structures.begin(), structures.end(), all.begin(), all.end()));
   EXPECT_EQ(common, structures);
-  EXPECT_EQ(group.studies.size(), 3u);
-  EXPECT_EQ(make_catalogue("all", Extent::kQuick).studies.size(), 5u);
+  EXPECT_EQ(group.studies.size(), 4u);
+  EXPECT_EQ(make_catalogue("all", Extent::kQuick).studies.size(), 6u);
+  EXPECT_EQ(make_catalogue("separation_hysteresis", Extent::kQuick).studies.size(), 1u);
+  EXPECT_EQ(make_catalogue("outer_hierarchy", Extent::kQuick).studies.size(), 1u);
+  EXPECT_EQ(make_catalogue("inner_tangents", Extent::kQuick).studies.size(), 1u);
   EXPECT_TRUE(make_catalogue("minimum", Extent::kQuick).studies.empty());
 }
 
@@ -143,6 +146,29 @@ TEST(CollisionJudge, FitsAgainstMu) {
   EXPECT_THAT(result.growths[0].check.observed, HasSubstr("(mu)^"));
 }
 
+TEST(CollisionJudge, LimitsTheSignsOfTilesOnly) {
+  Cell cell = round("separation_mixed", 64, "1/32");  // mu = 8
+  ASSERT_TRUE(signs_limit(cell));
+  EXPECT_DOUBLE_EQ(*signs_limit(cell), 4 * 3 + 45);
+  EXPECT_FALSE(signs_limit(round("closest_features", 64, "1/32")));
+  cell.story.clear();
+  EXPECT_FALSE(signs_limit(cell));
+  expect(cell, ExpectationKind::kAtMost, 57);
+  cell.expectations[0].quantity = "signs_per_event";
+  EXPECT_EQ(verdict_of(cell), Verdict::kPass);
+  expect(cell, ExpectationKind::kAtMost, 2);
+  cell.expectations[0].quantity = "signs_per_event";
+  EXPECT_EQ(verdict_of(cell), Verdict::kFail);
+}
+
+TEST(StudyTangents, CountsEachTangentApart) {
+  const StudyResult result = study_tangents(true, [] { return true; });
+  ASSERT_EQ(result.checks.size(), 2u);
+  EXPECT_EQ(result.verdict(), Verdict::kPass);
+  ASSERT_GE(result.rows.size(), 3u);
+  EXPECT_EQ(result.rows[0], (std::vector<std::string>{"8", "8", "144", "136", "8"}));
+}
+
 TEST(TurnedScene, IsTheSameMotionInAnotherDirection) {
   WorkloadParameters parameters;
   parameters.n = 8;
@@ -186,7 +212,7 @@ TEST(CollisionStory, HasARowPerScene) {
   EXPECT_EQ(table->rows[0][0], "B1 round");
   EXPECT_THAT(table->rows[0], ::testing::Contains("32"));  // 4n changes of the closest features
   ASSERT_TRUE(signs_table(result.cells));
-  EXPECT_FALSE(collision_figure(result.cells));  // one size is no curve
+  EXPECT_TRUE(collision_figures(result.cells).empty());  // one size is no curve
   EXPECT_FALSE(collision_table({}));
 }
 
@@ -202,7 +228,7 @@ TEST(CollisionStudies, OuterHierarchiesKeepTheirBounds) {
   const StudyResult whole = study_outer_hierarchies(true, [&] { return ++polygons <= 100; });
   EXPECT_EQ(whole.verdict(), Verdict::kPass) << table_row(whole);
   EXPECT_EQ(whole.rows.size(), 4u * 4u * 4u);
-  EXPECT_EQ(whole.checks.size(), 5u);
+  EXPECT_EQ(whole.checks.size(), 4u * 3u + 1u);
 }
 
 TEST(CollisionStudies, WedgesAreFewerThanBalls) {

@@ -231,6 +231,43 @@ std::vector<CellResult> constructed_family(double exponent) {
   return cells;
 }
 
+template <class Count>
+Check judge_as_logarithm(const Count& count, int sizes = 10) {
+  std::vector<CellResult> cells;
+  for (int k = 0; k < sizes; ++k) {
+    const double x = std::floor(3 * std::pow(2, 0.7 * k));
+    CellResult cell;
+    cell.cell.structure = "sorted_list";
+    cell.cell.family = "constructed";
+    for (const int departure : {-1, 0, 1}) {
+      Trial trial;
+      trial.measurement.objects = static_cast<std::size_t>(x);
+      trial.measurement.costs.processed =
+          static_cast<std::uint64_t>(std::llround(10 * count(x)) + 3 * departure);
+      cell.trials.push_back(trial);
+    }
+    cells.push_back(cell);
+  }
+  GrowthClaim claim{"test.log", "sorted_list", "constructed", "processed", 1, 0.35, 0.1, ""};
+  claim.at_most = claim.logarithm = true;
+  return judge_growth(claim, cells).check;
+}
+
+// A line, a root, and a line that a large offset hides from the power are no logarithms.
+TEST(JudgeGrowth, TellsALogarithmFromALine) {
+  const auto verdict = [](const auto& count) { return judge_as_logarithm(count).verdict; };
+  EXPECT_EQ(verdict([](double x) { return 4 + 2 * std::log2(x); }), Verdict::kPass);
+  EXPECT_EQ(verdict([](double x) { return 30 + std::log2(x); }), Verdict::kPass);
+  EXPECT_EQ(verdict([](double) { return 12.0; }), Verdict::kPass);
+  EXPECT_EQ(verdict([](double x) { return x; }), Verdict::kFail);
+  EXPECT_EQ(verdict([](double x) { return 20 + 0.1 * x; }), Verdict::kFail);
+  EXPECT_EQ(verdict([](double x) { return 100 + 0.3 * x; }), Verdict::kFail);
+  EXPECT_EQ(verdict([](double x) { return 3 * std::sqrt(x); }), Verdict::kFail);
+  EXPECT_EQ(verdict([](double x) { return 10 + 2 * std::sqrt(x); }), Verdict::kFail);
+  EXPECT_EQ(judge_as_logarithm([](double x) { return std::log2(x); }, 5).verdict,
+            Verdict::kInconclusive);
+}
+
 TEST(JudgeGrowth, AcceptsTheExponentWithinTheTolerance) {
   GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 1.5, 0.03, ""};
   EXPECT_EQ(judge_growth(claim, constructed_family(1.5)).check.verdict, Verdict::kPass);

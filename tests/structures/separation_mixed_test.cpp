@@ -120,5 +120,54 @@ TEST(SeparationMixed, TurnsCloseBy) {
   EXPECT_GT(seen.flips, kSanitized ? 5 : 30);
 }
 
+std::int64_t signs_of(const Trial& trial) {
+  std::int64_t sum = 0;
+  for (const auto& predicate : trial.simulator.kernel().arithmetic().counters().by_predicate) {
+    for (const std::uint64_t count : predicate.signs) sum += static_cast<std::int64_t>(count);
+  }
+  return sum;
+}
+
+BoundCheck signs_check(const Trial& trial) {
+  for (const BoundCheck& check : trial.simulator.bounds(0)) {
+    if (check.id == "separation_mixed.signs") return check;
+  }
+  return {};
+}
+
+// After the first failure its signs are all there are; later ones only take the place of it if they
+// come nearer to their bound.
+TEST(SeparationMixed, CountsTheSignsOfAFailure) {
+  int alone = 0;
+  for (int round = 0; round < 8; ++round) {
+    SCOPED_TRACE(round);
+    const Scene scene =
+        body_scene({rigid("a", regular(9, 0.2), {{0}, {0}, {1}, {0}}),
+                    rigid("b", regular(7, 0.1),
+                          {{over(51, 25), over(round, 10)}, {over(-1, 9), 1}, {1}, {0, 1}})},
+                   -3, Rational(3));
+    Trial trial(scene, "separation_mixed", "exact", AuditLevel::kNone);
+    trial.without_twin();
+    EXPECT_EQ(signs_check(trial).observed, Integer(0));
+    std::int64_t before = signs_of(trial);
+    int k = 1;
+    for (; k <= 6000 && trial.ledger().failures == 0; ++k) {
+      before = signs_of(trial);
+      trial.run_until(over(k, 1000) - Rational(3));
+    }
+    if (trial.ledger().failures != 1) continue;  // two together
+    ++alone;
+    EXPECT_GT(signs_of(trial), before);
+    EXPECT_EQ(signs_check(trial).observed, Integer(signs_of(trial) - before));
+    trial.to_end();
+    EXPECT_GT(trial.ledger().failures, 4u);
+    const BoundCheck check = signs_check(trial);
+    EXPECT_TRUE(check.holds);
+    // Not far from what is there.
+    EXPECT_GE(Integer(10) * check.observed, check.bound);
+  }
+  EXPECT_GE(alone, 3);
+}
+
 }  // namespace
 }  // namespace kinex::test
