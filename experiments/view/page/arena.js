@@ -117,15 +117,15 @@ class Arena {
     const pair = app.pair(), index = app.shown(), proofs = app.proofs[index];
     this.labels = [];
     if (app.replays[index].lost) return;
+    const claims = proofs.claims(pair, app.k), failing = proofs.failingSlot(pair, app.k);
     const contact = proofs.contact(pair, app.k, app.replays[index]);
-    if (contact !== null) {
+    if (contact !== null && claims.length === 0) {
       contact.features.forEach((feature, z) => {
         const where = this.mark(context, z, feature, null, COLOUR.failed, 1.6);
         if (where) this.note(z, feature, where, "", COLOUR.failed);
       });
       return;
     }
-    const claims = proofs.claims(pair, app.k), failing = proofs.failingSlot(pair, app.k);
     const tangents = proofs.tangents(claims);
     if (tangents) this.drawTangents(context, tangents);
     if (proofs.name === "separation_hysteresis") this.drawWedge(context, claims);
@@ -137,12 +137,13 @@ class Arena {
       const claim = claims[slot], fails = slot === failing;
       const colour = fails ? COLOUR.failed : app.colourOf(index);
       const parts = claim.kind === "side" ? [claim.line, claim.point]
+                  : claim.kind === "ray" ? claim.points.slice(2)
                   : claim.kind === "order" ? claim.lines : [];
       if (claim.kind === "order" && !fails) context.globalAlpha = 0.45;
       for (const part of parts) {
         const where = this.mark(context, part.z, part.feature, part.numbers, colour,
                                 fails ? 1.6 : claim.kind === "order" ? 0 : 1);
-        const named = fails || (claim.kind === "side" && (!tangents || part === claim.point));
+        const named = fails || (isHalfPlane(claim) && (!tangents || part === claim.point));
         if (where && named) {
           this.note(part.z, part.feature, where, String(slot + 1), colour);
         }
