@@ -116,9 +116,11 @@ class Arena {
     const { app } = this;
     const pair = app.pair(), index = app.shown(), proofs = app.proofs[index];
     this.labels = [];
+    this.overlap = false;
     if (app.replays[index].lost) return;
     const claims = proofs.claims(pair, app.k), failing = proofs.failingSlot(pair, app.k);
     const contact = proofs.contact(pair, app.k, app.replays[index]);
+    this.overlap = contact !== null;
     if (contact !== null && claims.length === 0) {
       contact.features.forEach((feature, z) => {
         const where = this.mark(context, z, feature, null, COLOUR.failed, 1.6);
@@ -238,7 +240,7 @@ class Arena {
     this.drawFeatureNames(context, pair);
   }
 
-  // Away from the bodies; where these are close to each other to the sides of the gap between them,
+  // Away from the bodies; where these are close to each other, to the sides of the gap between them,
   // those of the first body on one side and those of the second one on the other.
   drawFeatureNames(context, pair) {
     if (this.labels.length === 0) return;
@@ -246,7 +248,7 @@ class Arena {
     const middles = pair.map(body => middleOf(this.outlines[body]));
     const across = [middles[0][1] - middles[1][1], middles[1][0] - middles[0][0]];
     const size = Math.hypot(...across) || 1;
-    const narrow = this.labels.some(p => p.z === 0 && this.labels.some(q => q.z === 1 &&
+    const narrow = !this.overlap && this.labels.some(p => p.z === 0 && this.labels.some(q => q.z === 1 &&
       Math.hypot(p.where[0] - q.where[0], p.where[1] - q.where[1]) < 90));
     const taken = [];
     for (const { z, feature, where, numbers, colour } of this.labels) {
