@@ -52,6 +52,16 @@ const marked = () => {{
   }}
   return counts;
 }};
+// Those that what fails next has of its own.
+const failing = () => {{
+  const proofs = app.proofs[app.shown()], all = marked();
+  proofs.failingSlot = () => -1;
+  app.drawCanvases();
+  const others = marked();
+  delete proofs.failingSlot;
+  app.drawCanvases();
+  return all.map((count, i) => count - others[i]);
+}};
 async function answer() {{
   await settle();
   const result = {{ opened: kinexState().event, states: [] }};
@@ -66,7 +76,7 @@ async function answer() {{
     state.text = words("event") + [...document.querySelectorAll("#event [title]")]
       .map(e => "\\n" + e.title).join("");
     state.proofText = words("proof");
-    if (BODIES) state.failed = marked();
+    if (BODIES) state.failed = failing();
     state.claims = [...document.querySelectorAll("#proof li")].map(
       e => [e.innerText, e.title, e.className]);
     state.row = document.querySelector(".row.now").dataset.event;
