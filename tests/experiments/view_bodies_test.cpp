@@ -82,8 +82,12 @@ TEST(ViewBodies, RunsAreThoseWithoutARecorder) {
   for (const Scene& scene : scenes()) {
     for (const char* arithmetic : {"exact", "double"}) {
       const RecordedRun recorded = record(scene, arithmetic);
+      EXPECT_EQ(recorded.digest, plain_run(scene, arithmetic, {}).digest)
+          << scene.name << " " << arithmetic;
       const auto plain = plain_run(scene, arithmetic, times_in(scene, 20));
-      EXPECT_EQ(recorded.digest, plain.digest) << scene.name << " " << arithmetic;
+      // In doubles a stop on the way can change what follows.
+      EXPECT_TRUE(recorded.digest == plain.digest || !recorded.exact) << scene.name;
+      if (recorded.digest != plain.digest) continue;
       for (const auto& sample : plain.samples) {
         for (std::size_t i = 0; i < recorded.structures.size(); ++i) {
           const auto value = attribute_after(recorded.structures[i], sample.events);
@@ -292,20 +296,22 @@ TEST(ViewBodies, APartOfARun) {
 }
 
 TEST(ViewBodies, RunsOfTwoArithmeticsHaveTheSameEvents) {
-  const Scene scene = family("polygon-random", 9, 8, kBoth);  // it ends with a contact
+  const Scene scene = family("polygon-random", 9, 8, kBoth);  // the bodies meet
   const RecordedRun exact = record(scene), sturm = record(scene, "sturm");
   EXPECT_EQ(first_divergence(exact, sturm), 0u);
   RecordedRun other = sturm;
-  const Event contact = other.all.back();
-  ASSERT_EQ(contact.count, 4);
+  // A contact or a separation.
+  const auto meeting = std::find_if(other.all.rbegin(), other.all.rend(),
+                                    [](const Event& event) { return event.count == 4; });
+  ASSERT_NE(meeting, other.all.rend());
   // Under another number the same name is the same object.
-  other.things.push_back(other.things[contact.ids[3] - other.objects]);
-  other.all.back().ids[3] = static_cast<ObjectId>(other.objects + other.things.size() - 1);
+  other.things.push_back(other.things[meeting->ids[3] - other.objects]);
+  meeting->ids[3] = static_cast<ObjectId>(other.objects + other.things.size() - 1);
   EXPECT_EQ(first_divergence(exact, other), 0u);
   // The same bodies meet by another feature.
   other.things.push_back({"b.v99", {}});
-  other.all.back().ids[3] = static_cast<ObjectId>(other.objects + other.things.size() - 1);
-  EXPECT_EQ(first_divergence(exact, other), exact.all.size());
+  meeting->ids[3] = static_cast<ObjectId>(other.objects + other.things.size() - 1);
+  EXPECT_EQ(first_divergence(exact, other), static_cast<std::uint64_t>(other.all.rend() - meeting));
 }
 
 // Drawn poses agree with exact ones.
