@@ -12,17 +12,21 @@
 #include "experiments/input_error.h"
 #include "experiments/placed_body.h"
 #include "experiments/scene_parts.h"
+#include "experiments/simple_polygon.h"
 
 namespace kinex {
 
 namespace {
 
+std::string counted(std::size_t number, const char* one, const char* many) {
+  return std::to_string(number) + " " + (number == 1 ? one : many);
+}
 std::string numbered(std::size_t k) { return "vertex " + std::to_string(k); }
 
 Vertex2 read_vertex(const JsonNode& node) {
   node.require_array();
   if (node.size() != 2) {
-    node.fail("a vertex of " + std::to_string(node.size()) + " numbers", "write two, [x, y]");
+    node.fail("a vertex of " + counted(node.size(), "number", "numbers"), "write two, [x, y]");
   }
   return {node.at(0).rational(), node.at(1).rational()};
 }
@@ -61,6 +65,17 @@ bool is_clockwise(const std::vector<Vertex2>& polygon) {
   return doubled_area.sign() < 0;
 }
 
+void check_simple(const JsonNode& node, const std::vector<Vertex2>& polygon) {
+  const auto edges = edges_that_meet(polygon);
+  if (!edges) return;
+  const auto edge = [&](std::size_t k) {
+    return std::to_string(k) + "-" + std::to_string((k + 1) % polygon.size());
+  };
+  node.fail("the polygon is not simple: its edges " + edge((*edges)[0]) + " and " +
+                edge((*edges)[1]) + " meet",
+            "write the vertices in their order, counter-clockwise");
+}
+
 // Left turns at every vertex and one turn in all make a convex polygon.
 void check_convex(const JsonNode& node, const std::vector<Vertex2>& polygon) {
   const std::size_t n = polygon.size();
@@ -75,6 +90,7 @@ void check_convex(const JsonNode& node, const std::vector<Vertex2>& polygon) {
     if (side < 0 && reflex == n) reflex = k;
     if (!goes_up(before, polygon[k]) && goes_up(polygon[k], after)) ++rises;
   }
+  if (reflex < n) check_simple(node, polygon);
   if (reflex < n && is_clockwise(polygon)) {
     node.fail("a polygon whose vertices go clockwise", "write them counter-clockwise");
   }
@@ -126,7 +142,7 @@ Placed place(std::size_t object, Polygon2 polygon) {
 std::vector<Vertex2> read_polygon(const JsonNode& node) {
   node.require_array();
   if (node.size() < 3) {
-    node.fail("a polygon of " + std::to_string(node.size()) + " vertices", "write at least 3");
+    node.fail("a polygon of " + counted(node.size(), "vertex", "vertices"), "write at least 3");
   }
   std::vector<Vertex2> polygon;
   for (std::size_t k = 0; k < node.size(); ++k) polygon.push_back(read_vertex(node.at(k)));

@@ -52,7 +52,13 @@ std::vector<Vertex2> read_shape(const JsonNode& object, bool first, const Scene&
     polygon->fail("a polygon in a scene of dimension " + std::to_string(scene.dimension),
                   "write \"dimension\": 2, or remove the polygon");
   }
-  return read_polygon(*polygon);
+  try {
+    return read_polygon(*polygon);
+  } catch (const InputError& error) {
+    throw InputError(error.file(), error.place(),
+                     "body " + show_text(object.member("id").string()) + ": " + error.problem(),
+                     error.remedy());
+  }
 }
 
 void read_objects(const JsonNode& node, Scene& scene) {

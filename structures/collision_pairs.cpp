@@ -168,6 +168,11 @@ PairId CollisionPairs::find_pair(ObjectId a, ObjectId b) const {
   return kNoPair;
 }
 
+bool CollisionPairs::in_contact(ObjectId a, ObjectId b) const {
+  const PairId p = find_pair(std::min(a, b), std::max(a, b));
+  return p != kNoPair && pairs_[p].touching;
+}
+
 void CollisionPairs::motions_changed(std::span<const ObjectId> objects) {
   std::vector<PairId> changed;
   for (const ObjectId object : objects) {

@@ -80,6 +80,9 @@ class CollisionPairs : public Structure {
   bool holds_at(const Snapshot& snapshot) const override;
   std::size_t bytes() const override;
 
+  // The two bodies overlap right after now. O(pairs of a).
+  bool in_contact(ObjectId a, ObjectId b) const;
+
  protected:
   struct Pair {
     ObjectId a = kNoObject, b = kNoObject;  // a < b; kNoObject: not in use

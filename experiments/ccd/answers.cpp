@@ -97,6 +97,7 @@ std::string tally_text(const ContactTally& tally, const std::string& file, Conta
   for (const auto& [name, number] : outcomes(tally)) {
     std::string words = name;
     words[words.find('_')] = ' ';
+    if (number == 1) words.pop_back();  // "1 true positive"
     text += separator + std::to_string(number) + " " + words;
     separator = ", ";
   }

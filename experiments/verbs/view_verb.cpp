@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex view: a run as one page that can be played, stepped through and compared with another.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +48,7 @@ struct Viewed {
   std::string hash;  // of the scene's file
   std::vector<Wanted> runs;
   std::optional<Rational> from;
+  bool keys_known = true;  // of the structures that a log is of
 };
 
 bool names_arithmetic(const std::string& text) {
@@ -82,6 +85,40 @@ Wanted wanted_log(std::string text, const std::string& file) {
   return wanted;
 }
 
+Wanted wanted_with(const std::string& with) {
+  if (names_arithmetic(with)) return {with, "", ""};
+  if (with != "-" && !std::filesystem::exists(with)) {
+    throw InputError("--with", "", show_text(with) + " is neither an arithmetic nor a file",
+                     "write exact, sturm, double, gsl, mpfr:P with P bits, or the name of an event "
+                     "log of the scene");
+  }
+  return wanted_log(read_text_file(with), with);
+}
+
+// What --maintain says; else what the first log is of; else what the scene says.
+void set_structures(Viewed& viewed, const Options& options, const std::string& scene_file) {
+  const auto first = std::find_if(viewed.runs.begin(), viewed.runs.end(),
+                                  [](const Wanted& wanted) { return !wanted.file.empty(); });
+  std::optional<LogHeader> log;
+  if (first != viewed.runs.end()) {
+    log = LogReader(first->log, first->file).header();
+    require_same_scene(*log, first->file, viewed.hash);
+  }
+  if (!options.maintain.empty()) {
+    set_maintain(viewed.scene, options.maintain);
+    if (log && !maintains_as_logged(viewed.scene, *log)) {
+      throw InputError("--maintain", "", first->file + " is a log of " + structures_of(*log),
+                       "leave --maintain out, or give it as the run had it");
+    }
+  } else if (log) {
+    viewed.keys_known = maintain_as_logged(viewed.scene, *log, first->file);
+  }
+  if (viewed.scene.maintain.empty()) {
+    throw InputError(scene_file, "/maintain", "nothing is to be maintained",
+                     "fill \"maintain\" in the scene, or give --maintain");
+  }
+}
+
 Viewed read_input(const Options& options) {
   Viewed viewed;
   std::string text = read_text_file(options.file);
@@ -108,16 +145,8 @@ Viewed read_input(const Options& options) {
   }
   viewed.scene = parse_scene(text, scene_file);
   viewed.hash = scene_hash(viewed.scene);
-  if (names_arithmetic(options.with)) {
-    viewed.runs.push_back({options.with, "", ""});
-  } else if (!options.with.empty()) {
-    viewed.runs.push_back(wanted_log(read_text_file(options.with), options.with));
-  }
-  if (!options.maintain.empty()) set_maintain(viewed.scene, options.maintain);
-  if (viewed.scene.maintain.empty()) {
-    throw InputError(scene_file, "/maintain", "nothing is to be maintained",
-                     "fill \"maintain\" in the scene, or give --maintain");
-  }
+  if (!options.with.empty()) viewed.runs.push_back(wanted_with(options.with));
+  set_structures(viewed, options, scene_file);
   set_times(viewed, options);
   return viewed;
 }
@@ -151,10 +180,19 @@ std::string record(const Viewed& viewed, const Wanted& wanted, const Options& op
     progress.show(running);
     return !interrupt.interrupted();
   };
-  run = record_run(viewed.scene, how);
+  try {
+    run = record_run(viewed.scene, how);
+  } catch (const InputError& error) {
+    const bool second = &wanted != &viewed.runs.front();
+    if (!second || error.file() != "--arithmetic") throw;
+    throw InputError("--with", error.place(), error.problem(), error.remedy());
+  }
   if (!follower) return "";
   if (run.complete) follower->finish();
-  return follower->problem();
+  const std::string& problem = follower->problem();
+  if (problem.empty() || viewed.keys_known) return problem;
+  return problem +
+         " (a log does not hold keys: if the run had others, give --maintain as it had it)";
 }
 
 std::string line_of(const RecordedRun& run) {
@@ -238,7 +276,8 @@ void add_view_verb(CLI::App& app, int& exit_code) {
                    "A second run to lay over it: an event log, or an arithmetic");
   verb->add_option("--arithmetic", options->arithmetic,
                    "exact (default), sturm, double, gsl or mpfr:P");
-  add_maintain_option(*verb, options->maintain, "What to maintain instead of what the scene says");
+  add_maintain_option(*verb, options->maintain,
+                      "What to maintain instead of what the log, or the scene, says");
   verb->add_option("--from", options->from, "Show the run from this time on");
   verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
   verb->add_option("--max-events", options->max_events,

@@ -5,17 +5,43 @@
 #include <vector>
 
 #include "experiments/input_error.h"
+#include "experiments/json_writer.h"
+#include "experiments/scene_reader.h"
 #include "structures/plan.h"
+#include "structures/registry.h"
 
 namespace kinex {
 
 namespace {
+
+// What a scene's run has, as a log says it.
+std::vector<LogStructure> planned_structures(const Scene& scene) {
+  std::vector<LogStructure> planned;
+  for (const PlannedStructure& one : plan_structures(scene)) {
+    planned.push_back({one.request.label, one.request.structure, {}});
+  }
+  return planned;
+}
 
 std::string names(const std::vector<LogStructure>& structures) {
   std::string text;
   for (const LogStructure& structure : structures) {
     text += (text.empty() ? "" : ", ") + structure.label;
   }
+  return text;
+}
+
+// An entry of --maintain.
+std::string entry_for(const LogStructure& logged) {
+  const std::string& label = logged.label;
+  if (label == logged.structure) return label;
+  for (const char* axis : {":x", ":y", ":z"}) {
+    if (label == logged.structure + axis) return label;
+  }
+  std::string text;
+  JsonWriter json(text);
+  json.begin_object().key("structure").string(logged.structure).key("as").string(label);
+  json.end_object();
   return text;
 }
 
@@ -30,30 +56,57 @@ bool same_instant(const LogInstant& a, const InstantText& b) {
 
 }  // namespace
 
+void require_same_scene(const LogHeader& header, const std::string& file, const std::string& hash) {
+  if (header.scene_hash == hash) return;
+  throw InputError(file, "line 1",
+                   "it is a log of another scene (" + show_text(header.scene) + ", hash " +
+                       header.scene_hash.substr(0, 12) + ")",
+                   "give the scene that was run");
+}
+
+bool maintains_as_logged(const Scene& scene, const LogHeader& header) {
+  const std::vector<LogStructure> planned = planned_structures(scene);
+  return std::equal(planned.begin(), planned.end(), header.structures.begin(),
+                    header.structures.end(), [](const LogStructure& a, const LogStructure& b) {
+                      return a.label == b.label && a.structure == b.structure;
+                    });
+}
+
+bool maintain_as_logged(Scene& scene, const LogHeader& header, const std::string& file) {
+  if (maintains_as_logged(scene, header)) return true;
+  const std::vector<Request> asked = scene.maintain;
+  std::vector<std::string> entries;
+  for (const LogStructure& logged : header.structures) entries.push_back(entry_for(logged));
+  try {
+    set_maintain(scene, entries);
+  } catch (const InputError& error) {
+    throw InputError(file, "line 1", error.problem(), "give a log of this program");
+  }
+  bool known = true;
+  for (Request& request : scene.maintain) {
+    const auto same = std::find_if(asked.begin(), asked.end(), [&](const Request& other) {
+      return other.label == request.label && other.structure == request.structure;
+    });
+    if (same != asked.end()) {
+      request = *same;
+    } else if (find_structure_info(request.structure)->uses_key) {
+      known = known && request.label.starts_with(request.structure + ":");
+    }
+  }
+  return known;
+}
+
+std::string structures_of(const LogHeader& header) { return names(header.structures); }
+
 LogFollower::LogFollower(std::string_view text, const std::string& file, const Scene& scene,
                          const std::string& hash)
     : reader_(text, file) {
-  if (header().scene_hash != hash) {
-    throw InputError(file, "line 1",
-                     "it is a log of another scene (" + show_text(header().scene) + ", hash " +
-                         header().scene_hash.substr(0, 12) + ")",
-                     "give the scene that was run");
-  }
-  std::vector<LogStructure> maintained;
-  for (const PlannedStructure& planned : plan_structures(scene)) {
-    maintained.push_back({planned.request.label, planned.request.structure, {}});
-  }
-  bool same = maintained.size() == header().structures.size();
-  for (std::size_t i = 0; same && i < maintained.size(); ++i) {
-    same = maintained[i].label == header().structures[i].label &&
-           maintained[i].structure == header().structures[i].structure;
-  }
-  if (!same) {
-    throw InputError(file, "line 1",
-                     "the log is of " + names(header().structures) + ", the scene maintains " +
-                         names(maintained),
-                     "give --maintain as the run had it");
-  }
+  require_same_scene(header(), file, hash);
+  if (maintains_as_logged(scene, header())) return;
+  throw InputError(file, "line 1",
+                   "the log is of " + structures_of(header()) + ", the page of " +
+                       names(planned_structures(scene)),
+                   "lay runs with the same structures over each other");
 }
 
 bool LogFollower::follow(const SeenEvent& event) {

@@ -13,10 +13,21 @@
 
 namespace kinex {
 
+// Throws InputError if the log is of a scene with another hash.
+void require_same_scene(const LogHeader& header, const std::string& file, const std::string& hash);
+// The scene maintains what the log is of: the same structures with the same labels.
+bool maintains_as_logged(const Scene& scene, const LogHeader& header);
+// Makes it so, where the scene asks for the same as it asks for it. Returns false if keys had to be
+// guessed, which a log does not hold: a label NAME:AXIS tells one, otherwise it is the first axis.
+// Throws InputError that names the log.
+bool maintain_as_logged(Scene& scene, const LogHeader& header, const std::string& file);
+// "a, b": the labels.
+std::string structures_of(const LogHeader& header);
+
 class LogFollower {
  public:
   // `text` must outlive it. Throws InputError for text that is no log, or if the log is of another
-  // scene or maintains something else than `scene` does. `hash`: of the scene's file.
+  // scene or of something else than `scene` maintains. `hash`: of the scene's file.
   LogFollower(std::string_view text, const std::string& file, const Scene& scene,
               const std::string& hash);
 

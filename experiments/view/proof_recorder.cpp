@@ -25,6 +25,8 @@ struct Argument {
 Argument argument_of(std::string_view predicate, std::size_t i) {
   if (i == 0) return {};
   if (predicate.starts_with("normal_order")) return {Role::kLine, i == 2};
+  // The first two are points inside of the polygons.
+  if (predicate.ends_with("_of_ray")) return {i > 2 ? Role::kPoint : Role::kNone, i == 4};
   if (predicate != "side_a" && predicate != "inside_a" && predicate != "side_b" &&
       predicate != "inside_b") {
     return {};
@@ -107,7 +109,7 @@ FrameFeature ProofRecorder::feature(const Query& query, std::size_t argument,
 std::uint32_t ProofRecorder::claim(const Query& query, bool of_sum) {
   std::vector<ObjectId> arguments;
   for (std::size_t i = 0; i < query.arity; ++i) arguments.push_back(recorded(query.ids[i]));
-  const auto [known, is_new] = claims_.try_emplace({query.predicate, arguments},
+  const auto [known, is_new] = claims_.try_emplace({query.predicate, arguments, of_sum},
                                                    static_cast<std::uint32_t>(run_.claims.size()));
   if (is_new) {
     RecordedClaim& made = run_.claims.emplace_back();
@@ -139,7 +141,7 @@ void ProofRecorder::look(StructureId id, const Structure& structure, std::uint64
     if ((certificate.tag & BodyGrid::kTag) == 0) live.emplace_back(certificate.tag, c);
   }
   std::sort(live.begin(), live.end());
-  const bool of_sum = dynamic_cast<const SeparationMinkowski*>(&structure) != nullptr;
+  const auto* sums = dynamic_cast<const SeparationMinkowski*>(&structure);
   const auto* tiles = dynamic_cast<const SeparationMixed*>(&structure);
   std::vector<PairHistory>& histories = run_.structures[id].pairs;
   std::vector<PairProof> now(histories.size());
@@ -155,6 +157,8 @@ void ProofRecorder::look(StructureId id, const Structure& structure, std::uint64
     if (tiles != nullptr && simulator_.kernel().derived().is_derived(query.ids[0])) {
       proof.tile = tiles->tile(pair.first, pair.second);
     }
+    // While two bodies overlap the lines are their own.
+    const bool of_sum = sums != nullptr && !sums->in_contact(pair.first, pair.second);
     proof.claims.push_back(claim(query, of_sum));
   }
   for (std::size_t i = 0; i < now.size(); ++i) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,7 +45,8 @@ class ProofRecorder {
   RecordedRun& run_;
   std::vector<Watched> watched_;    // per structure
   std::vector<ObjectId> thing_of_;  // per derived object, the last one seen
-  std::map<std::pair<PredicateId, std::vector<ObjectId>>, std::uint32_t> claims_;
+  // By predicate and arguments; the same may be about a sum's lines and about the bodies' own.
+  std::map<std::tuple<PredicateId, std::vector<ObjectId>, bool>, std::uint32_t> claims_;
 };
 
 }  // namespace kinex

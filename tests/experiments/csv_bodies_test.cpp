@@ -60,6 +60,8 @@ TEST(CsvPolygons, RefusesWithFileAndLine) {
                      "p.csv: line 4: \"a\": vertex 1 lies on the line of its neighbours");
   EXPECT_INPUT_ERROR(parse("a,0,0\na,4,0\na,4,4\na,3,1\n"),
                      "p.csv: line 5: \"a\": the polygon is not convex: it turns to the right");
+  EXPECT_INPUT_ERROR(parse("a,0,0\na,2,0\na,0,2\na,2,2\n"),
+                     "p.csv: line 2: \"a\": the polygon is not simple: its edges 1-2 and 3-0 meet");
   // A pentagram.
   EXPECT_INPUT_ERROR(parse("a,0,10\na,-6,-8\na,10,3\na,-10,3\na,6,-8\n"),
                      "p.csv: line 2: \"a\": a polygon that winds round 2 times");

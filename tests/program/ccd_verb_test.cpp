@@ -77,8 +77,9 @@ TEST_F(CcdVerb, TruthDecidesTheExitCode) {
       file("vertex-face-wrong.csv", falling("0", ",0") + falling("9", ",1") + falling("0", ",1"));
   const Finished fine = run_kinex({"ccd", right});
   EXPECT_EQ(fine.exit_code, 0);
-  EXPECT_THAT(fine.out,
-              HasSubstr("1 true positives, 1 true negatives, 0 false positives, 0 false"));
+  EXPECT_THAT(
+      fine.out,
+      HasSubstr("1 true positive, 1 true negative, 0 false positives, 0 false negatives\n"));
   for (const std::vector<std::string>& more :
        {std::vector<std::string>{}, std::vector<std::string>{"--tally"}}) {
     std::vector<std::string> arguments{"ccd", wrong, right};
@@ -86,8 +87,8 @@ TEST_F(CcdVerb, TruthDecidesTheExitCode) {
     const Finished bad = run_kinex(arguments);
     EXPECT_EQ(bad.exit_code, 1);
     EXPECT_THAT(bad.out, HasSubstr("wrong.csv: 3 queries, vertex-face: 2 contacts; against the "
-                                   "file: 1 true positives, 0 true negatives, 1 false positives, "
-                                   "1 false negatives\n"));
+                                   "file: 1 true positive, 0 true negatives, 1 false positive, "
+                                   "1 false negative\n"));
     EXPECT_THAT(bad.out, HasSubstr("right.csv: 2 queries"));
     EXPECT_EQ(bad.out.find("query 1") == std::string::npos, !more.empty());
   }

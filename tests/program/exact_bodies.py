@@ -82,9 +82,15 @@ class Claim:
         elif self.name.startswith("normal_order"):
             m, g = self.lines
             result = cross(turn(r, g[:2]), m[:2])
+        elif self.name.endswith("_of_ray"):
+            a0, b0, a1, b1 = self.points
+            plus = lambda p, q: minus(p, (-q[0], -q[1]))
+            centre, end = plus(a0, turn(r, b0)), plus(a1, turn(r, b1))
+            result = cross(minus(end, centre), minus(where, centre))
         else:
             return None
-        return -result if self.name.startswith("inside") or self.name.endswith("reversed") else result
+        negated = self.name.startswith(("inside", "right")) or self.name.endswith("reversed")
+        return -result if negated else result
 
 
 def check_line(polygon, line, feature):
@@ -133,6 +139,16 @@ def closest(a, b):
     """The squared distance of two polygons that are apart."""
     pairs = lambda p, q: (squared_distance([v], [q[i - 1], q[i]]) for v in p for i in range(len(q)))
     return min(min(pairs(a, b)), min(pairs(b, a)))
+
+
+def overlap(a, b):
+    """Whether two convex polygons have inner points in common: no edge's line is between them."""
+    for p, q in ((a, b), (b, a)):
+        for i, v in enumerate(p):
+            along = minus(v, p[i - 1])
+            if all(cross(along, minus(w, v)) <= 0 for w in q):
+                return False
+    return True
 
 
 def feature_points(vertices, feature):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Opens pages of scenes of rigid polygons in Chromium, steps to events and compares what is displayed of
 the proofs (tiles, their sides, the features behind these, the certificate that fails next, closest
-features, contacts) with the event log of `kinex run` and with exact geometry on the scene's own numbers.
+features, contacts and what follows them) with the event log of `kinex run` and with exact geometry on the scene's own numbers.
 
 usage: view_bodies.py PROGRAM
 """
@@ -15,6 +15,10 @@ from view_page import Page, check_page, check_states, fail, times_after
 
 # Certificates and sides of a tile by its kind.
 TILES = {"half": (3, 1), "triangle": (5, 3), "left": (6, 4), "right": (6, 4)}
+# Of a pair in contact: the edge ahead, the rays through its ends, the order of normals.
+OVERLAP = ["side", "ray", "ray", "order", "order"]
+ALL = "separation_mixed,separation_hysteresis,closest_features,inner_tangents,bounding_volumes"
+SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
 
 
 def failures(events, label, pair):
@@ -67,6 +71,8 @@ def check_features(name, claim, text, pair):
     polygon = {pair[0].name: pair[0].polygon, pair[1].name: negated(pair[1])}
     if " \u2226 " in text:
         parts = [(part, line, True) for part, line in zip(text.split(" \u2226 "), claim.lines)]
+    elif claim.name.endswith("_of_ray"):
+        parts = [(part, point, False) for part, point in zip(text.split(" + "), claim.points[2:])]
     else:
         line, point = text.split(" + ")
         parts = [(line, claim.lines[0], True), (point, claim.points[0], False)]
@@ -78,10 +84,33 @@ def check_features(name, claim, text, pair):
             fail(f"{name}: {claim.name}: {problem}")
 
 
+def check_overlap(name, state, label, pair, t):
+    """The five certificates in contact: their texts, against each other."""
+    proof = state["proof"]["structures"][label]
+    if [entry["kind"] for entry in proof["claims"]] != OVERLAP or proof["tile"] or proof["closest"]:
+        fail(f"{name}: no proof of an overlap after event {state['event']}: {proof}")
+    ahead = proof["claims"][0]["features"]
+    if proof["text"] != f"they overlap; ahead is {ahead}":
+        fail(f"{name}: ahead is {ahead}, not {proof['text']!r}")
+    # The rays go through the ends of the edge ahead.
+    edge, vertex = ahead.split(" + ")
+    body, number = edge.split(".e")
+    ends = [f"{body}.v{(int(number) + i) % len(next(b for b in pair if b.name == body).polygon)}"
+            for i in (0, 1)]
+    for end, entry in zip(ends, proof["claims"][1:3]):
+        if set(entry["features"].split(" + ")) != {end, vertex}:
+            fail(f"{name}: {entry} does not go through {end} + {vertex}")
+    if not exact_bodies.overlap(*(body.vertices(t) for body in pair)):
+        fail(f"{name}: after event {state['event']}, at {t}, they do not overlap")
+
+
 def check_proof(name, state, label, bodies, t):
     """At a time before the next event: the certificates hold, and are about these features."""
     proof = state["proof"]["structures"][label]
     pair = [bodies[i] for i in state["proof"]["pair"]]
+    contact = proof["contact"] is not None
+    if contact:
+        check_overlap(name, state, label, pair, t)
     checked = 0
     for entry in proof["claims"]:
         claim = exact_bodies.Claim(entry["certificate"])
@@ -90,10 +119,10 @@ def check_proof(name, state, label, bodies, t):
             continue
         if value < 0:
             fail(f"{name}: after event {state['event']}, at {t}, {label}: {entry} is negative")
-        if label in ("separation_mixed", "closest_features", "inner_tangents"):
+        if contact or label in ("separation_mixed", "closest_features", "inner_tangents"):
             check_features(name, claim, entry["features"], pair)
         checked += 1
-    if label == "separation_mixed" and checked:
+    if label == "separation_mixed" and checked and not contact:
         sides = sum(entry["kind"] == "side" for entry in proof["claims"])
         if (len(proof["claims"]), sides) != TILES[proof["tile"][0]]:
             fail(f"{name}: {proof['tile']} with {len(proof['claims'])} certificates, {sides} sides")
@@ -120,8 +149,21 @@ def check_contact(name, state, events, label):
     return 1
 
 
+def meeting(page, name, turning, maintain):
+    """Two unit squares that meet, part and meet again."""
+    rotor = {"rotor": [[1], [0, "1/3"]]} if turning else {}
+    scene = {"kinex": 1, "name": name, "dimension": 2, "time": {"start": 0, "end": 6},
+             "objects": [{"id": "a", "polygon": SQUARE, "motion": [[0], [0]]},
+                         {"id": "b", "polygon": SQUARE, "motion": [[6, -6, 1], ["1/3"]], **rotor}],
+             "maintain": maintain.split(",")}
+    (page.folder / f"{name}.json").write_text(exact_bodies.json.dumps(scene), encoding="utf-8")
+
+
 def one_scene(page, name, generate, maintain, steps=24, second=None):
-    page.kinex("gen", *generate, "--maintain", maintain, "-o", f"{name}.json")
+    if callable(generate):
+        generate(page, name, maintain)
+    else:
+        page.kinex("gen", *generate, "--maintain", maintain, "-o", f"{name}.json")
     events, _ = page.run(name)
     last = len(events)
     ks = sorted({round(i * last / steps) for i in range(steps + 1)} | {0, 1, 2, last})
@@ -136,19 +178,25 @@ def one_scene(page, name, generate, maintain, steps=24, second=None):
     check_page(name, answer, events, last // 2)
     check_states(name, answer, events, samples)
     bodies = exact_bodies.bodies_of(page.folder / f"{name}.json")
-    found = {"claims": 0, "contacts": 0, "tiles": set()}
+    found = {"claims": 0, "contacts": 0, "overlaps": 0, "tiles": set()}
     for state in answer["states"]:
+        # When all repairs of an instant are done.
+        if state["event"] in times and state["within"] < -1e-9:
+            fail(f"{name}: after event {state['event']} the point is {-state['within']} out of its tile")
         for i, label in enumerate(maintain.split(",")):
             contact = check_contact(name, state, events, label)
             found["contacts"] += contact
-            if not contact:
-                check_next(name, state, events, label, i == 0)
-            elif i == 0:
-                features = state["proof"]["structures"][label]["contact"]["features"]
-                if "contact: " + " meets ".join(features) not in state["proofText"]:
-                    fail(f"{name}: no {features} in {state['proofText']!r}")
-            if state["event"] in times and not contact:
-                found["claims"] += check_proof(name, state, label, bodies, times[state["event"]])
+            check_next(name, state, events, label, i == 0)
+            if contact and i == 0:
+                shown = state["proof"]["structures"][label]["contact"]
+                for text in ("contact: " + " meets ".join(shown["features"]),
+                             f"since event {shown['event']}, t"):
+                    if text not in state["proofText"]:
+                        fail(f"{name}: no {text!r} in {state['proofText']!r}")
+            if state["event"] in times:
+                checked = check_proof(name, state, label, bodies, times[state["event"]])
+                found["claims"] += checked
+                found["overlaps"] += contact and checked > 0
         tile = state["proof"]["structures"].get("separation_mixed", {}).get("tile")
         if tile:
             found["tiles"].add(tile[0])
@@ -185,7 +233,15 @@ def main():
             "separation_mixed")
         _, _, box = one_scene(page, "box", ["polygons-in-box", "--n", "6", "--m", "4"],
                               both + ",bounding_volumes")
-        claims = sum(x["claims"] for x in (fan, orbit, random, approach, box))
+        # They meet, part and meet again.
+        _, _, turning = one_scene(page, "turning", lambda *to: meeting(*to[:2], True, to[2]), ALL,
+                                  steps=48)
+        _, _, level = one_scene(page, "level", lambda *to: meeting(*to[:2], False, to[2]),
+                                "separation_minkowski," + ALL, steps=48)
+        for name, scene in (("turning", turning), ("level", level)):
+            if scene["overlaps"] < 15:
+                fail(f"{name}: only {scene['overlaps']} proofs of overlaps were seen")
+        claims = sum(x["claims"] for x in (fan, orbit, random, approach, box, turning, level))
     if claims < 400:
         fail(f"only {claims} certificates were evaluated")
     print(f"{claims} displayed certificates hold, and are about the features that are displayed")

@@ -52,6 +52,24 @@ const marked = () => {{
   }}
   return counts;
 }};
+// Those that what fails next has of its own.
+const failing = () => {{
+  const proofs = app.proofs[app.shown()], all = marked();
+  proofs.failingSlot = () => -1;
+  app.drawCanvases();
+  const others = marked();
+  delete proofs.failingSlot;
+  app.drawCanvases();
+  return all.map((count, i) => count - others[i]);
+}};
+// How far inside of the half-planes that are drawn the point is, of all structures: 0 or less.
+const within = () => {{
+  const pair = app.pair(), poses = pairOf(pair).map(body => poseOf(body, app.u));
+  if (poses.includes(null)) return 0;
+  const pose = relative(...poses);
+  return Math.min(0, ...app.drawing.chart.cells(pair, pose).flat().map(
+    ({{ half: {{ n, offset }} }}) => (n[0] * pose.x + n[1] * pose.y - offset) / Math.hypot(...n)));
+}};
 async function answer() {{
   await settle();
   const result = {{ opened: kinexState().event, states: [] }};
@@ -66,7 +84,7 @@ async function answer() {{
     state.text = words("event") + [...document.querySelectorAll("#event [title]")]
       .map(e => "\\n" + e.title).join("");
     state.proofText = words("proof");
-    if (BODIES) state.failed = marked();
+    if (BODIES) Object.assign(state, {{ failed: failing(), within: within() }});
     state.claims = [...document.querySelectorAll("#proof li")].map(
       e => [e.innerText, e.title, e.className]);
     state.row = document.querySelector(".row.now").dataset.event;

@@ -96,7 +96,9 @@ TEST_F(ViewVerb, BadInput) {
   expect_refused({log_, "--scene", log_, "-o", page_}, "");
   expect_refused({log_, "--scene", scene_, "--arithmetic", "gsl", "-o", page_}, "--arithmetic");
   expect_refused({scene_, "--arithmetic", "exakt", "-o", page_}, "unknown arithmetic \"exakt\"");
-  expect_refused({scene_, "--with", "exakt", "-o", page_}, "cannot be read");
+  expect_refused({scene_, "--with", "exakt", "-o", page_},
+                 "--with: \"exakt\" is neither an arithmetic nor a file; write exact, sturm");
+  expect_refused({scene_, "--with", "mpfr:many", "-o", page_}, "--with: ");
   expect_refused({scene_, "--with", scene_, "-o", page_}, "does not begin an event log");
   expect_refused({scene_, "--maintain", "delaunay_2", "-o", page_}, "the scene has 1");
   expect_refused({scene_, "--from", "2", "-o", page_}, "--from: \"2\" is outside");
@@ -113,8 +115,79 @@ TEST_F(ViewVerb, ALogOfSomethingElse) {
                 .exit_code,
             0);
   expect_refused({log_, "--scene", other, "-o", page_}, "it is a log of another scene");
-  expect_refused({log_, "--scene", scene_, "--maintain", "sorted_list", "-o", page_},
-                 "give --maintain as the run had it");
+  for (const char* maintain :
+       {"sorted_list", "maximum_heap,sorted_list", "sorted_list,minimum_heap",
+        "sorted_list,maximum_heap,maximum_tournament"}) {
+    expect_refused(
+        {log_, "--scene", scene_, "--maintain", maintain, "-o", page_},
+        "--maintain: " + log_ + " is a log of sorted_list, maximum_heap; leave --maintain");
+  }
+  // A second log of something else.
+  const std::string second = scratch_.file("second.jsonl");
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list", "--events", second}).exit_code,
+            0);
+  expect_refused({log_, "--scene", scene_, "--with", second, "-o", page_},
+                 "the log is of sorted_list, the page of sorted_list, maximum_heap");
+}
+
+// What the run had instead of what the scene says, it has again.
+TEST_F(ViewVerb, TheLogSaysWhatIsMaintained) {
+  const std::string log = scratch_.file("other.jsonl");
+  for (const char* maintain :
+       {"maximum_tournament", "minimum_tournament,sorted_list:x", "maximum_sorted_list",
+        R"({"structure": "maximum_heap", "as": "the highest, of \"all\""},sorted_list)",
+        "maximum_heap,sorted_list"}) {
+    SCOPED_TRACE(maintain);
+    ASSERT_EQ(
+        run_kinex({"run", scene_, "--maintain", maintain, "--events", log, "--force"}).exit_code,
+        0);
+    const Finished with =
+        run_kinex({"view", log, "--scene", scene_, "--maintain", maintain, "-o", "-"});
+    const Finished without = run_kinex({"view", log, "--scene", scene_, "-o", "-"});
+    EXPECT_EQ(with.exit_code, 0) << with.err;
+    EXPECT_EQ(without.exit_code, 0) << without.err;
+    EXPECT_EQ(with.out, without.out);
+    // Beneath the run of the scene, too.
+    const Finished second = run_kinex({"view", scene_, "--with", log, "-o", "-"});
+    EXPECT_EQ(second.exit_code, 0) << second.err;
+  }
+}
+
+// A log holds no keys: those of the scene are taken, or the first axis.
+TEST_F(ViewVerb, KeysOfALog) {
+  const std::string scene = scratch_.file("keys.json"), log = scratch_.file("keys.jsonl");
+  const std::string by_y = R"({"structure": "sorted_list", "key": "y", "as": "order"})";
+  ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "6", "--seed", "3", "--maintain",
+                       by_y + ",delaunay_2", "-o", scene})
+                .exit_code,
+            0);
+  const auto run = [&](const std::string& maintain) {
+    return run_kinex({"run", scene, "--maintain", maintain, "--events", log, "--force"}).exit_code;
+  };
+  const auto view = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command{"view", log, "--scene", scene, "-o", "-"};
+    command.insert(command.end(), more.begin(), more.end());
+    return run_kinex(command);
+  };
+  ASSERT_EQ(run(by_y), 0);  // one of the two
+  EXPECT_EQ(view({}).exit_code, 0) << view({}).err;
+  ASSERT_EQ(run("sorted_list:y,maximum_heap"), 0);
+  EXPECT_EQ(view({}).exit_code, 0) << view({}).err;
+  const std::string aslant = R"({"structure": "sorted_list", "key": {"direction": [1, 1]}})";
+  ASSERT_EQ(run(aslant), 0);
+  EXPECT_EQ(view({}).exit_code, 1);
+  EXPECT_THAT(view({}).err, HasSubstr("a log does not hold keys"));
+  EXPECT_EQ(view({"--maintain", aslant}).exit_code, 0);
+}
+
+// A structure that this program does not have.
+TEST_F(ViewVerb, ALogOfAnUnknownStructure) {
+  std::string text = read_file(log_);
+  const std::string name = "\"structure\": \"sorted_list\"";
+  text.replace(text.find(name), name.size(), "\"structure\": \"sorted_lust\"");
+  write_file(log_, text);
+  expect_refused({log_, "--scene", scene_, "-o", page_},
+                 log_ + ": line 1: \"sorted_lust\" is not a known structure");
 }
 
 TEST_F(ViewVerb, ALogThatIsNotWhatTheSceneGives) {

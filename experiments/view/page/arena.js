@@ -116,16 +116,18 @@ class Arena {
     const { app } = this;
     const pair = app.pair(), index = app.shown(), proofs = app.proofs[index];
     this.labels = [];
+    this.overlap = false;
     if (app.replays[index].lost) return;
+    const claims = proofs.claims(pair, app.k), failing = proofs.failingSlot(pair, app.k);
     const contact = proofs.contact(pair, app.k, app.replays[index]);
-    if (contact !== null) {
+    this.overlap = contact !== null;
+    if (contact !== null && claims.length === 0) {
       contact.features.forEach((feature, z) => {
         const where = this.mark(context, z, feature, null, COLOUR.failed, 1.6);
         if (where) this.note(z, feature, where, "", COLOUR.failed);
       });
       return;
     }
-    const claims = proofs.claims(pair, app.k), failing = proofs.failingSlot(pair, app.k);
     const tangents = proofs.tangents(claims);
     if (tangents) this.drawTangents(context, tangents);
     if (proofs.name === "separation_hysteresis") this.drawWedge(context, claims);
@@ -137,12 +139,13 @@ class Arena {
       const claim = claims[slot], fails = slot === failing;
       const colour = fails ? COLOUR.failed : app.colourOf(index);
       const parts = claim.kind === "side" ? [claim.line, claim.point]
+                  : claim.kind === "ray" ? claim.points.slice(2)
                   : claim.kind === "order" ? claim.lines : [];
       if (claim.kind === "order" && !fails) context.globalAlpha = 0.45;
       for (const part of parts) {
         const where = this.mark(context, part.z, part.feature, part.numbers, colour,
                                 fails ? 1.6 : claim.kind === "order" ? 0 : 1);
-        const named = fails || (claim.kind === "side" && (!tangents || part === claim.point));
+        const named = fails || (isHalfPlane(claim) && (!tangents || part === claim.point));
         if (where && named) {
           this.note(part.z, part.feature, where, String(slot + 1), colour);
         }
@@ -238,7 +241,7 @@ class Arena {
     this.drawFeatureNames(context, pair);
   }
 
-  // Away from the bodies; where these are close to each other to the sides of the gap between them,
+  // Away from the bodies; where these are close to each other, to the sides of the gap between them,
   // those of the first body on one side and those of the second one on the other.
   drawFeatureNames(context, pair) {
     if (this.labels.length === 0) return;
@@ -246,7 +249,7 @@ class Arena {
     const middles = pair.map(body => middleOf(this.outlines[body]));
     const across = [middles[0][1] - middles[1][1], middles[1][0] - middles[0][0]];
     const size = Math.hypot(...across) || 1;
-    const narrow = this.labels.some(p => p.z === 0 && this.labels.some(q => q.z === 1 &&
+    const narrow = !this.overlap && this.labels.some(p => p.z === 0 && this.labels.some(q => q.z === 1 &&
       Math.hypot(p.where[0] - q.where[0], p.where[1] - q.where[1]) < 90));
     const taken = [];
     for (const { z, feature, where, numbers, colour } of this.labels) {

@@ -1,5 +1,6 @@
 // Configuration space: in the frame of the first body the second one is a point, outside of the sum
-// M of the first and the negated second. The certificates of a proof are half-planes about it.
+// M of the first and the negated second, or inside while they overlap. The certificates of a proof
+// are half-planes about it.
 class Chart {
   constructor(app) {
     this.app = app;
@@ -44,7 +45,7 @@ class Chart {
       const failing = proofs.failingSlot(pair, app.k);
       const sides = [];
       claims.forEach((claim, slot) => {
-        if (claim.kind === "side") {
+        if (isHalfPlane(claim)) {
           sides.push({ slot, fails: slot === failing, half: halfPlane(claim, pose) });
         }
       });
@@ -95,6 +96,7 @@ class Chart {
     });
     if (app.other !== null && !app.other.lost) this.drawOther(context, pair, pose, corners);
     this.drawSides(context, own, corners);
+    this.drawCentre(context, pair, pose);
     this.drawTurn(context, pair, pose);
     this.drawNames(context, sum, t, a, b);
   }
@@ -182,6 +184,17 @@ class Chart {
     }
   }
 
+  // Where the rays of a proof that they overlap come from.
+  drawCentre(context, pair, pose) {
+    const { app } = this;
+    if (app.replay.lost) return;
+    const ray = app.proofs[app.shown()].claims(pair, app.k).find(claim => claim.kind === "ray");
+    if (!ray) return;
+    const [x, y] = this.at(sumOfPoints(ray.points.slice(0, 2), pose));
+    dot(context, x, y, 3, app.colourOf(app.shown()));
+    label(context, "c", x - 7, y + 9, app.colourOf(app.shown()), "right");
+  }
+
   // An order of normals that fails next: the two normals, which will be parallel then.
   drawTurn(context, pair, pose) {
     const { app } = this;
@@ -223,7 +236,7 @@ class Chart {
     const texts = list => list.map(claim => claim.text).join();
     const claims = app.otherProofs[app.shown()].claims(pair, app.kOther());
     if (texts(claims) === texts(app.proofs[app.shown()].claims(pair, app.k))) return;
-    const sides = claims.filter(claim => claim.kind === "side").map(c => halfPlane(c, pose));
+    const sides = claims.filter(isHalfPlane).map(c => halfPlane(c, pose));
     if (sides.length === 0) return;
     trace(context, sides.reduce(clip, corners).map(p => this.at(p)), true);
     context.strokeStyle = COLOUR.second;

@@ -28,23 +28,22 @@ class ProofPanel extends Panel {
       return;
     }
     const contact = proofs.contact(pair, app.k, app.replays[index]);
-    if (contact !== null) {
-      this.drawContact(pair, contact);
-    } else {
-      this.proof.append(make("p", proofs.describe(pair, app.k), "tile"));
-      this.drawClaims(pair, proofs);
-    }
+    if (contact !== null) this.drawContact(pair, contact);
+    this.proof.append(make("p", proofs.describe(pair, app.k, app.replays[index]), "tile"));
+    this.drawClaims(pair, proofs);
     this.drawNext(pair, proofs);
     this.drawOthers(pair);
   }
 
   drawContact(pair, contact) {
-    const names = pairOf(pair).map((body, z) => featureName(body, contact.features[z]));
-    this.proof.append(make("p", "contact: " + names.join(" meets "), "external"));
     if (contact.event === null) {
-      this.proof.append(make("p", "from the beginning"));
+      this.proof.append(make("p", "contact: " + pairOf(pair).map(nameOf).join(" meets "), "external"));
+      this.proof.append(make("p", BEFORE === 0 ? "from the beginning"
+                                               : "since before event " + (BEFORE + 1)));
       return;
     }
+    const names = pairOf(pair).map((body, z) => featureName(body, contact.features[z]));
+    this.proof.append(make("p", "contact: " + names.join(" meets "), "external"));
     this.proof.append(make("p", "since event " + contact.event + ", t \u2248 " +
                            instantOf(FIRST, contact.event)[0]));
   }
@@ -92,8 +91,7 @@ class ProofPanel extends Panel {
       name.style.color = app.colourOf(index);
       const so = placeUntil(proofs.events, app.k) + 1;
       const state = app.replays[index].lost ? "led astray"
-        : proofs.contact(pair, app.k, app.replays[index]) !== null ? "contact"
-        : proofs.describe(pair, app.k);
+        : proofs.describe(pair, app.k, app.replays[index]);
       const value = make("dd", so + " of " + proofs.events.length + " events");
       if (index !== app.shown()) value.append("; " + state);
       list.append(name, value);
@@ -123,7 +121,8 @@ function proofState() {
       return [DATA.structures[index].label, {
         claims: claims.map(claim => ({ certificate: claim.text, kind: claim.kind,
                                        features: claimName(claim, pairOf(pair)) })),
-        tile: entry === null ? 0 : entry[2], text: proofs.describe(pair, app.k),
+        tile: entry === null ? 0 : entry[2],
+        text: proofs.describe(pair, app.k, app.replays[index]),
         next, slot: proofs.failingSlot(pair, app.k), closest: found ? names(found) : null,
         contact: contact === null ? null : { event: contact.event, features: names(contact.features) },
         events: [placeUntil(proofs.events, app.k) + 1, proofs.events.length],

@@ -21,7 +21,8 @@ function placeUntil(list, k, key = x => x) {
 }
 
 // A certificate with its parts. A side has a line of body z (0: the first) and a point of the other
-// one; an order of normals has a line of each.
+// one; an order of normals has a line of each; a ray goes from the sum of the first two of its points,
+// of either body in turns, through that of the last two.
 function claimOf(run, c) {
   const [predicate, ids, features] = run.claims[c];
   const name = run.predicates[predicate];
@@ -34,6 +35,11 @@ function claimOf(run, c) {
              line: { z, numbers: numbers(1), feature: features[1] },
              point: { z: 1 - z, numbers: numbers(2), feature: features[2] } };
   }
+  const ray = /^(left|right)_of_ray$/.exec(name);
+  if (ray) {
+    return { ...claim, kind: "ray", sign: ray[1] === "left" ? 1 : -1, points: [1, 2, 3, 4].map(
+      i => ({ z: (i - 1) % 2, numbers: numbers(i), feature: features[i] })) };
+  }
   if (name.startsWith("normal_order")) {
     return { ...claim, kind: "order", lines: [1, 2].map(
       i => ({ z: i - 1, numbers: numbers(i), feature: features[i] })) };
@@ -41,8 +47,21 @@ function claimOf(run, c) {
   return { ...claim, kind: "volume" };
 }
 
-// In the first body's frame: where a side's claim says that the point is.
+// In the first body's frame: the sum of a point of it and one of the second body.
+function sumOfPoints([p, q], pose) {
+  const [x, y] = turn(pose, q.numbers.slice(3));
+  return [p.numbers[3] + x, p.numbers[4] + y];
+}
+// Sides and rays are half-planes.
+const isHalfPlane = claim => claim.kind === "side" || claim.kind === "ray";
+// In the first body's frame: where such a claim says that the point is.
 function halfPlane(claim, pose) {
+  if (claim.kind === "ray") {
+    const c = sumOfPoints(claim.points.slice(0, 2), pose);
+    const end = sumOfPoints(claim.points.slice(2), pose);
+    const n = [claim.sign * (c[1] - end[1]), claim.sign * (end[0] - c[0])];
+    return { n, offset: n[0] * c[0] + n[1] * c[1] };
+  }
   const [nx, ny, h] = claim.line.numbers, p = claim.point.numbers.slice(3);
   const n = claim.z === 0 ? [nx, ny] : turn(pose, [nx, ny]);
   const shift = claim.z === 0 ? turn(pose, p) : p;
@@ -67,11 +86,17 @@ function claimName(claim, pair) {
     return featureName(pair[claim.line.z], claim.line.feature) + " + " +
       featureName(pair[claim.point.z], claim.point.feature);
   }
+  if (claim.kind === "ray") {
+    return claim.points.slice(2).map(p => featureName(pair[p.z], p.feature)).join(" + ");
+  }
   if (claim.kind === "order") {
     return claim.lines.map(line => featureName(pair[line.z], line.feature)).join(" \u2226 ");
   }
   return listOf(claim.ids.slice(0, 2));
 }
+
+// The proof is one that two bodies overlap: the edge of the sum ahead, the rays through its ends.
+const areOverlap = claims => claims.some(claim => claim.kind === "ray");
 
 // The proofs of one structure in one run.
 class Proofs {
@@ -138,6 +163,7 @@ class Proofs {
   }
   // The pair of features that the certificates are about: the closest ones, or null.
   features(claims) {
+    if (areOverlap(claims)) return null;
     const own = claims.filter(claim => claim.kind !== "volume");
     if (!/^(closest_features|separation_hysteresis|bounding_volumes)$/.test(this.name)) return null;
     const both = (p, q) => (p.z === 0 ? [p.feature, q.feature] : [q.feature, p.feature]);
@@ -150,10 +176,14 @@ class Proofs {
     return [0, 4].map(k => [claims[k + 2].point.feature, claims[k].point.feature]);
   }
   // What the proof is, in words.
-  describe(pair, k) {
+  describe(pair, k, replay) {
     const entry = this.entry(pair, k), [a, b] = pairOf(pair).map(nameOf);
-    if (entry === null || entry[1].length === 0) return "far apart: other cells of the grid";
     const claims = this.claims(pair, k);
+    if (this.contact(pair, k, replay) !== null) {
+      return areOverlap(claims) ? "they overlap; ahead is " + claimName(claims[0], pairOf(pair))
+                                : "they overlap, without a proof";
+    }
+    if (claims.length === 0) return "far apart: other cells of the grid";
     if (claims.every(claim => claim.kind === "volume")) {
       return claims[0].name.startsWith("discs") ? "discs about the bodies are apart"
                                                 : "boxes about the bodies are apart";
