@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/real_root.h"
@@ -217,6 +218,31 @@ TEST(ViewBodies, FromContactToContact) {
                 (std::vector<std::string>{"contact", "separation", "contact", "separation"}));
       EXPECT_GT(in_contact, 2u);
     }
+  }
+}
+
+// The same certificate, about a line of the sum before a contact, and about that of an edge in it.
+TEST(ViewBodies, LinesOfASumAndOfABody) {
+  Scene scene = parse_scene(
+      R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 3}, "objects": [
+      {"id": "a", "polygon": [[0, 0], [1, 0], [1, 1], [0, 1]], "motion": [[0], [0]]},
+      {"id": "b", "polygon": [[0, 0], [1, -1], [1, 0]], "motion": [[3, -3, 1], ["2.1", "-0.6"]]}]})",
+      "corner");
+  set_maintain(scene, {"separation_minkowski"});
+  const RecordedRun run = record(scene);
+  // What the lines are on the polygons, by predicate and arguments.
+  std::map<std::pair<PredicateId, std::vector<ObjectId>>, std::set<FrameFeature::Kind>> kinds;
+  for (const RecordedClaim& claim : run.claims) {
+    kinds[{claim.predicate, claim.arguments}].insert(claim.features.at(1).kind);
+  }
+  const std::set<FrameFeature::Kind> both{FrameFeature::Kind::kEdge, FrameFeature::Kind::kSupport};
+  EXPECT_TRUE(std::any_of(kinds.begin(), kinds.end(),
+                          [&](const auto& entry) { return entry.second == both; }));
+  for (const PairProof& proof : run.structures[0].pairs.at(0).proofs) {
+    const RecordedClaim& first = run.claims[proof.claims.at(0)];
+    const bool overlap = !proof.tile;
+    EXPECT_EQ(first.features[1].kind,
+              overlap ? FrameFeature::Kind::kEdge : FrameFeature::Kind::kSupport);
   }
 }
 
