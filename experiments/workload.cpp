@@ -33,6 +33,11 @@ void check_body_parameters(const Workload& workload, const WorkloadParameters& p
     refuse(workload, "--separation", parameters.separation->to_string() + " is too near",
            "write " + workload.min_separation->to_string() + " or more");
   }
+  if (parameters.separation && workload.max_separation &&
+      *workload.max_separation < *parameters.separation) {
+    refuse(workload, "--separation", parameters.separation->to_string() + " is too far",
+           "write " + workload.max_separation->to_string() + " or less");
+  }
   if (parameters.turns != -1 && !workload.takes_turns) {
     refuse(workload, "--turns", "this family takes none", "leave --turns out");
   }

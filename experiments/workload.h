@@ -42,6 +42,7 @@ struct Workload {
   bool takes_turns = false;
   int min_turns = 1;
   std::optional<Rational> min_separation = std::nullopt;  // nullopt: anything above 0
+  std::optional<Rational> max_separation = std::nullopt;  // nullopt: any
 };
 
 inline constexpr int kMaxWorkloadSize = 10000000;

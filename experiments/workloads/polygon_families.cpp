@@ -52,11 +52,15 @@ std::vector<Workload> make() {
                                     "two random polygons of at most --n and --m vertices, turning",
                                     generate_polygon_random));
   random.takes_degree = true;
-  Workload box =
-      randomised(pair("polygons-in-box", "--n turning polygons of --m (8) vertices cross a box",
-                      generate_polygons_in_box));
+  Workload box = randomised(
+      pair("polygons-in-box",
+           "--n turning polygons of --m (8) vertices cross a box; at --separation or more "
+           "when they start",
+           generate_polygons_in_box));
   box.min_n = 1;
   box.default_m = 8;
+  box.separation = Rational(Integer(1), Integer(4));
+  box.max_separation = Rational(Integer(11), Integer(16));
   return {
       with_turns(
           with_separation(

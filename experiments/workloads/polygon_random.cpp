@@ -69,15 +69,18 @@ void generate_polygon_random(const WorkloadParameters& parameters, Scene& scene)
   add_body(scene, "b", std::move(polygon), way[0], way[1], spin.p, spin.q);
 }
 
-// n regular polygons of m vertices and radius 1/4, each in a unit cell of its own of a square box,
-// move straight to a random place in the box while they turn. They may collide on the way.
+// n regular polygons of m vertices, each in a unit cell of its own of a square box, move straight
+// to a random place in the box while they turn. They may collide on the way. Centres start 3/4
+// apart or more: the radius is half of what the separation leaves of that, 1/4 unless asked for
+// otherwise.
 void generate_polygons_in_box(const WorkloadParameters& parameters, Scene& scene) {
   WorkloadRandom random(parameters.seed);
   scene.start = 0;
   scene.end = 1;
   std::int64_t side = 1;
   while (side * side < parameters.n) ++side;
-  const std::vector<Vertex2> polygon = regular_polygon(parameters.m, fraction(1, 4));
+  const std::vector<Vertex2> polygon =
+      regular_polygon(parameters.m, (fraction(3, 4) - *parameters.separation) / Rational(2));
   for (std::int64_t i = 0; i < parameters.n; ++i) {
     std::vector<Coefficients> way;
     for (const std::int64_t cell : {i % side, i / side}) {

@@ -288,6 +288,8 @@ TEST(PolygonWorkload, ParametersAreChecked) {
   EXPECT_INPUT_ERROR(generate("polygon-approach", 4, 4), "--m: this family has one size only");
   EXPECT_NO_THROW(generate("polygon-fan", 4, 1));
   EXPECT_NO_THROW(generate("polygons-in-box", 1, 3));
+  EXPECT_INPUT_ERROR(generate("polygons-in-box", 4, 4, fraction_of(3, 4)),
+                     "--separation: 3/4 is too far; write 11/16 or less");
 }
 
 }  // namespace
