@@ -39,6 +39,15 @@ Ball enclose_whole(const Integer& n, unsigned long halvings) {
   return {v, std::fabs(v) * 3 * Ball::kUnit + 0x1p-1070};
 }
 
+bool is_zero(const Trajectory& trajectory) {
+  for (const auto& axis : trajectory.coordinates) {
+    for (const Rational& c : axis) {
+      if (!c.is_zero()) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 NumberModel choose_number_model(const Scene& scene) {
@@ -125,14 +134,15 @@ void MotionStore::set_ball(ObjectId object) {
     for (std::size_t i = 0; i < stride_; ++i) out[i] = {in[i], 0.0};
     return;
   }
-  if (!is_big(object)) return;
+  if (!is_big(object)) {
+    const std::size_t row = row_[object] * stride_;
+    std::fill_n(&balls_[row], stride_, Ball{});
+    if (model_.anchored) std::fill_n(&anchored_[row], stride_, Ball{});
+    return;
+  }
   // Balls are in the model's units, like the narrow integers, so that they can be mixed.
   const BigMotion& big = big_[object];
-  if (row_[object] == 0) {
-    const auto is_zero = [](const Integer& i) { return i.is_zero(); };
-    if (std::all_of(big.coefficients.begin(), big.coefficients.end(), is_zero)) return;
-    make_row(object);
-  }
+  make_row(object);
   Ball* out = &balls_[row_[object] * stride_];
   const bool unit = model_.scale == Integer(1);
   for (std::size_t i = 0; i < stride_; ++i) {
@@ -274,12 +284,12 @@ void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anch
     }
   }
   narrow_object_[object] = narrow ? 1 : 0;
-  if (narrow) {
+  if (narrow || is_zero(trajectory)) {
     if (is_big(object)) big_[object] = BigMotion{};
   } else {
     set_big(object, trajectory);
-    need_balls();
   }
+  if (!narrow) need_balls();
   if (balls_needed_) set_ball(object);
 }
 
@@ -330,8 +340,11 @@ Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) c
     Integer factor = common;
     factor.divide_exactly(is_big ? big_[ids[i]].denominator : model_.scale);
     for (std::size_t k = 0; k < stride_; ++k) {
-      out[k] = is_big ? big_[ids[i]].coefficients[k]
-                      : Integer(static_cast<std::int64_t>(narrow_[ids[i] * stride_ + k]));
+      if (is_big) {
+        out[k] = big_[ids[i]].coefficients[k];
+      } else if (narrow_object_[ids[i]]) {
+        out[k] = Integer(static_cast<std::int64_t>(narrow_[ids[i] * stride_ + k]));
+      }
       out[k] *= factor;
     }
   }

@@ -25,8 +25,8 @@ struct NumberModel {
 NumberModel choose_number_model(const Scene& scene);
 
 // Coefficient of t^k on axis a at [a * (degree + 1) + k] of an object's numbers.
-// A motion that the model does not cover (given at run time) is kept as big integers. Doubles of
-// such motions are in rows; all objects that are zero (names of features) share the first one.
+// A motion that the model does not cover (given at run time) is kept as big integers, unless it is
+// zero, like what only has a name. Doubles are in rows; all that is zero shares the first one.
 class MotionStore {
  public:
   MotionStore(const NumberModel& model, std::size_t objects);
@@ -57,7 +57,7 @@ class MotionStore {
  private:
   struct BigMotion {
     Integer denominator;
-    std::vector<Integer> coefficients;  // times denominator; empty: the motion is narrow
+    std::vector<Integer> coefficients;  // times denominator; empty: the motion is narrow or zero
     bool whole = true;                  // the denominator is 1
   };
   bool is_big(ObjectId object) const {
