@@ -97,6 +97,7 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
     model.linear = model.degree == 1 && numbers.degree == 1 && model.reach_error == 0;
   }
   model.touches = dynamic_cast<const FailsAtTouch*>(&p) != nullptr;
+  model.form = dynamic_cast<const LinearForm*>(&p);
   touches_ = touches_ || model.touches;
   models_.push_back(model);
 }
@@ -147,6 +148,7 @@ void ExactArithmetic::update_origin() {
 void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
                                  const std::optional<Rational>& until) {
   const int before = motions_.degree();
+  linear_signs_.forget(object);
   motions_.set(object, trajectory, origin_);
   if (motions_.degree() != before) {
     for (std::size_t i = 0; i < models_.size(); ++i) {
@@ -170,13 +172,6 @@ double ExactArithmetic::horizon(const Query& query) const {
     }
   }
   return b;
-}
-
-bool ExactArithmetic::all_narrow(const Query& query) const {
-  for (std::size_t i = 0; i < query.arity; ++i) {
-    if (!motions_.is_narrow(query.ids[i])) return false;
-  }
-  return true;
 }
 
 void ExactArithmetic::wide_coefficients(const Query& query, Int128* out) const {
@@ -296,8 +291,12 @@ std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const
 }
 
 Sign ExactArithmetic::sign_after(const Query& query) {
-  Approximation p;
   StageCounts& counts = count(query).signs;
+  if (const auto sign = form_over_now(query)) {
+    ++counts[static_cast<int>(Stage::kDouble)];
+    return *sign;
+  }
+  Approximation p;
   for (const Stage stage : {Stage::kDouble, Stage::kWide}) {
     if (!approximate(query, stage, p)) continue;
     const auto sign = p.degree < 0 ? std::optional<Sign>(Sign::kZero) : sign_over_now(p);

@@ -6,7 +6,8 @@
 //     polynomial is computed in plain doubles in t - origin, for an origin of few bits just before now:
 //     shifted motions and their differences are exact, and the rounding errors of the rest are bounded
 //     by the predicate's relative error times the reach of the points. Other scenes: doubles with running
-//     error bounds. The sign or the first root is then certified in doubles.
+//     error bounds. The sign or the first root is then certified in doubles. Signs of linear forms
+//     (core/linear_form.h) are first looked for without the polynomial.
 //   kWide: the same with coefficients in t computed exactly in 128-bit integers.
 //   kExact: integers of any size, isolating intervals, gcds.
 #ifndef KINEX_CORE_EXACT_ARITHMETIC_H
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "core/arithmetic.h"
+#include "core/linear_form.h"
 #include "core/motion_store.h"
 #include "core/root_table.h"
 #include "core/touch.h"
@@ -85,9 +87,15 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     bool linear = false;     // a difference of linear motions: doubles hold the polynomial
     double reach_error = 0;  // Predicate::reach_error divided by gamma (core/first_root.h)
     bool touches = false;    // FailsAtTouch
+    const LinearForm* form = nullptr;  // if it is one
   };
 
-  bool all_narrow(const Query& query) const;
+  bool all_narrow(const Query& query) const {
+    for (std::size_t i = 0; i < query.arity; ++i) {
+      if (!motions_.is_narrow(query.ids[i])) return false;
+    }
+    return true;
+  }
   // The polynomial in the form of one stage (kDouble or kWide); false if the stage cannot have it.
   bool approximate(const Query& query, Stage stage, Approximation& p) const;
   void approximate_shifted(const Query& query, Approximation& p) const;
@@ -110,6 +118,11 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   int relation_to_now(const Query& query) const;
   double horizon(const Query& query) const;
   std::optional<Sign> sign_over_now(const Approximation& p) const;
+  std::optional<Sign> form_over_now(const Query& query) {
+    const LinearForm* const form = models_[query.predicate].form;
+    if (form == nullptr || motions_.model().narrow) return std::nullopt;
+    return linear_signs_.over(*form, motions_, query, now_.lo, now_.hi);
+  }
   Sign exact_sign_after(const Query& query);
   Outlook exact_failure(const Query& query, FailureTime& time);
   std::optional<Outlook> linear_failure(const Query& query, const Approximation& p, int relation,
@@ -131,6 +144,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
 
   int solved_degree_ = -1;  // of the polynomial that was looked at last; -1: zero
   MotionStore motions_;
+  LinearSigns linear_signs_;
   std::vector<PredicateModel> models_;
   bool touches_ = false;  // some predicate is FailsAtTouch
   std::vector<double> until_;  // per object; empty if no motion of the scene ends

@@ -128,6 +128,10 @@ Sign ExactArithmetic::sign_now(const Query& query) {
     ++counts[static_cast<int>(Stage::kDouble)];
     return Sign::kZero;
   }
+  if (const auto sign = form_over_now(query)) {
+    ++counts[static_cast<int>(Stage::kDouble)];
+    return *sign;
+  }
   Approximation a;
   if (approximate(query, Stage::kDouble, a)) {
     const auto sign = a.degree < 0 ? std::optional<Sign>(Sign::kZero) : sign_over_now(a);

@@ -26,6 +26,28 @@ Ball enclose(const Integer& n, const Integer& d, long exponent) {
   return {v, std::fabs(v) * 3 * Ball::kUnit + 0x1p-1070};
 }
 
+// The same for d = 1 where nothing overflows or underflows: the quotient is the truncated n.
+Ball enclose_whole(const Integer& n, unsigned long halvings) {
+  constexpr std::size_t kMostWords = 12;
+  constexpr unsigned long kMostHalvings = 900;
+  if (n.is_zero()) return {};
+  if (mpz_size(n.raw()) > kMostWords || halvings > kMostHalvings) {
+    return enclose(n, Integer(1), -static_cast<long>(halvings));
+  }
+  double v = mpz_get_d(n.raw());
+  if (halvings > 0) v = std::ldexp(v, -static_cast<int>(halvings));
+  return {v, std::fabs(v) * 3 * Ball::kUnit + 0x1p-1070};
+}
+
+bool is_zero(const Trajectory& trajectory) {
+  for (const auto& axis : trajectory.coordinates) {
+    for (const Rational& c : axis) {
+      if (!c.is_zero()) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 NumberModel choose_number_model(const Scene& scene) {
@@ -87,59 +109,96 @@ MotionStore::MotionStore(const NumberModel& model, std::size_t objects)
 void MotionStore::need_balls() {
   if (balls_needed_) return;
   balls_needed_ = true;
-  balls_.assign(objects_ * stride_, Ball{});
+  row_.assign(objects_, 0);
+  rows_ = 1;
+  balls_.assign(stride_, Ball{});
   if (model_.anchored) {
-    anchored_.assign(objects_ * stride_, Ball{});
+    anchored_.assign(stride_, Ball{});
     anchors_.resize(objects_, std::numeric_limits<double>::infinity());
   }
   for (ObjectId i = 0; i < objects_; ++i) set_ball(i);
 }
 
+void MotionStore::make_row(ObjectId object) {
+  if (row_[object] != 0) return;
+  row_[object] = rows_++;
+  balls_.resize(rows_ * stride_);
+  if (model_.anchored) anchored_.resize(rows_ * stride_);
+}
+
 void MotionStore::set_ball(ObjectId object) {
-  Ball* out = &balls_[object * stride_];
   if (narrow_object_[object]) {
+    make_row(object);
+    Ball* out = &balls_[row_[object] * stride_];
     const double* in = &narrow_[object * stride_];
     for (std::size_t i = 0; i < stride_; ++i) out[i] = {in[i], 0.0};
     return;
   }
-  const auto it = big_.find(object);
-  if (it == big_.end()) return;
+  if (!is_big(object)) {
+    const std::size_t row = row_[object] * stride_;
+    std::fill_n(&balls_[row], stride_, Ball{});
+    if (model_.anchored) std::fill_n(&anchored_[row], stride_, Ball{});
+    return;
+  }
   // Balls are in the model's units, like the narrow integers, so that they can be mixed.
-  const BigMotion& big = it->second;
+  const BigMotion& big = big_[object];
+  make_row(object);
+  Ball* out = &balls_[row_[object] * stride_];
   const bool unit = model_.scale == Integer(1);
   for (std::size_t i = 0; i < stride_; ++i) {
-    out[i] = unit ? enclose(big.coefficients[i], big.denominator, 0)
-                  : enclose(big.coefficients[i] * model_.scale, big.denominator, 0);
+    if (unit && big.whole) {
+      out[i] = enclose_whole(big.coefficients[i], 0);
+    } else if (unit) {
+      out[i] = enclose(big.coefficients[i], big.denominator, 0);
+    } else {
+      out[i] = enclose(big.coefficients[i] * model_.scale, big.denominator, 0);
+    }
   }
   if (model_.anchored) set_anchored(object);
+}
+
+void MotionStore::split_anchor(double anchor) {
+  if (anchor_.value == anchor) return;
+  const Rational exact = *Rational::from_double(anchor);
+  anchor_.value = anchor;
+  anchor_.a = exact.numerator();
+  anchor_.e = exact.denominator().trailing_zeros();
 }
 
 // With anchor = a / 2^e, the polynomial of degree d in u = 2^e t, times 2^(e d), has integer
 // coefficients, and so has what is shifted by a. Requires big integers in units of 1.
 void MotionStore::set_anchored(ObjectId object) {
-  const BigMotion& big = big_.at(object);
+  const BigMotion& big = big_[object];
   const double anchor = anchors_[object];
+  const std::size_t row = row_[object] * stride_;
   if (std::isinf(anchor) || anchor == 0) {
-    std::copy_n(&balls_[object * stride_], stride_, &anchored_[object * stride_]);
+    std::copy_n(&balls_[row], stride_, &anchored_[row]);
     return;
   }
   const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
-  const Rational exact = *Rational::from_double(anchor);
-  const Integer a = exact.numerator();
-  const unsigned long e = exact.denominator().trailing_zeros();
-  std::vector<Integer> axis;
+  split_anchor(anchor);
+  const Integer& a = anchor_.a;
+  const unsigned long e = anchor_.e;
+  axis_.resize(powers);
   for (std::size_t begin = 0; begin < stride_; begin += powers) {
-    axis.assign(big.coefficients.begin() + static_cast<std::ptrdiff_t>(begin),
-                big.coefficients.begin() + static_cast<std::ptrdiff_t>(begin + powers));
     std::size_t d = powers - 1;
-    while (d > 0 && axis[d].is_zero()) --d;
-    for (std::size_t k = 0; k < d; ++k) axis[k] <<= e * (d - k);
+    while (d > 0 && big.coefficients[begin + d].is_zero()) --d;
+    for (std::size_t k = 0; k <= d; ++k) {
+      axis_[k] = big.coefficients[begin + k];
+      axis_[k] <<= e * (d - k);
+    }
     for (std::size_t k = 0; k < d; ++k) {
-      for (std::size_t j = d; j > k; --j) axis[j - 1].add_product(a, axis[j]);
+      for (std::size_t j = d; j > k; --j) axis_[j - 1].add_product(a, axis_[j]);
     }
     for (std::size_t k = 0; k < powers; ++k) {
-      anchored_[object * stride_ + begin + k] =
-          k > d ? Ball{} : enclose(axis[k], big.denominator, -static_cast<long>(e * (d - k)));
+      Ball& out = anchored_[row + begin + k];
+      if (k > d) {
+        out = Ball{};
+      } else if (big.whole) {
+        out = enclose_whole(axis_[k], e * (d - k));
+      } else {
+        out = enclose(axis_[k], big.denominator, -static_cast<long>(e * (d - k)));
+      }
     }
   }
 }
@@ -166,9 +225,10 @@ void MotionStore::grow_degree(int degree) {
     }
   };
   // Above the fixed degrees nothing is narrow any more.
+  big_.resize(objects_);
   for (ObjectId i = 0; i < objects_; ++i) {
     if (narrow_object_[i]) {
-      BigMotion big{model_.scale, std::vector<Integer>(stride_)};
+      BigMotion big{model_.scale, std::vector<Integer>(stride_), model_.scale == Integer(1)};
       for (std::size_t k = 0; k < stride_; ++k) {
         big.coefficients[k] = Integer(static_cast<std::int64_t>(narrow_[i * stride_ + k]));
       }
@@ -176,7 +236,8 @@ void MotionStore::grow_degree(int degree) {
       narrow_object_[i] = 0;
     }
   }
-  for (auto& [id, big] : big_) {
+  for (BigMotion& big : big_) {
+    if (big.coefficients.empty()) continue;
     std::vector<Integer> wider(stride);
     spread(big.coefficients, wider);
     big.coefficients = std::move(wider);
@@ -194,11 +255,8 @@ void MotionStore::grow(std::size_t objects) {
   objects_ = objects;
   narrow_object_.resize(objects_, 0);
   if (model_.narrow) narrow_.resize(objects_ * stride_, 0);
-  if (balls_needed_) balls_.resize(objects_ * stride_, Ball{});
-  if (model_.anchored) {
-    anchored_.resize(objects_ * stride_, Ball{});
-    anchors_.resize(objects_, std::numeric_limits<double>::infinity());
-  }
+  if (balls_needed_) row_.resize(objects_, 0);
+  if (model_.anchored) anchors_.resize(objects_, std::numeric_limits<double>::infinity());
 }
 
 void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anchor) {
@@ -226,46 +284,67 @@ void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anch
     }
   }
   narrow_object_[object] = narrow ? 1 : 0;
-  if (narrow) {
-    if (!big_.empty()) big_.erase(object);
+  if (narrow || is_zero(trajectory)) {
+    if (is_big(object)) big_[object] = BigMotion{};
   } else {
-    Integer denominator(1);
-    for (const auto& axis : trajectory.coordinates) {
-      for (const Rational& c : axis) denominator = lcm(denominator, c.denominator());
-    }
-    BigMotion big{denominator, std::vector<Integer>(stride_)};
-    for (std::size_t a = 0; a < trajectory.coordinates.size(); ++a) {
-      const auto& axis = trajectory.coordinates[a];
-      for (std::size_t k = 0; k < axis.size() && k < powers; ++k) {
-        Integer factor = denominator;
-        factor.divide_exactly(axis[k].denominator());
-        big.coefficients[a * powers + k] = axis[k].numerator() * factor;
-      }
-    }
-    big_[object] = std::move(big);
-    need_balls();
+    set_big(object, trajectory);
   }
+  if (!narrow) need_balls();
   if (balls_needed_) set_ball(object);
+}
+
+// The memory of the object's former motion is used again.
+void MotionStore::set_big(ObjectId object, const Trajectory& trajectory) {
+  if (big_.size() < objects_) big_.resize(objects_);
+  BigMotion& big = big_[object];
+  big.coefficients.resize(stride_);
+  big.whole = true;
+  for (const auto& axis : trajectory.coordinates) {
+    for (const Rational& c : axis) big.whole = big.whole && c.is_integer();
+  }
+  big.denominator = Integer(1);
+  if (!big.whole) {
+    for (const auto& axis : trajectory.coordinates) {
+      for (const Rational& c : axis) big.denominator = lcm(big.denominator, c.denominator());
+    }
+  }
+  const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
+  for (std::size_t i = 0; i < stride_; ++i) {
+    Integer& out = big.coefficients[i];
+    const std::size_t a = i / powers, k = i % powers;
+    if (a >= trajectory.coordinates.size() || k >= trajectory.coordinates[a].size()) {
+      mpz_set_ui(out.raw(), 0);
+      continue;
+    }
+    const Rational& c = trajectory.coordinates[a][k];
+    mpz_set(out.raw(), mpq_numref(c.raw()));
+    if (big.whole) continue;
+    Integer factor = big.denominator;
+    mpz_divexact(factor.raw(), factor.raw(), mpq_denref(c.raw()));
+    out *= factor;
+  }
 }
 
 Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) const {
   const int arity = predicate.arity();
   Integer common(1);
   for (int i = 0; i < arity; ++i) {
-    const auto it = big_.find(ids[i]);
-    common = lcm(common, it == big_.end() ? model_.scale : it->second.denominator);
+    common = lcm(common, is_big(ids[i]) ? big_[ids[i]].denominator : model_.scale);
   }
   std::vector<Integer> coefficients(static_cast<std::size_t>(arity) * stride_);
   std::array<MotionView<Integer>, kMaxArity> points{};
   for (int i = 0; i < arity; ++i) {
     Integer* out = &coefficients[static_cast<std::size_t>(i) * stride_];
     points[static_cast<std::size_t>(i)] = out;
-    const auto it = big_.find(ids[i]);
+    const bool is_big = this->is_big(ids[i]);
     Integer factor = common;
-    factor.divide_exactly(it == big_.end() ? model_.scale : it->second.denominator);
+    factor.divide_exactly(is_big ? big_[ids[i]].denominator : model_.scale);
     for (std::size_t k = 0; k < stride_; ++k) {
-      out[k] = it == big_.end() ? Integer(static_cast<std::int64_t>(narrow_[ids[i] * stride_ + k]))
-                                : it->second.coefficients[k];
+      if (is_big) {
+        out[k] = big_[ids[i]].coefficients[k];
+      } else if (narrow_object_[ids[i]]) {
+        out[k] = Integer(static_cast<std::int64_t>(narrow_[ids[i] * stride_ + k]));
+      }
       out[k] *= factor;
     }
   }
@@ -275,10 +354,9 @@ Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) c
 std::size_t MotionStore::bytes() const {
   std::size_t total = narrow_.capacity() * sizeof(double) + narrow_object_.capacity() +
                       (balls_.capacity() + anchored_.capacity()) * sizeof(Ball) +
-                      anchors_.capacity() * sizeof(double);
-  for (const auto& [id, big] : big_) {
-    total += sizeof(big) + 64 + big.coefficients.capacity() * (sizeof(Integer) + 16);
-  }
+                      anchors_.capacity() * sizeof(double) + row_.capacity() * sizeof(row_[0]) +
+                      big_.capacity() * sizeof(BigMotion);
+  for (const BigMotion& big : big_) total += big.coefficients.capacity() * (sizeof(Integer) + 16);
   return total;
 }
 

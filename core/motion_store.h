@@ -4,7 +4,6 @@
 #define KINEX_CORE_MOTION_STORE_H
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -25,8 +24,9 @@ struct NumberModel {
 };
 NumberModel choose_number_model(const Scene& scene);
 
-// Coefficient of t^k on axis a of object i at [(i * dimension + a) * (degree + 1) + k].
-// A motion that the model does not cover (given at run time) is kept as big integers.
+// Coefficient of t^k on axis a at [a * (degree + 1) + k] of an object's numbers.
+// A motion that the model does not cover (given at run time) is kept as big integers, unless it is
+// zero, like what only has a name. Doubles are in rows; all that is zero shares the first one.
 class MotionStore {
  public:
   MotionStore(const NumberModel& model, std::size_t objects);
@@ -44,10 +44,10 @@ class MotionStore {
   MotionView<double> narrow(ObjectId object) const { return &narrow_[object * stride_]; }
   // The number of coefficients of one object.
   std::size_t stride() const { return stride_; }
-  MotionView<Ball> ball(ObjectId object) const { return &balls_[object * stride_]; }
+  MotionView<Ball> ball(ObjectId object) const { return &balls_[row_[object] * stride_]; }
   // The same in t - anchor, shifted exactly before it was rounded: far from t = 0 the coefficients in t
   // cancel, these do not. Requires model().anchored.
-  MotionView<Ball> anchored(ObjectId object) const { return &anchored_[object * stride_]; }
+  MotionView<Ball> anchored(ObjectId object) const { return &anchored_[row_[object] * stride_]; }
   // The anchor that all moving objects of these share; nullopt if nothing moves, or they do not.
   std::optional<double> shared_anchor(const ObjectId* ids, std::size_t count) const;
   // The exact polynomial of `predicate` over these objects, times a positive constant.
@@ -57,23 +57,39 @@ class MotionStore {
  private:
   struct BigMotion {
     Integer denominator;
-    std::vector<Integer> coefficients;  // times denominator
+    std::vector<Integer> coefficients;  // times denominator; empty: the motion is narrow or zero
+    bool whole = true;                  // the denominator is 1
   };
+  bool is_big(ObjectId object) const {
+    return object < big_.size() && !big_[object].coefficients.empty();
+  }
   void grow(std::size_t objects);
   void grow_degree(int degree);
+  void set_big(ObjectId object, const Trajectory& trajectory);
+  void make_row(ObjectId object);
   void set_ball(ObjectId object);
   void set_anchored(ObjectId object);
+  // Splits an anchor a / 2^e.
+  void split_anchor(double anchor);
 
   NumberModel model_;
   std::size_t objects_;
   std::size_t stride_;
   std::vector<double> narrow_;  // integers
   std::vector<std::uint8_t> narrow_object_;
+  std::vector<std::uint32_t> row_;  // per object, of balls_ and anchored_; 0: all are zero
+  std::uint32_t rows_ = 1;
   std::vector<Ball> balls_;
   std::vector<Ball> anchored_;
   std::vector<double> anchors_;  // per object; infinity: it does not move
-  std::map<ObjectId, BigMotion> big_;
+  std::vector<BigMotion> big_;  // per object; empty before the first one
   bool balls_needed_ = false;
+  struct {
+    double value = 0;
+    Integer a;
+    unsigned long e = 0;
+  } anchor_;  // the one that was split last
+  std::vector<Integer> axis_;  // being shifted
 };
 
 }  // namespace kinex

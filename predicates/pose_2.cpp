@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/dyadic_polynomial.h"
 #include "core/integer.h"
 #include "core/rational.h"
 
@@ -60,41 +62,83 @@ Fractions operator*(const Fractions& a, const Fractions& b) {
   return product;
 }
 
+template <class Form>
 struct Turn {  // the square of a rotor, and its absolute value
-  Fractions c, s, n;
+  Form c, s, n;
 };
-Turn square(const Fractions& p, const Fractions& q) {
-  const Fractions pp = p * p, qq = q * q, pq = p * q;
+template <class Form>
+Turn<Form> square(const Form& p, const Form& q) {
+  const Form pp = p * p, qq = q * q, pq = p * q;
   return {pp - qq, pq + pq, pp + qq};
+}
+
+template <class Form>
+using Body = std::array<Form, kBodyAxes>;
+
+template <class Form>
+std::array<Form, kPoseAxes> pose_axes(const Body<Form>& a, const Body<Form>& b) {
+  const Form x = b[0] - a[0], y = b[1] - a[1];
+  const Turn<Form> turn_a = square(a[2], a[3]), turn_b = square(b[2], b[3]);
+  // conj(w_A) w_B
+  const Turn<Form> turn = square(a[2] * b[2] + a[3] * b[3], a[2] * b[3] - a[3] * b[2]);
+  return {turn_b.n * (turn_a.c * x + turn_a.s * y),
+          turn_b.n * (turn_a.c * y - turn_a.s * x),
+          turn_a.n * (turn_b.c * x + turn_b.s * y),
+          turn_a.n * (turn_b.c * y - turn_b.s * x),
+          turn.n,
+          turn.c,
+          turn.s};
+}
+
+// Numbers of more bits than this are scaled.
+constexpr std::size_t kLong = 400;
+
+// In machine integers; nullopt if they do not hold the pose.
+std::optional<Trajectory> short_pose(std::span<const Trajectory* const> bases) {
+  std::array<Body<DyadicPolynomial>, 2> body;
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t axis = 0; axis < kBodyAxes; ++axis) {
+      body[i][axis] = DyadicPolynomial::of(bases[i]->coordinates[axis]);
+      if (!body[i][axis].is_valid()) return std::nullopt;
+    }
+  }
+  const auto axes = pose_axes(body[0], body[1]);
+  unsigned common = 0;
+  for (const DyadicPolynomial& axis : axes) {
+    if (!axis.is_valid()) return std::nullopt;
+    common = std::max(common, axis.denominator_bits());
+  }
+  for (const DyadicPolynomial& axis : axes) {
+    if (axis.bits(common) > kLong) return std::nullopt;
+  }
+  Trajectory pose;
+  pose.coordinates.resize(kPoseAxes);
+  for (std::size_t i = 0; i < kPoseAxes; ++i) axes[i].write(common, pose.coordinates[i]);
+  return pose;
 }
 
 class Pose2 final : public Construction {
  public:
+  explicit Pose2(bool tries_short) : tries_short_(tries_short) {}
   std::string_view name() const override { return "pose_2"; }
 
   Trajectory derive(std::span<const Trajectory* const> bases) const override {
-    std::array<std::array<Fractions, kBodyAxes>, 2> body;
+    if (tries_short_) {
+      if (auto pose = short_pose(bases)) return *std::move(pose);
+    }
+    std::array<Body<Fractions>, 2> body;
     for (std::size_t i = 0; i < 2; ++i) {
       for (std::size_t axis = 0; axis < kBodyAxes; ++axis) {
         body[i][axis] = fractions(bases[i]->coordinates[axis]);
       }
     }
-    const auto& [a, b] = body;
-    const Fractions x = b[0] - a[0], y = b[1] - a[1];
-    const Turn turn_a = square(a[2], a[3]), turn_b = square(b[2], b[3]);
-    // conj(w_A) w_B
-    const Turn turn = square(a[2] * b[2] + a[3] * b[3], a[2] * b[3] - a[3] * b[2]);
-    return whole({turn_b.n * (turn_a.c * x + turn_a.s * y),
-                  turn_b.n * (turn_a.c * y - turn_a.s * x),
-                  turn_a.n * (turn_b.c * x + turn_b.s * y),
-                  turn_a.n * (turn_b.c * y - turn_b.s * x), turn.n, turn.c, turn.s});
+    return whole(pose_axes(body[0], body[1]));
   }
 
  private:
   // All axes times the same positive number, so that nothing is left to reduce; very long numbers
   // by a power of two that keeps them within the doubles.
   static Trajectory whole(const std::array<Fractions, kPoseAxes>& axes) {
-    constexpr std::size_t kLong = 400;
     Integer common(1);
     for (const Fractions& axis : axes) common = lcm(common, axis.denominator);
     Trajectory pose;
@@ -118,10 +162,13 @@ class Pose2 final : public Construction {
     pose.normalise();
     return pose;
   }
+
+  bool tries_short_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Construction> make_pose_2() { return std::make_shared<Pose2>(); }
+std::shared_ptr<const Construction> make_pose_2() { return std::make_shared<Pose2>(true); }
+std::shared_ptr<const Construction> make_long_pose_2() { return std::make_shared<Pose2>(false); }
 
 }  // namespace kinex

@@ -34,6 +34,8 @@ inline constexpr int kPoseAxes = 7;
 
 // The pose of the second base as seen from the first.
 std::shared_ptr<const Construction> make_pose_2();
+// The same rationals without the short way through machine integers, for tests.
+std::shared_ptr<const Construction> make_long_pose_2();
 
 // Whose frame a line belongs to.
 enum class Frame { kA, kB };

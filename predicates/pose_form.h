@@ -12,9 +12,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string_view>
 
+#include "core/linear_form.h"
 #include "predicates/pose_2.h"
 #include "predicates/wide_predicate.h"
 
@@ -61,8 +63,35 @@ struct PoseFormula : Form {
 };
 
 template <class Form>
+class PosePredicate final : public WidePredicate<PoseFormula<Form>>, public LinearForm {
+ public:
+  explicit PosePredicate(Form form)
+      : WidePredicate<PoseFormula<Form>>(PoseFormula<Form>(form)), form_(form) {}
+
+  std::uint32_t axes() const override {
+    std::uint32_t bits = 0;
+    for (const int axis : Form::kAxes) bits |= 1u << axis;
+    return bits;
+  }
+  Ball value(int d, const MotionView<Ball>* points, const Ball* axes) const override {
+    const std::size_t powers = static_cast<std::size_t>(d) + 1;
+    std::array<Constant<Ball>, kMaxArity> constants{};
+    for (std::size_t i = 1; i < Form::kArity; ++i) constants[i - 1] = {points[i], powers};
+    const auto factors = form_.factors(constants.data());
+    Ball sum;
+    for (std::size_t i = 0; i < Form::kAxes.size(); ++i) {
+      sum += factors[i] * axes[static_cast<std::size_t>(Form::kAxes[i])];
+    }
+    return sum;
+  }
+
+ private:
+  Form form_;
+};
+
+template <class Form>
 std::shared_ptr<const Predicate> make_pose_form(Form form) {
-  return std::make_shared<WidePredicate<PoseFormula<Form>>>(PoseFormula<Form>(form));
+  return std::make_shared<PosePredicate<Form>>(form);
 }
 
 }  // namespace kinex

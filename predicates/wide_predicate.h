@@ -38,7 +38,7 @@ using FailureRule = std::conditional_t < requires {
 , FailsAtTouch, FailsWhereNegative > ;
 
 template <class Formula>
-class WidePredicate final : public Predicate, public FailureRule<Formula> {
+class WidePredicate : public Predicate, public FailureRule<Formula> {
  public:
   explicit WidePredicate(Formula formula) : formula_(std::move(formula)) {}
 

@@ -112,11 +112,14 @@ BodyFrames::BodyFrames(Kernel& kernel, const Scene& scene, CutPolicy policy)
     : scene_(scene),
       policy_(policy),
       constants_(kernel),
-      of_body_(scene.objects.size(), std::array<BodyFrame*, 2>{nullptr, nullptr}) {}
+      of_body_(scene.objects.size(), std::array<BodyFrame*, 2>{nullptr, nullptr}),
+      different_(ByPolygon{&scene}) {}
 
 BodyFrame& BodyFrames::frame(ObjectId body, bool negated) {
   BodyFrame*& known = of_body_[body][negated ? 1 : 0];
   if (known != nullptr) return *known;
+  const ObjectId like = different_.try_emplace(body).first->first;
+  if (like != body) return *(known = &frame(like, negated));
   FramePolygon polygon = frame_polygon(scene_.objects[body].polygon, negated);
   auto [place, is_new] = by_polygon_.try_emplace(polygon.vertices);
   if (is_new) {
@@ -127,8 +130,30 @@ BodyFrame& BodyFrames::frame(ObjectId body, bool negated) {
   return *known;
 }
 
+std::uint32_t BodyFrames::place(ObjectId body, bool negated, std::uint32_t i) {
+  auto& [like, all] = *different_.try_emplace(body).first;
+  std::vector<std::uint32_t>& places = all[negated ? 1 : 0];
+  if (places.empty()) find_places(like, negated, places);
+  return places[i];
+}
+
+void BodyFrames::find_places(ObjectId body, bool negated, std::vector<std::uint32_t>& places) {
+  std::map<FramePoint, std::uint32_t> of_point;
+  std::uint32_t next = 0;
+  for (const Vertex2& v : scene_.objects[body].polygon) {
+    of_point.try_emplace(negated ? frame_point(-v[0], -v[1]) : frame_point(v[0], v[1]), next++);
+  }
+  for (const FramePoint& p : frame(body, negated).hierarchy().polygon().vertices) {
+    places.push_back(of_point.at(p));
+  }
+}
+
 std::size_t BodyFrames::bytes() const {
   std::size_t total = constants_.bytes() + of_body_.capacity() * sizeof(of_body_[0]);
+  for (const auto& [body, places] : different_) {
+    total += sizeof(places) + 48;
+    for (const auto& list : places) total += list.capacity() * sizeof(std::uint32_t);
+  }
   for (const auto& [vertices, frame] : by_polygon_) {
     total += frame->bytes() + vertices.capacity() * sizeof(FramePoint);
   }

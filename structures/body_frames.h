@@ -75,6 +75,8 @@ class BodyFrames {
   // The frame of a body, negated or as it is; lives as long as this object. Built when first asked
   // for.
   BodyFrame& frame(ObjectId body, bool negated);
+  // The place of vertex i of that frame in the scene's list; frames begin elsewhere.
+  std::uint32_t place(ObjectId body, bool negated, std::uint32_t i);
   FrameConstants& constants() { return constants_; }
   CutPolicy policy() const { return policy_; }
   // Calls visit(hierarchy) for those built so far, each once.
@@ -85,11 +87,21 @@ class BodyFrames {
   std::size_t bytes() const;
 
  private:
+  void find_places(ObjectId body, bool negated, std::vector<std::uint32_t>& places);
+
   const Scene& scene_;
   CutPolicy policy_;
   FrameConstants constants_;
   std::map<std::vector<FramePoint>, std::unique_ptr<BodyFrame>> by_polygon_;
   std::vector<std::array<BodyFrame*, 2>> of_body_;
+  struct ByPolygon {
+    const Scene* scene;
+    bool operator()(ObjectId a, ObjectId b) const {
+      return scene->objects[a].polygon < scene->objects[b].polygon;
+    }
+  };
+  // The bodies whose lists of vertices were new, and where theirs are.
+  std::map<ObjectId, std::array<std::vector<std::uint32_t>, 2>, ByPolygon> different_;
 };
 
 }  // namespace kinex

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,7 +37,8 @@ class BodyGrid {
   // The certificate with this tag has failed: its body moves on to the next cell. Returns the body.
   ObjectId move_on(std::uint32_t tag);
   // The bodies in its cell and in the eight about it, in ascending order, itself excepted.
-  std::vector<ObjectId> near(ObjectId body) const;
+  // Valid until the next call.
+  std::span<const ObjectId> near(ObjectId body);
   bool are_near(ObjectId a, ObjectId b) const;
   std::size_t bytes() const;
 
@@ -60,6 +62,7 @@ class BodyGrid {
   std::vector<Place> places_;                     // per body
   std::map<Cell, std::vector<ObjectId>> cells_;   // ascending ids
   std::map<std::int64_t, ObjectId> lines_;
+  std::vector<ObjectId> near_;
 };
 
 }  // namespace kinex

@@ -7,6 +7,11 @@
 #include "predicates/frame_geometry.h"
 
 namespace kinex {
+namespace {
+
+constexpr std::uint32_t kNoSize = 0xffffffffu;
+
+}  // namespace
 
 BodyVolumes::BodyVolumes(Kernel& kernel, const Scene& scene)
     : kernel_(kernel),
@@ -14,7 +19,8 @@ BodyVolumes::BodyVolumes(Kernel& kernel, const Scene& scene)
       gap_{kernel.bind(make_axis_gap(0)), kernel.bind(make_axis_gap(1))},
       discs_apart_(kernel.bind(make_discs_apart(false))),
       discs_overlap_(kernel.bind(make_discs_apart(true))),
-      radii_(scene.objects.size()) {}
+      radii_(scene.objects.size()),
+      size_(scene.objects.size(), kNoSize) {}
 
 const Rational& BodyVolumes::radius(ObjectId body) {
   std::optional<Rational>& known = radii_[body];
@@ -34,11 +40,24 @@ Rational BodyVolumes::largest_radius() {
   return largest;
 }
 
+std::uint32_t BodyVolumes::size(ObjectId body) {
+  std::uint32_t& known = size_[body];
+  if (known == kNoSize) {
+    known =
+        sizes_.try_emplace(radius(body), static_cast<std::uint32_t>(sizes_.size())).first->second;
+  }
+  return known;
+}
+
 ObjectId BodyVolumes::reach(ObjectId a, ObjectId b) {
+  const auto [small, large] = std::minmax({size(a), size(b)});
+  const auto known =
+      reach_of_sizes_.try_emplace(std::uint64_t{large} << 32 | small, kNoObject).first;
+  if (known->second != kNoObject) return known->second;
   const Rational sum = radius(a) + radius(b);
   const auto [place, is_new] = reaches_.try_emplace(sum, kNoObject);
   if (is_new) place->second = kernel_.constant(sum.to_string(), {sum});
-  return place->second;
+  return known->second = place->second;
 }
 
 std::optional<Query> BodyVolumes::proof(ObjectId a, ObjectId b) {
@@ -56,8 +75,9 @@ Query BodyVolumes::discs_overlap(ObjectId a, ObjectId b) {
 }
 
 std::size_t BodyVolumes::bytes() const {
-  return radii_.capacity() * sizeof(radii_[0]) +
-         reaches_.size() * (sizeof(Rational) + sizeof(ObjectId) + 48);
+  return radii_.capacity() * sizeof(radii_[0]) + size_.capacity() * sizeof(size_[0]) +
+         (reaches_.size() + sizes_.size() + reach_of_sizes_.size()) *
+             (sizeof(Rational) + sizeof(ObjectId) + 48);
 }
 
 }  // namespace kinex

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/kernel.h"
@@ -31,6 +32,7 @@ class BodyVolumes {
 
  private:
   ObjectId reach(ObjectId a, ObjectId b);
+  std::uint32_t size(ObjectId body);
   const Rational& radius(ObjectId body);
 
   Kernel& kernel_;
@@ -39,6 +41,9 @@ class BodyVolumes {
   PredicateId discs_apart_, discs_overlap_;
   std::vector<std::optional<Rational>> radii_;  // per body, once needed
   std::map<Rational, ObjectId> reaches_;        // constants
+  std::vector<std::uint32_t> size_;             // per body, once needed: equal radii, equal numbers
+  std::map<Rational, std::uint32_t> sizes_;
+  std::unordered_map<std::uint64_t, ObjectId> reach_of_sizes_;
 };
 
 }  // namespace kinex

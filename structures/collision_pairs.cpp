@@ -151,8 +151,8 @@ void CollisionPairs::erase(ObjectId object) {
 }
 
 void CollisionPairs::update_pairs(ObjectId body) {
-  const std::vector<PairId> had = pairs_of_[body];
-  for (const PairId p : had) {
+  had_ = pairs_of_[body];
+  for (const PairId p : had_) {
     if (!pairs_[p].touching && !grid_->are_near(pairs_[p].a, pairs_[p].b)) remove_pair(p);
   }
   for (const ObjectId other : grid_->near(body)) {
@@ -310,13 +310,7 @@ ObjectId CollisionPairs::feature_object(ObjectId body, bool negated, Feature fea
   if (of_body.empty()) of_body.resize(4 * scene_.objects[body].polygon.size(), kNoObject);
   ObjectId& known = of_body[4 * feature.i + (negated ? 2u : 0u) + (feature.edge ? 1u : 0u)];
   if (known != kNoObject) return known;
-  const FramePoint vertex = frames_.frame(body, negated).hierarchy().polygon().vertices[feature.i];
-  const std::vector<Vertex2>& polygon = scene_.objects[body].polygon;
-  std::size_t place = 0;
-  const auto is_there = [&](const Vertex2& v) {
-    return (negated ? frame_point(-v[0], -v[1]) : frame_point(v[0], v[1])) == vertex;
-  };
-  while (place + 1 < polygon.size() && !is_there(polygon[place])) ++place;
+  const std::uint32_t place = frames_.place(body, negated, feature.i);
   return known = kernel_.constant(
              scene_.objects[body].id + (feature.edge ? ".e" : ".v") + std::to_string(place),
              {Rational()});

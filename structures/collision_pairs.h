@@ -191,6 +191,7 @@ class CollisionPairs : public Structure {
   std::optional<RayPredicates> rays_;  // from the first contact on
   std::optional<BodyGrid> grid_;
   std::vector<std::vector<PairId>> pairs_of_;  // per body
+  std::vector<PairId> had_;                    // in update_pairs
   std::vector<std::uint8_t> alive_;
   CertificateId failed_ = kNoCertificate;  // while it is handled
   std::uint64_t failures_in_contact_ = 0;

@@ -32,6 +32,7 @@ MixedTiles::MixedTiles(Kernel& kernel, const PosePredicates& predicates, ObjectI
   const Trajectory& motion = kernel.derived().trajectory(pose);
   turns_ = motion.coordinates[5].size() > 1 || motion.coordinates[6].size() > 1;
   if (tree(0).is_point() || tree(1).is_point()) return;
+  if (tree(0).radius() == tree(1).radius()) return;
   // The error at equal levels is a quarter per two levels of the radius: the smaller polygon waits.
   const std::uint8_t small = tree(1).radius() < tree(0).radius() ? 1 : 0;
   Rational reach = Rational(2) * tree(small).radius();

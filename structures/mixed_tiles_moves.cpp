@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From tile to tile.
 #include <algorithm>
+#include <span>
 
 #include "structures/mixed_tiles.h"
 
@@ -279,14 +280,7 @@ std::optional<Tile> MixedTiles::leave(std::uint8_t z, std::uint32_t edge,
 std::optional<Tile> MixedTiles::locate() const {
   if (auto half = locate_half()) return half;
   // All cuts in the order of their operations.
-  std::array<std::vector<Id>, 2> nodes;
-  for (std::uint8_t z = 0; z < 2; ++z) {
-    for (Id v = 0; v < tree(z).nodes().size(); ++v) {
-      if (cut_time(z, v) != kNever) nodes[z].push_back(v);
-    }
-    std::stable_sort(nodes[z].begin(), nodes[z].end(),
-                     [&](Id a, Id b) { return cut_time(z, a) < cut_time(z, b); });
-  }
+  const std::array<std::span<const Id>, 2> nodes{tree(0).cuts(), tree(1).cuts()};
   std::array<std::size_t, 2> at{};
   while (at[0] < nodes[0].size() || at[1] < nodes[1].size()) {
     const bool second =

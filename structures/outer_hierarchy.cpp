@@ -102,6 +102,12 @@ OuterHierarchy::OuterHierarchy(FramePolygon polygon, CutPolicy policy)
     if (is_new) points_.push_back(node.apex);
     node.point = place->second;
   }
+  for (std::uint32_t v = 0; v < nodes_.size(); ++v) {
+    if (nodes_[v].cut_level != kNever) cuts_.push_back(v);
+  }
+  std::stable_sort(cuts_.begin(), cuts_.end(), [this](std::uint32_t a, std::uint32_t b) {
+    return nodes_[a].cut_level < nodes_[b].cut_level;
+  });
   edge_on_.resize(polygon_.size());
   for (std::uint32_t e = 0; e < edges_.size(); ++e) {
     if (edges_[e].polygon_edge != kNone) edge_on_[edges_[e].polygon_edge] = e;
@@ -223,7 +229,7 @@ std::size_t OuterHierarchy::bytes() const {
          edges_.capacity() * (sizeof(Edge) + kNumbers) +
          points_.capacity() * (sizeof(FramePoint) + kNumbers) +
          2 * polygon_.size() * (sizeof(FramePoint) + kNumbers) +
-         edge_on_.capacity() * sizeof(std::uint32_t);
+         (edge_on_.capacity() + cuts_.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace kinex

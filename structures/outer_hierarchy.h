@@ -83,6 +83,8 @@ class OuterHierarchy {
   const Node& node(std::uint32_t v) const { return nodes_[v]; }
   // The distinct apexes, in the order in which they were made.
   const std::vector<FramePoint>& points() const { return points_; }
+  // The nodes that are cut, in the order of their levels, then of their numbers.
+  const std::vector<std::uint32_t>& cuts() const { return cuts_; }
   // The roots: the corners of the box, counter-clockwise; corner i lies between edges i and i + 1.
   // (One node for a point.)
   std::uint32_t roots() const { return is_point() ? 1 : 4; }
@@ -125,6 +127,7 @@ class OuterHierarchy {
   std::vector<Range> ranges_;           // per node
   std::vector<std::uint32_t> edge_on_;  // per edge of P
   std::vector<FramePoint> points_;
+  std::vector<std::uint32_t> cuts_;
   int levels_ = 0;
   Rational radius_;
   FramePoint centre_;
