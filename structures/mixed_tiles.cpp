@@ -6,8 +6,8 @@
 
 namespace kinex {
 
-// The order is that of ties in the queue: a side that fails at a touch too comes where it would come
-// without that.
+// The order is that of ties in the queue: a side that fails at a touch too comes where it would
+// come without that.
 PosePredicates::PosePredicates(Kernel& kernel) {
   const std::array<Frame, 2> frames{Frame::kA, Frame::kB};
   for (std::size_t z = 0; z < 2; ++z) {
