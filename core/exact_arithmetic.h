@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ExactArithmetic (`exact`): every answer is exact; a filter in doubles gives nearly all of them.
 //
-// Stages, cheapest first; a stage may abstain, none may be wrong, and the ledger counts who answered.
-//   kDouble: where the scene's numbers are small integers over a common denominator, the certificate
-//     polynomial is computed in plain doubles in t - origin, for an origin of few bits just before now:
-//     shifted motions and their differences are exact, and the rounding errors of the rest are bounded
-//     by the predicate's relative error times the reach of the points. Other scenes: doubles with running
-//     error bounds. The sign or the first root is then certified in doubles. Signs of linear forms
-//     (core/linear_form.h) are first looked for without the polynomial.
+// Stages, cheapest first; a stage may abstain, none may be wrong, and the ledger counts who
+// answered.
+//   kDouble: where the scene's numbers are small integers over a common denominator, the
+//   certificate
+//     polynomial is computed in plain doubles in t - origin, for an origin of few bits just before
+//     now: shifted motions and their differences are exact, and the rounding errors of the rest are
+//     bounded by the predicate's relative error times the reach of the points. Other scenes:
+//     doubles with running error bounds. The sign or the first root is then certified in doubles.
+//     Signs of linear forms (core/linear_form.h) are first looked for without the polynomial.
 //   kWide: the same with coefficients in t computed exactly in 128-bit integers.
 //   kExact: integers of any size, isolating intervals, gcds.
 #ifndef KINEX_CORE_EXACT_ARITHMETIC_H
@@ -54,10 +56,11 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   std::string number_model() const override;
   std::string polynomial_model(PredicateId id) const override;
 
-  // Set in FailureTime::root where [lo, hi] isolates no root of the certificate's own polynomial (it was
-  // negative at its birth and fails at the instant it was born).
+  // Set in FailureTime::root where [lo, hi] isolates no root of the certificate's own polynomial
+  // (it was negative at its birth and fails at the instant it was born).
   static constexpr std::uint32_t kBornFailing = 0x80000000u;
-  // Set where [lo, hi] holds the root but has not been proved to hold no other root of the polynomial.
+  // Set where [lo, hi] holds the root but has not been proved to hold no other root of the
+  // polynomial.
   static constexpr std::uint32_t kLoose = 0x40000000u;
   static constexpr std::uint32_t kFlags = kBornFailing | kLoose;
 
@@ -70,8 +73,8 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   struct Approximation {
     double c[kRoomForCoefficients];
     double m[kRoomForCoefficients];
-    double origin;    // the polynomial is in t - origin
-    int degree;       // trailing coefficients that are exactly zero are stripped; -1: all are zero
+    double origin;  // the polynomial is in t - origin
+    int degree;     // trailing coefficients that are exactly zero are stripped; -1: all are zero
   };
   struct Now {
     double lo = 0, hi = 0;
@@ -146,7 +149,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   MotionStore motions_;
   LinearSigns linear_signs_;
   std::vector<PredicateModel> models_;
-  bool touches_ = false;  // some predicate is FailsAtTouch
+  bool touches_ = false;       // some predicate is FailsAtTouch
   std::vector<double> until_;  // per object; empty if no motion of the scene ends
   std::optional<Rational> end_;
   double end_upper_;
@@ -155,8 +158,8 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   // The origin in use for all now_.lo in [origin_, origin_end_).
   double origin_ = 0;
   double origin_end_ = 0;
-  // What names the present instant: the query whose root it was popped as (arity 0: a rational), and
-  // the queries that were born failing at it since.
+  // What names the present instant: the query whose root it was popped as (arity 0: a rational),
+  // and the queries that were born failing at it since.
   Query name_;
   Rational name_value_;
   std::vector<Query> born_failing_;

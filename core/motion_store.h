@@ -15,10 +15,10 @@ namespace kinex {
 
 // What a scene's numbers allow, decided once per scene from the scene.
 struct NumberModel {
-  int degree = 1;               // motion degree that polynomials are sized for (>= 1)
+  int degree = 1;  // motion degree that polynomials are sized for (>= 1)
   int dimension = 1;
-  bool narrow = false;          // all coefficients, times `scale`, are integers of at most 2^52
-  Integer scale = Integer(1);   // common denominator of all coefficients
+  bool narrow = false;            // all coefficients, times `scale`, are integers of at most 2^52
+  Integer scale = Integer(1);     // common denominator of all coefficients
   std::vector<double> magnitude;  // largest |coefficient| * scale per power of t, rounded up
   bool anchored = false;  // doubles about a time of their own are kept for every motion, too
 };
@@ -45,8 +45,8 @@ class MotionStore {
   // The number of coefficients of one object.
   std::size_t stride() const { return stride_; }
   MotionView<Ball> ball(ObjectId object) const { return &balls_[row_[object] * stride_]; }
-  // The same in t - anchor, shifted exactly before it was rounded: far from t = 0 the coefficients in t
-  // cancel, these do not. Requires model().anchored.
+  // The same in t - anchor, shifted exactly before it was rounded: far from t = 0 the coefficients
+  // in t cancel, these do not. Requires model().anchored.
   MotionView<Ball> anchored(ObjectId object) const { return &anchored_[row_[object] * stride_]; }
   // The anchor that all moving objects of these share; nullopt if nothing moves, or they do not.
   std::optional<double> shared_anchor(const ObjectId* ids, std::size_t count) const;
@@ -82,13 +82,13 @@ class MotionStore {
   std::vector<Ball> balls_;
   std::vector<Ball> anchored_;
   std::vector<double> anchors_;  // per object; infinity: it does not move
-  std::vector<BigMotion> big_;  // per object; empty before the first one
+  std::vector<BigMotion> big_;   // per object; empty before the first one
   bool balls_needed_ = false;
   struct {
     double value = 0;
     Integer a;
     unsigned long e = 0;
-  } anchor_;  // the one that was split last
+  } anchor_;                   // the one that was split last
   std::vector<Integer> axis_;  // being shifted
 };
 
