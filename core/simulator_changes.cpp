@@ -165,6 +165,8 @@ void Simulator::change_instant() {
   if (fails_now()) mark_shared();
   repair();
   settle();
+  // What fails at this instant may have named it by a polynomial in motions that end here.
+  if (!erasures.empty() || !insertions.empty()) kernel_.arithmetic().set_now(t);
   apply_erasures(erasures);
   settle();
   apply_insertions(insertions);

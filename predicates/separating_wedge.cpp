@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/ball.h"
+
 namespace kinex {
 namespace {
 
@@ -100,10 +102,15 @@ double support(const RoughPolygon& rough, const Vector& direction) {
   return best;
 }
 
-double value_at(const std::vector<Rational>& p, double t) {
-  double value = 0;
-  for (std::size_t k = p.size(); k-- > 0;) value = value * t + p[k].to_double();
-  return value;
+// With a bound on its error, that of the time t, which is rounded too, included.
+Ball value_at(const std::vector<Rational>& p, double t) {
+  double value = 0, size = 0;
+  for (std::size_t k = p.size(); k-- > 0;) {
+    const double c = p[k].to_double();
+    value = value * t + c;
+    size = size * std::fabs(t) + std::fabs(c);
+  }
+  return {value, size * static_cast<double>(4 * p.size()) * 0x1p-52};
 }
 
 // Rounded towards zero to ten bits.
@@ -119,8 +126,15 @@ int bits_for(double angle) {
 }
 
 constexpr double kSmallest =
-    0x1p-26;                     // separation, of the diameter: what doubles can be trusted with
-constexpr double kWidest = 1.1;  // half-angle in radians
+    0x1p-26;                       // separation, of the diameter: what doubles can be trusted with
+constexpr double kClear = 0x1p10;  // separation over the error of a pose
+constexpr double kWidest = 1.1;    // half-angle in radians
+// A wedge may turn so far at least, in separations over the diameter: the displacement is more than
+// 0.23 separations then. Little enough to leave room where the separation is twice the diameter.
+constexpr double kLeast = 0.47;
+// And the room it must have before it fails at its line, in separations: enough for that, too. Less
+// is found where the sum has edges that are nearly parallel.
+constexpr double kRoom = 0.45;
 constexpr double kAlike = 1e-3;  // angles and losses that differ by less are not told apart
 
 // The wedge of this body, seen in direction m of its frame at separation s.
@@ -141,7 +155,7 @@ WedgePlan::Role widest(const RoughPolygon& body, const Vector& m, double s) {
     }
     return (most_right + most_left) / (2 * c) - height;
   };
-  WedgePlan::Role role{s / (2 * body.diameter), 0};
+  WedgePlan::Role role{kLeast * s / body.diameter, 0};
   role.loss = loss(role.half_angle);
   while (2 * role.half_angle <= kWidest) {
     const double more = loss(2 * role.half_angle);
@@ -149,6 +163,21 @@ WedgePlan::Role widest(const RoughPolygon& body, const Vector& m, double s) {
     role = {2 * role.half_angle, more};
   }
   return role;
+}
+
+// How far the wedge is from failing at its line; `pose` in A's frame.
+double room(const SeparatingWedge& wedge, const RoughPose& pose, Frame line_of) {
+  const bool of_a = line_of == Frame::kA;
+  // Long numbers: over the largest.
+  const double scale =
+      std::max(std::fabs(wedge.line.nx.to_double()), std::fabs(wedge.line.ny.to_double()));
+  const Vector n{wedge.line.nx.to_double() / scale, wedge.line.ny.to_double() / scale};
+  const Vector v{Rational(wedge.v.x, wedge.v.w).to_double(),
+                 Rational(wedge.v.y, wedge.v.w).to_double()};
+  const Vector t = of_a ? pose.t : rotated(pose.t, pose.c, -pose.s);
+  const Vector apex = rotated(v, pose.c, of_a ? pose.s : -pose.s);
+  const double h = wedge.line.h.to_double() / scale;
+  return (dot(n, minus(t, apex)) - h) / std::hypot(n[0], n[1]);
 }
 
 }  // namespace
@@ -176,10 +205,13 @@ RoughPolygon::RoughPolygon(const FramePolygon& polygon) {
 
 RoughPose::RoughPose(const Trajectory& pose, double now, Frame frame) {
   const std::size_t x = frame == Frame::kA ? 0 : 2;
-  const double n = value_at(pose.coordinates[4], now);
-  t = {value_at(pose.coordinates[x], now) / n, value_at(pose.coordinates[x + 1], now) / n};
-  c = value_at(pose.coordinates[5], now) / n;
-  s = value_at(pose.coordinates[6], now) / n;
+  const auto at = [&](std::size_t axis) { return value_at(pose.coordinates[axis], now); };
+  const Ball n = at(4), tx = at(x), ty = at(x + 1), cosine = at(5), sine = at(6);
+  t = {tx.value / n.value, ty.value / n.value};
+  c = cosine.value / n.value;
+  s = sine.value / n.value;
+  error_t = (tx.error + ty.error + (std::fabs(t[0]) + std::fabs(t[1])) * n.error) / n.value;
+  error_turn = (cosine.error + sine.error + 2 * n.error) / n.value;
   if (frame == Frame::kB) s = -s;
 }
 
@@ -200,6 +232,7 @@ std::optional<WedgePlan> plan_wedge(const RoughPolygon& a, const RoughPolygon& b
   const Vector away = from_sum(a.vertices, turned_b, pose.t);
   const double s = std::hypot(away[0], away[1]);
   if (!(s > kSmallest * (a.diameter + b.diameter)) || !(s < 0x1p500)) return std::nullopt;
+  if (!(s > kClear * (pose.error_t + (a.reach + b.reach) * pose.error_turn))) return std::nullopt;
   WedgePlan plan;
   plan.separation = s;
   plan.direction = {away[0] / s, away[1] / s};
@@ -238,6 +271,7 @@ std::optional<SeparatingWedge> separating_wedge(const WedgePlan& plan, Frame lin
   wedge.g2 = tangent(wedged.polygon, wedged.rough, rotated(seen, c, sine), bits);
   if (turn(wedge.g1, wedge.g2) != Sign::kPositive) return std::nullopt;
   wedge.v = meeting(wedge.g1, wedge.g2);
+  if (room(wedge, pose, line_of) < kRoom * s) return std::nullopt;
   return wedge;
 }
 

@@ -12,7 +12,7 @@
 //
 // Where to put a wedge is found in doubles; the wedge itself is exact, and so are its certificates.
 // With s the separation: m is within s / (16 D_M) of the direction from the nearest point of M; the
-// half-angle of the wedge starts at s / (2 D) and is doubled while that costs at most s / 4, D the
+// half-angle of the wedge starts at 0.47 s / D and is doubled while that costs at most s / 4, D the
 // diameter of the body whose tangents they are. Beyond two of its diameters a disc takes its place:
 // the half-angle is then infinite. So a wedge holds until the motion in the frame of its line has
 // gone 0.23 s: in the metric |dt| + rho_B |d theta| where the line is A's, in |dt'| + rho_A |d
@@ -56,6 +56,8 @@ struct RoughPose {
   RoughPose(const Trajectory& pose, double now, Frame frame);
   std::array<double, 2> t{};
   double c = 1, s = 0;  // the rotation
+  // Bounds on what rounding does to t, and to a vector of length 1 that is turned.
+  double error_t = 0, error_turn = 0;
 };
 
 struct WedgeBody {

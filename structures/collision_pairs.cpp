@@ -59,7 +59,11 @@ void CollisionPairs::certificate_failed(CertificateId failed) {
     pairs_[p].resting = false;
     report(p, kVolume);
   } else if (!only_touches(failed)) {
-    fail(p, tag % kMostCertificates);
+    if (is_stuck(p)) {
+      start_anew(p);
+    } else {
+      fail(p, tag % kMostCertificates);
+    }
   }
   failed_ = kNoCertificate;
   look_for_touch(p);

@@ -87,9 +87,11 @@ class CollisionPairs : public Structure {
   struct Pair {
     ObjectId a = kNoObject, b = kNoObject;  // a < b; kNoObject: not in use
     ObjectId pose = kNoObject;
-    bool touching = false;  // in contact
-    bool apart = false;     // one certificate on volumes is the proof
-    bool resting = false;   // not in contact, but they touch and go on touching
+    bool touching = false;      // in contact
+    bool apart = false;         // one certificate on volumes is the proof
+    bool resting = false;       // not in contact, but they touch and go on touching
+    std::uint8_t repairs = 0;   // of its proof, at the instant below
+    std::uint32_t instant = 0;  // as instant_ counts them
     std::uint8_t certificates = 0;
     SumBoundary::Edge ahead{};  // while they are in contact
     std::array<CertificateId, kMostCertificates> certificate{};
@@ -135,7 +137,9 @@ class CollisionPairs : public Structure {
     return now != nullptr ? now->sign_now(query) : kernel_.arithmetic().sign_after(query);
   }
   // Reports the contact: the proof that they are disjoint ends, the one that they overlap begins.
-  // `near` are features near those that meet, of the second body those of its negated frame.
+  // `near` are features near those that meet, of the second body those of its negated frame. Where
+  // they do not overlap after all (at an instant at which edges become parallel certificates can
+  // mislead) it starts the proof anew and reports an event of the first kind of its own.
   void contact(PairId p, const Features& near);
   // The boundary of the sum of the two bodies.
   SumBoundary boundary(PairId p);
@@ -178,6 +182,8 @@ class CollisionPairs : public Structure {
   Features features_at(PairId p, const SumBoundary::Edge& edge);
   void follow_overlap(PairId p, const std::optional<SumBoundary::Edge>& ahead);
   void fail_in_contact(PairId p);
+  bool is_stuck(PairId p);
+  void start_anew(PairId p);
   void move_in_contact(PairId p);
   void part(PairId p, const SumBoundary::Edge& edge);
   ObjectId feature_object(ObjectId body, bool negated, Feature feature);
@@ -195,6 +201,7 @@ class CollisionPairs : public Structure {
   std::vector<std::uint8_t> alive_;
   CertificateId failed_ = kNoCertificate;  // while it is handled
   std::uint64_t failures_in_contact_ = 0;
+  std::uint32_t instant_ = 0;       // counts instants at which a certificate failed
   std::uint32_t most_of_pair_ = 0;  // certificates
   std::size_t live_pairs_ = 0, most_pairs_ = 0, most_bodies_ = 0, bodies_ = 0;
 };

@@ -53,8 +53,40 @@ void CollisionPairs::follow_overlap(PairId p, const std::optional<SumBoundary::E
   set_certificates(p, overlap_proof(sum, p).certificates(*ahead));
 }
 
+// A proof that is repaired again and again at one instant goes in circles: where edges are parallel
+// several repairs can undo each other. From then on it is started anew, which is right after it.
+bool CollisionPairs::is_stuck(PairId p) {
+  constexpr std::uint8_t kPatience = 64;
+  if (!kernel_.is_exact()) return false;
+  if (!kernel_.instant_is_shared(id_)) ++instant_;
+  Pair& pair = pairs_[p];
+  if (pair.instant != instant_) pair.repairs = 0;
+  pair.instant = instant_;
+  if (pair.repairs >= kPatience) return true;
+  ++pair.repairs;
+  return false;
+}
+
+void CollisionPairs::start_anew(PairId p) {
+  stop(p);
+  if (start(p)) {
+    report(p, kFirstOwn);
+  } else {
+    contact(p, {});
+  }
+}
+
 void CollisionPairs::contact(PairId p, const Features& near) {
   const auto ahead = edge_ahead(p, near);
+  if (kernel_.is_exact() && ahead) {
+    const SumBoundary sum = boundary(p);
+    if (!overlap_proof(sum, p).is_inside(*ahead)) {
+      stop(p);
+      require(start(p), "no proof that two bodies are disjoint, which do not overlap");
+      report(p, kFirstOwn);
+      return;
+    }
+  }
   report_meeting(p, kContact, ahead ? features_at(p, *ahead) : near);
   stop(p);
   pairs_[p].touching = true;

@@ -30,16 +30,34 @@ std::size_t check_pair(Polygon2 a, const Axes& motion_a, Polygon2 b, const Axes&
 const Axes kRest{{0}, {0}, {1}, {0}};
 
 TEST(CollisionDegenerate, ScenesOfTheCorpus) {
-  const std::string folder = KINEX_SOURCE_DIR "/tests/corpus/scenes/good";
   int scenes = 0;
-  for (const auto& file : std::filesystem::directory_iterator(folder)) {
-    const std::string name = file.path().filename().string();
-    if (name.rfind("bodies", 0) != 0) continue;
-    SCOPED_TRACE(name);
-    ++scenes;
-    check_runs(read_scene(file.path().string()));
+  for (const std::string folder : {"scenes/good", "collisions"}) {
+    const std::string path = KINEX_SOURCE_DIR "/tests/corpus/" + folder;
+    for (const auto& file : std::filesystem::directory_iterator(path)) {
+      const std::string name = file.path().filename().string();
+      if (folder == "scenes/good" && name.rfind("bodies", 0) != 0) continue;
+      SCOPED_TRACE(name);
+      ++scenes;
+      check_runs(read_scene(file.path().string()));
+    }
   }
-  EXPECT_GE(scenes, 17);
+  EXPECT_GE(scenes, 26);
+}
+
+// A jump from one contact to another is refused, whatever names the instant.
+TEST(CollisionDegenerate, JumpsFromContactToContact) {
+  const Polygon2 square = square_of(1);
+  SceneObject b = body("b", square, {{4, -1}, {0}, {1}, {0}});
+  b.motion.pieces[0].to = Rational(2);
+  b.motion.pieces.push_back({Rational(2), std::nullopt, trajectory({{0}, {1}, {1}, {0}})});
+  Scene scene = scene_of_bodies({body("a", square, kRest), b}, 0, 4);
+  scene.jumps = true;
+  for (const char* arithmetic : {"exact", "sturm"}) {
+    for (const std::string& name : collision_structures(false)) {
+      Trial trial(scene, name, arithmetic, AuditLevel::kNone);
+      EXPECT_THROW(trial.to_end(), std::invalid_argument) << name;
+    }
+  }
 }
 
 // A square meets a square: side by side, corner to corner, corner to side; and only touches.

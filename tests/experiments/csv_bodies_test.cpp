@@ -178,7 +178,7 @@ TEST(CsvBodies, BodiesInContactAreRefusedByName) {
   try {
     import(apart("2"), bodies(kSquare));
   } catch (const InputError& error) {  // no line of a file that is not there
-    EXPECT_EQ(error.remedy(), "place them apart; bodies that touch count as being in contact");
+    EXPECT_EQ(error.remedy(), "place them apart; bodies must not touch when they are first seen");
   }
   // At another start they are apart.
   ImportOptions options = bodies(kSquare);
