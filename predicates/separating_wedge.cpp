@@ -102,15 +102,20 @@ double support(const RoughPolygon& rough, const Vector& direction) {
   return best;
 }
 
+// Of a time that has been rounded (core/rounded_instant.h), over the time.
+constexpr double kTimeError = 0x1p-39;
+
 // With a bound on its error, that of the time t, which is rounded too, included.
 Ball value_at(const std::vector<Rational>& p, double t) {
-  double value = 0, size = 0;
+  double value = 0, slope = 0, size = 0;
   for (std::size_t k = p.size(); k-- > 0;) {
     const double c = p[k].to_double();
+    slope = slope * t + value;
     value = value * t + c;
     size = size * std::fabs(t) + std::fabs(c);
   }
-  return {value, size * static_cast<double>(4 * p.size()) * 0x1p-52};
+  return {value,
+          size * static_cast<double>(4 * p.size()) * 0x1p-52 + std::fabs(slope * t) * kTimeError};
 }
 
 // Rounded towards zero to ten bits.
@@ -180,6 +185,10 @@ double room(const SeparatingWedge& wedge, const RoughPose& pose, Frame line_of) 
   return (dot(n, minus(t, apex)) - h) / std::hypot(n[0], n[1]);
 }
 
+double error_of(const RoughPose& pose, const RoughPolygon& a, const RoughPolygon& b) {
+  return pose.error_t + (a.reach + b.reach) * pose.error_turn;
+}
+
 }  // namespace
 
 RoughPolygon::RoughPolygon(const FramePolygon& polygon) {
@@ -203,9 +212,9 @@ RoughPolygon::RoughPolygon(const FramePolygon& polygon) {
   radius *= 1 + 0x1p-40;
 }
 
-RoughPose::RoughPose(const Trajectory& pose, double now, Frame frame) {
+template <class Value>
+RoughPose::RoughPose(Frame frame, const Value& at) {
   const std::size_t x = frame == Frame::kA ? 0 : 2;
-  const auto at = [&](std::size_t axis) { return value_at(pose.coordinates[axis], now); };
   const Ball n = at(4), tx = at(x), ty = at(x + 1), cosine = at(5), sine = at(6);
   t = {tx.value / n.value, ty.value / n.value};
   c = cosine.value / n.value;
@@ -213,6 +222,27 @@ RoughPose::RoughPose(const Trajectory& pose, double now, Frame frame) {
   error_t = (tx.error + ty.error + (std::fabs(t[0]) + std::fabs(t[1])) * n.error) / n.value;
   error_turn = (cosine.error + sine.error + 2 * n.error) / n.value;
   if (frame == Frame::kB) s = -s;
+}
+
+RoughPose::RoughPose(const Trajectory& pose, double now, Frame frame)
+    : RoughPose(frame, [&](std::size_t axis) { return value_at(pose.coordinates[axis], now); }) {}
+
+RoughPose RoughPose::precise(const Trajectory& pose, double now, Frame frame) {
+  const Rational t = Rational::from_double(now).value_or(Rational());
+  return RoughPose(frame, [&](std::size_t axis) {
+    Rational value, slope;
+    const std::vector<Rational>& p = pose.coordinates[axis];
+    for (std::size_t k = p.size(); k-- > 0;) {
+      slope = slope * t + value;
+      value = value * t + p[k];
+    }
+    const double v = value.to_double();
+    return Ball{v, std::fabs(v) * 0x1p-52 + std::fabs(slope.to_double() * now) * kTimeError};
+  });
+}
+
+bool is_too_rough(const RoughPose& pose, const RoughPolygon& a, const RoughPolygon& b) {
+  return error_of(pose, a, b) * kClear > kSmallest * (a.diameter + b.diameter);
 }
 
 Frame WedgePlan::longer() const {
@@ -232,7 +262,7 @@ std::optional<WedgePlan> plan_wedge(const RoughPolygon& a, const RoughPolygon& b
   const Vector away = from_sum(a.vertices, turned_b, pose.t);
   const double s = std::hypot(away[0], away[1]);
   if (!(s > kSmallest * (a.diameter + b.diameter)) || !(s < 0x1p500)) return std::nullopt;
-  if (!(s > kClear * (pose.error_t + (a.reach + b.reach) * pose.error_turn))) return std::nullopt;
+  if (!(s > kClear * error_of(pose, a, b))) return std::nullopt;
   WedgePlan plan;
   plan.separation = s;
   plan.direction = {away[0] / s, away[1] / s};

@@ -54,16 +54,27 @@ struct RoughPolygon {
 // first as seen from the second.
 struct RoughPose {
   RoughPose(const Trajectory& pose, double now, Frame frame);
+  // From exact values: only the time is rounded. For motions of high degree, or long after t = 0,
+  // whose terms cancel.
+  static RoughPose precise(const Trajectory& pose, double now, Frame frame);
   std::array<double, 2> t{};
   double c = 1, s = 0;  // the rotation
   // Bounds on what rounding does to t, and to a vector of length 1 that is turned.
   double error_t = 0, error_turn = 0;
+
+ private:
+  template <class Value>
+  RoughPose(Frame frame, const Value& at);
 };
 
 struct WedgeBody {
   const FramePolygon& polygon;
   const RoughPolygon& rough;
 };
+
+// The errors of the pose would keep a wedge from being put where doubles could still tell the
+// bodies apart.
+bool is_too_rough(const RoughPose& pose, const RoughPolygon& a, const RoughPolygon& b);
 
 // How the bodies lie, and what a wedge of either role withstands; all in doubles.
 struct WedgePlan {

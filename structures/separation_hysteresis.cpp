@@ -32,9 +32,12 @@ const RoughPolygon& SeparationHysteresis::rough(ObjectId body, bool negated) {
   return rough_.try_emplace({body, negated}, polygon(body, negated)).first->second;
 }
 
-RoughPose SeparationHysteresis::pose_now(PairId p, Frame frame) const {
-  return RoughPose(kernel_.derived().trajectory(pair(p).pose), kernel_.arithmetic().now_rounded(),
-                   frame);
+RoughPose SeparationHysteresis::pose_now(PairId p, Frame frame) {
+  const Trajectory& pose = kernel_.derived().trajectory(pair(p).pose);
+  const double now = kernel_.arithmetic().now_rounded();
+  const RoughPose rough_pose(pose, now, frame);
+  if (!is_too_rough(rough_pose, rough(pair(p).a, false), rough(pair(p).b, true))) return rough_pose;
+  return RoughPose::precise(pose, now, frame);
 }
 
 // True if a wedge holds right after now and is in place.

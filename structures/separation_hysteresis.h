@@ -69,7 +69,7 @@ class SeparationHysteresis final : public ClosestFeatures {
   void measure(PairId p);
   const RoughPolygon& rough(ObjectId body, bool negated);
   const FramePolygon& polygon(ObjectId body, bool negated);
-  RoughPose pose_now(PairId p, Frame frame) const;
+  RoughPose pose_now(PairId p, Frame frame);
 
   std::vector<Wedge> wedges_;  // per pair
   std::map<std::pair<ObjectId, bool>, RoughPolygon> rough_;
