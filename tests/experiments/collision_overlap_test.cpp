@@ -45,7 +45,7 @@ TEST(CollisionOverlap, ThroughTheMiddleAndTheCorners) {
   for (const Polygon2& p : {square, triangle}) {
     for (const int dx : {1, 2, 0, -1}) {
       for (const int dy : {1, 0, -2}) {
-        if (dx == 0 && dy == 0) continue;
+        if ((dx == 0 && dy == 0) || (kSanitized && dx * dy != 1)) continue;
         SCOPED_TRACE(std::to_string(dx) + " " + std::to_string(dy));
         for (const int quarter : {0, 1}) {  // not turned, or by a quarter
           const Axes line{{-9 * dx, dx}, {-9 * dy, dy}, {1}, {quarter}};

@@ -162,6 +162,65 @@ void check_grid(std::uint64_t first, int count, std::size_t contacts, std::size_
   EXPECT_GE(found.grazes, grazes);
 }
 
+// A vertex of b, or a place on its side, is where one of a is at the instant 0, in motion, on the
+// way to or from it in one flight plan or two, while b turns: sides become parallel there. No scene
+// if the bodies do not start apart.
+std::optional<Scene> draw_aimed_scene(std::uint64_t seed) {
+  const std::array<Polygon2, 7> polygons{
+      square_of(1),
+      Polygon2{{0, -1}, {1, 0}, {0, 1}, {-1, 0}},
+      Polygon2{{0, 0}, {1, 0}, {0, 1}},
+      Polygon2{{0, 0}, {2, 0}, {1, 1}},
+      Polygon2{{-1, 0}, {0, -1}, {1, -1}, {1, 0}, {0, 1}, {-1, 1}},
+      Polygon2{{0, 0}, {-2, 0}, {-1, -1}},
+      Polygon2{{1, 1}, {0, 1}, {-1, 0}, {1, 0}}};
+  Draw draw(seed);
+  const Polygon2& p = polygons[static_cast<std::size_t>(draw.between(0, 6))];
+  Polygon2 q = polygons[static_cast<std::size_t>(draw.between(0, 6))];
+  if (draw.between(0, 1) == 1) {
+    for (Vertex2& v : q) v = {-v[0], -v[1]};
+  }
+  const std::size_t i = static_cast<std::size_t>(draw.between(0, 99)) % p.size();
+  const Vertex2& w = q[static_cast<std::size_t>(draw.between(0, 99)) % q.size()];
+  Vertex2 v = p[i];
+  if (draw.between(0, 2) == 0) {
+    const Vertex2& next = p[(i + 1) % p.size()];
+    v = {(v[0] + next[0]) / Rational(2), (v[1] + next[1]) / Rational(2)};
+  }
+  const auto plan = [&] {
+    const auto few = [&] { return Rational(draw.between(-2, 2)); };
+    return Axes{{v[0] - w[0], few(), few()}, {v[1] - w[1], few(), few()}, {1}, {0, few()}};
+  };
+  SceneObject b = body("b", q, plan());
+  if (draw.between(0, 2) == 0) {
+    b.motion.pieces[0].to = Rational(0);
+    b.motion.pieces.push_back({Rational(0), std::nullopt, trajectory(plan())});
+  }
+  const Rational start = ratio(-1, 4);
+  if (contact_of(p, placed_polygon(q, b.motion.pieces[0].trajectory, start)) != Contact::kApart) {
+    return std::nullopt;
+  }
+  return scene_of_bodies({body("a", p, {{0}, {0}, {1}, {0}}), std::move(b)}, start, ratio(3, 4));
+}
+
+void check_aimed(std::uint64_t first, int scenes, std::size_t contacts, std::size_t grazes) {
+  MeetingCounts found;
+  for (std::uint64_t seed = first; scenes > 0; ++seed) {
+    SCOPED_TRACE(seed);
+    const std::optional<Scene> scene = draw_aimed_scene(seed);
+    if (!scene) continue;
+    --scenes;
+    const MeetingCounts here = check_meetings(*scene);
+    found.contacts += here.contacts;
+    found.grazes += here.grazes;
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GE(found.contacts, contacts);
+  EXPECT_GE(found.grazes, grazes);
+}
+
+TEST(CollisionRuns, AimedAtVertices) { check_aimed(1, kSanitized ? 6 : 40, 2, 2); }
+TEST(SlowCollisionRuns, AimedAtVertices) { check_aimed(5000, kSanitized ? 50 : 600, 100, 50); }
 TEST(CollisionRuns, LinesAndParabolasOfTheGrid) { check_grid(90, kSanitized ? 8 : 40, 1, 0); }
 TEST(SlowCollisionRuns, LinesAndParabolasOfTheGrid) {
   check_grid(1000, kSanitized ? 100 : 1500, 10, 5);
