@@ -119,11 +119,8 @@ void InnerTangents::fail(PairId p, std::uint32_t slot) {
     return sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex));
   };
   const std::size_t k = slot / 4;
-  tangents[k] = on_boundary(sum, tangents[k]);
+  for (Touch& touch : tangents) touch = on_boundary(sum, touch);
   const bool was_inside = tangents[k] != tangents_[p][k];
-  if (was_inside || kernel_.instant_is_shared(id_)) {
-    tangents[1 - k] = on_boundary(sum, tangents[1 - k]);
-  }
   const bool outwards = k == 1;  // forwards
   const SumBoundary::Edge outer = beside(sum, tangents[k], outwards);
   const SumBoundary::Edge inner = beside(sum, tangents[k], !outwards);

@@ -284,6 +284,13 @@ TEST(CollisionWitness, RandomMotions) {
       const auto past = static_cast<std::size_t>(
           std::count_if(changes.begin(), changes.end(), [&](const Rational& c) { return c < t; }));
       const Contact contact = contact_at(t);
+      // At the very instant of a change they only touch.
+      const Rational hair(Integer(1), Integer::power_of_two(40));
+      if (std::any_of(changes.begin(), changes.end(),
+                      [&](const Rational& c) { return t <= c && c < t + hair; })) {
+        EXPECT_EQ(contact, Contact::kTouching);
+        continue;
+      }
       EXPECT_EQ(contact == Contact::kOverlapping, past % 2 == 1);
       if (found.grazes.empty() && past % 2 == 0) {
         EXPECT_EQ(contact, Contact::kApart);
