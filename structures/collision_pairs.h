@@ -87,11 +87,11 @@ class CollisionPairs : public Structure {
   struct Pair {
     ObjectId a = kNoObject, b = kNoObject;  // a < b; kNoObject: not in use
     ObjectId pose = kNoObject;
-    bool touching = false;      // in contact
-    bool apart = false;         // one certificate on volumes is the proof
-    bool resting = false;       // not in contact, but they touch and go on touching
-    std::uint8_t repairs = 0;   // of its proof, at the instant below
-    std::uint32_t instant = 0;  // as instant_ counts them
+    bool touching = false;     // in contact
+    bool apart = false;        // one certificate on volumes is the proof
+    bool resting = false;      // not in contact, but they touch and go on touching
+    std::uint8_t repairs = 0;  // of its proof, at the instant below
+    double instant = 0;        // rounded
     std::uint8_t certificates = 0;
     SumBoundary::Edge ahead{};  // while they are in contact
     std::array<CertificateId, kMostCertificates> certificate{};
@@ -201,7 +201,6 @@ class CollisionPairs : public Structure {
   std::vector<std::uint8_t> alive_;
   CertificateId failed_ = kNoCertificate;  // while it is handled
   std::uint64_t failures_in_contact_ = 0;
-  std::uint32_t instant_ = 0;       // counts instants at which a certificate failed
   std::uint32_t most_of_pair_ = 0;  // certificates
   std::size_t live_pairs_ = 0, most_pairs_ = 0, most_bodies_ = 0, bodies_ = 0;
 };

@@ -58,10 +58,14 @@ void CollisionPairs::follow_overlap(PairId p, const std::optional<SumBoundary::E
 bool CollisionPairs::is_stuck(PairId p) {
   constexpr std::uint8_t kPatience = 64;
   if (!kernel_.is_exact()) return false;
-  if (!kernel_.instant_is_shared(id_)) ++instant_;
   Pair& pair = pairs_[p];
-  if (pair.instant != instant_) pair.repairs = 0;
-  pair.instant = instant_;
+  if (!kernel_.instant_is_shared(id_)) {
+    pair.repairs = 0;
+    return false;
+  }
+  const double now = kernel_.arithmetic().now_rounded();
+  if (pair.instant != now) pair.repairs = 0;
+  pair.instant = now;
   if (pair.repairs >= kPatience) return true;
   ++pair.repairs;
   return false;
