@@ -3,6 +3,7 @@
 #ifndef KINEX_CORE_MODULAR_H
 #define KINEX_CORE_MODULAR_H
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -58,6 +59,7 @@ class PrimeSequence {
 
  private:
   std::uint64_t last_ = 0;
+  std::size_t taken_ = 0;  // of the table; after it, primes are searched for
 };
 
 using Residues = std::vector<std::uint64_t>;  // low degree first, no leading zeros

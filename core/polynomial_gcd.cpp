@@ -98,7 +98,16 @@ Polynomial modular_gcd(const Polynomial& a, const Polynomial& b) {
     }
     Residues image = gcd(field, std::move(image_a), std::move(image_b));
     if (image.size() <= 1) return constant(1);
-    if (leading.is_zero()) leading = gcd(a.leading(), b.leading());
+    if (leading.is_zero()) {
+      // Mostly one divides the other: the polynomial of an instant and one that vanishes there.
+      const bool a_is_smaller = a.degree() < b.degree();
+      const Polynomial& smaller = a_is_smaller ? a : b;
+      if (static_cast<int>(image.size()) == smaller.degree() + 1) {
+        Polynomial candidate = smaller.canonical();
+        if (divide(a_is_smaller ? b : a, candidate)) return candidate;
+      }
+      leading = gcd(a.leading(), b.leading());
+    }
     // An image of too high a degree comes from an unlucky prime; of too low, all earlier ones did.
     if (!images.empty() && image.size() > images.size()) continue;
     if (!images.empty() && image.size() < images.size()) {

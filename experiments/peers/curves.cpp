@@ -14,9 +14,9 @@ Figure figure_of(const std::string& title, const std::string& caption, const std
   std::string& script = figure.script;
   script =
       "set logscale xy\nset grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\n"
-      "set tics nomirror\nset format y '10^{%L}'\n"
+      "set tics nomirror\nset format y '10^{%L}'\nset format x '%g'\nset rmargin 4\n"
       "set key outside below center horizontal Left reverse samplen 2.5 maxcols 3 width 2\n";
-  script += "set xlabel " + quoted(x_label) + "\nset ylabel " + quoted(y_label) + "\n";
+  script += "set xlabel " + quoted(x_label) + " offset 0,0.5\nset ylabel " + quoted(y_label) + "\n";
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (curves[i].points.empty()) continue;
     const std::string block = "$c" + std::to_string(i);

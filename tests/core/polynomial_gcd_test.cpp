@@ -134,6 +134,18 @@ TEST(PolynomialGcd, OddPartHasTheSignOfThePolynomial) {
   }
 }
 
+TEST(PrimeSequence, HasAllPrimesInDescendingOrder) {
+  // More than the table has, with GMP as the second opinion; no prime is left out.
+  PrimeSequence primes;
+  std::uint64_t expected = (std::uint64_t{1} << 61) - 1;
+  for (int i = 0; i < 70; ++i, expected -= 2) {
+    while (mpz_probab_prime_p(Integer(static_cast<std::int64_t>(expected)).raw(), 30) == 0) {
+      expected -= 2;
+    }
+    ASSERT_EQ(primes.next(), expected) << i;
+  }
+}
+
 TEST(PrimeField, ArithmeticAgreesWithPlainIntegers) {
   PrimeSequence primes;
   EXPECT_EQ(primes.next(), (std::uint64_t{1} << 61) - 1);
