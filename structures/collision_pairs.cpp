@@ -53,7 +53,7 @@ void CollisionPairs::certificate_failed(CertificateId failed) {
   const PairId p = tag / kMostCertificates;
   failed_ = failed;
   if (pairs_[p].touching) {
-    fail_in_contact(p);
+    fail_in_contact(p, tag % kMostCertificates);
   } else if (pairs_[p].apart) {
     follow_near(p);
     pairs_[p].resting = false;

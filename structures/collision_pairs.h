@@ -11,8 +11,8 @@
 //
 // In scenes of more than two bodies a grid is the broad phase (structures/body_grid.h): bodies that
 // are not in neighbouring cells have no proof of their own, and those that are have one certificate
-// while a box or a disc about them is a proof (structures/body_volumes.h). With two bodies there is
-// neither.
+// while a box or a disc about them is a proof (structures/body_volumes.h), or while discs within
+// them overlap. With two bodies there is none of these.
 //
 // Ties. A pair that touches without penetrating (the distance is zero at one instant, or for a
 // while along an edge, and never negative) has no contact, as no certificate becomes negative, but
@@ -56,9 +56,9 @@ class CollisionPairs : public Structure {
   // derived classes follow them. The first three name the two bodies and the features that meet, as
   // derived objects: "a.v3" is vertex 3 of body a, "a.e3" the edge from it to the next (counted
   // from 0 in the scene's order). In an exact arithmetic they depend on the motion alone: two
-  // vertices if these meet, else a vertex and an edge. "inside": bodies that overlap would part
-  // elsewhere. A volume is another proof of one certificate, or the end of the last one; "grid"
-  // names a body that changes its cell.
+  // vertices if these meet, else a vertex and an edge. "inside": another proof that
+  // two bodies overlap, which would part elsewhere. A volume is another proof of one certificate,
+  // or the end of the last one; "grid" names a body that changes its cell.
   static constexpr std::uint8_t kContact = 0, kGraze = 1, kSeparation = 2, kInside = 3, kVolume = 4,
                                 kGrid = 5, kFirstOwn = 6;
   // A proof has at most so many certificates.
@@ -181,7 +181,8 @@ class CollisionPairs : public Structure {
   std::optional<SumBoundary::Edge> edge_ahead(PairId p, const Features& near);
   Features features_at(PairId p, const SumBoundary::Edge& edge);
   void follow_overlap(PairId p, const std::optional<SumBoundary::Edge>& ahead);
-  void fail_in_contact(PairId p);
+  bool follow_discs_within(PairId p);
+  void fail_in_contact(PairId p, std::uint32_t slot);
   bool is_stuck(PairId p);
   void start_anew(PairId p);
   void move_in_contact(PairId p);

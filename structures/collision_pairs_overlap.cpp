@@ -53,6 +53,15 @@ void CollisionPairs::follow_overlap(PairId p, const std::optional<SumBoundary::E
   set_certificates(p, overlap_proof(sum, p).certificates(*ahead));
 }
 
+// Among many bodies: by discs within the two, if they overlap. The edge ahead stays the last one.
+bool CollisionPairs::follow_discs_within(PairId p) {
+  if (!grid_) return false;
+  const auto query = volumes_.proof_of_overlap(pairs_[p].a, pairs_[p].b);
+  if (!query) return false;
+  set_certificates(p, {&*query, 1});
+  return true;
+}
+
 // A proof that is repaired again and again at one instant goes in circles: where edges are parallel
 // several repairs can undo each other. From then on it is started anew, which is right after it.
 bool CollisionPairs::is_stuck(PairId p) {
@@ -98,8 +107,12 @@ void CollisionPairs::contact(PairId p, const Features& near) {
   follow_overlap(p, ahead);
 }
 
-void CollisionPairs::fail_in_contact(PairId p) {
+void CollisionPairs::fail_in_contact(PairId p, std::uint32_t slot) {
   ++failures_in_contact_;
+  if (slot != OverlapProof::kInside && follow_discs_within(p)) {
+    report(p, kInside);
+    return;
+  }
   const SumBoundary sum = boundary(p);
   const OverlapProof proof = overlap_proof(sum, p);
   const auto ahead = proof.ahead(pairs_[p].ahead);

@@ -30,8 +30,22 @@ bool SeparationMinkowski::start(PairId p) {
   made->frame =
       std::make_unique<BodyFrame>(OuterHierarchy(sum->polygon, policy_), frames_.constants());
   made->sum = std::move(*sum);
+  made->is_line = kernel_.derived().trajectory(pair(p).pose).degree() <= 1;
+  note_line(*made);
   sums_[p] = std::move(made);
   return SeparationMixed::start(p);
+}
+
+void SeparationMinkowski::fail(PairId p, std::uint32_t slot) {
+  ++sums_[p]->failures;
+  note_line(*sums_[p]);
+  SeparationMixed::fail(p, slot);
+}
+
+void SeparationMinkowski::note_line(const Sum& sum) {
+  if (!sum.is_line) return;
+  const std::int64_t most = 2 * sum.frame->hierarchy().levels() + 8;
+  if (!line_ || sum.failures - most > line_->failures - line_->most) line_ = {sum.failures, most};
 }
 
 void SeparationMinkowski::stop(PairId p) {
@@ -66,18 +80,10 @@ CollisionPairs::Features SeparationMinkowski::features(PairId p, const MixedTile
 
 std::vector<BoundCheck> SeparationMinkowski::bounds(const BoundContext& context) const {
   std::vector<BoundCheck> checks = SeparationMixed::bounds(context);
-  if (!context.plain() || context.degree > 1) return checks;
-  std::int64_t most = 0;
-  for (PairId p = 0; p < pairs(); ++p) {
-    if (pair(p).a == kNoObject) continue;
-    const Trajectory& pose = kernel_.derived().trajectory(pair(p).pose);
-    if (pose.degree() > 1 || sums_.size() <= p || sums_[p] == nullptr) return checks;
-    most += 2 * sums_[p]->frame->hierarchy().levels() + 8;
-  }
-  checks.push_back(at_most(
-      "separation_minkowski.line",
-      "a line meets every ring between two stages in at most two triangles", Integer(most),
-      Integer(static_cast<std::int64_t>(context.ledger->processed - failures_in_contact()))));
+  if (!context.plain() || context.degree > 1 || !line_) return checks;
+  checks.push_back(at_most("separation_minkowski.line",
+                           "a line meets every ring between two stages in at most two triangles",
+                           Integer(line_->most), Integer(line_->failures)));
   return checks;
 }
 

@@ -6,7 +6,7 @@
 // of the exterior's hierarchy that holds the point: a triangle, 3 certificates, or a half-plane
 // beyond the box, 1. The ring between two stages is the difference of two convex sets, so a
 // straight line meets it in at most two intervals, each inside one triangle: at most 2 per level
-// and 8 beyond the box.
+// and 8 beyond the box, each time that a pair is followed from its beginning to its end.
 //
 // Certificates, ties and sources: structures/separation_mixed.h, of which this is the special case
 // where the second polygon is a point. M takes O(n) to build and its hierarchy O(n depth), for
@@ -14,7 +14,9 @@
 #ifndef KINEX_STRUCTURES_SEPARATION_MINKOWSKI_H
 #define KINEX_STRUCTURES_SEPARATION_MINKOWSKI_H
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +41,7 @@ class SeparationMinkowski final : public SeparationMixed {
     static_cast<void>(edge);
     return start(p);
   }
+  void fail(PairId p, std::uint32_t slot) override;
   void stop(PairId p) override;
   std::uint32_t most_certificates() const override { return 3 + slide_certificates(); }
   std::array<BodyFrame*, 2> frames_of(PairId p) override {
@@ -51,12 +54,21 @@ class SeparationMinkowski final : public SeparationMixed {
   struct Sum {
     MinkowskiSum sum;
     std::unique_ptr<BodyFrame> frame;
+    bool is_line = false;  // the point moves on a straight line
+    std::int64_t failures = 0;
   };
+  // Failures while a pair was followed, and their limit.
+  struct Line {
+    std::int64_t failures = 0, most = 0;
+  };
+
+  void note_line(const Sum& sum);
 
   CutPolicy policy_;
   BodyFrame point_;
   std::vector<std::unique_ptr<Sum>> sums_;  // per pair
   HierarchyBounds past_;                    // of sums that are no more
+  std::optional<Line> line_;                // that which came nearest to its limit
 };
 
 }  // namespace kinex

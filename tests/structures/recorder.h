@@ -51,10 +51,15 @@ class Recorder final : public EventSink {
       r.decimal = std::move(text.approximate);
     }
     events.push_back(std::move(r));
+    predicates.emplace_back(event.certificate.arity == 0
+                                ? std::string_view()
+                                : arithmetic.predicate(event.certificate.predicate).name());
   }
   // So many events are recorded with their instants.
   std::size_t instants = 0;
   std::vector<Recorded> events;
+  // Of the certificate behind each event; empty: there is none.
+  std::vector<std::string> predicates;
 };
 
 // Changes from outside, kept so that they can be made once more.
