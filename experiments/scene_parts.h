@@ -27,6 +27,9 @@ void check_rotor(const JsonNode& node, const Trajectory& trajectory, const Ratio
 std::vector<Vertex2> read_polygon(const JsonNode& node);
 // Refuses two bodies that are not apart at the scene's start.
 void check_apart(const JsonNode& objects, const Scene& scene);
+// Refuses a body that overlaps another when it appears, or jumps, after the start. One that touches
+// is for the run to judge: it may leave.
+void check_appearances(const JsonNode& objects, const Scene& scene);
 
 // Fills scene.maintain; the objects must have been read.
 void read_maintain(const JsonNode& node, Scene& scene);

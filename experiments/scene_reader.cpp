@@ -83,7 +83,9 @@ void read_objects(const JsonNode& node, Scene& scene) {
     Motion motion = read_motion(entry, scene, !polygon.empty());
     scene.objects.push_back({id.string(), std::move(motion), std::move(polygon)});
   }
-  if (scene.has_bodies()) check_apart(node, scene);
+  if (!scene.has_bodies()) return;
+  check_apart(node, scene);
+  check_appearances(node, scene);
 }
 
 }  // namespace

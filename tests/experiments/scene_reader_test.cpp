@@ -169,6 +169,28 @@ TEST(SceneReader, ManyBodiesAreFoundApart) {
   EXPECT_INPUT_ERROR(parse(head + objects + "]}"), "\"z\" overlap at the scene's start");
 }
 
+// b is there from 1 to 3, then from 3 on elsewhere; a moves right through the origin at 2.
+TEST(SceneReader, BodiesDoNotAppearInOthers) {
+  const auto scene = [](const char* x, const char* from, const char* there) {
+    const std::string square = R"([[-1, -1], [1, -1], [1, 1], [-1, 1]])";
+    return R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 6}, "jumps": true,
+      "objects": [{"id": "a", "polygon": )" +
+           square + R"(, "motion": [[-20, 10], [0]]},
+        {"id": "b", "polygon": )" +
+           square + R"(, "motion": [{"from": )" + from + R"(, "to": 3, "coordinates": [[)" + x +
+           R"(], [0]]}, {"from": 3, "coordinates": [[)" + there + R"(], [0]]}]}]})";
+  };
+  EXPECT_NO_THROW(parse(scene("0", "1", "0")));  // a comes later, and has gone when b goes on
+  EXPECT_INPUT_ERROR(parse(scene("-11", "1", "0")), "the body \"b\" appears at 1 into \"a\"");
+  EXPECT_INPUT_ERROR(parse(scene("0", "\"21/10\"", "0")), "/objects/1: the body \"b\" appears");
+  EXPECT_INPUT_ERROR(parse(scene("0", "1", "\"17/2\"")), "the body \"b\" jumps at 3 into \"a\"");
+  EXPECT_NO_THROW(parse(scene("-8", "1", "0")));  // touches
+  EXPECT_INPUT_ERROR(parse(scene("\"-8.000001\"", "1", "0")), "appears at 1 into");
+  EXPECT_NO_THROW(parse(scene("\"-7.999999\"", "1", "0")));
+  // At the start it is refused as there.
+  EXPECT_INPUT_ERROR(parse(scene("-19", "0", "0")), "overlap at the scene's start");
+}
+
 TEST(SceneHash, DependsOnContentNotOnForm) {
   const std::string hash = scene_hash(with_coefficient("\"1/2\""));
   EXPECT_EQ(hash.size(), 64u);
