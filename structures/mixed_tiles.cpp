@@ -164,10 +164,12 @@ bool MixedTiles::is_parallel(std::uint8_t z, Id e, Id f, SignNow* now) const {
   return sign(order(z, e, f), now) == Sign::kZero;
 }
 
+// A line that does not support M does at an instant at which normals are parallel: the point may
+// touch it there.
 Query MixedTiles::inner(const Tile& tile) const {
   const Move at = inner_side(tile);
   Query query = side(at.x, at.edge, at.node, false);
-  if (supports(at.x, at.edge, at.node, nullptr)) query.predicate = predicates_.touch[at.x];
+  query.predicate = predicates_.touch[at.x];
   return query;
 }
 
@@ -204,9 +206,8 @@ std::optional<MixedTiles::Move> MixedTiles::touch(const Tile& tile, SignNow* now
 
 MixedTiles::Certificates MixedTiles::slide(const Tile& tile) const {
   Certificates result;
-  const Query line = inner(tile);
   const Move at = inner_side(tile);
-  if (line.predicate != predicates_.touch[at.x] || sign(line, nullptr) != Sign::kZero) {
+  if (!supports(at.x, at.edge, at.node, nullptr) || sign(inner(tile), nullptr) != Sign::kZero) {
     return result;
   }
   const Face m = face(at, nullptr);

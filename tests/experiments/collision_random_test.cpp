@@ -188,7 +188,45 @@ std::optional<Scene> draw_aimed_scene(std::uint64_t seed) {
   return scene_of_bodies({body("a", p, {{0}, {0}, {1}, {0}}), std::move(b)}, start, ratio(3, 4));
 }
 
-// So many scenes that one of the two makes of seeds from `first` on.
+// b is like a, seen from behind: all their sides are parallel at the instant 0, at which the
+// normals turn back and a place of b's side meets a place of a's, or passes it. No scene if the
+// bodies do not start apart.
+std::optional<Scene> draw_parallel_scene(std::uint64_t seed) {
+  Draw draw(seed);
+  const Polygon2 p = draw.polygon(draw.between(3, 9), 3);
+  const Rational scale = ratio(draw.between(1, 4), 2);
+  Polygon2 q = p;
+  for (Vertex2& v : q) v = {-v[0] * scale, -v[1] * scale};
+  const std::size_t i = static_cast<std::size_t>(draw.between(0, 99)) % p.size();
+  const Vertex2 &from = p[i], &to = p[(i + 1) % p.size()];
+  const Vertex2 along{to[0] - from[0], to[1] - from[1]};
+  // A place on the sum's side, in quarters, and ways along it and out of it.
+  const Rational place = ratio(draw.between(-1, 5), 4) * (Rational(1) + scale);
+  const Rational slide = ratio(draw.between(-2, 2), 2), out = ratio(draw.between(-1, 6), 2);
+  const std::size_t power = draw.between(0, 3) == 0 ? 4 : 2;
+  const auto of_power = [&](Rational constant, Rational first, const Rational& last) {
+    std::vector<Rational> axis(power + 1, Rational(0));
+    axis[0] = std::move(constant);
+    axis[1] = std::move(first);
+    axis[power] = last;
+    return axis;
+  };
+  const auto coordinate = [&](std::size_t k, const Rational& outwards) {
+    return of_power((Rational(1) + scale) * from[k] + place * along[k], slide * along[k],
+                    out * outwards);
+  };
+  const auto spin = [&] { return of_power(0, 0, ratio(draw.between(-2, 2), 4)); };
+  const Axes a{{0}, {0}, {1}, spin()};
+  const Axes b{coordinate(0, along[1]), coordinate(1, -along[0]), {1}, spin()};
+  const Rational start = ratio(-1, 2);
+  if (contact_of(placed_polygon(p, trajectory(a), start),
+                 placed_polygon(q, trajectory(b), start)) != Contact::kApart) {
+    return std::nullopt;
+  }
+  return scene_of_bodies({body("a", p, a), body("b", q, b)}, start, ratio(1, 2));
+}
+
+// So many scenes that one of these makes of seeds from `first` on.
 void check_drawn(std::optional<Scene> (*draw_scene)(std::uint64_t), std::uint64_t first, int scenes,
                  std::size_t contacts, std::size_t grazes) {
   MeetingCounts found;
@@ -211,6 +249,12 @@ TEST(CollisionRuns, AimedAtVertices) {
 }
 TEST(SlowCollisionRuns, AimedAtVertices) {
   check_drawn(draw_aimed_scene, 5000, kSanitized ? 50 : 600, 100, 50);
+}
+TEST(CollisionRuns, SidesThatTurnBackAtATouch) {
+  check_drawn(draw_parallel_scene, 1, kSanitized ? 10 : 60, 2, 10);
+}
+TEST(SlowCollisionRuns, SidesThatTurnBackAtATouch) {
+  check_drawn(draw_parallel_scene, 5000, kSanitized ? 50 : 800, 30, 200);
 }
 TEST(CollisionRuns, LinesAndParabolasOfTheGrid) {
   check_drawn(draw_grid_scene, 90, kSanitized ? 8 : 40, 1, 0);
