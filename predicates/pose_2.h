@@ -46,8 +46,8 @@ enum class Frame { kA, kB };
 // inside_a, inside_b). The degree of the pose.
 std::shared_ptr<const Predicate> make_pose_side(Frame frame, bool inward);
 
-// The same as make_pose_side(frame, false), but fails at a touch too (core/touch.h).
-std::shared_ptr<const Predicate> make_pose_touch(Frame frame);
+// The same as make_pose_side(frame, inward), but fails at a touch too (core/touch.h).
+std::shared_ptr<const Predicate> make_pose_touch(Frame frame, bool inward);
 
 // along_a(pose, line of A, point of A, point of B'), along_b(pose, line of B', point of A, point of
 // B'): positive iff t lies beyond the sum of the two points in the line's direction, its normal

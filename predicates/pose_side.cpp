@@ -49,20 +49,18 @@ struct SideB {
 
 struct TouchA : SideA {
   static constexpr bool kFailsAtTouch = true;
-  TouchA() : SideA{false} {}
   std::string_view opposite() const = delete;
 };
 struct TouchB : SideB {
   static constexpr bool kFailsAtTouch = true;
-  TouchB() : SideB{false} {}
   std::string_view opposite() const = delete;
 };
 
 }  // namespace
 
-std::shared_ptr<const Predicate> make_pose_touch(Frame frame) {
-  if (frame == Frame::kA) return make_pose_form(TouchA{});
-  return make_pose_form(TouchB{});
+std::shared_ptr<const Predicate> make_pose_touch(Frame frame, bool inward) {
+  if (frame == Frame::kA) return make_pose_form(TouchA{{inward}});
+  return make_pose_form(TouchB{{inward}});
 }
 
 std::shared_ptr<const Predicate> make_pose_side(Frame frame, bool inward) {

@@ -31,8 +31,9 @@ Query ClosestFeatures::claim(const SumBoundary& sum, const State& state, std::ui
   }
   const std::uint32_t x = state.e, y = state.v;
   switch (slot) {
+    // A point may stay on the line of one: where it comes to the vertex the other touches.
     case 0:
-      return sum.short_of(0, x, false, y);
+      return sum.at_touch(0, sum.short_of(0, x, false, y));
     case 1:
       return sum.at_touch(0, sum.past(0, sum.frame(0).before(x), true, y));
     case 2:

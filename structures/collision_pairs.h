@@ -3,7 +3,7 @@
 //
 // Every pair of bodies that are not in contact has a proof that they are disjoint, which a derived
 // class keeps: a handful of certificates in the pair's pose (predicates/pose_2.h). A pair in
-// contact has a proof that they overlap, the same for all (structures/overlap_proof.h). The
+// contact has a proof that they overlap, of the same kind for all (structures/overlap_proof.h). The
 // attribute is the set of pairs in contact, that is, of those that overlap right after now;
 // external events are contacts and separations. Bodies may be in contact at the start, which is no
 // event; a body that appears later, or jumps, must be apart from all others (std::invalid_argument

@@ -14,9 +14,12 @@ PosePredicates::PosePredicates(Kernel& kernel) {
   const std::array<Frame, 2> frames{Frame::kA, Frame::kB};
   for (std::size_t z = 0; z < 2; ++z) {
     side[z] = kernel.bind(make_pose_side(frames[z], false));
-    touch[z] = kernel.bind(make_pose_touch(frames[z]));
+    touch[z] = kernel.bind(make_pose_touch(frames[z], false));
   }
-  for (std::size_t z = 0; z < 2; ++z) inside[z] = kernel.bind(make_pose_side(frames[z], true));
+  for (std::size_t z = 0; z < 2; ++z) {
+    inside[z] = kernel.bind(make_pose_side(frames[z], true));
+    touch_inside[z] = kernel.bind(make_pose_touch(frames[z], true));
+  }
   for (std::size_t z = 0; z < 2; ++z) along[z] = kernel.bind(make_pose_along(frames[z]));
   normal_order = kernel.bind(make_pose_normal_order(false));
   normal_order_reversed = kernel.bind(make_pose_normal_order(true));

@@ -43,7 +43,7 @@ namespace kinex {
 struct PosePredicates {
   explicit PosePredicates(Kernel& kernel);
   // [frame]: the frame of the line
-  std::array<PredicateId, 2> side, inside, along, touch, along_touch, against_touch;
+  std::array<PredicateId, 2> side, inside, along, touch, touch_inside, along_touch, against_touch;
   PredicateId normal_order, normal_order_reversed;
 };
 

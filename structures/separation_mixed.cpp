@@ -22,27 +22,33 @@ MixedTiles SeparationMixed::tiles(PairId p) {
   return MixedTiles(kernel_, predicates_, pair(p).pose, frames_of(p));
 }
 
-void SeparationMixed::enter(PairId p, const MixedTiles& about, const Tile& tile) {
-  tile_[p] = tile;
+std::uint32_t SeparationMixed::prove(const MixedTiles& about, const Tile& tile, Proof& queries) {
   const MixedTiles::Certificates proof = about.certificates(tile);
-  if (now_ == nullptr) {
-    set_certificates(p, {proof.query.data(), proof.count});
-    return;
-  }
-  std::array<Query, kMostCertificates> queries;
   const auto end = std::copy_n(proof.query.begin(), proof.count, queries.begin());
+  if (now_ == nullptr) return proof.count;
   const MixedTiles::Certificates slide = about.slide(tile);
   slides_ = slides_ || slide.count > 0;
   std::copy_n(slide.query.begin(), slide.count, end);
-  set_certificates(p, {queries.data(), proof.count + slide.count});
+  return proof.count + slide.count;
 }
 
-// It may begin to slide, or end.
+void SeparationMixed::enter(PairId p, const MixedTiles& about, const Tile& tile) {
+  tile_[p] = tile;
+  Proof queries;
+  const std::uint32_t count = prove(about, tile, queries);
+  set_certificates(p, {queries.data(), count});
+}
+
+// It may begin to slide, or end, or slide along a side of M that is longer now.
 void SeparationMixed::moved(PairId p) {
   if (now_ == nullptr) return;
-  const MixedTiles about = tiles(p);
-  const std::uint32_t count = about.certificates(tile_[p]).count + about.slide(tile_[p]).count;
-  if (count != pair(p).certificates) enter(p, about, tile_[p]);
+  Proof queries;
+  const std::uint32_t count = prove(tiles(p), tile_[p], queries);
+  bool same = count == pair(p).certificates;
+  for (std::uint32_t i = 0; same && i < count; ++i) {
+    same = kernel_.query(pair(p).certificate[i]) == queries[i];
+  }
+  if (!same) set_certificates(p, {queries.data(), count});
 }
 
 bool SeparationMixed::start(PairId p) {
@@ -68,8 +74,9 @@ std::uint64_t SeparationMixed::signs_asked() const {
   const auto add = [&](PredicateId id) {
     for (const std::uint64_t count : counters[id].signs) sum += count;
   };
-  for (const auto& ids : {predicates_.side, predicates_.inside, predicates_.along,
-                          predicates_.touch, predicates_.along_touch, predicates_.against_touch}) {
+  for (const auto& ids :
+       {predicates_.side, predicates_.inside, predicates_.along, predicates_.touch,
+        predicates_.touch_inside, predicates_.along_touch, predicates_.against_touch}) {
     for (const PredicateId id : ids) add(id);
   }
   add(predicates_.normal_order);

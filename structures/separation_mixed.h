@@ -45,8 +45,8 @@ class SeparationMixed : public CollisionPairs {
   // together, 1 for the neighbour and at most 5 for edges without length (a vertex has no more than
   // two of these) and at the descent's end, 2 and 1 at the boundary of M, 9 for the certificates of
   // the new tile and of a slide, 8 to see whether the bodies touch. Where they do: 8 to see that
-  // the proof holds, 8 for its other certificates that touch zero, 8 to see whether they rest; or, at
-  // a contact, a few orders of normals to find the edge of M that is ahead.
+  // the proof holds, 8 for its other certificates that touch zero, 8 to see whether they rest; or,
+  // at a contact, a few orders of normals to find the edge of M that is ahead.
   static constexpr std::uint64_t kSignsPerLevel = 2, kSigns = 33, kSignsOfTouch = 24;
 
   SeparationMixed(Kernel& kernel, StructureId id, const Scene& scene,
@@ -84,6 +84,9 @@ class SeparationMixed : public CollisionPairs {
   // Signs of this structure's predicates that have been asked for.
   std::uint64_t signs_asked() const;
   MixedTiles tiles(PairId p);
+  // The certificates of the tile, and of a slide along its side; their number.
+  using Proof = std::array<Query, kMostCertificates>;
+  std::uint32_t prove(const MixedTiles& about, const Tile& tile, Proof& queries);
   void enter(PairId p, const MixedTiles& about, const Tile& tile);
 
   std::vector<Tile> tile_;  // per pair

@@ -39,9 +39,10 @@ class SumBoundary {
   // inside.
   Query beyond(std::uint8_t z, Id e, Id v) const { return side(false, z, e, v); }
   Query within(std::uint8_t z, Id e, Id v) const { return side(true, z, e, v); }
-  // One of side z that fails at a touch too (core/touch.h).
+  // One of side z, of these or those below, that fails at a touch too (core/touch.h).
   Query at_touch(std::uint8_t z, Query query) const {
-    query.predicate = predicates_.touch[z];
+    const bool inward = query.predicate == predicates_.inside[z];
+    query.predicate = inward ? predicates_.touch_inside[z] : predicates_.touch[z];
     return query;
   }
   // With respect to the line across edge e of polygon z at its first or last end, at vertex v: on

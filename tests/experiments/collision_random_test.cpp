@@ -16,6 +16,32 @@ class Draw {
   }
   Rational eighths(int low, int high) { return ratio(between(8 * low, 8 * high), 8); }
   Polygon2 polygon(int points, int size) { return random_polygon(engine_, points, size); }
+  // With sides along the axes and the diagonals.
+  Polygon2 lattice_polygon() {
+    const std::array<Polygon2, 7> polygons{
+        square_of(1),
+        Polygon2{{0, -1}, {1, 0}, {0, 1}, {-1, 0}},
+        Polygon2{{0, 0}, {1, 0}, {0, 1}},
+        Polygon2{{0, 0}, {2, 0}, {1, 1}},
+        Polygon2{{-1, 0}, {0, -1}, {1, -1}, {1, 0}, {0, 1}, {-1, 1}},
+        Polygon2{{0, 0}, {-2, 0}, {-1, -1}},
+        Polygon2{{1, 1}, {0, 1}, {-1, 0}, {1, 0}}};
+    Polygon2 polygon = polygons[static_cast<std::size_t>(between(0, 6))];
+    if (between(0, 1) == 1) {
+      for (Vertex2& v : polygon) v = {-v[0], -v[1]};
+    }
+    return polygon;
+  }
+  Vertex2 vertex_of(const Polygon2& p) {
+    return p[static_cast<std::size_t>(between(0, 99)) % p.size()];
+  }
+  // A vertex, or the middle of a side.
+  Vertex2 place_on(const Polygon2& p) {
+    const std::size_t i = static_cast<std::size_t>(between(0, 99)) % p.size();
+    if (between(0, 2) > 0) return p[i];
+    const Vertex2& next = p[(i + 1) % p.size()];
+    return {(p[i][0] + next[0]) / Rational(2), (p[i][1] + next[1]) / Rational(2)};
+  }
 
  private:
   std::mt19937_64 engine_;
@@ -151,27 +177,9 @@ std::optional<Scene> draw_grid_scene(std::uint64_t seed) {
 // way to or from it in one flight plan or two, while b turns: sides become parallel there. No scene
 // if the bodies do not start apart.
 std::optional<Scene> draw_aimed_scene(std::uint64_t seed) {
-  const std::array<Polygon2, 7> polygons{
-      square_of(1),
-      Polygon2{{0, -1}, {1, 0}, {0, 1}, {-1, 0}},
-      Polygon2{{0, 0}, {1, 0}, {0, 1}},
-      Polygon2{{0, 0}, {2, 0}, {1, 1}},
-      Polygon2{{-1, 0}, {0, -1}, {1, -1}, {1, 0}, {0, 1}, {-1, 1}},
-      Polygon2{{0, 0}, {-2, 0}, {-1, -1}},
-      Polygon2{{1, 1}, {0, 1}, {-1, 0}, {1, 0}}};
   Draw draw(seed);
-  const Polygon2& p = polygons[static_cast<std::size_t>(draw.between(0, 6))];
-  Polygon2 q = polygons[static_cast<std::size_t>(draw.between(0, 6))];
-  if (draw.between(0, 1) == 1) {
-    for (Vertex2& v : q) v = {-v[0], -v[1]};
-  }
-  const std::size_t i = static_cast<std::size_t>(draw.between(0, 99)) % p.size();
-  const Vertex2& w = q[static_cast<std::size_t>(draw.between(0, 99)) % q.size()];
-  Vertex2 v = p[i];
-  if (draw.between(0, 2) == 0) {
-    const Vertex2& next = p[(i + 1) % p.size()];
-    v = {(v[0] + next[0]) / Rational(2), (v[1] + next[1]) / Rational(2)};
-  }
+  const Polygon2 p = draw.lattice_polygon(), q = draw.lattice_polygon();
+  const Vertex2 v = draw.place_on(p), w = draw.vertex_of(q);
   const auto plan = [&] {
     const auto few = [&] { return Rational(draw.between(-2, 2)); };
     return Axes{{v[0] - w[0], few(), few()}, {v[1] - w[1], few(), few()}, {1}, {0, few()}};
@@ -226,6 +234,37 @@ std::optional<Scene> draw_parallel_scene(std::uint64_t seed) {
   return scene_of_bodies({body("a", p, a), body("b", q, b)}, start, ratio(1, 2));
 }
 
+// b walks along the grid until the instant 0, and may turn by a quarter; then it does not turn any
+// more and touches or passes a at the instant 1, sides being parallel for ever or the point on the
+// line of a side. No scene if the bodies do not start apart.
+std::optional<Scene> draw_settled_scene(std::uint64_t seed) {
+  Draw draw(seed);
+  const Polygon2 p = draw.lattice_polygon(), q = draw.lattice_polygon();
+  const int quarters = draw.between(-1, 1);
+  const Vertex2 v = draw.place_on(p), own = draw.vertex_of(q);
+  const Vertex2 w = quarters == 0 ? own : Vertex2{-quarters * own[1], quarters * own[0]};
+  // Along an axis and back; along a parabola.
+  const int kind = draw.between(0, 3);
+  Axes comes, settled;
+  for (std::size_t k = 0; k < 2; ++k) {
+    // d + f (t - 1) + g (t - 1)^2
+    const Rational d = v[k] - w[k];
+    const Rational f(kind < 2 ? 0 : draw.between(-1, 1));
+    const Rational g(static_cast<int>(k) == kind ? 0 : draw.between(-2, 2));
+    settled.push_back({d - f + g, f - Rational(2) * g, g});
+    comes.push_back({d - f + g, Rational(draw.between(-2, 2))});
+  }
+  settled.insert(settled.end(), {{1}, {quarters}});
+  comes.insert(comes.end(), {{1}, {quarters, quarters}});
+  SceneObject b = body("b", q, comes);
+  b.motion.pieces[0].to = Rational(0);
+  b.motion.pieces.push_back({Rational(0), std::nullopt, trajectory(settled)});
+  if (contact_of(p, placed_polygon(q, trajectory(comes), -1)) != Contact::kApart) {
+    return std::nullopt;
+  }
+  return scene_of_bodies({body("a", p, {{0}, {0}, {1}, {0}}), std::move(b)}, -1, Rational(2));
+}
+
 // So many scenes that one of these makes of seeds from `first` on.
 void check_drawn(std::optional<Scene> (*draw_scene)(std::uint64_t), std::uint64_t first, int scenes,
                  std::size_t contacts, std::size_t grazes) {
@@ -249,6 +288,12 @@ TEST(CollisionRuns, AimedAtVertices) {
 }
 TEST(SlowCollisionRuns, AimedAtVertices) {
   check_drawn(draw_aimed_scene, 5000, kSanitized ? 50 : 600, 100, 50);
+}
+TEST(CollisionRuns, SettledBeforeTheTouch) {
+  check_drawn(draw_settled_scene, 1, kSanitized ? 30 : 150, 5, 5);
+}
+TEST(SlowCollisionRuns, SettledBeforeTheTouch) {
+  check_drawn(draw_settled_scene, 5000, kSanitized ? 100 : 1500, 100, 100);
 }
 TEST(CollisionRuns, SidesThatTurnBackAtATouch) {
   check_drawn(draw_parallel_scene, 1, kSanitized ? 10 : 60, 2, 10);
