@@ -62,6 +62,9 @@ std::shared_ptr<const Predicate> make_pose_along_touch(Frame frame, bool reverse
 // negated value (named normal_order_reversed). Degree: twice that of both rotors.
 std::shared_ptr<const Predicate> make_pose_normal_order(bool reversed);
 
+// The same, but fails at a touch too: where normals become parallel and turn back.
+std::shared_ptr<const Predicate> make_pose_order_touch(bool reversed);
+
 // left_of_ray(pose, a0, b0, a, b), all points, of A and of B' in turns: where t is as seen from c =
 // a0 + R b0, positive iff it is to the left of the ray from c through a + R b. `right`: the negated
 // value (named right_of_ray). The degree of the pose.

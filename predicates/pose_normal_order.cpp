@@ -25,7 +25,16 @@ struct NormalOrder {
   }
 };
 
+struct OrderTouch : NormalOrder {
+  static constexpr bool kFailsAtTouch = true;
+  std::string_view opposite() const = delete;
+};
+
 }  // namespace
+
+std::shared_ptr<const Predicate> make_pose_order_touch(bool reversed) {
+  return make_pose_form(OrderTouch{{reversed}});
+}
 
 std::shared_ptr<const Predicate> make_pose_normal_order(bool reversed) {
   return make_pose_form(NormalOrder{reversed});

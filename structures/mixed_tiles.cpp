@@ -22,7 +22,9 @@ PosePredicates::PosePredicates(Kernel& kernel) {
   }
   for (std::size_t z = 0; z < 2; ++z) along[z] = kernel.bind(make_pose_along(frames[z]));
   normal_order = kernel.bind(make_pose_normal_order(false));
+  order_touch = kernel.bind(make_pose_order_touch(false));
   normal_order_reversed = kernel.bind(make_pose_normal_order(true));
+  order_touch_reversed = kernel.bind(make_pose_order_touch(true));
   for (std::size_t z = 0; z < 2; ++z) {
     along_touch[z] = kernel.bind(make_pose_along_touch(frames[z], false));
     against_touch[z] = kernel.bind(make_pose_along_touch(frames[z], true));
@@ -228,6 +230,12 @@ MixedTiles::Certificates MixedTiles::slide(const Tile& tile) const {
     add(1, true);
   }
   return result;
+}
+
+Query MixedTiles::order_at_touch(Query order) const {
+  const bool reversed = order.predicate == predicates_.normal_order_reversed;
+  order.predicate = reversed ? predicates_.order_touch_reversed : predicates_.order_touch;
+  return order;
 }
 
 // ---- certificates

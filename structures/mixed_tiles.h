@@ -44,7 +44,7 @@ struct PosePredicates {
   explicit PosePredicates(Kernel& kernel);
   // [frame]: the frame of the line
   std::array<PredicateId, 2> side, inside, along, touch, touch_inside, along_touch, against_touch;
-  PredicateId normal_order, normal_order_reversed;
+  PredicateId normal_order, normal_order_reversed, order_touch, order_touch_reversed;
 };
 
 struct Tile {
@@ -92,6 +92,9 @@ class MixedTiles {
   // While the point stays on the line of that side: certificates that fail where it comes to M or
   // leaves it; at most two.
   Certificates slide(const Tile& tile) const;
+  // An order of normals that fails at a touch too: for an instant the side of M may reach the point
+  // on its line.
+  Query order_at_touch(Query order) const;
   // Levels of the operation that made the tile; 0 for half-planes.
   int level(const Tile& tile) const;
   // The largest there are.

@@ -24,11 +24,15 @@ MixedTiles SeparationMixed::tiles(PairId p) {
 
 std::uint32_t SeparationMixed::prove(const MixedTiles& about, const Tile& tile, Proof& queries) {
   const MixedTiles::Certificates proof = about.certificates(tile);
-  const auto end = std::copy_n(proof.query.begin(), proof.count, queries.begin());
+  std::copy_n(proof.query.begin(), proof.count, queries.begin());
   if (now_ == nullptr) return proof.count;
   const MixedTiles::Certificates slide = about.slide(tile);
-  slides_ = slides_ || slide.count > 0;
-  std::copy_n(slide.query.begin(), slide.count, end);
+  if (slide.count == 0) return proof.count;
+  slides_ = true;
+  for (std::uint32_t i = proof.sides; i < proof.count; ++i) {
+    queries[i] = about.order_at_touch(queries[i]);
+  }
+  std::copy_n(slide.query.begin(), slide.count, queries.begin() + proof.count);
   return proof.count + slide.count;
 }
 
@@ -81,6 +85,8 @@ std::uint64_t SeparationMixed::signs_asked() const {
   }
   add(predicates_.normal_order);
   add(predicates_.normal_order_reversed);
+  add(predicates_.order_touch);
+  add(predicates_.order_touch_reversed);
   return sum;
 }
 

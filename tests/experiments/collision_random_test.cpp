@@ -265,6 +265,41 @@ std::optional<Scene> draw_settled_scene(std::uint64_t seed) {
   return scene_of_bodies({body("a", p, {{0}, {0}, {1}, {0}}), std::move(b)}, -1, Rational(2));
 }
 
+// b turns, or turns back, about a vertex of its own that stays on the line of a's side or moves
+// along it. No scene if the bodies do not start apart.
+std::optional<Scene> draw_pivot_scene(std::uint64_t seed) {
+  Draw draw(seed);
+  const Polygon2 p = draw.lattice_polygon();
+  Polygon2 q = draw.lattice_polygon();
+  const Vertex2 pivot = draw.vertex_of(q);
+  for (Vertex2& v : q) v = {v[0] - pivot[0], v[1] - pivot[1]};
+  const std::size_t i = static_cast<std::size_t>(draw.between(0, 99)) % p.size();
+  const Vertex2 &from = p[i], &to = p[(i + 1) % p.size()];
+  const int place = draw.between(-4, 3), slide = std::max(0, draw.between(-2, 1));
+  Axes b;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Rational along = to[k] - from[k];
+    b.push_back(
+        {from[k] + ratio(place < 0 ? place : place + 3, 2) * along, Rational(slide) * along});
+  }
+  const int quarter = std::max(0, draw.between(-2, 1));
+  std::vector<Rational> turn(static_cast<std::size_t>(draw.between(2, 4)), Rational(0));
+  turn.back() = ratio(draw.between(-3, 3), 2);
+  b.push_back({1});
+  b.push_back(turn);
+  b[3][0] = Rational(quarter);
+  if (quarter == 1) {  // (1 + i) (1 + i turn)
+    b[2] = turn;
+    for (Rational& c : b[2]) c = -c;
+    b[2][0] = Rational(1);
+  }
+  const Rational start = ratio(-1, 2);
+  if (contact_of(p, placed_polygon(q, trajectory(b), start)) != Contact::kApart) {
+    return std::nullopt;
+  }
+  return scene_of_bodies({body("a", p, {{0}, {0}, {1}, {0}}), body("b", q, b)}, start, Rational(1));
+}
+
 // So many scenes that one of these makes of seeds from `first` on.
 void check_drawn(std::optional<Scene> (*draw_scene)(std::uint64_t), std::uint64_t first, int scenes,
                  std::size_t contacts, std::size_t grazes) {
@@ -294,6 +329,12 @@ TEST(CollisionRuns, SettledBeforeTheTouch) {
 }
 TEST(SlowCollisionRuns, SettledBeforeTheTouch) {
   check_drawn(draw_settled_scene, 5000, kSanitized ? 100 : 1500, 100, 100);
+}
+TEST(CollisionRuns, TurnAboutAVertex) {
+  check_drawn(draw_pivot_scene, 1, kSanitized ? 30 : 150, 5, 5);
+}
+TEST(SlowCollisionRuns, TurnAboutAVertex) {
+  check_drawn(draw_pivot_scene, 5000, kSanitized ? 100 : 1500, 100, 100);
 }
 TEST(CollisionRuns, SidesThatTurnBackAtATouch) {
   check_drawn(draw_parallel_scene, 1, kSanitized ? 10 : 60, 2, 10);

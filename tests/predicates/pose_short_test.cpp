@@ -94,7 +94,8 @@ std::vector<std::shared_ptr<const Predicate>> forms() {
           make_pose_ray(true),
           make_pose_touch(Frame::kA, false),
           make_pose_touch(Frame::kB, true),
-          make_pose_along_touch(Frame::kB, true)};
+          make_pose_along_touch(Frame::kB, true),
+          make_pose_order_touch(false)};
 }
 
 TEST(LinearSigns, AreTheExactSigns) {
