@@ -13,6 +13,21 @@
 
 namespace {
 
+// The message says "Could not convert: OPTION = TEXT".
+std::string conversion_problem(const CLI::App& app, const std::string& message) {
+  const std::size_t colon = message.find(": "), equals = message.find(" = ");
+  if (colon == std::string::npos || equals == std::string::npos || equals < colon) return message;
+  const std::string name = message.substr(colon + 2, equals - colon - 2);
+  std::string type;
+  for (const CLI::App* verb : app.get_subcommands()) {
+    const CLI::Option* option = verb->get_option_no_throw(name);
+    if (option != nullptr) type = option->get_type_name();
+  }
+  return name + ": " + kinex::show_text(message.substr(equals + 3)) +
+         (type == "FLOAT" ? " is not a number; write one, as 2.5"
+                          : " is not a whole number that fits; write one, as 100");
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
       "kinex: kinetic data structures in exact arithmetic.\n"
@@ -31,6 +46,9 @@ int run(int argc, char** argv) {
   kinex::add_verbs(app, exit_code);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ConversionError& error) {
+    std::fprintf(stderr, "kinex: %s\n", conversion_problem(app, error.what()).c_str());
+    return kinex::kExitBadInput;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kinex::kExitFine : kinex::kExitBadInput;
   }

@@ -9,6 +9,7 @@
 #include "experiments/input_error.h"
 #include "experiments/scene_parts.h"
 #include "experiments/scene_reader.h"
+#include "experiments/turning.h"
 #include "structures/registry.h"
 
 namespace kinex {
@@ -86,6 +87,14 @@ std::optional<Complaint> complaint_about(const std::string& name, const Scene& s
     return Complaint{show_text(name) + " needs linear motions, the scene has motions of degree " +
                          std::to_string(scene.degree()),
                      "maintain " + with_every_motion(name) + ", which takes every motion"};
+  }
+  if (info->unturned && scene.has_bodies()) {
+    if (const auto pair = find_turning_pair(scene)) {
+      return Complaint{show_text(name) + " is for bodies that do not turn against each other, " +
+                           show_text(scene.objects[pair->first].id) + " and " +
+                           show_text(scene.objects[pair->second].id) + " do",
+                       "maintain separation_mixed, which takes every motion"};
+    }
   }
   return std::nullopt;
 }
@@ -231,7 +240,12 @@ void read_short_entry(const std::string& entry, Scene& scene) {
   if (colon != std::string::npos) {
     const std::string axis_name = entry.substr(colon + 1);
     const std::optional<int> axis = axis_of(axis_name, scene.dimension);
-    if (!axis || !find_structure_info(request.structure)->uses_key) {
+    if (!find_structure_info(request.structure)->uses_key) {
+      throw InputError(kOption, "",
+                       show_text(request.structure) + " takes no key, as " + show_text(axis_name),
+                       "write " + request.structure + " alone");
+    }
+    if (!axis) {
       throw InputError(kOption, "",
                        show_text(axis_name) + " is not a key of " + show_text(request.structure),
                        "a 1-D structure takes " + axes_of(scene.dimension) +

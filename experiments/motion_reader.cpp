@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,15 +17,18 @@ namespace {
 // Bits of the numbers that the check of one seam may need; real scenes stay far below.
 constexpr std::size_t kMaxSeamBits = std::size_t{1} << 22;
 
+constexpr std::string_view kMotion = "motion";
 constexpr const char* kMotionRemedy =
     "write one coefficient list per axis, [[x0, x1, ..], [y0, y1, ..]], or a list of pieces";
 
-std::vector<Rational> read_coefficients(const JsonNode& list, int max_degree, const char* what) {
+std::vector<Rational> read_coefficients(const JsonNode& list, int max_degree,
+                                        std::string_view what) {
   list.require_array();
   if (list.size() == 0)
-    list.fail("an empty coefficient list", "write [0] for a coordinate that is 0");
+    list.fail("an empty coefficient list", what == kMotion ? "write [0] for a coordinate that is 0"
+                                                           : "write [0] for a part that is 0");
   if (list.size() > static_cast<std::size_t>(max_degree) + 1) {
-    list.fail(std::string("a ") + what + " of degree " + std::to_string(list.size() - 1),
+    list.fail("a " + std::string(what) + " of degree " + std::to_string(list.size() - 1),
               "the largest degree is " + std::to_string(max_degree));
   }
   std::vector<Rational> coefficients;
@@ -41,7 +45,7 @@ Trajectory read_coordinates(const JsonNode& node, int dimension) {
   }
   Trajectory trajectory;
   for (std::size_t axis = 0; axis < node.size(); ++axis) {
-    trajectory.coordinates.push_back(read_coefficients(node.at(axis), kMaxMotionDegree, "motion"));
+    trajectory.coordinates.push_back(read_coefficients(node.at(axis), kMaxMotionDegree, kMotion));
   }
   trajectory.normalise();
   return trajectory;

@@ -9,16 +9,22 @@
 
 namespace kinex {
 
+std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Scene& scene) {
+  try {
+    return make_arithmetic(name, scene);
+  } catch (const std::invalid_argument& error) {
+    // "PROBLEM; CHOICES"
+    const std::string message = error.what();
+    const std::size_t end = message.find("; ");
+    if (end == std::string::npos) throw InputError("--arithmetic", "", message, "write exact");
+    throw InputError("--arithmetic", "", message.substr(0, end), message.substr(end + 2));
+  }
+}
+
 std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string& arithmetic,
                                           SimulatorOptions options) {
-  std::unique_ptr<Arithmetic> numbers;
-  try {
-    numbers = make_arithmetic(arithmetic, scene);
-  } catch (const std::invalid_argument& error) {
-    throw InputError("--arithmetic", "", error.what(),
-                     "write exact, sturm, double, gsl or mpfr:P with P bits");
-  }
-  auto simulator = std::make_unique<Simulator>(scene, std::move(numbers), std::move(options));
+  auto simulator =
+      std::make_unique<Simulator>(scene, arithmetic_option(arithmetic, scene), std::move(options));
   add_structures(*simulator, scene);
   return simulator;
 }

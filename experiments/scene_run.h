@@ -12,6 +12,9 @@
 
 namespace kinex {
 
+// The arithmetic that an option --arithmetic names. Throws InputError for an unknown one.
+std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Scene& scene);
+
 // A simulator with every structure that scene.maintain asks for, not started. The scene must
 // outlive it. Throws InputError for an unknown arithmetic.
 std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string& arithmetic,

@@ -135,7 +135,7 @@ const std::vector<Entry>& entries() {
        make_of_bodies<SeparationMixed>},
       {{"separation_minkowski",
         "collisions of convex polygons that do not turn, by the hierarchy of their Minkowski sum",
-        2, false, "", false, true, true},
+        2, false, "", false, true, true, true},
        make_of_bodies<SeparationMinkowski>},
       {{"separation_hysteresis", "collisions of convex polygons, by wedges that last", 2, false, "",
         false, true, true},

@@ -23,6 +23,7 @@ struct StructureInfo {
   bool linear = false;       // for linear motions and keys (not squared distances) only
   bool bodies = false;       // for rigid bodies; otherwise for points
   bool collisions = false;   // maintains which of the bodies are in contact
+  bool unturned = false;     // for bodies that do not turn against each other only
 
   // What has a key takes scenes of more axes, too; others would leave them out of account.
   bool any_dimension() const { return uses_key; }

@@ -65,10 +65,10 @@ std::string scene_json(const Scene& scene) {
   return text + "\n";
 }
 
-void report_log(const LogVerdict& verdict, bool json, int& exit_code) {
+void report_log(const LogVerdict& verdict, const std::string& path, bool json, int& exit_code) {
   print(json ? log_json(verdict) : log_text(verdict));
   for (const std::string& problem : verdict.problems) {
-    std::fprintf(stderr, "kinex: %s\n", problem.c_str());
+    std::fprintf(stderr, "kinex: %s: %s\n", path.c_str(), problem.c_str());
   }
   if (!verdict.problems.empty()) exit_code = kExitFailed;
 }
@@ -76,7 +76,7 @@ void report_log(const LogVerdict& verdict, bool json, int& exit_code) {
 void check(const std::string& path, bool json, int& exit_code) {
   const std::string text = read_text_file(path);
   if (looks_like_log(text)) {
-    report_log(check_log(text, path), json, exit_code);
+    report_log(check_log(text, path), path, json, exit_code);
     return;
   }
   const Scene scene = parse_scene(text, path);

@@ -14,6 +14,7 @@
 
 #include "experiments/file_io.h"
 #include "experiments/input_error.h"
+#include "experiments/scene_run.h"
 #include "experiments/trade/database.h"
 #include "experiments/trade/markdown.h"
 #include "experiments/trade/page.h"
@@ -58,13 +59,8 @@ std::string command_of(const Options& options) {
 // A wrong name is told now, not after the first run.
 void check_arithmetics(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
-    try {
-      Scene nothing;
-      make_arithmetic(name, nothing);
-    } catch (const std::invalid_argument& error) {
-      throw InputError("--arithmetic", "", error.what(),
-                       "write exact, sturm, double, gsl or mpfr:P with P bits");
-    }
+    const Scene nothing;
+    arithmetic_option(name, nothing);
   }
 }
 

@@ -57,7 +57,7 @@ constexpr BodyScenes kBodyScenes[] = {
 
 void add_common_body_cells(Catalogue& catalogue, const StructureInfo& structure, Extent extent) {
   for (const BodyScenes& scenes : kBodyScenes) {
-    if (scenes.turns && structure.name == "separation_minkowski") continue;
+    if (scenes.turns && structure.unturned) continue;
     const Workload* workload = find_workload(scenes.workload);
     if (workload == nullptr) continue;
     Cell cell;

@@ -10,6 +10,7 @@
 #include "core/check.h"
 #include "experiments/event_log.h"
 #include "experiments/input_error.h"
+#include "experiments/scene_run.h"
 #include "experiments/sha256.h"
 #include "experiments/view/certificate_polynomial.h"
 #include "experiments/view/proof_recorder.h"
@@ -20,15 +21,6 @@
 namespace kinex {
 
 namespace {
-
-std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Scene& scene) {
-  try {
-    return make_arithmetic(name, scene);
-  } catch (const std::invalid_argument& error) {
-    throw InputError("--arithmetic", "", error.what(),
-                     "write exact, sturm, double, gsl or mpfr:P with P bits");
-  }
-}
 
 std::vector<std::string> coefficients(const Polynomial& p) {
   std::vector<std::string> texts;

@@ -191,6 +191,54 @@ TEST(SceneReader, BodiesDoNotAppearInOthers) {
   EXPECT_INPUT_ERROR(parse(scene("-19", "0", "0")), "overlap at the scene's start");
 }
 
+// For separation_minkowski.
+TEST(SceneReader, BodiesThatTurnAgainstEachOther) {
+  const auto maintained = [](const std::string& a, const std::string& b,
+                             const std::string& life = "") {
+    const std::string body = R"("polygon": [[-1, -1], [1, -1], [1, 1], [-1, 1]], "motion": )";
+    const auto motion = [](const std::string& when, int x, const std::string& rotor) {
+      return R"([{)" + when + R"("coordinates": [[)" + std::to_string(x) +
+             R"(], [0]], "rotor": [)" + rotor + "]}]}";
+    };
+    Scene scene = parse(R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 6},
+        "objects": [{"id": "a", )" +
+                        body + motion("", 0, a) + R"(, {"id": "c", )" + body +
+                        motion(R"("to": 2, )", 90, "[1], [0]") + R"(, {"id": "b", )" + body +
+                        motion(life, 50, b) + "]}");
+    set_maintain(scene, {"separation_minkowski"});
+  };
+  EXPECT_NO_THROW(maintained("[1], [0]", "[2], [1]"));
+  EXPECT_INPUT_ERROR(maintained("[1], [0]", "[1], [0, 1]"), "\"a\" and \"b\" do; maintain");
+  EXPECT_INPUT_ERROR(maintained("[1, 1], [3]", "[1], [0]"), "\"a\" and \"c\" do; maintain");
+  // By (1 + i) (1 + t^2), and by a multiple of it: at one angle.
+  EXPECT_NO_THROW(maintained("[1, 0, 1], [1, 0, 1]", "[-2], [1]"));
+  // One after the other.
+  EXPECT_NO_THROW(maintained("[1], [0]", "[1], [1]", R"("from": 3, )"));
+  EXPECT_INPUT_ERROR(maintained("[1], [0]", "[1], [0, 1]", R"("from": 3, )"), "\"a\" and \"b\"");
+  // Against c, which has gone then, and alike.
+  const auto pair = [&](const std::string& rotor, const std::string& other) {
+    maintained(rotor, other, R"("from": 3, )");
+  };
+  EXPECT_INPUT_ERROR(pair("[1], [0, 1]", "[1], [0, 1]"), "\"a\" and \"c\"");
+}
+
+// As one, at different angles, or by turns.
+TEST(SceneReader, BodiesThatTurnAsOne) {
+  const auto maintained = [](const std::string& rotor, const std::string& other) {
+    const std::string body = R"("polygon": [[-1, -1], [1, -1], [1, 1], [-1, 1]], "motion": )";
+    Scene scene = parse(R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 6},
+        "objects": [{"id": "a", )" +
+                        body + R"([[0], [0]], "rotor": [)" + rotor + R"(]}, {"id": "b", )" + body +
+                        R"([[50], [0]], "rotor": [)" + other + "]}]}");
+    set_maintain(scene, {"separation_minkowski"});
+  };
+  EXPECT_NO_THROW(maintained("[1], [0, 1]", "[1], [0, 1]"));
+  EXPECT_NO_THROW(maintained("[1], [0, 1]", "[1, -1], [1, 1]"));  // a quarter turn ahead
+  EXPECT_NO_THROW(maintained("[1], [0, 1]", "[2, 4], [0, 2, 4]"));
+  EXPECT_INPUT_ERROR(maintained("[1], [0, 1]", "[1], [0, -1]"), "\"a\" and \"b\"");
+  EXPECT_INPUT_ERROR(maintained("[1], [0, 1]", "[1], [0, 2]"), "\"a\" and \"b\"");
+}
+
 TEST(SceneHash, DependsOnContentNotOnForm) {
   const std::string hash = scene_hash(with_coefficient("\"1/2\""));
   EXPECT_EQ(hash.size(), 64u);
@@ -209,7 +257,8 @@ TEST(SceneReader, MaintainOption) {
   EXPECT_EQ(scene.maintain[1].key.axis, 1);
   EXPECT_INPUT_ERROR(set_maintain(scene, {"tap"}), "--maintain: \"tap\" is not a known structure");
   EXPECT_INPUT_ERROR(set_maintain(scene, {"sorted_list:z"}), "\"z\" is not a key");
-  EXPECT_INPUT_ERROR(set_maintain(scene, {"delaunay_2:x"}), "\"x\" is not a key");
+  EXPECT_INPUT_ERROR(set_maintain(scene, {"delaunay_2:x"}),
+                     "\"delaunay_2\" takes no key, as \"x\"; write delaunay_2 alone");
   EXPECT_INPUT_ERROR(set_maintain(scene, {"delaunay_2", "delaunay_2"}), "stands twice");
   EXPECT_INPUT_ERROR(set_maintain(scene, {"sorted_list,"}), "\"\" is not a known structure");
 }

@@ -144,6 +144,9 @@ TEST_F(Program, BadOptionValues) {
   expect_bad_input({"run", scene_, "--at", "1/2,-1"}, "--at: \"-1\" is outside");
   expect_bad_input({"run", scene_, "--audit", "never"}, "--audit: \"never\" is not a level");
   expect_bad_input({"run", scene_, "--max-events", "-1"}, "a limit below 0");
+  expect_bad_input({"run", scene_, "--max-seconds", "soon"},
+                   "--max-seconds: \"soon\" is not a number; write one, as 2.5");
+  expect_bad_input({"gen", "grid", "--n", "3.5"}, "--n: \"3.5\" is not a whole number that fits");
   expect_bad_input({"gen", "swarm"}, "\"swarm\" is not a workload");
   expect_bad_input({"roots", scene_, "--digits", "-1"}, "--digits");
 }
