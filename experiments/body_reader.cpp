@@ -9,6 +9,7 @@
 
 #include "core/polynomial_gcd.h"
 #include "core/real_root.h"
+#include "experiments/counted.h"
 #include "experiments/input_error.h"
 #include "experiments/placed_body.h"
 #include "experiments/scene_parts.h"
@@ -18,9 +19,6 @@ namespace kinex {
 
 namespace {
 
-std::string counted(std::size_t number, const char* one, const char* many) {
-  return std::to_string(number) + " " + (number == 1 ? one : many);
-}
 std::string numbered(std::size_t k) { return "vertex " + std::to_string(k); }
 
 Vertex2 read_vertex(const JsonNode& node) {

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "experiments/counted.h"
 #include "experiments/scene_writer.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
@@ -43,10 +44,6 @@ PlanCounts count_plans(const Scene& scene) {
     }
   }
   return counts;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 std::string short_number(const Rational& value) {

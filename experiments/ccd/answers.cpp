@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "experiments/counted.h"
 #include "experiments/input_error.h"
 #include "experiments/json_writer.h"
 #include "experiments/utf8.h"
@@ -13,10 +14,6 @@ namespace kinex {
 namespace {
 
 constexpr int kDigits = 17;
-
-std::string counted(std::uint64_t number, const char* one, const char* many) {
-  return std::to_string(number) + " " + (number == 1 ? one : many);
-}
 
 std::array<std::pair<const char*, std::uint64_t>, 4> outcomes(const ContactTally& tally) {
   return {{{"true_positives", tally.true_positives},

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/counted.h"
 #include "experiments/csv_import.h"
 #include "experiments/file_io.h"
 #include "experiments/scene_reader.h"
@@ -52,9 +53,13 @@ void import_file(const ImportVerbOptions& options) {
   if (maintain.empty()) maintain = {usual_structure(scene)};
   set_maintain(scene, maintain);
   write_result(options.output, options.force, write_scene(scene));
-  std::fprintf(stderr, "kinex: %zu rows, %zu objects\n", report.rows, scene.objects.size());
+  std::fprintf(stderr, "kinex: %s, %s\n", counted(report.rows, "row", "rows").c_str(),
+               counted(scene.objects.size(), "object", "objects").c_str());
   if (report.single_fixes > 0) {
-    std::fprintf(stderr, "kinex: %zu traces of a single fix were left out\n", report.single_fixes);
+    std::fprintf(
+        stderr, "kinex: %s left out\n",
+        counted(report.single_fixes, "trace of a single fix was", "traces of a single fix were")
+            .c_str());
   }
   if (report.repeated_fixes > 0) {
     std::fprintf(stderr, "kinex: %zu identical fixes were read once\n", report.repeated_fixes);
