@@ -293,6 +293,8 @@ std::optional<SeparatingWedge> separating_wedge(const WedgePlan& plan, Frame lin
                           Rational(touching.h) + few_bits(length * guard));
   if (!wedge.turns) {
     wedge.v = wedged.rough.middle;
+    // Far from its frame's origin a body's place is known too roughly for the direction.
+    if (room(wedge, pose, line_of) < kRoom * s) return std::nullopt;
     return wedge;
   }
   const double c = std::cos(role.half_angle), sine = std::sin(role.half_angle);
