@@ -84,6 +84,9 @@ class DoubleArithmetic final : public Arithmetic {
 
   Sign sign_after(const Query& query) override {
     ++counters_.by_predicate[query.predicate].signs[static_cast<int>(Stage::kDouble)];
+    // What has failed is negative now, wherever its root has been rounded to.
+    const int relation = own_ ? related(query, query_) : 0;
+    if (relation != 0) return relation > 0 ? Sign::kNegative : Sign::kPositive;
     std::array<double, kRoom> c;
     const int degree = polynomial(query, c);
     return degree < 0 ? Sign::kZero : sign_at_now(c, degree);

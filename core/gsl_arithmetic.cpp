@@ -107,6 +107,9 @@ class GslArithmetic final : public Arithmetic {
 
   Sign sign_after(const Query& query) override {
     ++counters_.by_predicate[query.predicate].signs[static_cast<int>(Stage::kDouble)];
+    // What has failed is negative now, wherever its root has been rounded to.
+    const int relation = failed_.arity == 0 ? 0 : related(query, failed_);
+    if (relation != 0) return relation > 0 ? Sign::kNegative : Sign::kPositive;
     evaluate(query);
     return sign_at_now();
   }

@@ -95,6 +95,9 @@ class MpfrArithmetic final : public Arithmetic {
 
   Sign sign_after(const Query& query) override {
     ++counters_.by_predicate[query.predicate].signs[static_cast<int>(Stage::kMultiprecision)];
+    // What has failed is negative now, wherever its root has been rounded to.
+    const int relation = own_ ? related(query, query_) : 0;
+    if (relation != 0) return relation > 0 ? Sign::kNegative : Sign::kPositive;
     const std::vector<MpFloat> c = polynomial(query);
     return c.empty() ? Sign::kZero : sign_at_now(c);
   }
