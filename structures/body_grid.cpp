@@ -3,10 +3,34 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "predicates/body_gap.h"
 
 namespace kinex {
+
+std::optional<Rational> BodyGrid::width_for(const Scene& scene, const Rational& diameter) {
+  if (!scene.end) return std::nullopt;
+  Rational farthest;
+  for (const SceneObject& object : scene.objects) {
+    for (const MotionPiece& piece : object.motion.pieces) {
+      const Rational from = piece.from ? std::max(*piece.from, scene.start) : scene.start;
+      const Rational to = piece.to ? std::min(*piece.to, *scene.end) : *scene.end;
+      if (to < from) continue;
+      for (int axis = 0; axis < 2; ++axis) {
+        for (const Rational& t : {from, to}) {
+          const Rational x = piece.trajectory.position(axis, t);
+          farthest = std::max(farthest, x.sign() < 0 ? -x : x);
+        }
+      }
+    }
+  }
+  const Rational cells(static_cast<int>(64 + scene.objects.size()));
+  Rational width = diameter;
+  // By doubling: short numbers stay short.
+  while (width * cells < farthest) width *= Rational(2);
+  return width;
+}
 
 BodyGrid::BodyGrid(Kernel& kernel, StructureId id, Rational width, std::size_t bodies)
     : kernel_(kernel),

@@ -2,11 +2,11 @@
 // BodyGrid: the broad phase of many bodies: which of them are near enough to look at.
 //
 // A grid of square cells as wide as the two largest bodies together (discs about their frames'
-// origins). Every body is in the cell of its origin and holds one certificate for each side of it;
-// bodies whose cells do not touch are apart whatever they do inside them. A certificate fails when
-// a body changes its cell. A body that crosses a region of k cells has O(k) events, so that n
-// bodies in a box with about one a cell have O(n sqrt n) in one crossing time, where sorted lists
-// of the ends of their boxes would have Theta(n^2).
+// origins), or wider where the scene is large (width_for). Every body is in the cell of its origin
+// and holds one certificate for each side of it; bodies whose cells do not touch are apart whatever
+// they do inside them. A certificate fails when a body changes its cell. A body that crosses a
+// region of k cells has O(k) events, so that n bodies in a box with about one a cell have O(n sqrt
+// n) in one crossing time, where sorted lists of the ends of their boxes would have Theta(n^2).
 //
 // Compactness: 4 certificates a body. Cells are found by O(log) signs.
 #ifndef KINEX_STRUCTURES_BODY_GRID_H
@@ -15,6 +15,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -28,6 +29,12 @@ class BodyGrid {
  public:
   // The tags of its certificates have this bit.
   static constexpr std::uint32_t kTag = 0x80000000u;
+
+  // The width of cells for bodies of this diameter at most: no less, and no less than what has the
+  // ends of all flight plans within some 64 + n cells of the origin, so that a fast body or a far
+  // one costs no more than that. nullopt for a scene without an end, in which bodies would cross
+  // cells for ever.
+  static std::optional<Rational> width_for(const Scene& scene, const Rational& diameter);
 
   // Cells of width `width` > 0 for bodies numbered below `bodies`.
   BodyGrid(Kernel& kernel, StructureId id, Rational width, std::size_t bodies);

@@ -21,7 +21,8 @@ CollisionPairs::CollisionPairs(Kernel& kernel, StructureId id, const Scene& scen
       pairs_of_(scene.objects.size()),
       alive_(scene.objects.size(), 0) {
   if (scene.objects.size() <= 2) return;
-  grid_.emplace(kernel, id, Rational(2) * volumes_.largest_radius(), scene.objects.size());
+  const auto width = BodyGrid::width_for(scene, Rational(2) * volumes_.largest_radius());
+  if (width) grid_.emplace(kernel, id, *width, scene.objects.size());
 }
 
 std::vector<std::string_view> CollisionPairs::collision_kinds(std::vector<std::string_view> own) {

@@ -9,7 +9,8 @@
 // event; a body that appears later, or jumps, must be apart from all others (std::invalid_argument
 // names both and the time).
 //
-// In scenes of more than two bodies a grid is the broad phase (structures/body_grid.h): bodies that
+// In scenes of more than two bodies that have an end a grid is the broad phase
+// (structures/body_grid.h), without an end all pairs are followed: bodies that
 // are not in neighbouring cells have no proof of their own, and those that are have one certificate
 // while a box or a disc about them is a proof (structures/body_volumes.h), or while discs within
 // them overlap. With two bodies there is none of these.
