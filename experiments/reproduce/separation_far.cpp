@@ -78,8 +78,10 @@ PartReport separation_hysteresis_report(const std::vector<SeriesResult>& results
   const auto approach = points_of(results, own, "polygon-approach", halvings);
   PaperClaim cover = power_claim(
       "hysteresis.cover",
-      "Events are bounded by a cover of the path by balls, without smoothness: an approach costs "
-      "as many as the times by which the distance is halved.",
+      "Worked out from the bound by a cover of the path by balls, which needs no smoothness (and "
+      "which `kinex verify collision` counts ball by ball): an approach costs as many events as "
+      "the "
+      "times by which the distance is halved.",
       approach, "halvings", 1);
   cover.assumptions = {"the path: straight from side to side, twice as near each time"};
   report.claims.push_back(std::move(cover));

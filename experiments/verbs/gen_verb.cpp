@@ -64,6 +64,17 @@ WorkloadParameters parameters_of(const GenOptions& options, const Workload& work
   return parameters;
 }
 
+// Polygons of extreme sizes may degenerate in the doubles that some families place vertices by.
+void check_bodies(const Scene& scene, const Workload& workload) {
+  try {
+    parse_scene(write_scene(scene), "the scene");
+  } catch (const InputError& error) {
+    throw InputError("gen", "",
+                     std::string(workload.name) + " cannot be made of these sizes: " + error.what(),
+                     "choose sizes and --separation nearer to 1");
+  }
+}
+
 void generate(const GenOptions& options) {
   if (options.list) {
     print(listed());
@@ -77,6 +88,7 @@ void generate(const GenOptions& options) {
   Scene scene = generate_scene(*workload, parameters_of(options, *workload));
   if (!options.name.empty()) scene.name = name_option(options.name);
   if (!options.maintain.empty()) set_maintain(scene, options.maintain);
+  if (scene.has_bodies()) check_bodies(scene, *workload);
   write_result(options.output, options.force, write_scene(scene));
 }
 

@@ -22,6 +22,7 @@
 #include "experiments/view/page.h"
 #include "experiments/view/page_data.h"
 #include "experiments/view/recorder.h"
+#include "structures/registry.h"
 
 namespace kinex {
 
@@ -112,6 +113,13 @@ void set_structures(Viewed& viewed, const Options& options, const std::string& s
     }
   } else if (log) {
     viewed.keys_known = maintain_as_logged(viewed.scene, *log, first->file);
+  }
+  for (const Request& request : viewed.scene.maintain) {
+    const StructureInfo* info = find_structure_info(request.structure);
+    if (info != nullptr && info->bodies && !info->collisions) {
+      throw InputError("--maintain", "", request.structure + " follows nothing that could be shown",
+                       "maintain a structure for collisions");
+    }
   }
   if (viewed.scene.maintain.empty()) {
     throw InputError(scene_file, "/maintain", "nothing is to be maintained",

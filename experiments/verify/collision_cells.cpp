@@ -26,6 +26,7 @@ namespace kinex {
 namespace {
 
 constexpr const char* kPaper = "Erickson, Guibas, Stolfi, Zhang 1999, introduction";
+constexpr const char* kOurs = "worked out for the scene";
 constexpr int kDirections = 8;
 constexpr int kFewTiles = 40;  // measured: 4
 
@@ -69,7 +70,7 @@ void expect(Cell& cell, ExpectationKind kind, const char* claim, std::int64_t co
 }
 
 GrowthClaim growth(const Cell& cell, const char* claim, Variable variable, double exponent,
-                   double tolerance, bool at_most) {
+                   double tolerance, bool at_most, const char* source = kPaper) {
   GrowthClaim growth;
   growth.claim = claim;
   growth.structure = cell.structure;
@@ -79,7 +80,7 @@ GrowthClaim growth(const Cell& cell, const char* claim, Variable variable, doubl
   growth.tolerance = tolerance;
   growth.variable = variable;
   growth.at_most = at_most;
-  growth.source = kPaper;
+  growth.source = source;
   return growth;
 }
 
@@ -123,8 +124,8 @@ void add_rounds(Catalogue& catalogue, const Method& method, Extent extent) {
     catalogue.cells.push_back(std::move(cell));
   }
   if (!method.convex) {
-    catalogue.growths.push_back(
-        growth(catalogue.cells.back(), "collision.round.n", Variable::kVertices, 1, 0.1, false));
+    catalogue.growths.push_back(growth(catalogue.cells.back(), "collision.round.n",
+                                       Variable::kVertices, 1, 0.1, false, kOurs));
   }
 }
 
@@ -235,8 +236,8 @@ void add_paths(Catalogue& catalogue, const Method& method, Extent extent) {
     catalogue.cells.push_back(std::move(cell));
   }
   if (name == "separation_hysteresis") {
-    catalogue.growths.push_back(
-        growth(catalogue.cells.back(), "hysteresis.approach", Variable::kHalvings, 1, 0.1, true));
+    catalogue.growths.push_back(growth(catalogue.cells.back(), "hysteresis.approach",
+                                       Variable::kHalvings, 1, 0.1, true, kOurs));
   }
 }
 

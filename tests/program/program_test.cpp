@@ -147,6 +147,8 @@ TEST_F(Program, BadOptionValues) {
   expect_bad_input({"run", scene_, "--max-seconds", "soon"},
                    "--max-seconds: \"soon\" is not a number; write one, as 2.5");
   expect_bad_input({"gen", "grid", "--n", "3.5"}, "--n: \"3.5\" is not a whole number that fits");
+  expect_bad_input({"gen", "polygon-fan", "--n", "3", "--m", "3", "--separation", "1e30"},
+                   "polygon-fan cannot be made of these sizes: ");
   expect_bad_input({"gen", "swarm"}, "\"swarm\" is not a workload");
   expect_bad_input({"roots", scene_, "--digits", "-1"}, "--digits");
 }
