@@ -319,7 +319,7 @@ void check_drawn(std::optional<Scene> (*draw_scene)(std::uint64_t), std::uint64_
 }
 
 TEST(CollisionRuns, AimedAtVertices) {
-  check_drawn(draw_aimed_scene, 1, kSanitized ? 6 : 40, 2, 2);
+  check_drawn(draw_aimed_scene, 1, kSanitized ? 16 : 40, 2, 2);
 }
 TEST(SlowCollisionRuns, AimedAtVertices) {
   check_drawn(draw_aimed_scene, 5000, kSanitized ? 50 : 600, 100, 50);
@@ -331,13 +331,13 @@ TEST(SlowCollisionRuns, SettledBeforeTheTouch) {
   check_drawn(draw_settled_scene, 5000, kSanitized ? 100 : 1500, 100, 100);
 }
 TEST(CollisionRuns, TurnAboutAVertex) {
-  check_drawn(draw_pivot_scene, 1, kSanitized ? 30 : 150, 5, 5);
+  check_drawn(draw_pivot_scene, 1, kSanitized ? 75 : 150, 5, 5);
 }
 TEST(SlowCollisionRuns, TurnAboutAVertex) {
   check_drawn(draw_pivot_scene, 5000, kSanitized ? 100 : 1500, 100, 100);
 }
 TEST(CollisionRuns, SidesThatTurnBackAtATouch) {
-  check_drawn(draw_parallel_scene, 1, kSanitized ? 10 : 60, 2, 10);
+  check_drawn(draw_parallel_scene, 1, kSanitized ? 25 : 60, 1, 10);
 }
 TEST(SlowCollisionRuns, SidesThatTurnBackAtATouch) {
   check_drawn(draw_parallel_scene, 5000, kSanitized ? 50 : 800, 30, 200);
