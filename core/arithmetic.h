@@ -75,6 +75,8 @@ class Arithmetic {
   virtual InstantText describe_now() = 0;
 
   // Sign on (now, now + eps); kZero only if identically zero there.
+  // In an inexact arithmetic the certificate whose failure is being handled is negative, wherever its
+  // root has been rounded to, and its opposite positive.
   virtual Sign sign_after(const Query& query) = 0;
   // The first instant >= now right after which the value is negative. `time` is filled for kFails and
   // kFailsNow and else set to never.

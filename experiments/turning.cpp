@@ -30,20 +30,13 @@ Coefficients sum(Coefficients a, const Coefficients& b, const Rational& factor) 
 bool keep_their_angle(const Trajectory& a, const Trajectory& b) {
   const auto &p = a.coordinates[2], &q = a.coordinates[3];
   const auto &r = b.coordinates[2], &s = b.coordinates[3];
-  const Coefficients u = sum(product(p, r), product(q, s), Rational(1));
-  const Coefficients v = sum(product(p, s), product(q, r), Rational(-1));
-  const std::size_t common = std::min(u.size(), v.size());
-  const auto longer_is_zero = [&](const Coefficients& one) {
-    return std::all_of(one.begin() + static_cast<std::ptrdiff_t>(common), one.end(),
-                       [](const Rational& c) { return c.is_zero(); });
-  };
-  const auto is_zero = [](const Coefficients& one) {
-    return std::all_of(one.begin(), one.end(), [](const Rational& c) { return c.is_zero(); });
-  };
-  if (is_zero(u) || is_zero(v)) return true;
-  if (!longer_is_zero(u) || !longer_is_zero(v)) return false;
-  for (std::size_t i = 0; i < common; ++i) {
-    for (std::size_t j = i + 1; j < common; ++j) {
+  Coefficients u = sum(product(p, r), product(q, s), Rational(1));
+  Coefficients v = sum(product(p, s), product(q, r), Rational(-1));
+  const std::size_t size = std::max(u.size(), v.size());
+  u.resize(size, Rational(0));
+  v.resize(size, Rational(0));
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = i + 1; j < size; ++j) {
       if (u[i] * v[j] != u[j] * v[i]) return false;
     }
   }
