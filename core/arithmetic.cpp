@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <stdexcept>
+#include <utility>
 
 #include "core/double_arithmetic.h"
 #include "core/exact_arithmetic.h"
@@ -60,6 +61,13 @@ int Arithmetic::related(const Query& a, const Query& b) const {
     return query_relation(x, y, predicates_[p]->alternating());
   }
   return opposite_[p] == q && a.ids == b.ids ? -1 : 0;
+}
+
+const InstantName& Arithmetic::inexact_name(InstantDetail detail, std::string decimal) {
+  if (name_of_now_.number == 0 || decimal != name_of_now_.decimal) ++name_of_now_.number;
+  name_of_now_.detail = detail;
+  name_of_now_.decimal = std::move(decimal);
+  return name_of_now_;
 }
 
 std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene) {

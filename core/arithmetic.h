@@ -14,10 +14,12 @@
 #include <vector>
 
 #include "core/certificate.h"
+#include "core/instant_name.h"
 #include "core/ledger.h"
 #include "core/predicate.h"
 #include "core/scene.h"
 #include "core/sign.h"
+#include "core/stop.h"
 
 namespace kinex {
 
@@ -28,15 +30,6 @@ enum class Outlook : std::uint8_t {
   kFailsNow,         // negative right after now
   kIdenticallyZero,  // zero for ever (under the motions in force): never fails, a tie
   kLater,            // no failure up to a limit, beyond which nobody has looked
-};
-
-// The present instant in words: for logs.
-struct InstantText {
-  bool exact = false;
-  std::vector<std::string> polynomial;  // canonical square-free, low degree first (exact only)
-  int root = 0;                         // index from 1 in ascending order (exact only)
-  std::string lower, upper;             // isolating interval, rational ends (exact only)
-  std::string approximate;              // decimal, for people
 };
 
 class Arithmetic {
@@ -72,7 +65,12 @@ class Arithmetic {
   // now, rounded down to 40 significant bits: the same in every exact arithmetic, for structures whose
   // choices may depend on it.
   virtual double now_rounded();
-  virtual InstantText describe_now() = 0;
+  // The present instant in the detail asked for; valid until now moves or another detail is asked for.
+  // An instant is named once, by the certificate that fails there first: the name (and its number) stays
+  // the same as long as now is the same instant. Naming changes no answer and no counter.
+  virtual const InstantName& name_now(InstantDetail detail) = 0;
+  // The exact name of now, in words.
+  InstantText describe_now() { return to_text(name_now(InstantDetail::kName)); }
 
   // Sign on (now, now + eps); kZero only if identically zero there.
   // In an inexact arithmetic the certificate whose failure is being handled is negative, wherever its
@@ -105,6 +103,9 @@ class Arithmetic {
   // there is none (equal instants) or, in an inexact arithmetic, none that can be told apart.
   virtual std::optional<Rational> rational_between(const Query* query, FailureTime* time) = 0;
 
+  // Long computations look at it (core/stop.h); it outlives the arithmetic. Null: none.
+  virtual void set_deadline(Deadline* deadline) { deadline_ = deadline; }
+
   virtual std::size_t bytes() const = 0;
 
   // For people: what the scene's numbers are kept in, and what the polynomials of a predicate.
@@ -126,8 +127,13 @@ class Arithmetic {
     ++counters_.by_predicate[query.predicate].comparisons[static_cast<std::size_t>(stage)];
   }
 
+  // The name of an instant that is known by a decimal only.
+  const InstantName& inexact_name(InstantDetail detail, std::string decimal);
+
   ArithmeticCounters counters_;
   std::vector<std::shared_ptr<const Predicate>> predicates_;
+  InstantName name_of_now_;
+  Deadline* deadline_ = nullptr;
 
  private:
   std::vector<PredicateId> opposite_;  // of every predicate; itself: none

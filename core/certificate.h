@@ -36,6 +36,30 @@ struct Query {
   }
 };
 
+// True if two of the arguments are one object. Without branches but for the arity.
+inline bool repeats_an_object(const Query& q) {
+  const auto equal = [&q](std::size_t i, std::size_t j) {
+    return static_cast<unsigned>(q.ids[i] == q.ids[j]);
+  };
+  unsigned same = 0;
+  switch (q.arity) {
+    case 5:
+      same = equal(4, 0) | equal(4, 1) | equal(4, 2) | equal(4, 3);
+      [[fallthrough]];
+    case 4:
+      same |= equal(3, 0) | equal(3, 1) | equal(3, 2);
+      [[fallthrough]];
+    case 3:
+      same |= equal(2, 0) | equal(2, 1);
+      [[fallthrough]];
+    case 2:
+      same |= equal(1, 0);
+      [[fallthrough]];
+    default:
+      return same != 0;
+  }
+}
+
 // The arguments in ascending order (unused places keep their zeros at the end).
 inline std::array<ObjectId, kMaxArity> sorted_ids(const Query& query) {
   std::array<ObjectId, kMaxArity> ids = query.ids;

@@ -23,13 +23,14 @@ struct Bracket {
 // `inside`: |far - inside| is 2 |near - inside|, unless it is at once. The distances tried are unit
 // * 2^k.
 Bracket gallop(const Polynomial& p, const Rational& inside, const Rational& outside,
-               const Rational& unit, Sign sign_inside) {
+               const Rational& unit, Sign sign_inside, Deadline* deadline) {
   const bool upwards = outside > inside;
   const auto at = [&](unsigned long k) {
     const Rational distance = times_power(unit, k);
     return upwards ? inside + distance : inside - distance;
   };
   const auto is_inside = [&](unsigned long k) {
+    look(deadline);
     const Rational x = at(k);
     return (upwards ? x < outside : x > outside) && p.sign_at(x) == sign_inside;
   };
@@ -65,8 +66,8 @@ std::optional<ClosePair> separate_close_pair(const Polynomial& p, const Rational
     for (const Rational& x : {left, right}) {
       if (p.sign_at(x) != -outside) continue;
       const Rational unit = extremum.is_rational() ? (upper - lower) : right - left;
-      Bracket first = gallop(p, x, lower, unit, -outside);
-      Bracket second = gallop(p, x, upper, unit, -outside);
+      Bracket first = gallop(p, x, lower, unit, -outside, counters.deadline);
+      Bracket second = gallop(p, x, upper, unit, -outside, counters.deadline);
       return ClosePair{std::move(first.far), std::move(first.near), std::move(second.near),
                        std::move(second.far)};
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/check.h"
+#include "core/exactly.h"
 
 namespace kinex {
 
@@ -152,7 +153,7 @@ std::size_t EventQueue::least_child(std::size_t first, std::size_t end) {
 int EventQueue::compare_to_limit(Entry& e, double limit) {
   Certificate& c = certificates_[e.certificate];
   FailureTime t{e.lo, e.hi, c.root};
-  const int order = arithmetic_->compare(c.query, t, *Rational::from_double(limit));
+  const int order = arithmetic_->compare(c.query, t, exactly(limit));
   e.lo = t.lo;
   e.hi = t.hi;
   c.root = t.root;

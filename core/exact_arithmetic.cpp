@@ -129,6 +129,10 @@ void ExactArithmetic::update_origin() {
     origin_end_ = end_upper_ < kInfinity ? end_upper_ * 0x1p-10 : 0x1p-20;
     return;
   }
+  if (std::fabs(now) < 0x1p-900) {  // a step of few bits would be no double
+    origin_end_ = now > 0 ? 0x1p-900 : 0;
+    return;
+  }
   if (!(std::fabs(now) < 0x1p1000)) {  // the doubles end soon
     origin_end_ = 0;
     return;
@@ -148,6 +152,7 @@ void ExactArithmetic::update_origin() {
 void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
                                  const std::optional<Rational>& until) {
   const int before = motions_.degree();
+  keep_now(object);
   linear_signs_.forget(object);
   motions_.set(object, trajectory, origin_);
   if (motions_.degree() != before) {

@@ -22,6 +22,7 @@
 #include "core/arithmetic.h"
 #include "core/linear_form.h"
 #include "core/motion_store.h"
+#include "core/root_namer.h"
 #include "core/root_table.h"
 #include "core/touch.h"
 
@@ -33,6 +34,10 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
 
   std::string name() const override { return "exact"; }
   bool is_exact() const override { return true; }
+  void set_deadline(Deadline* deadline) override {
+    Arithmetic::set_deadline(deadline);
+    root_counters_.deadline = deadline;
+  }
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override;
   void set_now(const Rational& t) override;
@@ -41,7 +46,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   void leave() override;
   double now_approximate() const override { return now_.lo + 0.5 * (now_.hi - now_.lo); }
   double now_rounded() override;
-  InstantText describe_now() override;
+  const InstantName& name_now(InstantDetail detail) override;
   Sign sign_after(const Query& query) override;
   Sign sign_now(const Query& query) override;
   Outlook failure(const Query& query, FailureTime& time) override;
@@ -115,6 +120,11 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
                                        FailureTime& time) const;
   Polynomial exact_polynomial(const Query& query) const;
   std::uint32_t now_root();
+  void begin_name(const Query& query, const Rational* value);
+  void keep_now(ObjectId object);
+  void set_name_polynomial();
+  void set_exact_name(InstantName& name);
+  RealRoot copy_of_now();
   std::uint32_t make_root(const Query& query, const FailureTime& time);
   std::uint32_t root_of(const Query& query, FailureTime& time);
   // +1 / -1: query is now_.query up to a permutation of that sign; 0: it is not.
@@ -158,11 +168,17 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   // The origin in use for all now_.lo in [origin_, origin_end_).
   double origin_ = 0;
   double origin_end_ = 0;
-  // What names the present instant: the query whose root it was popped as (arity 0: a rational),
-  // and the queries that were born failing at it since.
-  Query name_;
-  Rational name_value_;
-  std::vector<Query> born_failing_;
+  // What names the present instant: the query whose root it became as (arity 0: a rational value).
+  struct Naming {
+    Query query;
+    Rational value;
+    double lo = 0, hi = 0;   // as it became now
+    bool isolated = false;   // it is the only root of the query's polynomial there
+    bool kept = false;       // the polynomial is that of motions that are in force no more
+    std::vector<Integer> polynomial;
+  };
+  Naming naming_;
+  RootNamer namer_;
   RootTable roots_;
   RootCounters root_counters_;
 };

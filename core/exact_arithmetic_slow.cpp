@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/exact_arithmetic.h"
+#include "core/exactly.h"
 #include "core/polynomial_gcd.h"
 #include "core/rounded_instant.h"
 
@@ -48,13 +49,12 @@ void ExactArithmetic::set_now(const Rational& t) {
   now_.lo = t.lower_double();
   now_.hi = t.upper_double();
   now_.root = roots_.add(RealRoot(t));
-  name_ = Query();
-  name_value_ = t;
-  born_failing_.clear();
+  begin_name(Query(), &t);
   update_origin();
 }
 
 void ExactArithmetic::advance(const Query& query, FailureTime& time) {
+  const bool another_instant = time.lo > now_.hi || compare_with_now(query, time) != 0;
   roots_.release(now_.root);
   now_.lo = time.lo;
   now_.hi = time.hi;
@@ -63,12 +63,7 @@ void ExactArithmetic::advance(const Query& query, FailureTime& time) {
   now_.isolated = (time.root & kFlags) == 0;
   now_.root = time.root & ~kFlags;
   time.root = 0;
-  if (now_.own) {
-    name_ = query;
-    if (!born_failing_.empty()) born_failing_.clear();
-  } else {
-    born_failing_.push_back(query);
-  }
+  if (another_instant) begin_name(query, nullptr);
   update_origin();
 }
 
@@ -96,7 +91,7 @@ std::uint32_t ExactArithmetic::make_root(const Query& query, const FailureTime& 
   root_counters_.max_bits = std::max<std::uint64_t>(root_counters_.max_bits, p.max_bits());
   if (p.degree() == 1) return roots_.add(RealRoot(Rational(-p[0], p[1])));
   return roots_.add(
-      RealRoot(std::move(p), *Rational::from_double(time.lo), *Rational::from_double(time.hi)));
+      RealRoot(std::move(p), exactly(time.lo), exactly(time.hi)));
 }
 
 std::uint32_t ExactArithmetic::root_of(const Query& query, FailureTime& time) {
@@ -158,7 +153,7 @@ Outlook ExactArithmetic::exact_failure(const Query& query, FailureTime& time) {
   if (kinex::sign_after(p, now, root_counters_) == Sign::kNegative) {
     outlook = fails_now(time);
   } else if (auto root =
-                 first_sign_change_after(models_[query.predicate].touches ? square_free_part(p) : p,
+                 first_sign_change_after(models_[query.predicate].touches ? square_free_part(p, deadline_) : p,
                                          now, end_, root_counters_)) {
     for (int bits = 0; !is_tight(*root) && bits < kEnclosureBits; ++bits)
       root->refine(root_counters_);
@@ -288,7 +283,7 @@ std::optional<Rational> ExactArithmetic::rational_between(const Query* query, Fa
     }
     return (now.upper() + next.lower()) / Rational(2);
   }
-  return (*Rational::from_double(now_.hi) + *Rational::from_double(time->lo)) / Rational(2);
+  return (exactly(now_.hi) + exactly(time->lo)) / Rational(2);
 }
 
 double ExactArithmetic::now_rounded() {
@@ -300,31 +295,6 @@ double ExactArithmetic::now_rounded() {
       [&] { now.refine(root_counters_); });
   update_counters();
   return result;
-}
-
-InstantText ExactArithmetic::describe_now() {
-  RealRoot& now = roots_[now_root()];
-  // The last query that vanishes now gives the name; so the name does not depend on which of
-  // several equal instants was made exact first.
-  Polynomial p = name_.arity > 0
-                     ? exact_polynomial(name_)
-                     : Polynomial({-name_value_.numerator(), name_value_.denominator()});
-  for (auto q = born_failing_.rbegin(); q != born_failing_.rend(); ++q) {
-    const Polynomial own = exact_polynomial(*q);
-    if (own.is_zero() || kinex::sign_at(own, now, root_counters_) != Sign::kZero) continue;
-    p = own;
-    break;
-  }
-  const RootName name = name_root(p, now, root_counters_);
-  InstantText text;
-  text.exact = true;
-  for (const Integer& c : name.polynomial.coefficients()) text.polynomial.push_back(c.to_string());
-  text.root = name.index;
-  text.lower = name.lower.to_string();
-  text.upper = name.upper.to_string();
-  text.approximate = decimal(now, 17, root_counters_);
-  update_counters();
-  return text;
 }
 
 std::size_t ExactArithmetic::bytes() const {

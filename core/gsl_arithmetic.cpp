@@ -97,12 +97,10 @@ class GslArithmetic final : public Arithmetic {
     failed_ = failed_at_home_;
   }
   double now_approximate() const override { return now_; }
-  InstantText describe_now() override {
+  const InstantName& name_now(InstantDetail detail) override {
     std::array<char, 40> buffer;
     std::snprintf(buffer.data(), buffer.size(), "%.17g", now_);
-    InstantText text;
-    text.approximate = buffer.data();
-    return text;
+    return inexact_name(detail, buffer.data());
   }
 
   Sign sign_after(const Query& query) override {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/check.h"
+#include "core/repeated_object.h"
 
 namespace kinex {
 
@@ -30,6 +31,21 @@ Trajectory constant_trajectory(std::vector<Rational> coordinates) {
   Trajectory trajectory;
   for (Rational& c : coordinates) trajectory.coordinates.push_back({std::move(c)});
   return trajectory;
+}
+
+// A constant has no motion that could change: its certificates are never looked up.
+bool is_constant(const DerivedObjects& derived, ObjectId id) {
+  return derived.is_derived(id) && derived.object(id).construction == nullptr;
+}
+
+// True if two of the arguments are one object that is no constant.
+bool repeats(const DerivedObjects& derived, const Query& query) {
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (query.ids[i] == query.ids[j] && !is_constant(derived, query.ids[i])) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -105,6 +121,7 @@ void Kernel::set_motion(ObjectId object, const Trajectory& trajectory,
 // The former number of the certificate must have been released. A failure time that is not a number
 // (inexact arithmetics) counts as never.
 Outlook Kernel::schedule(CertificateId id) {
+  poll();
   Certificate& c = queue_.certificate(id);
   c.looks = 0;
   FailureTime time;
@@ -130,6 +147,7 @@ Outlook Kernel::enqueue(CertificateId id, Outlook outlook, const FailureTime& ti
 }
 
 void Kernel::look_further() {
+  poll();
   const CertificateId id = queue_.top();
   Certificate& c = queue_.certificate(id);
   FailureTime time = queue_.time(id);
@@ -181,7 +199,16 @@ void Kernel::update_window(StructureId structure) {
   window.next = ledger.certificates_retracted + std::max(kSample, ledger.live / 4);
 }
 
+// The index from objects to certificates has one place for each object of a certificate.
+void Kernel::refuse_repeated(StructureId structure, const Query& query) const {
+  std::vector<std::string> objects;
+  for (std::size_t i = 0; i < query.arity; ++i) objects.push_back(std::to_string(query.ids[i]));
+  throw RepeatedObject(structure, query, std::to_string(structure),
+                       arithmetic_->predicate(query.predicate).name(), objects);
+}
+
 Kernel::Created Kernel::create(StructureId structure, const Query& query, std::uint32_t tag) {
+  if (repeats_an_object(query) && repeats(derived_, query)) refuse_repeated(structure, query);
   const CertificateId id = queue_.allocate(structure, query, tag);
   count_created(structure, query);
   if (indexed_) index_add(id);
@@ -201,6 +228,7 @@ void Kernel::retract(CertificateId id) {
 Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag) {
   Certificate& c = queue_.certificate(id);
   require(c.live, "a retracted certificate was replaced");
+  if (repeats_an_object(query) && repeats(derived_, query)) refuse_repeated(c.structure, query);
   count_replaced(c.structure, c.query, query);
   count_unused(id);
   if (indexed_) index_remove(id);
@@ -314,15 +342,17 @@ void Kernel::end_event() {
 
 // ---- events
 
+void Kernel::count_external(StructureId structure) {
+  ++ledgers_[structure]->external;
+  ++ledgers_[structure]->processed;
+  if (handling_ && structure == failing_structure_) event_external_ = true;
+}
+
 void Kernel::report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
-                    bool external) {
+                    bool external, std::span<const ObjectId> gone, std::span<const ObjectId> came) {
   require(ids.size() <= kMaxArity, "an event names too many objects");
   const bool caused = handling_ && structure == failing_structure_;
-  if (external) {
-    ++ledgers_[structure]->external;
-    ++ledgers_[structure]->processed;
-    if (caused) event_external_ = true;
-  }
+  if (external) count_external(structure);
   event_.structure = structure;
   event_.kind = kind;
   event_.external = external;
@@ -331,17 +361,40 @@ void Kernel::report(StructureId structure, std::uint8_t kind, std::initializer_l
   std::size_t i = 0;
   for (const ObjectId id : ids) event_.ids[i++] = id;
   event_.certificate = caused ? failing_query_ : Query();
+  event_.gone = gone;
+  event_.came = came;
   if (reporter_ != nullptr) reporter_->reported(event_);
+  event_.gone = event_.came = {};
+}
+
+void Kernel::report_settled(StructureId structure, std::span<const ObjectId> gone,
+                            std::span<const ObjectId> came) {
+  if (gone.empty() && came.empty()) return;
+  count_external(structure);
+  Event event;
+  event.structure = structure;
+  event.external = true;
+  event.gone = gone;
+  event.came = came;
+  if (reporter_ != nullptr) reporter_->settled(event);
 }
 
 bool Kernel::instant_is_shared(StructureId structure) const { return shared_[structure] != 0; }
 
-void Kernel::count_rebuild(StructureId structure, const std::string& reason) {
+void Kernel::count_rebuild(StructureId structure, const std::string& reason,
+                           std::span<const ObjectId> gone, std::span<const ObjectId> came) {
   StructureLedger& ledger = *ledgers_[structure];
   ++ledger.rebuilds;
   const auto counted = ledger.rebuild_reasons.try_emplace(reason).first;
   ++counted->second;
-  if (reporter_ != nullptr) reporter_->rebuilt(structure, counted->first);
+  Event event;
+  event.structure = structure;
+  event.reason = counted->first;
+  event.gone = gone;
+  event.came = came;
+  event.external = event.has_difference();
+  if (event.external) count_external(structure);
+  if (reporter_ != nullptr) reporter_->rebuilt(event);
 }
 
 void Kernel::corrupt(StructureId structure, const std::string& what) {
@@ -351,7 +404,7 @@ void Kernel::corrupt(StructureId structure, const std::string& what) {
   StructureLedger& ledger = *ledgers_[structure];
   if (!ledger.corrupt) {
     std::array<char, 40> t{};
-    std::snprintf(t.data(), t.size(), " (at t = %.17g)", arithmetic_->now_approximate());
+    std::snprintf(t.data(), t.size(), " (at t = %.10g)", arithmetic_->now_approximate());
     ledger.corruption = what + t.data();
   }
   ledger.corrupt = true;
@@ -364,6 +417,7 @@ void Kernel::index_add(CertificateId id) {
   if (index_position_.size() <= id) index_position_.resize(queue_.capacity());
   const Query& query = queue_.certificate(id).query;
   for (std::size_t i = 0; i < query.arity; ++i) {
+    if (is_constant(derived_, query.ids[i])) continue;
     std::vector<CertificateId>& list = index_[query.ids[i]];
     index_position_[id][i] = static_cast<std::uint32_t>(list.size());
     list.push_back(id);
@@ -374,6 +428,7 @@ void Kernel::index_remove(CertificateId id) {
   const Query& query = queue_.certificate(id).query;
   for (std::size_t i = 0; i < query.arity; ++i) {
     const ObjectId object = query.ids[i];
+    if (is_constant(derived_, object)) continue;
     std::vector<CertificateId>& list = index_[object];
     const std::uint32_t place = index_position_[id][i];
     const CertificateId last = list.back();

@@ -19,6 +19,7 @@
 #include "core/event.h"
 #include "core/event_queue.h"
 #include "core/ledger.h"
+#include "core/stop.h"
 
 namespace kinex {
 
@@ -38,8 +39,9 @@ class Kernel {
   // ---- for structures ------------------------------------------------------------------------
   PredicateId bind(std::shared_ptr<const Predicate> predicate);
 
-  // Sign on (now, now + eps); kZero only if identically zero there.
+  // Sign on (now, now + eps); kZero only if identically zero there. An object may be named twice.
   Sign sign_after(PredicateId predicate, std::initializer_list<ObjectId> ids) {
+    poll();
     return arithmetic_->sign_after(Query(predicate, ids));
   }
 
@@ -49,11 +51,13 @@ class Kernel {
   };
   // A new certificate "predicate(ids) >= 0" of `structure`. `tag` is the structure's own word. It
   // is scheduled if it fails by the horizon; one that is negative right after now fails next. O(log
-  // queue) plus one failure time.
+  // queue) plus one failure time. Throws RepeatedObject if the query names an object twice, a
+  // constant aside: then nothing has changed. (Write a predicate of fewer arguments instead.)
   Created create(StructureId structure, const Query& query, std::uint32_t tag);
   // Withdraws a certificate. O(log queue).
   void retract(CertificateId id);
   // The certificate now says something else (same id; counted as one retracted and one created).
+  // Throws as create does.
   Outlook replace(CertificateId id, const Query& query, std::uint32_t tag);
 
   // ---- derived objects (scenes of bodies); ids beyond those of the scene -----------------------
@@ -86,24 +90,44 @@ class Kernel {
   // One event per failure that is handled; further events of the same failure (ties put in order)
   // are logged too. `external`: the attribute changed. At most kMaxArity ids.
   void report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
-              bool external);
+              bool external) {
+    report(structure, kind, ids, external, {}, {});
+  }
+  // The same with what left the attribute and what joined it (see Event), where ids do not tell.
+  void report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
+              bool external, std::span<const ObjectId> gone, std::span<const ObjectId> came);
+  // The common event "settled": what has changed at this instant and has not been told by other
+  // external events. Nothing is reported if nothing has. See Structure::instant_over.
+  void report_settled(StructureId structure, std::span<const ObjectId> gone,
+                      std::span<const ObjectId> came);
   // True while more than one certificate of `structure` fails at this instant, or motions changed
   // at it: the instant may be degenerate.
   bool instant_is_shared(StructureId structure) const;
   // The structure was rebuilt from its static algorithm at this instant, and why. Logged as the
-  // common event "rebuild"; those who watch the structure are told when its present call has
-  // returned.
-  void count_rebuild(StructureId structure, const std::string& reason);
+  // common event "rebuild", external if it made a difference to the attribute; those who watch the
+  // structure are told when its present call has returned.
+  void count_rebuild(StructureId structure, const std::string& reason,
+                     std::span<const ObjectId> gone = {}, std::span<const ObjectId> came = {});
   // An inexact arithmetic has led the structure into a state that no exact answer allows. The
   // structure's certificates are retracted; it is not called again. Throws std::logic_error in an
   // exact arithmetic, where this can only be a bug.
   void corrupt(StructureId structure, const std::string& what);
   bool is_exact() const { return arithmetic_->is_exact(); }
+  // For work of a structure that takes long without asking for a sign or a certificate: throws
+  // Stopped if the run has to stop (core/stop.h).
+  void poll() {
+    if (deadline_ != nullptr) deadline_->poll();
+  }
 
   // ---- for the simulator ---------------------------------------------------------------------
   // The motion of an object of the scene from now on, and of those derived from it.
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until);
+  // It outlives the kernel.
+  void set_deadline(Deadline* deadline) {
+    deadline_ = deadline;
+    arithmetic_->set_deadline(deadline);
+  }
   // Before the first motion is set: objects will be derived.
   void keep_motions() { derived_.keep_motions(); }
   // The first in the queue is the end of a window: looks further.
@@ -134,7 +158,7 @@ class Kernel {
   std::uint32_t live_certificates(StructureId structure, ObjectId object) const {
     return live_per_object_[structure][object];
   }
-  // All live certificates that `object` is in. From the first call on an index is kept.
+  // All live certificates that `object`, which is no constant, is in. From the first call on an index is kept.
   std::span<const CertificateId> certificates_of(ObjectId object);
   void set_instant_shared(StructureId structure, bool shared) { shared_[structure] = shared; }
   void clear_structure(StructureId structure);  // retracts all its certificates
@@ -166,6 +190,8 @@ class Kernel {
   void count_created(StructureId structure, const Query& query);
   void count_retracted(StructureId structure, const Query& query);
   void count_replaced(StructureId structure, const Query& before, const Query& after);
+  void count_external(StructureId structure);
+  [[noreturn]] void refuse_repeated(StructureId structure, const Query& query) const;
   // Calls visit(object) for every object of the scene that the argument stands for: itself, or the
   // bases that it is derived from.
   template <class Visit>
@@ -192,6 +218,7 @@ class Kernel {
   void index_remove(CertificateId id);
 
   std::unique_ptr<Arithmetic> arithmetic_;
+  Deadline* deadline_ = nullptr;
   EventQueue queue_;
   std::vector<std::unique_ptr<StructureLedger>> ledgers_;  // references stay valid
   // live_per_object_[structure][object]
@@ -226,7 +253,9 @@ class EventReporter {
  public:
   virtual ~EventReporter() = default;
   virtual void reported(const Event& event) = 0;
-  virtual void rebuilt(StructureId, std::string_view) {}
+  // The common events: `event` has all but its kind.
+  virtual void settled(Event) {}
+  virtual void rebuilt(Event) {}
 };
 
 }  // namespace kinex

@@ -54,14 +54,15 @@ struct ChangeStatistics {
 
 struct StructureLedger {
   // Every change of the attribute that was reported is an external event: as many as the event log
-  // marks so, whether a failure led to it, the end of an instant at which many failed, or a
+  // marks so, whether a failure led to it, the end of an instant ("settled"), a rebuild, or a
   // structure that is watched. A failure that reported none is an internal event. So a failure that
   // changes the attribute twice is two events, and processed = external + internal. Updates,
-  // insertions, erasures and rebuilds are no events here.
+  // insertions, erasures and rebuilds that change nothing are no events here.
   std::uint64_t processed = 0;
   std::uint64_t external = 0;
   std::uint64_t internal = 0;
   std::uint64_t failures = 0;  // certificate failures handled
+  std::uint64_t records = 0;   // what was reported: events, and changes of the scene
   std::uint64_t rebuilds = 0;
   std::map<std::string, std::uint64_t> rebuild_reasons;
   std::uint64_t simultaneous_groups = 0;  // instants with two or more failures of this structure
@@ -86,7 +87,7 @@ struct StructureLedger {
   std::uint64_t audit_violations = 0;
   bool corrupt = false;  // an inexact arithmetic led it astray
   std::string corruption;
-  double seconds = 0;  // in handling its events
+  double seconds = 0;  // CPU time of its work, without reports and audits
 
   // Events per external event; 0 if there was none.
   double efficiency() const {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/exactly.h"
+
 namespace kinex {
 namespace {
 
@@ -159,7 +161,7 @@ void MotionStore::set_ball(ObjectId object) {
 
 void MotionStore::split_anchor(double anchor) {
   if (anchor_.value == anchor) return;
-  const Rational exact = *Rational::from_double(anchor);
+  const Rational exact = exactly(anchor);
   anchor_.value = anchor;
   anchor_.a = exact.numerator();
   anchor_.e = exact.denominator().trailing_zeros();

@@ -77,20 +77,15 @@ class MpfrArithmetic final : public Arithmetic {
     query_ = query_at_home_;
   }
   double now_approximate() const override { return now_.to_double(); }
-  InstantText describe_now() override {
+  const InstantName& name_now(InstantDetail detail) override {
     // Enough digits to tell two neighbours of this precision apart.
     const int digits = static_cast<int>(static_cast<double>(bits_) * 0.30103) + 2;
     std::array<char, 64> small;
-    InstantText text;
     const int size = mpfr_snprintf(small.data(), small.size(), "%.*Rg", digits, now_.raw());
-    if (size < static_cast<int>(small.size())) {
-      text.approximate = small.data();
-    } else {
-      std::vector<char> large(static_cast<std::size_t>(size) + 1);
-      mpfr_snprintf(large.data(), large.size(), "%.*Rg", digits, now_.raw());
-      text.approximate = large.data();
-    }
-    return text;
+    if (size < static_cast<int>(small.size())) return inexact_name(detail, small.data());
+    std::vector<char> large(static_cast<std::size_t>(size) + 1);
+    mpfr_snprintf(large.data(), large.size(), "%.*Rg", digits, now_.raw());
+    return inexact_name(detail, large.data());
   }
 
   Sign sign_after(const Query& query) override {

@@ -16,7 +16,7 @@ Polynomial constant(int value) { return Polynomial({Integer(value)}); }
 bool divides(const Integer& b, const Integer& a) { return mpz_divisible_p(a.raw(), b.raw()) != 0; }
 
 // a / b if b divides a over the integers.
-std::optional<Polynomial> divide(const Polynomial& a, const Polynomial& b) {
+std::optional<Polynomial> divide(const Polynomial& a, const Polynomial& b, Deadline* deadline) {
   if (a.degree() < b.degree()) return std::nullopt;
   if (!divides(b.leading(), a.leading())) return std::nullopt;
   // b | a implies b(0) | a(0), b(1) | a(1) and so on; the constant term is free.
@@ -25,6 +25,7 @@ std::optional<Polynomial> divide(const Polynomial& a, const Polynomial& b) {
   const auto size_b = static_cast<std::size_t>(b.degree()) + 1;
   std::vector<Integer> quotient(rest.size() - size_b + 1);
   for (std::size_t k = quotient.size(); k-- > 0;) {
+    look(deadline);
     Integer& lead = rest[k + size_b - 1];
     if (lead.is_zero()) continue;
     if (!divides(b.leading(), lead)) return std::nullopt;
@@ -83,11 +84,12 @@ class ChineseRemainder {
 
 // gcd of two polynomials of positive degree. A common content only makes `leading` larger than it
 // need be.
-Polynomial modular_gcd(const Polynomial& a, const Polynomial& b) {
+Polynomial modular_gcd(const Polynomial& a, const Polynomial& b, Deadline* deadline) {
   Integer leading;
   PrimeSequence primes;
   ChineseRemainder images;
   for (int used = 0;;) {
+    look(deadline);
     const PrimeField field(primes.next());
     Residues image_a = residues(field, a);
     Residues image_b = residues(field, b);
@@ -104,7 +106,7 @@ Polynomial modular_gcd(const Polynomial& a, const Polynomial& b) {
       const Polynomial& smaller = a_is_smaller ? a : b;
       if (static_cast<int>(image.size()) == smaller.degree() + 1) {
         Polynomial candidate = smaller.canonical();
-        if (divide(a_is_smaller ? b : a, candidate)) return candidate;
+        if (divide(a_is_smaller ? b : a, candidate, deadline)) return candidate;
       }
       leading = gcd(a.leading(), b.leading());
     }
@@ -122,7 +124,7 @@ Polynomial modular_gcd(const Polynomial& a, const Polynomial& b) {
     // Small answers are right before they are stable; a wrong one mostly fails in one division.
     if (!stable && used > 2) continue;
     Polynomial candidate = images.polynomial().canonical();
-    if (divide(a, candidate) && divide(b, candidate)) return candidate;
+    if (divide(a, candidate, deadline) && divide(b, candidate, deadline)) return candidate;
   }
 }
 
@@ -132,21 +134,21 @@ struct CoprimeFactors {
 };
 
 // p canonical and of positive degree.
-CoprimeFactors split_repeated(const Polynomial& p) {
+CoprimeFactors split_repeated(const Polynomial& p, Deadline* deadline) {
   const Polynomial derivative = p.derivative();
   if (coprime_modulo_prime(p, derivative)) return {constant(1), p};
-  Polynomial common = gcd(p, derivative);
+  Polynomial common = gcd(p, derivative, deadline);
   Polynomial square_free = exact_quotient(p, common);
   return {std::move(common), std::move(square_free)};
 }
 
 }  // namespace
 
-Polynomial gcd(const Polynomial& a, const Polynomial& b) {
+Polynomial gcd(const Polynomial& a, const Polynomial& b, Deadline* deadline) {
   if (a.is_zero()) return b.canonical();
   if (b.is_zero()) return a.canonical();
   if (a.degree() == 0 || b.degree() == 0) return constant(1);
-  return modular_gcd(a, b);
+  return modular_gcd(a, b, deadline);
 }
 
 bool coprime_modulo_prime(const Polynomial& a, const Polynomial& b) {
@@ -167,28 +169,28 @@ bool coprime_modulo_prime(const Polynomial& a, const Polynomial& b) {
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b) {
   require(!b.is_zero(), "exact_quotient: division by the zero polynomial");
   if (a.is_zero()) return a;
-  std::optional<Polynomial> quotient = divide(a.primitive_part(), b.primitive_part());
+  std::optional<Polynomial> quotient = divide(a.primitive_part(), b.primitive_part(), nullptr);
   require(quotient.has_value(), "exact_quotient: the divisor does not divide");
   return std::move(*quotient);
 }
 
-Polynomial square_free_part(const Polynomial& p) {
+Polynomial square_free_part(const Polynomial& p, Deadline* deadline) {
   require(!p.is_zero(), "square_free_part: zero polynomial");
   if (p.degree() == 0) return constant(1);
-  return split_repeated(p.canonical()).square_free;
+  return split_repeated(p.canonical(), deadline).square_free;
 }
 
-std::vector<Polynomial> square_free_decomposition(const Polynomial& p) {
+std::vector<Polynomial> square_free_decomposition(const Polynomial& p, Deadline* deadline) {
   require(!p.is_zero(), "square_free_decomposition: zero polynomial");
   std::vector<Polynomial> factors;
   if (p.degree() == 0) return factors;
   const Polynomial canonical = p.canonical();
-  CoprimeFactors parts = split_repeated(canonical);
+  CoprimeFactors parts = split_repeated(canonical, deadline);
   // Musser: w is the product of the factors of multiplicity > i, `common` has each once less.
   Polynomial w = std::move(parts.square_free);
   Polynomial common = std::move(parts.common);
   while (w.degree() > 0) {
-    Polynomial still = gcd(w, common);
+    Polynomial still = gcd(w, common, deadline);
     factors.push_back(still.degree() == 0 ? w : exact_quotient(w, still));
     if (still.degree() > 0) common = exact_quotient(common, still);
     w = std::move(still);
@@ -196,10 +198,10 @@ std::vector<Polynomial> square_free_decomposition(const Polynomial& p) {
   return factors;
 }
 
-Polynomial odd_part(const Polynomial& p) {
+Polynomial odd_part(const Polynomial& p, Deadline* deadline) {
   require(!p.is_zero(), "odd_part: zero polynomial");
   Polynomial result = constant(1);
-  const std::vector<Polynomial> factors = square_free_decomposition(p);
+  const std::vector<Polynomial> factors = square_free_decomposition(p, deadline);
   for (std::size_t i = 0; i < factors.size(); i += 2) {
     result = result.degree() == 0 ? factors[i] : result * factors[i];
   }

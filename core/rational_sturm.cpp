@@ -94,6 +94,7 @@ Division divide(const RationalPolynomial& a, const RationalPolynomial& b) {
 RationalPolynomial gcd(RationalPolynomial a, RationalPolynomial b, SturmWork& work) {
   ++work.gcds;
   while (!b.is_zero()) {
+    look(work.deadline);
     RationalPolynomial rest = divide(a, b).remainder;
     rest.normalise();
     note_bits(rest, work);
@@ -103,12 +104,14 @@ RationalPolynomial gcd(RationalPolynomial a, RationalPolynomial b, SturmWork& wo
   return a;
 }
 
-RationalSturm::RationalSturm(const RationalPolynomial& p, SturmWork& work) {
+RationalSturm::RationalSturm(const RationalPolynomial& p, SturmWork& work)
+    : deadline_(work.deadline) {
   require(!p.is_zero(), "the zero polynomial has no Sturm sequence");
   note_bits(p, work);
   sequence_.push_back(p);
   RationalPolynomial next = p.derivative();
   while (!next.is_zero()) {
+    look(work.deadline);
     sequence_.push_back(std::move(next));
     const std::size_t k = sequence_.size();
     next = -divide(sequence_[k - 2], sequence_[k - 1]).remainder;
@@ -120,6 +123,7 @@ RationalSturm::RationalSturm(const RationalPolynomial& p, SturmWork& work) {
   RationalPolynomial common = sequence_.back();
   if (common.leading().sign() < 0) common = -std::move(common);
   for (RationalPolynomial& s : sequence_) {
+    look(work.deadline);
     s = divide(s, common).quotient;
     s.normalise();
     note_bits(s, work);
@@ -128,7 +132,16 @@ RationalSturm::RationalSturm(const RationalPolynomial& p, SturmWork& work) {
 
 int RationalSturm::variations(const Rational& t) const {
   VariationCounter counter;
-  for (const RationalPolynomial& s : sequence_) counter.add(s.sign_at(t));
+  for (const RationalPolynomial& s : sequence_) {
+    look(deadline_);
+    counter.add(s.sign_at(t));
+  }
+  return counter.count();
+}
+
+int RationalSturm::variations_at_minus_infinity() const {
+  VariationCounter counter;
+  for (const RationalPolynomial& s : sequence_) counter.add(s.sign_at_minus_infinity());
   return counter.count();
 }
 

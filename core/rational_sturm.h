@@ -10,14 +10,16 @@
 
 #include "core/rational.h"
 #include "core/sign.h"
+#include "core/stop.h"
 
 namespace kinex {
 
-// How much was done; a plain value owned by the caller and passed by reference.
+// How much was done, and when to stop; a plain value owned by the caller and passed by reference.
 struct SturmWork {
   std::uint64_t refinements = 0;  // bisections of an isolating interval
   std::uint64_t gcds = 0;
   std::uint64_t max_bits = 0;  // largest numerator or denominator of a coefficient
+  Deadline* deadline = nullptr;  // looked at in every step that may be long; null: none
 };
 
 // Coefficients low degree first, no leading zeros; the zero polynomial has none.
@@ -36,6 +38,9 @@ class RationalPolynomial {
   Rational value_at(const Rational& t) const;
   Sign sign_at(const Rational& t) const { return to_sign(value_at(t).sign()); }
   Sign sign_at_plus_infinity() const { return to_sign(is_zero() ? 0 : leading().sign()); }
+  Sign sign_at_minus_infinity() const {
+    return degree() % 2 == 0 ? sign_at_plus_infinity() : -sign_at_plus_infinity();
+  }
   RationalPolynomial derivative() const;
   // Multiplied by the positive number that makes the coefficients coprime integers: no sign
   // changes, and values at dyadic points stay small. Zero stays zero.
@@ -74,11 +79,13 @@ class RationalSturm {
   // roots in (a, b].
   int variations(const Rational& t) const;
   int variations_at_plus_infinity() const;
+  int variations_at_minus_infinity() const;
   // Distinct real roots in (a, b]; requires a <= b.
   int count(const Rational& a, const Rational& b) const { return variations(a) - variations(b); }
 
  private:
   std::vector<RationalPolynomial> sequence_;
+  Deadline* deadline_;
 };
 
 }  // namespace kinex

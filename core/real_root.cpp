@@ -240,6 +240,7 @@ bool RealRoot::step_from_double() {
 }
 
 void RealRoot::step(unsigned max_bits, RootCounters& counters) {
+  look(counters.deadline);
   ++counters.refinements;
   if (!tried_double_) {
     tried_double_ = true;

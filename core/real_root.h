@@ -9,16 +9,20 @@
 #include <string>
 #include <vector>
 
+#include "core/instant_name.h"
 #include "core/polynomial.h"
+#include "core/stop.h"
 
 namespace kinex {
 
-// How much exact work was done; a plain value owned by the caller and passed by reference.
+// How much exact work was done, and when to stop; a plain value owned by the caller and passed by
+// reference.
 struct RootCounters {
   std::uint64_t isolations = 0;   // calls that isolated roots of a polynomial
   std::uint64_t refinements = 0;  // refinement steps of an interval
   std::uint64_t gcds = 0;         // exact polynomial gcds
   std::uint64_t max_bits = 0;     // largest coefficient bit length that was met
+  Deadline* deadline = nullptr;   // looked at in every step that may be long; null: none
 };
 
 // Invariant, one of:
@@ -122,10 +126,12 @@ std::optional<RealRoot> first_sign_change_after(const Polynomial& p, RealRoot& a
                                                 const std::optional<Rational>& until,
                                                 RootCounters& counters);
 
-// One name for a number, the same however it was computed: `polynomial` is the canonical
-// square-free part of p, `index` (from 1) counts its real roots in ascending order, and [lower,
-// upper] is the isolating interval that isolate_real_roots gives for it (equal ends for a rational
-// root found so).
+// One name for a root of p, the same however it was computed. A rational number is root 1 of den t - num,
+// in [num/den, num/den], whatever p is. Else `polynomial` is the canonical square-free part of p, `index`
+// (from 1) counts its real roots in ascending order, and [lower, upper] is the coarsest cell
+// +-[m, m + 1] 2^e with 2^k <= m < 2^(k+1), k = 0, 1, .., that holds this root and no other, its ends
+// included: the binary digits of the root, as many as tell it from the others. A function of the
+// polynomial and the index alone.
 struct RootName {
   Polynomial polynomial;
   int index;
@@ -133,6 +139,15 @@ struct RootName {
 };
 // The name of `root` as a root of p (p not zero, p(root) = 0).
 RootName name_root(const Polynomial& p, RealRoot& root, RootCounters& counters);
+
+// The number that an exact name (detail kName) stands for.
+RealRoot to_root(const InstantName& name);
+
+// -1, 0, +1: exact. Equal names, roots of one polynomial and disjoint intervals answer at once.
+int compare(const InstantName& a, const InstantName& b, RootCounters& counters);
+
+// The decimal of an instant in logs: see core/instant_digits.h.
+std::string instant_decimal(RealRoot& instant, RootCounters& counters);
 
 // Decimal expansion with `digits` correct digits after the point, rounded towards zero ("0.3333").
 std::string decimal(RealRoot& root, int digits, RootCounters& counters);

@@ -70,7 +70,7 @@ int compare(RealRoot& a, RealRoot& b, RootCounters& counters) {
       // Both intervals are the same now. The gcd g is not zero at its ends, and a root of g inside
       // is a root of both polynomials, so it is a and b; its multiplicity in g is the smaller of
       // two odd ones. So a = b if and only if g changes sign.
-      const Polynomial g = gcd(*a.polynomial_, *b.polynomial_);
+      const Polynomial g = gcd(*a.polynomial_, *b.polynomial_, counters.deadline);
       if (g.degree() > 0) {
         ++counters.gcds;
         if (a.changes_sign(g)) return 0;
@@ -90,11 +90,11 @@ Sign sign_at(const Polynomial& q, RealRoot& root, RootCounters& counters) {
     if (!gcd_done) {
       gcd_done = true;
       count_bits(q, counters);
-      const Polynomial g = gcd(q, *root.polynomial_);
+      const Polynomial g = gcd(q, *root.polynomial_, counters.deadline);
       if (g.degree() > 0) {
         ++counters.gcds;
         // Its only possible root in the interval is `root`; the ends are no roots.
-        if (root.changes_sign(square_free_part(g))) return Sign::kZero;
+        if (root.changes_sign(square_free_part(g, counters.deadline))) return Sign::kZero;
       }
     }
     root.refine(counters);
@@ -112,6 +112,7 @@ FirstDerivative first_derivative_at(const Polynomial& q, RealRoot& root, RootCou
   FirstDerivative result{sign_at(q, root, counters), 0};
   Polynomial derivative = q;
   while (result.sign == Sign::kZero && derivative.degree() > 0) {
+    look(counters.deadline);
     derivative = derivative.derivative();
     result = {sign_at(derivative, root, counters), result.order + 1};
   }

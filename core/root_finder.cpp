@@ -144,6 +144,7 @@ void RootFinder::start(const Polynomial& p) {
   // The coefficients are now the blossom at (0, .., 0, infinity, .., infinity), scaled; replacing
   // infinity by the end of the cell is one triangle of additions.
   for (std::size_t r = d; r > 0; --r) {
+    look(counters_.deadline);
     for (std::size_t i = d; i > d - r; --i) node.b[i] += node.b[i - 1];
   }
   remove_common_power(node.b);
@@ -190,6 +191,7 @@ RootFinder::Status RootFinder::next() {
     return Status::kInterval;
   }
   while (!stack_.empty()) {
+    look(counters_.deadline);
     Node& top = stack_.back();
     if (!top.lower_done) {
       top.lower_done = true;

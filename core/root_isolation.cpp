@@ -6,7 +6,9 @@
 
 #include "core/check.h"
 #include "core/dyadic.h"
+#include "core/instant_digits.h"
 #include "core/polynomial_gcd.h"
+#include "core/rational_root.h"
 #include "core/real_root.h"
 #include "core/root_finder.h"
 
@@ -95,7 +97,7 @@ std::vector<RootWithMultiplicity> isolate_real_roots(const Polynomial& p, RootCo
   ++counters.isolations;
   counters.max_bits = std::max<std::uint64_t>(counters.max_bits, p.max_bits());
   std::vector<RootWithMultiplicity> all;
-  std::vector<Polynomial> factors = square_free_decomposition(p);
+  std::vector<Polynomial> factors = square_free_decomposition(p, counters.deadline);
   for (std::size_t i = 0; i < factors.size(); ++i) {
     if (factors[i].degree() < 1) continue;
     std::vector<RootWithMultiplicity> found;
@@ -160,7 +162,7 @@ std::optional<RealRoot> first_sign_change_after(const Polynomial& p, RealRoot& a
         square_free_known = true;
         if (!coprime_modulo_prime(*polynomial, polynomial->derivative())) {
           ++counters.gcds;
-          polynomial = std::make_shared<const Polynomial>(odd_part(*polynomial));
+          polynomial = std::make_shared<const Polynomial>(odd_part(*polynomial, counters.deadline));
           if (polynomial->degree() == 0) return std::nullopt;
           break;
         }
@@ -177,10 +179,78 @@ std::optional<RealRoot> first_sign_change_after(const Polynomial& p, RealRoot& a
   }
 }
 
+std::string instant_decimal(RealRoot& instant, RootCounters& counters) {
+  std::string text;
+  set_exact_decimal(
+      text, instant, [&](const Rational& t) { return compare(instant, t, counters); },
+      [&] { instant.refine(counters); });
+  return text;
+}
+
+int compare(const InstantName& a, const InstantName& b, RootCounters& counters) {
+  const auto less = [](const Rational& x, const Rational& y) { return mpq_cmp(x.raw(), y.raw()) < 0; };
+  if (a.is_rational() && b.is_rational()) {
+    return less(a.lower, b.lower) ? -1 : less(b.lower, a.lower) ? 1 : 0;
+  }
+  // The ends of an isolating interval are no roots.
+  if (!less(b.lower, a.upper)) return -1;
+  if (!less(a.lower, b.upper)) return 1;
+  if (a.is_rational() == b.is_rational() && a.polynomial == b.polynomial) {
+    return a.root < b.root ? -1 : a.root > b.root ? 1 : 0;
+  }
+  RealRoot x = to_root(a), y = to_root(b);
+  return compare(x, y, counters);
+}
+
+RealRoot to_root(const InstantName& name) {
+  if (name.is_rational()) return RealRoot(name.lower);
+  return RealRoot(name.polynomial, name.lower, name.upper);
+}
+
+namespace {
+
+// The coarsest cell around `root` that reaches neither neighbour (null: there is none).
+DyadicCell isolating_cell(RealRoot& root, RealRoot* below, RealRoot* above, RootCounters& counters) {
+  const auto order = [&](const Rational& t) { return compare(root, t, counters); };
+  const auto refine = [&] { root.refine(counters); };
+  const bool negative = sign_of_instant(root, order, refine) < 0;
+  Rational lower, upper;
+  const auto isolates = [&](const DyadicCell& cell) {
+    set_interval(cell, negative, lower, upper);
+    return (below == nullptr || compare(*below, lower, counters) < 0) &&
+           (above == nullptr || compare(*above, upper, counters) > 0);
+  };
+  // Cells are nested: bits - 1 do not isolate, bits do.
+  long few = 0, bits = 1;
+  DyadicCell cell = leading_bits(root, bits, order, refine);
+  while (!isolates(cell)) {
+    few = bits;
+    bits *= 2;
+    cell = leading_bits(root, bits, order, refine);
+  }
+  while (bits - few > 1) {
+    const long middle = few + (bits - few) / 2;
+    DyadicCell candidate = leading_bits(root, middle, order, refine);
+    if (isolates(candidate)) {
+      bits = middle;
+      cell = std::move(candidate);
+    } else {
+      few = middle;
+    }
+  }
+  return cell;
+}
+
+}  // namespace
+
 RootName name_root(const Polynomial& p, RealRoot& root, RootCounters& counters) {
   require(!p.is_zero(), "name_root: zero polynomial");
-  Polynomial square_free = square_free_part(p);
-  const std::vector<RootWithMultiplicity> all = isolate_real_roots(square_free, counters);
+  Polynomial square_free = square_free_part(p, counters.deadline);
+  if (const std::optional<Rational> value = rational_value(square_free, root, counters)) {
+    require(square_free.sign_at(*value) == Sign::kZero, "name_root: not a root of the polynomial");
+    return {Polynomial({-value->numerator(), value->denominator()}), 1, *value, *value};
+  }
+  std::vector<RootWithMultiplicity> all = isolate_real_roots(square_free, counters);
   // `root` is one of them; narrow it until only one is left.
   for (;;) {
     const Rational lower = root.lower();
@@ -193,10 +263,13 @@ RootName name_root(const Polynomial& p, RealRoot& root, RootCounters& counters) 
       index = i;
     }
     require(candidates > 0, "name_root: not a root of the polynomial");
-    require(candidates == 1 || !root.is_rational(), "name_root: not a root of the polynomial");
     if (candidates == 1) {
-      const RealRoot& found = all[index].root;
-      return {std::move(square_free), static_cast<int>(index) + 1, found.lower(), found.upper()};
+      RealRoot* const below = index > 0 ? &all[index - 1].root : nullptr;
+      RealRoot* const above = index + 1 < all.size() ? &all[index + 1].root : nullptr;
+      RootName name{std::move(square_free), static_cast<int>(index) + 1, {}, {}};
+      const DyadicCell cell = isolating_cell(root, below, above, counters);
+      set_interval(cell, root.upper().sign() <= 0, name.lower, name.upper);
+      return name;
     }
     root.refine(counters);
   }

@@ -40,6 +40,7 @@ class RootTable {
     }
   }
   RealRoot& operator[](std::uint32_t handle) { return *slots_[handle - 1].root; }
+  const RealRoot& operator[](std::uint32_t handle) const { return *slots_[handle - 1].root; }
   std::size_t live() const { return live_; }
   std::size_t bytes() const {
     return slots_.capacity() * sizeof(Slot) + free_.capacity() * sizeof(std::uint32_t) +

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "core/exactly.h"
 #include "core/rational.h"
 
 namespace kinex {
@@ -28,7 +29,8 @@ double rounded_down(Instant& instant, const Compare& compare, const Refine& refi
   for (;;) {
     const double low = rounded_down(instant.lower().lower_double());
     const double high = rounded_down(instant.upper().lower_double());
-    if (low == high || compare(*Rational::from_double(high)) >= 0) return high;
+    // Below all doubles it is -infinity.
+    if (low == high || !std::isfinite(high) || compare(exactly(high)) >= 0) return high;
     refine();
   }
 }

@@ -45,12 +45,20 @@ struct Request {
   Key key;
 };
 
+// What becomes of two bodies that overlap when one of them is first seen, at the scene's start, when
+// it appears or jumps, or that touch then and penetrate at once.
+enum class OverlappingStarts {
+  kRefused,
+  kContact,  // they begin in contact
+};
+
 struct Scene {
   std::string name;
   int dimension = 1;
   Rational start;
   std::optional<Rational> end;  // nullopt: until no event is left
   bool jumps = false;           // pieces need not be continuous
+  OverlappingStarts overlapping_starts = OverlappingStarts::kRefused;
   std::vector<SceneObject> objects;
   std::vector<Request> maintain;
 

@@ -5,15 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
 #include "core/check.h"
+#include "core/repeated_object.h"
+#include "core/time_text.h"
 
 namespace kinex {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kLookEvery = 4096;
 // See simulator.h for the guard.
@@ -21,22 +23,20 @@ constexpr std::uint64_t kGuardFree = 1000;
 // Of the run's length; a structure that goes round in circles moves on by an ulp each time.
 constexpr int kGuardWindow = -40, kLongestGuardWindow = -8, kGuardUlps = 27;
 
-double seconds_between(Clock::time_point from, Clock::time_point to) {
-  return std::chrono::duration<double>(to - from).count();
-}
-
 }  // namespace
 
 Simulator::Simulator(const Scene& scene, std::unique_ptr<Arithmetic> arithmetic,
                      SimulatorOptions options)
     : scene_(scene),
       options_(std::move(options)),
+      deadline_(std::make_unique<Deadline>(options_.max_seconds, options_.interrupt)),
       kernel_(std::move(arithmetic), scene.objects.size(), options_.scheduling),
       alive_(scene.objects.size(), false),
       trajectory_(scene.objects.size()),
       pieces_(scene.objects.size(), 0),
       degree_(scene.degree()),
       reached_(scene.start) {
+  kernel_.set_deadline(deadline_.get());
   if (scene.has_bodies()) kernel_.keep_motions();
   for (const SceneObject& object : scene.objects) {
     for (const MotionPiece& piece : object.motion.pieces) check_trajectory(piece.trajectory);
@@ -81,26 +81,39 @@ void Simulator::reported(const Event& event) {
   Entry& entry = entries_[event.structure];
   require(event.kind < entry.kind_counts.size(), "an event of an unknown kind");
   ++*entry.kind_counts[event.kind];
-  if (sink_ != nullptr) sink_->event(event, kernel_.arithmetic());
-  if (event.external && !entry.watchers.empty()) notices_.push_back({event.structure, true, event});
-}
-
-void Simulator::rebuilt(StructureId id, std::string_view reason) {
-  report_change(id, CommonEvent::kRebuild, kNoObject, reason);
-  if (!entries_[id].watchers.empty()) notices_.push_back({id, false, {}});
-}
-
-void Simulator::report_change(StructureId id, CommonEvent kind, ObjectId object,
-                              std::string_view reason) {
-  Event event;
-  event.reason = reason;
-  event.structure = id;
-  event.kind = static_cast<std::uint8_t>(entries_[id].first_common + static_cast<int>(kind));
-  if (object != kNoObject) {
-    event.count = 1;
-    event.ids[0] = object;
+  ++kernel_.ledger(event.structure).records;
+  events_at_instant_.push_back({event.structure, event.kind, event.external});
+  if (sink_ != nullptr && !sink_timed_) {
+    sink_->event(event, kernel_.arithmetic());
+  } else if (sink_ != nullptr) {
+    clock_.report([&] { sink_->event(event, kernel_.arithmetic()); });
   }
+  // Those who watch are told of rebuilds by rebuilt().
+  if (!event.external || entry.watchers.empty() || !event.reason.empty()) return;
+  notices_.push_back({event.structure, true, event});
+  notices_.back().event.gone = notices_.back().event.came = {};
+}
+
+void Simulator::report_common(Event event, CommonEvent kind) {
+  const int first = entries_[event.structure].first_common;
+  event.kind = static_cast<std::uint8_t>(first + static_cast<int>(kind));
   reported(event);
+}
+
+void Simulator::settled(Event event) { report_common(event, CommonEvent::kSettled); }
+
+void Simulator::rebuilt(Event event) {
+  report_common(event, CommonEvent::kRebuild);
+  if (entries_[event.structure].watchers.empty()) return;
+  notices_.push_back({event.structure, false, {}});
+}
+
+void Simulator::report_change(StructureId id, CommonEvent kind, ObjectId object) {
+  Event event;
+  event.structure = id;
+  event.count = 1;
+  event.ids[0] = object;
+  report_common(event, kind);
 }
 
 // Notices may lead to further notices: those who watch have larger ids, so this ends.
@@ -116,6 +129,15 @@ void Simulator::tell_watchers() {
 
 // ---- calls to structures
 
+// The same, with names.
+RepeatedObject Simulator::with_names(const RepeatedObject& error) const {
+  const Query& query = error.query();
+  std::vector<std::string> objects;
+  for (std::size_t i = 0; i < query.arity; ++i) objects.push_back(object_name(query.ids[i]));
+  return RepeatedObject(error.structure(), query, entries_[error.structure()].label,
+                        kernel_.arithmetic().predicate(query.predicate).name(), objects);
+}
+
 // In an inexact arithmetic a broken invariant is corruption, not a bug.
 template <class Call>
 void Simulator::guarded(StructureId id, const Call& function) {
@@ -123,6 +145,9 @@ void Simulator::guarded(StructureId id, const Call& function) {
     function(*entries_[id].structure);
   } catch (const std::invalid_argument&) {
     throw;
+  } catch (const RepeatedObject& error) {
+    if (kernel_.is_exact()) throw with_names(error);
+    kernel_.corrupt(id, with_names(error).what());
   } catch (const std::logic_error& error) {
     if (kernel_.is_exact()) throw;
     kernel_.corrupt(id, error.what());
@@ -131,7 +156,7 @@ void Simulator::guarded(StructureId id, const Call& function) {
 
 void Simulator::call(StructureId id, const std::function<void(Structure&)>& function) {
   if (kernel_.ledger(id).corrupt) return;
-  charge(id);
+  clock_.charge(id);
   kernel_.begin_change();
   guarded(id, function);
   kernel_.end_change();
@@ -149,15 +174,13 @@ void Simulator::abandon(StructureId id) {
   }
 }
 
-// Time is charged to the structure that was called last; with one structure no clock is read.
-void Simulator::charge(StructureId id) {
-  if (id == charged_) return;
-  const auto now = Clock::now();
-  if (charged_ != kNoStructure) {
-    kernel_.ledger(charged_).seconds += seconds_between(charged_since_, now);
+// The end of a stretch of work of the structures.
+void Simulator::end_charge() {
+  clock_.charge(RunClock::kNoStructure);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const StructureId id = static_cast<StructureId>(i);
+    kernel_.ledger(id).seconds = clock_.structure_seconds(id);
   }
-  charged_ = id;
-  charged_since_ = now;
 }
 
 // ---- instants
@@ -195,12 +218,13 @@ void Simulator::handle_failure() {
     kernel_.arithmetic().advance(kernel_.query(failed), time);
   }
   if (++failures_at_instant_[id] == 1) {
+    before_instant_[id] = {kernel_.ledger(id).failures, kernel_.ledger(id).internal};
     touched_.push_back(id);
   } else {
     kernel_.set_instant_shared(id, true);
   }
   ++ledger_.events;
-  charge(id);
+  clock_.charge(id);
   kernel_.begin_event(id, failed);
   guarded(id, [failed](Structure& s) { s.certificate_failed(failed); });
   kernel_.end_event();
@@ -220,8 +244,11 @@ void Simulator::guard_fired(StructureId id) {
   guard_fired_[id] = 1;
   repairs_[id] = 0;
   call(id, [this, id](Structure& s) {
+    const Attribute before = s.told();
     s.rebuild();
-    kernel_.count_rebuild(id, "guard");
+    if (kernel_.ledger(id).corrupt) return;
+    const AttributeDifference change = difference_between(before, s.attribute());
+    kernel_.count_rebuild(id, "guard", change.gone, change.came);
   });
   tell_watchers();
 }
@@ -247,7 +274,7 @@ void Simulator::mark_shared() {
 // Requires that the first failure comes after now.
 void Simulator::failure_instant() {
   at_failure_instant_ = true;
-  ++ledger_.instants;
+  begin_instant();
   mark_shared();
   order_to_now_ = 0;
   handle_failure();
@@ -269,12 +296,87 @@ void Simulator::settle() {
     }
     if (!looked) return;
     tell_watchers();
-    if (!fails_now()) break;
-    repair();
+    if (fails_now()) {
+      repair();
+    } else if (tell_what_changed()) {
+      break;
+    }
   }
+}
+
+// The last word on the instant, of all whose instant was shared. True if this leaves nothing to
+// those who watch.
+bool Simulator::tell_what_changed() {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    kernel_.set_instant_shared(static_cast<StructureId>(i), false);
+    const StructureId id = static_cast<StructureId>(i);
+    if (!kernel_.instant_is_shared(id)) continue;
+    call(id, [](Structure& s) { s.instant_over(); });
+    kernel_.set_instant_shared(id, false);
   }
+  if (notices_.empty()) return true;
+  tell_watchers();
+  return false;
+}
+
+void Simulator::begin_instant() {
+  in_instant_ = true;
+  if (!at_failure_instant_) reached_before_instant_ = reached_;
+  events_at_instant_.clear();
+  ++ledger_.instants;
+}
+
+// Takes back what the instant in hand has added to the counts of events and failures; what its work
+// cost stays counted.
+void Simulator::abandon_instant() {
+  is_broken_ = true;
+  if (in_instant_) {
+    for (const ReportedEvent& event : events_at_instant_) {
+      StructureLedger& ledger = kernel_.ledger(event.structure);
+      const Entry& entry = entries_[event.structure];
+      --*entry.kind_counts[event.kind];
+      --ledger.records;
+      const int common = event.kind - entry.first_common;
+      if (common == static_cast<int>(CommonEvent::kMotion)) --ledger.motion_updates;
+      if (common == static_cast<int>(CommonEvent::kInsert)) --ledger.insertions;
+      if (common == static_cast<int>(CommonEvent::kErase)) --ledger.erasures;
+      if (!event.external) continue;
+      --ledger.external;
+      --ledger.processed;
+    }
+    for (const StructureId id : touched_) {
+      StructureLedger& ledger = kernel_.ledger(id);
+      ledger.processed -= ledger.internal - before_instant_[id].internal;
+      ledger.internal = before_instant_[id].internal;
+      ledger.failures = before_instant_[id].failures;
+      ledger_.events -= failures_at_instant_[id];
+    }
+    --ledger_.instants;
+    if (!at_failure_instant_) reached_ = reached_before_instant_;
+    if (sink_ != nullptr) sink_->instant_abandoned();
+  }
+  // Nothing happens between the last instant and the one in hand.
+  if (!started_ || !(settled_hi_ < next_lo_)) return;
+  const std::optional<Rational> t = Rational::from_double(settled_hi_);
+  if (!t || *t < reached_ || (scene_.end && *scene_.end < *t)) return;
+  if (next_change() != nullptr && *next_change() <= *t) return;
+  reached_ = *t;
+}
+
+// Does the work; false, with the status, if it is stopped, or memory ends.
+template <class Work>
+bool Simulator::unless_stopped(const Work& work) {
+  try {
+    work();
+    return true;
+  } catch (const Stopped&) {
+    status_ = deadline_->interrupted() ? RunStatus::kInterrupted : RunStatus::kLimit;
+  } catch (const std::bad_alloc&) {
+    status_ = RunStatus::kLimit;
+    out_of_memory_ = true;
+  }
+  deadline_->pause();
+  abandon_instant();
+  return false;
 }
 
 void Simulator::end_instant() {
@@ -297,37 +399,49 @@ void Simulator::end_instant() {
       guard_window_end_ = now + std::ldexp(std::max(std::fabs(now), span_), window);
     }
   }
+  in_instant_ = false;
+  settled_hi_ = now_hi_;
+  next_lo_ = -std::numeric_limits<double>::infinity();
+  if (sink_ != nullptr) sink_->instant_ended();
   if (options_.audit == AuditLevel::kEvents) run_audit(true);
 }
 
 // ---- the run
 
-void Simulator::start() {
+bool Simulator::start() {
   require(!started_, "a run is started once");
   require(entries_.size() == kernel_.structures(), "a reserved structure was not handed over");
   for (const Entry& e : entries_) require(e.structure != nullptr, "a structure is missing");
-  const auto begin = Clock::now();
+  std::optional<RunClock::Scope> setup(std::in_place, clock_, RunPhase::kSetup);
   started_ = true;
   failures_at_instant_.assign(entries_.size(), 0);
+  before_instant_.assign(entries_.size(), {});
   repairs_.assign(entries_.size(), 0);
   guard_fired_.assign(entries_.size(), 0);
-  kernel_.arithmetic().set_now(scene_.start);
   now_hi_ = scene_.start.upper_double();
+  next_lo_ = -std::numeric_limits<double>::infinity();
   span_ = scene_.end ? (*scene_.end - scene_.start).to_double() : 1.0;
-  std::vector<ObjectId> objects;
-  for (ObjectId object = 0; object < alive_.size(); ++object) {
-    if (alive_[object]) objects.push_back(object);
-  }
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    call(static_cast<StructureId>(i), [&](Structure& s) { s.build(objects); });
-  }
-  notices_.clear();  // those who watch were built later
-  repair();
-  settle();
-  note_peak();
-  charge(kNoStructure);
-  seconds_setup_ += seconds_between(begin, Clock::now());
-  end_instant();
+  const bool built = unless_stopped([&] {
+    begin_instant();
+    --ledger_.instants;  // the start is none
+    kernel_.arithmetic().set_now(scene_.start);
+    std::vector<ObjectId> objects;
+    for (ObjectId object = 0; object < alive_.size(); ++object) {
+      if (alive_[object]) objects.push_back(object);
+    }
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      call(static_cast<StructureId>(i), [&](Structure& s) { s.build(objects); });
+    }
+    notices_.clear();  // those who watch were built later
+    repair();
+    settle();
+  });
+  if (built) note_peak();
+  end_charge();
+  setup.reset();
+  const bool ready = built && unless_stopped([&] { end_instant(); });
+  deadline_->pause();
+  return ready;
 }
 
 // Handles all failures before `stop` (at it too, if inclusive; all if there is none) until a limit
@@ -337,6 +451,7 @@ void Simulator::run_failures(const Rational* stop, bool inclusive) {
   const double lo = stop != nullptr ? stop->lower_double() : 0;
   const double hi = stop != nullptr ? stop->upper_double() : 0;
   while (!queue.empty()) {
+    next_lo_ = queue.top_lo();
     if (stop != nullptr && !(queue.top_hi() < lo)) {
       if (queue.top_lo() > hi) return;
       if (queue.top_is_later()) {
@@ -358,28 +473,18 @@ void Simulator::run_failures(const Rational* stop, bool inclusive) {
   }
 }
 
-RunStatus Simulator::run_until(const std::optional<Rational>& t) {
-  require(started_, "a run has to be started");
-  const std::optional<Rational> target = t ? t : scene_.end;
-  if (target && *target < reached_) {
-    throw std::invalid_argument("the run has reached " + reached_.to_string() +
-                                " and cannot go back to " + target->to_string());
-  }
-  if (target && scene_.end && *scene_.end < *target) {
-    throw std::invalid_argument("the scene ends at " + scene_.end->to_string() + ", before " +
-                                target->to_string());
-  }
-  run_since_ = Clock::now();
-  const double audit_before = seconds_audit_;
-  status_ = RunStatus::kDone;
-  next_look_ = ledger_.events + ledger_.instants + 2 * kLookEvery;
+void Simulator::run_to(const std::optional<Rational>& target) {
   for (;;) {
     const Rational* change = next_change();
     if (change != nullptr && target && *target < *change) change = nullptr;
     const Rational* stop = change != nullptr ? change : target ? &*target : nullptr;
     run_failures(stop, change == nullptr);
     if (status_ != RunStatus::kDone || change == nullptr || stop_early()) break;
-    change_instant();
+    if (options_.stop_before && !(*change < *options_.stop_before)) {
+      status_ = RunStatus::kInterrupted;
+      break;
+    }
+    make_changes();
   }
   if (status_ != RunStatus::kDone) {
     stop_between();
@@ -391,19 +496,46 @@ RunStatus Simulator::run_until(const std::optional<Rational>& t) {
   } else if (at_failure_instant_) {
     stop_between();
   }
-  note_peak();
-  charge(kNoStructure);
-  const bool ended = !scene_.end || *scene_.end == reached_;
-  if (status_ == RunStatus::kDone && ended && options_.audit != AuditLevel::kNone) run_audit(false);
-  seconds_simulate_ += seconds_between(run_since_, Clock::now()) - (seconds_audit_ - audit_before);
+}
+
+RunStatus Simulator::run_until(const std::optional<Rational>& t) {
+  require(started_, "a run has to be started");
+  const std::optional<Rational> target = t ? t : scene_.end;
+  if (target && *target < reached_) {
+    throw std::invalid_argument("the run has reached " + time_text(reached_) +
+                                " and cannot go back to " + time_text(*target));
+  }
+  if (target && scene_.end && *scene_.end < *target) {
+    throw std::invalid_argument("the scene ends at " + time_text(*scene_.end) + ", before " +
+                                time_text(*target));
+  }
+  if (is_broken_) return status_;
+  const RunClock::Scope simulate(clock_, RunPhase::kSimulate);
+  deadline_->resume();
+  status_ = RunStatus::kDone;
+  next_look_ = ledger_.events + ledger_.instants + 2 * kLookEvery;
+  const bool finished = unless_stopped([&] { run_to(target); });
+  end_charge();
+  if (finished) {
+    note_peak();
+    const bool ended = !scene_.end || *scene_.end == reached_;
+    if (status_ == RunStatus::kDone && ended && options_.audit != AuditLevel::kNone) {
+      unless_stopped([&] { run_audit(false); });
+    }
+  }
+  deadline_->pause();
   return status_;
 }
 
-// Looks at the limits. Progress and the clock only after kLookEvery instants or failures.
+// Looks at the limits. Progress only after kLookEvery instants or failures.
 bool Simulator::stop_early() {
   if (status_ != RunStatus::kDone) return true;
   if (options_.max_events != 0 && ledger_.events >= options_.max_events) {
     status_ = RunStatus::kLimit;
+    return true;
+  }
+  if (deadline_->due()) {
+    status_ = deadline_->interrupted() ? RunStatus::kInterrupted : RunStatus::kLimit;
     return true;
   }
   const std::uint64_t work = ledger_.events + ledger_.instants;
@@ -414,10 +546,7 @@ bool Simulator::stop_early() {
     next_peak_ = work + work / 16;
     note_peak();
   }
-  if (options_.max_seconds > 0 &&
-      seconds_simulate_ + seconds_between(run_since_, Clock::now()) > options_.max_seconds) {
-    status_ = RunStatus::kLimit;
-  } else if (options_.progress && !options_.progress(*this)) {
+  if (options_.progress && !options_.progress(*this)) {
     status_ = RunStatus::kInterrupted;
   }
   return status_ != RunStatus::kDone;

@@ -18,7 +18,7 @@
 #ifndef KINEX_CORE_SIMULATOR_H
 #define KINEX_CORE_SIMULATOR_H
 
-#include <chrono>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -29,7 +29,10 @@
 #include "core/audit.h"
 #include "core/bound.h"
 #include "core/kernel.h"
+#include "core/repeated_object.h"
+#include "core/run_clock.h"
 #include "core/scene.h"
+#include "core/stop.h"
 #include "core/structure.h"
 
 namespace kinex {
@@ -45,7 +48,13 @@ struct SimulatorOptions {
   AuditLevel audit = AuditLevel::kEnd;
   Scheduling scheduling = Scheduling::kLazy;
   std::uint64_t max_events = 0;  // stop with kLimit after so many failures; 0: no limit
-  double max_seconds = 0;        // likewise; 0: no limit
+  // Likewise, from the making of the simulator on, set-up and audits included (wall time, not while
+  // nothing is asked of it after the start); 0: no limit.
+  double max_seconds = 0;
+  // Stop with kInterrupted before the first change of the scene at this time or later.
+  std::optional<Rational> stop_before = std::nullopt;
+  // Stops the run with kInterrupted when it is true; it outlives the simulator. See core/stop.h.
+  const std::atomic<bool>* interrupt = nullptr;
   // Called about every 4096 failures; return false to stop with kInterrupted.
   std::function<bool(const class Simulator&)> progress;
 };
@@ -81,16 +90,26 @@ class Simulator final : private EventReporter {
   // All event kinds by rank, the common ones included.
   std::vector<std::string_view> event_kinds(StructureId id) const;
 
-  void set_sink(EventSink* sink) { sink_ = sink; }
+  // `timed`: what its calls take is charged to RunPhase::kReport. Measuring costs more than a sink
+  // that only fills a buffer: that one is not timed, and charges itself for what it does with the
+  // buffer.
+  void set_sink(EventSink* sink, bool timed = true) {
+    sink_ = sink;
+    sink_timed_ = timed;
+  }
 
   // Sets the motions in force right after the scene's start and builds every structure, in the
   // order of ids.
-  void start();
+  // False if it was stopped on the way: then run_until() says why, and no attribute is known.
+  bool start();
   // Handles all flight-plan changes and failures at instants <= t; then now = t. nullopt: up to the
   // scene's end, or all of them if it has none (now is then a rational time after the last). Can be
   // called again with later times; t before reached() or after the scene's end throws
   // std::invalid_argument. Where the scene ends (or, in a scene without end, at every t) the run is
-  // audited as AuditLevel says. If it stops early, it does so between two instants.
+  // audited as AuditLevel says. If it stops early, it does so between two instants, and can be taken
+  // up again; where an instant (or an audit) takes too long, or memory ends, that instant is
+  // abandoned: its events and failures are taken back, and the run is_broken(). A change that
+  // cannot be made throws RefusedChange (a std::invalid_argument).
   RunStatus run_until(const std::optional<Rational>& t);
   // The full audit at a rational time right after now; adds to the ledgers. True if nothing is
   // wrong.
@@ -110,6 +129,14 @@ class Simulator final : private EventReporter {
   // The exact time the run has reached (the last t of run_until, or, inside it, the last
   // flight-plan instant).
   const Rational& reached() const { return reached_; }
+  // The run was stopped in the midst of something: what has been reported holds, but it cannot go on.
+  bool is_broken() const { return is_broken_; }
+  // ... and the attributes are not those of any instant.
+  bool is_torn() const { return is_broken_ && in_instant_; }
+  // It was memory that ended (kLimit).
+  bool out_of_memory() const { return out_of_memory_; }
+  // Runs while start() or run_until() does, and from the beginning to start().
+  Deadline& deadline() { return *deadline_; }
   bool alive(ObjectId object) const { return alive_[object]; }
   Snapshot snapshot(const Rational& t) const;
   const RunLedger& ledger() const { return ledger_; }
@@ -118,9 +145,16 @@ class Simulator final : private EventReporter {
   // Violations found so far, for people (at most kMaxMessages are kept).
   static constexpr std::size_t kMaxMessages = 100;
   const std::vector<std::string>& violations() const { return violations_; }
-  double seconds_setup() const { return seconds_setup_; }
-  double seconds_simulate() const { return seconds_simulate_; }
-  double seconds_audit() const { return seconds_audit_; }
+  // CPU time of the thread and wall time, by phase: run_clock.h. What the event sink takes is
+  // kReport, apart from kSimulate. For work that belongs to the run but is done outside of it:
+  // RunClock::Scope scope(simulator.clock(), RunPhase::kReport).
+  Seconds seconds(RunPhase phase) const { return clock_.seconds(phase); }
+  RunClock& clock() { return clock_; }
+  // The CPU time.
+  double seconds_setup() const { return seconds(RunPhase::kSetup).cpu; }
+  double seconds_simulate() const { return seconds(RunPhase::kSimulate).cpu; }
+  double seconds_report() const { return seconds(RunPhase::kReport).cpu; }
+  double seconds_audit() const { return seconds(RunPhase::kAudit).cpu; }
 
  private:
   struct Entry {
@@ -146,19 +180,28 @@ class Simulator final : private EventReporter {
     bool has_event;
     Event event;
   };
-  static constexpr StructureId kNoStructure = 0xff;
-
+  // What the present instant has added to the counts.
+  struct InstantCounts {
+    std::uint64_t failures = 0, internal = 0;  // of a structure, before
+  };
+  struct ReportedEvent {
+    StructureId structure;
+    std::uint8_t kind;
+    bool external;
+  };
   // simulator.cpp
   void reported(const Event& event) override;
-  void rebuilt(StructureId id, std::string_view reason) override;
-  void report_change(StructureId id, CommonEvent kind, ObjectId object,
-                     std::string_view reason = {});
+  void settled(Event event) override;
+  void rebuilt(Event event) override;
+  void report_common(Event event, CommonEvent kind);
+  void report_change(StructureId id, CommonEvent kind, ObjectId object);
+  RepeatedObject with_names(const RepeatedObject& error) const;
   template <class Call>
   void guarded(StructureId id, const Call& function);
   void call(StructureId id, const std::function<void(Structure&)>& function);
   void abandon(StructureId id);
   void tell_watchers();
-  void charge(StructureId id);
+  void end_charge();
   bool fails_now();
   void mark_shared();
   void failure_instant();
@@ -166,7 +209,13 @@ class Simulator final : private EventReporter {
   void guard_fired(StructureId id);
   void repair();
   void settle();
+  bool tell_what_changed();
+  void begin_instant();
   void end_instant();
+  template <class Work>
+  bool unless_stopped(const Work& work);
+  void abandon_instant();
+  void run_to(const std::optional<Rational>& target);
   void run_failures(const Rational* stop, bool inclusive);
   bool stop_early();
   void stop_between();
@@ -178,6 +227,7 @@ class Simulator final : private EventReporter {
   const Rational* next_change() const {
     return next_change_ < changes_.size() ? &changes_[next_change_].t : nullptr;
   }
+  void make_changes();
   void change_instant();
   void put_in_force(ObjectId object, const Trajectory& trajectory,
                     const std::optional<Rational>& until);
@@ -194,9 +244,11 @@ class Simulator final : private EventReporter {
 
   const Scene& scene_;
   SimulatorOptions options_;
+  std::unique_ptr<Deadline> deadline_;
   Kernel kernel_;
   std::vector<Entry> entries_;
   EventSink* sink_ = nullptr;
+  bool sink_timed_ = true;
   std::vector<Change> changes_;  // ascending in (t, kind, object) from next_change_ on
   std::size_t next_change_ = 0;
   std::vector<bool> alive_;
@@ -211,6 +263,14 @@ class Simulator final : private EventReporter {
   double now_hi_ = 0;                // now <= now_hi_
   int order_to_now_ = 0;             // of the first failure, from the last fails_now()
   std::vector<std::uint64_t> failures_at_instant_;
+  std::vector<InstantCounts> before_instant_;    // of structures with failures at it
+  std::vector<ReportedEvent> events_at_instant_;
+  Rational reached_before_instant_;
+  bool in_instant_ = false;
+  bool is_broken_ = false;
+  bool out_of_memory_ = false;
+  double settled_hi_ = 0;  // the last instant that is finished is <= settled_hi_
+  double next_lo_ = 0;     // the instant after it, a failure or a change in hand, is >= next_lo_
   std::vector<std::uint64_t> repairs_;  // since the guard was last set back
   std::vector<std::uint8_t> guard_fired_;
   std::vector<StructureId> touched_;  // structures with failures at the instant
@@ -220,13 +280,10 @@ class Simulator final : private EventReporter {
   std::vector<Notice> notices_;
   RunLedger ledger_;
   std::vector<std::string> violations_;
-  StructureId charged_ = kNoStructure;
-  std::chrono::steady_clock::time_point charged_since_;
-  std::chrono::steady_clock::time_point run_since_;
+  RunClock clock_;
   std::uint64_t next_look_ = 0;  // at limits and progress
   std::uint64_t next_peak_ = 0;  // at the bytes in use
   RunStatus status_ = RunStatus::kDone;
-  double seconds_setup_ = 0, seconds_simulate_ = 0, seconds_audit_ = 0;
 };
 
 }  // namespace kinex

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/real_root.h"
 #include "core/simulator.h"
+#include "core/time_text.h"
 
 namespace kinex {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // Where nothing is known of the future, the time 2^-k after the end for these k.
 constexpr std::array<unsigned long, 14> kSteps{0,  1,   2,   4,   8,    16,   32,
@@ -24,6 +24,7 @@ Snapshot Simulator::snapshot(const Rational& t) const {
   Snapshot result(t, scene_.axes(), alive_.size());
   for (ObjectId object = 0; object < alive_.size(); ++object) {
     if (!alive_[object]) continue;
+    deadline_->poll();
     for (int axis = 0; axis < scene_.axes(); ++axis) {
       result.set(object, axis, trajectory_[object].position(axis, t));
     }
@@ -41,6 +42,7 @@ void Simulator::audit_certificates() {
   for (std::size_t i = 0; i < queue.capacity(); ++i) {
     const Certificate& c = queue.certificate(static_cast<CertificateId>(i));
     if (!c.live) continue;
+    kernel_.poll();
     ++kernel_.ledger(c.structure).audit_checks;
     if (kernel_.arithmetic().sign_after(c.query) != Sign::kNegative) continue;
     std::string what = "negative right after now: " +
@@ -72,6 +74,7 @@ bool Simulator::certificates_hold(const Snapshot& positions) const {
   for (std::size_t i = 0; i < queue.capacity(); ++i) {
     const Certificate& c = queue.certificate(static_cast<CertificateId>(i));
     if (!c.live || c.outlook == Outlook::kIdenticallyZero) continue;
+    deadline_->poll();
     for (std::size_t k = 0; k < c.query.arity; ++k)
       points[k] = position(c.query.ids[k]);
     const Predicate& predicate = kernel_.arithmetic().predicate(c.query.predicate);
@@ -102,7 +105,14 @@ std::optional<Rational> Simulator::rational_after_now() {
   std::optional<Rational> now = reached_;
   if (at_failure_instant_) {
     now = Rational::from_double(now_hi_);
-    if (now && !(*now < *limit)) now = Rational::parse(arithmetic.describe_now().upper);
+    if (now && !(*now < *limit)) {
+      if (!arithmetic.is_exact()) return std::nullopt;  // it has no name
+      RealRoot instant = to_root(arithmetic.name_now(InstantDetail::kName));
+      RootCounters counters;
+      if (compare(instant, *limit, counters) >= 0) return std::nullopt;
+      while (!(instant.upper() < *limit)) instant.refine(counters);
+      now = instant.upper();
+    }
   }
   if (!now || !(*now < *limit)) return std::nullopt;
   return (*now + *limit) / Rational(2);
@@ -135,8 +145,8 @@ std::optional<Rational> Simulator::audit_time() {
 }
 
 bool Simulator::run_audit(bool certificates) {
-  charge(kNoStructure);
-  const auto begin = Clock::now();
+  end_charge();
+  const RunClock::Scope audit(clock_, RunPhase::kAudit);
   const auto count = [this] {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -149,9 +159,15 @@ bool Simulator::run_audit(bool certificates) {
   const std::optional<Rational> t = audit_time();
   std::optional<Snapshot> positions;
   if (t) positions = snapshot(*t);
+  std::string when;
+  if (t) when = " (t = " + time_text(*t) + ")";
+  if (t && scene_.end && *scene_.end < *t) {
+    when = " (right after the scene's end, which is t = " + time_text(*scene_.end) + ")";
+  }
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StructureId id = static_cast<StructureId>(i);
     AuditReport report;
+    deadline_->look();
     if (kernel_.ledger(id).corrupt) {
       report.check(false, [&] { return "corrupt: " + kernel_.ledger(id).corruption; });
     } else {
@@ -159,11 +175,8 @@ bool Simulator::run_audit(bool certificates) {
       if (positions) entries_[i].structure->audit(*positions, report);
     }
     kernel_.ledger(id).audit_checks += report.checks;
-    for (const std::string& what : report.violations) {
-      violation(id, t ? what + " (at t = " + t->to_string() + ")" : what);
-    }
+    for (const std::string& what : report.violations) violation(id, what + when);
   }
-  seconds_audit_ += std::chrono::duration<double>(Clock::now() - begin).count();
   return count() == before;
 }
 

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/refused_change.h"
 #include "core/simulator.h"
+#include "core/time_text.h"
 
 namespace kinex {
 
@@ -73,7 +75,7 @@ void Simulator::queue_change(Change change) {
     throw std::invalid_argument("there is no object with number " + std::to_string(change.object));
   }
   if (change.t < reached_ || (scene_.end && *scene_.end < change.t)) {
-    throw std::invalid_argument("no change can be made at " + change.t.to_string());
+    throw std::invalid_argument("no change can be made at " + time_text(change.t));
   }
   if (change.trajectory != nullptr) degree_ = std::max(degree_, change.trajectory->degree());
   // It takes the place of the scene's own plan for the object.
@@ -111,13 +113,22 @@ void Simulator::schedule_erasure(const Rational& t, ObjectId object) {
 
 // ---- one instant
 
+void Simulator::make_changes() {
+  try {
+    change_instant();
+  } catch (const std::invalid_argument& error) {
+    throw RefusedChange(reached_, error.what());
+  }
+}
+
 void Simulator::change_instant() {
   const Rational t = *next_change();
+  at_failure_instant_ = false;
+  begin_instant();
+  next_lo_ = t.lower_double();
   kernel_.arithmetic().set_now(t);
   reached_ = t;
   now_hi_ = t.upper_double();
-  at_failure_instant_ = false;
-  ++ledger_.instants;
 
   std::vector<Change> updates, insertions;
   std::vector<ObjectId> erasures;

@@ -32,12 +32,24 @@ struct Attribute {
   friend bool operator==(const Attribute&, const Attribute&) = default;
 };
 
-// Events that every structure has: they come last in its event_kinds(), in this order. They name
-// the object (a rebuild none), are not external, and are not counted as processed.
-enum class CommonEvent : std::uint8_t { kMotion, kInsert, kErase, kRebuild };
-inline constexpr std::size_t kCommonEvents = 4;
-// `own` followed by "motion", "insert", "erase", "rebuild".
+// Events that every structure has: they come last in its event_kinds(), in this order. The first
+// three name the object and are never external. "settled" and "rebuild" name no object, carry the
+// difference that they make to the attribute (Event::gone, Event::came), and are external, and
+// counted as processed, if there is one. A "settled" without a difference is not reported.
+//
+// Replaying a structure's external events, its insertions and its erasures gives its attribute
+// right after every instant. (An insertion or erasure changes the attribute as the object's coming
+// or going does right after the instant.)
+enum class CommonEvent : std::uint8_t { kMotion, kInsert, kErase, kSettled, kRebuild };
+inline constexpr std::size_t kCommonEvents = 5;
+// `own` followed by "motion", "insert", "erase", "settled", "rebuild".
 std::vector<std::string_view> common_event_kinds(std::vector<std::string_view> own);
+
+// What leads from one attribute to another, as Event::gone and Event::came give it.
+struct AttributeDifference {
+  std::vector<ObjectId> gone, came;
+};
+AttributeDifference difference_between(const Attribute& before, const Attribute& after);
 
 class Structure {
  public:
@@ -51,7 +63,8 @@ class Structure {
 
   // Builds the proof for these objects (ascending ids), right after now.
   virtual void build(std::span<const ObjectId> objects) = 0;
-  // Throws the proof away (its certificates are retracted) and builds it anew right after now.
+  // Throws the proof away (its certificates are retracted) and builds it anew right after now. The
+  // caller reports the difference to told(); nothing is left to be told.
   virtual void rebuild() = 0;
   // `failed` is negative right after now and out of the queue, but still readable. The structure
   // repairs its state, reports one event (Kernel::report), and may retract or replace `failed`; if
@@ -65,6 +78,10 @@ class Structure {
   // All certificates are non-negative right after now, after an instant at which two or more failed
   // or motions changed. A place to check what single failures cannot break.
   virtual void instant_settled() {}
+  // After instant_settled, when nothing is left to be repaired at the instant (and once more after
+  // its erasures, and after its insertions): the place to report what has changed at the instant
+  // and has not been told yet (Kernel::report_settled). Nothing else may change.
+  virtual void instant_over() {}
   // A structure it watches changed its attribute (`event` is external), or gained or lost an object
   // or was rebuilt (nullptr). Called when the watched structure has done its work; at the start and
   // when objects come or go, the watched structure is built, told or repaired before those that
@@ -75,6 +92,9 @@ class Structure {
   virtual int largest_motion_degree() const { return std::numeric_limits<int>::max(); }
 
   virtual Attribute attribute() const = 0;
+  // The attribute as external events have told it so far. In the midst of an instant this is not
+  // attribute() for a structure that reports changes when the instant is over.
+  virtual Attribute told() const { return attribute(); }
   virtual std::vector<BoundCheck> bounds(const BoundContext& context) const = 0;
   // In an inexact arithmetic: how many repairs at one instant, beyond 1000 + 8 c for c
   // certificates, it may make before it is taken to be going round in circles. By default as many

@@ -7,17 +7,16 @@
 #include <utility>
 
 #include "core/check.h"
-#include "core/real_root.h"
+#include "core/exactly.h"
 #include "core/rounded_instant.h"
 #include "core/sturm_instant.h"
+#include "core/sturm_name.h"
 #include "core/touch.h"
 
 namespace kinex {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Digits after the point of the decimal in describe_now.
-constexpr int kDecimals = 17;
 // Bisections of an instant that becomes now, for a useful now_approximate.
 constexpr int kRefinementsOfNow = 20;
 
@@ -78,6 +77,10 @@ class SturmArithmetic final : public Arithmetic, public SignNow {
   std::string name() const override { return "sturm"; }
   bool is_exact() const override { return true; }
 
+  void set_deadline(Deadline* deadline) override {
+    Arithmetic::set_deadline(deadline);
+    work_.deadline = deadline;
+  }
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override;
   void set_now(const Rational& t) override;
@@ -97,7 +100,7 @@ class SturmArithmetic final : public Arithmetic, public SignNow {
     return rounded_down(
         now(), [&](const Rational& t) { return now().compare(t); }, [&] { now().refine(work_); });
   }
-  InstantText describe_now() override;
+  const InstantName& name_now(InstantDetail detail) override;
   Sign sign_after(const Query& query) override;
   Sign sign_now(const Query& query) override;
   Outlook failure(const Query& query, FailureTime& time) override {
@@ -135,6 +138,10 @@ class SturmArithmetic final : public Arithmetic, public SignNow {
   SturmInstant& now() { return instants_[now_]; }
   const SturmInstant& now() const { return instants_[now_]; }
 
+  void begin_name(RationalPolynomial polynomial) {
+    name_ = std::move(polynomial);
+    name_of_now_.detail = InstantDetail::kNone;
+  }
   void widen(int degree);
   RationalPolynomial polynomial(const Query& query) const;
   std::optional<Rational> horizon(const Query& query) const;
@@ -155,7 +162,7 @@ class SturmArithmetic final : public Arithmetic, public SignNow {
   InstantPool instants_;
   std::uint32_t now_;        // never 0
   std::uint32_t home_ = 0;   // where leave() goes back to
-  RationalPolynomial name_;  // vanishes at now: what describe_now calls it a root of
+  RationalPolynomial name_;  // of the certificate that made now what it is: vanishes there
   SturmWork work_;
 };
 
@@ -220,22 +227,18 @@ void SturmArithmetic::update_counters() {
 void SturmArithmetic::set_now(const Rational& t) {
   instants_.release(now_);
   now_ = instants_.add(SturmInstant(t));
-  name_ = now().polynomial();
+  begin_name(now().polynomial());
 }
 
 void SturmArithmetic::advance(const Query& query, FailureTime& time) {
   require(time.root != 0, "now cannot advance to never");
-  const bool born_failing = (time.root & kBornFailing) != 0;
+  const std::uint32_t next = handle(time);
+  const bool another_instant = next != now_ && kinex::compare(instants_[next], now(), work_) != 0;
   instants_.release(now_);
-  now_ = handle(time);
+  now_ = next;
   time.root = 0;
   for (int i = 0; i < kRefinementsOfNow && !now().is_rational(); ++i) now().refine(work_);
-  RationalPolynomial own = polynomial(query);
-  if (!own.is_zero() && (!born_failing || vanishes_at(own, now(), work_))) {
-    name_ = std::move(own);
-  } else if (!vanishes_at(name_, now(), work_)) {
-    name_ = now().polynomial();
-  }
+  if (another_instant) begin_name(polynomial(query));
   update_counters();
 }
 
@@ -286,7 +289,7 @@ Outlook SturmArithmetic::look_further(const Query& query, double from, double li
   ++counters_.by_predicate[query.predicate].looks[static_cast<int>(Stage::kExact)];
   const RationalPolynomial p = polynomial(query);
   const RationalSturm sturm(p, work_);
-  const Outlook outlook = first_failure(query, p, sturm, *Rational::from_double(from), limit, time);
+  const Outlook outlook = first_failure(query, p, sturm, exactly(from), limit, time);
   update_counters();
   return outlook;
 }
@@ -296,7 +299,7 @@ Outlook SturmArithmetic::first_failure(const Query& query, const RationalPolynom
                                        double limit, FailureTime& time) {
   const std::optional<Rational> end = horizon(query);
   if (p.degree() > 1 && limit < kInfinity) {
-    const Rational t = *Rational::from_double(limit);
+    const Rational t = exactly(limit);
     if (from < t && (!end || t < *end) && sturm.count(from, t) == 0) {
       time = {limit, limit, 0};
       return Outlook::kLater;
@@ -346,6 +349,11 @@ int SturmArithmetic::compare_with_now(const Query& query, FailureTime& ta) {
   count_comparison(query, Stage::kExact);
   const std::uint32_t a = handle(ta);
   const int order = a == now_ ? 0 : kinex::compare(instants_[a], now(), work_);
+  if (order == 0 && a != now_) {
+    const std::uint32_t shared = instants_.share(now_);
+    instants_.release(a);
+    ta.root = shared | (ta.root & kBornFailing);
+  }
   enclose(ta);
   update_counters();
   return order;
@@ -372,28 +380,18 @@ std::optional<Rational> SturmArithmetic::rational_between(const Query* query, Fa
   return dyadic_near_middle(now().upper(), next.lower());
 }
 
-// Only the text comes from the other root finder, so that both exact arithmetics print the same
-// bytes.
-InstantText SturmArithmetic::describe_now() {
-  RootCounters text_counters;
-  while (!now().is_rational() && !(now().lower().is_dyadic() && now().upper().is_dyadic())) {
-    now().refine(work_);
+const InstantName& SturmArithmetic::name_now(InstantDetail detail) {
+  InstantName& name = name_of_now_;
+  if (detail == InstantDetail::kNone || detail == name.detail) return name;
+  ++name.number;
+  name.detail = detail;
+  name.exact = true;
+  if (detail == InstantDetail::kName) {
+    name_by_sturm(name_, now(), name);
+  } else {
+    enclose_by_sturm(now(), name);
   }
-  RealRoot root = now().is_rational()
-                      ? RealRoot(now().lower())
-                      : RealRoot(Polynomial::from_rationals(now().polynomial().coefficients()),
-                                 now().lower(), now().upper());
-  const RootName name =
-      name_root(Polynomial::from_rationals(name_.coefficients()), root, text_counters);
-  InstantText text;
-  text.exact = true;
-  for (const Integer& c : name.polynomial.coefficients()) text.polynomial.push_back(c.to_string());
-  text.root = name.index;
-  text.lower = name.lower.to_string();
-  text.upper = name.upper.to_string();
-  text.approximate = decimal(root, kDecimals, text_counters);
-  update_counters();
-  return text;
+  return name;
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ SturmInstant isolated(const RationalSturm& sturm, Rational a, Rational b, SturmW
   const RationalPolynomial& p = sturm.square_free();
   const Sign at_b = p.sign_at(b);
   while (p.sign_at(a) == Sign::kZero) {
+    look(work.deadline);
     ++work.refinements;
     const Rational m = dyadic_near_middle(a, b);
     const Sign s = p.sign_at(m);
@@ -87,6 +88,7 @@ void SturmInstant::become(const Rational& value) {
 
 void SturmInstant::refine(SturmWork& work) {
   if (rational_) return;
+  look(work.deadline);
   ++work.refinements;
   ++bisections_;
   const Rational m = dyadic_near_middle(lower_, upper_);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/time_text.h"
 #include "experiments/input_error.h"
 #include "experiments/placed_body.h"
 #include "experiments/scene_parts.h"
@@ -80,8 +81,10 @@ void check_appearances(const JsonNode& objects, const Scene& scene) {
           continue;
         }
         objects.at(i).fail("the body " + show_text(body.id) + (jumps ? " jumps" : " appears") +
-                               " at " + t.to_string() + " into " + show_text(other.id),
-                           "let it come, or jump, to where it is apart from all others");
+                               " at " + time_text(t) + " into " + show_text(other.id),
+                           std::string("let it come, or jump, to where it is apart from all "
+                                       "others") +
+                               kOverlappingStartsRemedy);
       }
     }
   }

@@ -132,7 +132,7 @@ Placed place(std::size_t object, Polygon2 polygon) {
                               show_text(scene.objects[second].id) +
                               (contact == Contact::kTouching ? " touch" : " overlap") +
                               " at the scene's start",
-                          "place them apart; bodies must not touch when they are first seen");
+                          std::string("place them apart") + kOverlappingStartsRemedy);
 }
 
 }  // namespace

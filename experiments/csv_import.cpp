@@ -67,6 +67,7 @@ class Importer {
     }
     for (const std::string& row : options_.fixed) add_fixed(row);
     check_time();
+    report_.scene.overlapping_starts = options_.overlapping_starts;
     if (options_.polygons) make_bodies(report_.scene, *options_.polygons, {file_, lines_});
     return std::move(report_);
   }

@@ -25,6 +25,7 @@ struct ImportOptions {
   std::vector<std::string> fixed;        // rows "id,x[,y[,z]]" of objects that stand still
   std::optional<PolygonTable> polygons;  // makes every object a body; 2 axes
   std::optional<HeadingColumn> heading;  // of bodies; without it they do not turn
+  OverlappingStarts overlapping_starts = OverlappingStarts::kRefused;  // of bodies
 };
 
 struct ImportReport {
@@ -47,7 +48,8 @@ struct ImportReport {
 // Bodies: the coordinates are those of the origin of a polygon's frame. A heading turns the frame,
 // as exactly as experiments/heading.h says. Between two fixes the rotor is linear in t, the short
 // way round, so that motion is continuous; the body of a row with velocities keeps its heading.
-// Fixed objects have heading 0. Bodies in contact at the start are refused, as scenes refuse them.
+// Fixed objects have heading 0. Bodies that overlap when they are first seen are refused, as scenes
+// refuse them, unless the options say otherwise.
 //
 // Throws InputError that names the line, or the option.
 ImportReport import_csv(std::string_view text, const std::string& file,

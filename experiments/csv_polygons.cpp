@@ -70,8 +70,13 @@ void check_scene(const Scene& scene, const ObjectTable& objects) {
       std::from_chars(path.data() + kObjects.size(), path.data() + path.size(), object);
     }
     const bool known = object < scene.objects.size();
+    std::string remedy = remedy_without_line(error);
+    const std::string_view in_scenes = kOverlappingStartsRemedy;
+    if (const auto at = remedy.find(in_scenes); at != std::string::npos) {
+      remedy.replace(at, in_scenes.size(), ", or give --overlapping-starts contact (not refused)");
+    }
     throw InputError(objects.file, known ? place_of(scene.objects[object].id, objects) : "",
-                     error.problem(), remedy_without_line(error));
+                     error.problem(), remedy);
   }
 }
 

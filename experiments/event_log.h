@@ -1,64 +1,121 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// EventLog: writes the events of a run as JSON lines, and their digest.
+// EventLog: writes the records of a run as JSON lines, and makes their digest.
 //
-// First line: {"format": "kinex-log", "version": 1, "scene": NAME, "scene_hash": HEX, "arithmetic":
-// A,
-//   "exact": BOOLEAN, "build": "kinex VERSION",
-//   "structures": [{"label": L, "structure": NAME, "kinds": [..]}]}
-// One line an event: {"seq": K, "structure": L, "kind": S, "ids": [..],
-//   "certificate": {"predicate": S, "ids": [..]} or null (a change of the scene),
-//   "external": BOOLEAN, "time": {"polynomial": [..], "root": K, "interval": ["a", "b"], "decimal":
-//   S}} where an inexact arithmetic gives "decimal" alone.
-// Last line: {"end": STATUS, "events": K, "digest": HEX}
+// Format, version 2: one JSON object a line. Members come in the order in which they are given
+// here; nothing else may be there. Nothing in a log depends on the machine.
 //
-// The digest is the SHA-256 of one line ["LABEL", "KIND", "ID", ..] and "\n" for each event: it
-// names what happened and in which order, not when. There is nothing in a log that depends on the
-// machine.
+// Header, the first line:
+//   "format": "kinex-log", "version": 2
+//   "scene": NAME, "scene_hash": HEX    of the scene's file
+//   "arithmetic": A, "exact": BOOLEAN
+//   "instants": "names", "intervals" or "none"    how much a record says of its instant
+//   "build": "kinex VERSION"
+//   "structures": [{"label", "structure", "key", "kinds"}, ..]    in the order of the run
+//       "key": only of a structure that orders by a key, written as in a scene's "maintain"
+//       "kinds": its own, then "motion", "insert", "erase", "settled", "rebuild"
+//   "objects": [ID, ..]    the scene's, in its order
+//
+// Record, one for each event and each change of the scene:
+//   "seq": K              from 1
+//   "structure": LABEL, "kind": KIND, "ids": [ID, ..]
+//   "certificate": {"predicate": NAME, "ids": [ID, ..]}    the one that failed, or null
+//   "external": BOOLEAN   the attribute changed
+//   "reason": TEXT        of a rebuild only
+//   "gone": .., "came": ..    the change of the attribute where the ids do not tell it (of every
+//       "settled", of a "rebuild" that changed it). Edges: those that went and those that came, as
+//       arrays of pairs, in the scene's order within and between pairs. Sequence, cycle, object:
+//       the whole attribute before and after, as arrays of ids.
+//   "time": {..}          none where "instants" is "none"
+//     exact, "names":      {"polynomial": [C, ..], "root": K, "interval": [A, B], "decimal": D}
+//     exact, "intervals":  {"interval": [A, B], "decimal": D}
+//     inexact:             {"decimal": D}
+//   polynomial: primitive, square-free, positive leading coefficient; low degree first. root: the
+//   place of the instant among its real roots, from 1. interval: ends are dyadic and no roots, and
+//   the instant is the only root in it; A = B for a rational instant, whose polynomial is linear.
+//   decimal: for people, truncated towards zero to 12 significant digits (core/instant_digits.h).
+//
+// Kinds of all structures:
+//   motion         the flight plan of an object changed; what that brings is reported after it
+//   insert, erase  an object came or went; the attribute changes as inserting or erasing does
+//   settled        the end of an instant: what its external events have not yet told
+//   rebuild        the structure was built anew
+// Replaying a structure's external records, insertions and erasures gives its attribute right after
+// every instant.
+//
+// Last line:
+//   "end": "done", "limit" or "interrupted"
+//   "reached": T or null    the run holds up to this time; null: to no end, as the scene has none
+//   "records": N, "external": N
+//   "digest": HEX           see log_digest.h
+//   "seal": HEX             SHA-256 of the file up to and including the quotation mark before it
 #ifndef KINEX_EXPERIMENTS_EVENT_LOG_H
 #define KINEX_EXPERIMENTS_EVENT_LOG_H
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/event.h"
+#include "core/instant_name.h"
 #include "core/simulator.h"
 #include "experiments/file_io.h"
+#include "experiments/log_digest.h"
 #include "experiments/sha256.h"
 
 namespace kinex {
 
 inline constexpr std::string_view kLogFormat = "kinex-log";
-inline constexpr int kLogVersion = 1;
-
-// The line that an event adds to the digest.
-std::string digest_line(std::string_view label, std::string_view kind,
-                        const std::vector<std::string_view>& ids);
+inline constexpr int kLogVersion = 2;
 
 class EventLog final : public EventSink {
  public:
   // `simulator` has its structures. Without a file only the digest is made, and no instant is
-  // described.
-  EventLog(const Simulator& simulator, std::string_view scene_hash, OutputFile* file);
+  // named.
+  EventLog(const Simulator& simulator, std::string_view scene_hash, OutputFile* file,
+           InstantDetail instants = InstantDetail::kName);
+
+  // Without a file: hand it to Simulator::set_sink untimed, and let it charge the clock for
+  // hashing.
+  void charge_to(RunClock& clock) { digest_.charge_to(clock); }
 
   void event(const Event& event, Arithmetic& arithmetic) override;
+  void instant_ended() override;
+  void instant_abandoned() override;
   // Writes the last line and gives the file its name.
   void finish(RunStatus status);
 
-  std::uint64_t events() const { return events_; }
-  std::string digest() const { return digest_.hex(); }
+  std::uint64_t records() const { return records_; }
+  std::string digest() { return digest_.hex(); }
 
  private:
-  void write_line(const Event& event, std::string_view kind, Arithmetic& arithmetic);
+  void write_header(std::string_view scene_hash);
+  void write_record(const Event& event, Arithmetic& arithmetic);
+  void write_ids(class JsonWriter& json, std::span<const ObjectId> ids);
+  void write_side(JsonWriter& json, std::span<const ObjectId> ids, StructureId structure);
+  void write_instant(JsonWriter& json, Arithmetic& arithmetic);
+  void write_line();
 
   const Simulator& simulator_;
   OutputFile* file_;
-  std::vector<std::vector<std::string>> kinds_;
+  std::vector<DigestedStructure> structures_;
+  std::vector<bool> is_edges_;  // the attribute
   std::string line_;
-  std::uint64_t events_ = 0;
-  Sha256 digest_;
+  std::uint64_t records_ = 0;
+  std::uint64_t external_ = 0;
+  LogDigest digest_;
+  Sha256 seal_;
+  InstantDetail instants_;
+  std::string instant_;               // the last "time" that was written ..
+  std::uint64_t instant_number_ = 0;  // .. and the number of its name
+  // Of the present instant, which may be abandoned; and the counts before it.
+  std::string pending_;
+  std::uint64_t settled_records_ = 0;
+  std::uint64_t settled_external_ = 0;
 };
+
+// "names", "intervals", "none": as headers and options say it.
+std::string_view detail_name(InstantDetail detail);
 
 // The program's name and version, as logs and summaries give it.
 std::string build_name();

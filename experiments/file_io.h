@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kinex {
 
@@ -16,26 +17,40 @@ inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 // The bytes of a regular file, or of standard input for "-". Throws InputError.
 std::string read_text_file(const std::string& path);
 
-// Writes to a temporary file beside `path`; commit() gives it its name. A file that exists is never
-// replaced unless `force`. Devices (/dev/null) are written directly. Without commit() the temporary
-// file is removed. Every failure throws InputError.
+// What becomes of an output that is not finished.
+enum class Unfinished {
+  kRemoved,
+  kLinesKept,  // whole lines are worth something: see OutputFile::keep_lines
+};
+
+// Writes to a temporary file beside `path`, PATH.partial-PID; commit() gives it its name. A file
+// that exists is never replaced unless `force`. Devices (/dev/null) are written directly. Without
+// commit() the temporary file is removed. Every failure throws InputError; one to write (a full
+// disk) says where the lines are, if they are kept.
 class OutputFile {
  public:
-  OutputFile(std::string path, bool force);
+  OutputFile(std::string path, bool force, Unfinished unfinished = Unfinished::kRemoved);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view text);
   void commit();
+  // Closes the file, cut after its last whole line, as PATH.partial (or under its temporary name
+  // where that is taken), and returns the name; empty if there was no line to keep.
+  std::string keep_lines();
   const std::string& path() const { return path_; }
+  // Temporary files of earlier runs that were to become `path`: those runs were killed, or go on.
+  const std::vector<std::string>& leftovers() const { return leftovers_; }
 
  private:
-  [[noreturn]] void fail(const char* what) const;
+  [[noreturn]] void fail(const char* what);
 
   std::string path_;
   std::string temporary_;  // empty: written directly
   bool force_;
+  Unfinished unfinished_;
+  std::vector<std::string> leftovers_;
   std::FILE* file_ = nullptr;
 };
 

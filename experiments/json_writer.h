@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/number_text.h"
+
 namespace kinex {
 
 // Appends `text` (UTF-8) as a JSON string.
@@ -24,6 +26,9 @@ class JsonWriter {
   JsonWriter& end_array() { return close(']'); }
   JsonWriter& key(std::string_view name);
   JsonWriter& string(std::string_view text);
+  // An exact number as a JSON string: "-7", "1/3".
+  JsonWriter& quoted(const Integer& value) { return quote(value); }
+  JsonWriter& quoted(const Rational& value) { return quote(value); }
   JsonWriter& number(std::uint64_t value);
   JsonWriter& number(int value);
   JsonWriter& real(double value);  // 6 significant digits; null if it is not finite
@@ -38,6 +43,14 @@ class JsonWriter {
   JsonWriter& open(char bracket);
   JsonWriter& close(char bracket);
   void separate();
+  template <class Number>
+  JsonWriter& quote(const Number& value) {
+    separate();
+    out_ += '"';
+    append(out_, value);
+    out_ += '"';
+    return *this;
+  }
 
   std::string& out_;
   bool first_ = true;  // nothing yet in the innermost bracket

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/instant_name.h"
 #include "core/polynomial.h"
 #include "core/rational.h"
 
@@ -17,38 +18,62 @@ namespace kinex {
 struct LogStructure {
   std::string label;
   std::string structure;
+  std::string key;  // JSON, as key_json() writes it; empty: none
   std::vector<std::string> kinds;
 };
 
 struct LogHeader {
   std::string scene, scene_hash, arithmetic, build;
   bool exact = true;
+  InstantDetail instants = InstantDetail::kName;
   std::vector<LogStructure> structures;
+  std::vector<std::string> objects;
+
+  bool has_names() const { return exact && instants == InstantDetail::kName; }
+  bool has_intervals() const { return exact && instants != InstantDetail::kNone; }
+  bool has_times() const { return instants != InstantDetail::kNone; }
 };
 
 struct LogInstant {
-  Polynomial polynomial;  // exact logs only, as the next three
+  Polynomial polynomial;  // where the header has_names(), as the next
   int root = 0;
-  Rational lower, upper;
-  std::string decimal;
+  Rational lower, upper;  // where it has_intervals()
+  std::string decimal;    // where it has_times()
 };
 
-struct LogEvent {
+// "gone" and "came" of a record: edges (flattened) or whole values of the attribute.
+struct LogChange {
+  bool pairs = false;
+  std::vector<std::string> gone, came;
+};
+
+struct LogCertificate {
+  std::string predicate;
+  std::vector<std::string> ids;
+};
+
+struct LogRecord {
   std::size_t line = 0;   // in the file, from 1
   std::string_view text;  // the line itself
   std::uint64_t sequence = 0;
   std::string structure;  // label
   std::string kind;
   std::vector<std::string> ids;
-  std::string predicate;  // empty: a change of the scene
+  std::optional<LogCertificate> certificate;
   bool external = false;
+  std::optional<std::string> reason;
+  std::optional<LogChange> change;
   LogInstant time;
 };
 
 struct LogEnd {
   std::string status;
-  std::uint64_t events = 0;
+  std::optional<Rational> reached;
+  std::uint64_t records = 0;
+  std::uint64_t external = 0;
   std::string digest;
+  std::string seal;
+  std::string_view sealed;  // what the seal is of
 };
 
 // True if the text begins like an event log (and not like a scene).
@@ -57,13 +82,14 @@ bool looks_like_log(std::string_view text);
 class LogReader {
  public:
   // Reads the header. `text` must outlive the reader. Throws InputError, as next() does, for a line
-  // that is not of the form that event_log.h gives; what the line claims is not checked here.
+  // that is not of the form that event_log.h gives, and for another version; what the line claims
+  // is not checked here.
   LogReader(std::string_view text, std::string file);
 
   const std::string& file() const { return file_; }
   const LogHeader& header() const { return header_; }
-  // The next event; false at the end of the log.
-  bool next(LogEvent& event);
+  // The next record; false at the end of the log.
+  bool next(LogRecord& record);
   // The last line, once next() has returned false; nullopt: the log was cut off.
   const std::optional<LogEnd>& end() const { return end_; }
   std::size_t line() const { return line_; }
@@ -72,7 +98,7 @@ class LogReader {
   bool next_line(std::string_view& line);
   void read_header(std::string_view line);
 
-  std::string_view rest_;
+  std::string_view text_, rest_;
   std::string file_;
   std::size_t line_ = 0;
   LogHeader header_;

@@ -7,7 +7,9 @@
 #include <new>
 #include <stdexcept>
 
+#include "core/stop.h"
 #include "experiments/event_log.h"
+#include "experiments/gmp_memory.h"
 #include "experiments/input_error.h"
 #include "experiments/verbs/verbs.h"
 
@@ -58,11 +60,16 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  kinex::install_gmp_memory();
+  const kinex::GmpGuard guard;
   try {
     return run(argc, argv);
   } catch (const kinex::InputError& error) {
     std::fprintf(stderr, "kinex: %s\n", error.what());
     return kinex::kExitBadInput;
+  } catch (const kinex::Stopped&) {
+    std::fprintf(stderr, "kinex: the run was stopped while it was being set up\n");
+    return kinex::kExitGaveUp;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "kinex: gave up: there is not enough memory\n");
     return kinex::kExitGaveUp;

@@ -10,6 +10,7 @@
 #include "experiments/scene_parts.h"
 #include "experiments/scene_reader.h"
 #include "experiments/turning.h"
+#include "structures/plan.h"
 #include "structures/registry.h"
 
 namespace kinex {
@@ -102,6 +103,16 @@ std::optional<Complaint> complaint_about(const std::string& name, const Scene& s
 bool label_is_taken(const Scene& scene, std::string_view label) {
   return std::any_of(scene.maintain.begin(), scene.maintain.end(),
                      [&](const Request& other) { return other.label == label; });
+}
+
+bool are_too_many(const Scene& scene) { return scene.maintain.size() > kMostStructures; }
+
+// What is asked for, and what that reads, has to fit one run.
+std::optional<Complaint> complaint_about_number(const Scene& scene) {
+  if (!are_too_many(scene) && plan_structures(scene).size() <= kMostStructures) return std::nullopt;
+  const std::string most = std::to_string(kMostStructures);
+  return Complaint{"more than " + most + " structures in one run, those included that others read",
+                   "maintain at most " + most + ", and the others in a run of their own"};
 }
 
 Key read_direction(const JsonNode& node, int dimension) {
@@ -263,7 +274,13 @@ void read_short_entry(const std::string& entry, Scene& scene) {
 
 void read_maintain(const JsonNode& node, Scene& scene) {
   node.require_array();
-  for (std::size_t i = 0; i < node.size(); ++i) read_entry(node.at(i), scene);
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    read_entry(node.at(i), scene);
+    if (i + 1 < node.size() && !are_too_many(scene)) continue;
+    if (const auto complaint = complaint_about_number(scene)) {
+      node.at(i).fail(complaint->problem, complaint->remedy);
+    }
+  }
 }
 
 void set_maintain(Scene& scene, const std::vector<std::string>& texts) {
@@ -277,7 +294,11 @@ void set_maintain(Scene& scene, const std::vector<std::string>& texts) {
       } else {
         read_short_entry(entry, scene);
       }
+      if (are_too_many(scene)) break;
     }
+  }
+  if (const auto complaint = complaint_about_number(scene)) {
+    throw InputError(kOption, "", complaint->problem, complaint->remedy);
   }
 }
 

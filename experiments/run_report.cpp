@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "experiments/attribute_json.h"
+#include "experiments/counted.h"
 
 namespace kinex {
 
@@ -21,20 +22,49 @@ std::string cell(const std::string& text, std::size_t width) {
 
 std::string row_of(const StructureLedger& ledger) {
   std::string text;
-  for (const std::uint64_t count : {ledger.processed, ledger.external, ledger.internal,
-                                    ledger.rebuilds, ledger.simultaneous_groups, ledger.max_live,
-                                    ledger.max_per_object, ledger.audit_violations}) {
+  for (const std::uint64_t count :
+       {ledger.processed, ledger.external, ledger.internal, ledger.failures, ledger.rebuilds,
+        ledger.simultaneous_groups, ledger.max_live, ledger.max_per_object,
+        ledger.audit_violations}) {
     text += cell(std::to_string(count), 11);
   }
   return text;
 }
 
+std::string last_line(const Simulator& simulator, const RunOutcome& outcome) {
+  const RunCounts counts = counts_of(simulator);
+  char times[160];
+  std::snprintf(times, sizeof times,
+                "; CPU: setup %.3f s, simulate %.3f s, report %.3f s, audit %.3f s\n",
+                simulator.seconds_setup(), simulator.seconds_simulate(), simulator.seconds_report(),
+                simulator.seconds_audit());
+  return std::string(status_name(outcome.status)) + ": " +
+         counted(counts.events(), "event", "events") + " (" + std::to_string(counts.external) +
+         " external, " + std::to_string(counts.internal) + " internal) from " +
+         counted(counts.failures, "certificate failure", "certificate failures") + " at " +
+         counted(counts.instants, "instant", "instants") + "; " +
+         counted(counts.records, "log record", "log records") + times;
+}
+
 }  // namespace
+
+RunCounts counts_of(const Simulator& simulator) {
+  RunCounts counts;
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    const StructureLedger& ledger = simulator.kernel().ledger(id);
+    counts.external += ledger.external;
+    counts.internal += ledger.internal;
+    counts.failures += ledger.failures;
+    counts.records += ledger.records;
+  }
+  counts.instants = simulator.ledger().instants;
+  return counts;
+}
 
 std::string describe_results(const Simulator& simulator, const RunOutcome& outcome) {
   std::string text = "\n" + cell("", 24);
-  for (const char* column : {"processed", "external", "internal", "rebuilds", "groups", "max live",
-                             "max/object", "violations"}) {
+  for (const char* column : {"events", "external", "internal", "failures", "rebuilds", "groups",
+                             "max live", "max/object", "violations"}) {
     text += cell(column, 11);
   }
   text += "\n";
@@ -45,8 +75,8 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
   }
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     for (const auto& [reason, count] : simulator.kernel().ledger(id).rebuild_reasons) {
-      text += "rebuilt   " + simulator.label(id) + ", " + std::to_string(count) +
-              " times: " + reason + "\n";
+      text += "rebuilt   " + simulator.label(id) + ", " + counted(count, "time", "times") + ": " +
+              reason + "\n";
     }
   }
   for (StructureId id = 0; id < simulator.structures(); ++id) {
@@ -64,14 +94,7 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
       text += "at " + sample.t.to_string() + "  " + simulator.label(id) + " " + value + "\n";
     }
   }
-  char times[160];
-  std::snprintf(times, sizeof times,
-                "%s: %llu events at %llu instants; setup %.3f s, simulate %.3f s, audit %.3f s\n",
-                std::string(status_name(outcome.status)).c_str(),
-                static_cast<unsigned long long>(simulator.ledger().events),
-                static_cast<unsigned long long>(simulator.ledger().instants),
-                simulator.seconds_setup(), simulator.seconds_simulate(), simulator.seconds_audit());
-  return text + times;
+  return text + last_line(simulator, outcome);
 }
 
 std::vector<std::string> failures_of(const Simulator& simulator, const RunOutcome& outcome) {

@@ -25,6 +25,9 @@ void check_rotor(const JsonNode& node, const Trajectory& trajectory, const Ratio
                  const std::optional<Rational>& to);
 // A convex polygon, vertices counter-clockwise, no three consecutive ones on a line.
 std::vector<Vertex2> read_polygon(const JsonNode& node);
+// What to do about bodies that start overlapping: the end of a remedy.
+inline constexpr const char* kOverlappingStartsRemedy =
+    ", or say \"overlapping_starts\": \"contact\" (not \"refused\", the default) in the scene";
 // Refuses two bodies that are not apart at the scene's start.
 void check_apart(const JsonNode& objects, const Scene& scene);
 // Refuses a body that overlaps another when it appears, or jumps, after the start. One that touches

@@ -61,6 +61,16 @@ std::vector<Vertex2> read_shape(const JsonNode& object, bool first, const Scene&
   }
 }
 
+void read_overlapping_starts(const JsonNode& node, Scene& scene) {
+  const std::string& choice = node.string();
+  if (choice == "contact") {
+    scene.overlapping_starts = OverlappingStarts::kContact;
+  } else if (choice != "refused") {
+    node.fail(shown(node.value()) + " is no choice for bodies that start overlapping",
+              "write \"refused\" (the default) or \"contact\"");
+  }
+}
+
 void read_objects(const JsonNode& node, Scene& scene) {
   node.require_array();
   std::unordered_map<std::string, std::size_t> seen;
@@ -83,7 +93,7 @@ void read_objects(const JsonNode& node, Scene& scene) {
     Motion motion = read_motion(entry, scene, !polygon.empty());
     scene.objects.push_back({id.string(), std::move(motion), std::move(polygon)});
   }
-  if (!scene.has_bodies()) return;
+  if (!scene.has_bodies() || scene.overlapping_starts == OverlappingStarts::kContact) return;
   check_apart(node, scene);
   check_appearances(node, scene);
 }
@@ -95,7 +105,7 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   const JsonSource source{file, text};
   const JsonNode root(tree, source);
   root.require_object({"kinex", "name", "dimension", "time", "objects", "maintain", "jumps",
-                       "source", "description", "expect", "$schema"});
+                       "overlapping_starts", "source", "description", "expect", "$schema"});
   read_version(root);
   Scene scene;
   if (const auto name = root.find("name")) scene.name = name->string();
@@ -105,6 +115,7 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   scene.dimension = root.member("dimension").integer(1, kMaxDimension);
   read_time(root.member("time"), scene);
   if (const auto jumps = root.find("jumps")) scene.jumps = jumps->boolean();
+  if (const auto starts = root.find("overlapping_starts")) read_overlapping_starts(*starts, scene);
   read_objects(root.member("objects"), scene);
   if (const auto maintain = root.find("maintain")) read_maintain(*maintain, scene);
   return scene;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/gmp_memory.h"
 #include "experiments/input_error.h"
 #include "structures/plan.h"
 
@@ -23,6 +24,8 @@ std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Sce
 
 std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string& arithmetic,
                                           SimulatorOptions options) {
+  Deadline setup(options.max_seconds, options.interrupt);
+  const GmpGuard guard(&setup);
   auto simulator =
       std::make_unique<Simulator>(scene, arithmetic_option(arithmetic, scene), std::move(options));
   add_structures(*simulator, scene);
@@ -30,12 +33,13 @@ std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string&
 }
 
 Attribute value_now(const Simulator& simulator, StructureId id) {
-  if (simulator.kernel().ledger(id).corrupt) return {Attribute::Shape::kObject, {}};
+  if (simulator.kernel().ledger(id).corrupt || simulator.is_torn()) return {Attribute::Shape::kObject, {}};
   return simulator.structure(id).attribute();
 }
 
 RunOutcome run_scene(Simulator& simulator, const std::vector<Rational>& times) {
   RunOutcome outcome;
+  const GmpGuard guard(&simulator.deadline());
   simulator.start();
   for (const Rational& t : times) {
     outcome.status = simulator.run_until(t);

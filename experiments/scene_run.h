@@ -17,6 +17,7 @@ std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Sce
 
 // A simulator with every structure that scene.maintain asks for, not started. The scene must
 // outlive it. Throws InputError for an unknown arithmetic.
+// Throws Stopped if it takes longer than the options allow.
 std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string& arithmetic,
                                           SimulatorOptions options);
 

@@ -120,6 +120,9 @@ std::string write_scene(const Scene& scene) {
   }
   json.end_object();
   if (scene.jumps) json.key("jumps").boolean(true);
+  if (scene.overlapping_starts == OverlappingStarts::kContact) {
+    json.key("overlapping_starts").string("contact");
+  }
   json.line(1).key("objects").begin_array();
   for (const SceneObject& object : scene.objects) {
     json.line(2).begin_object().key("id").string(object.id);

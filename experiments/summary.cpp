@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/summary.h"
 
+#include <utility>
+
 #include "experiments/attribute_json.h"
 #include "experiments/event_log.h"
 #include "experiments/json_writer.h"
+#include "experiments/run_report.h"
 
 namespace kinex {
 
@@ -26,6 +29,7 @@ void write_changes(JsonWriter& json, const ChangeStatistics& changes) {
 void write_counts(JsonWriter& json, const StructureLedger& ledger) {
   json.key("processed").number(ledger.processed).key("external").number(ledger.external);
   json.key("internal").number(ledger.internal).key("failures").number(ledger.failures);
+  json.key("records").number(ledger.records);
   json.key("rebuilds").number(ledger.rebuilds);
   json.key("simultaneous_groups").number(ledger.simultaneous_groups);
   json.key("largest_group").number(ledger.largest_group);
@@ -101,6 +105,15 @@ void write_numbers(JsonWriter& json, const Arithmetic& arithmetic) {
   json.key("max_bits").number(counters.max_bits).end_object();
 }
 
+void write_phases(JsonWriter& json, const Simulator& simulator, double Seconds::*clock) {
+  for (const auto& [name, phase] : {std::pair("setup", RunPhase::kSetup),
+                                    {"simulate", RunPhase::kSimulate},
+                                    {"report", RunPhase::kReport},
+                                    {"audit", RunPhase::kAudit}}) {
+    json.key(name).real(simulator.seconds(phase).*clock);
+  }
+}
+
 }  // namespace
 
 std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
@@ -118,8 +131,10 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
     json.null();
   }
   json.end_object().key("objects").number(static_cast<std::uint64_t>(scene.objects.size()));
-  json.key("events").number(simulator.ledger().events);
-  json.key("instants").number(simulator.ledger().instants);
+  const RunCounts counts = counts_of(simulator);
+  json.key("events").number(counts.events()).key("external").number(counts.external);
+  json.key("internal").number(counts.internal).key("failures").number(counts.failures);
+  json.key("records").number(counts.records).key("instants").number(counts.instants);
   json.key("max_queue").number(simulator.ledger().max_queue);
   json.key("log_digest").string(log_digest);
   json.line(1).key("structures").begin_object();
@@ -146,9 +161,9 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
   json.line(1).key("violations").begin_array();
   for (const std::string& violation : simulator.violations()) json.string(violation);
   json.end_array();
-  json.line(1).key("seconds").begin_object().key("setup").real(simulator.seconds_setup());
-  json.key("simulate").real(simulator.seconds_simulate()).key("audit");
-  json.real(simulator.seconds_audit()).key("structures").begin_object();
+  json.line(1).key("seconds").begin_object();
+  write_phases(json, simulator, &Seconds::cpu);
+  json.key("structures").begin_object();
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     json.key(simulator.label(id)).real(simulator.kernel().ledger(id).seconds);
   }
@@ -158,6 +173,8 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
     json.key(simulator.label(id));
     json.real(ledger.processed == 0 ? 0.0 : ledger.seconds / static_cast<double>(ledger.processed));
   }
+  json.end_object().key("wall").begin_object();
+  write_phases(json, simulator, &Seconds::wall);
   json.end_object().end_object();
   json.key("peak_bytes").number(simulator.ledger().peak_bytes).end_object();
   text += '\n';

@@ -31,6 +31,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/exactly.h"
 
 namespace kinex {
 
@@ -195,7 +196,7 @@ std::optional<ContactTime> first_contact_exactly(const ContactQuery& query,
 
 ContactTime contact_between(const ContactQuery& query, double lower, double upper) {
   const MovingPolygon polygon(query);
-  return {RealRoot(polygon.f(), *Rational::from_double(lower), *Rational::from_double(upper)),
+  return {RealRoot(polygon.f(), exactly(lower), exactly(upper)),
           polygon.f()};
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/exactly.h"
 #include "core/rational_value.h"
 #include "predicates/contact_exact.h"
 #include "predicates/contact_filter.h"
@@ -44,7 +45,7 @@ ContactQuery::ContactQuery(ContactKind kind, std::vector<Rational> coordinates) 
 }
 
 Rational ContactQuery::coordinate(std::size_t index) const {
-  return exact_.empty() ? *Rational::from_double(rounded_[index]) : exact_[index];
+  return exact_.empty() ? exactly(rounded_[index]) : exact_[index];
 }
 
 bool in_contact(const ContactQuery& query, ContactCounters& counters) {

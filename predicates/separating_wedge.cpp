@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/ball.h"
+#include "core/exactly.h"
 
 namespace kinex {
 namespace {
@@ -67,8 +68,9 @@ Vector from_sum(const std::vector<Vector>& a, const std::vector<Vector>& b, cons
   return outside ? best : Vector{0, 0};
 }
 
+// `value` is at most 1.
 Rational rounded(double value, int bits) {
-  return Rational(*Integer::from_double(std::nearbyint(std::ldexp(value, bits))),
+  return Rational(Integer(static_cast<std::int64_t>(std::nearbyint(std::ldexp(value, bits)))),
                   Integer::power_of_two(static_cast<unsigned long>(bits)));
 }
 
@@ -105,24 +107,43 @@ double support(const RoughPolygon& rough, const Vector& direction) {
 // Of a time that has been rounded (core/rounded_instant.h), over the time.
 constexpr double kTimeError = 0x1p-39;
 
-// With a bound on its error, that of the time t, which is rounded too, included.
+// What may be lost of a product or a coefficient next to 0, where doubles end.
+constexpr double kTiny = 0x1p-1070;
+// Times beyond this are rounded to it, and so are not known.
+constexpr double kLatest = 0x1p1000;
+// Lengths that doubles hold the squares and products of.
+constexpr double kShortest = 0x1p-400, kLongest = 0x1p400;
+
+// With a bound on its error, that of the time t, which is rounded too, included; infinite or no
+// number where the doubles end.
 Ball value_at(const std::vector<Rational>& p, double t) {
-  double value = 0, slope = 0, size = 0;
+  double value = 0, slope = 0, size = 0, tiny = 0;
   for (std::size_t k = p.size(); k-- > 0;) {
     const double c = p[k].to_double();
     slope = slope * t + value;
     value = value * t + c;
     size = size * std::fabs(t) + std::fabs(c);
+    tiny = tiny * std::fabs(t) + kTiny;
   }
-  return {value,
-          size * static_cast<double>(4 * p.size()) * 0x1p-52 + std::fabs(slope * t) * kTimeError};
+  const double terms = static_cast<double>(4 * p.size());
+  return {value, terms * (size * 0x1p-52 + tiny) +
+                     (std::fabs(slope) + terms * (tiny + size * 0x1p-52)) *
+                         (std::fabs(t) * kTimeError + kTiny)};
+}
+
+// False for what is no number.
+bool is_at_most(double value, double bound) { return value <= bound; }
+bool is_usable(const RoughPolygon& polygon) {
+  return polygon.diameter >= kShortest && is_at_most(polygon.reach, kLongest) &&
+         is_at_most(polygon.diameter, kLongest) && is_at_most(polygon.radius, kLongest);
 }
 
 // Rounded towards zero to ten bits.
+// (rounded down where it is negative); 0 for what is not finite, or so small that bits are missing.
 Rational few_bits(double value) {
-  if (value == 0) return Rational();
+  if (!(std::fabs(value) >= 0x1p-1000) || std::isinf(value)) return Rational();
   const int exponent = std::ilogb(value) - 10;
-  return *Rational::from_double(std::ldexp(std::floor(std::ldexp(value, -exponent)), exponent));
+  return exactly(std::ldexp(std::floor(std::ldexp(value, -exponent)), exponent));
 }
 
 // Bits for an angle of this size to be kept.
@@ -174,19 +195,20 @@ WedgePlan::Role widest(const RoughPolygon& body, const Vector& m, double s) {
 double room(const SeparatingWedge& wedge, const RoughPose& pose, Frame line_of) {
   const bool of_a = line_of == Frame::kA;
   // Long numbers: over the largest.
-  const double scale =
-      std::max(std::fabs(wedge.line.nx.to_double()), std::fabs(wedge.line.ny.to_double()));
-  const Vector n{wedge.line.nx.to_double() / scale, wedge.line.ny.to_double() / scale};
+  const Integer scale = std::max(abs(wedge.line.nx), abs(wedge.line.ny));
+  const Vector n{Rational(wedge.line.nx, scale).to_double(),
+                 Rational(wedge.line.ny, scale).to_double()};
   const Vector v{Rational(wedge.v.x, wedge.v.w).to_double(),
                  Rational(wedge.v.y, wedge.v.w).to_double()};
   const Vector t = of_a ? pose.t : rotated(pose.t, pose.c, -pose.s);
   const Vector apex = rotated(v, pose.c, of_a ? pose.s : -pose.s);
-  const double h = wedge.line.h.to_double() / scale;
+  const double h = Rational(wedge.line.h, scale).to_double();
   return (dot(n, minus(t, apex)) - h) / std::hypot(n[0], n[1]);
 }
 
 double error_of(const RoughPose& pose, const RoughPolygon& a, const RoughPolygon& b) {
-  return pose.error_t + (a.reach + b.reach) * pose.error_turn;
+  // Vertices are rounded, too.
+  return pose.error_t + (a.reach + b.reach) * (pose.error_turn + 0x1p-52);
 }
 
 }  // namespace
@@ -219,17 +241,31 @@ RoughPose::RoughPose(Frame frame, const Value& at) {
   t = {tx.value / n.value, ty.value / n.value};
   c = cosine.value / n.value;
   s = sine.value / n.value;
-  error_t = (tx.error + ty.error + (std::fabs(t[0]) + std::fabs(t[1])) * n.error) / n.value;
-  error_turn = (cosine.error + sine.error + 2 * n.error) / n.value;
+  const double least = n.value - n.error;
+  error_t = (tx.error + ty.error + (std::fabs(t[0]) + std::fabs(t[1])) * n.error) / least;
+  error_turn = (cosine.error + sine.error + 2 * n.error) / least;
   if (frame == Frame::kB) s = -s;
+  const double sum = std::fabs(t[0]) + std::fabs(t[1]) + std::fabs(c) + std::fabs(s);
+  if (!(least > 0x1p-900) || !is_at_most(sum + error_t + error_turn, kLongest)) forget();
+}
+
+// Nothing is known of the pose.
+void RoughPose::forget() {
+  t = {0, 0};
+  c = 1;
+  s = 0;
+  error_t = error_turn = std::numeric_limits<double>::infinity();
 }
 
 RoughPose::RoughPose(const Trajectory& pose, double now, Frame frame)
-    : RoughPose(frame, [&](std::size_t axis) { return value_at(pose.coordinates[axis], now); }) {}
+    : RoughPose(frame, [&](std::size_t axis) { return value_at(pose.coordinates[axis], now); }) {
+  if (!is_at_most(std::fabs(now), kLatest)) forget();
+}
 
 RoughPose RoughPose::precise(const Trajectory& pose, double now, Frame frame) {
   const Rational t = Rational::from_double(now).value_or(Rational());
-  return RoughPose(frame, [&](std::size_t axis) {
+  const Rational time_error = exactly(kTimeError);
+  RoughPose result(frame, [&](std::size_t axis) {
     Rational value, slope;
     const std::vector<Rational>& p = pose.coordinates[axis];
     for (std::size_t k = p.size(); k-- > 0;) {
@@ -237,12 +273,15 @@ RoughPose RoughPose::precise(const Trajectory& pose, double now, Frame frame) {
       value = value * t + p[k];
     }
     const double v = value.to_double();
-    return Ball{v, std::fabs(v) * 0x1p-52 + std::fabs(slope.to_double() * now) * kTimeError};
+    return Ball{v, std::fabs(v) * 0x1p-52 + std::fabs((slope * t * time_error).to_double()) +
+                       std::fabs(slope.to_double()) * kTiny + kTiny};
   });
+  if (!is_at_most(std::fabs(now), kLatest)) result.forget();
+  return result;
 }
 
 bool is_too_rough(const RoughPose& pose, const RoughPolygon& a, const RoughPolygon& b) {
-  return error_of(pose, a, b) * kClear > kSmallest * (a.diameter + b.diameter);
+  return !is_at_most(error_of(pose, a, b) * kClear, kSmallest * (a.diameter + b.diameter));
 }
 
 Frame WedgePlan::longer() const {
@@ -256,12 +295,13 @@ Frame WedgePlan::longer() const {
 
 std::optional<WedgePlan> plan_wedge(const RoughPolygon& a, const RoughPolygon& b,
                                     const RoughPose& pose) {
+  if (!is_usable(a) || !is_usable(b)) return std::nullopt;
   std::vector<Vector> turned_b;
   turned_b.reserve(b.vertices.size());
   for (const Vector& v : b.vertices) turned_b.push_back(rotated(v, pose.c, pose.s));
   const Vector away = from_sum(a.vertices, turned_b, pose.t);
   const double s = std::hypot(away[0], away[1]);
-  if (!(s > kSmallest * (a.diameter + b.diameter)) || !(s < 0x1p500)) return std::nullopt;
+  if (!(s > kSmallest * (a.diameter + b.diameter)) || !(s < kLongest)) return std::nullopt;
   if (!(s > kClear * error_of(pose, a, b))) return std::nullopt;
   WedgePlan plan;
   plan.separation = s;
@@ -284,17 +324,25 @@ std::optional<SeparatingWedge> separating_wedge(const WedgePlan& plan, Frame lin
   const double s = plan.separation;
   SeparatingWedge wedge;
   wedge.turns = std::isfinite(role.half_angle);
-  const FrameLine touching = tangent(lined.polygon, lined.rough, m,
-                                     bits_for(s / (32 * (plan.diameter_a + plan.diameter_b))));
-  // Its normal is primitive: of any length.
-  const double length = std::hypot(touching.nx.to_double(), touching.ny.to_double());
+  const int line_bits = bits_for(s / (32 * (plan.diameter_a + plan.diameter_b)));
+  const FrameLine touching = tangent(lined.polygon, lined.rough, m, line_bits);
+  // Its normal is primitive, of any length: a multiple of m, rounded.
   const double guard = s / 8 + (wedge.turns ? 0 : wedged.rough.radius * (1 + 0x1p-8));
+  const double length = std::hypot(touching.nx.to_double(), touching.ny.to_double());
+  Rational beyond;
+  if (is_at_most(length, kLongest)) {
+    beyond = few_bits(length * guard);
+  } else {
+    const Rational x = rounded(m[0], line_bits), y = rounded(m[1], line_bits);
+    const Rational times = x.is_zero() ? Rational(touching.ny) / y : Rational(touching.nx) / x;
+    beyond = times * few_bits(std::hypot(x.to_double(), y.to_double()) * guard);
+  }
   wedge.line = frame_line(Rational(touching.nx), Rational(touching.ny),
-                          Rational(touching.h) + few_bits(length * guard));
+                          Rational(touching.h) + beyond);
   if (!wedge.turns) {
     wedge.v = wedged.rough.middle;
     // Far from its frame's origin a body's place is known too roughly for the direction.
-    if (room(wedge, pose, line_of) < kRoom * s) return std::nullopt;
+    if (!(room(wedge, pose, line_of) >= kRoom * s)) return std::nullopt;
     return wedge;
   }
   const double c = std::cos(role.half_angle), sine = std::sin(role.half_angle);
@@ -303,7 +351,7 @@ std::optional<SeparatingWedge> separating_wedge(const WedgePlan& plan, Frame lin
   wedge.g2 = tangent(wedged.polygon, wedged.rough, rotated(seen, c, sine), bits);
   if (turn(wedge.g1, wedge.g2) != Sign::kPositive) return std::nullopt;
   wedge.v = meeting(wedge.g1, wedge.g2);
-  if (room(wedge, pose, line_of) < kRoom * s) return std::nullopt;
+  if (!(room(wedge, pose, line_of) >= kRoom * s)) return std::nullopt;
   return wedge;
 }
 

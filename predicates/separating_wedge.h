@@ -31,6 +31,7 @@
 #define KINEX_PREDICATES_SEPARATING_WEDGE_H
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -59,12 +60,16 @@ struct RoughPose {
   static RoughPose precise(const Trajectory& pose, double now, Frame frame);
   std::array<double, 2> t{};
   double c = 1, s = 0;  // the rotation
-  // Bounds on what rounding does to t, and to a vector of length 1 that is turned.
+  // Bounds on what rounding does to t, and to a vector of length 1 that is turned; +infinity where
+  // the pose is beyond what doubles hold, or the time is: then no wedge can be put.
   double error_t = 0, error_turn = 0;
+
+  bool is_known() const { return error_t < std::numeric_limits<double>::infinity(); }
 
  private:
   template <class Value>
   RoughPose(Frame frame, const Value& at);
+  void forget();
 };
 
 struct WedgeBody {

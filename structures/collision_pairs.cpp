@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/check.h"
+#include "core/time_text.h"
 #include "predicates/pose_2.h"
 
 namespace kinex {
@@ -26,12 +27,16 @@ CollisionPairs::CollisionPairs(Kernel& kernel, StructureId id, const Scene& scen
 }
 
 std::vector<std::string_view> CollisionPairs::collision_kinds(std::vector<std::string_view> own) {
-  own.insert(own.begin(), {"contact", "graze", "separation", "inside", "volume", "grid"});
+  own.insert(own.begin(),
+             {"contact", "graze", "separation", "inside", "volume", "grid", "overlap"});
   return common_event_kinds(std::move(own));
 }
 
 void CollisionPairs::build(std::span<const ObjectId> objects) {
-  for (const ObjectId object : objects) add_body(object);
+  for (const ObjectId object : objects) {
+    add_body(object);
+    report_overlaps(object);
+  }
 }
 
 void CollisionPairs::rebuild() {
@@ -49,6 +54,12 @@ void CollisionPairs::certificate_failed(CertificateId failed) {
     const ObjectId body = grid_->move_on(tag);
     update_pairs(body);
     kernel_.report(id_, kGrid, {body}, false);
+    // In an inexact arithmetic it may overlap one that was far away.
+    for (const PairId p : pairs_of_[body]) {
+      if (pairs_[p].touching && std::find(had_.begin(), had_.end(), p) == had_.end()) {
+        report_overlap(p);
+      }
+    }
     return;
   }
   const PairId p = tag / kMostCertificates;
@@ -59,6 +70,11 @@ void CollisionPairs::certificate_failed(CertificateId failed) {
     follow_near(p);
     pairs_[p].resting = false;
     report(p, kVolume);
+    if (pairs_[p].touching && pairs_[p].certificates > 0) {  // it was the proof up to the contact
+      report_meeting(p, kContact, features_at(p, pairs_[p].ahead));
+    } else if (pairs_[p].touching) {
+      report_overlap(p);
+    }
   } else if (!only_touches(failed)) {
     if (is_stuck(p)) {
       start_anew(p);
@@ -116,20 +132,38 @@ void CollisionPairs::look_for_touch(PairId p) {
   pair.resting = found && touch(p, nullptr);
 }
 
-// In doubles nobody can tell.
+// In doubles it cannot be decided whether they only touch.
 void CollisionPairs::insert(ObjectId object) {
   add_body(object);
-  if (!kernel_.is_exact()) return;
-  for (const PairId p : pairs_of_[object]) {
-    if (!pairs_[p].touching) continue;
-    const ObjectId other = pairs_[p].a == object ? pairs_[p].b : pairs_[p].a;
-    // A body comes at a rational time.
-    const std::vector<std::string> now = kernel_.arithmetic().describe_now().polynomial;
-    const Rational t = -(*Rational::parse(now[0]) / *Rational::parse(now[1]));
-    throw std::invalid_argument(scene_.objects[object].id + " appears at " + t.to_string() +
-                                " in contact with " + scene_.objects[other].id +
-                                "; let it come, or jump, to where it is apart from all others");
+  if (kernel_.is_exact() && scene_.overlapping_starts == OverlappingStarts::kRefused) {
+    for (const PairId p : pairs_of_[object]) {
+      if (!pairs_[p].touching) continue;
+      const ObjectId other = pairs_[p].a == object ? pairs_[p].b : pairs_[p].a;
+      // A body comes at a rational time.
+      const Polynomial& now = kernel_.arithmetic().name_now(InstantDetail::kName).polynomial;
+      const Rational t(-now[0], now[1]);
+      throw std::invalid_argument(scene_.objects[object].id + " appears at " + time_text(t) +
+                                  " in contact with " + scene_.objects[other].id +
+                                  "; let it come, or jump, to where it is apart from all others, "
+                                  "or say \"overlapping_starts\": \"contact\" (not \"refused\", the "
+                                  "default) in the scene");
+    }
   }
+  report_overlaps(object);
+}
+
+// Of a body that is new, in the order of the others.
+void CollisionPairs::report_overlaps(ObjectId object) {
+  std::vector<std::pair<ObjectId, PairId>> found;
+  for (const PairId p : pairs_of_[object]) {
+    if (pairs_[p].touching) found.emplace_back(pairs_[p].a ^ pairs_[p].b ^ object, p);
+  }
+  std::sort(found.begin(), found.end());
+  for (const auto& [other, p] : found) report_overlap(p);
+}
+
+void CollisionPairs::report_overlap(PairId p) {
+  kernel_.report(id_, kOverlap, {pairs_[p].a, pairs_[p].b}, true);
 }
 
 void CollisionPairs::add_body(ObjectId object) {
@@ -160,6 +194,9 @@ void CollisionPairs::update_pairs(ObjectId body) {
   for (const PairId p : had_) {
     if (!pairs_[p].touching && !grid_->are_near(pairs_[p].a, pairs_[p].b)) remove_pair(p);
   }
+  had_.erase(
+      std::remove_if(had_.begin(), had_.end(), [this](PairId p) { return !pairs_[p].touching; }),
+      had_.end());
   for (const ObjectId other : grid_->near(body)) {
     const ObjectId a = std::min(body, other), b = std::max(body, other);
     if (find_pair(a, b) == kNoPair) follow_near(add_pair(a, b));

@@ -5,9 +5,12 @@
 // class keeps: a handful of certificates in the pair's pose (predicates/pose_2.h). A pair in
 // contact has a proof that they overlap, of the same kind for all (structures/overlap_proof.h). The
 // attribute is the set of pairs in contact, that is, of those that overlap right after now;
-// external events are contacts and separations. Bodies may be in contact at the start, which is no
-// event; a body that appears later, or jumps, must be apart from all others (std::invalid_argument
-// names both and the time).
+// external events are contacts and separations, and overlaps: two bodies that overlap right after
+// one of them is first seen (at the start, when it appears or jumps), be it that they only touch at
+// that instant, begin with the proof that they overlap, and go on as after a contact. A body that
+// comes brings no contacts by itself (Structure's "insert"), nor do those of the start: an "overlap"
+// for each pair does. Unless the scene allows that, a body that appears or jumps after the start
+// must be apart from all others (std::invalid_argument names both and the time).
 //
 // In scenes of more than two bodies that have an end a grid is the broad phase
 // (structures/body_grid.h), without an end all pairs are followed: bodies that
@@ -53,15 +56,17 @@ using PairId = std::uint32_t;
 
 class CollisionPairs : public Structure {
  public:
-  // The ranks of "contact", "graze", "separation", "inside", "volume" and "grid"; the kinds of
-  // derived classes follow them. The first three name the two bodies and the features that meet, as
+  // The ranks of "contact", "graze", "separation", "inside", "volume", "grid" and "overlap"; the
+  // kinds of derived classes follow them. The first three name the two bodies and the features that meet, as
   // derived objects: "a.v3" is vertex 3 of body a, "a.e3" the edge from it to the next (counted
   // from 0 in the scene's order). In an exact arithmetic they depend on the motion alone: two
   // vertices if these meet, else a vertex and an edge. "inside": another proof that
   // two bodies overlap, which would part elsewhere. A volume is another proof of one certificate,
-  // or the end of the last one; "grid" names a body that changes its cell.
+  // or the end of the last one; "grid" names a body that changes its cell. "overlap" names two
+  // bodies that overlap and have not come into contact: one of them is new (or an inexact arithmetic
+  // has missed the contact).
   static constexpr std::uint8_t kContact = 0, kGraze = 1, kSeparation = 2, kInside = 3, kVolume = 4,
-                                kGrid = 5, kFirstOwn = 6;
+                                kGrid = 5, kOverlap = 6, kFirstOwn = 7;
   // A proof has at most so many certificates.
   static constexpr std::uint32_t kMostCertificates = 8;
 
@@ -176,6 +181,8 @@ class CollisionPairs : public Structure {
   bool holds(PairId p) const;
   void look_for_touch(PairId p);
   void report_meeting(PairId p, std::uint8_t kind, const Features& features);
+  void report_overlap(PairId p);
+  void report_overlaps(ObjectId object);
   void drop_certificates(PairId p);
   // What happens while they overlap.
   OverlapProof overlap_proof(const SumBoundary& sum, PairId p);
@@ -199,7 +206,7 @@ class CollisionPairs : public Structure {
   std::optional<RayPredicates> rays_;  // from the first contact on
   std::optional<BodyGrid> grid_;
   std::vector<std::vector<PairId>> pairs_of_;  // per body
-  std::vector<PairId> had_;                    // in update_pairs
+  std::vector<PairId> had_;                    // in contact before the last update_pairs
   std::vector<std::uint8_t> alive_;
   CertificateId failed_ = kNoCertificate;  // while it is handled
   std::uint64_t failures_in_contact_ = 0;

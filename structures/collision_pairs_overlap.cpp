@@ -128,6 +128,9 @@ void CollisionPairs::fail_in_contact(PairId p, std::uint32_t slot) {
 void CollisionPairs::move_in_contact(PairId p) {
   if (pairs_[p].certificates == 0) {  // an inexact arithmetic had no proof
     follow(p);
+    if (pairs_[p].touching) return;
+    const std::array<ObjectId, 2> parted{pairs_[p].a, pairs_[p].b};
+    kernel_.report_settled(id_, parted, {});
     return;
   }
   const SumBoundary sum = boundary(p);
@@ -146,6 +149,7 @@ void CollisionPairs::part(PairId p, const SumBoundary::Edge& edge) {
   pairs_[p].touching = true;
   pairs_[p].resting = false;
   drop_certificates(p);
+  report_overlap(p);
 }
 
 }  // namespace kinex

@@ -96,6 +96,7 @@ class ConvexHull2 final : public Structure {
   void motions_changed(std::span<const ObjectId> objects) override;
   void instant_settled() override;
   Attribute attribute() const override;
+  Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;
@@ -234,6 +235,7 @@ class ConvexHull2 final : public Structure {
   Index build_tree(std::span<const ObjectId> objects);
   void make_leaf(Index t, ObjectId object);
   void construct(std::span<const ObjectId> objects);
+  void construct_anew();
   void update_sizes(Index t);
   void reset_hull();
 

@@ -64,6 +64,11 @@ void ConvexHull2BruteForce::certify_all() {
 void ConvexHull2BruteForce::find_hull() {
   retract_all();
   cycle_ = static_hull(signs_, members());
+  std::vector<ObjectId> once = cycle_;
+  std::sort(once.begin(), once.end());
+  if (std::adjacent_find(once.begin(), once.end()) != once.end()) {
+    return kernel_->corrupt(id_, "the hull goes through a point twice");
+  }
   certify_all();
 }
 
@@ -75,7 +80,7 @@ void ConvexHull2BruteForce::build(std::span<const ObjectId> objects) {
 
 void ConvexHull2BruteForce::rebuild() {
   find_hull();
-  events_.settle(cycle_);
+  events_.begin(cycle_);
 }
 
 void ConvexHull2BruteForce::certificate_failed(CertificateId failed) {

@@ -188,6 +188,11 @@ void ConvexHull2::build(std::span<const ObjectId> objects) {
 }
 
 void ConvexHull2::rebuild() {
+  construct_anew();
+  reset_hull();
+}
+
+void ConvexHull2::construct_anew() {
   std::vector<ObjectId> members;
   for (ObjectId id = 0; id < leaf_of_.size(); ++id) {
     if (leaf_of_[id] == kNone) continue;
@@ -207,8 +212,6 @@ void ConvexHull2::rebuild() {
   stale_.clear();
   todo_.clear();
   construct(members);
-  hull_changed_ = true;
-  root_changes_ += 2;
 }
 
 void ConvexHull2::reset_hull() {

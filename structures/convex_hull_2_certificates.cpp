@@ -85,6 +85,10 @@ bool ConvexHull2::needs_y(Index corner) const {
 // ---- keeping certificates
 
 Outlook ConvexHull2::certify(CertificateId& certificate, const Query& query, std::uint32_t tag) {
+  if (!kernel_->is_exact() && !corrupt_ && repeats_an_object(query)) {
+    give_up("a line meets itself");
+  }
+  if (corrupt_) return Outlook::kNever;
   Outlook outlook;
   if (certificate == kNoCertificate) {
     const Kernel::Created created = kernel_->create(id_, query, tag);
@@ -102,7 +106,7 @@ Outlook ConvexHull2::certify(CertificateId& certificate, const Query& query, std
 
 void ConvexHull2::drop(CertificateId& certificate) {
   if (certificate == kNoCertificate) return;
-  kernel_->retract(certificate);
+  if (!corrupt_) kernel_->retract(certificate);
   certificate = kNoCertificate;
 }
 

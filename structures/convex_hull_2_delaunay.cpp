@@ -42,15 +42,14 @@ std::vector<ObjectId> ConvexHull2Delaunay::cycle() const {
 void ConvexHull2Delaunay::build(std::span<const ObjectId>) { events_.begin(cycle()); }
 
 // Flips inside do not count. After a failure the triangulation may go on changing at this instant:
-// the hull is looked at when the instant is settled. What was built anew, or put right when the
-// instant was settled, is final.
+// the hull is looked at when the instant is settled. What was built anew, or settled, is final.
 void ConvexHull2Delaunay::look() {
   if (!events_.repairs_to_come()) return events_.settle(cycle());
   kernel_->set_instant_shared(id_, true);
 }
 
 void ConvexHull2Delaunay::watched_changed(const Event* event) {
-  if (event == nullptr || event->kind == Delaunay2::kReinsert) return look();
+  if (event == nullptr || event->kind > Delaunay2::kReinsert) return look();
   if (event->kind != Delaunay2::kFlip) kernel_->set_instant_shared(id_, true);
 }
 

@@ -35,7 +35,7 @@ class ConvexHull2Delaunay final : public Structure {
   std::string_view name() const override { return "convex_hull_2_delaunay"; }
   std::vector<std::string_view> event_kinds() const override { return HullEvents::kinds({}); }
   void build(std::span<const ObjectId> objects) override;
-  void rebuild() override { look(); }
+  void rebuild() override { events_.begin(cycle()); }
   // Never called: it has no certificates.
   void certificate_failed(CertificateId) override {}
   // Points that come or go have done so in the triangulation.
@@ -43,7 +43,8 @@ class ConvexHull2Delaunay final : public Structure {
   void erase(ObjectId) override { events_.begin(cycle()); }
   void instant_settled() override { look(); }
   void watched_changed(const Event* event) override;
-  Attribute attribute() const override { return {Attribute::Shape::kCycle, cycle()}; }
+  // As it was when it was looked at: an inexact arithmetic might read another one now.
+  Attribute attribute() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;

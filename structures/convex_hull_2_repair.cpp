@@ -85,12 +85,14 @@ void ConvexHull2::work_off() {
   todo_.clear();
 }
 
-// More repairs at one instant than there are lines: the static algorithm is faster.
+// More repairs at one instant than there are lines: the static algorithm is faster. finish_instant
+// reports what changes on the hull.
 void ConvexHull2::start_afresh() {
   spent_ = 0;
   if (!kernel_->is_exact()) return;  // the guard of the simulator sees to it
-  rebuild();
+  construct_anew();
   hull_changed_ = true;
+  root_changes_ += 2;
   kernel_->count_rebuild(id_, "too many repairs at one instant");
 }
 

@@ -53,20 +53,28 @@ Query Delaunay2::query_of(HalfEdge h) const {
 }
 
 void Delaunay2::set_certificate(HalfEdge h) {
-  const CertificateId label = store_.label(h);
-  if (label == kNoCertificate) {
-    const Kernel::Created created = kernel_->create(id_, query_of(h), h);
-    store_.set_label(h, created.id);
-    if (created.outlook == Outlook::kIdenticallyZero) ties_.push_back(h);
-  } else if (kernel_->replace(label, query_of(h), h) == Outlook::kIdenticallyZero) {
-    ties_.push_back(h);
+  if (corrupt_) return;
+  const Query query = query_of(h);
+  if (!kernel_->is_exact() && repeats_an_object(query)) {
+    return give_up("two triangles on the same three points");
   }
+  const CertificateId label = store_.label(h);
+  Outlook outlook;
+  if (label == kNoCertificate) {
+    const Kernel::Created created = kernel_->create(id_, query, h);
+    store_.set_label(h, created.id);
+    outlook = created.outlook;
+  } else {
+    outlook = kernel_->replace(label, query, h);
+  }
+  if (outlook == Outlook::kIdenticallyZero) ties_.push_back(h);
+  fails_now_ = fails_now_ || outlook == Outlook::kFailsNow;
 }
 
 void Delaunay2::drop_certificate(HalfEdge h) {
   const CertificateId label = store_.label(h);
   if (label == kNoCertificate) return;
-  kernel_->retract(label);
+  if (!corrupt_) kernel_->retract(label);
   store_.set_label(h, kNoCertificate);
 }
 
@@ -120,13 +128,42 @@ void Delaunay2::settle_ties(bool report) {
     if (left-- == 0) return give_up("cocircular points without end");
     flip(h);
     ++tie_flips_;
-    if (report) report_flip(u, v, p, q);
+    if (report) report_flip(u, v, p, q, true);
   }
 }
 
-void Delaunay2::report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q) {
-  kernel_->report(id_, kFlip, {std::min(u, v), std::max(u, v), std::min(p, q), std::max(p, q)},
-                  true);
+// The edge u v has been replaced by p q. In the midst of a degenerate instant an edge may be there
+// twice, and others may have changed that are not told yet: then this is told with them.
+void Delaunay2::report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q, bool degenerate) {
+  const ObjectId infinity = store_.infinity();
+  const bool goes = u != infinity && v != infinity, comes = p != infinity && q != infinity;
+  const bool later = untold_.size() > 0 || (degenerate && goes && edges_between(u, v) > 0) ||
+                     (degenerate && comes && edges_between(p, q) > 1);
+  if (later) {
+    if (goes) untold_.gone(u, v);
+    if (comes) untold_.came(p, q);
+    kernel_->set_instant_shared(id_, true);
+  }
+  const std::array<ObjectId, 2> old{std::min(u, v), std::max(u, v)};
+  const std::array<ObjectId, 2> fresh{std::min(p, q), std::max(p, q)};
+  if (!goes) {
+    kernel_->report(id_, kLeave, {old[0], fresh[0], fresh[1]}, !later);
+  } else if (!comes) {
+    kernel_->report(id_, kEnter, {fresh[0], old[0], old[1]}, !later);
+  } else {
+    kernel_->report(id_, kFlip, {old[0], old[1], fresh[0], fresh[1]}, !later);
+  }
+}
+
+int Delaunay2::edges_between(ObjectId a, ObjectId b) const {
+  int edges = 0;
+  const HalfEdge first = store_.out(a);
+  HalfEdge h = first;
+  do {
+    edges += store_.target(h) == b ? 1 : 0;
+    h = store_.around(h);
+  } while (h != first);
+  return edges;
 }
 
 void Delaunay2::certificate_failed(CertificateId failed) {
@@ -137,7 +174,6 @@ void Delaunay2::certificate_failed(CertificateId failed) {
   const HalfEdge g = store_.twin(h);
   const ObjectId u = store_.origin(h), v = store_.origin(g);
   const ObjectId p = store_.apex(h), q = store_.apex(g);
-  const ObjectId infinity = store_.infinity();
   if (!flippable(h)) return blocked(h, shared);
   if (shared) {
     if (has_last_quad_) suspects_.insert(suspects_.end(), last_quad_.begin(), last_quad_.end());
@@ -150,14 +186,10 @@ void Delaunay2::certificate_failed(CertificateId failed) {
     has_last_quad_ = true;
     retries_ = repairs_ = 0;
   }
+  fails_now_ = false;
   flip(h);
-  if (u == infinity || v == infinity) {
-    kernel_->report(id_, kLeave, {u == infinity ? v : u, std::min(p, q), std::max(p, q)}, true);
-  } else if (p == infinity || q == infinity) {
-    kernel_->report(id_, kEnter, {p == infinity ? q : p, std::min(u, v), std::max(u, v)}, true);
-  } else {
-    report_flip(u, v, p, q);
-  }
+  if (corrupt_) return;
+  report_flip(u, v, p, q, shared || fails_now_);
   if (!ties_.empty()) settle_ties(true);
 }
 
@@ -181,7 +213,10 @@ void Delaunay2::blocked(HalfEdge h, bool shared) {
 
 // On a line: the points at `place` and place + 1 change places.
 void Delaunay2::pass(std::uint32_t place) {
+  const bool later = untold_.size() > 0;  // told with what has changed before
+  const Attribute before = later ? attribute() : Attribute{};
   std::swap(line_[place], line_[place + 1]);
+  if (later) untold_.add(difference_between(before, attribute()));
   const std::size_t first = place == 0 ? 0 : place - 1;
   const std::size_t last = std::min<std::size_t>(place + 1, line_certificates_.size() - 1);
   const PredicateId order = order_[line_axis_];
@@ -195,7 +230,7 @@ void Delaunay2::pass(std::uint32_t place) {
   kernel_->report(
       id_, kPass,
       {std::min(line_[place], line_[place + 1]), std::max(line_[place], line_[place + 1])},
-      line_.size() > 2);
+      line_.size() > 2 && !later);
 }
 
 // ---- what it maintains
@@ -261,7 +296,8 @@ std::size_t Delaunay2::bytes() const {
       representative_.capacity() + line_.capacity() + line_certificates_.capacity() +
       suspects_.capacity() + moved_.capacity() + ties_.capacity() + mark_.capacity() +
       cavity_.capacity() + filled_.capacity() + rim_.capacity() + link_.capacity();
-  return sizeof(*this) + store_.bytes() + present_.capacity() / 8 + words * sizeof(std::uint32_t);
+  return sizeof(*this) + store_.bytes() + untold_.bytes() + present_.capacity() / 8 +
+         words * sizeof(std::uint32_t);
 }
 
 }  // namespace kinex

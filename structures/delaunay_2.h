@@ -32,6 +32,13 @@
 // have turned over are taken out and put in again; where that is not enough, or not possible,
 // everything is built anew, with a reason in the ledger.
 //
+// What is reported. An external event of the kinds "flip", "enter" and "leave" takes one edge away,
+// or adds one, or both, as its ids say; "pass" exchanges its two points in every edge. The edges
+// that come and go otherwise, when points are taken out and put in again, are told by one "settled"
+// at the end of the instant, net, or by the "rebuild"; flips that come between are internal then.
+// (So are those to an edge that is there already, or from one that is there twice.) Edges are
+// collected where they change: a degenerate instant costs no more than its repair.
+//
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Guibas,
 // Mitchell, Roos, "Voronoi diagrams of moving points in the plane" (1991); insertion: Bowyer
 // (1981), Watson (1981); deletion by ears: Devillers (1999).
@@ -49,20 +56,21 @@
 #include "core/kernel.h"
 #include "core/scene.h"
 #include "core/structure.h"
+#include "structures/edge_changes.h"
 #include "structures/triangulation_2.h"
 
 namespace kinex {
 
 class Delaunay2 final : public Structure {
  public:
-  // Events. Edges are written smaller id first.
+  // Events. Edges are written smaller id first. The first three are external (see above), and so is
+  // kPass if there are more than two points; the others are internal.
   enum Kind : std::uint8_t {
     kFlip,      // removed edge, added edge
-    kEnter,     // a point becomes a hull vertex: the point, the hull edge that it splits
-    kLeave,     // a point stops being a hull vertex: the point, the new hull edge
+    kEnter,     // a point becomes a hull vertex: the point, the hull edge that it splits (and ends)
+    kLeave,     // a point stops being a hull vertex: the point, the new hull edge (and edge)
     kPass,      // on a line: two neighbours change places
-    kBlocked,   // internal, at a degenerate instant: no flip repairs it yet: the certificate's
-                // points
+    kBlocked,   // at a degenerate instant: no flip repairs it yet: the certificate's points
     kReinsert,  // when the instant is settled: a point that was taken out and put in again
   };
 
@@ -77,7 +85,9 @@ class Delaunay2 final : public Structure {
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
   void instant_settled() override;
+  void instant_over() override;
   Attribute attribute() const override;
+  Attribute told() const override { return untold_.undone(attribute()); }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   // Many times the flips of even a lattice that is sheared through the square one.
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
@@ -105,7 +115,8 @@ class Delaunay2 final : public Structure {
   bool flippable(HalfEdge h) const;
   void flip(HalfEdge h);
   void settle_ties(bool report);
-  void report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q);
+  void report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q, bool degenerate);
+  int edges_between(ObjectId a, ObjectId b) const;
   bool wants_other_diagonal(HalfEdge h) const;
   void pass(std::uint32_t place);
   void blocked(HalfEdge h, bool shared);
@@ -121,6 +132,7 @@ class Delaunay2 final : public Structure {
   void construct();
   void rebuild_because(const std::string& reason);
   void remake_line(const std::string& reason);
+  void note_edges(const std::vector<Triangle>& cavity, std::uint32_t inside);
   void retract_all();
   std::vector<std::uint32_t> ranks(const std::vector<ObjectId>& objects, PredicateId order) const;
   void build_line();
@@ -150,11 +162,12 @@ class Delaunay2 final : public Structure {
     if (v != store_.infinity()) suspects_.push_back(v);
   }
   void reveal(ObjectId object);
+  void put_in_anywhere(ObjectId object);
+  void take_out_anywhere(ObjectId object);
   bool put_in(ObjectId object);
   bool take_out(ObjectId vertex);
   bool reexamine_hidden();
   bool collect_turned(std::vector<Triangle>& turned);
-  std::vector<ObjectId> neighbours(ObjectId v) const;
   bool mend();
   bool hull_turns_once() const;
   void restore_certificates();
@@ -179,6 +192,9 @@ class Delaunay2 final : public Structure {
   std::vector<CertificateId> line_certificates_;
 
   // The present instant.
+  bool fails_now_ = false;      // a certificate was made that is negative right after now
+  EdgeChanges untold_;          // of the attribute, not told by events
+  bool comes_or_goes_ = false;  // an insertion or erasure, which tells what it changes
   std::vector<ObjectId> suspects_;
   std::vector<ObjectId> moved_;
   std::array<ObjectId, 4> last_quad_{};

@@ -30,10 +30,10 @@ Point point_of(const Snapshot& snapshot, ObjectId id) {
 
 Edge edge_of(ObjectId a, ObjectId b) { return {std::min(a, b), std::max(a, b)}; }
 
-std::string named(const char* what, std::initializer_list<ObjectId> ids, const Snapshot& snapshot) {
+std::string named(const char* what, std::initializer_list<ObjectId> ids) {
   std::string text = what;
   for (const ObjectId id : ids) text += " " + std::to_string(id);
-  return text + " at t = " + snapshot.time().to_string();
+  return text;
 }
 
 Integer binomial(const Integer& n, int k) {
@@ -151,15 +151,14 @@ void Delaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {
   std::vector<Point> points(present_.size());
   std::vector<std::pair<Point, ObjectId>> input;
   for (ObjectId id = 0; id < present_.size(); ++id) {
-    report.check(present_[id] == snapshot.alive(id),
-                 [&] { return named("alive or not:", {id}, snapshot); });
+    report.check(present_[id] == snapshot.alive(id), [&] { return named("alive or not:", {id}); });
     if (!present_[id] || !snapshot.alive(id)) continue;
     points[id] = point_of(snapshot, id);
     if (representative_[id] == id) {
       input.emplace_back(points[id], id);
     } else {
       report.check(points[id] == point_of(snapshot, representative_[id]), [&] {
-        return named("hidden but not equal:", {id, representative_[id]}, snapshot);
+        return named("hidden but not equal:", {id, representative_[id]});
       });
     }
   }
@@ -178,10 +177,10 @@ void Delaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {
                           e->first->vertex(Witness::ccw(e->second))->info()));
   }
   if (on_line_) {
-    report.check(witness.dimension() < 2, [&] { return named("not on one line:", {}, snapshot); });
+    report.check(witness.dimension() < 2, [&] { return named("not on one line:", {}); });
     if (flat) return;
     report.check(std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end()),
-                 [&] { return named("the chain's edges differ from the witness", {}, snapshot); });
+                 [&] { return named("the chain's edges differ from the witness", {}); });
     return;
   }
 
@@ -194,14 +193,14 @@ void Delaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {
     const auto turned = CGAL::orientation(points[a], points[b], points[c]);
     flat = flat || turned == CGAL::COLLINEAR;
     report.check(turned != CGAL::RIGHT_TURN, [&] {
-      return named("clockwise triangle", {a, b, c}, snapshot);
+      return named("clockwise triangle", {a, b, c});
     });
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
       const ObjectId d = store_.apex(store_.twin(h));
       if (d == store_.infinity() || h > store_.twin(h)) continue;
       const auto side = CGAL::side_of_oriented_circle(points[a], points[b], points[c], points[d]);
       report.check(turned == CGAL::COLLINEAR || side != CGAL::ON_POSITIVE_SIDE, [&] {
-        return named("inside the circle: points", {a, b, c, d}, snapshot);
+        return named("inside the circle: points", {a, b, c, d});
       });
       if (side == CGAL::ON_ORIENTED_BOUNDARY) {  // the witness may have the other diagonal
         theirs.erase(edge_of(store_.apex(h), d));
@@ -210,12 +209,11 @@ void Delaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {
     }
   }
   if (flat) return;
-  report.check(faces == witness.number_of_faces(), [&] {
-    return named("the number of triangles differs from the witness", {}, snapshot);
-  });
+  report.check(faces == witness.number_of_faces(),
+               [&] { return named("the number of triangles differs from the witness", {}); });
   for (const Edge& e : ours) {
     report.check(theirs.count(e) != 0, [&] {
-      return named("an edge that the witness does not have:", {e.first, e.second}, snapshot);
+      return named("an edge that the witness does not have:", {e.first, e.second});
     });
   }
   std::vector<ObjectId> corners;
@@ -230,8 +228,8 @@ void Delaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {
     return text;
   };
   report.check(corners == hull(), [&] {
-    return named("the hull differs from the witness:", {}, snapshot) + ":" + listed(hull()) +
-           " instead of" + listed(corners);
+    return named("the hull differs from the witness:", {}) + ":" + listed(hull()) + " instead of" +
+           listed(corners);
   });
 }
 

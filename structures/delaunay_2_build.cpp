@@ -56,14 +56,24 @@ void Delaunay2::build(std::span<const ObjectId> objects) {
 }
 
 void Delaunay2::rebuild() {
-  if (!corrupt_) construct();
+  if (corrupt_) return;
+  construct();
+  untold_.clear();
 }
 
 void Delaunay2::rebuild_because(const std::string& reason) {
   if (corrupt_) return;
   if (!kernel_->is_exact() && ++repairs_ > kMostRepairs) return give_up("no end of rebuilds");
-  construct();
-  kernel_->count_rebuild(id_, reason);
+  AttributeDifference change;
+  if (comes_or_goes_) {
+    construct();
+  } else {
+    const Attribute before = told();
+    construct();
+    untold_.clear();
+    if (!corrupt_) change = difference_between(before, attribute());
+  }
+  kernel_->count_rebuild(id_, reason, change.gone, change.came);
 }
 
 void Delaunay2::retract_all() {

@@ -121,16 +121,37 @@ Delaunay2::Insertion Delaunay2::add_point(ObjectId d, HalfEdge hint, bool carefu
       }
     }
   }
-  if (!store_.star(d, cavity_, rim_)) return Insertion::kFailed;
+  const std::size_t told = untold_.size();
+  if (certify_) note_edges(cavity_, inside);
+  if (!store_.star(d, cavity_, rim_)) {
+    untold_.cut(told);
+    return Insertion::kFailed;
+  }
   representative_[d] = d;
   hint_ = store_.out(d);
   if (certify_) {
+    for (const HalfEdge h : rim_) {
+      if (store_.origin(h) != store_.infinity()) untold_.came(d, store_.origin(h));
+    }
     for (const HalfEdge h : rim_) {
       set_certificate(h);
       set_certificate(Triangulation2::next(h));
     }
   }
   return Insertion::kVertex;
+}
+
+// The edges inside the cavity go.
+void Delaunay2::note_edges(const std::vector<Triangle>& cavity, std::uint32_t inside) {
+  for (const Triangle t : cavity) {
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+      const ObjectId a = store_.origin(h), b = store_.target(h);
+      if (a < b && b != store_.infinity() &&
+          mark_[Triangulation2::triangle(store_.twin(h))] == inside) {
+        untold_.gone(a, b);
+      }
+    }
+  }
 }
 
 // ---- taking a point out
@@ -222,6 +243,14 @@ bool Delaunay2::remove_vertex(ObjectId v) {
   if (sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end() ||
       std::binary_search(sorted.begin(), sorted.end(), v) || !plan_ears() || !ears_fit()) {
     return false;
+  }
+  const ObjectId infinity = store_.infinity();
+  for (const ObjectId corner : corners_) {
+    if (corner != infinity) untold_.gone(v, corner);
+  }
+  for (std::size_t i = 0; i + 1 < ears_.size(); ++i) {
+    const ObjectId a = corners_[ears_[i][0]], b = corners_[ears_[i][2]];
+    if (a != infinity && b != infinity) untold_.came(a, b);
   }
   for (const HalfEdge h : link_) drop_certificate(Triangulation2::next(h));
   store_.fill(v, ears_, filled_);

@@ -17,7 +17,15 @@ void sort_unique(std::vector<ObjectId>& ids) {
 
 void Delaunay2::insert(ObjectId object) {
   if (corrupt_) return;
+  const std::size_t told = untold_.size();
+  comes_or_goes_ = true;
   present_[object] = true;
+  put_in_anywhere(object);
+  comes_or_goes_ = false;
+  untold_.cut(told);
+}
+
+void Delaunay2::put_in_anywhere(ObjectId object) {
   if (on_line_) return remake_line("insertion while all points are on one line");
   if (!put_in(object)) rebuild_because("insertion at a degenerate instant");
   settle_ties(false);
@@ -25,7 +33,15 @@ void Delaunay2::insert(ObjectId object) {
 
 void Delaunay2::erase(ObjectId object) {
   if (corrupt_) return;
+  const std::size_t told = untold_.size();
+  comes_or_goes_ = true;
   present_[object] = false;
+  take_out_anywhere(object);
+  comes_or_goes_ = false;
+  untold_.cut(told);
+}
+
+void Delaunay2::take_out_anywhere(ObjectId object) {
   const ObjectId vertex = representative_[object];
   if (vertex != object) {
     reveal(object);
@@ -41,7 +57,9 @@ void Delaunay2::erase(ObjectId object) {
 void Delaunay2::remake_line(const std::string& reason) {
   const std::size_t before = on_line_ ? line_.size() : store_.vertices();
   if (before > 3 || !hidden_.empty()) return rebuild_because(reason);
+  const Attribute edges = attribute();
   construct();
+  if (!corrupt_) untold_.add(difference_between(edges, attribute()));
 }
 
 void Delaunay2::motions_changed(std::span<const ObjectId> objects) {
@@ -106,7 +124,7 @@ bool Delaunay2::reexamine_hidden() {
   for (const ObjectId v : parted) reveal(v);
   for (const ObjectId v : parted) {
     if (!put_in(v)) return false;
-    kernel_->report(id_, kReinsert, {v}, true);
+    kernel_->report(id_, kReinsert, {v}, false);
   }
   return true;
 }
@@ -120,7 +138,7 @@ void Delaunay2::instant_settled() {
       remake_line("motion change while all points are on one line");
       for (const auto& [vertex, behind] : hidden_) {
         for (const ObjectId v : behind) {
-          if (apart) kernel_->report(id_, kReinsert, {v}, true);
+          if (apart) kernel_->report(id_, kReinsert, {v}, false);
         }
       }
     }
@@ -148,6 +166,13 @@ void Delaunay2::instant_settled() {
   has_last_quad_ = false;
 }
 
+void Delaunay2::instant_over() {
+  if (corrupt_ || untold_.size() == 0) return;
+  const AttributeDifference change = untold_.net();
+  untold_.clear();
+  kernel_->report_settled(id_, change.gone, change.came);
+}
+
 // Finite triangles around the suspects that are not positively oriented right after now. True if a
 // suspect is on the hull.
 bool Delaunay2::collect_turned(std::vector<Triangle>& turned) {
@@ -167,19 +192,6 @@ bool Delaunay2::collect_turned(std::vector<Triangle>& turned) {
     }
   }
   return hull;
-}
-
-std::vector<ObjectId> Delaunay2::neighbours(ObjectId v) const {
-  std::vector<ObjectId> result;
-  if (!store_.has(v)) return result;
-  const HalfEdge first = store_.out(v);
-  HalfEdge h = first;
-  do {
-    result.push_back(store_.target(h));
-    h = store_.around(h);
-  } while (h != first);
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 // Takes the points out whose triangles have turned over and puts them in again. False if everything
@@ -213,11 +225,6 @@ bool Delaunay2::mend() {
     good = false;
     reason += ", in many places";
   }
-  std::map<ObjectId, std::vector<ObjectId>> before;
-  for (const Triangle t : turned) {
-    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) before[store_.origin(h)];
-  }
-  for (auto& [v, list] : before) list = neighbours(v);
   std::vector<ObjectId> taken;
   while (good && !turned.empty()) {
     // The vertex of most of them, the largest id first, of those that can be taken out.
@@ -265,9 +272,7 @@ bool Delaunay2::mend() {
   }
   reinsertions_ += taken.size();
   mended_ = mended_ || !taken.empty();
-  for (const ObjectId v : taken) {
-    kernel_->report(id_, kReinsert, {v}, neighbours(v) != before[v]);
-  }
+  for (const ObjectId v : taken) kernel_->report(id_, kReinsert, {v}, false);
   restore_certificates();
   return true;
 }

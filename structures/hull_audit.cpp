@@ -31,7 +31,6 @@ std::string listed(const std::vector<ObjectId>& ids) {
 
 void audit_hull(const Attribute& attribute, std::size_t objects, const Snapshot& snapshot,
                 AuditReport& report) {
-  const std::string when = " at t = " + snapshot.time().to_string();
   std::vector<Point> points;
   for (ObjectId id = 0; id < objects; ++id) {
     if (snapshot.alive(id)) points.push_back(point_of(snapshot, id));
@@ -47,12 +46,12 @@ void audit_hull(const Attribute& attribute, std::size_t objects, const Snapshot&
     ours.push_back(point_of(snapshot, id));
   }
   const auto differs = [&] {
-    return "the hull differs from the witness" + when + ":" + listed(attribute.ids);
+    return std::string("the hull differs from the witness:") + listed(attribute.ids);
   };
   report.check(
       attribute.ids.empty() ||
           *std::min_element(attribute.ids.begin(), attribute.ids.end()) == attribute.ids.front(),
-      [&] { return "the cycle does not start at its smallest id" + when; });
+      [&] { return "the cycle does not start at its smallest id"; });
   // Every vertex of the witness in the same cyclic order; what we have besides is on its edges.
   std::vector<Point> strict;
   std::vector<Point> rest;

@@ -14,6 +14,7 @@ std::vector<ObjectId> restricted(const std::vector<ObjectId>& cycle,
   for (const ObjectId id : cycle) {
     if (std::binary_search(kept.begin(), kept.end(), id)) result.push_back(id);
   }
+  if (result.empty()) return result;
   std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
   return result;
 }
@@ -30,28 +31,51 @@ void HullEvents::settle(std::vector<ObjectId> cycle) {
   if (cycle == cycle_) return;
   before_ = cycle_;
   after_ = cycle;
-  std::sort(before_.begin(), before_.end());
-  std::sort(after_.begin(), after_.end());
-  const auto report_missing = [this](const std::vector<ObjectId>& from,
-                                     const std::vector<ObjectId>& in, Kind kind) {
-    for (const ObjectId id : from) {
-      if (!std::binary_search(in.begin(), in.end(), id)) kernel_->report(id_, kind, {id}, true);
+  for (std::vector<ObjectId>* ids : {&before_, &after_}) {
+    std::sort(ids->begin(), ids->end());
+    ids->erase(std::unique(ids->begin(), ids->end()), ids->end());
+  }
+  const std::vector<ObjectId> old = restricted(cycle_, after_), fresh = restricted(cycle, before_);
+  for (const ObjectId id : before_) {
+    if (std::binary_search(after_.begin(), after_.end(), id)) continue;
+    cycle_.erase(std::remove(cycle_.begin(), cycle_.end(), id), cycle_.end());
+    kernel_->report(id_, kLeave, {id}, true);
+  }
+  for (const ObjectId id : after_) {
+    if (!std::binary_search(before_.begin(), before_.end(), id)) report_enter(id, cycle);
+  }
+  start_at_smallest();
+  if (cycle_ != cycle) {
+    const std::size_t size = std::min(old.size(), fresh.size());
+    std::size_t i = 0;
+    while (i + 1 < size && old[i + 1] == fresh[i + 1]) ++i;
+    if (i + 1 < size) {
+      kernel_->report(id_, kTurn, {old[i], old[i + 1], fresh[i + 1]}, true, cycle_, cycle);
+    } else {
+      kernel_->report_settled(id_, cycle_, cycle);
     }
-  };
-  report_missing(before_, after_, kLeave);
-  report_missing(after_, before_, kEnter);
-  report_turn(cycle);
+  }
   cycle_ = std::move(cycle);
 }
 
-void HullEvents::report_turn(const std::vector<ObjectId>& cycle) {
-  const std::vector<ObjectId> old = restricted(cycle_, after_);
-  const std::vector<ObjectId> fresh = restricted(cycle, before_);
-  for (std::size_t i = 0; i + 1 < std::min(old.size(), fresh.size()); ++i) {
-    if (old[i + 1] == fresh[i + 1]) continue;
-    kernel_->report(id_, kTurn, {old[i], old[i + 1], fresh[i + 1]}, true);
-    return;
+// Behind the first point before it, on the cycle that is to be, that is there already.
+void HullEvents::report_enter(ObjectId point, const std::vector<ObjectId>& cycle) {
+  if (std::find(cycle_.begin(), cycle_.end(), point) != cycle_.end()) return;
+  const std::size_t size = cycle.size();
+  auto at = cycle_.end();
+  std::size_t i =
+      static_cast<std::size_t>(std::find(cycle.begin(), cycle.end(), point) - cycle.begin());
+  for (std::size_t steps = 1; steps < size && at == cycle_.end(); ++steps) {
+    i = i == 0 ? size - 1 : i - 1;
+    at = std::find(cycle_.begin(), cycle_.end(), cycle[i]);
   }
+  if (at == cycle_.end()) {
+    cycle_ = {point};
+    return kernel_->report(id_, kEnter, {point}, true);
+  }
+  const ObjectId from = *at, to = at + 1 == cycle_.end() ? cycle_.front() : *(at + 1);
+  cycle_.insert(at + 1, point);
+  kernel_->report(id_, kEnter, {point, from, to}, true);
 }
 
 // The place of `id` on the cycle; the number of vertices if it is not there or there twice.
@@ -64,6 +88,7 @@ std::size_t HullEvents::only_place(ObjectId id) const {
 }
 
 void HullEvents::start_at_smallest() {
+  if (cycle_.empty()) return;
   std::rotate(cycle_.begin(), std::min_element(cycle_.begin(), cycle_.end()), cycle_.end());
 }
 
@@ -74,7 +99,7 @@ bool HullEvents::entered(ObjectId point, ObjectId from, ObjectId to) {
   if (std::find(cycle_.begin(), cycle_.end(), point) != cycle_.end()) return false;
   cycle_.insert(cycle_.begin() + static_cast<std::ptrdiff_t>(i) + 1, point);
   if (point < cycle_.front()) start_at_smallest();
-  kernel_->report(id_, kEnter, {point}, true);
+  kernel_->report(id_, kEnter, {point, from, to}, true);
   return true;
 }
 

@@ -9,8 +9,15 @@
 // them that has another successor, its old and its new one. So methods that have nothing else in
 // common report the same events, in the same order, at the same instants.
 //
-// Cost: O(h log h) per instant at which the hull may have changed, for h vertices; where one vertex
-// has come or gone between two neighbours, one pass over the ids.
+// How the cycle follows. A "leave" takes its point out of the cycle. An "enter" names the point and
+// the two neighbours between which it comes, counter-clockwise (one vertex alone is both; with none
+// the point is all it names): each event changes the cycle that the last one has left. A "turn"
+// carries the whole cycle before and after (Event::gone, Event::came). The same way a cycle is
+// brought right that an inexact arithmetic has go through a point twice, by "settled".
+//
+// Cost: O(h log h) per instant at which the hull may have changed, for h vertices, and O(h) for each
+// vertex that comes or goes; where one vertex has come or gone between two neighbours, one pass over
+// the ids.
 #ifndef KINEX_STRUCTURES_HULL_EVENTS_H
 #define KINEX_STRUCTURES_HULL_EVENTS_H
 
@@ -52,7 +59,7 @@ class HullEvents {
   std::size_t bytes() const;
 
  private:
-  void report_turn(const std::vector<ObjectId>& cycle);
+  void report_enter(ObjectId point, const std::vector<ObjectId>& cycle);
   std::size_t only_place(ObjectId id) const;
   void start_at_smallest();
 

@@ -18,6 +18,7 @@
 #include <cstdint>
 
 #include "core/kernel.h"
+#include "core/structure.h"
 
 namespace kinex {
 
@@ -36,8 +37,13 @@ class MaximumEvents {
   void watched_changed(StructureId watched, ObjectId winner);
   // The instant is over, and `winner` is the maximum: reports, and begins with it.
   void settle(ObjectId winner);
-  // The last one that was told.
+  // The last one that was told, also as an attribute.
   ObjectId winner() const { return winner_; }
+  Attribute told() const {
+    Attribute result{Attribute::Shape::kObject, {}};
+    if (winner_ != kNoObject) result.ids.push_back(winner_);
+    return result;
+  }
 
  private:
   bool instant_is_over(StructureId structure) const;

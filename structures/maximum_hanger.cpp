@@ -51,6 +51,7 @@ void MaximumHanger::rebuild() {
   }
   std::sort(members.begin(), members.end());
   construct(std::move(members));
+  events_.begin(best());
 }
 
 // All hang before the first certificate is made: only n - 1 are.

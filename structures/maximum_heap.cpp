@@ -37,6 +37,7 @@ void MaximumHeap::rebuild() {
   std::vector<ObjectId> members = heap_;
   std::sort(members.begin(), members.end());
   construct(std::move(members));
+  events_.begin(top());
 }
 
 // The pairs of an ancestor and a descendant that place i is in: its depth and what is below it.

@@ -57,6 +57,7 @@ class MaximumHeap final : public Structure {
   void motions_changed(std::span<const ObjectId> objects) override;
   void instant_settled() override { events_.settle(top()); }
   Attribute attribute() const override;
+  Attribute told() const override { return events_.told(); }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;

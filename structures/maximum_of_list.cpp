@@ -9,9 +9,9 @@ std::vector<std::string_view> MaximumOfList::event_kinds() const {
 
 void MaximumOfList::build(std::span<const ObjectId>) { events_.begin(extreme()); }
 
-// Objects that came or went are no events of motion: what is new with them is not reported.
+// What a rebuild of the list changes is reported; objects that came or went are known already.
 void MaximumOfList::watched_changed(const Event* event) {
-  if (event == nullptr) return events_.begin(extreme());
+  if (event == nullptr) return events_.settle(extreme());
   events_.watched_changed(event->structure, extreme());
 }
 

@@ -43,12 +43,12 @@ class MaximumOfList final : public Structure {
   }
   std::vector<std::string_view> event_kinds() const override;
   void build(std::span<const ObjectId> objects) override;
-  void rebuild() override {}
+  void rebuild() override { events_.begin(extreme()); }
   // Never called: it has no certificates.
   void certificate_failed(CertificateId) override {}
-  // Objects come and go in the list.
-  void insert(ObjectId) override {}
-  void erase(ObjectId) override {}
+  // Objects come and go in the list; what is new with them is no event.
+  void insert(ObjectId) override { events_.begin(extreme()); }
+  void erase(ObjectId) override { events_.begin(extreme()); }
   // New motions may part objects that were tied, without a swap.
   void instant_settled() override { events_.settle(extreme()); }
   void watched_changed(const Event* event) override;

@@ -36,6 +36,7 @@ void MaximumTournament::rebuild() {
   for (std::size_t v = leaves_; v < 2 * leaves_; ++v) members.push_back(winner_[v]);
   for (std::size_t v = 1; v < leaves_; ++v) kernel_->retract(certificate_[v]);
   construct(std::move(members));
+  events_.begin(winner());
 }
 
 void MaximumTournament::construct(std::vector<ObjectId> members) {

@@ -3,6 +3,7 @@
 #ifndef KINEX_STRUCTURES_PLAN_H
 #define KINEX_STRUCTURES_PLAN_H
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "core/simulator.h"
 
 namespace kinex {
+
+// A run has no more: 255 is the id of none.
+inline constexpr std::size_t kMostStructures = std::numeric_limits<StructureId>::max();
 
 // What is built for a scene: what it asks for, and what that reads.
 struct PlannedStructure {

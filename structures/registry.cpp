@@ -166,6 +166,13 @@ const Entry* find_entry(std::string_view name) {
 
 }  // namespace
 
+Attribute::Shape StructureInfo::attribute_shape() const {
+  if (name == "sorted_list" || name == "outer_hierarchy") return Attribute::Shape::kSequence;
+  if (uses_key) return Attribute::Shape::kObject;
+  if (bodies || name == "delaunay_2") return Attribute::Shape::kEdges;
+  return Attribute::Shape::kCycle;
+}
+
 const std::vector<StructureInfo>& structure_infos() {
   static const std::vector<StructureInfo> kInfos = [] {
     std::vector<StructureInfo> infos;

@@ -27,6 +27,8 @@ struct StructureInfo {
 
   // What has a key takes scenes of more axes, too; others would leave them out of account.
   bool any_dimension() const { return uses_key; }
+  // Of what it maintains.
+  Attribute::Shape attribute_shape() const;
 };
 
 // All structures, in the order in which they are listed to people.

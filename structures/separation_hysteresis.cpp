@@ -96,6 +96,7 @@ bool SeparationHysteresis::put_wedge(PairId p, const WedgePlan& plan, const Roug
   wedge.t = pose.t;
   wedge.c = pose.c;
   wedge.s = pose.s;
+  wedge.error = pose.error_t + moving_reach(p, line_of) * pose.error_turn;
   return true;
 }
 
@@ -105,15 +106,22 @@ bool SeparationHysteresis::start(PairId p) {
   return put_wedge(p) || ClosestFeatures::start(p);
 }
 
+double SeparationHysteresis::moving_reach(PairId p, Frame line_of) {
+  const bool of_a = line_of == Frame::kA;
+  return rough(of_a ? pair(p).b : pair(p).a, of_a).reach;
+}
+
+// What the doubles may be wrong by is taken for displacement.
 void SeparationHysteresis::measure(PairId p) {
   const Wedge& wedge = wedges_[p];
   const RoughPose pose = pose_now(p, wedge.line_of);
+  if (!pose.is_known()) return;
   const double moved = std::hypot(pose.t[0] - wedge.t[0], pose.t[1] - wedge.t[1]);
   const double turned =
       std::atan2(wedge.c * pose.s - wedge.s * pose.c, wedge.c * pose.c + wedge.s * pose.s);
-  const bool of_a = wedge.line_of == Frame::kA;
-  const double reach = rough(of_a ? pair(p).b : pair(p).a, of_a).reach;
-  least_ = std::min(least_, (moved + reach * std::fabs(turned)) / wedge.separation);
+  const double reach = moving_reach(p, wedge.line_of);
+  const double error = wedge.error + pose.error_t + reach * pose.error_turn;
+  least_ = std::min(least_, (moved + reach * std::fabs(turned) + error) / wedge.separation);
 }
 
 // A wedge leaves room.

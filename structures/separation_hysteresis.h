@@ -63,10 +63,13 @@ class SeparationHysteresis final : public ClosestFeatures {
     double separation = 0;
     std::array<double, 2> t{};  // where it was made, in the frame of its line
     double c = 1, s = 0;
+    double error = 0;  // of these, as a displacement
   };
   bool put_wedge(PairId p);
   bool put_wedge(PairId p, const WedgePlan& plan, const RoughPose& in_a, Frame line_of);
   void measure(PairId p);
+  // Of the body that has no line, in the frame of the one that has.
+  double moving_reach(PairId p, Frame line_of);
   const RoughPolygon& rough(ObjectId body, bool negated);
   const FramePolygon& polygon(ObjectId body, bool negated);
   RoughPose pose_now(PairId p, Frame frame);

@@ -59,8 +59,7 @@ void SeparationHysteresis::audit(const Snapshot& snapshot, AuditReport& report) 
     const Rational offset = line.position(2, Rational());
     const bool is_disc = bodies.certificates == 1;
     report.check(most <= offset && (is_disc ? most : offset) < least, [&] {
-      return "the line of " + own.body.id + " does not keep " + other.body.id +
-             " off, at t = " + snapshot.time().to_string();
+      return "the line of " + own.body.id + " does not keep " + other.body.id + " off";
     });
   }
 }

@@ -69,7 +69,7 @@ class LowerEnds final : public Arithmetic {
   void set_now(const Rational&) override {}
   void advance(const Query&, FailureTime&) override {}
   double now_approximate() const override { return 0; }
-  InstantText describe_now() override { return {}; }
+  const InstantName& name_now(InstantDetail) override { return name_of_now_; }
   Sign sign_after(const Query&) override { return Sign::kZero; }
   Outlook failure(const Query&, FailureTime&) override { return Outlook::kNever; }
   int compare(const Query&, FailureTime& a, const Query&, FailureTime& b) override {

@@ -40,7 +40,9 @@ class Recorder final : public Structure {
   void erase(ObjectId object) override { inner_->erase(object); }
   void motions_changed(std::span<const ObjectId> o) override { inner_->motions_changed(o); }
   void instant_settled() override { inner_->instant_settled(); }
+  void instant_over() override { inner_->instant_over(); }
   Attribute attribute() const override { return inner_->attribute(); }
+  Attribute told() const override { return inner_->told(); }
   std::vector<BoundCheck> bounds(const BoundContext& c) const override { return inner_->bounds(c); }
   void check_invariants(AuditReport& report) const override { inner_->check_invariants(report); }
   void audit(const Snapshot& s, AuditReport& r) const override { inner_->audit(s, r); }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/exactly.h"
 #include "experiments/input_error.h"
 
 namespace kinex {
@@ -161,7 +162,7 @@ class QueryParser {
     values.reserve(coordinates_.size());
     for (Number& number : coordinates_) {
       values.push_back(number.exact ? std::move(*number.exact)
-                                    : *Rational::from_double(number.value));
+                                    : exactly(number.value));
     }
     result_.queries.push_back({first_line_, ContactQuery(kind_, std::move(values)), truth_});
   }

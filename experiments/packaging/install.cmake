@@ -12,6 +12,15 @@ foreach(folder core predicates structures)
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/experiments/schemas ${PROJECT_SOURCE_DIR}/experiments/scenes
   DESTINATION ${CMAKE_INSTALL_DATADIR}/kinex OPTIONAL)
+# The second program that checks logs: a folder of Python, and a script that starts it.
+file(GLOB logcheck ${PROJECT_SOURCE_DIR}/experiments/logcheck/*.py)
+install(FILES ${logcheck} ${PROJECT_SOURCE_DIR}/experiments/logcheck/README.md
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/kinex/logcheck)
+file(RELATIVE_PATH KINEX_LOGCHECK_RELATIVE ${CMAKE_INSTALL_FULL_BINDIR}
+  ${CMAKE_INSTALL_FULL_DATADIR}/kinex/logcheck)
+configure_file(${PROJECT_SOURCE_DIR}/experiments/logcheck/kinex-logcheck.in
+  ${PROJECT_BINARY_DIR}/kinex-logcheck @ONLY)
+install(PROGRAMS ${PROJECT_BINARY_DIR}/kinex-logcheck DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(EXPORT kinexTargets NAMESPACE kinex:: DESTINATION ${KINEX_CMAKE_DIR})

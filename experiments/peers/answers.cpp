@@ -8,7 +8,7 @@
 #include "experiments/peers/tables.h"
 #include "experiments/peers/worker.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -190,4 +190,4 @@ void answer_tables(const BenchOptions& options, PeerQuestions& questions) {
   if (!quick) corpus_table(options, questions, methods);
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

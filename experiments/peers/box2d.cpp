@@ -16,6 +16,7 @@ extern B2_API int32 b2_gjkIters, b2_toiIters;
 namespace {
 
 using namespace kinex;
+using namespace kinex::peers;
 
 class Box2d final : public Peer {
  public:
@@ -100,4 +101,4 @@ class Box2d final : public Peer {
 
 }  // namespace
 
-extern "C" kinex::Peer* kinex_make_peer() { return new Box2d; }
+extern "C" kinex::peers::Peer* kinex_make_peer() { return new Box2d; }

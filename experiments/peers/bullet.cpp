@@ -16,6 +16,7 @@
 namespace {
 
 using namespace kinex;
+using namespace kinex::peers;
 
 // A convex hull that counts. As a custom shape its virtual functions are called.
 class CountingHull final : public btConvexHullShape {
@@ -110,4 +111,4 @@ class Bullet final : public Peer {
 
 }  // namespace
 
-extern "C" kinex::Peer* kinex_make_peer() { return new Bullet; }
+extern "C" kinex::peers::Peer* kinex_make_peer() { return new Bullet; }

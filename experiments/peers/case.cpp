@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -115,4 +115,4 @@ double signed_distance(const PeerCase& question, const PeerFrame& frame) {
   return line <= 0 ? line : std::min(closest(a, b), closest(b, a));
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

@@ -9,7 +9,7 @@
 
 #include "experiments/peers/peer.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 struct PeerFrame {
   PeerPose a, b;
@@ -55,6 +55,6 @@ PeerCase touch_case(int n);
 // Reported failures, one step each (corpus.cpp).
 std::vector<PeerCase> corpus_cases();
 
-}  // namespace kinex
+}  // namespace kinex::peers
 
 #endif

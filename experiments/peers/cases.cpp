@@ -8,7 +8,7 @@
 #include "experiments/peers/case.h"
 #include "experiments/workloads/polygons.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -128,4 +128,4 @@ PeerCase touch_case(int n) {
   return result;
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

@@ -4,7 +4,7 @@
 
 #include "experiments/peers/case.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::vector<PeerCase> corpus_cases() {
   return cases;
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

@@ -9,7 +9,7 @@
 #include "experiments/peers/tables.h"
 #include "experiments/peers/worker.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -156,4 +156,4 @@ void cost_table(const BenchOptions& options, PeerQuestions& questions) {
   }
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

@@ -10,7 +10,7 @@
 #include "experiments/peers/tables.h"
 #include "experiments/peers/worker.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::vector<Figure> crossover_tables(const BenchOptions& options, PeerQuestions&
                     "looks", "microseconds", by_looks.curves())};
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

@@ -3,7 +3,7 @@
 
 #include "experiments/peers/tables.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 Figure figure_of(const std::string& title, const std::string& caption, const std::string& x_label,
                  const std::string& y_label, const std::vector<Curve>& curves) {
@@ -36,4 +36,4 @@ Figure figure_of(const std::string& title, const std::string& caption, const std
   return figure;
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

@@ -8,7 +8,7 @@
 #include "experiments/peers/tables.h"
 #include "experiments/peers/worker.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -87,4 +87,4 @@ void distance_table(const BenchOptions& options) {
   }
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

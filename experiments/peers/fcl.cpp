@@ -22,6 +22,7 @@
 namespace {
 
 using namespace kinex;
+using namespace kinex::peers;
 using Vertices = std::vector<fcl::Vector3d>;
 
 struct Solid {
@@ -139,4 +140,4 @@ class Fcl final : public Peer {
 
 }  // namespace
 
-extern "C" kinex::Peer* kinex_make_peer() { return new Fcl; }
+extern "C" kinex::peers::Peer* kinex_make_peer() { return new Fcl; }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -118,4 +118,4 @@ std::string in_words(const Judgement& one) {
   }
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

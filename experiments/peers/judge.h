@@ -10,7 +10,7 @@
 #include "experiments/peers/method.h"
 #include "experiments/peers/truth.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 // A question in both precisions, with its answers.
 struct PeerQuestion {
@@ -58,6 +58,6 @@ struct Standing {
 // One word or two, for a table of single cases.
 std::string in_words(const Judgement& one);
 
-}  // namespace kinex
+}  // namespace kinex::peers
 
 #endif

@@ -13,6 +13,7 @@
 namespace {
 
 using namespace kinex;
+using namespace kinex::peers;
 
 constexpr unsigned long kMostIterations = 10000;
 
@@ -114,4 +115,4 @@ class Libccd final : public Peer {
 
 }  // namespace
 
-extern "C" kinex::Peer* kinex_make_peer() { return new Libccd; }
+extern "C" kinex::peers::Peer* kinex_make_peer() { return new Libccd; }

@@ -17,6 +17,7 @@
 namespace {
 
 using namespace kinex;
+using namespace kinex::peers;
 
 struct Options {
   BenchOptions bench;

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -169,4 +169,4 @@ std::vector<PeerMethod> peer_methods() {
   return all;
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

@@ -8,7 +8,7 @@
 
 #include "experiments/peers/case.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 struct PeerMethod {
   enum class Kind {
@@ -52,6 +52,6 @@ PeerAnswer ask(Peer& peer, const PeerMethod& method, const PeerCase& question);
 // Conservative advancement gives up after so many steps.
 inline constexpr std::uint64_t kMostAdvances = 200000;
 
-}  // namespace kinex
+}  // namespace kinex::peers
 
 #endif

@@ -9,7 +9,7 @@
 #include "structures/collision_pairs.h"
 #include "structures/registry.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -77,4 +77,4 @@ OurRun run_ours(const Scene& scene, const std::string& structure, const std::str
   return result;
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

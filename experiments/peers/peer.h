@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace kinex {
+namespace kinex::peers {
 
 using PeerShape = std::vector<std::array<double, 2>>;
 
@@ -59,9 +59,9 @@ class Peer {
   PeerWork work;
 };
 
-}  // namespace kinex
+}  // namespace kinex::peers
 
 // What a module exports; the caller deletes the peer.
-extern "C" __attribute__((visibility("default"))) kinex::Peer* kinex_make_peer();
+extern "C" __attribute__((visibility("default"))) kinex::peers::Peer* kinex_make_peer();
 
 #endif

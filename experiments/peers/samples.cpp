@@ -8,7 +8,7 @@
 #include "experiments/peers/tables.h"
 #include "experiments/peers/worker.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -96,4 +96,4 @@ std::vector<Figure> sample_tables(const BenchOptions& options, PeerQuestions& qu
                     "steps", "share missed", curves)};
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

@@ -10,7 +10,7 @@
 #include "experiments/peers/judge.h"
 #include "experiments/verify/gnuplot.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 // answers.cpp: who is right, by family, by gap, and on reported failures
 void answer_tables(const BenchOptions& options, PeerQuestions& questions);
@@ -33,6 +33,6 @@ struct Curve {
 Figure figure_of(const std::string& title, const std::string& caption, const std::string& x_label,
                  const std::string& y_label, const std::vector<Curve>& curves);
 
-}  // namespace kinex
+}  // namespace kinex::peers
 
 #endif

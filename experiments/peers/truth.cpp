@@ -10,7 +10,7 @@
 
 #include "experiments/collision_witness.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -148,4 +148,4 @@ Truth find_truth(const PeerCase& question) {
   return truth;
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

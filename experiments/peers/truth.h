@@ -21,7 +21,7 @@
 #include "core/scene.h"
 #include "experiments/peers/case.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 enum class TruthKind : std::uint8_t { kApart, kTouch, kOverlap, kUnknown };
 
@@ -49,6 +49,6 @@ struct OurRun {
 OurRun run_ours(const Scene& scene, const std::string& structure, const std::string& arithmetic,
                 int looks = 1);
 
-}  // namespace kinex
+}  // namespace kinex::peers
 
 #endif

@@ -17,7 +17,7 @@
 
 #include "experiments/cpu_clock.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::vector<PeerAnswer> ask_all(const PeerMethod& method, const std::vector<Peer
   return answers;
 }
 
-}  // namespace kinex
+}  // namespace kinex::peers

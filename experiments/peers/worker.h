@@ -7,7 +7,7 @@
 
 #include "experiments/peers/method.h"
 
-namespace kinex {
+namespace kinex::peers {
 
 struct WorkerLimits {
   double seconds = 5;          // of wall time for one question
@@ -19,6 +19,6 @@ struct WorkerLimits {
 std::vector<PeerAnswer> ask_all(const PeerMethod& method, const std::vector<PeerCase>& questions,
                                 const WorkerLimits& limits = {});
 
-}  // namespace kinex
+}  // namespace kinex::peers
 
 #endif

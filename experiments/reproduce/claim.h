@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/verify/statistics.h"
+
 namespace kinex {
 
 enum class ClaimVerdict {
@@ -28,6 +30,9 @@ struct PaperClaim {
 };
 
 std::string verdict_name(ClaimVerdict verdict);
+
+// Of a growth claim: confirmed only where the whole confidence interval lies within the tolerance.
+ClaimVerdict claim_verdict(IntervalSays says);
 
 }  // namespace kinex
 

@@ -66,6 +66,15 @@ ModelFit fit_power_model(std::span<const FitPoint> points) {
   return fit;
 }
 
+BetterFit better_fit(const ModelFit& first, const ModelFit& second) {
+  const double least = std::min(first.chi_square, second.chi_square);
+  const double unit = std::max(1.0, least / first.degrees);
+  const double apart = (second.chi_square - first.chi_square) / unit;
+  return apart >= kDecisive    ? BetterFit::kFirst
+         : apart <= -kDecisive ? BetterFit::kSecond
+                               : BetterFit::kNeither;
+}
+
 std::string model_text(const ModelFit& fit) {
   return fmt::format("{}: a = {:.4g}, b = {:.4g} [{:.4g}, {:.4g}], chi^2 = {:.1f} on {}", fit.name,
                      fit.a, fit.b, fit.lower, fit.upper, fit.chi_square, fit.degrees);

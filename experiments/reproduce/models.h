@@ -32,6 +32,13 @@ ModelFit fit_linear_model(std::string name, std::span<const FitPoint> points,
 // On logarithms.
 ModelFit fit_power_model(std::span<const FitPoint> points);
 
+// Which of two fits with as many parameters to the same points is the better one: by so much of
+// chi^2 (of one degree of freedom, where both leave more than the errors explain) that chance is
+// no explanation.
+enum class BetterFit { kFirst, kNeither, kSecond };
+inline constexpr double kDecisive = 9;  // three standard errors
+BetterFit better_fit(const ModelFit& first, const ModelFit& second);
+
 // "a + b ln^2 n: a = .., b = .. [..], chi^2 = 3.1 on 5"
 std::string model_text(const ModelFit& fit);
 

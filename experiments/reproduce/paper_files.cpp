@@ -19,6 +19,18 @@ std::string verdict_name(ClaimVerdict verdict) {
   return "";
 }
 
+ClaimVerdict claim_verdict(IntervalSays says) {
+  switch (says) {
+    case IntervalSays::kConfirmed:
+      return ClaimVerdict::kConfirmed;
+    case IntervalSays::kRefuted:
+      return ClaimVerdict::kRefuted;
+    case IntervalSays::kOpen:
+      break;
+  }
+  return ClaimVerdict::kOpen;
+}
+
 namespace {
 
 void write_claim(JsonWriter& json, const PaperClaim& claim) {
@@ -41,10 +53,7 @@ void write_claim(JsonWriter& json, const PaperClaim& claim) {
 }
 
 std::string made_by(const ReproductionFacts& facts) {
-  return fmt::format("`{}`, {} at {}{}, {}; {}, {} cores, {} GB", facts.command,
-                     facts.build.program, facts.build.commit, facts.build.dirty ? " (changed)" : "",
-                     facts.build.compiler, facts.machine.cpu, facts.machine.cores,
-                     facts.machine.memory_kb / 1000000);
+  return provenance(facts.command, facts.build, facts.machine);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "experiments/cpu_clock.h"
+#include "experiments/gmp_memory.h"
 #include "experiments/input_error.h"
 #include "experiments/json_value.h"
 #include "experiments/json_writer.h"
@@ -67,14 +68,17 @@ std::string RunKey::text() const {
   return text;
 }
 
-std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool()>& go_on) {
+std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool()>& go_on,
+                                    const std::atomic<bool>* interrupt) {
   const Scene scene = scene_for(key);
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   options.max_events = key.max_events;
   options.progress = [&](const Simulator&) { return go_on(); };
+  options.interrupt = interrupt;
   double begin = cpu_seconds();
   const auto simulator = make_simulator(scene, "exact", std::move(options));
+  const GmpGuard guard(&simulator->deadline());
   simulator->start();
   RunRecord record;
   const std::uint64_t signs_at_start = signs_of(simulator->kernel().arithmetic().counters());

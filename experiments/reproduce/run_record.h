@@ -4,6 +4,7 @@
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_RUN_RECORD_H
 #define KINEX_EXPERIMENTS_REPRODUCE_RUN_RECORD_H
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -50,7 +51,8 @@ struct RunRecord {
 };
 
 // Runs it in `exact` with an audit at the end. nullopt if `go_on` (asked now and then) said no.
-std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool()>& go_on);
+std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool()>& go_on,
+                                    const std::atomic<bool>* interrupt = nullptr);
 
 std::string record_line(const RunRecord& record);
 // Throws InputError that names the file and the line.

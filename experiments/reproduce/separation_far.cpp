@@ -62,7 +62,9 @@ PartReport separation_hysteresis_report(const std::vector<SeriesResult>& results
     }
   }
   lasting.observed = fmt::format("in all wedges of {} of {} runs", runs - broken, runs);
-  lasting.verdict = broken == 0 ? ClaimVerdict::kConfirmed : ClaimVerdict::kRefuted;
+  lasting.verdict = broken != 0 ? ClaimVerdict::kRefuted
+                    : runs == 0 ? ClaimVerdict::kOpen
+                                : ClaimVerdict::kConfirmed;
   report.claims.push_back(std::move(lasting));
 
   PaperClaim calm;
@@ -120,8 +122,9 @@ PartReport separation_hierarchies_report(const std::vector<SeriesResult>& result
     claim.expected = check.expected;
     claim.tolerance = "none";
     claim.observed = check.observed;
-    claim.verdict =
-        check.verdict == Verdict::kPass ? ClaimVerdict::kConfirmed : ClaimVerdict::kRefuted;
+    claim.verdict = check.verdict == Verdict::kPass   ? ClaimVerdict::kConfirmed
+                    : check.verdict == Verdict::kFail ? ClaimVerdict::kRefuted
+                                                      : ClaimVerdict::kOpen;
     claim.assumptions = {"policies of cuts and constants are worked out here"};
     report.claims.push_back(std::move(claim));
   }

@@ -55,7 +55,7 @@ PaperClaim power_claim(std::string id, std::string statement, const std::vector<
   claim.statement = std::move(statement);
   claim.kind = "growth";
   claim.expected = fmt::format("events grow like ({})^b with b at most {}", name, exponent);
-  claim.tolerance = fmt::format("{}, or the 95 % interval", kTolerance);
+  claim.tolerance = fmt::format("{}, for all of the 95 % interval", kTolerance);
   const auto fit = fit_power(points);
   if (!fit) {
     claim.observed = "too few points";
@@ -65,8 +65,8 @@ PaperClaim power_claim(std::string id, std::string statement, const std::vector<
       fmt::format("{:.3g} ({})^{:.3f}, exponent 95 % in [{:.3f}, {:.3f}], {} from {:.3g} to {:.3g}",
                   fit->factor, name, fit->exponent, fit->lower, fit->upper, name, points.front().n,
                   points.back().n);
-  const bool low = fit->exponent <= exponent + kTolerance || fit->lower <= exponent;
-  claim.verdict = low ? ClaimVerdict::kConfirmed : ClaimVerdict::kRefuted;
+  claim.verdict =
+      claim_verdict(compare_with_claim(fit->lower, fit->upper, exponent, kTolerance, true));
   return claim;
 }
 

@@ -51,7 +51,7 @@ SeriesRun run_series(const std::vector<SeriesPoint>& points, RecordStore& store,
       const RunRecord* known = store.find(key.text());
       if (known == nullptr) {
         if (options.on_run) options.on_run(i, key.text());
-        std::optional<RunRecord> record = run_record(key, options.go_on);
+        std::optional<RunRecord> record = run_record(key, options.go_on, options.interrupt);
         if (!record) return std::nullopt;
         known = &store.add(*record);
       }

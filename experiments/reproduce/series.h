@@ -3,6 +3,7 @@
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_SERIES_H
 #define KINEX_EXPERIMENTS_REPRODUCE_SERIES_H
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <string>
@@ -39,6 +40,7 @@ struct SeriesResult {
 struct SeriesOptions {
   int jobs = 1;
   std::function<bool()> go_on = [] { return true; };               // from any thread
+  const std::atomic<bool>* interrupt = nullptr;  // as in SimulatorOptions
   std::function<void(std::size_t, const std::string&)> on_run;     // point, which run; any thread
   std::function<void(std::size_t, const SeriesResult&)> on_point;  // in order
 };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/cpu_clock.h"
+#include "experiments/gmp_memory.h"
 #include "experiments/scene_run.h"
 #include "experiments/scene_writer.h"
 #include "experiments/trade/binary_scale.h"
@@ -32,6 +33,7 @@ SimulatorOptions simulator_options(const TradeOptions& options, std::uint64_t ma
   result.audit = AuditLevel::kNone;
   result.max_events = max_events;
   result.max_seconds = options.max_seconds;
+  result.interrupt = options.interrupt;
   result.progress = [go_on = options.go_on](const Simulator&) { return go_on(); };
   return result;
 }
@@ -111,6 +113,7 @@ Exact exact_run(Scene scene, EventNames& names, const TradeOptions& options) {
   const auto simulator = make_simulator(exact.scene, "exact", simulator_options(options, 0));
   ExactRecorder recorder(names);
   simulator->set_sink(&recorder);
+  const GmpGuard guard(&simulator->deadline());
   simulator->start();
   exact.status = simulator->run_until(std::nullopt);
   exact.trace = std::move(recorder.trace);
@@ -139,8 +142,12 @@ std::optional<TradeRun> compared_run(Exact& exact, EventNames& names, const std:
     SimulatorOptions simulating = simulator_options(options, budget);
     simulating.audit = AuditLevel::kEnd;
     const auto simulator = make_simulator(exact.scene, arithmetic, std::move(simulating));
+    const GmpGuard guard(&simulator->deadline());
     simulator->set_sink(bits == 0 ? static_cast<EventSink*>(&exact_recorder) : &inexact_recorder);
     if (!run_with_checkpoints(*simulator, exact.checkpoints, budget, run)) return std::nullopt;
+  } catch (const Stopped&) {
+    if (!options.go_on()) return std::nullopt;
+    run.ending = Ending::kGaveUp;
   } catch (const std::exception& error) {
     run.ending = Ending::kThrew;
     run.trouble = error.what();
@@ -169,6 +176,7 @@ bool measure_times(const Scene& scene, std::vector<TradeRun>& runs, const TradeO
       if (run.ending != Ending::kEnded || total[i] > enough) continue;
       const double begin = cpu_seconds();
       const auto simulator = make_simulator(scene, run.arithmetic, simulator_options(options, 0));
+      const GmpGuard guard(&simulator->deadline());
       simulator->start();
       const RunStatus status = simulator->run_until(std::nullopt);
       const double seconds = cpu_seconds() - begin;
@@ -274,6 +282,8 @@ std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& o
   if (on_run) on_run("exact");
   try {
     exact = exact_run(std::move(scene), names, options);
+  } catch (const Stopped&) {
+    exact.status = options.go_on() ? RunStatus::kLimit : RunStatus::kInterrupted;
   } catch (const std::exception& error) {
     result.problem = std::string("exact threw: ") + error.what();
     return finish();

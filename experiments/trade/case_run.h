@@ -5,12 +5,14 @@
 #ifndef KINEX_EXPERIMENTS_TRADE_CASE_RUN_H
 #define KINEX_EXPERIMENTS_TRADE_CASE_RUN_H
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "experiments/finished_work.h"
 #include "experiments/trade/bits_needed.h"
 #include "experiments/trade/cases.h"
 #include "experiments/trade/deviation.h"
@@ -81,7 +83,9 @@ struct TradeOptions {
   // An inexact run is endless after events_factor times the exact run's events and events_more.
   std::uint64_t events_factor = 4;
   std::uint64_t events_more = 10000;
+  FinishedWork* finished = nullptr;  // what it holds is not run again; what is run is added
   std::function<bool()> go_on = [] { return true; };  // called from all threads
+  const std::atomic<bool>* interrupt = nullptr;       // as in SimulatorOptions
 };
 
 // nullopt if go_on says to stop. `on_run` is told of every arithmetic that is about to be run.

@@ -68,7 +68,12 @@ void write_fit(JsonWriter& json, const std::optional<PowerFit>& fit) {
   }
   json.begin_object().key("bits_per_doubling").real(fit->exponent);
   json.key("interval_95").begin_array().real(fit->lower).real(fit->upper).end_array();
-  json.key("factor").real(fit->factor).key("chi_square").real(fit->chi_square);
+  json.key("factor").real(fit->factor).key("chi_square");
+  if (fit->weighted) {
+    json.real(fit->chi_square);
+  } else {
+    json.null();
+  }
   json.key("degrees_of_freedom").number(fit->degrees).end_object();
 }
 

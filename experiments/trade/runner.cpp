@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/trade/case_record.h"
 #include "experiments/verify/run_in_order.h"
 
 namespace kinex {
@@ -33,6 +34,20 @@ std::optional<BitsResult> run_bits(const BitsCase& which, const TradeOptions& op
     result.percentile_99.add(static_cast<double>(bits->percentile_99));
     result.instants.add(static_cast<double>(bits->instants));
   }
+  return result;
+}
+
+// As `run`, but what is finished already is not run again.
+template <class Result, class Run, class Read, class Record>
+std::optional<Result> find_or_run(FinishedWork* finished, const std::string& key, const Read& read,
+                                  const Record& record, const Run& run) {
+  if (finished != nullptr) {
+    if (const std::optional<std::string> found = finished->find(key)) {
+      if (std::optional<Result> result = read(*found)) return result;
+    }
+  }
+  std::optional<Result> result = run();
+  if (result && finished != nullptr) finished->add(key, record(*result));
   return result;
 }
 
@@ -96,9 +111,15 @@ TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& optio
   auto cases = run_in_order<CaseResult>(
       count, options.jobs,
       [&](std::size_t i) {
-        return run_case(catalogue.cases[i], options, [&](const std::string& arithmetic) {
-          if (watch.on_work) watch.on_work(i, describe(catalogue.cases[i]) + ": " + arithmetic);
-        });
+        const TradeCase& which = catalogue.cases[i];
+        return find_or_run<CaseResult>(
+            options.finished, case_key(which, options),
+            [&](const std::string& record) { return read_case_record(record, which); }, case_record,
+            [&] {
+              return run_case(which, options, [&](const std::string& arithmetic) {
+                if (watch.on_work) watch.on_work(i, describe(which) + ": " + arithmetic);
+              });
+            });
       },
       [&](std::size_t i, const CaseResult& one) {
         if (watch.on_finished) watch.on_finished(i);
@@ -115,7 +136,10 @@ TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& optio
           watch.on_work(count + i, which.structure + ", bits, " + which.family +
                                        ", n = " + std::to_string(which.parameters.n));
         }
-        return run_bits(which, options);
+        return find_or_run<BitsResult>(
+            options.finished, bits_key(which),
+            [&](const std::string& record) { return read_bits_record(record, which); }, bits_record,
+            [&] { return run_bits(which, options); });
       },
       [&](std::size_t i, const BitsResult& one) {
         if (watch.on_finished) watch.on_finished(count + i);

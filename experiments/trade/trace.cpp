@@ -8,19 +8,6 @@
 
 namespace kinex {
 
-namespace {
-
-RealRoot root_of(const InstantText& text) {
-  std::vector<Integer> coefficients;
-  for (const std::string& c : text.polynomial) coefficients.push_back(*Integer::parse(c));
-  const Rational lower = *Rational::parse(text.lower);
-  const Rational upper = *Rational::parse(text.upper);
-  if (lower == upper) return RealRoot(lower);
-  return RealRoot(Polynomial(std::move(coefficients)), lower, upper);
-}
-
-}  // namespace
-
 std::uint32_t EventNames::number(const Event& event) {
   Name name{};
   name[0] = event.kind;
@@ -30,14 +17,10 @@ std::uint32_t EventNames::number(const Event& event) {
 }
 
 void ExactRecorder::event(const Event& event, Arithmetic& arithmetic) {
-  InstantText text = arithmetic.describe_now();
-  std::vector<std::string> name = std::move(text.polynomial);
-  name.push_back(std::to_string(text.root));
-  if (trace.times.empty() || name != last_) {
-    last_ = name;
-    name.pop_back();
-    text.polynomial = std::move(name);
-    RealRoot root = root_of(text);
+  const InstantName& now = arithmetic.name_now(InstantDetail::kName);
+  if (trace.times.empty() || now.number != last_) {
+    last_ = now.number;
+    RealRoot root = to_root(now);
     // One instant can have two names: as a root of two polynomials.
     if (trace.times.empty() || compare(trace.times.back(), root, counters_) != 0) {
       trace.times.push_back(std::move(root));
@@ -49,7 +32,7 @@ void ExactRecorder::event(const Event& event, Arithmetic& arithmetic) {
 
 void InexactRecorder::event(const Event& event, Arithmetic& arithmetic) {
   trace.names.push_back(names_.number(event));
-  const std::string text = arithmetic.describe_now().approximate;
+  const std::string& text = arithmetic.name_now(InstantDetail::kInterval).decimal;
   if (!trace.times.empty() && text == last_) {
     trace.times.push_back(trace.times.back());
     return;

@@ -45,7 +45,7 @@ struct InexactTrace {
   std::size_t size() const { return names.size(); }
 };
 
-// Both take what describe_now() says of every event.
+// Both take the name of now at every event.
 class ExactRecorder final : public EventSink {
  public:
   explicit ExactRecorder(EventNames& names) : names_(names) {}
@@ -55,7 +55,7 @@ class ExactRecorder final : public EventSink {
  private:
   EventNames& names_;
   RootCounters counters_;
-  std::vector<std::string> last_;  // the name of the instant before
+  std::uint64_t last_ = 0;  // the number of the instant before
 };
 
 class InexactRecorder final : public EventSink {

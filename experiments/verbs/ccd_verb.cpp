@@ -11,6 +11,7 @@
 
 #include "experiments/ccd/answers.h"
 #include "experiments/file_io.h"
+#include "experiments/gmp_memory.h"
 #include "experiments/input_error.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
@@ -82,6 +83,9 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
   const ContactKind kind = kind_of(options, file);
   const QueryFile queries = parse_queries(read_text_file(file), file, kind);
   ContactCounters counters;
+  Deadline deadline(0, &interrupt.flag());
+  const GmpGuard guard(&deadline);
+  counters.roots.deadline = &deadline;
   QueryProgress progress;
   std::string text;
   for (const FileQuery& one : queries.queries) {
@@ -90,13 +94,17 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
     answer.number = tally.queries + 1;
     answer.line = one.line;
     if (queries.has_truth) answer.truth = one.truth;
-    if (options.tally) {
-      answer.contact = in_contact(one.query, counters);
-    } else {
-      answer.time = first_contact(one.query, counters);
-      answer.contact = answer.time.has_value();
-      text +=
-          options.json ? answer_json(answer, counters.roots) : answer_text(answer, counters.roots);
+    try {
+      if (options.tally) {
+        answer.contact = in_contact(one.query, counters);
+      } else {
+        answer.time = first_contact(one.query, counters);
+        answer.contact = answer.time.has_value();
+        text += options.json ? answer_json(answer, counters.roots)
+                             : answer_text(answer, counters.roots);
+      }
+    } catch (const Stopped&) {
+      break;
     }
     tally.count(answer.contact, answer.truth);
     if (text.size() > kFlush) {
@@ -106,6 +114,7 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
     }
     progress.show(tally.queries, queries.queries.size());
   }
+  deadline.pause();
   text += options.json ? tally_json(tally, file, kind, queries.has_truth)
                        : tally_text(tally, file, kind, queries.has_truth);
   progress.wipe();

@@ -2,10 +2,15 @@
 // kinex check: validates a scene, or re-verifies an event log.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <system_error>
 
+#include "experiments/counted.h"
 #include "experiments/file_io.h"
+#include "experiments/input_error.h"
 #include "experiments/json_writer.h"
 #include "experiments/log_check.h"
 #include "experiments/model_text.h"
@@ -18,19 +23,46 @@ namespace kinex {
 
 namespace {
 
+struct CheckOptions {
+  std::string file, scene;
+  bool json = false;
+};
+
+std::string levels_text(const LogVerdict& verdict) {
+  std::string text = "levels 0, 1";
+  if (verdict.with_scene) text += ", 2";
+  text += ": format, names, counts, digest, seal";
+  if (!verdict.header.exact) {
+    text += "; the times are inexact and not compared";
+  } else if (verdict.header.has_names()) {
+    text += "; every instant's root, the order of instants";
+  } else if (verdict.header.has_intervals()) {
+    text += "; the order of instants as far as their intervals tell";
+  } else {
+    text += "; the log has no instants";
+  }
+  if (verdict.with_scene) {
+    text += "; the scene, and the polynomials of " +
+            counted(verdict.certificates, "certificate", "certificates");
+    if (verdict.unchecked != 0) text += " (not of " + std::to_string(verdict.unchecked) + ")";
+  }
+  return text + "\n          " +
+         (verdict.with_scene ? "" : "--scene SCENE checks the certificates too; ") +
+         "kinex-logcheck replays the events\n";
+}
+
 std::string log_text(const LogVerdict& verdict) {
   std::string text = "log       " + verdict.header.scene + ", " + verdict.header.arithmetic + ", " +
                      verdict.header.build + "\n";
   text += "scene     " + verdict.header.scene_hash + "\n";
-  text += "events    " + std::to_string(verdict.events) + ", " + std::to_string(verdict.external) +
-          " external";
-  if (verdict.header.exact) text += ", at " + std::to_string(verdict.instants) + " instants";
+  text += "records   " + counted(verdict.records, "log record", "log records") + ", " +
+          std::to_string(verdict.external) + " external";
+  if (verdict.header.has_names()) {
+    text += ", at " + counted(verdict.instants, "instant", "instants");
+  }
   text += "\ndigest    " + verdict.digest + "\n";
   text += "run       " + (verdict.status.empty() ? "cut off" : verdict.status) + "\n";
-  if (verdict.problems.empty()) {
-    text += verdict.header.exact ? "verified  names, order, every root and the order of time\n"
-                                 : "verified  names and order (inexact: times are not checked)\n";
-  }
+  if (verdict.problems.empty()) text += "verified  " + levels_text(verdict);
   return text;
 }
 
@@ -40,13 +72,16 @@ std::string log_json(const LogVerdict& verdict) {
   json.begin_object().key("kind").string("log").key("valid").boolean(verdict.problems.empty());
   json.key("scene").string(verdict.header.scene).key("hash").string(verdict.header.scene_hash);
   json.key("arithmetic").string(verdict.header.arithmetic);
-  json.key("events").number(verdict.events).key("external").number(verdict.external);
+  json.key("records").number(verdict.records).key("external").number(verdict.external);
   json.key("instants");
-  if (verdict.header.exact) {
+  if (verdict.header.has_names()) {
     json.number(verdict.instants);
   } else {
     json.null();
   }
+  json.key("levels").begin_array().number(0).number(1);
+  if (verdict.with_scene) json.number(2);
+  json.end_array().key("certificates").number(verdict.certificates);
   json.key("digest").string(verdict.digest).key("status");
   json.string(verdict.status.empty() ? "cut off" : verdict.status);
   json.key("problems").begin_array();
@@ -73,29 +108,62 @@ void report_log(const LogVerdict& verdict, const std::string& path, bool json, i
   if (!verdict.problems.empty()) exit_code = kExitFailed;
 }
 
-void check(const std::string& path, bool json, int& exit_code) {
-  const std::string text = read_text_file(path);
+// The file beside the log with the name of its scene, if that is the scene.
+std::optional<Scene> scene_beside(const std::string& text, const std::string& path) {
+  const LogHeader header = LogReader(text, path).header();
+  if (path == "-" || header.scene.find('/') != std::string::npos) return std::nullopt;
+  const std::filesystem::path file =
+      std::filesystem::path(path).parent_path() / (header.scene + ".json");
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+  try {
+    Scene scene = read_scene(file.string());
+    if (scene_hash(scene) == header.scene_hash) return scene;
+  } catch (const InputError&) {
+  }
+  return std::nullopt;
+}
+
+void check(const CheckOptions& options, int& exit_code) {
+  const std::string text = read_text_file(options.file);
   if (looks_like_log(text)) {
-    report_log(check_log(text, path), path, json, exit_code);
+    std::optional<Scene> scene;
+    if (options.scene.empty()) {
+      scene = scene_beside(text, options.file);
+    } else {
+      scene = read_scene(options.scene);
+    }
+    const LogVerdict verdict = scene ? check_log(text, options.file, &*scene, scene_hash(*scene))
+                                     : check_log(text, options.file);
+    report_log(verdict, options.file, options.json, exit_code);
     return;
   }
-  const Scene scene = parse_scene(text, path);
-  print(json ? scene_json(scene) : describe_model(scene, scene_hash(scene)) + "valid\n");
+  if (!options.scene.empty()) {
+    throw InputError("--scene", "", show_text(options.file) + " is no event log",
+                     "leave it out, or give an event log first");
+  }
+  const Scene scene = parse_scene(text, options.file);
+  print(options.json ? scene_json(scene) : describe_model(scene, scene_hash(scene)) + "valid\n");
 }
 
 }  // namespace
 
 void add_check_verb(CLI::App& app, int& exit_code) {
-  auto path = std::make_shared<std::string>();
+  auto options = std::make_shared<CheckOptions>();
   CLI::App* verb = app.add_subcommand("check", "Validates a scene, or re-verifies an event log");
-  verb->add_option("FILE", *path, "A scene or an event log, - reads standard input")->required();
-  auto json = std::make_shared<bool>(false);
-  verb->add_flag("--json", *json, "Print one JSON object instead");
+  verb->add_option("FILE", options->file, "A scene or an event log, - reads standard input")
+      ->required();
+  verb->add_option("--scene", options->scene,
+                   "The scene of the log (default: NAME.json beside the log, if that is it)");
+  verb->add_flag("--json", options->json, "Print one JSON object instead");
   verb->footer(
-      "Of a log it checks sequence, names, digest and, by Sturm's theorem, that every interval\n"
-      "holds the root that it claims and that times never decrease.\n"
-      "Example:\n  kinex check square.log");
-  verb->callback([path, json, &exit_code] { check(*path, *json, exit_code); });
+      "Of a log it checks every member, the digest and the seal (level 0) and, by Sturm's "
+      "theorem,\n"
+      "that every interval holds the root that it claims and that times never decrease (level 1);\n"
+      "with the scene also that each certificate's polynomial, made anew, vanishes at its instant\n"
+      "and is negative right after it (level 2, points). kinex-logcheck replays the events.\n"
+      "Example:\n  kinex check square.log --scene square.json");
+  verb->callback([options, &exit_code] { check(*options, exit_code); });
 }
 
 }  // namespace kinex

@@ -3,7 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
+#include "experiments/counted.h"
 #include "experiments/file_io.h"
 #include "experiments/json_writer.h"
 #include "experiments/log_diff.h"
@@ -24,21 +28,69 @@ std::string place(const std::string& file, std::size_t line, const std::string& 
   return "  " + file + ":" + std::to_string(line) + ": " + text + "\n";
 }
 
+std::string listed(const std::vector<std::string>& labels) {
+  std::string text;
+  for (const std::string& label : labels) text += (text.empty() ? "" : ", ") + label;
+  return text;
+}
+
+std::string_view instants_text(InstantsCompared compared) {
+  switch (compared) {
+    case InstantsCompared::kExactly:
+      return "instants compared exactly";
+    case InstantsCompared::kIntervals:
+      return "instants compared as far as the intervals of both logs tell";
+    case InstantsCompared::kNot:
+      return "instants not compared";
+  }
+  return "";
+}
+
 std::string plain_text(const LogDifference& difference, const DiffOptions& options) {
   std::string text;
   if (difference.other_scenes) text += "the logs are of different scenes\n";
-  if (difference.equal()) {
-    return text + "equal: " + std::to_string(difference.events_a) + " events\n";
+  for (const auto& [file, only] :
+       {std::pair(options.a, difference.only_a), {options.b, difference.only_b}}) {
+    if (!only.empty()) text += "only in " + file + ", not compared: " + listed(only) + "\n";
   }
-  text += "first difference at event " + std::to_string(difference.first) + "\n";
-  text += place(options.a, difference.line_a, difference.text_a);
-  text += place(options.b, difference.line_b, difference.text_b);
-  text += std::to_string(difference.events_a) + " and " + std::to_string(difference.events_b) +
-          " events: " + std::to_string(difference.missing) + " missing, " +
-          std::to_string(difference.invented) + " invented, " +
-          std::to_string(difference.out_of_order) + " out of order, " +
-          std::to_string(difference.other_instants) + " at another instant\n";
+  const std::string how = "; " + std::string(instants_text(difference.instants)) + "\n";
+  if (difference.equal()) {
+    return text + "equal: " + counted(difference.events_a, "event", "events") + how;
+  }
+  if (difference.first != 0) {
+    text += "first difference at event " + std::to_string(difference.first) + "\n";
+    text += place(options.a, difference.line_a, difference.text_a);
+    text += place(options.b, difference.line_b, difference.text_b);
+  }
+  text += std::to_string(difference.events_a) + " and " +
+          counted(difference.events_b, "event", "events") + ": " +
+          std::to_string(difference.missing) + " missing, " + std::to_string(difference.invented) +
+          " invented, " + std::to_string(difference.out_of_order) + " out of order, " +
+          std::to_string(difference.other_effects) + " with another effect, " +
+          std::to_string(difference.other_instants) + " at another instant" + how;
+  if (difference.other_records != 0) {
+    text += counted(difference.other_records, "record of a change is", "records of changes are") +
+            " in one log only\n";
+  }
   return text;
+}
+
+void write_labels(JsonWriter& json, const std::vector<std::string>& labels) {
+  json.begin_array();
+  for (const std::string& label : labels) json.string(label);
+  json.end_array();
+}
+
+std::string_view compared_name(InstantsCompared compared) {
+  switch (compared) {
+    case InstantsCompared::kExactly:
+      return "exactly";
+    case InstantsCompared::kIntervals:
+      return "intervals";
+    case InstantsCompared::kNot:
+      return "not";
+  }
+  return "";
 }
 
 std::string json_text(const LogDifference& difference) {
@@ -46,11 +98,18 @@ std::string json_text(const LogDifference& difference) {
   JsonWriter json(text);
   json.begin_object().key("equal").boolean(difference.equal());
   json.key("same_scene").boolean(!difference.other_scenes);
+  json.key("only_in").begin_array();
+  write_labels(json, difference.only_a);
+  write_labels(json, difference.only_b);
+  json.end_array();
   json.key("events").begin_array().number(difference.events_a).number(difference.events_b);
   json.end_array().key("first").number(difference.first);
   json.key("missing").number(difference.missing).key("invented").number(difference.invented);
   json.key("out_of_order").number(difference.out_of_order);
-  json.key("other_instants").number(difference.other_instants).end_object();
+  json.key("other_effects").number(difference.other_effects);
+  json.key("other_instants").number(difference.other_instants);
+  json.key("other_records").number(difference.other_records);
+  json.key("instants_compared").string(compared_name(difference.instants)).end_object();
   return text + "\n";
 }
 
@@ -71,7 +130,8 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
   verb->add_option("OTHER", options->b, "The log that may miss or invent events")->required();
   verb->add_flag("--json", options->json, "Print one JSON object");
   verb->footer(
-      "Exit code 0: equal, 1: different. Instants are compared between two exact logs only.\n"
+      "Exit code 0: equal, 1: different. Compared are the events, external and internal, of the\n"
+      "structures that both logs have; instants between two exact logs only, as numbers.\n"
       "Example:\n  kinex diff exact.log double.log");
   verb->callback([options, &exit_code] { diff(*options, exit_code); });
 }

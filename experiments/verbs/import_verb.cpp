@@ -11,6 +11,7 @@
 #include "experiments/counted.h"
 #include "experiments/csv_import.h"
 #include "experiments/file_io.h"
+#include "experiments/input_error.h"
 #include "experiments/scene_reader.h"
 #include "experiments/scene_writer.h"
 #include "experiments/verbs/option_values.h"
@@ -22,10 +23,22 @@ namespace {
 
 struct ImportVerbOptions {
   std::string file, start, end, name, output;
-  std::optional<std::string> polygons, heading, bearing;
+  std::optional<std::string> polygons, heading, bearing, overlapping_starts;
   std::vector<std::string> maintain, fixed;
   bool force = false;
 };
+
+OverlappingStarts overlapping_starts(const ImportVerbOptions& options) {
+  if (!options.overlapping_starts) return OverlappingStarts::kRefused;
+  const std::string option = "--overlapping-starts";
+  if (!options.polygons) {
+    throw InputError(option, "", "points do not overlap", "give --polygons too, or leave it out");
+  }
+  if (*options.overlapping_starts == "refused") return OverlappingStarts::kRefused;
+  if (*options.overlapping_starts == "contact") return OverlappingStarts::kContact;
+  throw InputError(option, "", show_text(*options.overlapping_starts) + " is no choice",
+                   "write refused or contact");
+}
 
 const char* usual_structure(const Scene& scene) {
   if (scene.has_bodies()) return "separation_mixed";
@@ -42,6 +55,7 @@ void import_file(const ImportVerbOptions& options) {
     keep_input("--output", options.output, *options.polygons);
     import_options.polygons = parse_polygons(read_text_file(*options.polygons), *options.polygons);
   }
+  import_options.overlapping_starts = overlapping_starts(options);
   if (options.heading) import_options.heading = {*options.heading, false};
   if (options.bearing) import_options.heading = {*options.bearing, true};
   const std::string text = read_text_file(options.file);
@@ -92,6 +106,10 @@ void add_import_verb(CLI::App& app, int&) {
   verb->add_option("--bearing", options->bearing,
                    "The same, as on a compass: degrees clockwise from the y axis (north)")
       ->excludes(heading);
+  verb->add_option(
+      "--overlapping-starts", options->overlapping_starts,
+      "Bodies that overlap when they are first seen: refused (default) or contact (they "
+      "begin in contact)");
   verb->add_option("--name", options->name, "Name of the scene (the file's)");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");

@@ -7,25 +7,33 @@ namespace kinex {
 
 namespace {
 
-volatile std::sig_atomic_t interrupt_seen = 0;
+std::atomic<bool> interrupt_seen{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-extern "C" void note_interrupt(int) { interrupt_seen = 1; }
+extern "C" void note_interrupt(int) { interrupt_seen.store(true, std::memory_order_relaxed); }
 
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
-  interrupt_seen = 0;
+  interrupt_seen = false;
   struct sigaction action = {};
-  action.sa_handler = note_interrupt;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigemptyset(&action.sa_mask);
-  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &action, &before_[i]);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    const bool is_pipe = kSignals[i] == SIGPIPE;
+    action.sa_handler = is_pipe ? SIG_IGN : note_interrupt;
+    action.sa_flags = is_pipe ? 0 : static_cast<int>(SA_RESETHAND | SA_RESTART);
+    sigaction(kSignals[i], &action, &before_[i]);
+    // Under nohup a run goes on.
+    if (kSignals[i] == SIGHUP && before_[i].sa_handler == SIG_IGN) {
+      sigaction(SIGHUP, &before_[i], nullptr);
+    }
+  }
 }
 
 InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
 }
 
-bool InterruptGuard::interrupted() const { return interrupt_seen != 0; }
+const std::atomic<bool>& InterruptGuard::flag() const { return interrupt_seen; }
 
 }  // namespace kinex

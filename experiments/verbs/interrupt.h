@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// InterruptGuard: while it lives, the first Ctrl-C (SIGINT) or SIGTERM sets a flag instead of
-// ending the program.
+// InterruptGuard: while it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP sets a flag instead of
+// ending the program, and writing to a pipe whose reader has gone fails as any other write does.
 #ifndef KINEX_EXPERIMENTS_VERBS_INTERRUPT_H
 #define KINEX_EXPERIMENTS_VERBS_INTERRUPT_H
 
 #include <array>
+#include <atomic>
 #include <csignal>
 
 namespace kinex {
@@ -16,10 +17,12 @@ class InterruptGuard {
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
-  bool interrupted() const;
+  bool interrupted() const { return flag().load(std::memory_order_relaxed); }
+  // The flag itself, for SimulatorOptions::interrupt.
+  const std::atomic<bool>& flag() const;
 
  private:
-  static constexpr std::array<int, 2> kSignals{SIGINT, SIGTERM};
+  static constexpr std::array<int, 4> kSignals{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
   std::array<struct sigaction, kSignals.size()> before_;
 };
 

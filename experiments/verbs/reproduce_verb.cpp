@@ -77,6 +77,7 @@ ReproducedPart run_part(const PaperPart& part, const Options& options, RecordSto
   SeriesOptions running;
   running.jobs = options.jobs;
   running.go_on = [&] { return !interrupt.interrupted(); };
+  running.interrupt = &interrupt.flag();
   running.on_run = [&](std::size_t i, const std::string& what) { progress.show(i, what); };
   running.on_point = [&](std::size_t i, const SeriesResult&) { progress.finished(i); };
   SeriesRun run = run_series(points, store, running);
@@ -114,14 +115,18 @@ void reproduce(Options options, int& exit_code) {
   if (options.folder.empty()) options.folder = options.paper + (options.quick ? "-quick" : "");
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);  // what is wrong is told below
-  OutputFile claims(options.folder + "/claims.json", options.force);
-  OutputFile readme(options.folder + "/README.md", options.force);
+  const std::string claims_path = options.folder + "/claims.json";
+  const std::string readme_path = options.folder + "/README.md";
+  for (const std::string& path : {claims_path, readme_path}) {
+    const OutputFile probe(path,
+                           options.force);  // nothing of it is left when the program is killed
+  }
   ReproductionFacts facts;
   facts.build = build_facts();
   facts.machine = machine_facts();
   facts.command = command_of(options, "");
   for (const std::string& name : options.parts) facts.command += " " + name;
-  RecordStore store(options.folder + "/runs.jsonl", facts.build.commit, options.fresh);
+  RecordStore store(options.folder + "/runs.jsonl", program_identity(), options.fresh);
 
   InterruptGuard interrupt;
   std::vector<ReproducedPart> done;
@@ -152,8 +157,10 @@ void reproduce(Options options, int& exit_code) {
   }
   const std::string json = claims_json(paper, done, facts);
   if (options.json) print(json);
+  OutputFile claims(claims_path, options.force);
   claims.write(json);
   claims.commit();
+  OutputFile readme(readme_path, options.force);
   readme.write(paper_readme(paper, done, facts, drawings.problem.empty()));
   readme.commit();
   if (!drawings.problem.empty()) {

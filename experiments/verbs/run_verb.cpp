@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "core/refused_change.h"
 #include "experiments/event_log.h"
 #include "experiments/file_io.h"
 #include "experiments/input_error.h"
@@ -34,6 +35,7 @@ struct RunOptions {
   std::string arithmetic = "exact";
   std::string audit = "end";
   std::string scheduling = "lazy";
+  std::string instants = "names";
   std::vector<std::string> maintain, at;
   long long max_events = 0;
   double max_seconds = 0;
@@ -54,6 +56,15 @@ Scheduling scheduling(const std::string& name) {
   if (name == "eager") return Scheduling::kEager;
   throw InputError("--scheduling", "", show_text(name) + " is not a way of scheduling",
                    "write lazy or eager");
+}
+
+InstantDetail instant_detail(const std::string& name) {
+  for (const InstantDetail detail :
+       {InstantDetail::kName, InstantDetail::kInterval, InstantDetail::kNone}) {
+    if (name == detail_name(detail)) return detail;
+  }
+  throw InputError("--instants", "", show_text(name) + " is not a detail of instants",
+                   "write names, intervals or none");
 }
 
 void shorten(Scene& scene, const std::string& until) {
@@ -100,6 +111,34 @@ void check_outputs(const RunOptions& options) {
                    "give two names");
 }
 
+// A run that was killed has left its lines under another name.
+void tell_leftovers(const OutputFile& file) {
+  for (const std::string& name : file.leftovers()) {
+    std::fprintf(stderr,
+                 "kinex: %s is of a run that was cut off (or that goes on): its whole lines can be "
+                 "read; remove it when you need it no more\n",
+                 name.c_str());
+  }
+}
+
+// Runs, and keeps what was written of the log if that fails.
+RunOutcome run_keeping(Simulator& simulator, const std::vector<Rational>& times,
+                       std::optional<OutputFile>& events) {
+  try {
+    return run_scene(simulator, times);
+  } catch (const InputError&) {
+    throw;  // of the file itself, which says what it kept
+  } catch (const RefusedChange&) {
+    throw;  // what is right before it will be written
+  } catch (...) {
+    const std::string kept = events ? events->keep_lines() : "";
+    if (!kept.empty()) {
+      std::fprintf(stderr, "kinex: %s has the lines of the log up to the failure\n", kept.c_str());
+    }
+    throw;
+  }
+}
+
 void run(const RunOptions& options, int& exit_code) {
   if (std::isnan(options.max_seconds)) {
     throw InputError("--max-seconds", "", "it is not a number",
@@ -112,6 +151,7 @@ void run(const RunOptions& options, int& exit_code) {
   SimulatorOptions simulator_options;
   simulator_options.audit = audit_level(options.audit);
   simulator_options.scheduling = scheduling(options.scheduling);
+  const InstantDetail instants = instant_detail(options.instants);
   simulator_options.max_events = static_cast<std::uint64_t>(options.max_events);
   simulator_options.max_seconds = options.max_seconds;
 
@@ -132,49 +172,81 @@ void run(const RunOptions& options, int& exit_code) {
 
   InterruptGuard interrupt;  // before there is a temporary file
   std::optional<OutputFile> events_file, summary_file;
-  if (!options.events.empty()) events_file.emplace(options.events, options.force);
+  if (!options.events.empty()) {
+    events_file.emplace(options.events, options.force, Unfinished::kLinesKept);
+    tell_leftovers(*events_file);
+  }
   const bool json = options.json || options.summary == "-";
   if (!options.summary.empty() && options.summary != "-") {
     summary_file.emplace(options.summary, options.force);
   }
 
+  // The files are worth finishing even if the reader of the report has gone.
+  std::optional<InputError> unprinted;
+  const auto print_or_keep = [&unprinted](const std::string& text) {
+    try {
+      if (!unprinted) print(text);
+    } catch (const InputError& error) {
+      unprinted = error;
+    }
+  };
   RunOutcome outcome;
   std::unique_ptr<Simulator> simulator;
   std::optional<EventLog> log;
-  {
+  std::optional<std::string> refused;
+  const auto simulate = [&] {
     Progress progress;
+    simulator_options.interrupt = &interrupt.flag();
     simulator_options.progress = [&](const Simulator& running) {
       progress.show(running);
-      return !interrupt.interrupted();
+      return true;
     };
     simulator = make_simulator(scene, options.arithmetic, simulator_options);
     const std::string model =
         describe_model(scene, hash) + "numbers   " + simulator->kernel().arithmetic().name() + "\n";
-    if (json) {
+    if (refused) {
+      // It has been printed.
+    } else if (json) {
       std::fputs(model.c_str(), stderr);
     } else {
-      print(model);
+      print_or_keep(model);
     }
     if (events_file || summary_file || json) {
-      log.emplace(*simulator, hash, events_file ? &*events_file : nullptr);
-      simulator->set_sink(&*log);
+      log.emplace(*simulator, hash, events_file ? &*events_file : nullptr, instants);
+      if (!events_file) log->charge_to(simulator->clock());
+      simulator->set_sink(&*log, events_file.has_value());
     }
-    outcome = run_scene(*simulator, times);
+    outcome = run_keeping(*simulator, times, events_file);
+  };
+  try {
+    simulate();
+  } catch (const RefusedChange& change) {
+    // What is right before it is made once more, and kept.
+    refused = change.what();
+    simulator_options.stop_before = change.time();
+    log.reset();
+    if (events_file) {
+      events_file.reset();
+      events_file.emplace(options.events, options.force, Unfinished::kLinesKept);
+    }
+    simulate();
   }
   if (log) log->finish(outcome.status);
   const std::string digest = log ? log->digest() : "";
   if (summary_file || json) {
     const std::string summary = write_summary(*simulator, outcome, hash, digest);
-    if (json) print(summary);
     if (summary_file) {
       summary_file->write(summary);
       summary_file->commit();
     }
+    if (json) print_or_keep(summary);
   }
-  if (!json) print(describe_results(*simulator, outcome));
+  if (!json) print_or_keep(describe_results(*simulator, outcome));
   if (outcome.status != RunStatus::kDone) {
+    const std::string why =
+        simulator->out_of_memory() ? "memory" : std::string(status_name(outcome.status));
     std::fprintf(stderr, "kinex: the run was stopped (%s); what was finished is written\n",
-                 std::string(status_name(outcome.status)).c_str());
+                 why.c_str());
     exit_code = kExitGaveUp;
   }
   if (!outcome.clean(*simulator)) {
@@ -183,6 +255,11 @@ void run(const RunOptions& options, int& exit_code) {
     }
     exit_code = kExitFailed;
   }
+  if (refused) {
+    std::fprintf(stderr, "kinex: %s\n", refused->c_str());
+    exit_code = kExitBadInput;
+  }
+  if (unprinted) throw *unprinted;
 }
 
 }  // namespace
@@ -198,6 +275,8 @@ void add_run_verb(CLI::App& app, int& exit_code) {
                    "lazy (default: certificates are looked at a while ahead) or eager");
   verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
   verb->add_option("--events", options->events, "Write the event log to this file");
+  verb->add_option("--instants", options->instants,
+                   "What the log says of its instants: names (default: exact), intervals or none");
   verb->add_option("--summary", options->summary, "Write the summary to this file, - prints it");
   verb->add_option("--at", options->at, "Sample the attributes right after these times: T, ..")
       ->delimiter(',');
@@ -207,7 +286,8 @@ void add_run_verb(CLI::App& app, int& exit_code) {
       "Print the model chosen for the scene (degrees, number types, what is shared, what "
       "is left out), and run nothing");
   verb->add_flag("--json", options->json, "Print the summary, as --summary - does");
-  verb->add_option("--max-events", options->max_events, "Give up after so many events (no limit)");
+  verb->add_option("--max-events", options->max_events,
+                   "Give up after so many certificate failures (no limit)");
   verb->add_option("--max-seconds", options->max_seconds, "Give up after this time (no limit)");
   verb->add_flag("--force", options->force, "Replace output files that exist");
   verb->footer(

@@ -22,6 +22,7 @@
 #include "experiments/trade/report.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
+#include "experiments/verbs/resumed_work.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verify/cell_progress.h"
 
@@ -39,6 +40,7 @@ struct Options {
   int jobs = 1;
   bool quick = false;
   bool force = false;
+  bool fresh = false;
   bool json = false;
 };
 
@@ -85,7 +87,7 @@ void check(const Options& options) {
   }
 }
 
-TradeResult run(const TradeCatalogue& catalogue, const Options& options,
+TradeResult run(const TradeCatalogue& catalogue, const Options& options, FinishedWork& finished,
                 const InterruptGuard& interrupt) {
   std::vector<double> costs;
   for (const TradeCase& one : catalogue.cases) costs.push_back(one.cost);
@@ -94,8 +96,10 @@ TradeResult run(const TradeCatalogue& catalogue, const Options& options,
   TradeOptions running;
   running.jobs = options.jobs;
   running.max_seconds = options.max_seconds;
+  running.finished = &finished;
   if (!options.arithmetics.empty()) running.arithmetics = options.arithmetics;
   running.go_on = [&] { return !interrupt.interrupted(); };
+  running.interrupt = &interrupt.flag();
   bool first_bits = true;
   const auto show = [&](const std::string& text) {
     progress.wipe();
@@ -127,34 +131,34 @@ void trade(const Options& options, int& exit_code) {
       make_trade_catalogue(options.what, options.quick ? Extent::kQuick : Extent::kFull);
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);  // what is wrong is told below
-  OutputFile database(options.folder + "/trade.sqlite", options.force);
-  OutputFile page(options.folder + "/trade.html", options.force);
-  std::optional<OutputFile> markdown;
-  if (!options.markdown.empty()) markdown.emplace(options.markdown, options.force);
+  FinishedWork finished(options.folder + "/trade.unfinished", program_identity(), options.fresh);
+  const ResultFile database(options.folder + "/trade.sqlite", options.force, finished);
+  const ResultFile page(options.folder + "/trade.html", options.force, finished);
+  std::optional<ResultFile> markdown;
+  if (!options.markdown.empty()) markdown.emplace(options.markdown, options.force, finished);
+  tell_what_is_found(finished, "scene", "scenes");
 
   InterruptGuard interrupt;
-  const TradeResult result = run(catalogue, options, interrupt);
+  const TradeResult result = run(catalogue, options, finished, interrupt);
   PageFacts facts;
   facts.build = build_facts();
   facts.machine = machine_facts();
   facts.command = command_of(options);
   database.write(trade_database(result, facts.build, facts.machine));
-  database.commit();
   const std::vector<Figure> figures = trade_figures(result);
   const Drawings drawings = draw(figures);
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   page.write(trade_page(result, figures, drawings, facts));
-  page.commit();
-  if (markdown) {
-    markdown->write(trade_markdown(result, facts));
-    markdown->commit();
-  }
+  if (markdown) markdown->write(trade_markdown(result, facts));
+  if (!result.interrupted) finished.remove();
   if (!drawings.problem.empty()) {
     std::fprintf(stderr, "kinex: no plots: %s\n", drawings.problem.c_str());
   }
   std::fprintf(stderr, "kinex: %s and %s are written%s\n", database.path().c_str(),
                page.path().c_str(),
-               result.interrupted ? "; it was interrupted, and holds what was finished" : "");
+               result.interrupted ? "; interrupted: they hold what was finished, and the same "
+                                    "command goes on from there"
+                                  : "");
   if (!result.faults().empty()) {
     exit_code = kExitFailed;
   } else if (result.interrupted || result.gave_up()) {
@@ -173,6 +177,7 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
   verb->add_option("--markdown", options->markdown, "Write the tables to this file as Markdown");
   verb->add_flag("--force", options->force, "Replace results that exist");
+  verb->add_flag("--fresh", options->fresh, "Run again what an interrupted run has finished");
   verb->add_option("--arithmetic", options->arithmetics,
                    "Only these, beside exact and double: A, .. (sturm, gsl, mpfr:P too)")
       ->delimiter(',');
@@ -182,6 +187,9 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
   verb->footer(
       "Every run is compared with the exact one, event by event, and its states are audited\n"
       "exactly. That an inexact arithmetic goes wrong is a result, not an error.\n"
+      "What is finished is kept in trade.unfinished until all is: after an interruption (Ctrl-C, "
+      "a\n"
+      "power cut) the same command goes on from there.\n"
       "Exit codes: 1 an exact arithmetic was wrong, or any threw; 3 interrupted, or an exact\n"
       "run was stopped at the limit.\n"
       "Example:\n  kinex trade --quick -o results\n"

@@ -14,6 +14,7 @@
 #include "experiments/file_io.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
+#include "experiments/verbs/resumed_work.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verify/catalogue.h"
 #include "experiments/verify/cell_progress.h"
@@ -37,6 +38,7 @@ struct Options {
   std::optional<int> seeds;
   bool quick = false;
   bool force = false;
+  bool fresh = false;
   bool json = false;
 };
 
@@ -62,8 +64,10 @@ void verify(const Options& options, int& exit_code) {
       make_catalogue(options.structure, options.quick ? Extent::kQuick : Extent::kFull);
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);  // what is wrong is told below
-  OutputFile database(options.folder + "/verify.sqlite", options.force);
-  OutputFile page(options.folder + "/verify.html", options.force);
+  FinishedWork finished(options.folder + "/verify.unfinished", program_identity(), options.fresh);
+  const ResultFile database(options.folder + "/verify.sqlite", options.force, finished);
+  const ResultFile page(options.folder + "/verify.html", options.force, finished);
+  tell_what_is_found(finished, "experiment", "experiments");
 
   const bool bounds = shows_bounds(catalogue.cells);
   InterruptGuard interrupt;
@@ -76,7 +80,9 @@ void verify(const Options& options, int& exit_code) {
     running.jobs = options.jobs;
     if (options.seeds) running.seeds = *options.seeds;
     running.keep_folder = options.folder;
+    running.finished = &finished;
     running.go_on = [&] { return !interrupt.interrupted(); };
+    running.interrupt = &interrupt.flag();
     running.on_scene = [&](std::size_t index, int seed) {
       const Cell& cell = catalogue.cells[index];
       std::string what = cell.structure + ", " + cell.workload_text() +
@@ -109,18 +115,19 @@ void verify(const Options& options, int& exit_code) {
   facts.machine = machine_facts();
   facts.command = command_of(options);
   database.write(verify_database(result, facts.build, facts.machine));
-  database.commit();
   const std::vector<Figure> figures = verify_figures(result);
   const Drawings drawings = draw(figures);
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   page.write(verify_page(result, figures, drawings, facts));
-  page.commit();
+  if (!result.interrupted) finished.remove();
   if (!drawings.problem.empty()) {
     std::fprintf(stderr, "kinex: no plots: %s\n", drawings.problem.c_str());
   }
   std::fprintf(stderr, "kinex: %s and %s are written%s\n", database.path().c_str(),
                page.path().c_str(),
-               result.interrupted ? "; it was interrupted, and holds what was finished" : "");
+               result.interrupted ? "; interrupted: they hold what was finished, and the same "
+                                    "command goes on from there"
+                                  : "");
   exit_code = exit_code_of(result);
 }
 
@@ -137,12 +144,16 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
   verb->add_flag("--quick", options->quick, "Smaller sizes: a few minutes on one core");
   verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
   verb->add_flag("--force", options->force, "Replace results that exist");
+  verb->add_flag("--fresh", options->fresh, "Run again what an interrupted run has finished");
   verb->add_option("--jobs", options->jobs,
                    "Experiments at a time (1: more make time ratios noisy)");
   verb->add_option("--seeds", options->seeds,
                    "So many scenes for every random experiment, not as many as it needs");
   verb->add_flag("--json", options->json, "Print a JSON object per row instead of the table");
   verb->footer(
+      "What is finished is kept in verify.unfinished until all is: after an interruption (Ctrl-C, "
+      "a\n"
+      "power cut) the same command goes on from there.\n"
       "Exit codes: 1 an expectation, bound or audit failed (the scene is kept beside the "
       "results);\n"
       "3 interrupted, stopped at a limit, or not enough seeds to tell.\n"

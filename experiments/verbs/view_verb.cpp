@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/counted.h"
 #include "experiments/file_io.h"
 #include "experiments/input_error.h"
 #include "experiments/log_reader.h"
@@ -49,7 +50,6 @@ struct Viewed {
   std::string hash;  // of the scene's file
   std::vector<Wanted> runs;
   std::optional<Rational> from;
-  bool keys_known = true;  // of the structures that a log is of
 };
 
 bool names_arithmetic(const std::string& text) {
@@ -112,7 +112,7 @@ void set_structures(Viewed& viewed, const Options& options, const std::string& s
                        "leave --maintain out, or give it as the run had it");
     }
   } else if (log) {
-    viewed.keys_known = maintain_as_logged(viewed.scene, *log, first->file);
+    maintain_as_logged(viewed.scene, *log, first->file);
   }
   for (const Request& request : viewed.scene.maintain) {
     const StructureInfo* info = find_structure_info(request.structure);
@@ -184,9 +184,10 @@ std::string record(const Viewed& viewed, const Wanted& wanted, const Options& op
     how.observe = [&](const SeenEvent& event) { return follower->follow(event); };
   }
   Progress progress;
+  how.interrupt = &interrupt.flag();
   how.progress = [&](const Simulator& running) {
     progress.show(running);
-    return !interrupt.interrupted();
+    return true;
   };
   try {
     run = record_run(viewed.scene, how);
@@ -197,15 +198,12 @@ std::string record(const Viewed& viewed, const Wanted& wanted, const Options& op
   }
   if (!follower) return "";
   if (run.complete) follower->finish();
-  const std::string& problem = follower->problem();
-  if (problem.empty() || viewed.keys_known) return problem;
-  return problem +
-         " (a log does not hold keys: if the run had others, give --maintain as it had it)";
+  return follower->problem();
 }
 
 std::string line_of(const RecordedRun& run) {
   std::string text =
-      "run       " + run.arithmetic + ", " + std::to_string(run.events.size()) + " events";
+      "run       " + run.arithmetic + ", " + counted(run.events.size(), "log record", "log records");
   if (run.before > 0) text += " after " + std::to_string(run.before) + " before them";
   if (!run.complete) text += " (not all: " + run.stopped + ")";
   for (const RecordedStructure& structure : run.structures) {
@@ -219,7 +217,7 @@ std::string line_of(const RecordedRun& run) {
 std::string report(const Viewed& viewed, const std::vector<RecordedRun>& runs,
                    const std::string& file, std::size_t bytes) {
   std::string text = "scene     " + viewed.scene.name + ", " +
-                     std::to_string(viewed.scene.objects.size()) + " objects\n";
+                     counted(viewed.scene.objects.size(), "object", "objects") + "\n";
   for (const RecordedRun& run : runs) text += line_of(run);
   if (runs.size() > 1) {
     const std::uint64_t parted = first_divergence(runs[0], runs[1]);

@@ -109,8 +109,10 @@ void add_rounds(Catalogue& catalogue, const Method& method, Extent extent) {
   const int last = extent == Extent::kQuick ? 12 : 16;
   for (int k = 3; k <= last; ++k) add_round(catalogue, method, n, k);
   if (method.convex) {
+    // Wedges: the upper bound only, sizes are too few for their exponent.
+    const bool at_most = std::string_view(method.name) == "separation_hysteresis";
     catalogue.growths.push_back(
-        growth(catalogue.cells.back(), "collision.round.mu", Variable::kMu, 1, 0.15, false));
+        growth(catalogue.cells.back(), "collision.round.mu", Variable::kMu, 1, 0.15, at_most));
   }
   if (std::string_view(method.name) == "bounding_volumes") return;  // discs prove most of these
   for (const int size : {16, 32, 64, 128}) {
@@ -197,7 +199,7 @@ void add_fans(Catalogue& catalogue, const Method& method, Extent extent) {
     if (name == (tangents ? "inner_tangents" : "closest_features")) {
       catalogue.growths.push_back(growth(catalogue.cells.back(),
                                          tangents ? "collision.tangents.n" : "collision.fan.n",
-                                         Variable::kVertices, 2, 0.06, false));
+                                         Variable::kVertices, 2, 0.1, false));
     }
   }
 }

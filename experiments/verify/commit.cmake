@@ -11,7 +11,10 @@ if(GIT)
     RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   if(NOT failed)
     set(commit ${found})
-    execute_process(COMMAND ${GIT} -C ${SOURCE} status --porcelain --untracked-files=no
+    # Of what the program is made of: documents that results are written to are none of it.
+    execute_process(COMMAND ${GIT} -C ${SOURCE} status --porcelain --untracked-files=all --
+        CMakeLists.txt core predicates structures experiments
+        ":(exclude)*.md" ":(exclude)*.svg" ":(exclude)*.json" ":(exclude)*.jsonl"
       OUTPUT_VARIABLE changes ERROR_QUIET)
     if(changes)
       set(dirty 1)

@@ -29,16 +29,7 @@ class ContactSink final : public EventSink {
  public:
   void event(const Event& event, Arithmetic& arithmetic) override {
     if (event.kind != CollisionPairs::kContact && event.kind != CollisionPairs::kSeparation) return;
-    const InstantText now = arithmetic.describe_now();
-    const Rational lower = Rational::parse(now.lower).value();
-    if (now.lower == now.upper) {
-      instants_.emplace_back(lower);
-      return;
-    }
-    std::vector<Integer> coefficients;
-    for (const std::string& c : now.polynomial) coefficients.push_back(Integer::parse(c).value());
-    instants_.emplace_back(Polynomial(std::move(coefficients)), lower,
-                           Rational::parse(now.upper).value());
+    instants_.push_back(to_root(arithmetic.name_now(InstantDetail::kName)));
   }
   // Of contacts and separations in turns.
   std::vector<RealRoot>& instants() { return instants_; }

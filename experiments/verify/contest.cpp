@@ -18,10 +18,8 @@ constexpr double kPatience = 1;  // seconds, set-up included
 }  // namespace
 
 std::optional<SpeedContest> compare_with_double(const Scene& scene, const Measurement& exact,
-                                                const std::function<bool()>& go_on) {
-  SimulatorOptions options;
+                                                SimulatorOptions options) {
   options.audit = AuditLevel::kNone;
-  options.progress = [&](const Simulator&) { return go_on(); };
   SimulatorOptions limited = options;  // rounding errors may make events without end
   limited.max_events = 4 * exact.run.events + 10000;
   SpeedContest contest;

@@ -3,7 +3,6 @@
 #ifndef KINEX_EXPERIMENTS_VERIFY_CONTEST_H
 #define KINEX_EXPERIMENTS_VERIFY_CONTEST_H
 
-#include <functional>
 #include <optional>
 
 #include "experiments/verify/measurement.h"
@@ -20,10 +19,10 @@ struct SpeedContest {
 };
 
 // `exact`: what the scene gives in exact arithmetic. Rounds in the two arithmetics take turns until
-// each has taken 20 ms, at least one and at most 40, and a second for all of it. nullopt if `go_on`
-// says to stop.
+// each has taken 20 ms, at least one and at most 40, and a second for all of it. `options` says when to
+// stop; nullopt if the runs were interrupted.
 std::optional<SpeedContest> compare_with_double(const Scene& scene, const Measurement& exact,
-                                                const std::function<bool()>& go_on);
+                                                SimulatorOptions options);
 
 }  // namespace kinex
 

@@ -111,9 +111,13 @@ class Writer {
     growth_.text(growth.claim.claim).text(growth.claim.structure).text(growth.claim.family);
     growth_.text(growth.claim.quantity).count(growth.points.size()).text(growth.check.expected);
     if (growth.fit) {
-      for (const double value :
-           {growth.fit->exponent, growth.fit->lower, growth.fit->upper, growth.fit->chi_square}) {
+      for (const double value : {growth.fit->exponent, growth.fit->lower, growth.fit->upper}) {
         growth_.text(number_text(value, 8));
+      }
+      if (growth.fit->weighted) {
+        growth_.text(number_text(growth.fit->chi_square, 8));
+      } else {
+        growth_.null();
       }
       growth_.integer(growth.fit->degrees);
     } else {

@@ -64,6 +64,11 @@ Check check_counts(const Expectation& expectation, std::size_t index,
   return check;
 }
 
+std::string needs_text(int seeds, std::size_t have) {
+  return " (" + std::to_string(have) + (have == 1 ? " scene" : " scenes") + " cannot tell: about " +
+         std::to_string(seeds) + " needed)";
+}
+
 Check check_mean(const Cell& cell, const Expectation& expectation,
                  const std::vector<Trial>& trials) {
   const RunningMean mean = mean_of(trials, expectation.quantity);
@@ -75,20 +80,31 @@ Check check_mean(const Cell& cell, const Expectation& expectation,
   if (expectation.tolerance > 0)
     check.expected += " (to " + number_text(expectation.tolerance, 3) + ")";
   check.observed = mean_text(mean.mean(), mean.standard_error());
+  if (std::any_of(trials.begin(), trials.end(), [](const Trial& trial) {
+        return trial.measurement.status != RunStatus::kDone;
+      })) {
+    check.verdict = Verdict::kGaveUp;
+    return check;
+  }
+  // Of fewer scenes than it takes to know their spread, no distance can be said.
+  if (static_cast<int>(trials.size()) < cell.min_seeds) {
+    check.verdict = Verdict::kInconclusive;
+    check.seeds_needed = seeds_needed(cell, trials);
+    check.observed += needs_text(check.seeds_needed, trials.size());
+    return check;
+  }
   const double distance =
       distance_in_errors(mean.mean(), mean.standard_error(), expectation.reference,
                          expectation.reference_error, expectation.tolerance);
   char text[48];
   std::snprintf(text, sizeof text, " (%.1f se)", distance);
   check.observed += text;
-  if (std::any_of(trials.begin(), trials.end(), [](const Trial& trial) {
-        return trial.measurement.status != RunStatus::kDone;
-      })) {
-    check.verdict = Verdict::kGaveUp;
-  } else if (distance > allowed_errors(expectation.comparisons)) {
+  if (distance > allowed_errors(expectation.comparisons)) {
     check.verdict = Verdict::kFail;
   } else if (!precise_enough(cell, trials)) {
     check.verdict = Verdict::kInconclusive;
+    check.seeds_needed = seeds_needed(cell, trials);
+    check.observed += needs_text(check.seeds_needed, trials.size());
   }
   return check;
 }
@@ -202,6 +218,18 @@ bool precise_enough(const Cell& cell, const std::vector<Trial>& trials) {
   });
 }
 
+int seeds_needed(const Cell& cell, const std::vector<Trial>& trials) {
+  constexpr double kMost = 1e6;  // as --seeds takes
+  double needed = cell.min_seeds;
+  for (const Cell::Precise& precise : cell.precise) {
+    const RunningMean mean = mean_of(trials, precise.quantity);
+    if (!(mean.mean() > 0)) continue;
+    const double errors = mean.standard_error() / (precise.relative_error * mean.mean());
+    needed = std::max(needed, std::ceil(static_cast<double>(trials.size()) * errors * errors));
+  }
+  return static_cast<int>(std::min(needed, kMost));
+}
+
 std::vector<Check> judge(const Cell& cell, const std::vector<Trial>& trials) {
   std::vector<Check> checks;
   for (std::size_t i = 0; i < cell.expectations.size(); ++i) {
@@ -264,10 +292,44 @@ void judge_logarithm(GrowthResult& result, const std::string& x) {
   }
 }
 
+void judge_exponent(GrowthResult& result, const std::string& x) {
+  constexpr int kFewestExactSizes = 4;  // three may lie on a power by chance
+  const GrowthClaim& claim = result.claim;
+  Check& check = result.check;
+  check.expected = x + (claim.at_most ? "^(<= " : "^(") + number_text(claim.exponent, 4) + " +-" +
+                   number_text(claim.tolerance, 3) + ")";
+  if (!result.fit) {
+    check.observed = "too few sizes";
+    check.verdict = Verdict::kInconclusive;
+    return;
+  }
+  const PowerFit& fit = *result.fit;
+  char text[96];
+  std::snprintf(text, sizeof text, "^%.4f, 95%% in [%.4f, %.4f]", fit.exponent, fit.lower,
+                fit.upper);
+  check.observed = x + text;
+  switch (
+      compare_with_claim(fit.lower, fit.upper, claim.exponent, claim.tolerance, claim.at_most)) {
+    case IntervalSays::kConfirmed:
+      if (!fit.weighted && fit.degrees + 2 < kFewestExactSizes) {
+        check.observed += ", too few sizes";
+        check.verdict = Verdict::kInconclusive;
+      }
+      break;
+    case IntervalSays::kOpen:
+      check.verdict = Verdict::kInconclusive;
+      break;
+    case IntervalSays::kRefuted:
+      check.verdict = Verdict::kFail;
+      break;
+  }
+}
+
 }  // namespace
 
 GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells) {
   GrowthResult result{claim, {}, std::nullopt, {}};
+  int too_few = 0;  // seeds needed where a cell has fewer than it needs at least
   for (const CellResult& cell : cells) {
     if (cell.cell.structure != claim.structure || cell.cell.family != claim.family) continue;
     if (cell.trials.empty()) continue;
@@ -275,6 +337,9 @@ GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult
                          ? static_cast<double>(cell.trials.front().measurement.objects)
                          : variable_of(cell.cell, claim.variable);
     if (x < claim.smallest) continue;
+    if (static_cast<int>(cell.trials.size()) < cell.cell.min_seeds) {
+      too_few = std::max(too_few, seeds_needed(cell.cell, cell.trials));
+    }
     const RunningMean mean = mean_of(cell.trials, claim.quantity);
     result.points.push_back({x, mean.mean(), mean.standard_error()});
   }
@@ -290,25 +355,13 @@ GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult
   const std::string base = objects ? "n" : "(" + variable_name(claim.variable) + ")";
   if (claim.logarithm) {
     judge_logarithm(result, base);
-    return result;
+  } else {
+    judge_exponent(result, base);
   }
-  check.expected = base + (claim.at_most ? "^(<= " : "^(") + number_text(claim.exponent, 4) +
-                   " +-" + number_text(claim.tolerance, 3) + ")";
-  if (!result.fit) {
-    check.observed = "too few sizes";
+  if (too_few > 0) {
     check.verdict = Verdict::kInconclusive;
-    return result;
-  }
-  char text[96];
-  std::snprintf(text, sizeof text, "^%.4f, 95%% in [%.4f, %.4f]", result.fit->exponent,
-                result.fit->lower, result.fit->upper);
-  check.observed = base + text;
-  const double apart = result.fit->exponent - claim.exponent;
-  if ((claim.at_most ? apart : std::fabs(apart)) > claim.tolerance) {
-    check.verdict = Verdict::kFail;
-  } else if (claim.at_most ? result.fit->upper > claim.exponent + claim.tolerance
-                           : result.fit->upper - result.fit->lower > 2 * claim.tolerance) {
-    check.verdict = Verdict::kInconclusive;
+    check.seeds_needed = too_few;
+    check.observed += " (too few scenes: about " + std::to_string(too_few) + " needed)";
   }
   return result;
 }

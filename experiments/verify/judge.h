@@ -35,6 +35,7 @@ struct Check {
   std::string source;
   Verdict verdict = Verdict::kPass;
   std::optional<std::size_t> trial;  // the run that decided, where one did
+  int seeds_needed = 0;  // about so many would do, where the scenes are too few to tell; else 0
 };
 
 // One scene of a cell.
@@ -58,6 +59,8 @@ RunningMean mean_of(const std::vector<Trial>& trials, const Quantity& quantity);
 
 // True if the cell has the seeds it needs.
 bool precise_enough(const Cell& cell, const std::vector<Trial>& trials);
+// About how many seeds the cell needs, from the spread seen so far: min_seeds or more.
+int seeds_needed(const Cell& cell, const std::vector<Trial>& trials);
 
 // All expectations, then all hard bounds of the structure (each over all trials: the trial that
 // comes nearest to the bound, or breaks it), then the audits. Requires at least one trial.
@@ -74,9 +77,10 @@ struct GrowthResult {
   Check check;
 };
 
-// Fits the counts of the family over its cells. The verdict: FAIL if the exponent is not within the
-// tolerance; INCONCLUSIVE if its confidence interval is wider than the tolerance to either side, or
-// there are fewer than three sizes. A logarithm (GrowthClaim) wants six sizes.
+// Fits the counts of the family over its cells. The verdict: PASS if the confidence interval of the
+// exponent lies within the tolerance, FAIL if it lies outside, else INCONCLUSIVE; so it is too
+// where a cell has fewer seeds than it needs at least, or there are fewer than three sizes (four,
+// where counts have no standard errors). A logarithm (GrowthClaim) wants six sizes.
 GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells);
 
 struct StudyResult {

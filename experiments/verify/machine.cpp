@@ -10,6 +10,8 @@
 #include <fstream>
 
 #include "experiments/event_log.h"
+#include "experiments/file_io.h"
+#include "experiments/sha256.h"
 #include "kinex_commit.h"  // written by commit.cmake at build time
 
 namespace kinex {
@@ -30,6 +32,12 @@ BuildFacts build_facts() {
   return facts;
 }
 
+std::string program_identity() {
+  const BuildFacts facts = build_facts();
+  if (!facts.dirty && facts.commit != "unknown") return facts.commit;
+  return facts.commit + " " + sha256_hex(read_text_file("/proc/self/exe"));
+}
+
 MachineFacts machine_facts() {
   MachineFacts facts;
   std::ifstream cpuinfo("/proc/cpuinfo");
@@ -47,6 +55,18 @@ MachineFacts machine_facts() {
     if (facts.cpu.empty()) facts.cpu = system.machine;
   }
   return facts;
+}
+
+std::string commit_text(const BuildFacts& build) {
+  return build.commit + (build.dirty ? " with changes that are not committed" : "");
+}
+
+std::string provenance(const std::string& command, const BuildFacts& build,
+                       const MachineFacts& machine) {
+  return "`" + command + "`, " + build.program + " at " + commit_text(build) + ", " +
+         build.compiler + ", flags `" + build.flags + "`; " + machine.cpu + ", " +
+         std::to_string(machine.cores) + (machine.cores == 1 ? " core, " : " cores, ") +
+         std::to_string(machine.memory_kb / 1000000) + " GB";
 }
 
 }  // namespace kinex

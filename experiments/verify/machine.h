@@ -25,7 +25,17 @@ struct MachineFacts {
 };
 
 BuildFacts build_facts();
+// What tells the program from others that would not make the same results: the commit; where that
+// does not say all (sources changed, or outside of a repository) with a digest of the program.
+std::string program_identity();
 MachineFacts machine_facts();
+
+// "34be52d..", or "34be52d.. with changes that are not committed".
+std::string commit_text(const BuildFacts& build);
+// For documents, in Markdown: "`COMMAND`, kinex 0.1.0 at COMMIT, GCC 12.2.0, flags `..`; CPU, 2
+// cores, 24 GB".
+std::string provenance(const std::string& command, const BuildFacts& build,
+                       const MachineFacts& machine);
 
 }  // namespace kinex
 

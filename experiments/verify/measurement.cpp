@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/cpu_clock.h"
+#include "experiments/gmp_memory.h"
 #include "experiments/scene_run.h"
 #include "experiments/scene_writer.h"
 #include "structures/plan.h"
@@ -126,6 +127,7 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
   if (audit_end) options.audit = AuditLevel::kNone;
   const std::unique_ptr<Simulator> simulator =
       make_simulator(scene, std::string(arithmetic), std::move(options));
+  const GmpGuard guard(&simulator->deadline());
   simulator->start();
   result.signs_at_start = all_signs(simulator->kernel().arithmetic().counters());
   result.failures_at_start = all_failures(simulator->kernel().arithmetic().counters());

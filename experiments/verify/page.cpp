@@ -46,7 +46,12 @@ std::string summary_part(const VerifyResult& result) {
     text += fmt::format("<div><b>{}</b>{}</div>", counts[static_cast<std::size_t>(verdict)],
                         verdict_span(verdict_name(verdict)));
   }
-  text += "</div>\n<p>" + escape(closing_line(result)) + "</p>\n";
+  // Its lines, a paragraph each.
+  const std::string lines = escape(closing_line(result));
+  text += "</div>\n";
+  for (std::size_t begin = 0, end; (end = lines.find('\n', begin)) != lines.npos; begin = end + 1) {
+    text += "<p>" + lines.substr(begin, end - begin) + "</p>\n";
+  }
   if (result.interrupted) {
     text += "<p><b>Interrupted:</b> only what was finished is here.</p>\n";
   }
@@ -83,12 +88,15 @@ std::string fits_part(const VerifyResult& result) {
         "<td class=\"r\">{}</td><td>{}</td><td>{}</td></tr>\n",
         escape(growth.claim.structure), escape(growth.claim.family), escape(growth.check.expected),
         escape(growth.check.observed), growth.points.size(),
-        growth.fit ? fmt::format("{:.2f} / {}", growth.fit->chi_square, growth.fit->degrees) : "-",
+        growth.fit && growth.fit->weighted
+            ? fmt::format("{:.2f} / {}", growth.fit->chi_square, growth.fit->degrees)
+            : "-",
         verdict_span(verdict_name(growth.check.verdict)), escape(growth.check.source));
   }
   return text +
          "</table>\n<p class=\"facts\">Intervals: 95 %, Student's t; widened where the points "
-         "scatter more than their standard errors allow.</p>\n";
+         "scatter more than their standard errors allow. No chi&sup2;: counts without errors; the "
+         "interval is that of their scatter about the power.</p>\n";
 }
 
 std::string measures_part(const VerifyResult& result) {

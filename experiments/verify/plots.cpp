@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -15,8 +14,6 @@ namespace kinex {
 namespace {
 
 constexpr std::size_t kFewestSizes = 3;
-
-constexpr const char* kBoundColour = "#000000";
 
 struct Point {
   double n, count, error;
@@ -39,6 +36,18 @@ struct Family {
   std::vector<Point> points;  // ascending n
 };
 
+// The least hard bound on the events that was checked in a run of the cell; 0: a run has none.
+double least_bound(const CellResult& cell) {
+  double least = 0;
+  for (const Trial& trial : cell.trials) {
+    const BoundCheck* bound = event_bound(trial.measurement);
+    if (bound == nullptr) return 0;
+    const double value = bound->bound.to_double();
+    least = least == 0 ? value : std::min(least, value);
+  }
+  return least;
+}
+
 // All families of one structure, in the order of the cells.
 std::vector<Family> families_of(const std::vector<CellResult>& cells,
                                 const std::string& structure) {
@@ -49,16 +58,15 @@ std::vector<Family> families_of(const std::vector<CellResult>& cells,
     if (cell.cell.variable != Variable::kObjects) continue;  // see collision_story.h
     if (!(mean.mean() > 0)) continue;  // nothing to be seen on a logarithmic axis
     const Measurement& run = cell.trials.front().measurement;
-    const BoundCheck* bound = event_bound(run);
     auto found = std::find_if(families.begin(), families.end(), [&](const Family& family) {
-      return family.name == cell.cell.family;
+      return family.name == cell.cell.family && family.degree == cell.cell.parameters.degree;
     });
     if (found == families.end()) {
       families.push_back({cell.cell.family, cell.cell.parameters.degree, {}});
       found = families.end() - 1;
     }
-    found->points.push_back({static_cast<double>(run.objects), mean.mean(), mean.standard_error(),
-                             bound == nullptr ? 0 : bound->bound.to_double()});
+    found->points.push_back(
+        {static_cast<double>(run.objects), mean.mean(), mean.standard_error(), least_bound(cell)});
   }
   families.erase(
       std::remove_if(families.begin(), families.end(),
@@ -80,19 +88,19 @@ std::string data_block(const std::string& name, const std::vector<Point>& points
   return text + "EOD\n";
 }
 
-// Families of one degree share a bound: their bound curves are drawn as one.
-std::map<int, std::vector<Point>> bound_curves(const std::vector<Family>& families) {
-  std::map<int, std::map<double, double>> curves;
-  for (const Family& family : families) {
-    for (const Point& point : family.points) {
-      if (point.bound > 0) curves[family.degree][point.n] = point.bound;
+// The hard bounds that were checked in the family's own runs, as a curve over n; empty where a size
+// has none, or one size has several: then they do not go by n.
+std::vector<Point> bound_curve(const Family& family) {
+  std::vector<Point> curve;
+  for (const Point& point : family.points) {
+    if (!(point.bound > 0)) return {};
+    if (!curve.empty() && curve.back().n == point.n) {
+      if (curve.back().bound != point.bound) return {};
+      continue;
     }
+    curve.push_back({point.n, point.bound, 0, point.bound});
   }
-  std::map<int, std::vector<Point>> result;
-  for (const auto& [degree, curve] : curves) {
-    for (const auto& [n, bound] : curve) result[degree].push_back({n, bound, 0, bound});
-  }
-  return result;
+  return curve;
 }
 
 std::string fit_title(const GrowthResult& growth) {
@@ -107,23 +115,24 @@ Figure counts_figure(const VerifyResult& result, const std::string& structure) {
   figure.title = structure + ": events over n";
   figure.caption =
       "Points: observed events (mean over seeds, bars of two standard errors where they can be "
-      "seen). Dashed: hard bounds, which no run may exceed.";
-  const std::map<int, std::vector<Point>> curves = bound_curves(families);
+      "seen). Dashed, in the colour of the family: the hard bounds that were checked in its runs, "
+      "which none may exceed.";
   std::string& script = figure.script;
   script = kCommon;
   script += "set logscale y\nset format y '10^{%L}'\nset ylabel 'events'\n";
+  // Several families may differ in the degree of the motion only.
+  const auto name_of = [&](const Family& family) {
+    const bool alone = std::count_if(families.begin(), families.end(), [&](const Family& other) {
+                         return other.name == family.name;
+                       }) == 1;
+    return alone ? family.name : fmt::format("{}, degree {}", family.name, family.degree);
+  };
   double low = families.front().points.front().n, high = low, most = 0, fewest = 1e300;
   std::string plot;
   const auto add = [&](const std::string& item) {
     plot += (plot.empty() ? "plot " : ", \\\n  ") + item;
   };
-  int dash = 2;
-  for (const auto& [degree, points] : curves) {
-    script += data_block("bound" + std::to_string(degree), points);
-    add(fmt::format("$bound{} using 1:2 with lines lw 1.5 dt {} lc rgb '{}' title '{}'", degree,
-                    dash++, kBoundColour,
-                    degree == 1 ? "hard bound" : fmt::format("hard bound, degree {}", degree)));
-  }
+  std::size_t curves = 0;
   for (std::size_t i = 0; i < families.size(); ++i) {
     const Family& family = families[i];
     low = std::min(low, family.points.front().n);
@@ -133,6 +142,12 @@ Figure counts_figure(const VerifyResult& result, const std::string& structure) {
       fewest = std::min(fewest, point.count);
     }
     script += data_block("family" + std::to_string(i), family.points);
+    if (const std::vector<Point> curve = bound_curve(family); !curve.empty()) {
+      script += data_block("bound" + std::to_string(i), curve);
+      add(fmt::format("$bound{} using 1:2 with lines lw 1.5 dt 2 lc rgb '{}' title {}", i,
+                      look(i).colour, quoted("hard bound, " + name_of(family))));
+      ++curves;
+    }
     for (const GrowthResult& growth : result.growths) {
       if (growth.claim.structure != structure || growth.claim.family != family.name) continue;
       if (!growth.fit) continue;
@@ -142,11 +157,11 @@ Figure counts_figure(const VerifyResult& result, const std::string& structure) {
     }
     add(fmt::format(
         "$family{} using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title {}", i,
-        look(i).symbol, look(i).colour, quoted(family.name)));
+        look(i).symbol, look(i).colour, quoted(name_of(family))));
   }
   script += x_range(low, high);
   script += fmt::format("set yrange [{:.6g}:{:.6g}]\n", fewest / 2, most * 3) + plot + "\n";
-  figure.height = 440 + 20 * static_cast<int>((families.size() + curves.size() + 2) / 2);
+  figure.height = 440 + 20 * static_cast<int>((families.size() + curves + 2) / 2);
   return figure;
 }
 
@@ -185,10 +200,12 @@ Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
   Figure figure;
   figure.title = growth.claim.structure + ": residuals of the fit, " + growth.claim.family;
   figure.caption = fmt::format(
-      "Expected {}, fitted {}: {}. chi^2 = {:.1f} on {} degrees of freedom. Bars: two standard "
-      "errors. A trend in the residuals is a departure from a pure power of n.",
+      "Expected {}, fitted {}: {}. {} A trend in the residuals is a departure from a pure power.",
       growth.check.expected, growth.check.observed, verdict_name(growth.check.verdict),
-      growth.fit->chi_square, growth.fit->degrees);
+      growth.fit->weighted
+          ? fmt::format("chi^2 = {:.1f} on {} degrees of freedom. Bars: two standard errors.",
+                        growth.fit->chi_square, growth.fit->degrees)
+          : "The counts have no standard errors: the interval is that of their scatter.");
   std::vector<Point> points;
   for (std::size_t i = 0; i < growth.points.size(); ++i) {
     const FitPoint& point = growth.points[i];
@@ -210,12 +227,12 @@ Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
       "with filledcurves fc rgb '#dcdcdc' title '95% interval of the exponent', \\\n"
       "  0 with lines lw 1.2 lc rgb '#444444' notitle, \\\n"
       "  $seen using 1:2:3 with yerrorbars pt {3} ps 0.9 lw 1.2 lc rgb '{4}' title 'observed'",
-      centre, below, above, look(0).symbol, look(0).colour);
+      centre, below, above, look(std::size_t{0}).symbol, look(std::size_t{0}).colour);
   if (!references.empty()) {
     figure.script += fmt::format(
         ", \\\n  $reference using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title "
         "'reference'",
-        look(1).symbol, look(1).colour);
+        look(std::size_t{1}).symbol, look(std::size_t{1}).colour);
   }
   figure.script += "\n";
   figure.height = 380;

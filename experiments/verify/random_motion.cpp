@@ -173,7 +173,7 @@ void add_hull(Catalogue& catalogue, Extent extent) {
   }
   add_growth(catalogue, "convex_hull_2.uniform.growth", "convex_hull_2", 100, 1,
              "Theta(n) events in expectation; Guibas 1998, section 9");
-  catalogue.growths.back().tolerance = 0.05;
+  catalogue.growths.back().tolerance = 0.07;  // about 10 n - 200 events
 }
 
 }  // namespace

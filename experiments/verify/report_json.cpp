@@ -13,6 +13,7 @@ void write_check(JsonWriter& json, const Check& check) {
   if (!check.quantity.empty()) json.key("quantity").string(check.quantity);
   json.key("expected").string(check.expected).key("observed").string(check.observed);
   json.key("verdict").string(verdict_name(check.verdict)).key("source").string(check.source);
+  if (check.seeds_needed > 0) json.key("seeds_needed").number(check.seeds_needed);
   json.end_object();
 }
 
@@ -117,7 +118,12 @@ std::string json_row(const GrowthResult& growth) {
     json.begin_object().key("exponent").real(fit.exponent);
     json.key("standard_error").real(fit.exponent_error);
     json.key("interval_95").begin_array().real(fit.lower).real(fit.upper).end_array();
-    json.key("factor").real(fit.factor).key("chi_square").real(fit.chi_square);
+    json.key("factor").real(fit.factor).key("chi_square");
+    if (fit.weighted) {
+      json.real(fit.chi_square);
+    } else {
+      json.null();
+    }
     json.key("degrees_of_freedom").number(fit.degrees).end_object();
   } else {
     json.null();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "experiments/counted.h"
 #include "structures/registry.h"
 
 namespace kinex {
@@ -117,6 +118,25 @@ std::string table_row(const StudyResult& study) {
   return text;
 }
 
+std::string seeds_line(const VerifyResult& result) {
+  std::size_t open = 0;
+  int needed = 0;
+  const auto look = [&](const Check& check) {
+    open += check.seeds_needed > 0 ? 1 : 0;
+    needed = std::max(needed, check.seeds_needed);
+  };
+  for (const CellResult& cell : result.cells) {
+    for (const Check& check : cell.checks) look(check);
+  }
+  for (const GrowthResult& growth : result.growths) look(growth.check);
+  if (open == 0) return "";
+  return fmt::format(
+      "Too few random scenes to tell for {} check{}: --seeds {} would do, or about so many; "
+      "without "
+      "--seeds every experiment takes as many as it needs\n",
+      open, open == 1 ? "" : "s", needed);
+}
+
 std::string closing_line(const VerifyResult& result) {
   std::array<std::size_t, 4> by_verdict{};
   std::size_t checks = result.growths.size(), runs = 0;
@@ -134,18 +154,21 @@ std::string closing_line(const VerifyResult& result) {
     checks += study.checks.size();
     ++by_verdict[static_cast<std::size_t>(study.verdict())];
   }
-  std::string text =
-      fmt::format("{} cells and {} fits:", result.cells.size(), result.growths.size());
+  std::string text = fmt::format("{} and {}:", counted(result.cells.size(), "cell", "cells"),
+                                 counted(result.growths.size(), "fit", "fits"));
   if (!result.studies.empty()) {
-    text = fmt::format("{} cells, {} fits and {} studies:", result.cells.size(),
-                       result.growths.size(), result.studies.size());
+    text = fmt::format("{}, {} and {}:", counted(result.cells.size(), "cell", "cells"),
+                       counted(result.growths.size(), "fit", "fits"),
+                       counted(result.studies.size(), "study", "studies"));
   }
   for (const Verdict verdict :
        {Verdict::kPass, Verdict::kInconclusive, Verdict::kGaveUp, Verdict::kFail}) {
     text += fmt::format("{} {} {}", verdict == Verdict::kPass ? "" : ",",
                         by_verdict[static_cast<std::size_t>(verdict)], verdict_name(verdict));
   }
-  return text + fmt::format("; {} checks, {} runs, {} events\n", checks, runs, events);
+  text += fmt::format("; {}, {}, {}\n", counted(checks, "check", "checks"),
+                      counted(runs, "run", "runs"), counted(events, "event", "events"));
+  return text + seeds_line(result);
 }
 
 }  // namespace kinex

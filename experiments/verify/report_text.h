@@ -31,7 +31,9 @@ std::string table_row(const CellResult& cell, bool bounds = true);
 std::string table_row(const GrowthResult& growth);
 // Its checks, a line each.
 std::string table_row(const StudyResult& study);
-// Cells by verdict, checks, runs, and events over all of them.
+// What to do where scenes are too few to tell, with a newline; empty where they are not.
+std::string seeds_line(const VerifyResult& result);
+// Cells by verdict, checks, runs, and events over all of them; then the seeds line.
 std::string closing_line(const VerifyResult& result);
 
 // {"row": "cell", ..} and {"row": "growth", ..}, with a newline.

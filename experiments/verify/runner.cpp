@@ -9,6 +9,7 @@
 
 #include "experiments/file_io.h"
 #include "experiments/scene_writer.h"
+#include "experiments/verify/cell_record.h"
 #include "experiments/verify/run_in_order.h"
 
 namespace kinex {
@@ -40,6 +41,7 @@ Trial run_trial(const Cell& cell, int k, const VerifyOptions& options,
   simulator.audit = cell.audit;
   simulator.max_seconds = cell.max_seconds;
   simulator.progress = [&](const Simulator&) { return options.go_on(); };
+  simulator.interrupt = options.interrupt;
   Trial trial;
   trial.measurement = measure(scene, "exact", simulator);
   trial.measurement.seed = cell.parameters.seed + static_cast<std::uint64_t>(k);
@@ -49,7 +51,7 @@ Trial run_trial(const Cell& cell, int k, const VerifyOptions& options,
     trial.witnessed.push_back(witness ? expectation.witness(scene) : Integer(0));
   }
   if (k == 0 && trial.measurement.status == RunStatus::kDone) {
-    contest = compare_with_double(scene, trial.measurement, options.go_on);
+    contest = compare_with_double(scene, trial.measurement, simulator);
     if (contest) {
       contest->rival.seed = trial.measurement.seed;
       contest->rival.scene_hash = trial.measurement.scene_hash;
@@ -69,14 +71,60 @@ void keep_failures(CellResult& result, const VerifyOptions& options) {
   }
 }
 
+void judge_runs(CellResult& result, const VerifyOptions& options) {
+  if (!result.trials.empty()) {
+    std::vector<Check> checks = judge(result.cell, result.trials);
+    checks.insert(checks.end(), result.checks.begin(), result.checks.end());
+    result.checks = std::move(checks);
+  }
+  keep_failures(result, options);
+}
+
+// The cell as it is run: with the number of scenes that was asked for.
+Cell with_seeds(Cell cell, const VerifyOptions& options) {
+  if (options.seeds && cell.random) cell.max_seeds = *options.seeds;
+  return cell;
+}
+
+// As run_cell, but what is finished already is not run again.
+std::optional<CellResult> find_or_run(const Cell& cell, const VerifyOptions& options,
+                                      const std::function<void(int seed)>& on_scene) {
+  if (options.finished == nullptr) return run_cell(cell, options, on_scene);
+  const std::string key = cell_key(cell, options.seeds);
+  if (const std::optional<std::string> record = options.finished->find(key)) {
+    std::optional<CellResult> result = read_cell_record(*record, with_seeds(cell, options));
+    if (result) {
+      judge_runs(*result, options);
+      return result;
+    }
+  }
+  std::optional<CellResult> result = run_cell(cell, options, on_scene);
+  const bool threw = result && std::any_of(result->checks.begin(), result->checks.end(),
+                                           [](const Check& c) { return c.claim == "error"; });
+  if (result && !threw) options.finished->add(key, cell_record(*result));
+  return result;
+}
+
+StudyResult find_or_run(const Study& study, const VerifyOptions& options) {
+  if (options.finished != nullptr) {
+    if (const std::optional<std::string> record = options.finished->find(study_key(study))) {
+      if (std::optional<StudyResult> result = read_study_record(*record)) return *result;
+    }
+  }
+  StudyResult result = study.run(study.quick, options.go_on);
+  if (options.finished != nullptr && options.go_on()) {
+    options.finished->add(study_key(study), study_record(result));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<CellResult> run_cell(const Cell& cell, const VerifyOptions& options,
                                    const std::function<void(int seed)>& on_scene) {
   const auto begin = std::chrono::steady_clock::now();
   CellResult result;
-  result.cell = cell;
-  if (options.seeds && cell.random) result.cell.max_seeds = *options.seeds;
+  result.cell = with_seeds(cell, options);
   const int fewest = std::min(options.seeds && cell.random ? *options.seeds : cell.min_seeds,
                               result.cell.max_seeds);
   for (int k = 0; k < result.cell.max_seeds; ++k) {
@@ -85,6 +133,7 @@ std::optional<CellResult> run_cell(const Cell& cell, const VerifyOptions& option
     try {
       result.trials.push_back(run_trial(result.cell, k, options, result.contest));
     } catch (const std::exception& error) {
+      if (!options.go_on()) return std::nullopt;
       result.checks.push_back({"error", "run", "", "runs to the end", error.what(), "",
                                Verdict::kFail, static_cast<std::size_t>(k)});
       break;
@@ -93,12 +142,7 @@ std::optional<CellResult> run_cell(const Cell& cell, const VerifyOptions& option
     if (!options.go_on()) return std::nullopt;
     if (k + 1 >= fewest && precise_enough(cell, result.trials)) break;
   }
-  if (!result.trials.empty()) {
-    std::vector<Check> checks = judge(result.cell, result.trials);
-    checks.insert(checks.end(), result.checks.begin(), result.checks.end());
-    result.checks = std::move(checks);
-  }
-  keep_failures(result, options);
+  judge_runs(result, options);
   result.seconds = seconds_since(begin);
   return result;
 }
@@ -116,7 +160,7 @@ VerifyResult run_catalogue(const Catalogue& catalogue, const VerifyOptions& opti
   auto [finished, interrupted] = run_in_order<CellResult>(
       cells.size(), options.jobs,
       [&](std::size_t i) {
-        return run_cell(cells[i], options, [&](int seed) {
+        return find_or_run(cells[i], options, [&](int seed) {
           if (options.on_scene) options.on_scene(i, seed);
         });
       },
@@ -132,7 +176,7 @@ VerifyResult run_catalogue(const Catalogue& catalogue, const VerifyOptions& opti
   }
   for (const Study& study : catalogue.studies) {
     if (result.interrupted || !options.go_on()) break;
-    result.studies.push_back(study.run(study.quick, options.go_on));
+    result.studies.push_back(find_or_run(study, options));
   }
   result.interrupted = result.interrupted || result.studies.size() < catalogue.studies.size();
   return result;

@@ -5,21 +5,25 @@
 #ifndef KINEX_EXPERIMENTS_VERIFY_RUNNER_H
 #define KINEX_EXPERIMENTS_VERIFY_RUNNER_H
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "experiments/finished_work.h"
 #include "experiments/verify/judge.h"
 
 namespace kinex {
 
 struct VerifyOptions {
-  int jobs = 1;              // more than one makes time ratios noisy
-  std::optional<int> seeds;  // exactly so many for every random cell
-  std::string keep_folder;   // where scenes that fail are kept; empty: nowhere
+  int jobs = 1;                      // more than one makes time ratios noisy
+  std::optional<int> seeds;          // exactly so many for every random cell
+  std::string keep_folder;           // where scenes that fail are kept; empty: nowhere
+  FinishedWork* finished = nullptr;  // what it holds is not run again; what is run is added
   std::function<bool()> go_on = [] { return true; };  // called from all threads
+  const std::atomic<bool>* interrupt = nullptr;       // as in SimulatorOptions
   // A scene of cell `index` is about to be run. Called from all threads.
   std::function<void(std::size_t index, int seed)> on_scene;
   // In the catalogue's order, one at a time.

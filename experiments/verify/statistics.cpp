@@ -63,6 +63,7 @@ std::optional<PowerFit> fit_power(std::span<const FitPoint> points) {
   }
   PowerFit fit;
   fit.degrees = static_cast<int>(points.size()) - 2;
+  fit.weighted = weighted;
   double offset, cov00, cov01, cov11;
   if (weighted) {
     gsl_fit_wlinear(x.data(), 1, weight.data(), 1, y.data(), 1, x.size(), &offset, &fit.exponent,
@@ -86,6 +87,15 @@ std::optional<PowerFit> fit_power(std::span<const FitPoint> points) {
   fit.centre = std::exp(weighted_x / weights);
   for (const FitPoint& point : points) fit.residuals.push_back(point.count / fit.at(point.n) - 1);
   return fit;
+}
+
+IntervalSays compare_with_claim(double lower, double upper, double value, double tolerance,
+                                bool at_most) {
+  const double least = at_most ? -std::numeric_limits<double>::infinity() : value - tolerance;
+  const double most = value + tolerance;
+  if (lower >= least && upper <= most) return IntervalSays::kConfirmed;
+  if (upper < least || lower > most) return IntervalSays::kRefuted;
+  return IntervalSays::kOpen;  // not a number, too
 }
 
 std::optional<LineFit> fit_line(std::span<const FitPoint> points) {

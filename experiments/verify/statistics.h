@@ -22,6 +22,12 @@ class RunningMean {
   double smallest() const { return smallest_; }
   double largest() const { return largest_; }
 
+  // For field_archive.h.
+  template <class Archive>
+  void fields(Archive& archive) {
+    archive(count_, mean_, squares_, smallest_, largest_);
+  }
+
  private:
   std::uint64_t count_ = 0;
   double mean_ = 0;
@@ -52,7 +58,8 @@ struct PowerFit {
   double lower = 0, upper = 0;  // 95 % confidence interval of the exponent
   double factor = 0;
   double centre = 0;      // the n at which the fit is surest: its logarithm is the (weighted) mean
-  double chi_square = 0;  // weighted sum of squares; unweighted if a point is exact
+  bool weighted = false;  // every point has a standard error
+  double chi_square = 0;  // weighted sum of squares; says nothing unless `weighted`
   int degrees = 0;        // of freedom: points - 2
   std::vector<double> residuals;  // count / fit - 1, in the order of the points
 
@@ -65,6 +72,13 @@ struct PowerFit {
 // widened by sqrt(chi_square / degrees): a systematic departure from a power is not hidden by small
 // errors. nullopt for fewer than three points, or points that are not positive, or a single n.
 std::optional<PowerFit> fit_power(std::span<const FitPoint> points);
+
+// What a confidence interval says of a claim "value within the tolerance" (at_most: "value or
+// less"). Confirmed: all of the interval lies there. Refuted: none of it. Open: some of it, so that
+// data that say less (a wider interval) never confirm more.
+enum class IntervalSays { kConfirmed, kOpen, kRefuted };
+IntervalSays compare_with_claim(double lower, double upper, double value, double tolerance,
+                                bool at_most);
 
 // count = offset + slope * x, by linear least squares, all points alike.
 struct LineFit {

@@ -7,6 +7,7 @@
 #include "experiments/input_error.h"
 #include "experiments/json_writer.h"
 #include "experiments/scene_reader.h"
+#include "experiments/scene_writer.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
 
@@ -18,7 +19,12 @@ namespace {
 std::vector<LogStructure> planned_structures(const Scene& scene) {
   std::vector<LogStructure> planned;
   for (const PlannedStructure& one : plan_structures(scene)) {
-    planned.push_back({one.request.label, one.request.structure, {}});
+    LogStructure& structure = planned.emplace_back();
+    structure.label = one.request.label;
+    structure.structure = one.request.structure;
+    if (find_structure_info(one.request.structure)->uses_key) {
+      structure.key = key_json(one.request.key, scene);
+    }
   }
   return planned;
 }
@@ -33,20 +39,21 @@ std::string names(const std::vector<LogStructure>& structures) {
 
 // An entry of --maintain.
 std::string entry_for(const LogStructure& logged) {
-  const std::string& label = logged.label;
-  if (label == logged.structure) return label;
-  for (const char* axis : {":x", ":y", ":z"}) {
-    if (label == logged.structure + axis) return label;
-  }
   std::string text;
   JsonWriter json(text);
-  json.begin_object().key("structure").string(logged.structure).key("as").string(label);
-  json.end_object();
+  json.begin_object().key("structure").string(logged.structure);
+  if (!logged.key.empty()) json.key("key").raw(logged.key);
+  json.key("as").string(logged.label).end_object();
   return text;
 }
 
-bool same_instant(const LogInstant& a, const InstantText& b) {
+// As far as the log tells.
+bool same_instant(const LogInstant& a, const InstantText& b, const LogHeader& header) {
+  if (!header.has_times()) return true;
   if (!b.exact) return a.decimal == b.approximate;
+  if (!header.has_names()) {
+    return !(a.upper < *Rational::parse(b.lower) || *Rational::parse(b.upper) < a.lower);
+  }
   if (a.root != b.root || a.polynomial.coefficients().size() != b.polynomial.size()) return false;
   for (std::size_t i = 0; i < b.polynomial.size(); ++i) {
     if (a.polynomial[i].to_string() != b.polynomial[i]) return false;
@@ -68,13 +75,12 @@ bool maintains_as_logged(const Scene& scene, const LogHeader& header) {
   const std::vector<LogStructure> planned = planned_structures(scene);
   return std::equal(planned.begin(), planned.end(), header.structures.begin(),
                     header.structures.end(), [](const LogStructure& a, const LogStructure& b) {
-                      return a.label == b.label && a.structure == b.structure;
+                      return a.label == b.label && a.structure == b.structure && a.key == b.key;
                     });
 }
 
-bool maintain_as_logged(Scene& scene, const LogHeader& header, const std::string& file) {
-  if (maintains_as_logged(scene, header)) return true;
-  const std::vector<Request> asked = scene.maintain;
+void maintain_as_logged(Scene& scene, const LogHeader& header, const std::string& file) {
+  if (maintains_as_logged(scene, header)) return;
   std::vector<std::string> entries;
   for (const LogStructure& logged : header.structures) entries.push_back(entry_for(logged));
   try {
@@ -82,18 +88,6 @@ bool maintain_as_logged(Scene& scene, const LogHeader& header, const std::string
   } catch (const InputError& error) {
     throw InputError(file, "line 1", error.problem(), "give a log of this program");
   }
-  bool known = true;
-  for (Request& request : scene.maintain) {
-    const auto same = std::find_if(asked.begin(), asked.end(), [&](const Request& other) {
-      return other.label == request.label && other.structure == request.structure;
-    });
-    if (same != asked.end()) {
-      request = *same;
-    } else if (find_structure_info(request.structure)->uses_key) {
-      known = known && request.label.starts_with(request.structure + ":");
-    }
-  }
-  return known;
 }
 
 std::string structures_of(const LogHeader& header) { return names(header.structures); }
@@ -118,10 +112,10 @@ bool LogFollower::follow(const SeenEvent& event) {
   if (!std::equal(next_.ids.begin(), next_.ids.end(), event.ids.begin(), event.ids.end())) {
     part = "objects";
   }
-  if (!same_instant(next_.time, event.instant)) part = "time";
+  if (!same_instant(next_.time, event.instant, header())) part = "time";
   if (part == nullptr) return true;
   problem_ = reader_.file() + ": line " + std::to_string(next_.line) +
-             ": the log and the run of its scene part at event " + std::to_string(event.number) +
+             ": the log and the run of its scene part at record " + std::to_string(event.number) +
              ": other " + part;
   return false;
 }
@@ -129,7 +123,7 @@ bool LogFollower::follow(const SeenEvent& event) {
 void LogFollower::finish() {
   if (!problem_.empty() || !reader_.next(next_)) return;
   problem_ = reader_.file() + ": line " + std::to_string(next_.line) +
-             ": the run of the scene has no such event";
+             ": the run of the scene has no such record";
 }
 
 }  // namespace kinex

@@ -15,12 +15,10 @@ namespace kinex {
 
 // Throws InputError if the log is of a scene with another hash.
 void require_same_scene(const LogHeader& header, const std::string& file, const std::string& hash);
-// The scene maintains what the log is of: the same structures with the same labels.
+// The scene maintains what the log is of: the same structures with the same labels and keys.
 bool maintains_as_logged(const Scene& scene, const LogHeader& header);
-// Makes it so, where the scene asks for the same as it asks for it. Returns false if keys had to be
-// guessed, which a log does not hold: a label NAME:AXIS tells one, otherwise it is the first axis.
-// Throws InputError that names the log.
-bool maintain_as_logged(Scene& scene, const LogHeader& header, const std::string& file);
+// Makes it so. Throws InputError that names the log.
+void maintain_as_logged(Scene& scene, const LogHeader& header, const std::string& file);
 // "a, b": the labels.
 std::string structures_of(const LogHeader& header);
 
@@ -32,8 +30,9 @@ class LogFollower {
               const std::string& hash);
 
   const LogHeader& header() const { return reader_.header(); }
-  // True if the log has this event next: same structure, kind, ids, side (external or internal) and
-  // instant. False at the end of the log, and where they part; then problem() says how.
+  // True if the log has this record next: same structure, kind, ids, effect (external or internal)
+  // and, as far as the log tells, the same instant. False at the end of the log, and where they
+  // part; then problem() says how.
   bool follow(const SeenEvent& event);
   // The run is at its end: the log must be, too.
   void finish();
@@ -41,7 +40,7 @@ class LogFollower {
 
  private:
   LogReader reader_;
-  LogEvent next_;
+  LogRecord next_;
   std::string problem_;
 };
 

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "core/check.h"
-#include "experiments/event_log.h"
+#include "core/refused_change.h"
+#include "experiments/gmp_memory.h"
 #include "experiments/input_error.h"
+#include "experiments/log_digest.h"
 #include "experiments/scene_run.h"
-#include "experiments/sha256.h"
 #include "experiments/view/certificate_polynomial.h"
 #include "experiments/view/proof_recorder.h"
 #include "experiments/view/watched_structure.h"
@@ -38,6 +39,7 @@ class Recorder final : public EventSink {
     run_.exact = watch->is_exact();
     SimulatorOptions simulator_options;
     simulator_options.audit = AuditLevel::kNone;
+    simulator_options.interrupt = options_.interrupt;
     simulator_options.progress = [this](const Simulator& running) {
       return !full_ && (!options_.progress || options_.progress(running));
     };
@@ -45,12 +47,14 @@ class Recorder final : public EventSink {
     run_.objects = scene.objects.size();
     if (scene.has_bodies()) proofs_.emplace(scene, *simulator_, run_);
     add_structures();
+    digest_.emplace(*simulator_);
     simulator_->set_sink(this);
   }
 
   RecordedRun run() {
     recording_ = !options_.from || *options_.from == scene_.start;
     run_.start = options_.from ? *options_.from : scene_.start;
+    const GmpGuard guard(&simulator_->deadline());
     simulator_->start();
     RunStatus status = RunStatus::kDone;
     if (!recording_) {
@@ -59,7 +63,7 @@ class Recorder final : public EventSink {
       recording_ = true;
       for (StructureId id = 0; id < run_.structures.size(); ++id) take_initial(id);
     }
-    if (status == RunStatus::kDone) status = simulator_->run_until(std::nullopt);
+    if (status == RunStatus::kDone) status = run_to_end();
     note_corruption();
     run_.complete = status == RunStatus::kDone && !full_;
     if (!run_.complete && run_.stopped.empty()) run_.stopped = "it was interrupted";
@@ -67,7 +71,7 @@ class Recorder final : public EventSink {
     for (PredicateId id = 0; id < stages_->predicates(); ++id) {
       run_.predicates.emplace_back(stages_->predicate(id).name());
     }
-    run_.digest = digest_.hex();
+    run_.digest = digest_->hex();
     return std::move(run_);
   }
 
@@ -94,7 +98,7 @@ class Recorder final : public EventSink {
     }
     ++events_;
     run_.all.push_back(as_recorded(event));
-    digest_.add(digest_line(structure.label, kind, names_));
+    digest_->add(event, *simulator_);
     if (!record) return;
     if (state.first_pending == 0) state.first_pending = events_;
     state.changed = state.changed || event.external || common;
@@ -102,6 +106,16 @@ class Recorder final : public EventSink {
   }
 
  private:
+  // Nobody minds a change that cannot be made where nothing more is to be recorded.
+  RunStatus run_to_end() {
+    try {
+      return simulator_->run_until(std::nullopt);
+    } catch (const RefusedChange&) {
+      if (!full_) throw;
+      return RunStatus::kInterrupted;
+    }
+  }
+
   // Between two looks at a structure.
   struct State {
     const Structure* structure = nullptr;
@@ -154,9 +168,10 @@ class Recorder final : public EventSink {
     }
   }
 
-  // Without its reason, and with derived objects as the record numbers them.
+  // Without its reason and its difference, and with derived objects as the record numbers them.
   Event as_recorded(Event event) {
     event.reason = {};
+    event.gone = event.came = {};
     if (!proofs_) return event;
     for (std::size_t i = 0; i < event.count; ++i) event.ids[i] = proofs_->recorded(event.ids[i]);
     for (std::size_t i = 0; i < event.certificate.arity; ++i) {
@@ -260,7 +275,7 @@ class Recorder final : public EventSink {
   std::uint64_t events_ = 0;
   bool recording_ = false;
   bool full_ = false;
-  Sha256 digest_;
+  std::optional<LogDigest> digest_;
 };
 
 }  // namespace

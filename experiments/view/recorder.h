@@ -8,6 +8,7 @@
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDER_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDER_H
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <span>
@@ -38,6 +39,7 @@ struct RecordOptions {
   // Told of every event, recorded or not; false: the run is of no interest from this event on.
   std::function<bool(const SeenEvent&)> observe;
   std::function<bool(const Simulator&)> progress;  // as in SimulatorOptions
+  const std::atomic<bool>* interrupt = nullptr;    // likewise
 };
 
 // The scene's end, if it has one, must lie after options.from. Throws InputError for an unknown

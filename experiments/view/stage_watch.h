@@ -28,6 +28,7 @@ class StageWatch : public Arithmetic {
   std::string name() const override { return inner_->name(); }
   bool is_exact() const override { return inner_->is_exact(); }
   long precision() const override { return inner_->precision(); }
+  void set_deadline(Deadline* deadline) override { inner_->set_deadline(deadline); }
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override {
     inner_->set_motion(object, trajectory, until);
@@ -38,7 +39,7 @@ class StageWatch : public Arithmetic {
   void leave() override { inner_->leave(); }
   double now_approximate() const override { return inner_->now_approximate(); }
   double now_rounded() override { return inner_->now_rounded(); }
-  InstantText describe_now() override { return inner_->describe_now(); }
+  const InstantName& name_now(InstantDetail detail) override { return inner_->name_now(detail); }
   Sign sign_after(const Query& query) override { return inner_->sign_after(query); }
   Outlook failure(const Query& query, FailureTime& time) override;
   Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;

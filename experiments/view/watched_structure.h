@@ -43,10 +43,14 @@ class WatchedStructure final : public Structure {
   void instant_settled() override {
     call([](Structure& s) { s.instant_settled(); });
   }
+  void instant_over() override {
+    call([](Structure& s) { s.instant_over(); });
+  }
   void watched_changed(const Event* event) override {
     call([=](Structure& s) { s.watched_changed(event); });
   }
   Attribute attribute() const override { return structure_->attribute(); }
+  Attribute told() const override { return structure_->told(); }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override {
     return structure_->bounds(context);
   }

@@ -41,7 +41,7 @@ class FakeArithmetic final : public Arithmetic {
     release(time);
   }
   double now_approximate() const override { return now; }
-  InstantText describe_now() override { return {}; }
+  const InstantName& name_now(InstantDetail) override { return name_of_now_; }
   Sign sign_after(const Query&) override { return Sign::kPositive; }
   Outlook failure(const Query& query, FailureTime& time) override {
     const auto at = times.find(query.ids);

@@ -8,6 +8,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "core/repeated_object.h"
+#include "tests/core/certificate_fixture.h"
 #include "tests/core/fake_arithmetic.h"
 
 namespace kinex::test {
@@ -114,6 +116,57 @@ TEST(Kernel, AnEventIsCountedOnceAndLargestNumbersAreTakenAfterIt) {
   EXPECT_EQ(a.internal, 0u);
 }
 
+// Keeps what it was given.
+struct Reporter final : EventReporter {
+  void reported(const Event& event) override { take("own", event); }
+  void settled(Event event) override { take("settled", event); }
+  void rebuilt(Event event) override { take("rebuilt", event); }
+  void take(const char* what, const Event& event) {
+    lines.push_back(std::string(what) + (event.external ? " !" : ""));
+    gone.assign(event.gone.begin(), event.gone.end());
+    came.assign(event.came.begin(), event.came.end());
+    reason = event.reason;
+  }
+  std::vector<std::string> lines;
+  std::vector<ObjectId> gone, came;
+  std::string reason;
+};
+
+TEST(Kernel, EventsWithADifference) {
+  Fixture f;
+  Reporter reporter;
+  f.kernel->set_reporter(&reporter);
+  const std::vector<ObjectId> none, one{1}, two{2, 3};
+  f.kernel->report(f.a, 0, {4}, true, one, two);
+  EXPECT_EQ(reporter.gone, one);
+  EXPECT_EQ(reporter.came, two);
+  EXPECT_FALSE(f.kernel->last_event().has_difference());  // it was valid during the call
+  f.kernel->report(f.a, 0, {4}, false);
+  EXPECT_EQ(reporter.gone, none);
+  f.kernel->report_settled(f.a, none, none);  // no difference: not reported
+  f.kernel->report_settled(f.a, none, one);
+  EXPECT_EQ(reporter.came, one);
+  f.kernel->count_rebuild(f.a, "why");
+  EXPECT_EQ(reporter.reason, "why");
+  f.kernel->count_rebuild(f.a, "why", two, none);
+  EXPECT_EQ(reporter.gone, two);
+  EXPECT_EQ(reporter.lines,
+            (std::vector<std::string>{"own !", "own", "settled !", "rebuilt", "rebuilt !"}));
+  EXPECT_EQ(f.kernel->ledger(f.a).external, 3u);
+  EXPECT_EQ(f.kernel->ledger(f.a).processed, 3u);
+  EXPECT_EQ(f.kernel->ledger(f.a).rebuilds, 2u);
+  // One that a failure led to: the failure is no internal event.
+  f.fails({0, 1}, 1);
+  const auto failed = f.kernel->create(f.a, Query(0, {0, 1}), 0).id;
+  f.kernel->queue().pop();
+  f.kernel->begin_event(f.a, failed);
+  f.kernel->count_rebuild(f.a, "why", one, two);
+  f.kernel->end_event();
+  EXPECT_EQ(f.kernel->ledger(f.a).external, 4u);
+  EXPECT_EQ(f.kernel->ledger(f.a).processed, 4u);
+  EXPECT_EQ(f.kernel->ledger(f.a).internal, 0u);
+}
+
 TEST(Kernel, EveryChangeThatAFailureReportsIsAnExternalEvent) {
   Fixture f;
   f.fails({0, 1}, 1);
@@ -187,6 +240,96 @@ TEST(Kernel, TheIndexFollowsAllChanges) {
       ASSERT_EQ(found, wanted);
       ASSERT_EQ(f.kernel->live_certificates(f.a, object), wanted.size());
     }
+  }
+}
+
+// Every arity, every two places: refused, and nothing has changed.
+TEST(Kernel, ACertificateNamesNoObjectTwice) {
+  Fixture f;
+  f.kernel->bind(make_predicate<Order>());
+  const auto refused = [&](const auto& call) {
+    try {
+      call();
+    } catch (const RepeatedObject& error) {
+      EXPECT_EQ(error.structure(), f.b);
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const CertificateId kept = f.kernel->create(f.b, Query(0, {8, 9}), 3).id;
+  for (const bool indexed : {false, true}) {
+    if (indexed) f.kernel->certificates_of(0);
+    for (std::uint8_t arity = 2; arity <= kMaxArity; ++arity) {
+      for (std::uint8_t i = 0; i < arity; ++i) {
+        for (std::uint8_t j = i + 1; j < arity; ++j) {
+          Query query(0, {});
+          query.arity = arity;
+          for (ObjectId k = 0; k < arity; ++k) query.ids[k] = k;
+          const Query good = query;
+          query.ids[j] = query.ids[i];
+          std::string list;
+          for (ObjectId k = 0; k < arity; ++k) {
+            list += (k == 0 ? "" : ", ") + std::to_string(query.ids[k]);
+          }
+          const std::string text =
+              "structure 1 asks for a certificate order(" + list + "), which names an object twice";
+          EXPECT_EQ(refused([&] { f.kernel->create(f.b, query, 0); }), text);
+          EXPECT_EQ(refused([&] { f.kernel->replace(kept, query, 0); }), text);
+          EXPECT_EQ(f.kernel->query(kept), Query(0, {8, 9}));
+          EXPECT_EQ(f.kernel->tag(kept), 3u);
+          EXPECT_EQ(f.kernel->ledger(f.b).certificates_created,
+                    f.kernel->ledger(f.b).certificates_retracted + 1);
+          // Object 0 is in unused places as well: no repetition.
+          f.kernel->retract(f.kernel->create(f.b, good, 0).id);
+        }
+      }
+    }
+  }
+  f.kernel->retract(f.kernel->create(f.b, Query(0, {0}), 0).id);
+  EXPECT_EQ(f.kernel->queue().live(), 1u);
+  EXPECT_EQ(f.kernel->certificates_of(8).size(), 1u);
+  EXPECT_EQ(f.kernel->certificates_of(0).size(), 0u);
+}
+
+// A constant may stand twice in a certificate (a vertex that two bodies have in their frames): it
+// is in no index, which stays right for the others.
+TEST(Kernel, AConstantMayStandTwice) {
+  Fixture f;
+  f.kernel->certificates_of(0);
+  const ObjectId c = f.kernel->constant("c", {Rational(1)});
+  std::vector<CertificateId> made;
+  for (int i = 0; i < 3; ++i) made.push_back(f.kernel->create(f.a, Query(0, {0, c, c}), 0).id);
+  f.kernel->retract(made[1]);
+  f.kernel->replace(made[0], Query(0, {c, 0, c}), 0);
+  EXPECT_EQ(f.kernel->certificates_of(0).size(), 2u);
+  EXPECT_EQ(f.kernel->certificates_of(c).size(), 0u);
+  EXPECT_EQ(f.kernel->live_certificates(f.a, 0), 2u);
+  f.kernel->bind(make_predicate<Order>());
+  EXPECT_THROW(f.kernel->create(f.a, Query(0, {0, c, 0}), 0), RepeatedObject);
+  f.kernel->retract(made[0]);
+  f.kernel->retract(made[2]);
+  EXPECT_EQ(f.kernel->certificates_of(0).size(), 0u);
+}
+
+// A sign may be asked for: the formula's value.
+TEST(Kernel, ASignMayNameAnObjectTwice) {
+  const Scene scene = make_scene({{{Rational(0)}, {Rational(0)}},
+                                  {{Rational(3), Rational(1)}, {Rational(1)}},
+                                  {{Rational(1)}, {Rational(2), Rational(-1)}}},
+                                 Rational(0));
+  for (const char* name : {"exact", "sturm", "double", "gsl", "mpfr:53"}) {
+    Kernel kernel(make_arithmetic(name, scene), scene.objects.size());
+    set_motions(scene, kernel.arithmetic());
+    const PredicateId order = kernel.bind(make_predicate<Order>());
+    const PredicateId nearer = kernel.bind(make_predicate<DistanceOrder>());
+    const PredicateId turn = kernel.bind(make_predicate<Orientation>());
+    EXPECT_EQ(kernel.sign_after(order, {1, 1}), Sign::kZero) << name;
+    EXPECT_EQ(kernel.sign_after(turn, {0, 1, 0}), Sign::kZero) << name;
+    EXPECT_EQ(kernel.sign_after(turn, {0, 1, 2}), Sign::kPositive) << name;
+    // Is 1 farther from 2 than 2 itself?
+    EXPECT_EQ(kernel.sign_after(nearer, {2, 1, 2}), Sign::kPositive) << name;
+    EXPECT_EQ(kernel.sign_after(nearer, {1, 2, 2}), Sign::kNegative) << name;
+    EXPECT_EQ(kernel.sign_after(nearer, {1, 1, 2}), Sign::kZero) << name;
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "core/repeated_object.h"
 #include "tests/core/plain_list.h"
 #include "tests/structures/test_scenes.h"
 
@@ -254,14 +255,37 @@ class Stubborn final : public PlainList {
   }
 };
 
+// The events that carry a difference: kind, what went, what came.
+class DifferenceSink final : public EventSink {
+ public:
+  explicit DifferenceSink(const Simulator& simulator) : simulator_(simulator) {}
+  void event(const Event& event, Arithmetic&) override {
+    if (!event.has_difference()) return;
+    std::string line(simulator_.event_kinds(event.structure)[event.kind]);
+    for (const ObjectId id : event.gone) line += " -" + std::to_string(id);
+    for (const ObjectId id : event.came) line += " +" + std::to_string(id);
+    lines.push_back(line + (event.external ? " !" : ""));
+  }
+  Calls lines;
+
+ private:
+  const Simulator& simulator_;
+};
+
 TEST(Simulator, TheGuardRebuilds) {
   const Scene scene = scene_of({path({{0, 1}}), path({{1}})}, 0, Rational(4));
   Fixture<Stubborn> f(scene);
+  DifferenceSink sink(f.simulator);
+  f.simulator.set_sink(&sink);
   f.simulator.run_until(std::nullopt);
+  EXPECT_THAT(sink.lines, ElementsAre("rebuild -0 -1 +1 +0 !"));
+  EXPECT_EQ(f.ledger().external, 1u);
   EXPECT_EQ(f.ledger().rebuilds, 1u);
   EXPECT_EQ(f.ledger().rebuild_reasons.at("guard"), 1u);
   EXPECT_EQ(f.ledger().by_kind.at("rebuild"), 1u);
-  EXPECT_EQ(f.ledger().processed, 1000u + 64 + 1);
+  EXPECT_EQ(f.ledger().internal, 1000u + 64 + 1);
+  EXPECT_EQ(f.ledger().processed, f.ledger().internal + 1);
+  EXPECT_EQ(f.ledger().records, f.ledger().internal + 1);
   EXPECT_EQ(f.ids(), (std::vector<ObjectId>{1, 0}));
   f.expect_clean();
 }
@@ -295,6 +319,39 @@ TEST(Simulator, ABrokenInvariantIsABugOrCorruption) {
   Fixture<Fragile> g(scene, {}, "double");
   g.simulator.run_until(std::nullopt);
   EXPECT_EQ(g.ledger().corruption, "cannot happen (at t = 1)");
+}
+
+// Names a new object twice.
+class Doubling final : public PlainList {
+ public:
+  using PlainList::PlainList;
+  void insert(ObjectId object) override {
+    PlainList::insert(object);
+    kernel_->create(id_, Query(less_, {object, object}), 0);
+  }
+};
+
+TEST(Simulator, ARepeatedObjectIsABugInAnExactArithmeticAndCorruptionInOthers) {
+  const Scene scene = scene_of({path({{0}}), path({{1}}), path({{2}})}, 0, Rational(4));
+  const std::string message =
+      "structure list asks for a certificate difference(o2, o2), which names an object twice";
+  for (const char* arithmetic : {"exact", "sturm", "double", "gsl", "mpfr:53"}) {
+    Fixture<Doubling> f(scene, {}, arithmetic);
+    f.simulator.schedule_erasure(Rational(1), 2);
+    f.simulator.schedule_insertion(Rational(2), 2, path({{5}}));
+    if (!f.simulator.kernel().is_exact()) {
+      f.simulator.run_until(std::nullopt);
+      EXPECT_EQ(f.ledger().corruption, message + " (at t = 2)") << arithmetic;
+      continue;
+    }
+    try {
+      f.simulator.run_until(std::nullopt);
+      ADD_FAILURE() << arithmetic;
+    } catch (const RepeatedObject& error) {
+      EXPECT_EQ(error.what(), message);
+    }
+    EXPECT_FALSE(f.ledger().corrupt);
+  }
 }
 
 // Keeps its certificates when an object leaves.
@@ -334,6 +391,43 @@ TEST(Simulator, AuditsSeeAWrongAttribute) {
   EXPECT_FALSE(f.simulator.audit());
   EXPECT_EQ(f.ledger().audit_violations, 1u);
   EXPECT_THAT(f.simulator.violations().at(0), HasSubstr("list: order"));
+}
+
+TEST(Simulator, AuditsSayWhen) {
+  const Scene scene = scene_of({path({{0}}), path({{1}}), path({{2}})}, 0, ratio(3, 2));
+  Fixture<Lying> f(scene);
+  f.simulator.run_until(Rational(1));
+  f.list->lie();
+  f.simulator.run_until(Rational(1));
+  EXPECT_FALSE(f.simulator.audit());
+  EXPECT_EQ(f.simulator.violations().back(), "list: order (t = 5/4 (1.25))");
+  // A time after the end serves for what holds right after it, and is not told.
+  f.simulator.run_until(std::nullopt);
+  EXPECT_EQ(f.simulator.violations().back(),
+            "list: order (right after the scene's end, which is t = 3/2 (1.5))");
+}
+
+// Names of hundreds of digits are for machines.
+TEST(Simulator, TimesInMessagesAreShort) {
+  const Rational late = Rational(1) + Rational(Integer(1), Integer::power_of_two(2000));
+  const Scene scene = scene_of({path({{0}}), path({{1}})}, 0, late);
+  Fixture<Lying> f(scene);
+  f.list->lie();
+  f.simulator.run_until(std::nullopt);
+  EXPECT_EQ(f.simulator.violations().back(),
+            "list: order (right after the scene's end, which is t = about 1)");
+  try {
+    f.simulator.run_until(Rational(0));
+    ADD_FAILURE();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "the run has reached about 1 and cannot go back to 0");
+  }
+  try {
+    f.simulator.schedule_erasure(late + late, 0);
+    ADD_FAILURE();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "no change can be made at about 2");
+  }
 }
 
 TEST(Simulator, AuditsSeeANegativeCertificate) {
@@ -413,6 +507,52 @@ TEST(Simulator, WatchersAreToldOfEveryChange) {
   EXPECT_EQ(c->simulator->kernel().ledger(1).failures, 0u);
   EXPECT_EQ(c->simulator->kernel().ledger(1).external, 4u);
   EXPECT_EQ(c->simulator->kernel().ledger(1).processed, 4u);
+  EXPECT_EQ(c->simulator->violations(), Calls{});
+}
+
+// Says nothing of its swaps until the instant is over.
+class Late final : public PlainList {
+ public:
+  using PlainList::PlainList;
+  void build(std::span<const ObjectId> objects) override {
+    PlainList::build(objects);
+    told_ = attribute();
+  }
+  void certificate_failed(CertificateId failed) override {
+    const std::uint32_t i = kernel_->tag(failed);
+    std::swap(order_[i], order_[i + 1]);
+    certify();
+    kernel_->report(id_, 0, {}, false);
+    kernel_->set_instant_shared(id_, true);
+  }
+  void instant_over() override {
+    calls.push_back("over");
+    const AttributeDifference change = difference_between(told_, attribute());
+    told_ = attribute();
+    kernel_->report_settled(id_, change.gone, change.came);
+  }
+
+ private:
+  Attribute told_;
+};
+
+TEST(Simulator, WhatChangedIsToldWhenTheInstantIsOver) {
+  // All three meet at 1: three swaps, one difference.
+  const Scene scene = scene_of({path({{0, 1}}), path({{1}}), path({{2, -1}})}, 0, Rational(6));
+  const auto c = Composition::make<Late>(scene);
+  DifferenceSink sink(*c->simulator);
+  c->simulator->set_sink(&sink);
+  c->simulator->run_until(std::nullopt);
+  EXPECT_THAT(sink.lines, ElementsAre("settled -0 -1 -2 +2 +1 +0 !"));
+  const StructureLedger& l = c->simulator->kernel().ledger(0);
+  EXPECT_EQ(l.failures, 3u);
+  EXPECT_EQ(l.internal, 3u);
+  EXPECT_EQ(l.external, 1u);
+  EXPECT_EQ(l.processed, 4u);
+  EXPECT_EQ(l.records, 4u);
+  EXPECT_EQ(l.by_kind.at("settled"), 1u);
+  EXPECT_EQ(c->first->attribute().ids, (std::vector<ObjectId>{2}));
+  EXPECT_THAT(c->first->calls, ElementsAre("event"));
   EXPECT_EQ(c->simulator->violations(), Calls{});
 }
 

@@ -297,7 +297,7 @@ TEST(CollisionDegenerate, NobodyAppearsInContact) {
                             piece(ratio(2, 3), 2, {{ratio(1, 2)}, {0}, {1}, {0}})},
                            2);
   jump.jumps = true;
-  refused(jump, "b appears at 2/3 in contact with a; ");
+  refused(jump, "b appears at 2/3 (0.6666666667) in contact with a; ");
   refused(with_pieces({piece(1, 2, {{-1}, {0}, {1}, {0}})}, 2),
           "b appears at 1 in contact with a; ");
   refused(with_pieces({piece(1, 2, {{3, -1}, {0}, {1}, {0}})}, 2), "b appears at 1 in ");

@@ -178,8 +178,12 @@ TEST(CsvBodies, BodiesInContactAreRefusedByName) {
   try {
     import(apart("2"), bodies(kSquare));
   } catch (const InputError& error) {  // no line of a file that is not there
-    EXPECT_EQ(error.remedy(), "place them apart; bodies must not touch when they are first seen");
+    EXPECT_EQ(error.remedy(),
+              "place them apart, or give --overlapping-starts contact (not refused)");
   }
+  ImportOptions contact = bodies(kSquare);
+  contact.overlapping_starts = OverlappingStarts::kContact;
+  EXPECT_EQ(import(apart("1"), contact).overlapping_starts, OverlappingStarts::kContact);
   // At another start they are apart.
   ImportOptions options = bodies(kSquare);
   options.start = -1;

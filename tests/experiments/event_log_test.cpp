@@ -7,15 +7,19 @@
 #include <filesystem>
 #include <set>
 
+#include "experiments/input_error.h"
 #include "experiments/json_value.h"
 #include "experiments/log_check.h"
 #include "experiments/log_diff.h"
+#include "experiments/log_rules.h"
 #include "experiments/scene_reader.h"
 #include "experiments/scene_run.h"
 #include "experiments/scene_writer.h"
 #include "experiments/sha256.h"
 #include "experiments/summary.h"
 #include "experiments/workload.h"
+#include "structures/plan.h"
+#include "structures/registry.h"
 
 namespace kinex {
 namespace {
@@ -24,7 +28,8 @@ struct Finished {
   std::string log, summary, digest;
 };
 
-Finished run(Scene scene, const std::string& arithmetic) {
+Finished run(Scene scene, const std::string& arithmetic,
+             InstantDetail instants = InstantDetail::kName) {
   const std::string path =
       (std::filesystem::temp_directory_path() /
        ("kinex-log-" + std::to_string(::getpid()) + "-" + sha256_hex(scene.name + arithmetic)))
@@ -32,7 +37,7 @@ Finished run(Scene scene, const std::string& arithmetic) {
   SimulatorOptions options;
   const auto simulator = make_simulator(scene, arithmetic, options);
   OutputFile file(path, true);
-  EventLog log(*simulator, scene_hash(scene), &file);
+  EventLog log(*simulator, scene_hash(scene), &file, instants);
   simulator->set_sink(&log);
   const RunOutcome outcome = run_scene(*simulator, {Rational(Integer(1), Integer(3))});
   log.finish(outcome.status);
@@ -57,12 +62,14 @@ TEST(EventLog, ExactLogsVerify) {
     Scene scene = workload(name, 8);
     set_maintain(scene, {"sorted_list", "sorted_list:y", "delaunay_2"});
     const Finished finished = run(scene, "exact");
-    const LogVerdict verdict = check_log(finished.log, "log");
+    const LogVerdict verdict = check_log(finished.log, "log", &scene, scene_hash(scene));
     EXPECT_EQ(verdict.problems, std::vector<std::string>{}) << name;
+    EXPECT_GT(verdict.certificates, 0u) << name;
+    EXPECT_EQ(verdict.unchecked, 0u) << name;
     EXPECT_EQ(verdict.digest, finished.digest);
     EXPECT_EQ(verdict.status, "done");
     EXPECT_EQ(verdict.header.scene_hash, scene_hash(scene));
-    EXPECT_GT(verdict.events, 0u) << name;
+    EXPECT_GT(verdict.records, 0u) << name;
   }
 }
 
@@ -75,6 +82,53 @@ TEST(EventLog, SturmWritesTheSameEvents) {
     EXPECT_TRUE(difference.equal()) << name << " " << difference.text_a << "\n"
                                     << difference.text_b;
     EXPECT_EQ(exact.digest, sturm.digest);
+  }
+}
+
+// The digest is the same whatever the log says of its instants, and where there is no log.
+TEST(EventLog, OneDigestForEveryDetail) {
+  for (const char* name : {"uniform-square", "lattice", "polygon-fan"}) {
+    const Scene scene = workload(name, 8);
+    const Finished names = run(scene, "exact");
+    const auto simulator = make_simulator(scene, "exact", {});
+    EventLog without(*simulator, "", nullptr);
+    simulator->set_sink(&without);
+    run_scene(*simulator, {Rational(Integer(1), Integer(3))});
+    EXPECT_EQ(without.digest(), names.digest) << name;
+    for (const InstantDetail detail : {InstantDetail::kInterval, InstantDetail::kNone}) {
+      const Finished other = run(scene, "exact", detail);
+      EXPECT_EQ(other.digest, names.digest) << name;
+      EXPECT_LT(other.log.size(), names.log.size());
+      const LogVerdict verdict = check_log(other.log, "log");
+      EXPECT_EQ(verdict.problems, std::vector<std::string>{}) << name;
+      const LogDifference difference = diff_logs(names.log, "names", other.log, "other");
+      EXPECT_TRUE(difference.equal()) << name << difference.text_a << difference.text_b;
+      EXPECT_EQ(difference.instants, detail == InstantDetail::kInterval
+                                         ? InstantsCompared::kIntervals
+                                         : InstantsCompared::kNot);
+    }
+  }
+}
+
+// What the log's rules say of a structure is what the structure says.
+TEST(LogRules, KindsAreThoseOfTheStructures) {
+  for (const StructureInfo& info : structure_infos()) {
+    ASSERT_NE(own_kinds(info.name), nullptr) << info.name;
+    Scene scene = workload(info.bodies ? "polygon-line" : "uniform-square", 6);
+    set_maintain(scene, {std::string(info.name)});
+    const auto simulator = make_simulator(scene, "exact", {});
+    const StructureId id = asked_structure(scene);
+    std::vector<std::string_view> kinds;
+    for (const KindRule& rule : *own_kinds(info.name)) kinds.push_back(rule.kind);
+    EXPECT_EQ(simulator->event_kinds(id), common_event_kinds(std::move(kinds))) << info.name;
+    if (!info.bodies) simulator->start();
+    EXPECT_EQ(simulator->structure(id).attribute().shape, info.attribute_shape()) << info.name;
+    const Arithmetic& arithmetic = simulator->kernel().arithmetic();
+    for (PredicateId p = 0; p < arithmetic.predicates(); ++p) {
+      const Predicate& predicate = arithmetic.predicate(p);
+      EXPECT_EQ(arity_of(predicate.name()), static_cast<std::size_t>(predicate.arity()))
+          << predicate.name();
+    }
   }
 }
 
@@ -145,22 +199,44 @@ TEST(Summary, HasTheAgreedKeys) {
   EXPECT_NE(sample.find("delaunay_2"), nullptr);
 }
 
+// A log of sorted_list with these records: kind, object, effect and time of each.
+struct Said {
+  std::string kind, id;
+  bool external = true;
+  std::string time = R"({"decimal": "0"})";
+};
+std::string made_log(const std::vector<Said>& records, bool exact = false,
+                     const std::vector<std::string>& labels = {"l"},
+                     const char* instants = "names") {
+  std::string text = R"({"format": "kinex-log", "version": 2, "scene": "s", "scene_hash": ")" +
+                     std::string(64, '0') + R"(", "arithmetic": "a", "exact": )" +
+                     (exact ? "true" : "false") + R"(, "instants": ")" + instants +
+                     R"(", "build": "", "structures": [)";
+  for (const std::string& label : labels) {
+    text += std::string(&label == &labels.front() ? "" : ", ") + R"({"label": ")" + label +
+            R"(", "structure": "sorted_list", "key": "x", "kinds": []})";
+  }
+  text += "], \"objects\": []}\n";
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Said& said = records[i];
+    const std::size_t colon = said.id.find(':');
+    const std::string label = colon == std::string::npos ? "l" : said.id.substr(0, colon);
+    text += "{\"seq\": " + std::to_string(i + 1) + R"(, "structure": ")" + label +
+            R"(", "kind": ")" + said.kind + R"(", "ids": [")" + said.id +
+            R"("], "certificate": null, "external": )" + (said.external ? "true" : "false") +
+            (std::string_view(instants) == "none" ? "" : ", \"time\": " + said.time) + "}\n";
+  }
+  return text;
+}
+std::vector<Said> swaps(const std::vector<std::string>& ids) {
+  std::vector<Said> result;
+  for (const std::string& id : ids) result.push_back({"swap", id});
+  return result;
+}
+
 TEST(LogDiff, CountsByHand) {
-  const auto log = [](std::vector<std::string> swaps) {
-    std::string text =
-        R"({"format": "kinex-log", "version": 1, "scene": "s", "scene_hash": "", "arithmetic": "double",)"
-        R"( "exact": false, "build": "", "structures": []})"
-        "\n";
-    for (std::size_t i = 0; i < swaps.size(); ++i) {
-      text += "{\"seq\": " + std::to_string(i + 1) +
-              R"(, "structure": "l", "kind": "swap", "ids": [")" + swaps[i] +
-              R"("], "certificate": null, "external": true, "time": {"decimal": "0"}})"
-              "\n";
-    }
-    return text;
-  };
-  const LogDifference difference =
-      diff_logs(log({"a", "b", "c", "d", "a"}), "a", log({"a", "c", "b", "x", "a", "a"}), "b");
+  const LogDifference difference = diff_logs(made_log(swaps({"a", "b", "c", "d", "a"})), "a",
+                                             made_log(swaps({"a", "c", "b", "x", "a", "a"})), "b");
   EXPECT_EQ(difference.first, 2u);
   EXPECT_EQ(difference.line_a, 3u);
   EXPECT_EQ(difference.missing, 1u);       // d
@@ -168,31 +244,70 @@ TEST(LogDiff, CountsByHand) {
   EXPECT_EQ(difference.out_of_order, 1u);  // b or c
 }
 
-// The same events at other times: a difference between exact logs, where an instant has one name.
+TEST(LogDiff, EffectsAndRecordsOfChanges) {
+  std::vector<Said> a = swaps({"a", "b"});
+  std::vector<Said> b = a;
+  b[1].external = false;
+  LogDifference difference = diff_logs(made_log(a), "a", made_log(b), "b");
+  EXPECT_EQ(difference.first, 2u);
+  EXPECT_EQ(difference.other_effects, 1u);
+  EXPECT_EQ(difference.missing + difference.invented + difference.out_of_order, 0u);
+  b = a;
+  b.insert(b.begin() + 1, {"motion", "a", false});
+  difference = diff_logs(made_log(a), "a", made_log(b), "b");
+  EXPECT_EQ(difference.first, 0u);
+  EXPECT_EQ(difference.events_b, 2u);
+  EXPECT_EQ(difference.other_records, 1u);
+  EXPECT_FALSE(difference.equal());
+}
+
+// Structures that only one of the runs maintained are left out, and named.
+TEST(LogDiff, OtherStructures) {
+  const std::string both = made_log(swaps({"l:a", "m:a", "l:b"}), false, {"l", "m"});
+  const std::string one = made_log(swaps({"l:a", "l:b"}));
+  const LogDifference difference = diff_logs(both, "both", one, "one");
+  EXPECT_TRUE(difference.equal());
+  EXPECT_EQ(difference.events_a, 2u);
+  EXPECT_EQ(difference.only_a, std::vector<std::string>{"m"});
+  EXPECT_TRUE(difference.only_b.empty());
+  EXPECT_THROW(diff_logs(made_log({}, false, {"m"}), "a", one, "b"), InputError);
+}
+
+// The same events at other times: a difference between exact logs, where instants are numbers,
+// whatever their names.
 TEST(LogDiff, InstantsCountInExactLogs) {
-  const auto log = [](const char* exact, const char* time) {
-    return std::string(R"({"format": "kinex-log", "version": 1, "scene": "s", "scene_hash": "", )"
-                       R"("arithmetic": "a", "exact": )") +
-           exact + R"(, "build": "", "structures": []})" +
-           "\n"
-           R"({"seq": 1, "structure": "l", "kind": "swap", "ids": ["a"], "certificate": null, )"
-           R"("external": true, "time": )" +
-           time + "}\n";
+  const auto log = [](const std::string& time, bool exact = true, const char* instants = "names") {
+    return made_log({{"swap", "a", true, time}}, exact, {"l"}, instants);
   };
   const std::string one =
-      R"({"polynomial": ["-2", "0", "1"], "root": 2, "interval": ["1", "2"], "decimal": ""})";
+      R"({"polynomial": ["-2", "0", "1"], "root": 2, "interval": ["1", "2"], "decimal": "1.41421356237"})";
   const std::string narrow =
-      R"({"polynomial": ["-2", "0", "1"], "root": 2, "interval": ["1", "3/2"], "decimal": ""})";
+      R"({"polynomial": ["-2", "0", "1"], "root": 2, "interval": ["1", "3/2"], "decimal": "1.41421356237"})";
+  const std::string renamed =
+      R"({"polynomial": ["6", "0", "-5", "0", "1"], "root": 3, "interval": ["1", "3/2"], "decimal": "1.41421356237"})";
+  const std::string near =
+      R"({"polynomial": ["-3", "0", "1"], "root": 2, "interval": ["1", "2"], "decimal": "1.73205080756"})";
   const std::string other =
-      R"({"polynomial": ["-2", "0", "1"], "root": 1, "interval": ["-2", "-1"], "decimal": ""})";
-  EXPECT_TRUE(diff_logs(log("true", one.c_str()), "a", log("true", narrow.c_str()), "b").equal());
-  const LogDifference difference =
-      diff_logs(log("true", one.c_str()), "a", log("true", other.c_str()), "b");
-  EXPECT_EQ(difference.first, 1u);
-  EXPECT_EQ(difference.other_instants, 1u);
-  EXPECT_EQ(difference.missing + difference.invented + difference.out_of_order, 0u);
-  const char* inexact = R"({"decimal": "1"})";
-  EXPECT_TRUE(diff_logs(log("true", one.c_str()), "a", log("false", inexact), "b").equal());
+      R"({"polynomial": ["-2", "0", "1"], "root": 1, "interval": ["-2", "-1"], "decimal": "-1.41421356237"})";
+  EXPECT_TRUE(diff_logs(log(one), "a", log(narrow), "b").equal());
+  EXPECT_TRUE(diff_logs(log(one), "a", log(renamed), "b").equal());
+  for (const std::string& time : {other, near}) {
+    const LogDifference difference = diff_logs(log(one), "a", log(time), "b");
+    EXPECT_EQ(difference.first, 1u);
+    EXPECT_EQ(difference.other_instants, 1u);
+    EXPECT_EQ(difference.missing + difference.invented + difference.out_of_order, 0u);
+  }
+  const std::string inexact = R"({"decimal": "1"})";
+  EXPECT_TRUE(diff_logs(log(one), "a", log(inexact, false), "b").equal());
+  // A log without names: as far as its intervals tell.
+  const std::string holds = R"({"interval": ["5/4", "3/2"], "decimal": "1.41421356237"})";
+  const std::string misses = R"({"interval": ["3/2", "2"], "decimal": "1.50000000000"})";
+  EXPECT_TRUE(diff_logs(log(one), "a", log(holds, true, "intervals"), "b").equal());
+  EXPECT_FALSE(diff_logs(log(one), "a", log(misses, true, "intervals"), "b").equal());
+  const std::string apart = R"({"interval": ["2", "3"], "decimal": "2.00000000000"})";
+  EXPECT_FALSE(
+      diff_logs(log(holds, true, "intervals"), "a", log(apart, true, "intervals"), "b").equal());
+  EXPECT_EQ(diff_logs(log(one), "a", log("", true, "none"), "b").instants, InstantsCompared::kNot);
 }
 
 }  // namespace

@@ -75,5 +75,13 @@ TEST(JsonWriter, WritesWhatTheParserReads) {
   EXPECT_NE(value.find(odd), nullptr);
 }
 
+TEST(JsonWriter, EscapesWhatHasToBe) {
+  std::string text;
+  JsonWriter json(text);
+  json.begin_array().string("").string("a\"b\\").string("\x1f\x7f").string("\"\"").string("plain");
+  json.quoted(Integer(-7)).quoted(Rational(Integer(1), Integer(3))).end_array();
+  EXPECT_EQ(text, R"(["", "a\"b\\", "\u001f\u007f", "\"\"", "plain", "-7", "1/3"])");
+}
+
 }  // namespace
 }  // namespace kinex

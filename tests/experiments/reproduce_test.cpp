@@ -15,6 +15,7 @@
 #include "experiments/reproduce/paper_files.h"
 #include "experiments/reproduce/polynomial_weights.h"
 #include "experiments/reproduce/record_store.h"
+#include "experiments/reproduce/separation_paper.h"
 
 namespace kinex {
 namespace {
@@ -166,6 +167,38 @@ TEST(Models, FindTheLawOfTheirPoints) {
   EXPECT_LE(power.lower, power.b);
   EXPECT_GT(fit_linear_model("", powers, log_squared).chi_square, 1);
   EXPECT_THROW(fit_power_model(std::span(powers).first(2)), std::invalid_argument);
+}
+
+TEST(Models, ABetterFitIsBetterBeyondChance) {
+  const auto fit = [](double chi_square, int degrees) {
+    ModelFit one;
+    one.chi_square = chi_square;
+    one.degrees = degrees;
+    return one;
+  };
+  EXPECT_EQ(better_fit(fit(4, 4), fit(14, 4)), BetterFit::kFirst);
+  EXPECT_EQ(better_fit(fit(14, 4), fit(4, 4)), BetterFit::kSecond);
+  EXPECT_EQ(better_fit(fit(4, 4), fit(4.1, 4)), BetterFit::kNeither);
+  // Where even the better one leaves ten times what it may, ten times as much is chance.
+  EXPECT_EQ(better_fit(fit(40, 4), fit(50, 4)), BetterFit::kNeither);
+  EXPECT_EQ(better_fit(fit(40, 4), fit(150, 4)), BetterFit::kFirst);
+}
+
+TEST(PowerClaim, TheWholeIntervalDecides) {
+  const auto verdict = [](double exponent, double scatter) {
+    std::vector<FitPoint> points;
+    double sign = 1;
+    for (const double n : {10.0, 20.0, 40.0, 80.0, 160.0}) {
+      points.push_back({n, std::pow(n, exponent) * (1 + sign * scatter), 0});
+      sign = -sign;
+    }
+    return power_claim("id", "statement", points, "n", 1).verdict;
+  };
+  EXPECT_EQ(verdict(1, 0.001), ClaimVerdict::kConfirmed);
+  EXPECT_EQ(verdict(0.5, 0.001), ClaimVerdict::kConfirmed);
+  EXPECT_EQ(verdict(1, 0.4), ClaimVerdict::kOpen);
+  EXPECT_EQ(verdict(1.3, 0.4), ClaimVerdict::kOpen);
+  EXPECT_EQ(verdict(1.3, 0.001), ClaimVerdict::kRefuted);
 }
 
 TEST(PolynomialWeights, SumOverTheDegrees) {

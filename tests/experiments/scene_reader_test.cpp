@@ -263,6 +263,35 @@ TEST(SceneReader, MaintainOption) {
   EXPECT_INPUT_ERROR(set_maintain(scene, {"sorted_list,"}), "\"\" is not a known structure");
 }
 
+// A structure's id is a byte, and one of its values is that of none.
+TEST(SceneReader, AtMost255StructuresFitOneRun) {
+  const auto scene_with = [](int count, const char* structure) {
+    std::string text = R"({"kinex": 1, "dimension": 2, "time": {"start": 0, "end": 1},
+      "objects": [{"id": "a", "motion": [[0], [0]]}, {"id": "b", "motion": [[1], [0]]}], "maintain": [)";
+    for (int i = 0; i < count; ++i) {
+      text += std::string(i == 0 ? "" : ", ") + R"({"structure": ")" + structure + R"(", "as": "s)" +
+              std::to_string(i) + "\"}";
+    }
+    return text + "]}";
+  };
+  EXPECT_EQ(parse(scene_with(255, "sorted_list")).maintain.size(), 255u);
+  EXPECT_INPUT_ERROR(parse(scene_with(256, "sorted_list")),
+                     "/maintain/255: more than 255 structures in one run");
+  EXPECT_INPUT_ERROR(parse(scene_with(100000, "sorted_list")), "/maintain/255: more than 255");
+  // They read a triangulation that nobody asked for.
+  EXPECT_INPUT_ERROR(parse(scene_with(255, "convex_hull_2_delaunay")),
+                     "/maintain/254: more than 255 structures in one run");
+  EXPECT_EQ(parse(scene_with(254, "convex_hull_2_delaunay")).maintain.size(), 254u);
+  Scene scene = parse(scene_with(1, "sorted_list"));
+  std::string entries;
+  for (int i = 0; i < 256; ++i) {
+    entries += std::string(i == 0 ? "" : ",") + R"({"structure": "sorted_list", "as": "s)" +
+               std::to_string(i) + "\"}";
+  }
+  EXPECT_INPUT_ERROR(set_maintain(scene, {entries}),
+                     "--maintain: more than 255 structures in one run");
+}
+
 // Commas inside of JSON belong to it, be they in brackets, braces or strings.
 TEST(SceneReader, MaintainOptionInJson) {
   Scene scene = parse(kExample);

@@ -132,7 +132,7 @@ TEST(CollisionJudge, FitsAgainstMu) {
   catalogue.growths.push_back(claim);
   claim.at_most = true;
   catalogue.growths.push_back(claim);
-  claim.exponent = 0.5;
+  claim.exponent = -1;
   catalogue.growths.push_back(claim);
   const VerifyResult result = run_catalogue(catalogue, {});
   ASSERT_EQ(result.growths.size(), 4u);

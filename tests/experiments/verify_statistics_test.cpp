@@ -132,6 +132,31 @@ TEST(FitPower, CoversTheTrueExponentAsOftenAsItSays) {
   EXPECT_LE(covered, kRounds * 0.999);
 }
 
+TEST(CompareWithClaim, AllSomeOrNoneOfTheInterval) {
+  const auto says = [](double lower, double upper, bool at_most) {
+    return compare_with_claim(lower, upper, 2, 0.1, at_most);
+  };
+  for (const bool at_most : {false, true}) {
+    EXPECT_EQ(says(1.95, 2.05, at_most), IntervalSays::kConfirmed);
+    EXPECT_EQ(says(1.9, 2.1, at_most), IntervalSays::kConfirmed);
+    EXPECT_EQ(says(1.95, 2.2, at_most), IntervalSays::kOpen);
+    EXPECT_EQ(says(0, 9, at_most), IntervalSays::kOpen);
+    EXPECT_EQ(says(2.2, 2.3, at_most), IntervalSays::kRefuted);
+    EXPECT_EQ(says(std::nan(""), std::nan(""), at_most), IntervalSays::kOpen);
+  }
+  EXPECT_EQ(says(1.5, 1.6, false), IntervalSays::kRefuted);
+  EXPECT_EQ(says(1.5, 1.6, true), IntervalSays::kConfirmed);
+  EXPECT_EQ(says(1.5, 2, false), IntervalSays::kOpen);
+  // A wider interval never says more.
+  for (double middle = 1.7; middle < 2.3; middle += 0.01) {
+    for (double half = 0.01; half < 0.5; half *= 1.5) {
+      const IntervalSays narrow = says(middle - half, middle + half, false);
+      const IntervalSays wide = says(middle - 1.5 * half, middle + 1.5 * half, false);
+      EXPECT_TRUE(wide == narrow || wide == IntervalSays::kOpen) << middle << " " << half;
+    }
+  }
+}
+
 TEST(FitPower, RefusesWhatCannotBeFitted) {
   const std::vector<FitPoint> two{{1, 1, 0}, {2, 2, 0}};
   EXPECT_FALSE(fit_power(two));

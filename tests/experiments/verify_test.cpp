@@ -167,6 +167,43 @@ TEST(Judge, MeansAreComparedInStandardErrors) {
   EXPECT_EQ(verdict(3), Verdict::kFail);
 }
 
+// Of one scene there is no spread: neither a PASS nor a FAIL, however far off it is.
+TEST(Judge, FewerScenesThanItTakesSayNothing) {
+  Cell cell = random_cell(16, 8);
+  cell.max_seeds = 400;
+  cell.precise = {{"processed", 0.05}};
+  cell.expectations = {expects(ExpectationKind::kMean, "processed")};
+  const CellResult all = run(cell);
+  for (const double reference : {mean_of(all.trials, "processed").mean(), 1e6}) {
+    cell.expectations.front().reference = reference;
+    for (const std::size_t seeds : {1, 2, 3, 5, 7}) {
+      const std::vector<Trial> few(all.trials.begin(),
+                                   all.trials.begin() + static_cast<std::ptrdiff_t>(seeds));
+      const Check check = judge(cell, few).front();
+      EXPECT_EQ(check.verdict, Verdict::kInconclusive) << seeds;
+      EXPECT_GE(check.seeds_needed, 8) << seeds;
+      EXPECT_THAT(check.observed, Not(HasSubstr("inf")));
+      EXPECT_THAT(check.observed, HasSubstr("about " + std::to_string(check.seeds_needed)));
+    }
+  }
+  EXPECT_EQ(judge(cell, all.trials).front().verdict, Verdict::kFail);
+  EXPECT_EQ(judge(cell, all.trials).front().seeds_needed, 0);
+}
+
+TEST(Report, SaysHowManyScenesWouldDo) {
+  VerifyResult result;
+  CellResult cell;
+  cell.checks = {{"a", "mean", "processed", "1", "2", "", Verdict::kInconclusive, {}, 12},
+                 {"b", "mean", "processed", "1", "2", "", Verdict::kInconclusive, {}, 40},
+                 {"c", "exact", "processed", "1", "1", "", Verdict::kPass, {}, 0}};
+  result.cells = {cell};
+  EXPECT_THAT(closing_line(result), HasSubstr("for 2 checks: --seeds 40 would do"));
+  result.cells.front().checks.resize(1);
+  EXPECT_THAT(closing_line(result), HasSubstr("for 1 check: --seeds 12 would do"));
+  result.cells.clear();
+  EXPECT_THAT(closing_line(result), Not(HasSubstr("--seeds")));
+}
+
 TEST(Judge, SeesABrokenBoundInAnyTrial) {
   Cell cell = random_cell(8, 3);
   std::vector<Trial> trials = run(cell).trials;
@@ -280,6 +317,100 @@ TEST(JudgeGrowth, AcceptsTheExponentWithinTheTolerance) {
   claim.tolerance = 1e-5;
   claim.exponent = judge_growth(claim, constructed_family(1.5)).fit->exponent;
   EXPECT_EQ(judge_growth(claim, constructed_family(1.5)).check.verdict, Verdict::kInconclusive);
+}
+
+// The interval decides, not the exponent: fewer data widen it, and never confirm more.
+TEST(JudgeGrowth, AWideIntervalConfirmsNothing) {
+  const auto family = [](double scatter, double exponent) {
+    std::vector<CellResult> cells = constructed_family(exponent);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const double factor = 1 + (i % 2 == 0 ? scatter : -scatter);
+      for (Trial& trial : cells[i].trials) {
+        std::uint64_t& count = trial.measurement.costs.processed;
+        count = static_cast<std::uint64_t>(static_cast<double>(count) * factor);
+      }
+    }
+    return cells;
+  };
+  GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 1.5, 0.03, ""};
+  for (const bool at_most : {false, true}) {
+    claim.at_most = at_most;
+    const auto verdict = [&](double scatter, double exponent) {
+      return judge_growth(claim, family(scatter, exponent)).check.verdict;
+    };
+    EXPECT_EQ(verdict(0.001, 1.5), Verdict::kPass);
+    EXPECT_EQ(verdict(0.1, 1.5), Verdict::kInconclusive);
+    EXPECT_EQ(verdict(0.1, 1.6), Verdict::kInconclusive);  // off, but it may be chance
+    EXPECT_EQ(verdict(0.1, 3), Verdict::kFail);
+    EXPECT_EQ(verdict(0.001, 1), at_most ? Verdict::kPass : Verdict::kFail);
+  }
+}
+
+TEST(JudgeGrowth, WantsTheScenesThatACellNeeds) {
+  GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 1.5, 0.03, ""};
+  for (const double exponent : {1.5, 3.0}) {
+    std::vector<CellResult> cells = constructed_family(exponent);
+    cells[2].cell.min_seeds = 8;
+    const Check check = judge_growth(claim, cells).check;
+    EXPECT_EQ(check.verdict, Verdict::kInconclusive);
+    EXPECT_EQ(check.seeds_needed, 8);
+    for (CellResult& cell : cells) cell.trials.resize(1);
+    cells[2].cell.min_seeds = 1;
+    // Exact counts: three sizes may lie on a power by chance.
+    cells.resize(3);
+    EXPECT_EQ(judge_growth(claim, cells).check.verdict,
+              exponent == 1.5 ? Verdict::kInconclusive : Verdict::kFail);
+  }
+}
+
+// A curve of hard bounds is that of one family, through the bounds of its own runs.
+TEST(Figures, BoundsAreNotJoinedAcrossFamilies) {
+  VerifyResult result;
+  for (const char* family : {"tight", "loose"}) {
+    for (const int n : {10, 20, 40, 80}) {
+      CellResult cell;
+      cell.cell.structure = "sorted_list";
+      cell.cell.family = family;
+      Trial trial;
+      trial.measurement.objects = static_cast<std::size_t>(n);
+      trial.measurement.costs.processed = static_cast<std::uint64_t>(n);
+      const int bound = family[0] == 't' ? n + 1 : 1000 * n;
+      trial.measurement.bounds = {{"sorted_list.swaps", "", Integer(bound), Integer(n), true}};
+      cell.trials = {trial};
+      result.cells.push_back(cell);
+    }
+  }
+  // Other sizes of the loose family lie between those of the tight one.
+  for (std::size_t i = 4; i < 8; ++i) result.cells[i].trials[0].measurement.objects += 3;
+  const std::vector<Figure> figures = verify_figures(result);
+  ASSERT_EQ(figures.size(), 1u);
+  const std::string& script = figures[0].script;
+  const auto block = [&](const std::string& name) {
+    const std::size_t begin = script.find("$" + name + " << EOD\n");
+    EXPECT_NE(begin, script.npos) << name;
+    return script.substr(begin, script.find("EOD\n", begin + name.size() + 9) - begin);
+  };
+  EXPECT_THAT(block("bound0"), HasSubstr("\n10 11 "));
+  EXPECT_THAT(block("bound0"), Not(HasSubstr("000 ")));
+  EXPECT_THAT(block("bound1"), HasSubstr("\n13 10000 "));
+  EXPECT_THAT(block("bound1"), Not(HasSubstr("\n10 ")));
+  // A size without a bound: no curve is drawn through it.
+  result.cells[1].trials[0].measurement.bounds.clear();
+  EXPECT_THAT(verify_figures(result)[0].script, Not(HasSubstr("$bound0")));
+}
+
+TEST(Figures, ChiSquareIsSaidOnlyOfCountsWithErrors) {
+  GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 1.5, 0.03, ""};
+  VerifyResult result;
+  result.cells = constructed_family(1.5);
+  result.growths = {judge_growth(claim, result.cells)};
+  const auto caption = [&] { return verify_figures(result).back().caption; };
+  EXPECT_THAT(caption(), HasSubstr("chi^2"));
+  EXPECT_THAT(json_row(result.growths[0]), Not(HasSubstr("\"chi_square\": null")));
+  for (CellResult& cell : result.cells) cell.trials.resize(1);
+  result.growths = {judge_growth(claim, result.cells)};
+  EXPECT_THAT(caption(), Not(HasSubstr("chi^2")));
+  EXPECT_THAT(json_row(result.growths[0]), HasSubstr("\"chi_square\": null"));
 }
 
 // ---- several cells --------------------------------------------------------------------------

@@ -129,7 +129,7 @@ TEST(ViewBodies, ProofsAreTheLiveCertificates) {
         }
         const auto* mixed = dynamic_cast<const SeparationMixed*>(&simulator->structure(id));
         for (const PairHistory& history : run.structures[id].pairs) {
-          const PairProof* proof = proof_after(history, log.events());
+          const PairProof* proof = proof_after(history, log.records());
           if (proof == nullptr) continue;
           for (const std::uint32_t c : proof->claims) {
             const RecordedClaim& claim = run.claims[c];

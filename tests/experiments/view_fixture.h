@@ -72,7 +72,7 @@ inline PlainRun plain_run(const Scene& scene, const std::string& arithmetic,
   for (const Rational& t : times) {
     simulator->run_until(t);
     PlainSample& sample = run.samples.emplace_back();
-    sample.events = log.events();
+    sample.events = log.records();
     for (StructureId id = 0; id < simulator->structures(); ++id) {
       sample.values.push_back(value_now(*simulator, id));
     }

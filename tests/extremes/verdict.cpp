@@ -44,7 +44,7 @@ LoggedRun run_logged(const Scene& scene, const std::string& arithmetic, std::uin
   LoggedRun run;
   run.status = run_scene(*simulator, {}).status;
   log.finish(run.status);
-  run.events = log.events();
+  run.events = log.records();
   run.corrupt = simulator->kernel().ledger(0).corrupt;
   if (!run.corrupt) run.attribute = simulator->structure(0).attribute().ids;
   run.log = read_text_file(path);

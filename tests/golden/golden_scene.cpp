@@ -95,7 +95,7 @@ std::string run_log(const Scene& scene, const std::string& arithmetic, Golden& g
   const RunOutcome outcome = run_scene(*simulator, {});
   log.finish(outcome.status);
   EXPECT_TRUE(outcome.clean(*simulator)) << scene.name;
-  golden.events = log.events();
+  golden.records = log.records();
   golden.digest = log.digest();
   const std::string text = read_text_file(path);
   std::filesystem::remove(path);
@@ -127,8 +127,8 @@ Table read_table() {
       refuse(table_path() + ":" + std::to_string(number) + ": not a result");
     }
     Golden& golden = table.rows.back().golden;
-    if (name == "events") {
-      golden.events = std::stoull(value);
+    if (name == "records") {
+      golden.records = std::stoull(value);
     } else if (name == "digest") {
       golden.digest = value;
     } else if (name == "body") {
@@ -144,7 +144,7 @@ void write_table(const Table& table) {
   std::ofstream out(table_path());
   out << table.head;
   for (const Row& row : table.rows) {
-    out << row.scene << "\n  events " << row.golden.events << "\n  digest " << row.golden.digest
+    out << row.scene << "\n  records " << row.golden.records << "\n  digest " << row.golden.digest
         << "\n  body   " << row.golden.body << "\n";
   }
   if (!out.flush()) refuse("cannot write " + table_path());
@@ -199,8 +199,9 @@ Scene make_scene(const std::string& description) {
 Golden run(const Scene& scene, const std::string& arithmetic) {
   Golden golden;
   const std::string log = run_log(scene, arithmetic, golden);
-  const std::size_t first = log.find('\n');
-  golden.body = sha256_hex(std::string_view(log).substr(first + 1));
+  const std::size_t first = log.find('\n') + 1;
+  const std::size_t last = log.rfind('\n', log.size() - 2) + 1;
+  golden.body = sha256_hex(std::string_view(log).substr(first, last - first));
   return golden;
 }
 

@@ -13,9 +13,9 @@ namespace kinex::golden {
 
 // What a run must give.
 struct Golden {
-  std::uint64_t events = 0;
-  std::string digest;  // of kinds, ids and order: "log_digest" of `kinex run --summary`
-  std::string body;    // SHA-256 of the whole log but for its first line
+  std::uint64_t records = 0;
+  std::string digest;  // of what happened, in which order: "log_digest" of `kinex run --summary`
+  std::string body;    // SHA-256 of all its records
   friend bool operator==(const Golden&, const Golden&) = default;
 };
 

@@ -7,7 +7,7 @@
 
 #include "experiments/peers/judge.h"
 
-namespace kinex {
+namespace kinex::peers {
 namespace {
 
 PeerShape box(double w, double h) { return {{-w, -h}, {w, -h}, {w, h}, {-w, h}}; }
@@ -112,4 +112,4 @@ TEST(PeerJudge, AnswersAgainstTruths) {
 }
 
 }  // namespace
-}  // namespace kinex
+}  // namespace kinex::peers

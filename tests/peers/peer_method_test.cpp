@@ -7,7 +7,7 @@
 
 #include "experiments/peers/worker.h"
 
-namespace kinex {
+namespace kinex::peers {
 namespace {
 
 class RightPeer final : public Peer {
@@ -117,4 +117,4 @@ TEST(PeerWorker, WhatDiesOrNeverEndsIsAnAnswer) {
 }
 
 }  // namespace
-}  // namespace kinex
+}  // namespace kinex::peers

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -49,6 +50,64 @@ struct Pair {
                             RoughPose(pose, 0, Frame::kA));
   }
 };
+
+Rational power_of_ten(int k) {
+  const Rational p(power(Integer(10), static_cast<unsigned long>(k < 0 ? -k : k)));
+  return k < 0 ? Rational(1) / p : p;
+}
+
+Polygon scaled(Polygon polygon, const Rational& size) {
+  for (Vertex2& v : polygon) {
+    for (Rational& c : v) c *= size;
+  }
+  return polygon;
+}
+
+// What doubles do not hold, or not the squares of, is left to other proofs.
+TEST(SeparatingWedge, IsNotPutWhereDoublesEnd) {
+  for (const int exponent : {-400, -320, -300, -170, 170, 300, 308, 310, 400}) {
+    const Rational size = power_of_ten(exponent);
+    const Pair pair(scaled(box(-1, -1, 1, 1), size), placed(0, 0), scaled(box(-1, -1, 1, 1), size),
+                    placed(Rational(9) * size, 0));
+    EXPECT_FALSE(pair.plan.has_value()) << exponent;
+  }
+}
+
+// Its lines are of integers of any length.
+TEST(SeparatingWedge, HoldsForVerticesThatAreNearlyDoubles) {
+  Polygon square = box(-1, -1, 1, 1);
+  square[1][0] += power_of_ten(-309);
+  for (const int far : {4, 40}) {
+    const Pair pair(square, placed(0, 0), square, placed(far, 0));
+    ASSERT_TRUE(pair.plan.has_value());
+    for (const Frame line_of : {Frame::kA, Frame::kB}) {
+      const auto wedge = pair.wedge(line_of);
+      ASSERT_TRUE(wedge.has_value());
+      // The line is a little outside of its body, and beyond no vertex of it.
+      const FramePolygon& own = line_of == Frame::kA ? pair.a : pair.b;
+      for (const FramePoint& v : own.vertices) EXPECT_EQ(side(wedge->line, v), Sign::kNegative);
+    }
+  }
+}
+
+// Nothing is known of a pose at a time that is no double; of one with terms that are lost in
+// doubles, as little as those terms are large.
+TEST(RoughPose, KnowsWhatItDoesNotKnow) {
+  Trajectory moving = placed(0, 40);
+  moving.coordinates[1] = {Rational(40), 0, 0, power_of_ten(-330)};
+  const Trajectory pose = pose_of(placed(0, 0), moving);
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(RoughPose(pose, infinity, Frame::kA).is_known());
+  EXPECT_FALSE(RoughPose(pose, -infinity, Frame::kA).is_known());
+  EXPECT_FALSE(RoughPose::precise(pose, infinity, Frame::kA).is_known());
+  EXPECT_FALSE(RoughPose::precise(pose, 0x1.8p1023, Frame::kA).is_known());
+  EXPECT_TRUE(RoughPose(pose, 1, Frame::kA).is_known());
+  EXPECT_LT(RoughPose(pose, 1, Frame::kA).error_t, 1e-9);
+  // The term is 1 at 1e110.
+  EXPECT_GE(RoughPose(pose, 1e110, Frame::kA).error_t, 1);
+  const RoughPose precise = RoughPose::precise(pose, 1e110, Frame::kA);
+  EXPECT_NEAR(precise.t[1], 41, 1e-6);
+}
 
 Rational half(int k) { return Rational(Integer(k), Integer(2)); }
 

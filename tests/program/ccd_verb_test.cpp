@@ -46,7 +46,7 @@ TEST_F(CcdVerb, AnswersWithExactTimes) {
             "query 1 (line 1): contact at 1/3 = 0.33333333333333333\n"
             "query 2 (line 9): no contact\n"
             "query 3 (line 17): contact at 0.70710678118654752, root 2 of -1 0 2 (low degree "
-            "first), in [0, 2]\n" +
+            "first), in [1/2, 1]\n" +
                 path + ": 3 queries, vertex-face: 2 contacts; the file tells no truth\n");
 }
 

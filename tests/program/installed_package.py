@@ -44,6 +44,11 @@ def main():
         scenes = prefix / "share" / "kinex" / "scenes"
         stars = scenes / "nearest-dozen.csv"
         run(prefix / "bin" / "kinex", "import", stars, "-o", folder / "stars.json")
+        # The log checker is found beside the program, wherever the prefix is.
+        square, log = folder / "square.json", folder / "square.jsonl"
+        run(prefix / "bin" / "kinex", "gen", "uniform-square", "--n", "6", "-o", square)
+        run(prefix / "bin" / "kinex", "run", square, "--maintain", "sorted_list", "--events", log)
+        run(prefix / "bin" / "kinex-logcheck", log, "--scene", square)
         print(f"installed {version}, built and ran README's project")
 
 

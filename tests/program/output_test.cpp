@@ -4,8 +4,10 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -166,6 +168,59 @@ TEST_F(Output, TheInputIsKept) {
   EXPECT_THAT(trade.err, HasSubstr("is the input itself"));
   EXPECT_EQ(read_file(html), scene);
   EXPECT_EQ(run_kinex({"run", "-", "--force", "--events", link}, scene).exit_code, 0);
+}
+
+// A link to nothing is seen before the run, not after it.
+TEST_F(Output, LinksToNothing) {
+  const std::string link = scratch_.file("link");
+  std::filesystem::create_symlink(scratch_.file("missing"), link);
+  for (const Words& writer : writers()) {
+    expect_refused(writer, link, "it is a symbolic link to a file that is missing");
+  }
+}
+
+// A disk that is full in the middle of a log: its whole lines are kept and named, and the next run
+// is not in their way. A limit on the size of files stands for the disk.
+TEST_F(Output, FullDiskKeepsWholeLines) {
+  const std::string scene = scratch_.file("larger.json"), log = scratch_.file("run.log");
+  ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "60", "-o", scene}).exit_code, 0);
+  const std::string err = scratch_.file("err");
+  const std::string command = "trap '' XFSZ; ulimit -f 16; " + std::string(KINEX_PROGRAM) +
+                              " run '" + scene + "' --events '" + log + "' > /dev/null 2> '" + err +
+                              "'";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_THAT(read_file(err), StartsWith("kinex: " + log + ": cannot be written: File too large"));
+  EXPECT_THAT(read_file(err), HasSubstr("the lines that were written are in " + log + ".partial;"));
+  EXPECT_FALSE(std::filesystem::exists(log));
+  const std::string kept = read_file(log + ".partial");
+  ASSERT_GT(kept.size(), 4000u);
+  EXPECT_THAT(kept, StartsWith("{\"format\": \"kinex-log\""));
+  EXPECT_EQ(kept.back(), '\n');
+  const Finished check = run_kinex({"check", log + ".partial"});
+  EXPECT_EQ(check.exit_code, 1);
+  EXPECT_THAT(check.err, HasSubstr("the log has no last line: it was cut off"));
+  const Finished again = run_kinex({"run", scene, "--events", log});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("kinex: " + log + ".partial is of a run that was cut off"));
+  EXPECT_EQ(run_kinex({"diff", log, log}).exit_code, 0);
+  EXPECT_THAT(read_file(log), StartsWith(kept.substr(0, kept.find("\n"))));
+  // Once more: the name of the kept lines is taken.
+  const Finished third = run_kinex({"run", scene, "--events", log, "--force"});
+  EXPECT_EQ(third.exit_code, 0) << third.err;
+  EXPECT_EQ(read_file(log + ".partial"), kept);
+}
+
+// What a killed run has left is told, and in nobody's way.
+TEST_F(Output, LeftoversAreTold) {
+  const std::string log = scratch_.file("run.log"), left = log + ".partial-4194303";
+  write_file(left, "{}\n");
+  write_file(log + ".partial-notes", "mine");
+  const Finished run = run_kinex({"run", scene_, "--events", log});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("kinex: " + left + " is of a run that was cut off"));
+  EXPECT_THAT(run.err, testing::Not(HasSubstr("notes")));
+  EXPECT_EQ(read_file(left), "{}\n");
 }
 
 TEST_F(Output, ALogGoesToAFile) {

@@ -181,7 +181,7 @@ TEST_F(Program, LimitsExitWith3AndLeaveAReadableLog) {
   const Finished check = run_kinex({"check", log});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("run       limit"));
-  EXPECT_THAT(check.out, HasSubstr("events    5,"));
+  EXPECT_THAT(check.out, HasSubstr("records   5 log records,"));
 }
 
 TEST_F(Program, InterruptLeavesAReadableLog) {
@@ -196,7 +196,7 @@ TEST_F(Program, InterruptLeavesAReadableLog) {
     EXPECT_THAT(run.err, HasSubstr("stopped (interrupted)"));
     const std::string text = read_file(log);
     ASSERT_GT(text.size(), 200u);
-    EXPECT_THAT(text.substr(text.size() - 200), HasSubstr("{\"end\": \"interrupted\""));
+    EXPECT_THAT(text.substr(text.size() - 400), HasSubstr("{\"end\": \"interrupted\""));
     EXPECT_EQ(run_kinex({"diff", log, log}).exit_code, 0);
     EXPECT_EQ(parse_json(read_file(summary), summary).find("status")->text, "interrupted");
   }
@@ -234,7 +234,7 @@ TEST_F(Program, CheckInJson) {
   const Finished broken = run_kinex({"check", "--json", log});
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_THAT(broken.out, HasSubstr("\"kind\": \"log\", \"valid\": false"));
-  EXPECT_EQ(parse_json(broken.out, "out").find("problems")->items.size(), 1u);
+  EXPECT_EQ(parse_json(broken.out, "out").find("problems")->items.size(), 2u);  // and the seal
 }
 
 TEST_F(Program, DiffShowsBothLines) {
@@ -245,7 +245,7 @@ TEST_F(Program, DiffShowsBothLines) {
   const Finished diff = run_kinex({"diff", a, b});
   EXPECT_EQ(diff.exit_code, 1);
   EXPECT_THAT(diff.out, HasSubstr(b + ": has ended"));
-  EXPECT_THAT(diff.out, HasSubstr(" 0 invented, 0 out of order, 0 at another instant"));
+  EXPECT_THAT(diff.out, HasSubstr(" 0 invented, 0 out of order, 0 with another effect, 0 at another instant"));
 }
 
 TEST_F(Program, RootsInJson) {

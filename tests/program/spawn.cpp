@@ -5,10 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -35,8 +37,11 @@ void wait_for(const std::string& file) {
 
 }  // namespace
 
-Finished run_kinex(const std::vector<std::string>& arguments, const std::string& input,
-                   const std::string& output, const std::string& signal_when_begun, int signal) {
+namespace {
+
+// `watch`: called in the parent while the child runs.
+Finished run_and_watch(const std::vector<std::string>& arguments, const std::string& input,
+                       const std::string& output, const std::function<void(pid_t)>& watch) {
   const ScratchFolder scratch;
   write_file(scratch.file("in"), input);
   std::vector<char*> argv{const_cast<char*>(KINEX_PROGRAM)};
@@ -51,10 +56,7 @@ Finished run_kinex(const std::vector<std::string>& arguments, const std::string&
     ::execv(KINEX_PROGRAM, argv.data());
     ::_exit(127);
   }
-  if (!signal_when_begun.empty()) {
-    wait_for(signal_when_begun + ".partial-" + std::to_string(child));
-    ::kill(child, signal);
-  }
+  if (watch) watch(child);
   int status = 0;
   ::waitpid(child, &status, 0);
   Finished finished;
@@ -62,6 +64,29 @@ Finished run_kinex(const std::vector<std::string>& arguments, const std::string&
   finished.out = read_file(scratch.file("out"));
   finished.err = read_file(scratch.file("err"));
   return finished;
+}
+
+}  // namespace
+
+Finished run_kinex(const std::vector<std::string>& arguments, const std::string& input,
+                   const std::string& output, const std::string& signal_when_begun, int signal) {
+  if (signal_when_begun.empty()) return run_and_watch(arguments, input, output, nullptr);
+  return run_and_watch(arguments, input, output, [&](pid_t child) {
+    wait_for(signal_when_begun + ".partial-" + std::to_string(child));
+    ::kill(child, signal);
+  });
+}
+
+Finished run_kinex_until(const std::vector<std::string>& arguments, const std::string& file,
+                         int lines, int signal) {
+  return run_and_watch(arguments, "", "", [&](pid_t child) {
+    for (int i = 0; i < 120000; ++i) {
+      const std::string text = read_file(file);
+      if (std::count(text.begin(), text.end(), '\n') >= lines) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ::kill(child, signal);
+  });
 }
 
 ScratchFolder::ScratchFolder() {

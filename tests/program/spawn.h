@@ -22,6 +22,10 @@ Finished run_kinex(const std::vector<std::string>& arguments, const std::string&
                    const std::string& output = "", const std::string& signal_when_begun = "",
                    int signal = SIGINT);
 
+// Runs `kinex` with these arguments; it gets `signal` as soon as `file` has so many whole lines.
+Finished run_kinex_until(const std::vector<std::string>& arguments, const std::string& file,
+                         int lines, int signal);
+
 // A fresh folder that is removed at the end of the test.
 class ScratchFolder {
  public:

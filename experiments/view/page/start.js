@@ -11,7 +11,7 @@ function describePage() {
   const scene = DATA.scene;
   const count = LAST - BEFORE;
   document.getElementById("name").textContent = scene.name;
-  const run = r => r.arithmetic + ", " + r.u.length + " events" +
+  const run = r => r.arithmetic + ", " + r.u.length + (r.u.length === 1 ? " log record" : " log records") +
     (r.stopped ? " (not all: " + r.stopped + ")" : "");
   let facts = OBJECTS + " objects in " + AXES + "-D \u00b7 " + run(FIRST);
   if (OTHER !== null) facts += " \u00b7 " + run(OTHER);

@@ -7,21 +7,21 @@
 
 namespace {
 
-class Broken final : public kinex::Peer {
+class Broken final : public kinex::peers::Peer {
  public:
-  bool load(const kinex::PeerShape& a, const kinex::PeerShape&) override { return a.size() < 9; }
-  kinex::Verdict overlap(int, const kinex::PeerPose&, const kinex::PeerPose& b) override {
-    if (b.x < 1) return kinex::Verdict::kMiss;
+  bool load(const kinex::peers::PeerShape& a, const kinex::peers::PeerShape&) override { return a.size() < 9; }
+  kinex::peers::Verdict overlap(int, const kinex::peers::PeerPose&, const kinex::peers::PeerPose& b) override {
+    if (b.x < 1) return kinex::peers::Verdict::kMiss;
     if (b.x < 2) raise(SIGKILL);
     for (;;) pause();
   }
-  double distance(int, const kinex::PeerPose&, const kinex::PeerPose&) override { return 0; }
-  Cast cast(int, const kinex::PeerPose&, const kinex::PeerPose&, const kinex::PeerPose&,
-            const kinex::PeerPose&) override {
+  double distance(int, const kinex::peers::PeerPose&, const kinex::peers::PeerPose&) override { return 0; }
+  Cast cast(int, const kinex::peers::PeerPose&, const kinex::peers::PeerPose&, const kinex::peers::PeerPose&,
+            const kinex::peers::PeerPose&) override {
     return {};
   }
 };
 
 }  // namespace
 
-extern "C" kinex::Peer* kinex_make_peer() { return new Broken; }
+extern "C" kinex::peers::Peer* kinex_make_peer() { return new Broken; }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exact numbers written at the end of a text: what to_string() gives, without a string of its own.
+#ifndef KINEX_CORE_NUMBER_TEXT_H
+#define KINEX_CORE_NUMBER_TEXT_H
+
+#include <string>
+
+#include "core/rational.h"
+
+namespace kinex {
+
+// Decimal digits. Up to 128 bits in machine words.
+void append(std::string& out, const Integer& value);
+// "p" or "p/q".
+void append(std::string& out, const Rational& value);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// RefusedChange: a change of the scene at an instant inside the run that cannot be made.
+#ifndef KINEX_CORE_REFUSED_CHANGE_H
+#define KINEX_CORE_REFUSED_CHANGE_H
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "core/rational.h"
+
+namespace kinex {
+
+// The message says what and why. Everything before `time` is as it should be; the run that has
+// thrown it cannot go on (SimulatorOptions::stop_before makes one that ends before it).
+class RefusedChange : public std::invalid_argument {
+ public:
+  RefusedChange(Rational time, const std::string& message)
+      : std::invalid_argument(message), time_(std::move(time)) {}
+  const Rational& time() const { return time_; }
+
+ private:
+  Rational time_;
+};
+
+}  // namespace kinex
+
+#endif

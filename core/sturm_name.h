@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names of instants as the `sturm` arithmetic finds them: plain bisection and Sturm counts. The
+// same names as RootNamer and name_root give, from code that shares none of their root finding;
+// only the digits are cut and written in one place (core/instant_digits.h).
+#ifndef KINEX_CORE_STURM_NAME_H
+#define KINEX_CORE_STURM_NAME_H
+
+#include "core/instant_name.h"
+#include "core/sturm_instant.h"
+
+namespace kinex {
+
+// Fills in everything but number, detail and exact. p vanishes at `instant`; p not zero.
+void name_by_sturm(const RationalPolynomial& p, SturmInstant instant, InstantName& name);
+
+// The interval and the decimal of InstantDetail::kInterval.
+void enclose_by_sturm(SturmInstant instant, InstantName& name);
+
+}  // namespace kinex
+
+#endif

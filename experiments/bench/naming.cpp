@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: what does it cost to name an instant exactly, or to enclose it? Workload:
+// uniform-square. For each structure and degree: runs whose sink asks nothing of the instants, an
+// interval, a name, and the name in words, in turn; the best of each; thread CPU time. Counted:
+// microseconds an instant beyond the run that asks nothing. Output: see result_table.h; options:
+// see options.h.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "core/event.h"
+#include "core/simulator.h"
+#include "experiments/bench/options.h"
+#include "experiments/bench/result_table.h"
+#include "experiments/cpu_clock.h"
+#include "experiments/workload.h"
+#include "structures/plan.h"
+
+namespace {
+
+using namespace kinex;
+
+struct Contest {
+  const char* structure;
+  int degree;
+  int n;
+};
+
+enum Asked { kNothing, kInterval, kName, kWords, kWays };
+
+class Namer final : public EventSink {
+ public:
+  explicit Namer(Asked asked) : asked_(asked) {}
+  void event(const Event&, Arithmetic& arithmetic) override {
+    if (asked_ == kNothing) return;
+    const InstantName& name =
+        arithmetic.name_now(asked_ == kInterval ? InstantDetail::kInterval : InstantDetail::kName);
+    if (name.number == last_) return;
+    last_ = name.number;
+    ++instants;
+    if (asked_ == kWords) characters += to_text(name).lower.size();
+  }
+  std::uint64_t instants = 0, characters = 0;
+
+ private:
+  Asked asked_;
+  std::uint64_t last_ = 0;
+};
+
+double run_once(const Scene& scene, Asked asked, std::uint64_t& instants) {
+  SimulatorOptions options;
+  options.audit = AuditLevel::kNone;
+  Simulator simulator(scene, make_arithmetic("exact", scene), options);
+  add_structures(simulator, scene);
+  Namer namer(asked);
+  simulator.set_sink(&namer);
+  simulator.start();
+  const double begin = cpu_seconds();
+  simulator.run_until(scene.end);
+  instants = std::max(instants, namer.instants);
+  return cpu_seconds() - begin;
+}
+
+void run_contest(const Contest& contest, int rounds, ResultTable& table) {
+  WorkloadParameters parameters;
+  parameters.n = contest.n;
+  parameters.degree = contest.degree;
+  Scene scene = generate_scene(*find_workload("uniform-square"), parameters);
+  scene.maintain = {{contest.structure, contest.structure, {}}};
+  std::array<double, kWays> seconds{};
+  std::uint64_t instants = 0;
+  for (int round = 0; round < rounds; ++round) {
+    for (int way = 0; way < kWays; ++way) {
+      const double now = run_once(scene, static_cast<Asked>(way), instants);
+      double& best = seconds[static_cast<std::size_t>(way)];
+      best = round == 0 ? now : std::min(best, now);
+    }
+  }
+  const auto each = [&](Asked asked) {
+    return (seconds[asked] - seconds[kNothing]) * 1e6 / static_cast<double>(instants);
+  };
+  table.row({contest.structure, contest.degree, contest.n, instants, seconds[kNothing],
+             each(kInterval), each(kName), each(kWords), seconds[kName] / seconds[kNothing]});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto options = bench_options(argc, argv);
+  if (!options) return 2;
+  ResultTable table(
+      *options, "naming",
+      "Microseconds for an interval around an instant, for its exact name, and for the "
+      "name in words, beyond a run that asks for none; time of a run with names over that.",
+      {{"structure", ResultTable::kText, 19},
+       {"degree", 0},
+       {"n", 0, 6},
+       {"instants", 0},
+       {"seconds", 3},
+       {"interval", 3},
+       {"name", 3},
+       {"words", 3},
+       {"named_over_plain", 3}});
+  const bool smoke = options->smoke;
+  for (const Contest& contest : std::initializer_list<Contest>{{"sorted_list", 1, 600},
+                                                               {"sorted_list", 2, 400},
+                                                               {"convex_hull_2", 1, 1000},
+                                                               {"delaunay_2", 1, 1000},
+                                                               {"delaunay_2", 2, 400},
+                                                               {"delaunay_2", 3, 200}}) {
+    Contest one = contest;
+    if (smoke) one.n = 20;
+    run_contest(one, smoke ? 1 : 3, table);
+  }
+  return 0;
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What can be in a log of this program: kinds of events and what they do, predicates.
+#ifndef KINEX_EXPERIMENTS_LOG_RULES_H
+#define KINEX_EXPERIMENTS_LOG_RULES_H
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace kinex {
+
+// Whether a kind of event changes the attribute.
+enum class Effect { kNever, kSometimes, kAlways };
+
+struct KindRule {
+  std::string_view kind;
+  Effect effect;
+};
+
+// The kinds of a structure (by its registered name) in the order of their rank, without those that
+// all structures have; nullptr for an unknown structure.
+const std::vector<KindRule>* own_kinds(std::string_view structure);
+
+// The number of objects that a predicate takes; nullopt: there is none of that name.
+std::optional<std::size_t> arity_of(std::string_view predicate);
+
+}  // namespace kinex
+
+#endif

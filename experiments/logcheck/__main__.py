@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""kinex-logcheck: checks an event log of kinex with a program that has no line in common with it."""
+
+import argparse
+import json
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from checker import Checker  # noqa: E402
+from log import Log, Wrong  # noqa: E402
+from roots import GaveUp  # noqa: E402
+from scene import BadInput, Scene  # noqa: E402
+
+LEVELS = {
+    0: "format, sequence, digest, seal, counts; the scene's hash",
+    1: "every instant's name, and their order",
+    2: "every certificate, made anew: zero at its instant and negative right after it",
+    3: "replay: every event is legal where it stands",
+    4: "completeness: a proof of the checker's own, with no failure that no event tells",
+    5: "small scenes: the attribute from scratch between all instants at which it could change",
+}
+
+
+def levels_of(text):
+    levels = set()
+    for part in text.split(","):
+        first, _, last = part.partition("-")
+        if not first.isdigit() or (last and not last.isdigit()):
+            raise argparse.ArgumentTypeError("levels are written 0-5, 3 or 0,2-4")
+        levels.update(range(int(first), int(last or first) + 1))
+    if not levels <= set(LEVELS):
+        raise argparse.ArgumentTypeError("the levels are 0 to 5")
+    return levels
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        prog="kinex-logcheck", description="Checks an event log of kinex (version 2) with exact arithmetic of its own.",
+        epilog="levels:\n" + "\n".join("  %d  %s" % item for item in LEVELS.items())
+        + "\n\nexit codes: 0 fine, 1 the log is wrong, 2 bad input or usage, 3 gave up at a limit"
+        "\n\nexample:\n  kinex run scene.json --events run.jsonl\n  kinex-logcheck run.jsonl --scene scene.json",
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("log", metavar="LOG", help="the event log")
+    parser.add_argument("--scene", metavar="SCENE", help="the scene that was run; without it levels 0 and 1 only")
+    parser.add_argument("--levels", type=levels_of, default=set(LEVELS), metavar="L",
+                        help="which levels, as 0-4 or 1,3 (default: all that the input allows)")
+    parser.add_argument("--json", action="store_true", help="a report as one JSON object")
+    return parser.parse_args()
+
+
+def read(path, binary=False):
+    try:
+        with open(path, "rb") as file:
+            data = file.read()
+        return data if binary else data.decode("utf-8-sig")
+    except OSError as error:
+        raise BadInput("%s: %s" % (path, error.strerror)) from None
+    except UnicodeDecodeError as error:
+        raise BadInput("%s: not UTF-8: %s" % (path, error)) from None
+
+
+def report(options, status, message, line, checker):
+    done = checker.done if checker else {}
+    undone = checker.undone if checker else {}
+    if options.json:
+        tree = {"log": options.log, "scene": options.scene, "status": status, "message": message, "line": line,
+                "levels": [{"level": k, "what": LEVELS[k], "done": k in done,
+                            "detail": done.get(k, undone.get(k))} for k in sorted(options.levels)],
+                "not_followed": checker.missing if checker else [],
+                "partly": checker.partly if checker else {}}
+        print(json.dumps(tree, ensure_ascii=False))
+        return
+    if status != "fine":
+        where = options.log + (":%d" % line if line else "")
+        text = message if status == "bad input" else "%s: %s" % (where, message)
+        print("kinex-logcheck: %s" % text, file=sys.stderr)
+        return
+    for k in sorted(options.levels):
+        if k in done:
+            print("level %d  done      %s: %s" % (k, LEVELS[k], done[k]))
+        else:
+            print("level %d  not done  %s" % (k, undone.get(k, "not asked for")))
+    for label in checker.missing:
+        print("structure %s has no replay: it was not followed" % label)
+    for label, what in checker.partly.items():
+        print("structure %s was followed but for its %s" % (label, what))
+    print("%s: nothing wrong" % options.log)
+
+
+def check(options):
+    checker = None
+    try:
+        log = Log(options.log, read(options.log, binary=True))
+        scene = Scene(options.scene, read(options.scene)) if options.scene else None
+        checker = Checker(log, scene, options.levels)
+        checker.run()
+        status, message, line = "fine", None, None
+    except Wrong as error:
+        status, message, line = "wrong", str(error), error.line
+    except BadInput as error:
+        status, message, line = "bad input", str(error), None
+    except (GaveUp, MemoryError, RecursionError) as error:
+        status, message, line = "gave up", "%s" % (error or type(error).__name__), None
+    report(options, status, message, line, checker)
+    return {"fine": 0, "wrong": 1, "bad input": 2, "gave up": 3}[status]
+
+
+def main():
+    sys.set_int_max_str_digits(0)
+    sys.setrecursionlimit(20000)
+    return check(arguments())
+
+
+if __name__ == "__main__":
+    sys.exit(main())

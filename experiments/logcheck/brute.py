@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Level 5: small scenes by brute force.
+
+All instants at which anything can change are found: every root of every predicate over every tuple of
+objects, whatever a structure's proof may hold. At a rational point of every gap between two of them the
+attribute is computed from scratch, from positions, and compared with what the log's events make it.
+"""
+
+from fractions import Fraction
+from itertools import combinations
+
+from log import Wrong
+from roots import Instant, all_roots, compare
+from world import World
+
+MOST_OBJECTS = 12
+MOST_GAPS = 20000
+
+
+# ---- attributes from positions
+
+
+def value_of(key, positions, o):
+    kind, what = key
+    if kind == "axis":
+        return positions[o][what]
+    if kind == "direction":
+        return sum(v * c for v, c in zip(what, positions[o]))
+    return sum((a - b) ** 2 for a, b in zip(positions[o], positions[what]))
+
+
+def ordered(key, positions):
+    members = [o for o in positions if key[0] != "distance" or o != key[1]]
+    return sorted(members, key=lambda o: (value_of(key, positions, o), o))
+
+
+def turn(a, b, c):
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def without_equals(positions):
+    """Of equal points the smallest number."""
+    seen, result = set(), {}
+    for o in sorted(positions):
+        if tuple(positions[o]) not in seen:
+            seen.add(tuple(positions[o]))
+            result[o] = positions[o]
+    return result
+
+
+def between(a, b, p):
+    return min(a[0], b[0]) <= p[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
+
+
+def hull_of(positions):
+    points = without_equals(positions)
+    if len(points) < 3:
+        return sorted(points)
+    after = {}
+    for a in points:
+        for b in points:
+            if a != b and all(s > 0 or (s == 0 and between(points[a], points[b], points[p]))
+                              for p in points if p not in (a, b)
+                              for s in [turn(points[a], points[b], points[p])]):
+                after[a] = b
+    cycle = [min(after)]
+    while after[cycle[-1]] != cycle[0]:
+        cycle.append(after[cycle[-1]])
+    return cycle
+
+
+def in_circle(a, b, c, d):
+    rows = [(p[0] - d[0], p[1] - d[1]) for p in (a, b, c)]
+    (ax, ay), (bx, by), (cx, cy) = rows
+    aa, bb, cc = (x * x + y * y for x, y in rows)
+    return aa * (bx * cy - by * cx) + bb * (cx * ay - cy * ax) + cc * (ax * by - ay * bx)
+
+
+def delaunay_of(positions):
+    """Every empty circle through three points gives the polygon of all points on it, and the fan of its
+    smallest number."""
+    points = without_equals(positions)
+    edges = set()
+    flat = True
+    for triple in combinations(sorted(points), 3):
+        a, b, c = triple
+        side = turn(points[a], points[b], points[c])
+        if side == 0:
+            continue
+        flat = False
+        if side < 0:
+            b, c = c, b
+        signs = {d: in_circle(points[a], points[b], points[c], points[d]) for d in points if d not in triple}
+        if any(s > 0 for s in signs.values()):
+            continue
+        circle = list(triple) + [d for d, s in signs.items() if s == 0]
+        if triple != tuple(sorted(circle)[:3]):
+            continue
+        cycle = hull_of({o: points[o] for o in circle})
+        edges.update((min(e), max(e)) for e in zip(cycle, cycle[1:] + cycle[:1]))
+        edges.update((cycle[0], o) for o in cycle[1:])
+    if flat:
+        line = sorted(points, key=lambda o: tuple(points[o]))
+        edges = {(min(e), max(e)) for e in zip(line, line[1:])}
+    return sorted(edges)
+
+
+def attribute_of(structure, key, positions):
+    name = structure.name
+    if name == "sorted_list":
+        return ordered(key, positions)
+    if name.startswith(("maximum_", "minimum_")):
+        order = ordered(key, positions)
+        if not order:
+            return []
+        if name.startswith("minimum_"):
+            return order[:1]
+        most = value_of(key, positions, order[-1])
+        return [next(o for o in order if value_of(key, positions, o) == most)]
+    if name.startswith("convex_hull_2"):
+        return hull_of(positions)
+    if name == "delaunay_2":
+        return delaunay_of(positions)
+    return None
+
+
+# ---- instants
+
+
+def queries_of(structure, key, members):
+    """What the attribute depends on."""
+    from predicates import Key
+
+    name = structure.name
+    if name == "sorted_list" or name.startswith(("maximum_", "minimum_")):
+        k = Key(key)
+        for a, b in combinations(sorted(members - {k.reference}), 2):
+            yield k.claim(a, b)
+        return
+    for pair in combinations(sorted(members), 2):
+        yield ("order_x", pair)
+        yield ("order_y", pair)
+    for triple in combinations(sorted(members), 3):
+        yield ("orientation_2", triple)
+    if name == "delaunay_2":
+        for quad in combinations(sorted(members), 4):
+            yield ("in_circle_2", quad)
+
+
+def low_end(x):
+    return Fraction(*x.value) if x.value is not None else Fraction(x.a, 1 << x.k)
+
+
+def high_end(x):
+    return Fraction(*x.value) if x.value is not None else Fraction(x.b, 1 << x.k)
+
+
+def rational_between(x, y):
+    """x < y."""
+    while True:
+        a, b = high_end(x), low_end(y)
+        if a < b or (a == b and x.value is None and y.value is None):
+            return simplest((a + b) / 2, a, b)
+        x.refine(8)
+        y.refine(8)
+
+
+def simplest(t, a, b):
+    """A number of few bits near t, between a and b."""
+    if a == b:
+        return t
+    k = 1
+    while True:
+        rounded = Fraction(round(t * k), k)
+        if a < rounded < b:
+            return rounded
+        k *= 16
+
+
+def merged(instants):
+    """Sorted, each once."""
+    from functools import cmp_to_key
+
+    instants.sort(key=cmp_to_key(compare))
+    result = []
+    for x in instants:
+        if not result or compare(result[-1], x) != 0:
+            result.append(x)
+    return result
+
+
+def check_small(checker, end):
+    scene, structures = checker.scene, checker.log.structures
+    if len(scene.ids) > MOST_OBJECTS:
+        checker.undone[5] = "%d objects; it is for at most %d" % (len(scene.ids), MOST_OBJECTS)
+        return
+    keys = [checker.key_of(s) if uses_key(s) else None for s in structures]
+    followed = [i for i, r in enumerate(checker.replays) if r is not None]
+    if not followed:
+        checker.undone[5] = "no structure of the log has a replay"
+        return
+    world = World(scene)
+    history, told, gaps, roots = checker.history, 0, 0, {}
+    changes, place = scene.changes, 0
+    begin = Instant.rational(scene.start.numerator, scene.start.denominator)
+    while True:
+        t = changes[place][0] if place < len(changes) else None
+        until = None if t is None else Instant.rational(t.numerator, t.denominator)
+        if until is None or (end is not None and compare(until, end) > 0):
+            until, t = end, None
+        instants = [begin]
+        for query in {q for i in followed for q in queries_of(structures[i], keys[i], world.alive)}:
+            p = world.changes(*query)[0].p
+            if p not in roots:
+                roots[p] = all_roots(p, world.window)
+            instants += [r for r in roots[p] if compare(r, begin) > 0 and (until is None or compare(r, until) < 0)]
+        instants = merged(instants)
+        instants.append(until)
+        for x, y in zip(instants, instants[1:]):
+            if y is not None and compare(x, y) >= 0:
+                continue
+            gaps += 1
+            if gaps > MOST_GAPS:
+                checker.undone[5] = "more than %d gaps" % MOST_GAPS
+                return
+            point = high_end(x) + 1 if y is None else rational_between(x, y)
+            sample = Instant.rational(point.numerator, point.denominator)
+            while told + 1 < len(history) and compare(history[told + 1][0], sample) < 0:
+                told += 1
+            positions = {o: [world.piece[o].position(axis, point) for axis in range(scene.dimension)]
+                         for o in world.alive}
+            for i in followed:
+                right = attribute_of(structures[i], keys[i], positions)
+                if right is not None and history[told][1][i] != right:
+                    raise Wrong("%s: at t = %s it is %s; what the events say is %s" % (
+                        structures[i].label, point, shown(scene, right), shown(scene, history[told][1][i])),
+                        checker.last_line())
+        if t is None:
+            break
+        while place < len(changes) and changes[place][0] == t:
+            _, rank, o, piece = changes[place]
+            if rank == 1:
+                world.alive.discard(o)
+            else:
+                world.alive.add(o)
+                world.set_motion(o, piece)
+            place += 1
+        begin = until
+    checker.done[5] = "%d gaps between instants" % gaps
+
+
+def uses_key(structure):
+    return structure.name == "sorted_list" or structure.name.startswith(("maximum_", "minimum_"))
+
+
+def shown(scene, attribute):
+    return "[" + ", ".join(shown(scene, i) if isinstance(i, tuple) else scene.ids[i] for i in attribute) + "]"

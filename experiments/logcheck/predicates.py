@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The predicates' formulas for points, from their definitions. A certificate says: value >= 0.
+
+Each takes the coordinates of its arguments, integer polynomials over one common denominator, as
+points[i][axis]. ALTERNATING is the number of leading arguments whose exchange changes the sign.
+"""
+
+from math import gcd, lcm
+
+from polynomials import add, multiply, scaled, subtract
+
+
+def order(axis):
+    """a comes before b on the axis."""
+    return lambda points: subtract(points[1][axis], points[0][axis])
+
+
+def order_direction(direction):
+    """a comes before b in the direction."""
+    common = lcm(*(c.denominator for c in direction))
+    whole = [int(c * common) for c in direction]
+    divisor = gcd(*whole)
+
+    def value(points):
+        result = ()
+        for axis, factor in enumerate(whole):
+            if factor:
+                step = subtract(points[1][axis], points[0][axis])
+                result = add(result, scaled(step, factor // divisor))
+        return result
+
+    return value
+
+
+def squared_distance(a, b):
+    result = ()
+    for x, y in zip(a, b):
+        d = subtract(x, y)
+        result = add(result, multiply(d, d))
+    return result
+
+
+def order_squared_distance(points):
+    """a is nearer than b to the third point."""
+    return subtract(squared_distance(points[1], points[2]), squared_distance(points[0], points[2]))
+
+
+def cross(u, v):
+    return subtract(multiply(u[0], v[1]), multiply(u[1], v[0]))
+
+
+def difference(a, b):
+    return (subtract(a[0], b[0]), subtract(a[1], b[1]))
+
+
+def orientation_2(points):
+    """a, b, c turn counter-clockwise."""
+    a, b, c = points
+    return cross(difference(b, a), difference(c, a))
+
+
+def slope_order_2(points):
+    """The direction from c to d is counter-clockwise from that from a to b, by less than half a turn."""
+    a, b, c, d = points
+    return cross(difference(b, a), difference(d, c))
+
+
+def in_circle_2(points):
+    """d is inside the circle through a, b, c, for a, b, c counter-clockwise."""
+    d = points[3]
+    u, v, w = (difference(p, d) for p in points[:3])
+
+    def lifted(p):
+        return add(multiply(p[0], p[0]), multiply(p[1], p[1]))
+
+    return add(add(multiply(lifted(u), cross(v, w)), multiply(lifted(v), cross(w, u))),
+               multiply(lifted(w), cross(u, v)))
+
+
+FORMULAS = {
+    "order_x": (order(0), 2, 2),
+    "order_y": (order(1), 2, 2),
+    "order_z": (order(2), 2, 2),
+    "order_squared_distance": (order_squared_distance, 3, 2),
+    "orientation_2": (orientation_2, 3, 3),
+    "slope_order_2": (slope_order_2, 4, 0),
+    "in_circle_2": (in_circle_2, 4, 4),
+}
+# Axes that an argument must have.
+LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2}
+
+
+class Key:
+    """What a one-dimensional structure orders by."""
+
+    def __init__(self, key):
+        self.reference = key[1] if key[0] == "distance" else None
+        if key[0] == "axis":
+            self.predicate = "order_" + "xyz"[key[1]]
+        elif key[0] == "direction":
+            self.predicate = ("order_direction", tuple(key[1]))
+        else:
+            self.predicate = "order_squared_distance"
+
+    @property
+    def name(self):
+        """As logs write it."""
+        return self.predicate if isinstance(self.predicate, str) else self.predicate[0]
+
+    def claim(self, a, b):
+        """key(a) <= key(b)."""
+        return (self.predicate, (a, b) if self.reference is None else (a, b, self.reference))
+
+
+def formula_of(predicate):
+    """(value, number of arguments, alternating arguments) of a name, or of ("order_direction", v)."""
+    if isinstance(predicate, tuple):
+        return order_direction(predicate[1]), 2, 2
+    return FORMULAS[predicate]
+
+
+def normal_form(predicate, ids):
+    """The ids of a query in the order in which its polynomial is kept, and the sign that this costs."""
+    alternating = formula_of(predicate)[2] if isinstance(predicate, tuple) else FORMULAS[predicate][2]
+    if alternating == 0:
+        # (b - a) x (d - c), each pair in ascending order, the smaller pair first.
+        a, b, c, d = ids
+        sign = 1
+        if a > b:
+            a, b, sign = b, a, -sign
+        if c > d:
+            c, d, sign = d, c, -sign
+        if (c, d) < (a, b):
+            a, b, c, d, sign = c, d, a, b, -sign
+        return (a, b, c, d), sign
+    head = list(ids[:alternating])
+    sign = 1
+    for i in range(1, alternating):
+        j = i
+        while j and head[j - 1] > head[j]:
+            head[j - 1], head[j] = head[j], head[j - 1]
+            sign = -sign
+            j -= 1
+    return tuple(head) + tuple(ids[alternating:]), sign

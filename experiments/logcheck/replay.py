@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What every replay of a structure has in common (level 3)."""
+
+from log import Wrong
+
+
+class Replay:
+    """One structure's state, moved on by the records of its log. Subclasses keep `attribute`."""
+
+    def __init__(self, checker, structure):
+        self.checker, self.structure = checker, structure
+        self.world = checker.world
+        self.label = structure.label
+        self.proofs = []
+        self.begun = 0  # the step of the first proof at which the present instant began
+
+    # Called by the checker. x: the present instant.
+    def start(self, x):
+        raise NotImplementedError
+
+    def record(self, r, x):
+        """An event of the structure's own, a settled or a rebuild."""
+        raise NotImplementedError
+
+    def insert(self, o, x):
+        raise NotImplementedError
+
+    def erase(self, o, x):
+        raise NotImplementedError
+
+    def settle(self, x):
+        """Everything that happens at x has been told: the attribute is right from now on."""
+
+    def before_motion(self, objects, x):
+        for proof in self.proofs:
+            proof.before_motion(objects, x)
+
+    def after_motion(self, objects, x):
+        for proof in self.proofs:
+            proof.after_motion(x)
+
+    def finish(self, end):
+        for proof in self.proofs:
+            proof.finish(end)
+
+    # For subclasses.
+    def names(self, ids):
+        return "[" + ", ".join(str(self.world.scene.ids[i]) for i in ids) + "]"
+
+    def require(self, condition, what, *arguments):
+        if not condition:
+            raise Wrong(what % arguments if arguments else what)
+
+    def require_members(self, r, count):
+        self.require(len(r.ids) == count, "%s names %d objects, not %d", r.short(), len(r.ids), count)
+        for i in r.ids:
+            self.require(i in self.members, "%s: %s is not there", r.short(), i if isinstance(i, str)
+                         else self.world.scene.ids[i])
+
+    def query(self, r):
+        """The certificate of the record, as a query; None: it has none."""
+        return self.checker.query(r)

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""convex_hull_2 and convex_hull_2_naive: their internal events, failures inside the tree of envelopes.
+
+What a node claims follows from its state, so that after an instant the nodes at which something failed,
+and those above whose children's chains have changed, are merged from scratch. If all that fails at an
+instant is one thing (the claims of one node that the slopes of the same two lines are in order are one,
+in both halves: one repair serves them all), exactly one record says so. If several things fail at one
+instant each has a record, but for those that another repair may have taken away, one of the same half,
+in the same node or below it, that has two points in common with it, or is one of three and more (a node
+may then have been merged anew); and there may be records of claims that were only made at the instant.
+"""
+
+from envelopes import Tied, Tree
+from log import Wrong
+from predicates import normal_form
+from proof import Proof
+from replay_hull import Hull
+
+
+class Envelopes(Hull):
+    def __init__(self, checker, structure):
+        super().__init__(checker, structure)
+        self.inside = Proof(self.world, self.label, checker.on[4])
+        self.proofs = [self.proof, self.inside]
+        self.records, self.tied = [], False
+        self.doubts = []  # what is wrong unless a sign turns out to be zero for ever
+        self.moved = False
+
+    def start(self, x):
+        super().start(x)
+        self.tree = Tree(self.world, self.structure.name.endswith("_naive"))
+        self.tree.root = self.tree.build(sorted(self.members))
+        self.merge_all(x)
+
+    def insert(self, o, x):
+        super().insert(o, x)
+        if not self.tied:
+            self.tree.insert(o)
+            self.merge_all(x)
+
+    def erase(self, o, x):
+        super().erase(o, x)
+        if not self.tied:
+            self.tree.erase(o)
+            self.merge_all(x)
+
+    def merge_all(self, x):
+        try:
+            for t in self.tree.nodes():
+                for half in (0, 1):
+                    self.tree.merge(t, half, x)
+        except Tied:
+            return self.give_up()
+        wanted = {}
+        for t in self.tree.nodes():
+            wanted.update(self.places(t))
+        for place in list(self.inside.claims):
+            if place not in wanted:
+                self.inside.drop(place, x)
+        for place, query in wanted.items():
+            self.inside.put(place, query, x)
+
+    @staticmethod
+    def places(t):
+        return {(t, half) + place: claim[0] for half in (0, 1) for place, claim in t.claimed[half].items()}
+
+    def give_up(self):
+        """From here on only the changes of the hull are followed."""
+        if not self.tied:
+            self.tied = True
+            self.checker.note_partly(self.label, "internal events, as some signs are zero for ever")
+        self.proofs = [self.proof]
+
+    def internal(self, r, x):
+        query = self.query(r)
+        self.require(query is not None, "%s has no certificate", r.short())
+        self.records.append(r)
+        if not self.about(r, query[1]):
+            self.doubt(r, "%s: its certificate is about something else" % r.short())
+        elif r.kind[0] == "y" or r.kind == "x":
+            # The lines of a corner, in the order of their slopes.
+            for a, b in (r.ids[:2], r.ids[2:]) if r.kind == "x" else (r.ids[:2],):
+                order = ("order_x", (a, b))
+                if self.world.sign_after(order, x) < 0 and not self.world.vanishes(order, x):
+                    self.doubt(r, "%s: %s is no corner" % (r.short(), self.names((a, b))))
+
+    def doubt(self, r, what):
+        self.doubts.append(Wrong(what, r.line))
+
+    def after_motion(self, objects, x):
+        super().after_motion(objects, x)
+        self.moved = True
+
+    @staticmethod
+    def about(r, arguments):
+        """The event's ids are those of the certificate: two corners, a corner and a line, or two lines."""
+        ids = r.ids
+        if r.kind == "x":
+            return len(ids) == 4 and {frozenset(ids[:2]), frozenset(ids[2:])} == {
+                frozenset(arguments[:2]), frozenset(arguments[2:])}
+        if r.kind[0] == "y":
+            return len(ids) == 3 and len(arguments) == 3 and ids[2] == arguments[2] and set(ids) == set(arguments)
+        return len(ids) == 2 and ids == arguments
+
+    def change(self, r, x):
+        super().change(r, x)
+        if not self.tied:
+            self.tree.root = self.tree.build(sorted(self.members))
+            self.rebuilt = True
+
+    rebuilt = False
+
+    def settle(self, x):
+        super().settle(x)
+        records, self.records = self.records, []
+        if not self.tied:
+            self.follow(records, x)
+        doubts, self.doubts = self.doubts, []
+        if doubts and not self.tied:
+            raise doubts[0]
+
+    def follow(self, records, x):
+        if self.rebuilt:
+            self.rebuilt = False
+            return self.merge_all(x)
+        # What fails, as it was claimed; then the nodes are merged anew, which may show ties.
+        failing = [(p, p[0].claimed[p[1]][p[2:]]) for p in self.inside.failing(x)]
+        nodes = {place[0] for place, _ in failing}
+        if self.moved:
+            nodes = set(self.tree.nodes())
+            self.moved = False
+        self.renew(nodes, x)
+        if not self.tied:
+            self.match(records, failing, x)
+
+    def renew(self, nodes, x):
+        """Merges these nodes, and those above whose children's chains have changed."""
+        try:
+            for t in self.tree.nodes():
+                if t not in nodes:
+                    continue
+                before = [list(c) for c in t.chains]
+                old = self.places(t)
+                for half in (0, 1):
+                    self.tree.merge(t, half, x)
+                new = self.places(t)
+                for place in old:
+                    if place not in new:
+                        self.inside.drop(place, x)
+                for place, query in new.items():
+                    self.inside.put(place, query, x)
+                if t.chains != before and t.parent is not None:
+                    nodes.add(t.parent)
+        except Tied:
+            self.give_up()
+
+    def match(self, records, failing, x):
+        groups = {}  # what one repair serves: its claims
+        for place, (query, kind, ids) in failing:
+            name = (place[0], "slopes", frozenset(ids)) if query[0] == "order_x" else place
+            groups.setdefault(name, []).append((query, kind, ids))
+        self.inside.step += 1
+        due = dict(groups)
+        self.crowded = len(groups) > 2  # a node may have been merged anew, with all that it claimed
+        matched, strange, last = [], [], (-1,)
+        for r in records:
+            name = self.group_of(r, due)
+            if name is None:
+                strange.append(r)
+                continue
+            matched.append((name, claims_ids(due[name])))
+            predicate, ids = self.query(r)
+            key = (self.checker.rank[predicate], sorted(ids), list(ids))
+            if key < last and not self.crowded:
+                raise Wrong("%s: of failures at one instant it comes before that of the record before it"
+                            % r.short(), r.line)
+            last = key
+            del due[name]
+        if len(groups) <= 1:
+            for r in strange:
+                raise Wrong("%s: the certificate is not one that fails at this instant" % r.short(), r.line)
+        for before, r in zip(records, records[1:]):
+            if (r.kind, r.ids, self.query(r)) == (before.kind, before.ids, self.query(before)):
+                raise Wrong("%s: one failure, told twice" % r.short(), r.line)
+        for name, claims in due.items():
+            if not strange and not any(self.takes_away(other, ids, name, claims) for other, ids in matched):
+                raise Wrong("%s: %s fails at %r, and no event says so" % (
+                    self.label, self.inside.tell(claims[0][0]), x))
+
+    def takes_away(self, other, ids, name, claims):
+        same_half = "slopes" in (other[1], name[1]) or other[1] == name[1]
+        if not same_half or not self.below(other[0], name[0]):
+            return False
+        return self.crowded or len(ids & claims_ids(claims)) >= 2
+
+    def group_of(self, r, due):
+        query = self.query(r)
+        for name, claims in due.items():
+            for claim in claims:
+                if claim[1] == r.kind and claim[2] == r.ids and self.same_query(query, claim[0]):
+                    return name
+        return None
+
+    @staticmethod
+    def same_query(a, b):
+        return a[0] == b[0] and normal_form(*a) == normal_form(*b)
+
+    @staticmethod
+    def below(node, t):
+        while node is not None:
+            if node is t:
+                return True
+            node = node.parent
+        return False
+
+
+def claims_ids(claims):
+    return set().union(*(claim[2] for claim in claims))

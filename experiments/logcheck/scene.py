@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes: objects, flight plans, what is maintained, and the hash that logs name.
+
+Numbers are exact: what is written is what is read. The hash of a scene is the SHA-256 of its
+canonical text (canonical_text below), in which only what has a meaning stands: so it does not depend
+on how the file is laid out.
+"""
+
+import hashlib
+import json
+import re
+from fractions import Fraction
+from math import lcm
+
+MOST_EXPONENT = 100000  # of a decimal number
+HEX = re.compile(r"([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+-]?\d+))?\Z")
+DECIMAL = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE]([+-]?\d+))?(?:/\d+)?\Z")
+
+
+class BadInput(Exception):
+    """A file that cannot be read as what it is said to be."""
+
+
+def exact(value, place):
+    """The number that is written; floats arrive here as their own text (see load_json)."""
+    if isinstance(value, bool) or not isinstance(value, (int, str)):
+        raise BadInput("%s: %r is not a number" % (place, value))
+    if isinstance(value, int):
+        return Fraction(value)
+    text = value.strip()
+    match = HEX.match(text)
+    if match:
+        sign, whole, part, exponent = match.groups()
+        digits = whole + (part or "")
+        if digits:
+            shift = int(exponent or 0) - 4 * len(part or "")
+            if abs(shift) <= MOST_EXPONENT:
+                result = Fraction(int(digits, 16)) * Fraction(2) ** shift
+                return -result if sign == "-" else result
+    elif match := DECIMAL.match(text):
+        if abs(int(match.group(1) or 0)) <= MOST_EXPONENT:
+            numerator, _, denominator = text.partition("/")
+            if not denominator or int(denominator):
+                return Fraction(numerator) / (int(denominator) if denominator else 1)
+    raise BadInput("%s: %s is not a number that this program reads" % (place, json.dumps(value)))
+
+
+def load_json(text, name):
+    def unique(pairs):
+        result = {}
+        for key, value in pairs:
+            if key in result:
+                raise BadInput("%s: the member %s stands twice in one object" % (name, json.dumps(key)))
+            result[key] = value
+        return result
+
+    try:
+        return json.loads(text, parse_float=str, object_pairs_hook=unique)
+    except (ValueError, RecursionError) as error:
+        raise BadInput("%s: not JSON: %s" % (name, error)) from None
+
+
+def stripped(coefficients):
+    """Without zeros at the end."""
+    n = len(coefficients)
+    while n > 1 and coefficients[n - 1] == 0:
+        n -= 1
+    return coefficients[:n]
+
+
+class Piece:
+    """A flight plan: one coefficient list per axis (a body has four: its origin's two and its
+    rotor's), in force from `start` to `end` (None: open)."""
+
+    def __init__(self, start, end, axes):
+        self.start, self.end, self.axes = start, end, axes
+        # The same, as integer polynomials over one positive denominator.
+        self.denominator = lcm(*(c.denominator for axis in axes for c in axis))
+        self.polynomials = []
+        for axis in axes:
+            p = [int(c * self.denominator) for c in axis]
+            while p and p[-1] == 0:
+                p.pop()
+            self.polynomials.append(tuple(p))
+
+    def position(self, axis, t):
+        value = Fraction(0)
+        for c in reversed(self.axes[axis]):
+            value = value * t + c
+        return value
+
+    def meets(self, other, t, body):
+        if any(self.position(i, t) != other.position(i, t) for i in range(2 if body else len(self.axes))):
+            return False
+        if not body:
+            return True
+        return self.position(2, t) * other.position(3, t) == self.position(3, t) * other.position(2, t)
+
+
+class Object:
+    def __init__(self, name, pieces, polygon):
+        self.name, self.pieces, self.polygon = name, pieces, polygon
+        self.open = False  # written as one motion, not as a list of pieces
+
+
+class Request:
+    def __init__(self, structure, key, label):
+        self.structure, self.key, self.label = structure, key, label
+
+
+class Scene:
+    """`ids`: object names in the scene's order; an object's number is its place there."""
+
+    def __init__(self, path, text):
+        self.path = path
+        tree = load_json(text, path)
+        if not isinstance(tree, dict) or tree.get("kinex") != 1:
+            raise BadInput("%s: not a kinex scene of version 1" % path)
+        try:
+            self.read(tree)
+        except (KeyError, TypeError, IndexError, AttributeError, ZeroDivisionError) as error:
+            raise BadInput("%s: not a scene: %s %s; `kinex check` says more"
+                           % (path, type(error).__name__, error)) from None
+        self.hash = hashlib.sha256(canonical_text(self).encode()).hexdigest()
+
+    def read(self, tree):
+        self.name = tree.get("name", "")
+        self.dimension = tree["dimension"]
+        self.start = exact(tree["time"]["start"], self.path + ": /time/start")
+        end = tree["time"].get("end")
+        self.end = None if end is None else exact(end, self.path + ": /time/end")
+        self.jumps = tree.get("jumps", False)
+        self.overlapping_starts = tree.get("overlapping_starts", "refused")
+        self.objects = [self.read_object(o, "%s: /objects/%d" % (self.path, i))
+                        for i, o in enumerate(tree["objects"])]
+        self.ids = [o.name for o in self.objects]
+        self.number = {name: i for i, name in enumerate(self.ids)}
+        if len(self.number) != len(self.ids):
+            raise BadInput("%s: two objects have one id" % self.path)
+        self.bodies = any(o.polygon for o in self.objects)
+        self.maintain = [self.read_request(r) for r in tree.get("maintain", [])]
+        self.changes = self.plan()
+
+    def read_object(self, tree, place):
+        def numbers(list_, where):
+            if not isinstance(list_, list) or not list_:
+                raise BadInput("%s: a coefficient list is missing" % where)
+            return stripped([exact(c, "%s/%d" % (where, i)) for i, c in enumerate(list_)])
+
+        polygon = [[exact(c, place + "/polygon") for c in v] for v in tree.get("polygon", [])]
+
+        def axes(coordinates, rotor, where):
+            result = [numbers(a, "%s/%d" % (where, i)) for i, a in enumerate(coordinates)]
+            if len(result) != self.dimension:
+                raise BadInput("%s: %d axes in a scene of %d" % (where, len(result), self.dimension))
+            if polygon:
+                result += [numbers(a, where + "/rotor") for a in (rotor or [[1], [0]])]
+            return result
+
+        motion = tree["motion"]
+        if not isinstance(motion[0], dict):
+            pieces = [Piece(None, None, axes(motion, tree.get("rotor"), place + "/motion"))]
+        else:
+            pieces = []
+            for i, p in enumerate(motion):
+                where = "%s/motion/%d" % (place, i)
+                times = [exact(p[k], where + "/" + k) if k in p else None for k in ("from", "to")]
+                pieces.append(Piece(*times, axes(p["coordinates"], p.get("rotor"), where)))
+        return Object(tree["id"], pieces, polygon)
+
+    def read_key(self, key):
+        """("axis", i), ("direction", [..]) or ("distance", object number)."""
+        if isinstance(key, str) and key in "xyz"[:self.dimension] and key:
+            return ("axis", "xyz".index(key))
+        if isinstance(key, dict) and list(key) == ["direction"]:
+            return ("direction", [exact(c, "a direction") for c in key["direction"]])
+        if isinstance(key, dict) and list(key) == ["squared_distance_to"]:
+            if key["squared_distance_to"] in self.number:
+                return ("distance", self.number[key["squared_distance_to"]])
+        raise BadInput("%s: %s is not a key of a scene of dimension %d"
+                       % (self.path, json.dumps(key), self.dimension))
+
+    def read_request(self, tree):
+        if isinstance(tree, str):
+            return Request(tree, ("axis", 0), tree)
+        return Request(tree["structure"], self.read_key(tree.get("key", "x")),
+                       tree.get("as", tree["structure"]))
+
+    # ---- flight plans
+
+    def plan(self):
+        """[(t, rank, object, piece)] by t, rank and object: rank 0 another flight plan, 1 the object
+        goes, 2 it comes. `first` holds the pieces in force right after the start."""
+        self.first = {}
+        changes = []
+        for number, o in enumerate(self.objects):
+            present, ended = False, None
+            for piece in o.pieces:
+                start = self.start if piece.start is None else max(piece.start, self.start)
+                if piece.end is not None and piece.end <= start:
+                    continue
+                if self.end is not None and self.end < start:
+                    break
+                if present and ended < start:
+                    changes.append((ended, 1, number, None))
+                    present = False
+                if not present and start == self.start:
+                    self.first[number] = piece
+                else:
+                    changes.append((start, 0 if present else 2, number, piece))
+                present = True
+                ended = piece.end
+                if ended is not None and self.end is not None and ended >= self.end:
+                    ended = None
+                if ended is None:
+                    break
+            if present and ended is not None:
+                changes.append((ended, 1, number, None))
+        changes.sort(key=lambda c: c[:3])
+        return changes
+
+
+# ---- the canonical text
+
+
+def json_string(text):
+    out = ['"']
+    for c in text:
+        if c in '"\\':
+            out.append("\\" + c)
+        elif c < " " or c == "\x7f":
+            out.append("\\u%04x" % ord(c))
+        else:
+            out.append(c)
+    return "".join(out) + '"'
+
+
+def number_text(x):
+    """An integer of at most 53 bits as it is, every other number as a string, n/d in lowest terms."""
+    if x.denominator == 1 and abs(x.numerator).bit_length() <= 53:
+        return str(x.numerator)
+    return '"%s"' % x
+
+
+def numbers_text(numbers):
+    return "[" + ", ".join(map(number_text, numbers)) + "]"
+
+
+def axes_text(axes):
+    return "[" + ", ".join(map(numbers_text, axes)) + "]"
+
+
+def trajectory_text(axes, body):
+    text = axes_text(axes[:2] if body else axes)
+    if body and axes[2:] != [[1], [0]]:
+        text += ', "rotor": ' + axes_text(axes[2:])
+    return text
+
+
+def motion_text(o):
+    body = bool(o.polygon)
+    first = o.pieces[0]
+    if len(o.pieces) == 1 and first.start is None and first.end is None:
+        return trajectory_text(first.axes, body)
+    pieces = []
+    for p in o.pieces:
+        members = []
+        if p.start is not None:
+            members.append('"from": ' + number_text(p.start))
+        if p.end is not None:
+            members.append('"to": ' + number_text(p.end))
+        members.append('"coordinates": ' + trajectory_text(p.axes, body))
+        pieces.append("{" + ", ".join(members) + "}")
+    return "[" + ", ".join(pieces) + "]"
+
+
+def key_text(key, scene):
+    if key[0] == "axis":
+        return '"%s"' % "xyz"[key[1]]
+    if key[0] == "direction":
+        return '{"direction": %s}' % numbers_text(key[1])
+    return '{"squared_distance_to": %s}' % json_string(scene.ids[key[1]])
+
+
+def request_text(r, scene):
+    plain = r.key == ("axis", 0)
+    if plain and r.label == r.structure:
+        return json_string(r.structure)
+    members = ['"structure": ' + json_string(r.structure)]
+    if not plain:
+        members.append('"key": ' + key_text(r.key, scene))
+    if r.label != r.structure:
+        members.append('"as": ' + json_string(r.label))
+    return "{" + ", ".join(members) + "}"
+
+
+def canonical_text(scene):
+    """The text of which the scene's hash is the SHA-256: members in a fixed order, one object a line,
+    numbers in lowest terms, nothing that is a default or a comment."""
+    def lines(items):
+        return "[" + ",".join("\n  " + i for i in items) + "]"
+
+    head = '{"kinex": 1, "name": %s, "dimension": %d, "time": {"start": %s' % (
+        json_string(scene.name), scene.dimension, number_text(scene.start))
+    if scene.end is not None:
+        head += ', "end": ' + number_text(scene.end)
+    head += "}"
+    if scene.jumps:
+        head += ', "jumps": true'
+    if scene.overlapping_starts == "contact":
+        head += ', "overlapping_starts": "contact"'
+    objects = []
+    for o in scene.objects:
+        text = '{"id": ' + json_string(o.name)
+        if o.polygon:
+            text += ', "polygon": ' + axes_text(o.polygon)
+        objects.append(text + ', "motion": ' + motion_text(o) + "}")
+    maintain = "[" + ", ".join(request_text(r, scene) for r in scene.maintain) + "]"
+    return '%s,\n "objects": %s,\n "maintain": %s}\n' % (head, lines(objects), maintain)

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is in force: the motions right after now, and the polynomials of queries under them."""
+
+from math import lcm
+
+from polynomials import negated, primitive, scaled
+from predicates import formula_of, normal_form
+from roots import SignChanges, compare, window_of
+
+
+class World:
+    def __init__(self, scene):
+        self.scene = scene
+        self.window = window_of(scene.start, scene.end)
+        self.alive = set(scene.first)
+        self.piece = dict(scene.first)  # per object: the flight plan in force
+        self.version = {number: 0 for number in scene.first}
+        self.cache = {}
+
+    def set_motion(self, number, piece):
+        self.piece[number] = piece
+        self.version[number] = self.version.get(number, -1) + 1
+
+    def polynomial(self, predicate, ids):
+        """The value of predicate(ids) in t, times a positive number."""
+        pieces = [self.piece[i] for i in ids]
+        common = lcm(*(p.denominator for p in pieces))
+        points = [[scaled(axis, common // p.denominator) for axis in p.polynomials] for p in pieces]
+        return primitive(formula_of(predicate)[0](points))
+
+    def changes(self, predicate, ids):
+        """Where the value changes its sign: (SignChanges of its normal form, +1 or -1)."""
+        ids, sign = normal_form(predicate, ids)
+        version = self.version
+        key = (predicate, ids, tuple([version[i] for i in ids]))
+        found = self.cache.get(key)
+        if found is None:
+            found = self.cache[key] = SignChanges(self.polynomial(predicate, ids), self.window)
+        return found, sign
+
+    def sign_after(self, query, x):
+        """On (x, x + eps); 0 only where the value is zero identically."""
+        changes, sign = self.changes(*query)
+        return sign * changes.after(x)
+
+    def is_zero(self, query):
+        return not self.changes(*query)[0].p
+
+    def first_negative(self, query, x):
+        """The first instant >= x right after which the value is negative, or None."""
+        changes, sign = self.changes(*query)
+        if not changes.p:
+            return None
+        if sign > 0:
+            return changes.first_negative(x)
+        i = changes.first_after(x)
+        if (changes.sign if i % 2 == 0 else -changes.sign) > 0:
+            return x
+        return changes.roots[i] if i < len(changes.roots) else None
+
+    def vanishes(self, query, x):
+        """The value is zero at x, by whatever multiplicity."""
+        changes, _ = self.changes(*query)
+        if any(compare(r, x) == 0 for r in changes.roots):
+            return True
+        return not changes.p or vanishes_at(changes.p, x)
+
+
+def vanishes_at(p, x):
+    """p(x) = 0."""
+    from polynomials import common_divisor, sign_at
+    from roots import changes_sign_between
+
+    if x.value is not None:
+        return sign_at(p, *x.value) == 0
+    g = common_divisor(p, x.p)
+    return len(g) > 1 and changes_sign_between(g, (x.a, x.k), (x.b, x.k))

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an interrupted `kinex verify` goes on from: finished cells and studies as text, and back.
+#ifndef KINEX_EXPERIMENTS_VERIFY_CELL_RECORD_H
+#define KINEX_EXPERIMENTS_VERIFY_CELL_RECORD_H
+
+#include <optional>
+#include <string>
+
+#include "experiments/verify/judge.h"
+
+namespace kinex {
+
+// Which cell it is, with all that decides what comes out of it but the program; `seeds` as in
+// VerifyOptions.
+std::string cell_key(const Cell& cell, const std::optional<int>& seeds);
+// Its runs, contest and seconds. Checks are made again, from the runs.
+std::string cell_record(const CellResult& result);
+// nullopt if the text is no such record. `cell` is that of the key.
+std::optional<CellResult> read_cell_record(const std::string& record, const Cell& cell);
+
+std::string study_key(const Study& study);
+std::string study_record(const StudyResult& result);
+std::optional<StudyResult> read_study_record(const std::string& record);
+
+}  // namespace kinex
+
+#endif

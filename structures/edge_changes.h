@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// EdgeChanges: the edges that have joined and left an attribute, in the order in which they did,
+// and what that amounts to. (In an inexact arithmetic an edge may be there twice.)
+#ifndef KINEX_STRUCTURES_EDGE_CHANGES_H
+#define KINEX_STRUCTURES_EDGE_CHANGES_H
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "core/scene.h"
+#include "core/structure.h"
+
+namespace kinex {
+
+class EdgeChanges {
+ public:
+  void came(ObjectId a, ObjectId b) { changes_.push_back({std::min(a, b), std::max(a, b), true}); }
+  void gone(ObjectId a, ObjectId b) { changes_.push_back({std::min(a, b), std::max(a, b), false}); }
+  void add(const AttributeDifference& difference);
+  void clear() { changes_.clear(); }
+  // Forgets all but the first `count`.
+  void cut(std::size_t count) { changes_.resize(count); }
+  std::size_t size() const { return changes_.size(); }
+  // An edge that has left and joined again, or the other way round, does not count. O(k log k) for
+  // k changes.
+  AttributeDifference net() const;
+  // The attribute as it was before the changes.
+  Attribute undone(Attribute after) const;
+  std::size_t bytes() const { return changes_.capacity() * sizeof(Change); }
+
+ private:
+  struct Change {
+    ObjectId a = kNoObject, b = kNoObject;
+    bool came = false;
+  };
+  std::vector<Change> changes_;
+};
+
+}  // namespace kinex
+
+#endif

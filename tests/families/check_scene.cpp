@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/families/check_scene.h"
+
+#include <exception>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "core/simulator.h"
+#include "experiments/input_error.h"
+#include "experiments/run_report.h"
+#include "experiments/scene_reader.h"
+#include "experiments/scene_run.h"
+#include "structures/plan.h"
+#include "structures/registry.h"
+
+namespace kinex::families {
+namespace {
+
+// One line a record: kind, objects, and a mark for what is external.
+class Lines final : public EventSink {
+ public:
+  Lines(const Simulator& simulator, StructureId asked) : simulator_(&simulator), asked_(asked) {}
+
+  void event(const Event& event, Arithmetic&) override {
+    const std::vector<std::string_view> kinds = simulator_->event_kinds(event.structure);
+    std::string objects;
+    for (std::size_t i = 0; i < event.count; ++i) {
+      objects += " " + simulator_->object_name(event.ids[i]);
+    }
+    all += std::to_string(event.structure) + " " + std::string(kinds[event.kind]) + objects +
+           (event.external ? " !\n" : "\n");
+    if (!event.external || event.structure != asked_) return;
+    external += std::string(kinds[event.kind]) + objects + "\n";
+    changes += objects + "\n";
+  }
+
+  std::string all;
+  std::string external;  // external events of the structure that was asked for: kinds and objects
+  std::string changes;   // the objects alone
+
+ private:
+  const Simulator* simulator_;
+  StructureId asked_;
+};
+
+// Structures that maintain one attribute and report it alike are in one group; empty: alone.
+struct Group {
+  std::string name;
+  bool kinds = false;  // the kinds of external events are the same, too
+};
+
+Group group_of(const StructureInfo& info) {
+  const std::string name(info.name);
+  if (info.collisions) return {"collisions", true};
+  for (const char* prefix : {"maximum_", "minimum_", "convex_hull_2"}) {
+    if (name.starts_with(prefix)) return {prefix, name.starts_with("convex_hull_2")};
+  }
+  return {};
+}
+
+struct Seen {
+  std::string all, external, changes;
+  bool ended = false;
+  bool corrupt = false;
+};
+
+class Check {
+ public:
+  Check(const std::string& text, const SceneCheck& what, Tally& tally)
+      : text_(text), what_(what), tally_(tally) {}
+
+  void structure(const StructureInfo& info) {
+    Scene scene = parse_scene(text_, "scene.json");
+    try {
+      set_maintain(scene, {std::string(info.name)});
+    } catch (const InputError&) {
+      ++tally_.refused;
+      return;
+    }
+    const std::optional<Seen> exact = run(scene, "exact", AuditLevel::kEvents);
+    if (!exact || !exact->ended) return;
+    compare_group(info, *exact);
+    for (const std::string& arithmetic : what_.arithmetics) {
+      const std::optional<Seen> seen = run(scene, arithmetic, AuditLevel::kEnd);
+      if (seen && seen->ended && arithmetic == "sturm")
+        expect_same(info, arithmetic, *exact, *seen);
+    }
+    for (const std::string& arithmetic : what_.faithful) {
+      const std::optional<Seen> seen = run(scene, arithmetic, AuditLevel::kEnd);
+      if (seen && seen->ended) expect_same(info, arithmetic, *exact, *seen);
+    }
+  }
+
+ private:
+  // nullopt if the run has thrown, which is a problem.
+  std::optional<Seen> run(const Scene& scene, const std::string& arithmetic, AuditLevel audit) {
+    const std::string name = scene.maintain.front().structure + " in " + arithmetic;
+    ++tally_.runs;
+    try {
+      SimulatorOptions options;
+      options.audit = audit;
+      options.max_seconds = what_.max_seconds;
+      const auto simulator = make_simulator(scene, arithmetic, options);
+      Lines lines(*simulator, asked_structure(scene));
+      simulator->set_sink(&lines);
+      const RunOutcome outcome = run_scene(*simulator, {});
+      Seen seen{std::move(lines.all), std::move(lines.external), std::move(lines.changes),
+                outcome.status == RunStatus::kDone, false};
+      if (!seen.ended) ++tally_.limits;
+      for (StructureId id = 0; id < simulator->structures(); ++id) {
+        seen.corrupt = seen.corrupt || simulator->kernel().ledger(id).corrupt;
+        if (arithmetic == "exact") tally_.events += simulator->kernel().ledger(id).processed;
+      }
+      if (seen.corrupt) ++tally_.corrupt;
+      if (simulator->kernel().is_exact() && !outcome.clean(*simulator)) {
+        for (const std::string& failure : failures_of(*simulator, outcome)) {
+          tally_.problem(name + ": " + failure, text_);
+        }
+      }
+      return seen;
+    } catch (const InputError& error) {
+      ++tally_.refused;
+      return std::nullopt;
+    } catch (const std::exception& error) {
+      tally_.problem(name + " has thrown: " + error.what(), text_);
+      return std::nullopt;
+    }
+  }
+
+  void expect_same(const StructureInfo& info, const std::string& arithmetic, const Seen& exact,
+                   const Seen& other) {
+    if (other.all == exact.all) return;
+    tally_.problem(std::string(info.name) + ": other records in " + arithmetic +
+                       " than in exact\n" + arithmetic + ":\n" + other.all + "exact:\n" + exact.all,
+                   text_);
+  }
+
+  void compare_group(const StructureInfo& info, const Seen& seen) {
+    const Group group = group_of(info);
+    if (group.name.empty()) return;
+    const std::string& events = group.kinds ? seen.external : seen.changes;
+    const auto [first, is_new] = groups_.try_emplace(group.name, std::string(info.name), events);
+    if (is_new || first->second.second == events) return;
+    tally_.problem(std::string(info.name) + ": other external events than " + first->second.first +
+                       "\n" + events + "instead of\n" + first->second.second,
+                   text_);
+  }
+
+  const std::string& text_;
+  const SceneCheck& what_;
+  Tally& tally_;
+  std::map<std::string, std::pair<std::string, std::string>>
+      groups_;  // first structure, its events
+};
+
+}  // namespace
+
+void check_scene(const std::string& text, const SceneCheck& what, Tally& tally) {
+  ++tally.scenes;
+  try {
+    parse_scene(text, "scene.json");
+  } catch (const InputError&) {
+    ++tally.refused;
+    return;
+  } catch (const std::exception& error) {
+    return tally.problem(std::string("the reader has thrown: ") + error.what(), text);
+  }
+  Check check(text, what, tally);
+  for (const StructureInfo& info : structure_infos()) check.structure(info);
+}
+
+void Tally::problem(const std::string& what, std::string_view scene) {
+  problems.push_back(what);
+  if (problems.size() <= kMostProblems) problems.back() += "\nscene:\n" + std::string(scene);
+}
+
+}  // namespace kinex::families

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs one scene through every structure that takes it, and compares what must agree.
+#ifndef KINEX_TESTS_FAMILIES_CHECK_SCENE_H
+#define KINEX_TESTS_FAMILIES_CHECK_SCENE_H
+
+#include <string>
+#include <vector>
+
+#include "tests/families/family.h"
+
+namespace kinex::families {
+
+struct SceneCheck {
+  // Arithmetics beside `exact`. `sturm` must report the same events as `exact`; the others must
+  // end.
+  std::vector<std::string> arithmetics{"sturm"};
+  // These must report the same events as `exact`, too: for scenes without close or equal instants.
+  std::vector<std::string> faithful;
+  double max_seconds = 20;  // of one run
+};
+
+// `text` is a scene as JSON without "maintain". Rules, for every structure that the reader accepts
+// for it:
+//   - `exact`, audited after every event, ends without a violation and with every bound held;
+//   - `sturm` reports the same events (kinds, objects, external or not) in the same order;
+//   - an inexact arithmetic ends, and what it may have broken is reported, never thrown;
+//   - structures of one attribute report the same external events in the same order.
+// What is refused, is refused with an InputError.
+void check_scene(const std::string& text, const SceneCheck& what, Tally& tally);
+
+}  // namespace kinex::families
+
+#endif

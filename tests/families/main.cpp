@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex_families: runs families of random scenes.
+//   kinex_families FAMILY COUNT [FIRST_SEED]
+//   kinex_families --list
+// Prints one line of counts, and every problem with its scene. Exit code 0: no problem; 1:
+// problems; 2: usage.
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <string>
+
+#include "tests/families/family.h"
+
+namespace {
+
+using kinex::families::Family;
+using kinex::families::Tally;
+
+bool read(const char* text, std::uint64_t& value) {
+  const char* end = text + std::strlen(text);
+  const auto result = std::from_chars(text, end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+int usage() {
+  std::fputs("usage: kinex_families FAMILY COUNT [FIRST_SEED], or --list\n", stderr);
+  return 2;
+}
+
+int run(const Family& family, std::uint64_t count, std::uint64_t first) {
+  Tally tally;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const std::size_t before = tally.problems.size();
+    try {
+      family.check(seed, tally);
+    } catch (const std::exception& error) {
+      tally.problem(std::string("the family has thrown: ") + error.what(), "");
+    }
+    for (std::size_t i = before; i < tally.problems.size(); ++i) {
+      std::printf("seed %llu: %s\n", static_cast<unsigned long long>(seed),
+                  tally.problems[i].c_str());
+    }
+    std::fflush(stdout);
+  }
+  std::printf(
+      "%s: %llu scenes, %llu runs, %llu events in exact; %llu refused by name, %llu corrupt "
+      "and reported, %llu at a limit; %zu problems\n",
+      std::string(family.name).c_str(), static_cast<unsigned long long>(tally.scenes),
+      static_cast<unsigned long long>(tally.runs), static_cast<unsigned long long>(tally.events),
+      static_cast<unsigned long long>(tally.refused),
+      static_cast<unsigned long long>(tally.corrupt), static_cast<unsigned long long>(tally.limits),
+      tally.problems.size());
+  return tally.problems.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 2 && std::strcmp(argv[1], "--list") == 0) {
+    for (const Family& family : kinex::families::families()) {
+      std::printf("%s  %s\n", std::string(family.name).c_str(),
+                  std::string(family.summary).c_str());
+    }
+    return 0;
+  }
+  std::uint64_t count = 0, first = 1;
+  if (argc < 3 || argc > 4 || !read(argv[2], count) || (argc == 4 && !read(argv[3], first))) {
+    return usage();
+  }
+  for (const Family& family : kinex::families::families()) {
+    if (family.name == argv[1]) return run(family, count, first);
+  }
+  return usage();
+}

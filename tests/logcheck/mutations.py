@@ -1,0 +1,273 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Logs of which one thing was changed, counted, digested and sealed anew, have to be refused.
+
+usage: mutations.py PROGRAM LOGCHECK_FOLDER LOGS [STRUCTURE,...]
+
+Exit code 77: the program writes logs of version 1. LOGS random runs, over all structures (or these) in turn; on each every kind of change below, at a random place
+where it is possible. Internal events that the checker says that it does not follow (those of bodies, and
+of hulls with ties for ever) are left alone. A changed log that is accepted and that says the same as the
+true one (see equivalent) is counted apart, and so is one within a limit of the checker that its README states.
+"""
+import collections
+import copy
+import random
+import sys
+import tempfile
+from fractions import Fraction
+
+import logs
+
+COMMON = ["motion", "insert", "erase", "settled", "rebuild"]
+
+
+def decimal(t):
+    """The decimal of a log: 12 significant digits, truncated."""
+    if t == 0:
+        return "0"
+    leading = 0
+    while Fraction(10) ** (leading + 1) <= abs(t):
+        leading += 1
+    while Fraction(10) ** leading > abs(t):
+        leading -= 1
+    digits = str(int(abs(t) / Fraction(10) ** (leading - 11)))
+    sign = "-" if t < 0 else ""
+    if not -5 <= leading <= 11:
+        return "%s%s.%se%d" % (sign, digits[0], digits[1:], leading)
+    if leading < 0:
+        return "%s0.%s%s" % (sign, "0" * (-leading - 1), digits)
+    return (sign + digits[:leading + 1] + "." + digits[leading + 1:]).rstrip(".")
+
+class Mutator:
+    def __init__(self, rng, modules, header, records, last, followed):
+        self.rng, self.modules = rng, modules
+        self.header, self.records, self.last = header, records, last
+        self.followed = followed  # indices of records whose place in the log is checked
+        self.kinds = {s["label"]: s["kinds"] for s in header["structures"]}
+
+    def pick(self, condition=lambda r: True):
+        places = [i for i in self.followed if condition(self.records[i])]
+        return self.rng.choice(places) if places else None
+
+    def event_out(self, records):
+        i = self.pick()
+        if i is not None:
+            del records[i]
+        return i
+
+    def event_doubled(self, records):
+        i = self.pick()
+        if i is not None:
+            records.insert(i, copy.deepcopy(records[i]))
+        return i
+
+    def two_exchanged(self, records):
+        """With their times."""
+        i = self.pick(lambda r: r is not self.records[-1])
+        if i is None or i + 1 not in self.followed:
+            return None
+        records[i], records[i + 1] = records[i + 1], records[i]
+        return i
+
+    def two_exchanged_in_place(self, records):
+        """The times stay."""
+        i = self.pick(lambda r: r is not self.records[-1])
+        if i is None or i + 1 not in self.followed:
+            return None
+        records[i], records[i + 1] = records[i + 1], records[i]
+        records[i]["time"], records[i + 1]["time"] = records[i + 1]["time"], records[i]["time"]
+        return i
+
+    def neighbouring_root(self, records):
+        import polynomials
+        import roots
+
+        def others(r):
+            p = tuple(int(c) for c in r["time"]["polynomial"])
+            if len(p) < 3:
+                return []
+            e = roots.cauchy_exponent(p)
+            found = roots.isolate_square_free(p, -(1 << e), 1 << e, 0)
+            return [(k, x) for k, x in enumerate(found, 1)
+                    if abs(k - r["time"]["root"]) == 1 and x.value is None and polynomials.is_square_free(x.p)
+                    and x.p == p]
+
+        i = self.pick(others)
+        if i is None:
+            return None
+        k, x = self.rng.choice(others(records[i]))
+        time = records[i]["time"]
+        x.refine(60)
+        time["root"] = k
+        time["interval"] = [str(Fraction(x.a, 1 << x.k)), str(Fraction(x.b, 1 << x.k))]
+        low = Fraction(x.a if x.a >= 0 else x.b, 1 << x.k)
+        time["decimal"] = decimal(low)
+        return i
+
+    def other_ids(self, records):
+        i = self.pick(lambda r: r["ids"])
+        if i is None:
+            return None
+        objects = [o for o in self.header["objects"] if o not in records[i]["ids"]]
+        if not objects:
+            return None
+        count = len([o for o in records[i]["ids"] if o in self.header["objects"]])
+        records[i]["ids"][self.rng.randrange(count)] = self.rng.choice(objects)
+        return i
+
+    def external_flag(self, records):
+        i = self.pick()
+        if i is not None:
+            records[i]["external"] = not records[i]["external"]
+        return i
+
+    def coefficient(self, records):
+        i = self.pick()
+        if i is None:
+            return None
+        p = records[i]["time"]["polynomial"]
+        k = self.rng.randrange(len(p))
+        p[k] = str(int(p[k]) + 1)
+        return i
+
+    def ids_exchanged(self, records):
+        i = self.pick(lambda r: len(r["ids"]) >= 2)
+        if i is None:
+            return None
+        ids = records[i]["ids"]
+        a, b = self.rng.sample(range(len(ids)), 2)
+        ids[a], ids[b] = ids[b], ids[a]
+        return i
+
+    def end_cut(self, records):
+        if not self.followed:
+            return None
+        i = self.rng.choice(self.followed)
+        del records[i:]
+        return i
+
+    def kind(self, records):
+        i = self.pick()
+        if i is None:
+            return None
+        own = [k for k in self.kinds[records[i]["structure"]] if k != records[i]["kind"]]
+        records[i]["kind"] = self.rng.choice(own)
+        return i
+
+    def difference(self, records):
+        i = self.pick(lambda r: "gone" in r)
+        if i is None:
+            return None
+        side = self.rng.choice([s for s in ("gone", "came") if records[i][s]])
+        change = self.rng.randrange(3)
+        if change == 0:
+            del records[i][side][self.rng.randrange(len(records[i][side]))]
+            if not records[i]["gone"] and not records[i]["came"]:
+                del records[i]["gone"], records[i]["came"]
+                records[i]["external"] = False
+        elif change == 1:
+            records[i]["gone"], records[i]["came"] = records[i]["came"], records[i]["gone"]
+        else:
+            del records[i]["gone"], records[i]["came"]
+            records[i]["external"] = False
+        return i
+
+    CHANGES = [event_out, event_doubled, two_exchanged, two_exchanged_in_place, neighbouring_root, other_ids,
+               external_flag, coefficient, ids_exchanged, end_cut, kind, difference]
+
+
+# Not equivalent, but not refused either: README says so.
+LIMIT_HULL = "a limit: internal events of a hull at an instant that has several"
+LIMIT_DELAUNAY = "a limit: internal events, and the order of flips, at an instant with a blocked or a reinsert"
+
+
+def same_instant(a, b):
+    return (a["time"]["polynomial"], a["time"]["root"]) == (b["time"]["polynomial"], b["time"]["root"])
+
+
+def equivalent(change, before, after, i, kinds):
+    """Why the changed log says the same as the true one; None if it does not."""
+    if before == after:
+        return "nothing was changed"
+    if change in ("two_exchanged", "two_exchanged_in_place") and same_instant(before[i], before[i + 1]):
+        a, b = before[i], before[i + 1]
+        if a["structure"] != b["structure"]:
+            return "two structures at one instant"
+        if "tie" in (a["kind"], b["kind"]):
+            return "two ties at one instant"
+        if not (a["external"] or b["external"]):
+            return "two internal events at one instant"
+    at = [r for r in before if same_instant(r, before[i]) and r["structure"] == before[i]["structure"]]
+    if "yt" in kinds and not before[i]["external"] and change in ("event_out", "kind"):
+        if len([r for r in at if not r["external"]]) > 1:
+            return LIMIT_HULL
+    if "blocked" in kinds and any(r["kind"] in ("blocked", "reinsert", "rebuild") for r in at):
+        if before[i]["kind"] in ("blocked", "reinsert") or change.startswith("two_exchanged"):
+            return LIMIT_DELAUNAY
+    return None
+
+
+def followed_records(done, records):
+    partly = set(done.partly) | set(done.missing)
+    return [i for i, r in enumerate(records) if r["external"] or r["structure"] not in partly]
+
+
+def main():
+    program, folder, count = sys.argv[1], sys.argv[2], int(sys.argv[3])
+    modules = logs.checker(folder)
+    logs.skip_old(program)
+    rng = random.Random(20261122)
+    made, refused, same, accepted = (collections.Counter() for _ in range(4))
+    reasons = collections.Counter()
+    structures = sys.argv[4].split(",") if len(sys.argv) > 4 else logs.LINE + logs.PLANE + logs.BODIES
+    lines = 0
+    with tempfile.TemporaryDirectory() as scratch:
+        done = 0
+        while done < count:
+            structure = structures[done % len(structures)]
+            path, where = logs.drawn_scene(rng, program, scratch, structure)
+            data = logs.run(program, scratch, path)
+            if data is None:
+                continue
+            header, records, last = logs.parsed(data)
+            if not records and rng.random() < 0.9:
+                continue
+            verdict, message, checked = logs.check(modules, data, path)
+            if verdict != "fine":
+                sys.exit(f"a log of {structure} ({where}) is refused: {message}\n{path.read_text()}")
+            again = logs.sealed(*copy.deepcopy((header, records, last)))
+            if logs.check(modules, again, path, {0})[0] != "fine":
+                sys.exit(f"a log of {structure} ({where}), sealed again, is refused")
+            lines += len(records)
+            done += 1
+            mutator = Mutator(rng, modules, header, records, last, followed_records(checked, records))
+            for change in Mutator.CHANGES:
+                name = change.__name__
+                changed = copy.deepcopy(records)
+                i = change(mutator, changed)
+                if i is None:
+                    continue
+                made[name] += 1
+                verdict, message, _ = logs.check(modules, logs.sealed(header, changed, copy.deepcopy(last)), path)
+                if verdict != "fine":
+                    refused[name] += 1
+                    continue
+                for k, r in enumerate(changed):
+                    r["seq"] = k + 1
+                why = equivalent(name, records, changed, i, mutator.kinds[records[i]["structure"]])
+                if why:
+                    same[name] += 1
+                    reasons[why] += 1
+                else:
+                    accepted[name] += 1
+                    print(f"ACCEPTED: {name} at record {i + 1} of {structure} ({where}): {records[i]}")
+    print(f"{count} logs, {lines} records, {sum(made.values())} changes: {sum(refused.values())} refused, "
+          f"{sum(same.values())} equivalent or within a stated limit, {sum(accepted.values())} accepted")
+    for name in made:
+        print(f"  {name:24} {made[name]:5} made {refused[name]:5} refused {same[name]:4} apart "
+              f"{accepted[name]:4} accepted")
+    for why, times in reasons.items():
+        print(f"  accepted as {why}: {times}")
+    sys.exit(1 if accepted else 0)
+
+
+main()

@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The parts of kinex-logcheck by themselves: roots, instants, names, formulas, scenes, the command line.
+
+usage: parts.py LOGCHECK_FOLDER
+"""
+import copy
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+
+import logs
+
+FOLDER = sys.argv.pop(1)
+logs.checker(FOLDER)
+import instants  # noqa: E402
+import polynomials as poly  # noqa: E402
+import predicates  # noqa: E402
+import roots  # noqa: E402
+from log import Wrong  # noqa: E402
+from scene import Scene  # noqa: E402
+
+SCENE = {"kinex": 1, "name": "two", "dimension": 1, "time": {"start": 0, "end": 2},
+         "objects": [{"id": "a", "motion": [[0, 1]]}, {"id": "b", "motion": [[1]]}], "maintain": ["sorted_list"]}
+
+
+def product(numbers):
+    p = (1,)
+    for r in numbers:
+        p = poly.multiply(p, (-r.numerator, r.denominator))
+    return p
+
+
+class Roots(unittest.TestCase):
+    def test_known_roots_come_back(self):
+        rng = random.Random(1)
+        for _ in range(200):
+            chosen = [Fraction(rng.randint(-30, 30), rng.randint(1, 8)) for _ in range(rng.randint(1, 6))]
+            p = product(chosen)
+            odd = sorted(r for r in set(chosen) if chosen.count(r) % 2)
+            for window in (None, (-31, 31, 0)):
+                found = roots.SignChanges(p, window)
+                self.assertEqual(len(found.roots), len(odd))
+                for x, r in zip(found.roots, odd):
+                    self.assertEqual(roots.compare(x, roots.Instant.rational(r.numerator, r.denominator)), 0)
+                self.assertEqual(len(roots.all_roots(p, window)), len(set(chosen)))
+                for k in range(-61, 62):
+                    sign = poly.sign_at(p, 101 * k + 1, 202)
+                    self.assertEqual(found.after(roots.Instant.rational(101 * k + 1, 202)), sign)
+
+    def test_equal_numbers_of_different_polynomials(self):
+        p, q = (-2, 0, 1), poly.multiply((-2, 0, 1), (-3, 0, 1))
+        a, b = roots.all_roots(p, None), roots.all_roots(q, None)
+        self.assertEqual(roots.compare(a[1], b[2]), 0)
+        self.assertEqual(roots.compare(a[1], b[3]), -1)
+        self.assertEqual(roots.compare(a[0], b[2]), -1)
+
+    def test_close_roots_are_told_apart(self):
+        e = 1 << 300
+        p = (1 - 2 * e, 0, 2 * e)  # just below 1
+        x = roots.all_roots(p, None)[1]
+        self.assertEqual(roots.compare(x, roots.Instant.rational(1)), -1)
+        y = roots.all_roots((-2 * e - 1, 0, 2 * e), None)[1]
+        self.assertEqual(roots.compare(x, y), -1)
+
+    def test_square_free_parts(self):
+        a, b = (-1, 1), (-2, 0, 1)
+        p = poly.multiply(a, poly.multiply(b, b))
+        self.assertEqual(sorted(poly.square_free_parts(p)), sorted([(a, 1), (b, 2)]))
+
+
+class Names(unittest.TestCase):
+    GOOD = {"polynomial": ["-2", "0", "1"], "root": 2, "interval": ["1", "2"], "decimal": "1.41421356237"}
+
+    def refused(self, **changes):
+        time = copy.deepcopy(self.GOOD)
+        time.update(changes)
+        with self.assertRaises(Wrong):
+            instants.read_instant(time, True)
+
+    def test_a_good_name(self):
+        instants.read_instant(self.GOOD, True)
+        instants.read_instant({"polynomial": ["1", "3"], "root": 1, "interval": ["-1/3", "-1/3"],
+                               "decimal": "-0.333333333333"}, True)
+
+    def test_decimals(self):
+        for text in ("0.0000123456789012", "123456789012", "-9.99999999999e-6", "1.00000000000e12",
+                     "4.50000000000e-320", "10.0000000000"):
+            low, high = instants.decimal_range(text)
+            self.assertIn(Fraction(text), (low, high))
+            self.assertEqual(abs(high - low) * 10**11, Fraction(10) ** math.floor(math.log10(abs(Fraction(text)))))
+        for text in ("0.00000123456789012", "1234567890123", "1.00000000000e11", "0.0", "-0", "01.0000000000",
+                     "1.00000000000e012", "12.0000000000e20", "0.123456789012e20", "1e20", "", "1.00000000000 "):
+            with self.assertRaises(Wrong):
+                instants.decimal_range(text)
+
+    def test_bad_names(self):
+        self.refused(root=1)
+        self.refused(interval=["-2", "2"], root=1)
+        self.refused(interval=["2", "3"])
+        self.refused(interval=["4/3", "3/2"])  # not dyadic
+        self.refused(polynomial=["2", "0", "-1"])
+        self.refused(polynomial=["-4", "0", "2"])
+        self.refused(polynomial=["4", "0", "-4", "0", "1"])  # a square
+        self.refused(polynomial=["-3", "0", "1"])  # another decimal
+        self.refused(decimal="1.41421356238")
+        self.refused(decimal="1.4142135623")
+        self.refused(decimal="1.41421356237e0")
+        self.refused(decimal="1.4142135623x")
+        # Rational numbers under names that are not their own.
+        self.refused(polynomial=["-9", "0", "4"], decimal="1.50000000000")
+        self.refused(polynomial=["-3", "2"], decimal="1.50000000000", root=1)
+
+
+class Formulas(unittest.TestCase):
+    def value(self, name, *points):
+        p = predicates.formula_of(name)[0]([[(c,) if c else () for c in point] for point in points])
+        return p[0] if p else 0
+
+    def test_signs(self):
+        self.assertGreater(self.value("order_x", (0, 5), (1, 0)), 0)
+        self.assertLess(self.value("order_y", (0, 5), (1, 0)), 0)
+        self.assertGreater(self.value(("order_direction", (Fraction(1, 2), Fraction(-1))), (0, 0), (0, -1)), 0)
+        self.assertGreater(self.value("order_squared_distance", (1, 0), (3, 0), (0, 0)), 0)
+        self.assertGreater(self.value("orientation_2", (0, 0), (1, 0), (0, 1)), 0)
+        self.assertGreater(self.value("slope_order_2", (0, 0), (1, 0), (5, 5), (5, 6)), 0)
+        self.assertGreater(self.value("in_circle_2", (0, 0), (2, 0), (0, 2), (1, 1)), 0)
+        self.assertLess(self.value("in_circle_2", (0, 0), (2, 0), (0, 2), (3, 3)), 0)
+        self.assertEqual(self.value("in_circle_2", (0, 0), (2, 0), (0, 2), (2, 2)), 0)
+
+    def test_normal_forms_keep_the_value(self):
+        rng = random.Random(2)
+        places = [(rng.randint(-9, 9), rng.randint(-9, 9)) for _ in range(6)]
+        for name, (_, arity, _) in predicates.FORMULAS.items():
+            if name == "order_z":
+                continue
+            for _ in range(40):
+                ids = rng.sample(range(6), arity)
+                normal, sign = predicates.normal_form(name, tuple(ids))
+                self.assertEqual(self.value(name, *(places[i] for i in ids)),
+                                 sign * self.value(name, *(places[i] for i in normal)), name)
+
+
+class CommandLine(unittest.TestCase):
+    """A log written by hand: a overtakes b at t = 1."""
+
+    HEADER = {"format": "kinex-log", "version": 2, "scene": "two", "arithmetic": "exact", "exact": True,
+              "instants": "names", "build": "kinex 0",
+              "structures": [{"label": "sorted_list", "structure": "sorted_list", "key": "x",
+                              "kinds": ["swap", "tie", "motion", "insert", "erase", "settled", "rebuild"]}],
+              "objects": ["a", "b"]}
+    RECORD = {"structure": "sorted_list", "kind": "swap", "ids": ["a", "b"],
+              "certificate": {"predicate": "order_x", "ids": ["a", "b"]}, "external": True,
+              "time": {"polynomial": ["-1", "1"], "root": 1, "interval": ["1", "1"],
+                       "decimal": "1.00000000000"}}
+    LAST = {"end": "done", "reached": "2"}
+
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(self.scratch.cleanup)
+        self.folder = pathlib.Path(self.scratch.name)
+        self.scene = self.folder / "two.json"
+        self.scene.write_text(json.dumps(SCENE))
+        self.log = self.folder / "two.jsonl"
+
+    def write(self, header=None, record=None, last=None, records=1):
+        head = dict(self.HEADER, scene_hash=Scene("two", self.scene.read_text()).hash, **(header or {}))
+        lines = [dict(copy.deepcopy(self.RECORD), **(record or {})) for _ in range(records)]
+        for i, line in enumerate(lines):
+            line["seq"] = i
+        self.log.write_bytes(logs.sealed(head, lines, dict(self.LAST, **(last or {}))))
+
+    def run_it(self, *more):
+        done = subprocess.run([sys.executable, FOLDER, str(self.log), "--scene", str(self.scene), *more],
+                              capture_output=True, text=True)
+        return done.returncode, done.stdout + done.stderr
+
+    def test_right(self):
+        self.write()
+        code, text = self.run_it()
+        self.assertEqual(code, 0, text)
+        self.assertEqual(text.count("  done  "), 6, text)
+        code, text = self.run_it("--json", "--levels", "0-2")
+        self.assertEqual([level["done"] for level in json.loads(text)["levels"]], [True] * 3)
+
+    def test_wrong(self):
+        self.write(records=0)
+        code, text = self.run_it()
+        self.assertEqual(code, 1)
+        self.assertIn("is negative right after 1", text)
+        self.write(records=2)
+        self.assertEqual(self.run_it()[0], 1)
+        self.write(record={"ids": ["b", "a"]})
+        self.assertEqual(self.run_it()[0], 1)
+        self.write(record={"external": False})
+        self.assertEqual(self.run_it()[0], 1)
+        self.write(last={"reached": "1/2"})
+        self.assertEqual(self.run_it()[0], 1)
+
+    def test_a_run_that_stopped_is_judged_up_to_there(self):
+        self.write(records=0, last={"reached": "1/2", "end": "limit"})
+        code, text = self.run_it("--levels", "0-4")
+        self.assertEqual(code, 0, text)
+
+    def test_a_broken_seal(self):
+        self.write()
+        self.log.write_text(self.log.read_text().replace('"kinex 0"', '"kinex 1"'))
+        code, text = self.run_it()
+        self.assertEqual(code, 1)
+        self.assertIn("seal", text)
+
+    def test_bad_input(self):
+        self.write(header={"version": 1})
+        code, text = self.run_it()
+        self.assertEqual(code, 2)
+        self.assertIn("run the scene again", text)
+        self.log.write_text("hello\n")
+        self.assertEqual(self.run_it()[0], 2)
+        self.assertEqual(self.run_it("--levels", "7")[0], 2)
+        self.write()
+        self.scene.unlink()
+        self.assertEqual(self.run_it()[0], 2)
+
+    def test_a_structure_without_a_replay_is_named(self):
+        structure = dict(self.HEADER["structures"][0], structure="sorted_set")
+        self.write(header={"structures": [structure]})
+        code, text = self.run_it()
+        self.assertEqual(code, 0, text)
+        self.assertIn("sorted_list has no replay", text)
+
+    def test_another_scene(self):
+        self.write()
+        self.scene.write_text(json.dumps(dict(SCENE, name="three")))
+        code, text = self.run_it()
+        self.assertEqual(code, 1)
+        self.assertIn("another scene", text)
+
+
+unittest.main()

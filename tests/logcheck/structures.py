@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every structure on every family that suits it, through all levels of kinex-logcheck.
+
+usage: structures.py PROGRAM LOGCHECK_FOLDER [STRUCTURE,...]
+
+Exit code 77: the program writes logs of version 1. Logs of n = 8 (points) or 3 to 4 (bodies) at levels 0 to 4, and of n = 5 at level 5 too. A structure whose
+logs were never followed, and a level that was done nowhere, fail the test.
+"""
+import collections
+import json
+import sys
+import tempfile
+
+import logs
+
+
+def maintained(structure):
+    """What to maintain: one-dimensional structures by several keys."""
+    if structure not in logs.LINE:
+        return [structure]
+    keys = logs.KEYS[:3] if structure.endswith("dual_hull") else logs.KEYS
+    return [{"structure": structure, "key": key, "as": structure} for key in keys]
+
+
+def main():
+    program, folder = sys.argv[1:3]
+    chosen = sys.argv[3].split(",") if len(sys.argv) > 3 else logs.LINE + logs.PLANE + logs.BODIES
+    modules = logs.checker(folder)
+    logs.skip_old(program)
+    tried, levels, wrong = collections.Counter(), collections.defaultdict(collections.Counter), []
+
+    def check(scratch, structure, family, n, seed, maintain, *more):
+        path = logs.generate(program, scratch, family, n, seed, maintain, *more)
+        data = logs.run(program, scratch, path) if path else None
+        if data is None:
+            return
+        tried[structure] += 1
+        verdict, message, done = logs.check(modules, data, path, range(6) if n <= 5 else range(5))
+        if verdict != "fine":
+            wrong.append(f"{structure} on {family}, n = {n}, seed {seed}, {json.dumps(maintain)}: {message}")
+            return
+        if done.missing:
+            wrong.append(f"{structure} on {family}: {', '.join(done.missing)} was not followed")
+        for level in done.done:
+            levels[structure][level] += 1
+
+    with tempfile.TemporaryDirectory() as scratch:
+        for i, structure in enumerate(logs.LINE + logs.PLANE):
+            if structure not in chosen:
+                continue
+            for j, family in enumerate(logs.POINT_FAMILIES):
+                options = maintained(structure)
+                maintain = options[(i + j) % len(options)]
+                check(scratch, structure, family, 8, i + j, maintain)
+                check(scratch, structure, family, 5, i + 2 * j, maintain)
+            if structure in logs.LINE and not structure.endswith("dual_hull"):
+                check(scratch, structure, "uniform-square", 7, i, structure, "--degree", "3", "--dimension", "1")
+            check(scratch, structure, "gaussian", 6, i, maintained(structure)[0], "--degree", "2")
+        for i, structure in enumerate(logs.BODIES):
+            if structure not in chosen:
+                continue
+            for j, family in enumerate(logs.BODY_FAMILIES):
+                check(scratch, structure, family, 3, i + j, structure, "--m", "4")
+    for structure in chosen:
+        print(f"{structure}: {tried[structure]} logs;",
+              ", ".join(f"level {k}: {levels[structure][k]}" for k in sorted(levels[structure])))
+        for level in (0, 1, 5) if structure in logs.BODIES else range(6):
+            if not levels[structure][level] and not wrong:
+                wrong.append(f"{structure}: level {level} was done on no log")
+    print("\n".join(wrong))
+    sys.exit(1 if wrong else 0)
+
+
+main()
