@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/refused_change.h"
 #include "core/simulator.h"
 #include "experiments/input_error.h"
 #include "experiments/run_report.h"
@@ -94,7 +95,7 @@ class Check {
   }
 
  private:
-  // nullopt if the run has thrown, which is a problem.
+  // nullopt if the scene is refused, or if the run has thrown, which is a problem.
   std::optional<Seen> run(const Scene& scene, const std::string& arithmetic, AuditLevel audit) {
     const std::string name = scene.maintain.front().structure + " in " + arithmetic;
     ++tally_.runs;
@@ -123,6 +124,12 @@ class Check {
     } catch (const InputError& error) {
       ++tally_.refused;
       return std::nullopt;
+    } catch (const RefusedChange& refused) {
+      // A body that appears touching another one and then enters it: the run alone can tell.
+      // Structures of one attribute, and exact arithmetics, have to refuse it alike.
+      ++tally_.refused;
+      const std::string all = std::string("refused: ") + refused.what();
+      return Seen{all, all, all, true, false};
     } catch (const std::exception& error) {
       tally_.problem(name + " has thrown: " + error.what(), text_);
       return std::nullopt;
