@@ -3,8 +3,7 @@
 // derived objects for their lines and points.
 //
 // A structure for two bodies A and B works with A's polygon and with B' = -B (predicates/pose_2.h),
-// so that every polygon exists twice, as it is and negated. Bodies with equal polygons share
-// everything.
+// so every polygon exists twice, as it is and negated. Bodies with equal polygons share everything.
 #ifndef KINEX_STRUCTURES_BODY_FRAMES_H
 #define KINEX_STRUCTURES_BODY_FRAMES_H
 
@@ -19,7 +18,7 @@
 
 namespace kinex {
 
-// The derived objects of one kernel that stand for constants of frames. Equal constants are one
+// The derived objects of one kernel that stand for constants of frames. Equal constants share one
 // object.
 class FrameConstants {
  public:
@@ -49,8 +48,8 @@ class BodyFrame {
   ObjectId vertex(std::uint32_t i);
   ObjectId polygon_edge(std::uint32_t i);
   ObjectId across(std::uint32_t edge, bool last);
-  // A point strictly inside of the polygon: the mean of the ends of a longest edge and of a vertex
-  // farthest from it. The same however the polygon is turned or negated, but for ties.
+  // A point strictly inside the polygon: the mean of the ends of a longest edge and of a vertex
+  // farthest from it. Invariant under turning and negating the polygon, except for ties.
   ObjectId inner();
   std::uint32_t size() const { return static_cast<std::uint32_t>(hierarchy_.polygon().size()); }
   std::uint32_t after(std::uint32_t i) const { return i + 1 == size() ? 0 : i + 1; }
@@ -75,7 +74,7 @@ class BodyFrames {
   // The frame of a body, negated or as it is; lives as long as this object. Built when first asked
   // for.
   BodyFrame& frame(ObjectId body, bool negated);
-  // The place of vertex i of that frame in the scene's list; frames begin elsewhere.
+  // The place of vertex i of that frame in the scene's list (the frame's list begins elsewhere).
   std::uint32_t place(ObjectId body, bool negated, std::uint32_t i);
   FrameConstants& constants() { return constants_; }
   CutPolicy policy() const { return policy_; }
@@ -100,7 +99,7 @@ class BodyFrames {
       return scene->objects[a].polygon < scene->objects[b].polygon;
     }
   };
-  // The bodies whose lists of vertices were new, and where theirs are.
+  // The bodies whose lists of vertices were new, with the places of theirs.
   std::map<ObjectId, std::array<std::vector<std::uint32_t>, 2>, ByPolygon> different_;
 };
 

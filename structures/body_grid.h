@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BodyGrid: the broad phase of many bodies: which of them are near enough to look at.
+// BodyGrid: the broad phase for many bodies: a uniform grid.
 //
-// A grid of square cells as wide as the two largest bodies together (discs about their frames'
-// origins), or wider where the scene is large (width_for). Every body is in the cell of its origin
-// and holds one certificate for each side of it; bodies whose cells do not touch are apart whatever
-// they do inside them. A certificate fails when a body changes its cell. A body that crosses a
-// region of k cells has O(k) events, so that n bodies in a box with about one a cell have O(n sqrt
-// n) in one crossing time, where sorted lists of the ends of their boxes would have Theta(n^2).
+// Cells are squares as wide as the two largest bodies together (discs about their frames' origins),
+// or wider where the scene is large (width_for). A body belongs to the cell of its origin and holds
+// one certificate for each side of it; bodies in cells that do not touch are apart wherever they
+// are inside them. A certificate fails when a body changes its cell.
 //
-// Compactness: 4 certificates a body. Cells are found by O(log) signs.
+//     +---+---+---+
+//     | n | n | n |      b: a body; 4 certificates, one a side of its cell
+//     +---+---+---+      n: the cells of the bodies near b, with b's own
+//     | n | b | n |
+//     +---+---+---+
+//     | n | n | n |
+//     +---+---+---+
+//
+// Compactness: 4 certificates a body. Responsiveness: cells are found by O(log) signs. Events: O(k)
+// for a body that crosses a region of k cells; so n bodies in a box with about one a cell have
+// O(n sqrt n) in one crossing time, against Theta(n^2) for sorted lists of the ends of their boxes.
 #ifndef KINEX_STRUCTURES_BODY_GRID_H
 #define KINEX_STRUCTURES_BODY_GRID_H
 
@@ -30,10 +38,10 @@ class BodyGrid {
   // The tags of its certificates have this bit.
   static constexpr std::uint32_t kTag = 0x80000000u;
 
-  // The width of cells for bodies of this diameter at most: no less, and no less than what has the
-  // ends of all flight plans within some 64 + n cells of the origin, so that a fast body or a far
-  // one costs no more than that. nullopt for a scene without an end, in which bodies would cross
-  // cells for ever.
+  // A width of cells for bodies of at most this diameter: at least the diameter, and large enough
+  // that the ends of all flight plans lie within some 64 + n cells of the origin, so that a fast or
+  // distant body costs no more than that. nullopt for a scene without an end, in which bodies would
+  // cross cells for all time.
   static std::optional<Rational> width_for(const Scene& scene, const Rational& diameter);
 
   // Cells of width `width` > 0 for bodies numbered below `bodies`.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BodyVolumes: cheap proofs, of one certificate, that two bodies are apart or overlap, whatever way
-// they are turned: squares about discs about their frames' origins, the discs themselves, and discs
-// about the same origins that lie within the bodies.
+// BodyVolumes: cheap proofs of one certificate that two bodies are apart, or overlap, however they
+// are turned: discs about their frames' origins that hold the bodies, the squares about these
+// discs, and discs about the same origins that lie within the bodies.
 #ifndef KINEX_STRUCTURES_BODY_VOLUMES_H
 #define KINEX_STRUCTURES_BODY_VOLUMES_H
 
@@ -22,11 +22,11 @@ class BodyVolumes {
   // Keeps a reference to the scene.
   BodyVolumes(Kernel& kernel, const Scene& scene);
 
-  // A proof that holds right after now: a gap on x or y, or between the discs; nullopt if there is
-  // none.
+  // A proof of disjointness that holds right after now: a gap on x or y, or between the discs;
+  // nullopt if there is none.
   std::optional<Query> proof(ObjectId a, ObjectId b);
-  // A proof that they overlap, which holds right after now: discs within them overlap. nullopt if
-  // there is none; always where an origin is not strictly inside its body.
+  // An overlap proof that holds right after now: discs within the bodies overlap. nullopt if there
+  // is none; always nullopt where an origin is not strictly inside its body.
   std::optional<Query> proof_of_overlap(ObjectId a, ObjectId b);
   // The opposite of the proof by discs about the bodies.
   Query discs_overlap(ObjectId a, ObjectId b);

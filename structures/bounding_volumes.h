@@ -2,12 +2,13 @@
 // BoundingVolumes: collision detection by boxes and discs about the bodies, and by the pair of
 // closest features where those overlap: a baseline.
 //
-// The volumes turn with nobody: a disc about the frame's origin that holds the body however it is
-// turned, and the square about that disc. The proof of a pair is one certificate while the squares
-// are apart on an axis, or the discs are; else the certificates of ClosestFeatures and one that
-// says that the discs overlap, which fails when they part. Compactness: 1 certificate a pair far
-// apart, at most 6 near. Responsiveness: O(1) signs, and O(n) when volumes begin to overlap. Near
-// contact it has the events of ClosestFeatures.
+// The volumes do not turn: a disc about the frame's origin that holds the body however it is
+// turned, and the square about that disc. Certificates of a pair:
+//   squares apart on an axis, or discs apart    1: that gap
+//   discs overlap                               those of ClosestFeatures, and 1 that the discs
+//                                               overlap, which fails when they part
+// Compactness: 1 certificate a pair far apart, at most 6 near. Responsiveness: O(1) signs, O(n)
+// when the volumes begin to overlap. Near contact it has the events of ClosestFeatures.
 #ifndef KINEX_STRUCTURES_BOUNDING_VOLUMES_H
 #define KINEX_STRUCTURES_BOUNDING_VOLUMES_H
 

@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CollisionPairs: what all structures for collisions of convex polygons have in common.
 //
-// Every pair of bodies that are not in contact has a proof that they are disjoint, which a derived
-// class keeps: a handful of certificates in the pair's pose (predicates/pose_2.h). A pair in
-// contact has a proof that they overlap, of the same kind for all (structures/overlap_proof.h). The
-// attribute is the set of pairs in contact, that is, of those that overlap right after now;
-// external events are contacts and separations, and overlaps: two bodies that overlap right after
-// one of them is first seen (at the start, when it appears or jumps), be it that they only touch at
-// that instant, begin with the proof that they overlap, and go on as after a contact. A body that
-// comes brings no contacts by itself (Structure's "insert"), nor do those of the start: an "overlap"
-// for each pair does. Unless the scene allows that, a body that appears or jumps after the start
-// must be apart from all others (std::invalid_argument names both and the time).
+// Every pair that is not in contact has a proof of disjointness, kept by a derived class: a handful
+// of certificates in the pair's pose (predicates/pose_2.h). A pair in contact has an overlap proof,
+// the same in all structures (overlap_proof.h). The attribute is the set of pairs in contact, that
+// is, of those that overlap right after now.
 //
-// In scenes of more than two bodies that have an end a grid is the broad phase
-// (structures/body_grid.h), without an end all pairs are followed: bodies that
-// are not in neighbouring cells have no proof of their own, and those that are have one certificate
-// while a box or a disc about them is a proof (structures/body_volumes.h), or while discs within
-// them overlap. With two bodies there is none of these.
+// External events: contacts, grazes, separations and overlaps. "overlap" reports a pair that
+// overlaps right after one of its bodies is first seen (at the start, when it appears or jumps),
+// even if the two only touch at that instant: the pair begins with the overlap proof and continues
+// as after a contact. Structure's "insert" of a body brings no contacts by itself, nor does the
+// start; one "overlap" for each pair does. Unless the scene allows overlapping starts, a body that
+// appears or jumps after the start must be apart from all others (std::invalid_argument names both
+// and the time).
+//
+// Broad phase. In a scene of more than two bodies that has an end, a uniform grid (body_grid.h):
+// pairs that are not in neighbouring cells have no proof of their own; pairs that are have one
+// certificate while a box or a disc about the bodies is a proof (body_volumes.h), or while discs
+// within them overlap. In a scene without an end all pairs are followed. Two bodies have neither
+// grid nor volumes.
 //
 // Ties. A pair that touches without penetrating (the distance is zero at one instant, or for a
-// while along an edge, and never negative) has no contact, as no certificate becomes negative, but
-// grazes: an external event too, at the instant at which the touch begins. One touch is one graze,
-// be it for an instant or for a while, over however many features; a touch that ends in the other
-// body ends with a contact. Bodies that touch when they appear do not graze, nor do those that come
-// out of a contact: those separate when they cease to overlap. Bodies that overlap right before and
-// right after an instant have no event at it. A proof finds a touch by those of its certificates
-// that are zero where the bodies touch: they fail at touches too (core/touch.h). Exact arithmetics
-// only: in doubles a touch is an accident.
+// while along an edge, and never negative) has no contact, since no certificate becomes negative.
+// It has one graze, at the instant at which the touch begins, however long the touch lasts and over
+// however many features.
+//   - A touch that ends in the other body ends with a contact.
+//   - Bodies that touch when they appear do not graze, nor do those that come out of a contact:
+//     these separate when they cease to overlap.
+//   - Bodies that overlap right before and right after an instant have no event at it.
+// A proof detects a touch by those of its certificates that are zero where the bodies touch: they
+// fail at touches too (core/touch.h). Exact arithmetics only: in doubles a touch is an accident.
 #ifndef KINEX_STRUCTURES_COLLISION_PAIRS_H
 #define KINEX_STRUCTURES_COLLISION_PAIRS_H
 
@@ -57,17 +60,19 @@ using PairId = std::uint32_t;
 class CollisionPairs : public Structure {
  public:
   // The ranks of "contact", "graze", "separation", "inside", "volume", "grid" and "overlap"; the
-  // kinds of derived classes follow them. The first three name the two bodies and the features that meet, as
-  // derived objects: "a.v3" is vertex 3 of body a, "a.e3" the edge from it to the next (counted
-  // from 0 in the scene's order). In an exact arithmetic they depend on the motion alone: two
-  // vertices if these meet, else a vertex and an edge. "inside": another proof that
-  // two bodies overlap, which would part elsewhere. A volume is another proof of one certificate,
-  // or the end of the last one; "grid" names a body that changes its cell. "overlap" names two
-  // bodies that overlap and have not come into contact: one of them is new (or an inexact arithmetic
-  // has missed the contact).
+  // kinds of derived classes follow them.
+  //   contact, graze, separation  the two bodies and the features that meet, as derived objects:
+  //                    "a.v3" is vertex 3 of body a, "a.e3" the edge from it to the next (counted
+  //                    from 0 in the scene's order). In an exact arithmetic they depend on the
+  //                    motion alone: two vertices if these meet, else a vertex and an edge
+  //   inside           another overlap proof for the pair, which would part elsewhere
+  //   volume           another proof of one certificate, or the end of the last one
+  //   grid             a body changes its cell
+  //   overlap          two bodies that overlap and have not come into contact: one of them is new
+  //                    (or an inexact arithmetic has missed the contact)
   static constexpr std::uint8_t kContact = 0, kGraze = 1, kSeparation = 2, kInside = 3, kVolume = 4,
                                 kGrid = 5, kOverlap = 6, kFirstOwn = 7;
-  // A proof has at most so many certificates.
+  // The largest number of certificates of a proof.
   static constexpr std::uint32_t kMostCertificates = 8;
 
   CollisionPairs(Kernel& kernel, StructureId id, const Scene& scene, CutPolicy policy);
@@ -94,18 +99,18 @@ class CollisionPairs : public Structure {
     ObjectId a = kNoObject, b = kNoObject;  // a < b; kNoObject: not in use
     ObjectId pose = kNoObject;
     bool touching = false;     // in contact
-    bool apart = false;        // one certificate on volumes is the proof
+    bool apart = false;        // the proof is one certificate on volumes
     bool resting = false;      // not in contact, but they touch and go on touching
-    std::uint8_t repairs = 0;  // of its proof, at the instant below
+    std::uint8_t repairs = 0;  // of its proof, at `instant`
     double instant = 0;        // rounded
     std::uint8_t certificates = 0;
     SumBoundary::Edge ahead{};  // while they are in contact
     std::array<CertificateId, kMostCertificates> certificate{};
   };
 
-  // Makes a proof for the pair right after now; false if the bodies are not disjoint there.
+  // Makes a proof of disjointness right after now; false if the bodies are not disjoint there.
   virtual bool start(PairId pair) = 0;
-  // The same when they have just parted at this edge of M.
+  // As start(), where they have just separated at this edge of M.
   virtual bool leave(PairId pair, const SumBoundary::Edge& edge) {
     static_cast<void>(edge);
     return start(pair);
@@ -115,18 +120,18 @@ class CollisionPairs : public Structure {
   virtual void fail(PairId pair, std::uint32_t slot) = 0;
   // The motion of one of the two bodies has changed.
   virtual void moved(PairId pair) { static_cast<void>(pair); }
-  // The pair is followed no more; its certificates are retracted afterwards.
+  // The pair is no longer followed; its certificates are retracted afterwards.
   virtual void stop(PairId pair) { static_cast<void>(pair); }
   // The largest number of certificates that a proof has between events.
   virtual std::uint32_t most_certificates() const = 0;
 
-  // The kinds of events: these, the derived class's own, the common ones.
+  // The kinds of events: those above, the derived class's own, the common ones.
   static std::vector<std::string_view> collision_kinds(std::vector<std::string_view> own);
 
   const Pair& pair(PairId p) const { return pairs_[p]; }
   std::size_t pairs() const { return pairs_.size(); }
-  // Puts these certificates in the place of those that the pair has: slot i is queries[i]. One that
-  // says the same as an old one takes that over.
+  // Replaces the certificates of the pair: slot i gets queries[i]. A query that equals an old one
+  // takes over its certificate.
   void set_certificates(PairId p, std::span<const Query> queries);
   // A feature of a body: vertex or edge `i` of the polygon of its frame.
   struct Feature {
@@ -136,16 +141,16 @@ class CollisionPairs : public Structure {
   struct Features {
     Feature of_a, of_b;
   };
-  // The features by which the bodies touch right after now, or at now (`now` is not nullptr);
-  // nullopt: they do not. The proof holds right after now.
+  // The features by which the bodies touch right after now, or at now if `now` is given; nullopt:
+  // they do not touch. Requires that the proof holds right after now.
   virtual std::optional<Features> touch(PairId pair, SignNow* now) = 0;
   Sign sign(const Query& query, SignNow* now) {
     return now != nullptr ? now->sign_now(query) : kernel_.arithmetic().sign_after(query);
   }
-  // Reports the contact: the proof that they are disjoint ends, the one that they overlap begins.
-  // `near` are features near those that meet, of the second body those of its negated frame. Where
-  // they do not overlap after all (at an instant at which edges become parallel certificates can
-  // mislead) it starts the proof anew and reports an event of the first kind of its own.
+  // Reports the contact: the proof of disjointness ends, the overlap proof begins. `near`: features
+  // near those that meet, those of the second body in its negated frame. If the bodies do not
+  // overlap after all (certificates can mislead at an instant at which edges become parallel), the
+  // proof is started anew and an event of the derived class's first kind is reported.
   void contact(PairId p, const Features& near);
   // The boundary of the sum of the two bodies.
   SumBoundary boundary(PairId p);
@@ -168,14 +173,14 @@ class CollisionPairs : public Structure {
   static constexpr PairId kNoPair = 0xffffffffu;
   void add_body(ObjectId object);
   PairId find_pair(ObjectId a, ObjectId b) const;
-  // Adds the pairs of this body that are near and not there; removes those that are near no more.
+  // Adds the new pairs of this body that are near; removes those that are no longer near.
   void update_pairs(ObjectId body);
   void follow_near(PairId p);
   PairId add_pair(ObjectId a, ObjectId b);
   void remove_pair(PairId p);
   void follow(PairId p);  // by the derived class's proof
   void add_pose(PairId p);
-  // The pair's certificate does not fail, but touches zero: it is made anew.
+  // The pair's certificate touches zero without failing: it is made anew.
   bool fails_at_touch(const Query& query) const;
   bool only_touches(CertificateId failed);
   bool holds(PairId p) const;
@@ -184,7 +189,7 @@ class CollisionPairs : public Structure {
   void report_overlap(PairId p);
   void report_overlaps(ObjectId object);
   void drop_certificates(PairId p);
-  // What happens while they overlap.
+  // While the bodies overlap:
   OverlapProof overlap_proof(const SumBoundary& sum, PairId p);
   std::optional<SumBoundary::Edge> edge_ahead(PairId p, const Features& near);
   Features features_at(PairId p, const SumBoundary::Edge& edge);
@@ -201,7 +206,8 @@ class CollisionPairs : public Structure {
   std::vector<Pair> pairs_;
   std::vector<PairId> free_;
   std::vector<ObjectId> free_poses_;
-  // What events call a feature: per body, 4 for each place in its frame (kNoObject: not made yet).
+  // The features named by events: per body, 4 for each place in its frame (kNoObject: not made
+  // yet).
   std::vector<std::vector<ObjectId>> features_;
   std::optional<RayPredicates> rays_;  // from the first contact on
   std::optional<BodyGrid> grid_;

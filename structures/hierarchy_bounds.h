@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// HierarchyBounds: the hard bounds of outer hierarchies, looked at in hierarchies as they are.
+// HierarchyBounds: the hard bounds of outer hierarchies, checked on the hierarchies built in a run.
 //
 // The height s of a node is the distance of its apex from the chord between the two points where
-// its chain begins and ends. It is no less than the apex's distance from P, so that what is bounded
-// for heights is bounded for distances. With the exterior angle a <= pi/2 between the node's lines,
+// its chain begins and ends. It is no less than the apex's distance from P, so bounds for heights
+// are bounds for distances. With the exterior angle a <= pi/2 between the node's lines,
 //   s <= |chord| / 2 * tan(a / 2) <= |chord| a / pi,
 // and heights never grow downwards. r: radius(); n: vertices; L <= pi D: the perimeter.
-//   antichain  pairwise disjoint nodes of height s or more: at most sqrt(2 L / s) <= sqrt(2 pi D /
-//   s).
-//              Their chords sum up to L at most and their angles to 2 pi; Cauchy-Schwarz.
-//   cuts       at most 2 n: every cut consumes an edge or splits a chain at a vertex.
+//   antichain  Pairwise disjoint nodes of height s or more: at most sqrt(2 L / s) <=
+//              sqrt(2 pi D / s). Their chords sum to at most L, their angles to at most 2 pi;
+//              Cauchy-Schwarz.
+//   cuts       At most 2 n: every cut consumes an edge or splits a chain at a vertex.
 //   depth      kMedian: floor(log2 n) + 1, as every cut halves the chain.
-//              kCompass: floor(log2(1.1 r / s)) for a node of height s below one cut or more. Below
-//              i cuts a / 2 <= 2^-i, and tan x <= 1.093 x there.
+//              kCompass: floor(log2(1.1 r / s)) for a node of height s below at least one cut.
+//              Below i cuts a / 2 <= 2^-i, and tan x <= 1.093 x there.
 //              kDudley: floor(log4(5.5 r / s)). The range of a root is at most 5.42 r long; where
 //              it has length x, |chord|^2 + |m - m'|^2 <= x^2 for the two vectors m, m' >= r from P
 //              to the range's ends, sin(a / 2) <= |m - m'| / (2 r), so s <= x^2 / (8 r cos(a / 2)).
 //              kBalancedDudley: 2 min(floor(log2 n) + 1, floor(log4(5.5 r / s))): at least every
 //              other cut above a node is Dudley's, and after two levels the chain is halved.
 //
-// Heights come from exact integers, rounded at the end: their relative error is below 1e-12, at any
-// scale, and what is compared has 1e-9 of room. Cost: O(n log n), some integer products a node.
+// Heights are computed from exact integers and rounded at the end: relative error below 1e-12 at
+// any scale; comparisons allow for 1e-9. Cost: O(n log n), a few integer products a node.
 #ifndef KINEX_STRUCTURES_HIERARCHY_BOUNDS_H
 #define KINEX_STRUCTURES_HIERARCHY_BOUNDS_H
 
@@ -41,9 +41,10 @@ class HierarchyBounds {
  public:
   explicit HierarchyBounds(CutPolicy policy) : policy_(policy) {}
 
-  // A hierarchy of this policy. A point has nothing to check.
+  // Adds a hierarchy of this policy. A point has nothing to check.
   void add(const OuterHierarchy& tree);
-  // The worst of all: "PREFIX.antichain", "PREFIX.depth", "PREFIX.cuts"; none if nothing was added.
+  // The worst case of each: "PREFIX.antichain", "PREFIX.depth", "PREFIX.cuts"; none if nothing was
+  // added.
   std::vector<BoundCheck> checks(const std::string& prefix) const;
 
  private:

@@ -2,14 +2,22 @@
 // InnerTangents: collision detection by the two inner common tangents of two convex polygons: a
 // baseline.
 //
-// State: for either tangent the vertices a of A and b of B that it touches. Along the first, from a
-// to b, A lies on the left and B on the right; along the second the other way round. Each has 4
-// certificates, the turns at a and at b towards their neighbours. A failure advances one vertex;
-// when both tangents touch the same two vertices the bodies meet. (As seen from A, they are the
-// tangents to the Minkowski sum from the point that B is.) At constant separation there can be
-// Omega(n^2) events in a turn. Compactness: 8 certificates a pair. Responsiveness: O(1).
+// State: for each tangent the vertices a of A and b of B that it touches. Along the first, from a
+// to b, A lies on the left and B on the right; along the second the other way round.
 //
-// Source: the classic separation proof by tangents; certificates and moves worked out here.
+//       .----.                .----.
+//       | A   a.          . b'  B  |      first: from a to b
+//       |    |   ' .  . '     |    |      second: from a' to b'
+//       |   a'.  . '  ' .   . b    |
+//       '----'                '----'
+//
+// Certificates: 4 for each tangent, the turns at a and at b towards their neighbours; 8 a pair.
+// Events: a failure advances one vertex; when both tangents touch the same two vertices the bodies
+// meet. (Seen from A, they are the tangents to the Minkowski sum from the point that B is.)
+// Responsiveness: O(1). Efficiency: not separation-sensitive; one full turn at constant separation
+// can cause Omega(n^2) events.
+//
+// Source: the classic separation proof by tangents; certificates and moves are worked out here.
 #ifndef KINEX_STRUCTURES_INNER_TANGENTS_H
 #define KINEX_STRUCTURES_INNER_TANGENTS_H
 
@@ -34,7 +42,7 @@ class InnerTangents : public CollisionPairs {
   std::vector<std::string_view> event_kinds() const override;
   std::size_t bytes() const override;
 
-  // The vertices of the pair's tangents, a < b; nullopt if it is not followed.
+  // The vertices of the pair's tangents, a < b; nullopt if the pair has none.
   using Touch = std::array<std::uint32_t, 2>;  // a vertex of A, one of B'
   using Tangents = std::array<Touch, 2>;
   std::optional<Tangents> tangents(ObjectId a, ObjectId b) const;

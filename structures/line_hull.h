@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LineHull: the upper convex hull of lines' dual points, for lines that come, go and change.
 //
-// key_i(t) = slope_i t + height_i is the point (slope_i, height_i); who is best at t is the hull's
-// extreme vertex in direction (t, 1), and who follows is the next vertex to the right. For a
-// minimum all points are mirrored in the origin, and it is the same again. A balanced tree has the
-// slopes in order in its leaves (lines of one slope share one: the best of them counts); every
-// inner node keeps the bridge of its two halves: the hull edge that spans them. The hulls
-// themselves are not stored: a search for a bridge or an extreme vertex goes down along bridges.
+// key_i(t) = slope_i t + height_i is the point (slope_i, height_i). The best line at t is the
+// extreme vertex of the hull in direction (t, 1), and the next one to win is the next vertex to the
+// right. For a minimum all points are mirrored in the origin.
 //
-// Cost: a bridge takes O(log n) signs, an insertion, erasure or change O(log n) bridges, so O(log^2
-// n) signs, amortised (subtrees that get out of balance are built anew), and a move of memory for
-// lines of one slope; building O(n log n). best() O(log n) signs; next() O(log n), none. Space
-// O(n).
+// A balanced tree has the slopes in order in its leaves (lines of one slope share a leaf: the best
+// of them counts). Every inner node keeps the bridge of its two halves, the hull edge that spans
+// them. The hulls themselves are not stored: a search for a bridge or an extreme vertex descends
+// along bridges.
 //
-// Ties. Of equal lines the smallest id; points on an edge of the hull are no vertices.
+//              .o=========o.       the bridge of a node
+//           .o'             'o.
+//         o'                   'o
+//        left half  |  right half       slope -->
+//
+// Cost: a bridge takes O(log n) signs; an insertion, erasure or change O(log n) bridges, so
+// O(log^2 n) signs, amortised (unbalanced subtrees are rebuilt), and a move of memory for lines of
+// one slope; building O(n log n); best() O(log n) signs; next() O(log n), no signs. Space O(n).
+//
+// Ties. Of equal lines the smallest id counts; points on an edge of the hull are no vertices.
 //
 // Source: Overmars, van Leeuwen, "Maintenance of configurations in the plane" (1981), for bridges
 // and the case analysis; Galperin, Rivest, "Scapegoat trees" (1993), for the balance.
@@ -32,7 +38,7 @@
 
 namespace kinex {
 
-// The questions about lines. For a minimum they are those about the mirrored points.
+// The predicates on lines. For a minimum they are those on the mirrored points.
 class LineOrder {
  public:
   // Throws std::invalid_argument for a key that is not linear.
@@ -59,7 +65,7 @@ class LineHull {
   LineHull(const LineOrder& order, std::size_t objects)
       : order_(&order), leaf_of_(objects, kNone) {}
 
-  // Forgets all, then takes these.
+  // Replaces the contents by these.
   void build(std::vector<ObjectId> members);
   void insert(ObjectId object);
   void erase(ObjectId object);
@@ -71,15 +77,15 @@ class LineHull {
   bool contains(ObjectId object) const { return leaf_of_[object] != kNone; }
   // All members, ascending.
   std::vector<ObjectId> members() const;
-  // Who is best right after now. Requires !empty().
+  // The best line right after now. Requires !empty().
   ObjectId best() const;
   // The vertex after this one; kNoObject at the end. Requires that `object` is a vertex.
   ObjectId next(ObjectId object) const;
-  // From the one that is best at first to the one that is best at last. O(n log n) for n of them.
+  // The vertices in the order in which they win. O(n log n) for n of them.
   std::vector<ObjectId> vertices() const;
   // The number of edges between the root and the deepest leaf. O(n).
   std::size_t height() const;
-  // What is wrong with the tree, for invariants; empty if nothing. O(n), no signs.
+  // Describes a defect of the tree, for invariants; empty if there is none. O(n), no signs.
   std::string complaint() const;
   std::size_t bytes() const;
 

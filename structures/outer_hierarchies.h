@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OuterHierarchies ("outer_hierarchy"): the boomerang hierarchies of all bodies' polygons under
-// every policy of cuts, held to their bounds. It shows what the other structures for bodies build
-// on (structures/outer_hierarchy.h) and follows nothing.
+// every policy of cuts, checked against their bounds. It shows what the structures for collisions
+// are built on (outer_hierarchy.h) and follows no motion.
 //
-// Certificates: none; a polygon does not change in its own frame. Events: none of its own.
-// Attribute: the bodies that are there. Bounds: those of HierarchyBounds for every policy, over the
-// polygons of all bodies so far. Audit: tiles and polygon fill the bounding box exactly, and every
-// stage is convex, lies in the one before and holds the polygon.
+// Certificates: none; a polygon is constant in its own frame. Events: none of its own. Attribute:
+// the bodies that are present. Bounds: those of HierarchyBounds for every policy, over the polygons
+// of all bodies so far. Audit: tiles and polygon fill the bounding box exactly; every stage is
+// convex, lies in the one before and holds the polygon.
 //
-// Cost: four hierarchies for every distinct polygon, O(n depth) each. Source: as there.
+// Cost: four hierarchies for every distinct polygon, O(n depth) each. Source: outer_hierarchy.h.
 #ifndef KINEX_STRUCTURES_OUTER_HIERARCHIES_H
 #define KINEX_STRUCTURES_OUTER_HIERARCHIES_H
 
@@ -53,7 +53,7 @@ class OuterHierarchies final : public Structure {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   const Scene& scene_;
   std::vector<std::uint8_t> alive_;
-  std::vector<std::uint32_t> of_body_;  // its place in trees_; kNone: it has not been there
+  std::vector<std::uint32_t> of_body_;  // its place in trees_; kNone: it has never been present
   std::vector<Trees> trees_;            // of the distinct polygons
   std::map<std::vector<FramePoint>, std::uint32_t> by_polygon_;
 };

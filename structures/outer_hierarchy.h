@@ -1,33 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OuterHierarchy: the boomerang hierarchies of one convex polygon P. From its bounding box on,
-// vertices are cut off by lines tangent to P; what is cut off tiles the box minus P.
+// OuterHierarchy: the boomerang hierarchies of one convex polygon P. Starting from its bounding
+// box, vertices are cut off by lines tangent to P; the pieces cut off tile the box minus P.
 //
 // A node (boomerang) is a vertex of some stage: its apex, where its left edge and its right edge
-// meet (counter-clockwise), and the chain of P's edges with normals strictly between theirs. A node
-// with an empty chain is a leaf: its apex is a vertex of P. A cut makes a new edge and two children
-// on it; the tile of the cut is the triangle of the apex and the children's apexes. Level k
-// performs all cuts of that level at once: the polygon of a stage is convex and holds P, and the
-// next lies inside it.
+// meet (counter-clockwise), and its chain, the edges of P with normals strictly between theirs. A
+// leaf has an empty chain; its apex is a vertex of P. A cut makes one new edge with a child at each
+// end:
 //
-// Policies, and what holds for them (r: radius of a disc that holds P, D: its diameter, n: its
-// vertices):
-//   kMedian          the line of the middle edge of the chain. Depth floor(log2 n) + 1.
-//   kCompass         the middle direction of a fixed dyadic set of directions.
-//   kDudley          the normal at the point of P nearest to a middle point of a square about P
-//   (Dudley's
-//                    approximation): a node below i such cuts has its apex within 5.5 r / 4^i of P.
-//   kBalancedDudley  Dudley's cut at even levels; at odd level 2i + 1 the middle edge where the
-//   chain has
-//                    more than n / 2^(i+1) edges. Depth O(log min(n, sqrt(D / s))) for nodes at
-//                    distance s.
-// Any of them: pairwise disjoint nodes with apexes at distance s or more are at most sqrt(2 pi D /
-// s). In numbers, and checked in every run: structures/hierarchy_bounds.h. A cut whose normal would
-// split nothing of the chain takes its first or last edge instead; so there are at most 2 n cuts in
-// all.
+//     left edge .           . right edge     P lies above
+//                .         .
+//               a *---c---* b                c: the new edge, tangent to P; a, b: the children
+//                  .  T  .                   T: the tile of the cut
+//                   .   .
+//                     v                      v: the node that is cut
 //
-// Exact; built once per polygon in O(n depth) operations on rationals of a few times the input's
-// bits. Source: Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for
-// convex objects (1999), introduction; definitions, policies and constants are worked out here.
+// Level k performs all cuts of that level at once: the polygon of a stage is convex and holds P,
+// and the next one lies inside it.
+//
+// Policies and their bounds (r: radius of a disc that holds P, D: its diameter, n: its vertices):
+//   kMedian          The line of the middle edge of the chain. Depth floor(log2 n) + 1.
+//   kCompass         The middle direction of a fixed dyadic set of directions.
+//   kDudley          The normal at the point of P nearest to a middle point of a square about P
+//                    (Dudley's approximation): a node below i such cuts has its apex within
+//                    5.5 r / 4^i of P.
+//   kBalancedDudley  Dudley's cut at even levels; at odd level 2i + 1 the middle edge, where the
+//                    chain has more than n / 2^(i+1) edges. Depth O(log min(n, sqrt(D / s))) for
+//                    nodes at distance s.
+// For every policy there are at most sqrt(2 pi D / s) pairwise disjoint nodes with apexes at
+// distance s or more. The bounds with constants are checked in every run: hierarchy_bounds.h. A cut
+// whose normal would split nothing off the chain takes the chain's first or last edge instead, so
+// there are at most 2 n cuts in all.
+//
+// Exactness: exact. Cost: built once per polygon in O(n depth) operations on rationals of a few
+// times the input's bits.
+// Source: Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for convex
+// objects (1999), introduction; definitions, policies and constants are worked out here.
 #ifndef KINEX_STRUCTURES_OUTER_HIERARCHY_H
 #define KINEX_STRUCTURES_OUTER_HIERARCHY_H
 
@@ -60,11 +67,11 @@ class OuterHierarchy {
     std::uint32_t point = kNone;  // number of the apex among the distinct apexes
     std::uint32_t left_edge = kNone, right_edge = kNone;
     std::uint32_t parent = kNone;
-    bool is_left = false;                // of its parent
+    bool is_left = false;                // the left child of its parent
     std::uint32_t begin = 0, count = 0;  // its chain: edges begin, .. of P, cyclically
     int depth = 0;                       // cuts above it
     int dudley_depth = 0;                // Dudley cuts above it
-    // when it is cut:
+    // set by the cut:
     int cut_level = kNever;
     std::uint32_t cut = kNone, left = kNone, right = kNone;  // the new edge, the children
   };
@@ -83,21 +90,21 @@ class OuterHierarchy {
   const Node& node(std::uint32_t v) const { return nodes_[v]; }
   // The distinct apexes, in the order in which they were made.
   const std::vector<FramePoint>& points() const { return points_; }
-  // The nodes that are cut, in the order of their levels, then of their numbers.
+  // The nodes that are cut, by level, then by number.
   const std::vector<std::uint32_t>& cuts() const { return cuts_; }
   // The roots: the corners of the box, counter-clockwise; corner i lies between edges i and i + 1.
   // (One node for a point.)
   std::uint32_t roots() const { return is_point() ? 1 : 4; }
   int levels() const { return levels_; }
   int depth() const;
-  // A rational between the radius of the smallest disc about the box's centre that holds P and a
-  // hundredth more.
+  // A rational upper bound on the radius of the smallest disc about the box's centre that holds P,
+  // at most a hundredth too large.
   const Rational& radius() const { return radius_; }
   const FramePoint& centre() const { return centre_; }
   std::size_t bytes() const;
 
  private:
-  struct Range {  // of a node: the ends of its part of a square's outline, by distance along it
+  struct Range {  // the ends of a node's part of a square's outline, by distance along it
     Rational from, to;
   };
   OuterHierarchy() = default;

@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OverlapProof: that two convex polygons overlap, and where they would part.
+// OverlapProof: a kinetic proof that two convex polygons overlap; it fails where they part.
 //
 // The bodies overlap while the point t lies inside M, the Minkowski sum of A and R B'
-// (structures/sum_boundary.h). A point c inside M is chosen once: a point inside A plus one
-// inside B'. The ray from c through t leaves M by one edge, the edge ahead. Certificates, all
-// "non-negative":
-//   0     t is on the inner side of that edge's line; when it fails the bodies part there
-//   1, 2  t is to the left of the ray from c through the edge's first end, to the right of that
-//         through its last one
-//   3, 4  the edge is one of M: its normal lies between those of the edges at the other polygon's
-//         vertex
-// Compactness: 5 certificates. Responsiveness: O(1) signs where t moves from an edge to the next,
-// O(n) where it goes through c. The same edge names the features that meet when t comes to the
-// boundary of M, whatever structure saw it come.
+// (sum_boundary.h). A point c inside M is chosen once: a point inside A plus one inside B'. The ray
+// from c through t leaves M through one edge, the edge ahead:
+//
+//     first *-----------* last     the edge ahead, on the boundary of M
+//            \    t    /
+//             \   .   /
+//              \  .  /
+//                 c
+//
+// Certificates, all "non-negative":
+//   0     t is on the inner side of the line of the edge ahead; fails where the bodies part
+//   1     t is to the left of the ray from c through the edge's first end
+//   2     t is to the right of the ray from c through the edge's last end
+//   3, 4  the edge belongs to M: its normal lies between those of the two edges at the other
+//         polygon's vertex
+// Compactness: 5 certificates. Responsiveness: O(1) signs where t moves from one edge to the next,
+// O(n) where it passes through c. The same edge names the features that meet when t reaches the
+// boundary of M, whichever structure detected it.
 //
 // Ties. Where t is on a ray, or stays on c, any edge ahead will do. Degrees: those of the pose.
-// Source: a fan of triangles about a point inside; worked out here.
+// Source: a fan of triangles about an interior point; worked out here.
 #ifndef KINEX_STRUCTURES_OVERLAP_PROOF_H
 #define KINEX_STRUCTURES_OVERLAP_PROOF_H
 
@@ -44,11 +51,11 @@ class OverlapProof {
 
   Query certificate(const Edge& edge, std::uint32_t slot) const;
   std::array<Query, kCertificates> certificates(const Edge& edge) const;
-  // The edge ahead right after now, from some edge of either polygon at a vertex of the other on:
-  // O(1) signs for each edge in between. t may be outside. nullopt: an inexact arithmetic does not
-  // come to an end.
+  // The edge ahead right after now, searched from any edge of either polygon at a vertex of the
+  // other: O(1) signs for each edge passed. t may be outside M. nullopt: the search does not end in
+  // an inexact arithmetic.
   std::optional<Edge> ahead(Edge from) const;
-  // t lies strictly within the edge's line right after now.
+  // True if t lies strictly on the inner side of the edge's line right after now.
   bool is_inside(const Edge& edge) const;
 
  private:

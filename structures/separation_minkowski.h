@@ -2,15 +2,15 @@
 // SeparationMinkowski: separation-sensitive collision detection of bodies that do not turn against
 // each other, by the hierarchy of their Minkowski sum M itself.
 //
-// B as seen from A is a point that moves outside the fixed convex polygon M. The proof is the tile
-// of the exterior's hierarchy that holds the point: a triangle, 3 certificates, or a half-plane
-// beyond the box, 1. The ring between two stages is the difference of two convex sets, so a
-// straight line meets it in at most two intervals, each inside one triangle: at most 2 per level
-// and 8 beyond the box, each time that a pair is followed from its beginning to its end.
+// Seen from A, B is a point that moves outside the fixed convex polygon M. The proof is the tile of
+// the exterior's hierarchy that holds the point: a triangle, 3 certificates, or a half-plane beyond
+// the box, 1 certificate. The ring between two stages is the difference of two convex sets, so a
+// straight line meets it in at most two intervals, each inside one triangle: events, while a pair
+// is followed, are at most 2 per level and 8 beyond the box.
 //
-// Certificates, ties and sources: structures/separation_mixed.h, of which this is the special case
-// where the second polygon is a point. M takes O(n) to build and its hierarchy O(n depth), for
-// every pair.
+// Certificates, ties and sources: separation_mixed.h, of which this is the special case where the
+// second polygon is a point. Cost: O(n) to build M and O(n depth) for its hierarchy, for every
+// pair.
 #ifndef KINEX_STRUCTURES_SEPARATION_MINKOWSKI_H
 #define KINEX_STRUCTURES_SEPARATION_MINKOWSKI_H
 
@@ -57,7 +57,7 @@ class SeparationMinkowski final : public SeparationMixed {
     bool is_line = false;  // the point moves on a straight line
     std::int64_t failures = 0;
   };
-  // Failures while a pair was followed, and their limit.
+  // The failures while a pair was followed, and their bound.
   struct Line {
     std::int64_t failures = 0, most = 0;
   };
@@ -67,8 +67,8 @@ class SeparationMinkowski final : public SeparationMixed {
   CutPolicy policy_;
   BodyFrame point_;
   std::vector<std::unique_ptr<Sum>> sums_;  // per pair
-  HierarchyBounds past_;                    // of sums that are no more
-  std::optional<Line> line_;                // that which came nearest to its limit
+  HierarchyBounds past_;                    // of sums that are gone
+  std::optional<Line> line_;                // the one that came nearest to its bound
 };
 
 }  // namespace kinex

@@ -2,19 +2,22 @@
 // SeparationMixed: separation-sensitive collision detection by the mixed hierarchy, and, for
 // translation alone, by the hierarchy of the Minkowski sum itself.
 //
-// B as seen from A is one point moving outside the Minkowski sum M of A and R B'. The proof is the
-// tile of the exterior's hierarchy that holds the point (structures/mixed_tiles.h): far from M
-// tiles are large.
+// Seen from A, B is one point moving outside the Minkowski sum M of A and R B'. The proof is the
+// tile of the exterior's hierarchy that holds the point (mixed_tiles.h); far from M tiles are
+// large.
 //   separation_mixed      the mixed hierarchy, for rigid motions; never built whole
-//   separation_minkowski  the hierarchy of M (separation_minkowski.h); only where nothing turns
+//   separation_minkowski  the hierarchy of M (separation_minkowski.h), for bodies that do not turn
 //
-// Quality. Compactness: at most 6 certificates a pair, O(n) for the trees. Responsiveness: O(depth)
-// signs and at most 6 new certificates an event. In numbers: a failure takes at most 2 (l + 1) + 33
-// signs, l the larger level of the tile that is left and that which is entered (kSignsPerLevel,
-// kSigns), and 24 more where the bodies touch (kSignsOfTouch); unless the point is located anew,
-// which may be at a contact. Events, for motions of constant degree at distance
-// sigma or more, mu = min(n, sqrt(D / sigma)): O(mu^2) for rigid motion, O(mu) for translation; for
-// separation_minkowski on a line at most 2 per level, O(log mu).
+// Compactness: at most 6 certificates a pair; O(n) space for the trees.
+// Responsiveness: O(depth) signs and at most 6 new certificates an event. In numbers: a failure
+// takes at most 2 (l + 1) + 33 signs, l the larger of the levels of the old and the new tile
+// (kSignsPerLevel, kSigns), and 24 more where the bodies touch (kSignsOfTouch); the bound does not
+// apply where the point is located anew, which may happen at a contact.
+// Events, for motions of constant degree at distance sigma or more, with
+// mu = min(n, sqrt(D / sigma)):
+//   rigid motion                       O(mu^2)
+//   translation                        O(mu)
+//   separation_minkowski on a line     at most 2 per level, O(log mu)
 //
 // Source: Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for convex
 // objects (1999).
@@ -37,16 +40,20 @@ class SeparationMixed : public CollisionPairs {
  public:
   enum Kind : std::uint8_t {
     kSide = kFirstOwn,  // the point has crossed a side
-    kFlip,              // the two tiles about it were divided anew
-    kCell,              // it has moved between half-planes, into the boxes or out of them
+    kFlip,              // an order of normals failed: the two tiles about it are divided anew
+    kCell,              // the point moved between half-planes, into the boxes or out of them
   };
-  // Of one failure. A descent asks at most for two signs at each level of one polygon. The rest: 1
-  // and 2 for the certificate that failed and its tile, 4 to choose one of two sides that fail
-  // together, 1 for the neighbour and at most 5 for edges without length (a vertex has no more than
-  // two of these) and at the descent's end, 2 and 1 at the boundary of M, 9 for the certificates of
-  // the new tile and of a slide, 8 to see whether the bodies touch. Where they do: 8 to see that
-  // the proof holds, 8 for its other certificates that touch zero, 8 to see whether they rest; or,
-  // at a contact, a few orders of normals to find the edge of M that is ahead.
+  // The bound on the signs of one failure, term by term. A descent takes at most two signs at each
+  // level of one polygon. kSigns:
+  //   1 + 2  the certificate that failed, and its tile
+  //   4      the choice between two sides that fail together
+  //   1 + 5  the neighbour; edges without length (a vertex has at most two) and the descent's end
+  //   2 + 1  at the boundary of M
+  //   9      the certificates of the new tile and of a slide
+  //   8      whether the bodies touch
+  // kSignsOfTouch: 8 to see that the proof holds, 8 for its other certificates that touch zero, 8
+  // to see whether the bodies rest; or, at a contact, a few orders of normals to find the edge of M
+  // that is ahead.
   static constexpr std::uint64_t kSignsPerLevel = 2, kSigns = 33, kSignsOfTouch = 24;
 
   SeparationMixed(Kernel& kernel, StructureId id, const Scene& scene,
@@ -55,11 +62,11 @@ class SeparationMixed : public CollisionPairs {
   std::string_view name() const override { return "separation_mixed"; }
   void certificate_failed(CertificateId failed) override;
   std::vector<std::string_view> event_kinds() const override;
-  // Also those of the hierarchies that were built (structures/hierarchy_bounds.h).
+  // Includes those of the hierarchies built (hierarchy_bounds.h).
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::size_t bytes() const override;
 
-  // The tile of the pair (a, b), a < b; nullopt if it is not followed.
+  // The tile of the pair (a, b), a < b; nullopt if the pair has none.
   std::optional<Tile> tile(ObjectId a, ObjectId b) const;
 
  protected:
@@ -77,22 +84,22 @@ class SeparationMixed : public CollisionPairs {
   virtual void add_hierarchies(HierarchyBounds& bounds) const;
 
   void moved(PairId p) override;
-  // More, where a point stays on the line of a side of M.
+  // Additional certificates where a point stays on the line of a side of M.
   std::uint32_t slide_certificates() const { return slides_ ? 2 : 0; }
 
  private:
-  // Signs of this structure's predicates that have been asked for.
+  // Signs of this structure's predicates computed so far.
   std::uint64_t signs_asked() const;
   MixedTiles tiles(PairId p);
-  // The certificates of the tile, and of a slide along its side; their number.
+  // The certificates of the tile and of a slide along its side; returns their number.
   using Proof = std::array<Query, kMostCertificates>;
   std::uint32_t prove(const MixedTiles& about, const Tile& tile, Proof& queries);
   void enter(PairId p, const MixedTiles& about, const Tile& tile);
 
   std::vector<Tile> tile_;  // per pair
   bool slides_ = false;     // a point has stayed on the line of a side of M
-  // While a failure is handled: the level it has to do with, if it is a tile's and the point need
-  // not be located; whether the bodies touch.
+  // While a failure is handled: its level (nullopt if the point is located anew or there is no
+  // tile), and whether the bodies touch.
   std::optional<int> level_;
   bool touches_ = false;
   // The failure that came nearest to its bound.

@@ -3,8 +3,8 @@
 // polygons' own edges and vertices.
 //
 // Every edge of M is an edge of one polygon translated by a vertex of the other, whose cone holds
-// the edge's normal; every vertex is the sum of two vertices. Parallel for ever: A's edge comes
-// first.
+// the edge's normal; every vertex of M is the sum of two vertices. Of two identically parallel
+// edges A's comes first.
 #ifndef KINEX_STRUCTURES_SUM_BOUNDARY_H
 #define KINEX_STRUCTURES_SUM_BOUNDARY_H
 
@@ -35,18 +35,18 @@ class SumBoundary {
 
   BodyFrame& frame(std::uint8_t z) const { return *frames_[z]; }
   static std::uint8_t other(std::uint8_t z) { return static_cast<std::uint8_t>(1 - z); }
-  // Where the point is with respect to edge e of polygon z at vertex v of the other: outside,
-  // inside.
+  // The point is on the outer side of edge e of polygon z at vertex v of the other (beyond), or on
+  // the inner side (within).
   Query beyond(std::uint8_t z, Id e, Id v) const { return side(false, z, e, v); }
   Query within(std::uint8_t z, Id e, Id v) const { return side(true, z, e, v); }
-  // One of side z, of these or those below, that fails at a touch too (core/touch.h).
+  // The same query on side z, of these or those below, failing at touches too (core/touch.h).
   Query at_touch(std::uint8_t z, Query query) const {
     const bool inward = query.predicate == predicates_.inside[z];
     query.predicate = inward ? predicates_.touch_inside[z] : predicates_.touch[z];
     return query;
   }
-  // With respect to the line across edge e of polygon z at its first or last end, at vertex v: on
-  // the side that the edge points to, or on the other.
+  // The point is past (short of) the line across edge e of polygon z at its first or last end, at
+  // vertex v: on the side that the edge points to, or on the other one.
   Query past(std::uint8_t z, Id e, bool last, Id v) const;
   Query short_of(std::uint8_t z, Id e, bool last, Id v) const;
   // The normal of edge e of polygon z is after (counter-clockwise from) that of edge f of the
@@ -56,8 +56,8 @@ class SumBoundary {
   Sign sign(const Query& query) const { return kernel_.arithmetic().sign_after(query); }
   bool before(std::uint8_t z, Id e, Id f) const;
 
-  // The edge of M after its vertex x + y, or before it: of the two edges there are, of either
-  // polygon, that whose normal is nearer.
+  // The edge of M after (before) its vertex x + y: of the two candidates, one of either polygon,
+  // the one whose normal is nearer.
   Edge beside(Id x, Id y, bool forward) const;
   // The vertex of M at the edge's first or last end: a vertex of A, one of B'.
   std::array<Id, 2> end(const Edge& edge, bool last) const;
