@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// discs_apart(a, b, reach) = (x_b - x_a)^2 + (y_b - y_a)^2 - reach^2; x_gap(a, b, reach) = x_b -
-// x_a - reach. Homogeneous of degree 2 and 1 in all lengths.
+// discs_apart(a, b, reach) = (x_b - x_a)^2 + (y_b - y_a)^2 - reach^2  homogeneous of degree 2
+// x_gap(a, b, reach)       = x_b - x_a - reach                        homogeneous of degree 1
 #include "predicates/body_gap.h"
 
 #include <algorithm>

@@ -3,26 +3,30 @@
 // parallelogram), n = (q_2 - q_1) x (q_k - q_1) its normal, and f = det(q_1, q_2, q_k), which is
 // n times the position of K's plane. The origin is 0. Contact at t means 0 in K(t).
 //
-// Contact at one given instant where f = 0 (f vanishes at every contact):
-//   If n is not 0, K is a convex polygon whose plane contains 0. Then 0 lies in it iff it is on the
-//   inner side of every edge: n . (q_i x q_{i+1}) >= 0 for all i.
-//   If n = 0, all corners lie on one line (in a parallelogram because n = 0 makes the two
-//   directions of its sides parallel). A closed walk on a line covers the hull of its corners, so 0
-//   lies in K iff it lies on one of the segments [q_i, q_{i+1}]. 0 lies on [u, v] iff u x v = 0 and
-//   u . v <= 0. (u, v and 0 are then on one line, and u and v are not strictly on the same side of
-//   0. This holds for u = v too: then u . u <= 0 says u = 0.)
+// (1) Contact at one given instant where f = 0 (f vanishes at every contact):
+//   (a) If n is not 0, K is a convex polygon whose plane contains 0. Then 0 lies in K iff it is on
+//       the inner side of every edge: n . (q_i x q_{i+1}) >= 0 for all i.
+//   (b) If n = 0, all corners lie on one line (in a parallelogram because n = 0 makes the two
+//       directions of its sides parallel). A closed walk on a line covers the hull of its corners,
+//       so 0 lies in K iff it lies on one of the segments [q_i, q_{i+1}].
+//       0 lies on [u, v] iff u x v = 0 and u . v <= 0: u, v and 0 are then collinear, and u and v
+//       are not strictly on the same side of 0. (For u = v, u . u <= 0 says u = 0.)
 //
-// The first contact:
-//   If f is not the zero polynomial, the candidates are its roots in [0, 1], in order.
-//   If f = 0 for all t, look at t = 0 first. If there is no contact then, let T > 0 be the first
-//   one. 0 lies on an edge of K(T): if n(T) = 0 because K is the union of its edges, as above; if
-//   n(T) is not 0 because else n . (q_i x q_{i+1}) > 0 for all i at T, and so shortly before T,
-//   where f = 0 as well: that would be an earlier contact. So T is the smallest of the first times
-//   at which 0 lies on [q_i, q_{i+1}], over all i. For one edge [u, v]: where a component g of u x
-//   v is not the zero polynomial, all its times are roots of g. If all three are zero, they are
-//   where u . v <= 0; u . v > 0 at t = 0, so the first one is a root of u . v, and any root is one.
-//   So in both cases the candidates are the roots in (0, 1] of the first non-zero polynomial among
-//   the components and u . v.
+// (2) The first contact, if f is not identically zero: the candidates are its roots in [0, 1], in
+//     ascending order.
+//
+// (3) The first contact, if f is identically zero: t = 0 is tried first. If there is no contact
+//     then, let T > 0 be the first one. 0 lies on an edge of K(T):
+//       if n(T) = 0, because K is the union of its edges, by (1b);
+//       else, because otherwise n . (q_i x q_{i+1}) > 0 for all i at T, and so shortly before T,
+//       where f = 0 as well: an earlier contact.
+//     So T is the smallest, over all i, of the first times at which 0 lies on [q_i, q_{i+1}]. For
+//     one edge [u, v]:
+//       if a component g of u x v is not identically zero, all such times are roots of g;
+//       if all three are, such times are those with u . v <= 0. u . v > 0 at t = 0, so the first of
+//       them is a root of u . v, and every root of u . v is such a time.
+//     So in both cases the candidates are the roots in (0, 1] of the first polynomial that is not
+//     identically zero, among the three components and u . v.
 #include "predicates/contact_exact.h"
 
 #include <algorithm>
@@ -81,8 +85,8 @@ Integers scaled_fractions(const ContactQuery& query, std::size_t axis) {
   return result;
 }
 
-// The four points as polynomials in t. Contact does not depend on the units of the axes, so every
-// axis is multiplied by a number of its own.
+// The four points as polynomials in t. Contact does not depend on the units of the axes, so each
+// axis has its own positive factor.
 std::array<Vector, ContactQuery::kPoints> moving_points(const ContactQuery& query) {
   std::array<Vector, ContactQuery::kPoints> result;
   for (std::size_t axis = 0; axis < 3; ++axis) {

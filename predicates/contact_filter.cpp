@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// K(t) with corners q_1 .. q_k, and f = det(q_1, q_2, q_k), are those of contact_exact.cpp. On an
-// interval of t, from left to right, one of these is proved, or the interval is cut in two:
-//   (1) no contact: a direction m has m . q_i > 0 for all i at both ends, and so, every corner
-//   being
-//       linear in t, in between: K does not reach the origin. Tried: the axes, and the direction to
-//       the point of K's border that is nearest to the origin half-way.
-//   (2) no contact: the Bernstein coefficients of f have one strict sign, so f has no root.
-//   (3) f has exactly one root: opposite signs at the ends and one change of sign along the
-//   Bernstein
-//       coefficients. The root is then caught between two close points, where f has opposite signs.
-//       No contact elsewhere, for f vanishes at every contact. In the small interval there is
-//       either none, by (1), or one at the root: w . (q_i x q_{i+1}) > 0 for all i throughout, for
-//       a constant direction w. That is, seen along w, the corners go round the origin
-//       counter-clockwise, each step by less than half a turn, and once, for there are at most four
-//       steps. So the line along w through the origin meets K, and K's plane is not parallel to it.
-//       At the root the plane passes through the origin too, so that is where the line meets it.
-// Directions are any doubles: they are no rounded values, so nothing is lost there. The ends of
-// intervals are multiples of 2^-50 in [0, 1]: t and 1 - t are exact.
+// K(t) with corners q_1 .. q_k, and f = det(q_1, q_2, q_k), are those of contact_exact.cpp.
+// Intervals of t are visited from left to right; on each, one of these is proved, or it is cut in
+// two:
+//   (1) No contact: a direction m has m . q_i > 0 for all i at both ends. Every corner is linear in
+//       t, so the same holds in between, and K does not reach the origin. Tried: the axes, and the
+//       direction to the point of K's border that is nearest to the origin half-way.
+//   (2) No contact: the Bernstein coefficients of f have one strict sign, so f has no root.
+//   (3) f has exactly one root: opposite signs at the ends and one sign change along the Bernstein
+//       coefficients. The root is enclosed between two close points, where f has opposite signs. f
+//       vanishes at every contact, so there is no contact elsewhere. In the small interval there is
+//       either (a) no contact, by (1), or (b) a contact at the root.
+//       Proof of (b): w . (q_i x q_{i+1}) > 0 for all i throughout, for a constant direction w.
+//       Seen along w, the corners then wind round the origin counter-clockwise, each step by less
+//       than half a turn, and once, for there are at most four steps:
+//
+//               q_3 .-------. q_2
+//                   |   0   |       w towards the viewer
+//               q_4 '-------' q_1
+//
+//       So the line along w through the origin meets K, and K's plane is not parallel to it. At the
+//       root the plane passes through the origin too, so the line meets K in the origin.
+// Directions are arbitrary doubles, not rounded values: they carry no error. The ends of intervals
+// are multiples of 2^-50 in [0, 1]: t and 1 - t are exact.
 #include "predicates/contact_filter.h"
 
 #include <algorithm>
@@ -25,12 +30,11 @@ namespace kinex {
 
 namespace {
 
-// A cubic has three roots, so a few cuts tell them apart; more are for near misses in one plane.
+// A cubic has three roots, so a few cuts separate them; more are for near misses in one plane.
 constexpr int kMaxCuts = 16;
 constexpr double kGrid = 0x1p50;         // ends are multiples of 1 / kGrid
 constexpr double kFirstCut = 27.0 / 64;  // not where symmetric input has its roots
-// Half the width of the interval around a root: first as little as the error of f suggests, then
-// more.
+// Half the width of the interval around a root: at first what the error of f suggests, then more.
 constexpr double kLeastHalf = 0x1p-46;
 constexpr double kWiden = 32;
 constexpr int kWidenings = 4;
@@ -186,7 +190,7 @@ class Filter {
     return true;
   }
 
-  // From the origin to the nearest point of K's border half-way through the interval, about.
+  // Approximately from the origin to the nearest point of K's border half-way through the interval.
   Direction towards_border(const Piece& piece) const {
     std::array<Direction, 4> q{};
     for (std::size_t i = 0; i < k_; ++i) q[i] = middle(piece.at_lower.q[i], piece.at_upper.q[i]);
@@ -200,7 +204,7 @@ class Filter {
       const double part = length > 0 ? std::clamp(-dot(u, along) / length, 0.0, 1.0) : 0.0;
       Direction c{u[0] + part * along[0], u[1] + part * along[1], u[2] + part * along[2]};
       if (part > 0 && part < 1) {
-        // Close to the edge c is a small difference: made perpendicular to the edge once more.
+        // Close to the edge c is a small difference: it is made perpendicular to the edge again.
         const double rest = dot(c, along) / length;
         for (std::size_t axis = 0; axis < 3; ++axis) c[axis] -= rest * along[axis];
       }
@@ -215,7 +219,8 @@ class Filter {
 
   Ball f_at(const Corners& c) const { return dot(cross(c.q[0], c.q[1]), c.q[k_ - 1]); }
 
-  // Three times the Bernstein coefficients of f on the interval, in the middle; f at the ends.
+  // The Bernstein coefficients of f on the interval, the inner two times three; the outer two are f
+  // at the ends.
   std::array<Ball, 4> bernstein(const Piece& piece) const {
     const Vector &a0 = piece.at_lower.q[0], &a1 = piece.at_upper.q[0];
     const Vector &b0 = piece.at_lower.q[1], &b1 = piece.at_upper.q[1];
@@ -232,8 +237,8 @@ class Filter {
     return std::all_of(f.begin(), f.end(), positive) || std::all_of(f.begin(), f.end(), negative);
   }
 
-  // Opposite signs at the ends, and one of the inner coefficients has the sign of its end: then
-  // there is one change of sign, whatever the sign of the other one.
+  // Opposite signs at the ends, and one of the inner coefficients has the sign of its end. There is
+  // then one sign change, whatever the sign of the other inner coefficient.
   static bool one_root(const std::array<Ball, 4>& f) {
     if (positive(f[0]) && negative(f[3])) return positive(f[1]) || negative(f[2]);
     if (negative(f[0]) && positive(f[3])) return negative(f[1]) || positive(f[2]);
@@ -249,7 +254,7 @@ class Filter {
     for (int i = 0; i < kWidenings; ++i, half *= kWiden) {
       narrow.lower = std::max(piece.lower, on_grid(root - half));
       narrow.upper = std::min(piece.upper, on_grid(root + half));
-      if (!(narrow.lower < narrow.upper)) return false;  // or no number
+      if (!(narrow.lower < narrow.upper)) return false;  // or NaN
       narrow.at_lower = at(narrow.lower);
       narrow.at_upper = at(narrow.upper);
       const Ball before = f_at(narrow.at_lower), after = f_at(narrow.at_upper);
@@ -264,7 +269,7 @@ class Filter {
     double root, error;
   };
 
-  // Where the cubic vanishes in [0, 1], about: Newton's method, kept inside by bisection.
+  // An approximate root of the cubic in [0, 1]: Newton's method, safeguarded by bisection.
   static Guess approximate_root(const std::array<Ball, 4>& f) {
     const double c0 = f[0].value, c1 = f[1].value - 3 * c0,
                  c2 = f[2].value - 2 * f[1].value + 3 * c0,
@@ -284,7 +289,7 @@ class Filter {
     return {t, error / std::fabs(slope)};
   }
 
-  // Whether the corners go round the origin, seen along one direction, throughout the piece.
+  // Whether the corners wind round the origin, seen along one direction, throughout the piece.
   bool goes_round(const Piece& piece) const {
     std::array<Direction, 3> q;
     const std::array<std::size_t, 3> of{0, 1, k_ - 1};

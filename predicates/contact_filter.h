@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first stage of continuous contact: doubles with proven error bounds. It may abstain; it is
-// never wrong.
+// The floating-point filter of continuous contact: doubles with proven error bounds. It may
+// abstain; it is never wrong.
 #ifndef KINEX_PREDICATES_CONTACT_FILTER_H
 #define KINEX_PREDICATES_CONTACT_FILTER_H
 

@@ -3,16 +3,21 @@
 // corners move linearly for 0 <= t <= 1 meet, and when first?
 //
 // All bodies are closed: touching is contact, at t = 0 and t = 1 too. Degenerate bodies (a triangle
-// that is a segment or a point, a segment that is a point) are what they are as sets.
+// that is a segment or a point, a segment that is a point) are treated as the sets they are.
 //
-// Both questions are one. Let K(t) be the triangle minus the point, or the parallelogram of the
-// differences of the two segments. Its corners are linear in t, and contact is "the origin lies in
-// K(t)". The contact times are a closed set, so there is a first one. K's plane passes through the
-// origin where a cubic f vanishes: contact happens at roots of f in [0, 1] only, unless f is
-// identically zero (contact_exact.cpp has the proof for that case).
+// Both queries are one. Let K(t) be the triangle minus the point, or the parallelogram of the
+// differences of the two segments:
 //
-// Exactness: every answer and every time is exact. A first stage in doubles with proven error
-// bounds (contact_filter.h) answers nearly all queries; the second is exact (contact_exact.h).
+//        q_3                 q_4 .-------. q_3
+//        /  \                   /       /           contact at t: the origin lies in K(t)
+//   q_1 '----' q_2         q_1 '-------' q_2
+//
+// Its corners are linear in t. The contact times are a closed set, so there is a first one. K's
+// plane passes through the origin where a cubic f vanishes: contact happens only at roots of f in
+// [0, 1], unless f is identically zero (contact_exact.cpp has the proof for that case).
+//
+// Exactness: every answer and every time is exact. A floating-point filter with proven error bounds
+// (contact_filter.h) answers nearly all queries; the second stage is exact (contact_exact.h).
 // Cost: about a microsecond for a miss, the roots of an integer cubic for a hit.
 // Source for the query: Wang, Ferguson, Schneider, Jiang, Attene, Panozzo, A Large Scale Benchmark
 // and an Inclusion-Based Algorithm for Continuous Collision Detection, ACM TOG 40(5), 2021.
@@ -73,7 +78,7 @@ struct ContactTime {
   Polynomial polynomial;
 };
 
-// How many queries which stage answered; a plain value owned by the caller and passed by reference.
+// Queries answered by each stage; a plain value owned by the caller and passed by reference.
 struct ContactCounters {
   std::uint64_t at_once = 0;     // in doubles, from the whole of [0, 1]
   std::uint64_t subdivided = 0;  // in doubles, after [0, 1] was cut
@@ -87,9 +92,8 @@ bool in_contact(const ContactQuery& query, ContactCounters& counters);
 // The first t in [0, 1] at which they are; nullopt if they never are.
 std::optional<ContactTime> first_contact(const ContactQuery& query, ContactCounters& counters);
 
-// One name for the instant, the same whichever stage found it: a rational instant is the root of
-// its linear polynomial, with equal ends; any other one is a root of the square-free part of
-// `polynomial`.
+// The name of the instant, the same whichever stage found it. A rational instant is the root of its
+// linear polynomial, with equal ends; any other is a root of the square-free part of `polynomial`.
 RootName name_instant(ContactTime& time, RootCounters& counters);
 
 }  // namespace kinex

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // coordinate_order(a, b) = x_b - x_a on one axis.
-// Degree d in t for motions of degree d. Identities: (1) value(b, a) = -value(a, b);
-// (2) value(a, a) = 0; (3) value(a, b) + value(b, c) = value(a, c).
+// Degree 1 in the coordinates, d in t. Identities:
+//   (1) value(b, a) = -value(a, b)
+//   (2) value(a, a) = 0
+//   (3) value(a, b) + value(b, c) = value(a, c)
 #include <array>
 
 #include "core/predicate_formula.h"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// direction_order(a, b) = v.(b - a) for a constant vector v, taken as the primitive integer vector of
-// the same direction (a positive factor changes no sign and no root).
-// Degree d in t. Identities: (1) value(b, a) = -value(a, b); (2) value(a, a) = 0.
+// direction_order(a, b) = v.(b - a) for a constant vector v, taken as the primitive integer vector
+// of the same direction (a positive factor changes no sign and no root).
+// Degree 1 in the coordinates, d in t. Identities:
+//   (1) value(b, a) = -value(a, b)
+//   (2) value(a, a) = 0
 #include <stdexcept>
 #include <utility>
 

@@ -17,8 +17,8 @@ void make_primitive(Integer& a, Integer& b, Integer& c) {
   c.divide_exactly(g);
 }
 
-// Long integers of a homogeneous triple by the power of two that leaves the largest just below 1:
-// products of several would leave the doubles.
+// Long integers of a homogeneous triple are scaled by the power of two that leaves the largest just
+// below 1: products of several would overflow doubles.
 std::vector<Rational> near_one(const std::array<Integer, 3>& triple) {
   constexpr std::size_t kLong = 64;
   std::size_t bits = 0;

@@ -38,10 +38,9 @@ FramePoint frame_point(const Rational& x, const Rational& y);
 FrameLine frame_line(const Rational& nx, const Rational& ny, const FramePoint& through);
 // The points p with n.p = h.
 FrameLine frame_line(const Rational& nx, const Rational& ny, const Rational& h);
-// Where two lines meet whose normals turn counter-clockwise from the first to the second by less
-// than half a turn.
+// The common point of two lines. Requires turn(first, second) positive.
 FramePoint meeting(const FrameLine& first, const FrameLine& second);
-// Where p lies: positive beyond the line, on the side of its normal.
+// The side of the line on which p lies: positive on the side of its normal.
 Sign side(const FrameLine& line, const FramePoint& p);
 // Positive iff the normal of `second` is counter-clockwise from that of `first` by less than half a
 // turn.
@@ -59,8 +58,7 @@ struct FramePolygon {
 // is the one of smallest normal angle in [0, 360) degrees: shuffled input gives the same.
 FramePolygon frame_polygon(const std::vector<Vertex2>& polygon, bool negated);
 
-// A rational between the square root of q >= 0 and a hundredth more, of few bits beyond those of q;
-// 0 for 0.
+// A rational in [sqrt(q), 1.01 sqrt(q)], q >= 0, of few bits beyond those of q; 0 for 0.
 Rational root_above(const Rational& q);
 
 }  // namespace kinex

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// in_circle_2(a, b, c, d): the determinant with rows (x, y, x^2 + y^2) of a - d, b - d, c - d: positive
-// iff d lies strictly inside the circle through a, b, c taken counter-clockwise.
-// Degree 4d in t. Identities: (1) odd permutations of a, b, c, d change the sign, even ones do not;
-// (2) zero if two arguments are equal; (3) unchanged by a common translation.
+// in_circle_2(a, b, c, d): the determinant with rows (x, y, x^2 + y^2) of a - d, b - d, c - d:
+// positive iff d lies strictly inside the circle through a, b, c taken counter-clockwise.
+// Degree 4 in the coordinates, 4d in t. Identities:
+//   (1) odd permutations of a, b, c, d change the sign, even ones do not
+//   (2) zero if two arguments are equal
+//   (3) unchanged by a common translation
 #include "core/predicate_formula.h"
 #include "predicates/predicates.h"
 

@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// line_slope_order(a, b) = slope_b - slope_a: which of two linear keys grows faster.
-// line_turn(a, b, c) = (slope_b - slope_a)(height_c - height_a) - (height_b - height_a)(slope_c -
-// slope_a): the orientation of the dual points, and so the order in which three lines meet.
-// line_meeting(a, b, c, d, e) = (slope_b - slope_a) turn(c, d, e) - (slope_d - slope_c) turn(a, b,
-// e), in the dual plane, for slope_a < slope_b and slope_c < slope_d: the line ab, less the line
-// cd, above the point e. Degree 0. Identities: odd permutations of the arguments change the sign of
-// the first two; line_meeting(c, d, a, b, e) = -line_meeting(a, b, c, d, e).
+// Key i is the line slope_i t + height_i, and the point (slope_i, height_i) of the dual plane.
+//
+//   line_slope_order(a, b) = slope_b - slope_a
+//   line_turn(a, b, c)     = (slope_b - slope_a) (height_c - height_a)
+//                          - (height_b - height_a) (slope_c - slope_a)
+//   line_meeting(a, b, c, d, e) = (slope_b - slope_a) line_turn(c, d, e)
+//                               - (slope_d - slope_c) line_turn(a, b, e)
+//
+// line_slope_order says which of two keys grows faster. line_turn is the orientation of the dual
+// points, and so the order in which three lines meet. line_meeting, for slope_a < slope_b and
+// slope_c < slope_d, has the sign of the height of line ab less that of line cd, both at e:
+//
+//              . b
+//           .                ab above cd at the slope of e: positive
+//        .  |      . d
+//     a  c . . . .
+//           e
+//
+// Degrees in the dual points: 1, 2, 3; in t: 0. Identities:
+//   (1) odd permutations of the arguments of line_slope_order and line_turn change the sign
+//   (2) line_meeting(c, d, a, b, e) = -line_meeting(a, b, c, d, e)
+//   (3) line_meeting(b, a, c, d, e) = line_meeting(a, b, d, c, e) = -line_meeting(a, b, c, d, e)
 #include <stdexcept>
 
 #include "predicates/line_predicate.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LinePredicate: predicates on the keys of linear motions as lines. key_i(t) = slope_i t + height_i
-// is the point (slope_i, height_i) of the dual plane, and a predicate is a number, not a function
-// of t: degree 0. It changes with the motions only.
+// is the point (slope_i, height_i) of the dual plane. A predicate is a number, not a function of t:
+// degree 0. It changes only with the motions.
 //
-// Motions of higher degree are read as if they ended after t^1: such predicates are for structures
-// that take linear motions only. Doubles without error bounds serve the inexact arithmetics; in
-// `exact`, scenes of small integers get 128-bit integers at once, others doubles with error bounds,
-// then integers of any size.
+// Terms beyond t^1 are ignored: such predicates are for structures that take linear motions only.
+//   inexact arithmetics              doubles without error bounds
+//   exact, scenes of small integers  128-bit integers
+//   exact, other scenes              doubles with error bounds, then integers of any size
 #ifndef KINEX_PREDICATES_LINE_PREDICATE_H
 #define KINEX_PREDICATES_LINE_PREDICATE_H
 
@@ -86,7 +86,7 @@ class LinePredicate final : public Predicate {
   void plain(int d, const MotionView<double>* points, double, double* out) const override {
     d <= kMaxFixedDegree ? fixed<double>(d, points, out) : dynamic(d, points, out);
   }
-  // No bound is known: whoever needs one looks elsewhere.
+  // No bound is known; callers that need one use another stage.
   void plain_with_reach(int d, const MotionView<double>* points, double shift, double* out,
                         double* reach) const override {
     plain(d, points, shift, out);

@@ -14,9 +14,8 @@ namespace kinex {
 
 struct MinkowskiSum {
   FramePolygon polygon;  // in A's frame
-  // Where its parts come from: edge i of the sum is edge `edge` of polygon z (0: A, 1: B') at
-  // vertex `vertex` of the other; vertex i is the sum of vertices a[i] and b[i]. Parallel edges are
-  // one: A's.
+  // Edge i of the sum is edge `edge` of polygon z (0: A, 1: B') translated by vertex `vertex` of
+  // the other; vertex i is the sum of vertices a[i] and b[i]. Parallel edges are merged into A's.
   struct Origin {
     std::uint8_t z;
     std::uint32_t edge, vertex;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orientation_2(a, b, c) = (b - a) x (c - a): twice the signed area of the triangle.
-// Degree 2d in t. Identities: (1) odd permutations of a, b, c change the sign, even ones do not;
-// (2) zero if two arguments are equal; (3) unchanged by a common translation.
+// Degree 2 in the coordinates, 2d in t. Identities:
+//   (1) odd permutations of a, b, c change the sign, even ones do not
+//   (2) zero if two arguments are equal
+//   (3) unchanged by a common translation
 #include "core/predicate_formula.h"
 #include "predicates/predicates.h"
 

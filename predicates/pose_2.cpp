@@ -90,10 +90,10 @@ std::array<Form, kPoseAxes> pose_axes(const Body<Form>& a, const Body<Form>& b) 
           turn.s};
 }
 
-// Numbers of more bits than this are scaled.
+// Numbers with more bits than this are scaled.
 constexpr std::size_t kLong = 400;
 
-// In machine integers; nullopt if they do not hold the pose.
+// In machine integers; nullopt if the pose overflows them.
 std::optional<Trajectory> short_pose(std::span<const Trajectory* const> bases) {
   std::array<Body<DyadicPolynomial>, 2> body;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -137,7 +137,7 @@ class Pose2 final : public Construction {
 
  private:
   // All axes times the same positive number, so that nothing is left to reduce; very long numbers
-  // by a power of two that keeps them within the doubles.
+  // are scaled by a power of two that keeps them in the range of doubles.
   static Trajectory whole(const std::array<Fractions, kPoseAxes>& axes) {
     Integer common(1);
     for (const Fractions& axis : axes) common = lcm(common, axis.denominator);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// along_a(pose, (m, h) of A, a, b) = N e.(t - a - R b), e = m turned by a quarter
-// counter-clockwise; along_b(pose, (g, h) of B', a, b) = N (R e).(t - a - R b), e = g turned
-// likewise; both times the weights of a and b. Linear in each argument; see predicates/pose_2.h.
+// along_a(pose, (m, h) of A, a, b)  = N e.(t - a - R b),     e = m turned by +90 degrees,
+// along_b(pose, (g, h) of B', a, b) = N (R e).(t - a - R b), e = g turned by +90 degrees,
+// both times the weights of a and b.
+// Degree 1 in the pose and in each constant; see predicates/pose_2.h. Identities:
+//   (1) against_a = -along_a, against_b = -along_b
+//   (2) reversing the normal changes the sign
+//   (3) h does not enter
 #include "predicates/pose_form.h"
 
 namespace kinex {

@@ -6,7 +6,7 @@
 //   static constexpr std::array<int, n> kAxes;  the axes of the pose that it uses
 //   name(), and opposite() where there is an opposite predicate;
 //   template <class R> std::array<R, n> factors(const Constant<R>*) const;
-// where factors() are the factors of those axes, homogeneous in each constant.
+// where factors() are the coefficients of those axes, homogeneous in each constant.
 #ifndef KINEX_PREDICATES_POSE_FORM_H
 #define KINEX_PREDICATES_POSE_FORM_H
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // normal_order(pose, (m, .) of A, (g, .) of B') = (W g) x m = c (g x m) - s (g.m).
-// Linear in each argument; see predicates/pose_2.h.
+// Degree 1 in the pose and in each line; see predicates/pose_2.h. Identities:
+//   (1) normal_order_reversed = -normal_order
+//   (2) reversing one of m, g changes the sign; reversing both keeps it
+//   (3) zero iff m and W g are parallel
 #include "predicates/pose_form.h"
 
 namespace kinex {

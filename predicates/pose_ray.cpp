@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // left_of_ray(pose, a0, b0, a, b) = N (v - c) x (t - c), c = a0 + R b0, v = a + R b, times the
-// weights of all four points. With u = a - a0 and w = b - b0 that is N times
+// weights of all four points. With u = a - a0 and w = b - b0 this is N times
 //   u x t + w x R^T t - a x a0 - b x b0 - u x R b0 - R w x a0,
-// as turning both factors of a product by R changes nothing. Linear in each argument; see
-// predicates/pose_2.h.
+// as turning both factors of a product by R changes nothing.
+// Degree 1 in the pose and in each point; see predicates/pose_2.h. Identities:
+//   (1) right_of_ray = -left_of_ray
+//   (2) exchanging (a0, b0) and (a, b) changes the sign
+//   (3) zero if (a0, b0) = (a, b)
 #include "predicates/pose_form.h"
 
 namespace kinex {

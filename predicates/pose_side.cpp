@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // side_a(pose, (m, h) of A, b of B') = N m.(t - R b) - N h, times the weight of b.
 // side_b(pose, (g, h) of B', a of A) = N (R g).(t - a) - N h, times the weight of a.
-// Linear in each argument; see predicates/pose_2.h.
+// Degree 1 in the pose and in each constant; see predicates/pose_2.h. Identities:
+//   (1) inside_a = -side_a, inside_b = -side_b
+//   (2) reversing the line, to (-m, -h), changes the sign
+//   (3) a positive multiple of a line or of a point keeps the sign
 #include "predicates/pose_form.h"
 
 namespace kinex {

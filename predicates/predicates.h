@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All predicates: one function each, in a file of its own name. A certificate says "value >= 0".
+// All predicates on points: one function each, in a file of its own name. A certificate claims
+// "value >= 0".
+//
+// d is the degree of the motions. "Degree k in the coordinates" makes a polynomial of degree k d in
+// t. Alternating in some arguments: a permutation of them multiplies the value by its sign, so the
+// value is zero if two of them are equal. Further identities are numbered in the .cpp files.
 #ifndef KINEX_PREDICATES_PREDICATES_H
 #define KINEX_PREDICATES_PREDICATES_H
 
@@ -11,43 +16,61 @@
 
 namespace kinex {
 
-// coordinate_order(a, b) = x_b - x_a on `axis`: positive iff a comes before b. Degree d. Alternating.
+// coordinate_order(a, b) = x_b - x_a on `axis`.
+//   (1) positive iff a precedes b   (2) degree 1 in the coordinates   (3) alternating
 std::shared_ptr<const Predicate> make_coordinate_order(int axis);
 
-// direction_order(a, b) = v.(b - a) for a constant vector v (one entry per axis). Degree d. Alternating.
+// direction_order(a, b) = v.(b - a) for a constant vector v (one entry per axis).
+//   (1) positive iff a precedes b along v   (2) degree 1 in the coordinates   (3) alternating
 std::shared_ptr<const Predicate> make_direction_order(const std::vector<Rational>& direction);
 
-// The primitive integer vector of the same direction. Throws std::invalid_argument for the zero vector.
+// The primitive integer vector of the same direction. Throws std::invalid_argument for the zero
+// vector.
 std::vector<Integer> primitive_direction(const std::vector<Rational>& direction);
 
-// squared_distance_order(a, b, o) = |b - o|^2 - |a - o|^2 in `dimension` axes: positive iff a is closer
-// to o than b. Degree 2d. Alternating in its first two arguments.
+// squared_distance_order(a, b, o) = |b - o|^2 - |a - o|^2 in `dimension` axes.
+//   (1) positive iff a is closer to o than b   (2) degree 2 in the coordinates
+//   (3) alternating in a, b
 std::shared_ptr<const Predicate> make_squared_distance_order(int dimension);
 
-// orientation_2(a, b, c): positive iff a, b, c turn counter-clockwise (twice the signed area). Degree 2d.
-// Alternating in all three.
+// orientation_2(a, b, c) = (b - a) x (c - a), twice the signed area of the triangle.
+//   (1) positive iff a, b, c turn counter-clockwise   (2) degree 2 in the coordinates
+//   (3) alternating in all three
 std::shared_ptr<const Predicate> make_orientation_2();
 
-// slope_order_2(a, b, c, d) = (b - a) x (d - c): positive iff the direction from c to d is counter-clockwise
-// from that from a to b (by less than half a turn). Degree 2d. Alternating in a, b.
+// slope_order_2(a, b, c, d) = (b - a) x (d - c).
+//   (1) positive iff the direction from c to d is counter-clockwise, by less than half a turn, of
+//       that from a to b
+//   (2) degree 2 in the coordinates
+//   (3) alternating in a, b, and in c, d; exchanging the two pairs changes the sign
 std::shared_ptr<const Predicate> make_slope_order_2();
 
-// in_circle_2(a, b, c, d): positive iff d lies strictly inside the circle through a, b, c, for a, b, c
-// counter-clockwise. Degree 4d. Alternating in all four.
+// in_circle_2(a, b, c, d): the determinant of the lifted points (x, y, x^2 + y^2).
+//   (1) positive iff d lies strictly inside the circle through a, b, c, for a, b, c
+//       counter-clockwise
+//   (2) degree 4 in the coordinates   (3) alternating in all four
 std::shared_ptr<const Predicate> make_in_circle_2();
 
-// The order that a key stands for, as a predicate over (a, b) or, for a squared distance, (a, b, object):
-// positive iff key(a) < key(b).
+// The order by a key, as a predicate over (a, b) or, for a squared distance, (a, b, object).
+//   (1) positive iff key(a) < key(b)   (2) degree of the key   (3) alternating in a, b
 std::shared_ptr<const Predicate> make_key_order(const Key& key, int dimension);
 
-// For keys that are linear in t, key_i(t) = slope_i t + height_i, seen as points (slope_i, height_i) of the
-// dual plane; numbers, not functions of t: degree 0. Not for squared distances.
-// line_slope_order(a, b): positive iff the key of b grows faster. Alternating.
+// For keys that are linear in t, key_i(t) = slope_i t + height_i, seen as points (slope_i,
+// height_i) of the dual plane. The values are numbers, not functions of t: degree 0 in t. Not for
+// squared distances.
+//
+// line_slope_order(a, b) = slope_b - slope_a.
+//   (1) positive iff the key of b grows faster   (2) degree 1 in the dual points   (3) alternating
 std::shared_ptr<const Predicate> make_line_slope_order(const Key& key, int dimension);
-// line_turn(a, b, c): positive iff the dual points turn counter-clockwise. Alternating in all three.
+// line_turn(a, b, c): orientation_2 of the dual points.
+//   (1) positive iff the dual points turn counter-clockwise   (2) degree 2 in the dual points
+//   (3) alternating in all three
 std::shared_ptr<const Predicate> make_line_turn(const Key& key, int dimension);
-// line_meeting(a, b, c, d, e), where a grows slower than b and c slower than d: positive iff, at the slope
-// of e, the line through the dual points of a and b is above the one through those of c and d.
+// line_meeting(a, b, c, d, e), for slope_a < slope_b and slope_c < slope_d.
+//   (1) positive iff, at the slope of e, the line through the dual points of a and b is above the
+//       one through those of c and d
+//   (2) degree 3 in the dual points
+//   (3) exchanging a and b, or c and d, or the two pairs, changes the sign
 std::shared_ptr<const Predicate> make_line_meeting(const Key& key, int dimension);
 
 }  // namespace kinex

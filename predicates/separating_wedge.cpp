@@ -74,8 +74,8 @@ Rational rounded(double value, int bits) {
                   Integer::power_of_two(static_cast<unsigned long>(bits)));
 }
 
-// The line of this direction that touches the polygon, which lies behind it. The vertex is found in
-// doubles and made sure of exactly.
+// The tangent of the polygon with this outward normal. The vertex is found in doubles and verified
+// exactly.
 FrameLine tangent(const FramePolygon& polygon, const RoughPolygon& rough, const Vector& direction,
                   int bits) {
   const Rational x = rounded(direction[0], bits), y = rounded(direction[1], bits);
@@ -104,18 +104,18 @@ double support(const RoughPolygon& rough, const Vector& direction) {
   return best;
 }
 
-// Of a time that has been rounded (core/rounded_instant.h), over the time.
+// Relative error of a rounded time (core/rounded_instant.h).
 constexpr double kTimeError = 0x1p-39;
 
-// What may be lost of a product or a coefficient next to 0, where doubles end.
+// Absolute error of a product or a coefficient by underflow.
 constexpr double kTiny = 0x1p-1070;
-// Times beyond this are rounded to it, and so are not known.
+// Times beyond this are rounded to it, and are therefore unknown.
 constexpr double kLatest = 0x1p1000;
-// Lengths that doubles hold the squares and products of.
+// Lengths whose squares and products are in the range of doubles.
 constexpr double kShortest = 0x1p-400, kLongest = 0x1p400;
 
-// With a bound on its error, that of the time t, which is rounded too, included; infinite or no
-// number where the doubles end.
+// The value with a bound on its error, including the error of the rounded time t; infinite or NaN
+// beyond the range of doubles.
 Ball value_at(const std::vector<Rational>& p, double t) {
   double value = 0, slope = 0, size = 0, tiny = 0;
   for (std::size_t k = p.size(); k-- > 0;) {
@@ -131,37 +131,36 @@ Ball value_at(const std::vector<Rational>& p, double t) {
                          (std::fabs(t) * kTimeError + kTiny)};
 }
 
-// False for what is no number.
+// False for NaN.
 bool is_at_most(double value, double bound) { return value <= bound; }
 bool is_usable(const RoughPolygon& polygon) {
   return polygon.diameter >= kShortest && is_at_most(polygon.reach, kLongest) &&
          is_at_most(polygon.diameter, kLongest) && is_at_most(polygon.radius, kLongest);
 }
 
-// Rounded towards zero to ten bits.
-// (rounded down where it is negative); 0 for what is not finite, or so small that bits are missing.
+// Rounded down to ten bits; 0 for a value that is not finite, or so small that bits are missing.
 Rational few_bits(double value) {
   if (!(std::fabs(value) >= 0x1p-1000) || std::isinf(value)) return Rational();
   const int exponent = std::ilogb(value) - 10;
   return exactly(std::ldexp(std::floor(std::ldexp(value, -exponent)), exponent));
 }
 
-// Bits for an angle of this size to be kept.
+// Bits that preserve an angle of this size.
 int bits_for(double angle) {
   return std::clamp(static_cast<int>(std::ceil(-std::log2(angle))), 4, 44);
 }
 
 constexpr double kSmallest =
-    0x1p-26;                       // separation, of the diameter: what doubles can be trusted with
+    0x1p-26;                       // separation over the diameter that doubles can resolve
 constexpr double kClear = 0x1p10;  // separation over the error of a pose
 constexpr double kWidest = 1.1;    // half-angle in radians
-// A wedge may turn so far at least, in separations over the diameter: the displacement is more than
-// 0.23 separations then. Little enough to leave room where the separation is twice the diameter.
+// The least half-angle of a wedge, in units of separation / diameter: the displacement is then more
+// than 0.23 separations. Small enough to leave room where the separation is twice the diameter.
 constexpr double kLeast = 0.47;
-// And the room it must have before it fails at its line, in separations: enough for that, too. Less
-// is found where the sum has edges that are nearly parallel.
+// The least room between wedge and line, in separations: enough for the same displacement. Less is
+// found where the sum has edges that are nearly parallel.
 constexpr double kRoom = 0.45;
-constexpr double kAlike = 1e-3;  // angles and losses that differ by less are not told apart
+constexpr double kAlike = 1e-3;  // angles and losses that differ by less count as equal
 
 // The wedge of this body, seen in direction m of its frame at separation s.
 WedgePlan::Role widest(const RoughPolygon& body, const Vector& m, double s) {
@@ -249,7 +248,7 @@ RoughPose::RoughPose(Frame frame, const Value& at) {
   if (!(least > 0x1p-900) || !is_at_most(sum + error_t + error_turn, kLongest)) forget();
 }
 
-// Nothing is known of the pose.
+// Makes the pose unknown.
 void RoughPose::forget() {
   t = {0, 0};
   c = 1;
@@ -326,7 +325,7 @@ std::optional<SeparatingWedge> separating_wedge(const WedgePlan& plan, Frame lin
   wedge.turns = std::isfinite(role.half_angle);
   const int line_bits = bits_for(s / (32 * (plan.diameter_a + plan.diameter_b)));
   const FrameLine touching = tangent(lined.polygon, lined.rough, m, line_bits);
-  // Its normal is primitive, of any length: a multiple of m, rounded.
+  // Its normal is primitive, of any length: a multiple of the rounded m.
   const double guard = s / 8 + (wedge.turns ? 0 : wedged.rough.radius * (1 + 0x1p-8));
   const double length = std::hypot(touching.nx.to_double(), touching.ny.to_double());
   Rational beyond;
@@ -341,7 +340,7 @@ std::optional<SeparatingWedge> separating_wedge(const WedgePlan& plan, Frame lin
                           Rational(touching.h) + beyond);
   if (!wedge.turns) {
     wedge.v = wedged.rough.middle;
-    // Far from its frame's origin a body's place is known too roughly for the direction.
+    // Far from its frame's origin a body's place is too inaccurate for the direction.
     if (!(room(wedge, pose, line_of) >= kRoom * s)) return std::nullopt;
     return wedge;
   }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // slope_order_2(a, b, c, d) = (b - a) x (d - c): the cross product of two directions.
-// Degree 2d in t. Identities: (1) exchanging a and b, or c and d, changes the sign; (2) so does
-// exchanging the pairs; (3) zero if a = b or c = d; (4) equal to orientation_2(a, b, d) if c = a;
-// (5) unchanged by a translation of one pair.
+// Degree 2 in the coordinates, 2d in t. Identities:
+//   (1) exchanging a and b, or c and d, changes the sign
+//   (2) exchanging the pairs changes the sign
+//   (3) zero if a = b or c = d
+//   (4) equal to orientation_2(a, b, d) if c = a
+//   (5) unchanged by a translation of one pair
 #include "core/predicate_formula.h"
 #include "predicates/predicates.h"
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // squared_distance_order(a, b, o) = |b - o|^2 - |a - o|^2 = (b - a).((b - o) + (a - o)).
 // The product form needs one multiplication per axis and cancels the quadratic terms exactly.
-// Degree 2d in t. Identities: (1) value(b, a, o) = -value(a, b, o); (2) value(a, a, o) = 0;
-// (3) value(o, b, o) >= 0.
+// Degree 2 in the coordinates, 2d in t. Identities:
+//   (1) value(b, a, o) = -value(a, b, o)
+//   (2) value(a, a, o) = 0
+//   (3) value(o, b, o) >= 0
 #include <stdexcept>
 
 #include "core/predicate_formula.h"

@@ -8,8 +8,8 @@
 //   static constexpr bool kFailsAtTouch = true; for one that FailsAtTouch (core/touch.h);
 //   template <class R> void value(int motion_degree, const MotionView<R>* points, R* out,
 //                                 const R& zero) const;
-// where value() writes degree(motion_degree) + 1 coefficients in t; coefficients that are zero in
-// every argument have to come out as exact zeros.
+// where value() writes degree(motion_degree) + 1 coefficients in t. Coefficients that are zero in
+// every argument must be exact zeros.
 #ifndef KINEX_PREDICATES_WIDE_PREDICATE_H
 #define KINEX_PREDICATES_WIDE_PREDICATE_H
 
