@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// EdgeChanges: the edges that have joined and left an attribute, in the order in which they did,
-// and what that amounts to. (In an inexact arithmetic an edge may be there twice.)
+// EdgeChanges: the edges that have joined and left an attribute, in order, and their net effect.
+// (In an inexact arithmetic an edge may be present twice.)
 #ifndef KINEX_STRUCTURES_EDGE_CHANGES_H
 #define KINEX_STRUCTURES_EDGE_CHANGES_H
 
@@ -19,11 +19,11 @@ class EdgeChanges {
   void gone(ObjectId a, ObjectId b) { changes_.push_back({std::min(a, b), std::max(a, b), false}); }
   void add(const AttributeDifference& difference);
   void clear() { changes_.clear(); }
-  // Forgets all but the first `count`.
+  // Keeps only the first `count` changes.
   void cut(std::size_t count) { changes_.resize(count); }
   std::size_t size() const { return changes_.size(); }
-  // An edge that has left and joined again, or the other way round, does not count. O(k log k) for
-  // k changes.
+  // The difference before against after: an edge that left and joined again, or the reverse, does
+  // not count. O(k log k) for k changes.
   AttributeDifference net() const;
   // The attribute as it was before the changes.
   Attribute undone(Attribute after) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// KeyOrder and Contest: the order of objects that a 1-D structure keeps, as certificates and
-// answers. Ties: objects whose keys are equal for ever are ordered by id; the smaller one comes
-// first, and wins.
+// KeyOrder and Contest: the order of objects by a key, as certificates and as comparisons.
+//
+// Ties: of objects with identically equal keys the smaller id comes first, and wins.
 #ifndef KINEX_STRUCTURES_KEY_ORDER_H
 #define KINEX_STRUCTURES_KEY_ORDER_H
 
@@ -18,11 +18,11 @@ namespace kinex {
 
 class KeyOrder {
  public:
-  // Throws std::invalid_argument if the key makes no sense in the scene.
+  // Throws std::invalid_argument if the key is undefined in the scene.
   KeyOrder(Kernel& kernel, const Key& key, const Scene& scene);
 
   const Key& key() const { return key_; }
-  // The object that squared distances are measured to; it is not ordered itself. kNoObject: none.
+  // The object that squared distances are measured to, itself not ordered; kNoObject: none.
   ObjectId reference() const { return reference_; }
   // "key(a) <= key(b)".
   Query query(ObjectId a, ObjectId b) const {
@@ -55,7 +55,7 @@ class KeyOrder {
 
 enum class Extremum { kMaximum, kMinimum };
 
-// Who wins where the largest, or the smallest, key wins.
+// A key and its better end: the largest or the smallest key wins.
 class Contest {
  public:
   Contest(Extremum extremum, Kernel& kernel, const Key& key, const Scene& scene)

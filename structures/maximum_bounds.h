@@ -15,15 +15,15 @@
 namespace kinex {
 
 // Certificates: n - 1, or `certificates` if that is given. External events, without flight-plan
-// changes: lambda_D(n) - 1, plus one for each tie that was put in order at a degenerate instant.
-// With them a piece of a motion is a function on an interval: lambda_{D+2}(pieces) - 1, or one
+// changes: lambda_D(n) - 1, plus one for each tie ordered at a degenerate instant. With flight-plan
+// changes each piece of a motion is a function on an interval: lambda_{D+2}(pieces) - 1, or one
 // event per crossing, whichever is less.
 std::vector<BoundCheck> maximum_bounds(std::string_view name, const KeyOrder& order,
                                        const BoundContext& context,
                                        std::optional<std::uint64_t> certificates = {});
 
-// NAME.events: no pair of objects causes more events than its keys have roots, and pieces of motion
-// that meet. (At an instant a pair whose keys meet fails once at most.)
+// NAME.events: a pair of objects causes at most as many events as its keys have roots, plus the
+// pieces of motion that meet. (At one instant a pair whose keys meet fails at most once.)
 BoundCheck crossing_bound(std::string_view name, const KeyOrder& order,
                           const BoundContext& context);
 

@@ -4,19 +4,27 @@
 //
 // key_i(t) = slope_i t + height_i is largest for the point (slope_i, height_i) that is extreme in
 // direction (t, 1). As t grows that direction turns to the right, and its tangent rolls over the
-// upper hull from vertex to vertex (see LineHull).
+// upper hull from vertex to vertex (LineHull):
 //
-// Certificates. One: the present winner is at least as good as the next vertex of the hull; degree
-// 1 in t. That no other vertex can win before is a fact about the hull that time does not touch: it
-// changes with flight plans only. None when the last vertex has come.
+//               w----n           w: the winner; its tangent is perpendicular to (t, 1)
+//             /        .         n: the next vertex, which overtakes it
+//           .            .
 //
-// Quality, for n objects: strongly efficient, as every event is external: at most n - 1, without
-// flight-plan changes. Compactness 1 certificate, locality 1, responsiveness 1 certificate and no
-// sign. An insertion, erasure or flight-plan change takes O(log^2 n) signs, amortised; O(n) space.
+// Certificates. One: the winner is at least as good as the next vertex of the hull; degree 1 in t.
+// That no other vertex can win before is a fact about the hull, which only flight plans change.
+// None at the last vertex.
 //
-// Ties. Of objects whose keys are equal for ever the smallest id wins. Where several overtake the
-// winner at one instant, their points are on one edge of the hull, and only its end is ever the
-// winner.
+// Quality, for n objects:
+//   compactness     1 certificate
+//   locality        1 certificate an object
+//   responsiveness  1 certificate, no sign; an insertion, erasure or flight-plan change O(log^2 n)
+//                   signs, amortised
+//   efficiency      strongly efficient: every event is external, at most n - 1 without flight-plan
+//                   changes
+// Space O(n).
+//
+// Ties. Of identically equal keys the smallest id wins. Where several objects overtake the winner
+// at one instant, their points lie on one edge of the hull, and only its end becomes the winner.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5.
 #ifndef KINEX_STRUCTURES_MAXIMUM_DUAL_HULL_H
@@ -37,7 +45,7 @@ class MaximumDualHull final : public Structure {
  public:
   enum Kind : std::uint8_t {
     kReplace,  // another winner: the old one, the new one
-    kTie,      // the same, because their keys have become equal for ever
+    kTie,      // the same, because their keys have become identically equal
   };
 
   // Throws std::invalid_argument for motions or keys that are not linear.
@@ -74,7 +82,7 @@ class MaximumDualHull final : public Structure {
   LineHull hull_;
   std::size_t objects_;  // in the scene
   ObjectId winner_ = kNoObject;
-  ObjectId next_ = kNoObject;  // who will overtake it
+  ObjectId next_ = kNoObject;  // the next vertex, which will overtake it
   CertificateId certificate_ = kNoCertificate;
 };
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MaximumEvents: the external events of a maximum, in one form for all structures that maintain it.
 //
-// An instant changes the maximum from what it was just before to what it is just after. If the two
-// differ, this is one external event, whose ids are the old maximum and the new one. Where several
+// An instant changes the maximum from its value just before to its value just after. If the two
+// differ, this is one external event with the old maximum and the new one as its ids. Where several
 // objects meet at one instant a structure may pass through some that all have the largest key at
-// it: what it does inside is told by events of its own that are not external, and the change is
-// told once, as a "replace", when the instant is settled. Where a single failure is all that
-// happens, and the structure's own event says just this change, that event is the external one. So
-// methods that have nothing else in common report the same changes at the same instants. Objects
-// that come or go cause no external event.
+// it: its own events are then internal, and the change is reported once, as a "replace", when the
+// instant is settled. Where a single failure is all that happens, and the structure's own event
+// states just this change, that event is the external one. So methods that have nothing else in
+// common report the same changes at the same instants. Objects that come or go cause no external
+// event.
 //
 // Cost: O(1) per failure.
 #ifndef KINEX_STRUCTURES_MAXIMUM_EVENTS_H
@@ -24,20 +24,20 @@ namespace kinex {
 
 class MaximumEvents {
  public:
-  // `replace` is the kind of the structure's events that tell a change of the maximum.
+  // `replace`: the kind of the structure's events that report a change of the maximum.
   MaximumEvents(Kernel& kernel, StructureId id, std::uint8_t replace)
       : kernel_(&kernel), id_(id), replace_(replace) {}
 
-  // The maximum just before the next instant (kNoObject if there is none); nothing is reported.
+  // Sets the maximum just before the next instant (kNoObject: none); nothing is reported.
   void begin(ObjectId winner) { winner_ = winner; }
   // A failure was repaired, and `winner` is the maximum now: reports the event `kind` of {old,
   // fresh}, and the change of the maximum if the instant is over.
   void repaired(std::uint8_t kind, ObjectId old, ObjectId fresh, ObjectId winner);
   // The structure `watched` changed, and `winner` is the maximum now.
   void watched_changed(StructureId watched, ObjectId winner);
-  // The instant is over, and `winner` is the maximum: reports, and begins with it.
+  // The instant is over, and `winner` is the maximum: reports the change, if any.
   void settle(ObjectId winner);
-  // The last one that was told, also as an attribute.
+  // The maximum as last reported, also as an attribute.
   ObjectId winner() const { return winner_; }
   Attribute told() const {
     Attribute result{Attribute::Shape::kObject, {}};

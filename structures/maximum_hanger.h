@@ -2,30 +2,43 @@
 // MaximumHanger: the object with the largest (or smallest) key, by a kinetic hanger: a randomised
 // heap-ordered binary tree.
 //
-// The tree. Every object but the best one of a subtree hangs in its left or its right part, by a
-// coin of its own. An insertion starts at the root: where the new object is better than the one
-// that is there it takes the place, the other one goes on; who goes on, goes to a random child, and
-// hangs where nobody is. An erasure promotes the better child, down to where there is none. So the
-// tree of a set of keys is distributed as if they had been inserted from the best to the worst.
+// The tree. An object below the best one of a subtree hangs in its left or its right part, by a
+// coin of its own. Insertion starts at the root: the new object takes the place of the first object
+// that is worse. The loser descends to a random child and becomes a leaf at the first empty slot.
+// Erasure promotes the better child, down to a leaf. So the tree of a set of keys is distributed as
+// if they had been inserted from the best to the worst.
 //
-// Certificates. One per object that is not the root: its parent is at least as good; degree D in t,
-// that of the key. When a child overtakes its parent they change places, and that is all: the two
-// are neighbours in the order of all keys, and the distribution, seen from the new order, is what
-// it was (where they are not parent and child, exchanging them makes a tree that is as likely).
+//        a                   a           x, better than b but not than a, takes b's place; b goes
+//       / '.                / '.         on to a random child, and so on down to an empty slot:
+//      b    c     --->     x    c        the path of one insertion
+//       '.                  '.
+//         d                  b
+//                             '.
+//                               d
 //
-// Quality, for n objects: compactness n - 1 certificates. Locality: 3 per object. Responsiveness: a
-// failure renews at most 5 certificates. Insertion and erasure: a path, expected O(log n)
-// certificates. Events: two neighbours of the order that change places are parent and child with a
-// probability that depends only on the number k of objects above them: q(0) = 1,
-// q(k) = sum_j C(k-1, j) q(j) / 2^k = Theta(1/k). So the expected number of events is exactly the
-// sum of q(k) over all crossings of two keys with k objects above, which is O(lambda_D(n) log n),
-// O(n log n) for lines; a statistical bound, checked by the tests. Hard bounds: for affine motions
-// the number of (ancestor, descendant) pairs, as in a heap of any shape; else one event per
-// crossing. The maximum changes at most lambda_D(n) - 1 times.
+// Certificates. One per object except the root: its parent is at least as good; degree D in t, that
+// of the key. When a child overtakes its parent they change places, which is the whole repair: the
+// two are neighbours in the order of all keys, and the distribution with respect to the new order
+// is unchanged (where two neighbours of the order are not parent and child, exchanging them gives a
+// tree of the same probability).
 //
-// Randomness. Coins come from a counter and a seed (fixed, but for tests): same input, same tree.
+// Quality, for n objects:
+//   compactness     n - 1 certificates
+//   locality        3 certificates an object
+//   responsiveness  at most 5 certificates; an insertion or erasure a path, expected O(log n)
+//                   certificates
+// Events: two neighbours of the order that change places are parent and child with a probability
+// that depends only on the number k of objects above them: q(0) = 1,
+//   q(k) = sum_j C(k-1, j) q(j) / 2^k = Theta(1/k).
+// So the expected number of events is exactly the sum of q(k) over all crossings of two keys with k
+// objects above, which is O(lambda_D(n) log n), O(n log n) for lines: a statistical bound, checked
+// by the tests. Hard bounds: for affine motions the number of (ancestor, descendant) pairs, as in a
+// heap of any shape; otherwise one event per crossing. The maximum changes at most lambda_D(n) - 1
+// times.
 //
-// Ties. As in MaximumHeap: of objects whose keys are equal for ever the smaller id is above the
+// Randomness. Coins come from a counter and a seed (fixed, except in tests): same input, same tree.
+//
+// Ties. As in MaximumHeap: of objects with identically equal keys the smaller id is above the
 // larger, where one is above the other.
 //
 // Source: da Fonseca, de Figueiredo, Carvalho, "Kinetic hanger" (2004); the level argument:
@@ -50,7 +63,7 @@ class MaximumHanger final : public Structure {
  public:
   enum Kind : std::uint8_t {
     kSwap,     // parent and child change places: the old parent, the new one
-    kTie,      // the same, because their keys have become equal for ever
+    kTie,      // the same, because their keys have become identically equal
     kReplace,  // another maximum, by more than one swap: the old one, the new one
   };
   static constexpr std::uint64_t kSeed = 0x6b696e6574696373;
@@ -82,7 +95,7 @@ class MaximumHanger final : public Structure {
  private:
   using Place = std::uint32_t;
   static constexpr Place kNone = 0xffffffffu;
-  // A place of the tree and who is there. An exchange touches only who is there.
+  // A place of the tree and its object. A swap changes only the objects at two places.
   struct Node {
     ObjectId object = kNoObject;
     Place parent = kNone;
@@ -115,7 +128,7 @@ class MaximumHanger final : public Structure {
   std::vector<Place> place_of_;  // per object
   Place root_ = kNone;
   std::size_t size_ = 0;
-  std::vector<Place> ties_;  // certificates that are zero for ever, not yet looked at
+  std::vector<Place> ties_;  // certificates that are identically zero, not yet checked
 };
 
 }  // namespace kinex

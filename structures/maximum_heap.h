@@ -4,19 +4,29 @@
 // Certificates. One per place i > 0 of the heap's array: the object at the parent (i - 1) / 2 is at
 // least as good as the one at i; degree D in t, that of the key.
 //
-// Quality, for n objects: compactness n - 1 certificates. Locality: 3 per object. Responsiveness: a
-// failure exchanges parent and child and renews at most 5 certificates, O(log n). Insertion and
-// erasure sift along one path: O(log n) certificates. Events: for affine motions without
-// flight-plan changes at most the number of (ancestor, descendant) pairs, sum of the depths, (k -
-// 2) 2^k + 2 for n = 2^k - 1, which is reached: each event removes a pair whose descendant has the
-// larger slope, and makes none. A flight-plan change, an insertion or an erasure makes at most as
-// many such pairs as the objects that it changes or moves are in, and the bound grows by these: for
-// an object at the bottom O(log n). (m updates altogether: O(m sqrt(m log m)) in the literature.)
-// For motions of higher degree no bound with known constants is proven but one event per crossing.
-// The maximum changes at most lambda_D(n) - 1 times.
+//         g                g
+//         * 1              * 1
+//         p                c            p's certificate with c fails: the two change places, and
+//     2 * ' * 3        2 * ' * 3        the five certificates at them are renewed
+//      c     s          p     s
+//  4 * ' * 5        4 * ' * 5
 //
-// Ties. Of objects whose keys are equal for ever the smaller id is above the larger, where one is
-// above the other; so at the top it is the smallest.
+// Quality, for n objects:
+//   compactness     n - 1 certificates
+//   locality        3 certificates an object
+//   responsiveness  at most 5 certificates, O(log n); an insertion or erasure sifts along one path,
+//                   O(log n) certificates
+// Events, for affine motions without flight-plan changes: at most the number of (ancestor,
+// descendant) pairs, the sum of the depths, (k - 2) 2^k + 2 for n = 2^k - 1, which is reached: each
+// event removes a pair whose descendant has the larger slope, and makes none. A flight-plan change,
+// an insertion or an erasure makes at most as many such pairs as the objects that it changes or
+// moves are in, and the bound grows by these: O(log n) for an object at the bottom. (For m updates
+// the literature has O(m sqrt(m log m)).) For motions of higher degree no bound with known
+// constants is proven but one event per crossing. The maximum changes at most lambda_D(n) - 1
+// times.
+//
+// Ties. Of objects with identically equal keys the smaller id is above the larger, where one is
+// above the other; so the top is the smallest.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5; events:
 // Basch, Guibas, Ramkumar, "Reporting red-blue intersections between two sets of connected line
@@ -40,7 +50,7 @@ class MaximumHeap final : public Structure {
  public:
   enum Kind : std::uint8_t {
     kSwap,     // parent and child change places: the old parent, the new one
-    kTie,      // the same, because their keys have become equal for ever
+    kTie,      // the same, because their keys have become identically equal
     kReplace,  // another maximum, by more than one swap: the old one, the new one
   };
 
@@ -90,8 +100,8 @@ class MaximumHeap final : public Structure {
   std::vector<ObjectId> heap_;
   std::vector<CertificateId> certificate_;  // per place, of it and its parent; none for the root
   std::vector<Place> place_of_;             // per object
-  std::uint64_t pairs_ = 0;  // of an ancestor and a descendant that may still fail, or have
-  std::vector<Place> ties_;  // certificates that are zero for ever, not yet looked at
+  std::uint64_t pairs_ = 0;  // of an ancestor and a descendant that may still fail, or have failed
+  std::vector<Place> ties_;  // certificates that are identically zero, not yet checked
 };
 
 }  // namespace kinex

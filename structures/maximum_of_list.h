@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MaximumOfList: the object with the largest (or smallest) key, read off a SortedList of that key.
 //
-// Certificates. None of its own: it watches the list, and changes when the list's end does. The
-// list may be maintained for its own sake, or be shared by a maximum and a minimum.
+// Certificates. None of its own: it watches the list and changes when the list's end does. The list
+// may be maintained for its own sake, or be shared by a maximum and a minimum.
 //
-// Quality: that of the list, all of which is paid for one object: every swap is an event of the
-// list, and n(n-1)/2 of them may come with n - 1 changes of the maximum. The inefficient baseline
-// that the report begins with.
-// Events: one per instant that changes the maximum, however many neighbours of the list change
-// places at it.
+// Quality: that of the list, whose whole cost is paid for one object: up to n(n-1)/2 swaps for n -
+// 1 changes of the maximum. It is the inefficient baseline with which the report begins.
+// Events: one per instant that changes the maximum, however many neighbours change places at it.
 //
-// Ties. Of objects whose keys are equal for ever the smallest id wins.
+// Ties. Of objects with identically equal keys the smallest id wins.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5.
 #ifndef KINEX_STRUCTURES_MAXIMUM_OF_LIST_H
@@ -46,10 +44,10 @@ class MaximumOfList final : public Structure {
   void rebuild() override { events_.begin(extreme()); }
   // Never called: it has no certificates.
   void certificate_failed(CertificateId) override {}
-  // Objects come and go in the list; what is new with them is no event.
+  // Objects come and go in the list; the change of the maximum that they cause is no event.
   void insert(ObjectId) override { events_.begin(extreme()); }
   void erase(ObjectId) override { events_.begin(extreme()); }
-  // New motions may part objects that were tied, without a swap.
+  // New motions may separate objects that were tied, without a swap.
   void instant_settled() override { events_.settle(extreme()); }
   void watched_changed(const Event* event) override;
   Attribute attribute() const override;

@@ -6,22 +6,31 @@
 // node: the winner of one child is at least as good as the winner of the other; degree D in t, that
 // of the key.
 //
-// Quality, for n objects: compactness n - 1 certificates. Locality: ceil(log2 n) per object, the
-// depth. Responsiveness: a failure renews the certificates on the path up to where the new winner
-// loses, O(log n) of them. Insertion and erasure move at most two objects: O(log n) certificates.
+//               1: a                 node 2 fails: c wins there from now on, and then at every
+//            ____|____               node above where it beats the other child's winner. The
+//         2: a       3: e            certificates on that path are renewed, up to where c loses.
+//        __|__       __|__
+//     4: a   5: c  6: e   7: f       n = 4; leaves 4 .. 7
+//
+// Quality, for n objects:
+//   compactness     n - 1 certificates
+//   locality        ceil(log2 n) certificates an object, the depth
+//   responsiveness  O(log n) certificates, those on the path; an insertion or erasure moves at most
+//                   two objects, O(log n) certificates
+//   efficiency      not strongly efficient: the maximum may change O(1) times while Theta(n) events
+//                   are processed
 // Events, without flight-plan changes: at most the sum over inner nodes v of lambda_D(m_v) - 1,
 // with m_v the number of leaves under v: n log2 n - n + 1 for lines and n a power of two, which is
 // reached. The maximum changes at most lambda_D(n) - 1 times. (Several failures at one instant
-// count one by one: the winners of a node form a Davenport-Schinzel sequence of order D all the
-// same, since each is strictly better than the last right after the instant and equal to it at it;
-// roots counted with multiplicity.) A change of motion, an insertion or an erasure begins a new
-// epoch of every node on the paths from its leaves to the root, and each epoch of a node has
-// lambda_D(m_v) - 1 events at most: the winner from before the change is the first of the sequence,
-// since its key is no less than the others' at the instant. So an update adds the sum over its
-// paths to the bound, about 2 n for lines. Not strongly efficient: the maximum may change O(1)
-// times while Theta(n) events are processed.
+// count one by one: the winners of a node still form a Davenport-Schinzel sequence of order D,
+// since each is strictly better than the last right after the instant and equal to it at the
+// instant; roots counted with multiplicity.)
+// A change of motion, an insertion or an erasure begins a new epoch of every node on the paths from
+// its leaves to the root. Each epoch of a node has at most lambda_D(m_v) - 1 events: the winner
+// from before the change is the first of the sequence, since its key is no less than the others' at
+// the instant. So an update adds the sum over its paths to the bound, about 2 n for lines.
 //
-// Ties. Of objects whose keys are equal for ever the smallest id wins.
+// Ties. Of objects with identically equal keys the smallest id wins.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5; Basch,
 // Guibas, Hershberger, "Data structures for mobile data" (1999).
@@ -46,7 +55,7 @@ class MaximumTournament final : public Structure {
  public:
   enum Kind : std::uint8_t {
     kReplace,  // another winner at a node, or another maximum: the old one, the new one
-    kTie,      // at a node, because the two keys have become equal for ever
+    kTie,      // at a node, because the two keys have become identically equal
   };
 
   MaximumTournament(Kernel& kernel, StructureId id, const Key& key, const Scene& scene,
@@ -93,8 +102,8 @@ class MaximumTournament final : public Structure {
   std::vector<ObjectId> winner_;            // per node from 1; at a leaf its object
   std::vector<CertificateId> certificate_;  // per inner node from 1
   std::vector<Node> leaf_of_;               // per object; 0: not a member
-  // Epochs of nodes by their number of leaves: of changes one by one, and of whole trees (built, or
-  // changed all over) by the number of leaves of these.
+  // Epochs of nodes by their number of leaves: of single changes, and (trees_) of whole trees built
+  // or changed all over, by the number of leaves of these.
   std::map<std::size_t, std::uint64_t> epochs_;
   std::map<std::size_t, std::uint64_t> trees_;
   std::vector<Node> touched_;  // scratch

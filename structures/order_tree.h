@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OrderTree: a balanced search tree over places in a sequence, not over keys: what stands at a
-// place is not its concern, so two neighbours can change places without touching it.
+// OrderTree: a balanced search tree over places in a sequence, not over keys. It does not know what
+// stands at a place, so two neighbours can change places without touching it.
 //
-// A treap. Priorities are a fixed function of the place's number, so the shape depends on nothing
-// but the sequence; expected depth O(log n) (Seidel and Aragon, "Randomized search trees", 1996).
+// A treap. Priorities are a fixed function of the place's number, so the shape depends on the
+// sequence alone; expected depth O(log n) (Seidel and Aragon, "Randomized search trees", 1996).
 #ifndef KINEX_STRUCTURES_ORDER_TREE_H
 #define KINEX_STRUCTURES_ORDER_TREE_H
 
@@ -23,16 +23,16 @@ class OrderTree {
   Place left(Place p) const { return nodes_[p].left; }
   Place right(Place p) const { return nodes_[p].right; }
 
-  // Forgets all, then takes these places in this order. O(n).
+  // Replaces the contents by these places in this order. O(n).
   void build(const std::vector<Place>& places);
-  // A new place right after `before`; kNone: in front of all. Expected O(log n), O(1) rotations.
+  // Adds a place right after `before`; kNone: in front of all. Expected O(log n), O(1) rotations.
   void insert_after(Place before, Place place);
-  // Requires that the place is there. Expected O(log n), O(1) rotations.
+  // Requires that the place is in the tree. Expected O(log n), O(1) rotations.
   void erase(Place place);
   void clear();
   // The places in order, for invariants. O(n).
   std::vector<Place> in_order() const;
-  // True if parents and children agree and priorities are those of a treap.
+  // True if parents and children agree and priorities are heap-ordered.
   bool consistent() const;
   std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 

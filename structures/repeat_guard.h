@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RepeatGuard: notices that an inexact arithmetic goes round in circles.
+// RepeatGuard: detects that an inexact arithmetic cycles.
 //
-// A polynomial of degree D becomes negative at most about D / 2 times: a certificate that says the
-// same and fails far more often, under the same motions, is refuted and proved in turn.
+// A polynomial of degree D becomes negative at most about D / 2 times: a certificate for the same
+// query that fails far more often, under the same motions, is refuted and proved in turn.
 #ifndef KINEX_STRUCTURES_REPEAT_GUARD_H
 #define KINEX_STRUCTURES_REPEAT_GUARD_H
 
@@ -16,7 +16,7 @@ namespace kinex {
 
 class RepeatGuard {
  public:
-  // A certificate that says `query` has failed. True if that happens too often.
+  // A certificate for `query` has failed. True if that happens too often.
   bool failed(const Query& query) {
     std::size_t hash = query.predicate;
     for (std::size_t i = 0; i < query.arity; ++i) hash = 31 * hash + query.ids[i];

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SortedList: moving objects in the order of a key.
 //
-// Certificates. One per pair of neighbours (a, b): key(a) <= key(b), of the key's degree D in t (D
-// = d for coordinates and directions of motions of degree d, 2d for squared distances).
+// Certificates. One per pair of neighbours (a, b): key(a) <= key(b), of the key's degree D in t
+// (D = d for coordinates and directions of motions of degree d, 2d for squared distances).
 //
-// Quality, for n objects: compactness n - 1 certificates. Locality: 2 per object. Responsiveness: a
-// failure exchanges two neighbours and renews 3 certificates, O(log n). Efficiency: every event is
-// external. Insertion O(log n) signs and 2 certificates; erasure 1 certificate.
+//     z --1-- a --2-- b --3-- y      2 fails: a and b change places,
+//     z --1'- b --2'- a --3'- y      three certificates are renewed
+//
+// Quality, for n objects:
+//   compactness     n - 1 certificates
+//   locality        2 certificates an object
+//   responsiveness  3 certificates, O(log n); an insertion O(log n) signs and 2 certificates, an
+//                   erasure 1 certificate
+//   efficiency      every event is external; as a structure for the maximum alone it is not
+//                   efficient: n(n-1)/2 events against n - 1
 // Events: every pair changes places at most D times, so at most D n(n-1)/2, reached by n lines of
-// which any two cross; with flight plans see pair_sign_changes in core/bound.h. As a structure for
-// the maximum alone it is not efficient: n(n-1)/2 events against n - 1.
+// which any two cross; with flight plans see pair_sign_changes in core/bound.h.
 //
-// Ties. Objects whose keys are equal for ever stand in the order of their ids.
+// Ties. Objects with identically equal keys are in the order of their ids.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5.
 #ifndef KINEX_STRUCTURES_SORTED_LIST_H
@@ -33,7 +39,7 @@ class SortedList final : public Structure {
  public:
   enum Kind : std::uint8_t {
     kSwap,  // two neighbours change places: the one that came first, the other
-    kTie,   // the same, because their keys have become equal for ever
+    kTie,   // the same, because their keys have become identically equal
   };
 
   SortedList(Kernel& kernel, StructureId id, const Key& key, const Scene& scene);
@@ -53,22 +59,22 @@ class SortedList final : public Structure {
   std::size_t bytes() const override;
 
   std::size_t size() const { return size_; }
-  // The number of objects of the scene, in the list or not.
+  // The number of objects of the scene, whether in the list or not.
   std::size_t objects() const { return slot_of_.size(); }
   // Neighbours in the order, kNoObject at its ends. Requires that `object` is in the list. O(1).
   ObjectId first() const { return object_at(first_); }
   ObjectId last() const { return object_at(last_); }
   ObjectId next(ObjectId object) const { return object_at(slots_[slot_of_[object]].next); }
   ObjectId previous(ObjectId object) const { return object_at(slots_[slot_of_[object]].previous); }
-  // The first or the last object; of several whose keys are equal to its own for ever the one with
-  // the smallest id. kNoObject if there is none. O(1), but for such ties.
+  // The first or the last object; of several with identically equal keys the one with the smallest
+  // id. kNoObject if there is none. O(1), except for such ties.
   ObjectId extreme(Extremum extremum) const;
   const KeyOrder& order() const { return order_; }
 
  private:
   using Place = OrderTree::Place;
   static constexpr Place kNone = OrderTree::kNone;
-  // A place in the list and what stands there. An exchange touches only what stands there.
+  // A place in the list and its object. A swap changes only the objects at two places.
   struct Slot {
     ObjectId object = kNoObject;
     Place next = kNone, previous = kNone;
@@ -93,7 +99,7 @@ class SortedList final : public Structure {
   std::size_t size_ = 0;
   OrderTree tree_;  // built by the first insertion, kept from then on
   bool has_tree_ = false;
-  std::vector<Place> ties_;  // certificates that are zero for ever, not yet looked at
+  std::vector<Place> ties_;  // certificates that are identically zero, not yet checked
 };
 
 }  // namespace kinex

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Upper envelope, ahead of time: who wins a contest from now on, and who after whom.
+// Upper envelope, computed in advance: the winner of a contest from now on, and its successors.
 //
 // Divide and conquer: the envelopes of the two halves are merged by a sweep over their breakpoints;
-// between two of them one object of each is on top, and where these two cross the winner changes.
-// O(lambda_D(n) log n) failure times and comparisons of instants for keys of degree D: O(n log n)
-// for lines. Several crossings of a pair are found one after another.
+// between two of them one object of each is on top, and the winner changes where these two cross.
+// Several crossings of a pair are found one after another.
+// Cost: O(lambda_D(n) log n) failure times and comparisons of instants for keys of degree D;
+// O(n log n) for lines.
 //
-// Right for as long as the motions in force are: a change makes it void. Ties: of objects whose
-// keys are equal for ever the smallest id; at an instant, what is right after it.
+// Valid while the motions in force are unchanged. Ties: of objects with identically equal keys the
+// smallest id wins; at an instant, the winner is that right after it.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5; Sharir,
 // Agarwal, "Davenport-Schinzel sequences and their geometric applications" (1995), chapter 6.
@@ -29,7 +30,8 @@ class UpperEnvelope {
   UpperEnvelope(const Contest& contest, Arithmetic& arithmetic)
       : contest_(&contest), foresight_(arithmetic), exact_(arithmetic.is_exact()) {}
 
-  // The winners from now on, one after another; empty if there are no members. Members ascend.
+  // The winners from now on, one after another; empty if there are no members. Requires ascending
+  // members.
   std::vector<ObjectId> compute(std::span<const ObjectId> members);
 
  private:
@@ -45,7 +47,7 @@ class UpperEnvelope {
   };
 
   Pieces envelope(std::span<const ObjectId> members);
-  // All ids in a are smaller than those in b.
+  // Requires that all ids in a are smaller than those in b.
   Pieces merge(const Pieces& a, const Pieces& b);
   Duel duel(ObjectId a, ObjectId b, Moment from);
 
