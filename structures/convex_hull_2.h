@@ -7,41 +7,53 @@
 // and blue, into its own, purple. A corner `ab` of a chain is where line b follows line a. In the
 // merged order of all red and blue corners, its contender is the line of the other colour there.
 //
+//     red    ---o-----------|---------o-----|----      o  a corner of this chain
+//               :           :         :     :          |  its contender on the other chain
+//     blue   ---|-----------o---------|-----o----
+//               <-----x-----><---x----><--x-->         x  between neighbours of two colours
+//               y           y         y     y          y  o against |, where it is claimed
+//
 // Certificates of a node, for motions of degree d:
-//   x     a corner is left of the next one in the merged order,    slope_order_2, degree 2d
+//   x     a corner is left of the next one in the merged order,    slope_order_2,    degree 2d
 //         if the two have different colours
-//   y     a corner is above (or below) its contender, where the    orientation_2, degree 2d
-//         chains cross beside it (yl, yr), or a tangent corner (yt)
-//   s     the slope of a line is less than that of another:        coordinate_order, degree d
-//         for each line c over which the other colour runs without crossing it, where along the run
-//         the slope of c falls: between the two lines of one corner, the tangent (slt, srt), before
-//         the run (sr) or after it (sl)
-//   end   the order of the slopes of the two first lines, and of the two last ones
+//   y     a corner is above (or below) its contender: where the    orientation_2,    degree 2d
+//         chains cross beside it (yl, yr), or at a tangent corner
+//         (yt)
+//   s     the slope of a line is less than that of another         coordinate_order, degree d
+//   end   the order of the slopes of the two first lines, and of   coordinate_order, degree d
+//         the two last ones
+// There is an s for each line c over which the other colour runs without crossing it; it says where
+// along the run the slope of c falls: between the two lines of one corner, the tangent (slt, srt),
+// before the run (sr) or after it (sl).
 // x proves the merged order. Where red is above blue their difference has its minima at red corners
 // whose slopes enclose that of the contender: the tangents, which y proves to be above, while sl
-// and sr prove that there are none. Crossings are proved by y on both sides.
+// and sr prove that there are none elsewhere. Crossings are proved by y on both sides.
 //
-// Quality, for n points: local: a line has two corners, at most two crossings and one tangent per
-// node, so O(1) certificates, and O(log n) per point in all; compact, O(n) certificates on random
-// motions and O(n log n) always. Responsiveness: a failure is repaired in O(1) at its node; if it
-// changes purple, one corner is replaced by two or two by one, and so in place at every ancestor
-// where it shows. Events, linear motion: each pair of points fails s- and end certificates at one
-// instant and at one node only, C(n,2); y at most 4 C(n,3) and x at most 4 C(n,4) in the two halves
-// (four points have one node at which two are red and two blue), n^(2 + epsilon) in fact. Insertion
-// and erasure rebuild the chains on one path of the tree. New motions leave the tree as it is.
+// Quality, for n points:
+//   compactness     O(n) certificates on random motions, O(n log n) always
+//   locality        a line has two corners, at most two crossings and one tangent per node: O(1)
+//                   certificates per node, O(log n) in all
+//   responsiveness  a failure is repaired in O(1) at its node; if it changes purple, one corner is
+//                   replaced by two or two by one, and likewise in place at every ancestor where it
+//                   shows. Insertion and erasure rebuild the chains on one path of the tree; new
+//                   motions leave the tree as it is
+// Events, linear motion: each pair of points fails s and end certificates at one instant and at one
+// node only, C(n,2); y at most 4 C(n,3) and x at most 4 C(n,4) in the two halves (four points have
+// one node at which two are red and two blue); n^(2 + epsilon) is the actual growth.
 //
-// The naive variant has y at all corners and no s. Corners far from all crossings depend on their
-// contender then, and one line may be in n certificates: it is not local.
+// The naive variant has y at all corners and no s. Corners far from all crossings then depend on
+// their contender, and one line may be in n certificates: it is not local.
 //
 // Ties: see HullSigns. The hull is that of strict vertices; of equal points the smallest id.
 //
-// Degenerate instants. Every claim that fails is repaired by itself, and new claims that are
-// negative right after now fail next. Where no repair in place is possible (four lines through one
-// point), the node and its ancestors lose their certificates and are merged anew when everything
-// below is right, just after now (node_rebuilds() counts these).
+// Degenerate instants. Every claim that fails is repaired by itself; new claims that are negative
+// right after now fail next. Where no repair in place is possible (four lines through one point),
+// the node and its ancestors lose their certificates and are merged anew, just after now, when
+// everything below is right (node_rebuilds() counts these).
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 6; Basch,
-// Guibas, Hershberger, "Data structures for mobile data" (1999). The local certificates are ours.
+// Guibas, Hershberger, "Data structures for mobile data" (1999). The local certificates are worked
+// out here.
 #ifndef KINEX_STRUCTURES_CONVEX_HULL_2_H
 #define KINEX_STRUCTURES_CONVEX_HULL_2_H
 
@@ -64,12 +76,12 @@ namespace kinex {
 
 class ConvexHull2 final : public Structure {
  public:
-  // Certificates that a point is in at most, per half and level. Seen: at most 4.1 (the benchmark
+  // Bound on the certificates of a point, per half and level. Observed: at most 4.1 (the benchmark
   // hull_levels).
   static constexpr int kPerLevel = 24;
 
   enum class Variant { kLocal, kNaive };
-  // After those of HullEvents; all internal.
+  // The kinds after those of HullEvents; all internal.
   enum Kind : std::uint8_t {
     kX = HullEvents::kKinds,  // two corners ab, cd: a, b, c, d
     kYl,                      // a corner ab and its contender: a, b, c; crossing on its left
@@ -103,12 +115,12 @@ class ConvexHull2 final : public Structure {
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
-  // Nodes merged anew at degenerate instants, and why.
+  // Nodes merged anew at degenerate instants, and the reasons.
   std::uint64_t node_rebuilds() const { return node_rebuilds_; }
   const std::map<std::string, std::uint64_t>& node_rebuild_reasons() const {
     return spoil_reasons_;
   }
-  // Failures by the height of their node: 1 above the points.
+  // Failures by the height of their node; 1: the nodes just above the points.
   const std::vector<std::uint64_t>& failures_by_level() const { return by_level_; }
 
  private:
@@ -117,23 +129,23 @@ class ConvexHull2 final : public Structure {
   using Corner = HullSigns::Corner;
   static constexpr Index kNone = 0xffffffffu;
   static constexpr unsigned kHalves = 2;
-  // What a certificate is for: tag = 8 * (edge or node) + slot.
+  // The purpose of a certificate: tag = 8 * (edge or node) + slot.
   enum Slot : std::uint32_t { kSlotX, kSlotY, kSlotS1, kSlotS2, kSlotLeft, kSlotRight };
-  // Where the slope of a line falls in the run over it, as seen from the corner that says so.
+  // Where the slope of a line falls in the run over it, as seen from the corner that claims it.
   enum Claim : std::uint8_t { kNoClaim, kAfter, kBefore, kTangent };
 
   // A line on the chain of a node, the corner at its right end, and the place of both in the merge
   // of the parent. One cache line.
   struct alignas(64) Edge {
     ObjectId point = kNoObject;
-    Index node = kNone;                    // whose chain
+    Index node = kNone;                    // the one whose chain it is on
     Index merge = kNone;                   // the node that merges it; none: the root, or stale
     Index next = kNone, previous = kNone;  // on the chain
     Index up = kNone;                      // the same line on the parent's chain
     // The corner at its right end, if there is one: neighbours in the merged order, contender.
     Index right = kNone, left = kNone;
     Index contender = kNone;
-    Index claimant = kNone;  // the corner that says where the slope of this line falls
+    Index claimant = kNone;  // the corner that claims where the slope of this line falls
     std::array<CertificateId, 4> certificates{kNoCertificate, kNoCertificate, kNoCertificate,
                                               kNoCertificate};
     bool red = false;
@@ -166,7 +178,7 @@ class ConvexHull2 final : public Structure {
     return 2 * tree_[node / 2].children[which] + (node & 1u);
   }
   bool leaf(Index node) const { return tree_[node / 2].children[0] == kNone; }
-  // The node that merges the chain that this edge is on.
+  // The node that merges the chain of this edge.
   Index merge_of(Index edge) const { return edges_[edge].merge; }
   Corner corner(Index edge) const { return {edges_[edge].point, edges_[edges_[edge].next].point}; }
   bool red_above(Index corner) const { return edges_[corner].red == edges_[corner].above; }
@@ -175,7 +187,7 @@ class ConvexHull2 final : public Structure {
   Index first_of_run(Index line) const;
   Index last_of_run(Index line) const;
 
-  // ---- convex_hull_2_certificates.cpp: what is claimed, as a function of the state
+  // ---- convex_hull_2_certificates.cpp: the claims, as a function of the state
   CertificateId& certificate_of(Slot slot, Index place) {
     return slot >= kSlotLeft ? nodes_[place].ends[slot - kSlotLeft]
                              : edges_[place].certificates[slot];
@@ -284,7 +296,7 @@ class ConvexHull2 final : public Structure {
     Half half = HullSigns::kUpper;
     bool enters = false;
   } root_change_;
-  bool unsettled_ = false;           // a certificate was born that is negative right after now
+  bool unsettled_ = false;           // a certificate was made that is negative right after now
   std::vector<std::uint32_t> todo_;  // tags of claims that no certificate can refute
   std::vector<Index> stale_;
   std::vector<std::uint32_t> tied_;  // tags of claims that were tied when they were made

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ConvexHull2BruteForce: the convex hull of moving points by comparing everything with the hull:
-// the baseline of the report.
+// ConvexHull2BruteForce: the convex hull of moving points by comparing every point with every hull
+// edge: the baseline of the report.
 //
 // Certificates, for motions of degree d, with a hull of h vertices:
-//   turn    at each hull vertex the hull turns left                 orientation_2, degree 2d
-//   inside  each other point is to the left of each hull edge       orientation_2, degree 2d
-//   between a point that is on a hull edge for ever is between its  coordinate_order, degree d
-//           ends (two certificates)
+//   turn    at each hull vertex the hull turns left                 orientation_2,    degree 2d
+//   inside  each other point is to the left of each hull edge       orientation_2,    degree 2d
+//   between a point that is identically on a hull edge is between   coordinate_order, degree d
+//           its ends (two certificates)
 //
 // Quality, for n points: (n - h) h + h certificates. Every failure is a change of the hull (ratio
-// 1), and after each the hull is found by the static algorithm and everything is scheduled anew.
-// New motion of a hull vertex reschedules the certificates of all other points, that of another
-// point only its own. Events, linear motion: at most 2 C(n,3).
+// 1). After each the static algorithm finds the hull and everything is scheduled anew. New motion
+// of a hull vertex reschedules the certificates of all other points, that of another point only its
+// own. Events, linear motion: at most 2 C(n,3).
 //
-// Ties: strict vertices only; of points that are equal for ever the smallest id.
+// Ties: strict vertices only; of identically equal points the smallest id.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 11.
 #ifndef KINEX_STRUCTURES_CONVEX_HULL_2_BRUTE_FORCE_H
@@ -81,7 +81,7 @@ class ConvexHull2BruteForce final : public Structure {
   std::vector<CertificateId> certificates_;
   std::size_t most_certificates_ = 0;
   RepeatGuard repeats_;
-  bool look_again_ = false;  // motions have changed, and ties may have come or gone
+  bool look_again_ = false;  // motions have changed: ties may have come or gone
 };
 
 }  // namespace kinex

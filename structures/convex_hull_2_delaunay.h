@@ -2,14 +2,14 @@
 // ConvexHull2Delaunay: the convex hull of moving points, read off their Delaunay triangulation.
 //
 // Certificates. None of its own: it watches the triangulation (delaunay_2), whose outer boundary is
-// the hull, and looks when a point enters or leaves that.
+// the hull, and reads it when a point enters or leaves that boundary.
 //
-// Quality: that of the triangulation, all of which is paid for its boundary: certificates of degree
-// 4d against 2d, Theta(n^(3/2)) flips of random motion against O(n) failures. The comparison of the
-// report.
+// Quality: that of the triangulation, whose whole cost is paid for its boundary: certificates of
+// degree 4d against 2d, Theta(n^(3/2)) flips for random motion against O(n) failures. The report
+// compares the two.
 //
-// Ties: strict vertices only (the triangulation has points on hull edges too); of points that are
-// equal for ever the smallest id.
+// Ties: strict vertices only (the triangulation has points on hull edges too); of identically equal
+// points the smallest id.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 11.
 #ifndef KINEX_STRUCTURES_CONVEX_HULL_2_DELAUNAY_H
@@ -38,12 +38,12 @@ class ConvexHull2Delaunay final : public Structure {
   void rebuild() override { events_.begin(cycle()); }
   // Never called: it has no certificates.
   void certificate_failed(CertificateId) override {}
-  // Points that come or go have done so in the triangulation.
+  // Insertion and erasure of points happen in the triangulation.
   void insert(ObjectId) override { events_.begin(cycle()); }
   void erase(ObjectId) override { events_.begin(cycle()); }
   void instant_settled() override { look(); }
   void watched_changed(const Event* event) override;
-  // As it was when it was looked at: an inexact arithmetic might read another one now.
+  // As last read: an inexact arithmetic might read another one now.
   Attribute attribute() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// HullSigns: the questions that a kinetic hull asks, with ties resolved, in the dual.
+// HullSigns: the predicates of a kinetic hull, in the dual, with ties resolved.
 //
 // Point (p, q) is the line y = p x + q: the upper hull is the upper envelope of the lines. The
-// lower hull is the same for (p, -q): every question names its half.
+// lower hull is the same for (p, -q): every predicate names its half.
 //
-// Ties. Signs that are zero for ever are resolved as if the points stood a little elsewhere: first
-// all are sheared, x + delta y, so that points of one x are in the order of y; then each point is
-// lifted (in its half's sense of up) by an amount that falls fast with its id; points that are
-// equal for ever are, from the largest id to the smallest, on a tiny arc that opens upwards. So
-// no sign is ever zero, and all signs are those of one and the same configuration: the smallest of
-// equal ids is the highest, and structures need no cases. What hides behind a tie (points on hull
-// edges, equal points) is left out when the hull is read.
+// Ties. Identically zero signs are resolved by a symbolic perturbation:
+//   1. all points are sheared, x + delta y, so that points of one x are in the order of y;
+//   2. each point is lifted (in its half's sense of up) by an amount that falls fast with its id;
+//   3. identically equal points are placed, from the largest id to the smallest, on a tiny arc that
+//      opens upwards.
+// So no sign is ever zero, and all signs are those of one configuration: the smallest of equal ids
+// is the highest, and structures need no special cases. What a tie hides (points on hull edges,
+// equal points) is left out when the hull is read.
 //
-// A certificate whose polynomial is zero for ever is replaced by one that keeps its tie resolved
-// as it is (the order of two coordinates), or, if that is for ever too, by none.
+// A certificate whose polynomial is identically zero is replaced by one that fails when the tie is
+// resolved differently (the order of two coordinates), or, if that is identically zero too, by
+// none.
 #ifndef KINEX_STRUCTURES_CONVEX_HULL_2_SIGNS_H
 #define KINEX_STRUCTURES_CONVEX_HULL_2_SIGNS_H
 
@@ -34,7 +36,7 @@ class HullSigns {
 
   explicit HullSigns(Kernel& kernel);
 
-  // What certificates say (>= 0), ties left aside.
+  // The claims of certificates (>= 0), ties not resolved.
   // Line a has a smaller slope than line b: point a is left of point b.
   Query slopes(ObjectId a, ObjectId b) const { return Query(order_[0], {a, b}); }
   // The corner is above (or below) line c.
@@ -51,7 +53,7 @@ class HullSigns {
   // Line a is above line b at the place where they are parallel.
   bool higher(Half half, ObjectId a, ObjectId b) const;
 
-  // Nothing resolved.
+  // Ties not resolved.
   Sign turn(ObjectId a, ObjectId b, ObjectId c) const {
     return kernel_->sign_after(turn_, {a, b, c});
   }
@@ -61,11 +63,11 @@ class HullSigns {
   }
   Query order(int axis, ObjectId a, ObjectId b) const { return Query(order_[axis], {a, b}); }
   bool equal(ObjectId a, ObjectId b) const;
-  // On one line for ever.
+  // Identically on one line.
   bool collinear(ObjectId a, ObjectId b, ObjectId c) const { return turn(a, b, c) == Sign::kZero; }
 
-  // For a claim whose polynomial is zero for ever: the certificates to try in its place, best
-  // first; the first that is not zero for ever keeps the tie. `holds`: if all of them are.
+  // For a claim whose polynomial is identically zero: the certificates to try in its place, best
+  // first; the first that is not identically zero keeps the tie. `holds`: the claim, if all are.
   struct Substitutes {
     Query queries[6];
     std::size_t count = 0;
@@ -75,12 +77,12 @@ class HullSigns {
   Substitutes height_tie(Half half, bool above, Corner v, ObjectId c) const;
   bool corners_tie(Corner v, Corner w) const;
 
-  // A sign was zero for ever: hulls may hold points that are none of its strict vertices.
+  // A sign was identically zero: hulls may hold points that are not strict vertices.
   bool tied() const { return tied_; }
   void note_tie() const { tied_ = true; }
 
  private:
-  // Resolves the sign of "p, q, r turn left, up being up".
+  // Resolves the sign of "p, q, r turn left", with up as upwards.
   Substitutes turn_tie(ObjectId p, ObjectId q, ObjectId r) const;
 
   Kernel* kernel_;

@@ -1,43 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Delaunay2: the Delaunay triangulation of moving points in the plane.
 //
-// Certificates. The triangulation is closed to a sphere by a vertex at infinity, so that hull
-// changes are flips like all others. One certificate per edge uv with opposite vertices p and q:
-//   all four finite    q is not inside the circle through u, v, p    in_circle_2, degree 4d
+// Certificates. The triangulation is closed to a sphere by a vertex at infinity, so hull changes
+// are flips like all others. One certificate per edge uv with opposite vertices p and q, for
+// motions of degree d:
+//   all four finite    q is not inside the circle through u, v, p    in_circle_2,   degree 4d
 //   p or q infinite    the other one is inside the hull edge uv      orientation_2, degree 2d
 //   u or v infinite    the hull turns left at the other end          orientation_2, degree 2d
-// for motions of degree d. Locally Delaunay everywhere is globally Delaunay (Delaunay 1934).
+// Locally Delaunay everywhere is globally Delaunay (Delaunay 1934).
 //
-// Quality, for n points: compactness 3n - 3 certificates, exactly. Responsiveness: an event is one
-// flip and renews 5 certificates. Efficiency: every event is external (ratio 1). Not local: a point
-// is in as many certificates as it has neighbours and link edges, up to 2(n - 1) and more.
+//          p                  p
+//        1/ \4              1/|\4         The certificate of uv fails: uv is flipped to pq. The
+//        four /   \              / | \         rim edges 1 .. 4 stay, but one opposite vertex of
+//        each
+//       u-----v    --->    u  |  v        has changed: 5 certificates are renewed.
+//        \   /              \ | /
+//        2\ /3              2\|/3
+//          q                  q
+//
+// Quality, for n points:
+//   compactness     3n - 3 certificates, exactly
+//   locality        not local: a point is in as many certificates as it has neighbours and link
+//                   edges, up to 2(n - 1) and more
+//   responsiveness  one flip, 5 certificates
+//   efficiency      every event is external (ratio 1)
 // Events, linear motion: each in_circle_2 changes sign at most 4 times and each orientation_2
 // twice, so at most 4 C(n,4) + 2 C(n,3); growth O(n^3 2^alpha(n)) (Guibas, Mitchell, Roos 1991).
 //
-// Ties. The triangulation right after an instant depends on the points' motions and ids alone:
-//   cocircular for ever  the diagonal that contains the smallest id of the four (so k cocircular
-//                        points are a fan from the smallest id)
-//   collinear for ever   points on a hull edge are hull vertices
-//   equal for ever       the smallest id is the vertex; the others are hidden behind it
-//   all on one line for ever (or fewer than three points): a chain along the line, see line_
+// Ties. The triangulation right after an instant depends on the points' motions and ids alone.
+// Identically
+//   cocircular  the diagonal that contains the smallest id of the four (so k cocircular points are
+//               a fan from the smallest id)
+//   collinear   points on a hull edge are hull vertices
+//   equal       the smallest id is the vertex; the others are hidden behind it
+//   all on one line, or fewer than three points: a chain along the line, see line_
 //
 // Degenerate instants. A certificate that fails alone is one flip. Where several fail at one
 // instant, triangles may turn over without any certificate showing it (points that meet and pass
-// through each other; all points on one line), or the hull may end up winding around twice. So at
-// such instants a flip is made only if its edge is not there yet and both new triangles are upright
-// (positively oriented right after now); else the edge does without a certificate for the moment
-// ("blocked"). When the instant is settled, the triangles around all points that took part and the
-// number of turns of the hull are checked. All triangles upright, left turns along the hull and one
-// turn in all make a triangulation: otherwise the angles do not add up. Points of triangles that
-// have turned over are taken out and put in again; where that is not enough, or not possible,
-// everything is built anew, with a reason in the ledger.
+// through each other; all points on one line), or the hull may end up winding around twice.
+//   1. A flip is then made only if its edge does not exist yet and both new triangles are upright
+//      (positively oriented right after now); otherwise the edge goes without a certificate for the
+//      moment ("blocked").
+//   2. When the instant is settled, the triangles around all points that took part and the number
+//      of turns of the hull are checked. All triangles upright, left turns along the hull and one
+//      turn in all make a triangulation: otherwise the angles do not add up.
+//   3. Points of triangles that have turned over are taken out and put in again. Where that is not
+//      enough, or not possible, everything is built anew, with a reason in the ledger.
 //
-// What is reported. An external event of the kinds "flip", "enter" and "leave" takes one edge away,
-// or adds one, or both, as its ids say; "pass" exchanges its two points in every edge. The edges
-// that come and go otherwise, when points are taken out and put in again, are told by one "settled"
-// at the end of the instant, net, or by the "rebuild"; flips that come between are internal then.
-// (So are those to an edge that is there already, or from one that is there twice.) Edges are
-// collected where they change: a degenerate instant costs no more than its repair.
+// What is reported. An external event of the kinds "flip", "enter" and "leave" removes one edge, or
+// adds one, or both, as its ids say; "pass" exchanges its two points in every edge. Other changes
+// of edges, when points are taken out and put in again, are reported by one "settled" at the end of
+// the instant, net, or by the "rebuild"; flips in between are then internal. (So are flips to an
+// edge that exists already, or from one that exists twice.) Edges are collected where they change:
+// a degenerate instant costs no more than its repair.
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Guibas,
 // Mitchell, Roos, "Voronoi diagrams of moving points in the plane" (1991); insertion: Bowyer
@@ -70,8 +85,8 @@ class Delaunay2 final : public Structure {
     kEnter,     // a point becomes a hull vertex: the point, the hull edge that it splits (and ends)
     kLeave,     // a point stops being a hull vertex: the point, the new hull edge (and edge)
     kPass,      // on a line: two neighbours change places
-    kBlocked,   // at a degenerate instant: no flip repairs it yet: the certificate's points
-    kReinsert,  // when the instant is settled: a point that was taken out and put in again
+    kBlocked,   // at a degenerate instant: no flip repairs it yet; the certificate's points
+    kReinsert,  // when the instant is settled: a point was taken out and put in again
   };
 
   Delaunay2(Kernel& kernel, StructureId id, const Scene& scene);
@@ -89,7 +104,7 @@ class Delaunay2 final : public Structure {
   Attribute attribute() const override;
   Attribute told() const override { return untold_.undone(attribute()); }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
-  // Many times the flips of even a lattice that is sheared through the square one.
+  // A sheared lattice that passes through the square one needs many flips at one instant.
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
@@ -97,7 +112,7 @@ class Delaunay2 final : public Structure {
 
   // Hull vertices counter-clockwise from the smallest id; on a line, the chain.
   std::vector<ObjectId> hull() const;
-  // The vertex that stands for `object`: itself, or the one it is hidden behind.
+  // The vertex for `object`: itself, or the one it is hidden behind.
   ObjectId representative(ObjectId object) const { return representative_[object]; }
   bool on_line() const { return on_line_; }
   // Points taken out and put in again at degenerate instants.
@@ -141,15 +156,15 @@ class Delaunay2 final : public Structure {
   // ---- delaunay_2_points.cpp: one point more or less
   enum class Insertion { kVertex, kHidden, kFailed };
   struct Place {
-    Triangle triangle = kNone;   // a triangle in conflict with the point
-    ObjectId equal = kNoObject;  // or the vertex that is equal to it
+    Triangle triangle = kNone;   // a triangle in conflict with the point, or
+    ObjectId equal = kNoObject;  // the vertex that is equal to it
   };
   bool identical(ObjectId a, ObjectId b) const;
   bool strictly_between(ObjectId d, ObjectId a, ObjectId b) const;
   bool conflict(ObjectId a, ObjectId b, ObjectId c, ObjectId d) const;
   bool conflict(Triangle t, ObjectId d) const;
   Place locate(ObjectId d, HalfEdge hint) const;
-  // `careful`: the triangulation may be invalid elsewhere; certificates are kept up to date.
+  // `careful`: the triangulation may be invalid elsewhere; certificates are kept up to date, too.
   Insertion add_point(ObjectId d, HalfEdge hint, bool careful);
   void hide(ObjectId object, ObjectId behind);
   bool remove_vertex(ObjectId v);
@@ -185,7 +200,8 @@ class Delaunay2 final : public Structure {
   HalfEdge hint_ = kNone;                             // where the last point went
 
   // All points on one line right after now, in order along it. Certificates: neighbours in the
-  // order of coordinate line_axis_ (x, or y if all x are equal for ever); tag: place of the first.
+  // order of coordinate line_axis_ (x, or y if all x are identically equal); tag: place of the
+  // first.
   bool on_line_ = true;
   int line_axis_ = 0;
   std::vector<ObjectId> line_;
@@ -193,8 +209,8 @@ class Delaunay2 final : public Structure {
 
   // The present instant.
   bool fails_now_ = false;      // a certificate was made that is negative right after now
-  EdgeChanges untold_;          // of the attribute, not told by events
-  bool comes_or_goes_ = false;  // an insertion or erasure, which tells what it changes
+  EdgeChanges untold_;          // of the attribute, not reported by events
+  bool comes_or_goes_ = false;  // during an insertion or erasure, which reports its changes itself
   std::vector<ObjectId> suspects_;
   std::vector<ObjectId> moved_;
   std::array<ObjectId, 4> last_quad_{};
@@ -204,7 +220,7 @@ class Delaunay2 final : public Structure {
   static constexpr int kMostRetries = 2;
   std::vector<HalfEdge> ties_;  // edges to be compared with the rule for cocircular points
 
-  // Inexact arithmetics: repairs since the last ordinary flip, and how many are too many.
+  // Inexact arithmetics: repairs since the last ordinary flip, and the limit.
   int repairs_ = 0;
   static constexpr int kMostRepairs = 64;
   bool corrupt_ = false;

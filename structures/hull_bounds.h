@@ -11,7 +11,7 @@
 
 namespace kinex {
 
-// The changes of the hull; `tied`: some points were on one line, or equal, for ever.
+// The bound on hull changes; `tied`: some points were identically collinear or equal.
 std::vector<BoundCheck> hull_bounds(std::string_view name, const BoundContext& context, bool tied);
 
 // n (n - 1) .. (n - k + 1) / k!

@@ -3,21 +3,24 @@
 // it.
 //
 // An instant changes the cycle of hull vertices from what it was just before to what it is just
-// after. This difference is reported: a "leave" for each point that is no vertex any more, by id,
-// then an "enter" for each new one, by id, and then, if the points that stayed go round in another
-// order (several points must meet for that, or all lie on one line), one "turn" with the first of
-// them that has another successor, its old and its new one. So methods that have nothing else in
-// common report the same events, in the same order, at the same instants.
+// after. The difference is reported in this order:
+//   1. a "leave" for each point that is no longer a vertex, by id
+//   2. an "enter" for each new vertex, by id
+//   3. one "turn", if the points that stayed are in another cyclic order (several points must meet
+//      for that, or all lie on one line): the first of them with another successor, its old and its
+//      new one
+// So methods that have nothing else in common report the same events, in the same order, at the
+// same instants.
 //
-// How the cycle follows. A "leave" takes its point out of the cycle. An "enter" names the point and
-// the two neighbours between which it comes, counter-clockwise (one vertex alone is both; with none
-// the point is all it names): each event changes the cycle that the last one has left. A "turn"
-// carries the whole cycle before and after (Event::gone, Event::came). The same way a cycle is
-// brought right that an inexact arithmetic has go through a point twice, by "settled".
+// Replay. A "leave" takes its point out of the cycle. An "enter" names the point and the two
+// neighbours between which it comes, counter-clockwise (one vertex alone is both; with none the
+// point is all it names): each event applies to the cycle left by the one before. A "turn" carries
+// the whole cycle before and after (Event::gone, Event::came). So does the "settled" that corrects
+// a cycle which passes a point twice, in an inexact arithmetic.
 //
-// Cost: O(h log h) per instant at which the hull may have changed, for h vertices, and O(h) for each
-// vertex that comes or goes; where one vertex has come or gone between two neighbours, one pass over
-// the ids.
+// Cost: O(h log h) for h vertices per instant at which the hull may have changed, and O(h) for each
+// vertex that comes or goes; where one vertex has come or gone between two neighbours, one pass
+// over the ids.
 #ifndef KINEX_STRUCTURES_HULL_EVENTS_H
 #define KINEX_STRUCTURES_HULL_EVENTS_H
 
@@ -41,17 +44,17 @@ class HullEvents {
 
   HullEvents(Kernel& kernel, StructureId id) : kernel_(&kernel), id_(id) {}
 
-  // The hull just before the next instant; nothing is reported. Cycles start at their smallest id.
+  // Sets the hull just before the next instant; nothing is reported. Cycles start at their smallest
+  // id.
   void begin(std::vector<ObjectId> cycle) { cycle_ = std::move(cycle); }
-  // The hull just after an instant at which it may have changed: reports, and begins with it.
+  // The hull just after an instant at which it may have changed: reports the difference.
   void settle(std::vector<ObjectId> cycle);
-  // The same where all that has changed is that `point` came between `from` and `to`, which
-  // followed it on the cycle, or went from between them. False, and nothing is done, if the cycle
-  // of before does not say so.
+  // As settle(), where the only change is that `point` came between `from` and `to`, or left from
+  // between them. Returns false, with nothing done, if the cycle of before contradicts that.
   bool entered(ObjectId point, ObjectId from, ObjectId to);
   bool left(ObjectId point, ObjectId from, ObjectId to);
   const std::vector<ObjectId>& cycle() const { return cycle_; }
-  // A certificate has been born that is negative right after now: the instant is not over.
+  // A certificate was made that is negative right after now: the instant is not over.
   bool repairs_to_come() const {
     const EventQueue& queue = kernel_->queue();
     return !queue.empty() && kernel_->outlook(queue.top()) == Outlook::kFailsNow;

@@ -10,7 +10,7 @@
 
 namespace kinex {
 
-// The strict vertices counter-clockwise from the smallest id; of points that are equal for ever the
+// The strict vertices counter-clockwise from the smallest id; of identically equal points the
 // smallest id. Andrew's monotone chain: O(n log n) signs.
 std::vector<ObjectId> static_hull(const HullSigns& signs, std::span<const ObjectId> objects);
 

@@ -3,9 +3,17 @@
 // at infinity. It knows vertices and neighbours, never a coordinate.
 //
 // Triangle t has the half-edges 3t, 3t + 1, 3t + 2, counter-clockwise; half-edge h runs from
-// origin(h) to origin(next(h)) with its triangle on the left. A triangle with the vertex at
-// infinity is a ghost: (x, y, infinity) lies beyond the hull edge from y to x. Each edge carries
-// one word of its owner, the label, seen from both sides.
+// origin(h) to origin(next(h)) with its triangle on the left:
+//
+//             apex(h)
+//              /   '.
+//   previous(h)      ' next(h)
+//            / triangle'.
+//    origin(h) ---h---> target(h)
+//              <-twin(h)-
+//
+// A triangle with the vertex at infinity is a ghost: (x, y, infinity) lies beyond the hull edge
+// from y to x. Each edge carries one word of its owner, the label, seen from both sides.
 #ifndef KINEX_STRUCTURES_TRIANGULATION_2_H
 #define KINEX_STRUCTURES_TRIANGULATION_2_H
 
@@ -59,21 +67,21 @@ class Triangulation2 {
     return half_edges_[3 * t].origin == infinity_ || half_edges_[3 * t + 1].origin == infinity_ ||
            half_edges_[3 * t + 2].origin == infinity_;
   }
-  // Vertices, the one at infinity not counted; triangles, ghosts counted.
+  // Vertices, not counting the one at infinity; triangles, counting ghosts.
   std::size_t vertices() const { return vertices_; }
   std::size_t triangles() const { return half_edges_.size() / 3 - free_.size(); }
-  // One past the largest triangle (half-edge) ever used; some in between may not be live.
+  // One past the largest triangle (half-edge) ever used; not all below it are live.
   Triangle triangle_capacity() const { return static_cast<Triangle>(half_edges_.size() / 3); }
   HalfEdge half_edge_capacity() const { return static_cast<HalfEdge>(half_edges_.size()); }
 
   // Replaces the edge of h, with opposite vertices p and q, by the edge between p and q. The new
-  // edge keeps the label. Returns the new half-edge from p to q; its triangle's other sides are q
-  // -> v and v -> p, where v was the target of h.
+  // edge keeps the label. Returns the new half-edge from p to q; the other sides of its triangle
+  // are q -> v and v -> p, where v was the target of h.
   HalfEdge flip(HalfEdge h);
 
   // Replaces the disc `cavity` (its triangles, no vertex inside) by the star of the new vertex v.
-  // Labels on the rim are kept, those of the spokes are kNone. `rim` receives the half-edges of the
-  // new triangles that lie on the rim. False, with nothing changed, if the cavity is not such a
+  // Labels on the rim are kept; those of the spokes are kNone. `rim` receives the half-edges of the
+  // new triangles on the rim. Returns false, with nothing changed, if the cavity is not such a
   // disc.
   bool star(ObjectId v, const std::vector<Triangle>& cavity, std::vector<HalfEdge>& rim);
 
@@ -81,13 +89,13 @@ class Triangulation2 {
   void link(ObjectId v, std::vector<HalfEdge>& out) const;
 
   // Removes v and fills its link, whose corners are 0 .. k - 1 in the order of link(), with
-  // triangles; each ear names the corners before, at and after the one that is cut off, and the
-  // last one is the triangle that is left: k - 2 ears in all. `filled` receives the new triangles.
-  // Labels on the link are kept, those of new edges are kNone.
+  // triangles. Each ear names the corners before, at and after the one that is cut off; the last
+  // ear is the remaining triangle: k - 2 ears in all. `filled` receives the new triangles. Labels
+  // on the link are kept; those of new edges are kNone.
   using Ear = std::array<std::uint32_t, 3>;
   void fill(ObjectId v, const std::vector<Ear>& ears, std::vector<Triangle>& filled);
 
-  // What is wrong with the links and counts; empty if nothing is.
+  // Describes what is wrong with the links and counts; empty if nothing is.
   std::string defect() const;
   std::size_t bytes() const;
 
