@@ -12,11 +12,11 @@ namespace kinex {
 struct ApproximateRoot {
   Integer center;  // the guess is center / 2^center_exponent
   long center_exponent;
-  long log_error;  // and 2^log_error is what it may be off, as far as one can tell
+  long log_error;  // its estimated error is 2^log_error
 };
 
-// A root of p between lower / 2^exponent and upper / 2^exponent, where p changes its sign from
-// `sign_at_lower`; nullopt if double precision is of no use. Deterministic: only + - * / and
+// A root of p between lower / 2^exponent and upper / 2^exponent, where p changes sign from
+// `sign_at_lower`; nullopt if double precision does not suffice. Deterministic: only + - * / and
 // scaling by powers of two.
 std::optional<ApproximateRoot> approximate_root(const Polynomial& p, const Integer& lower,
                                                 const Integer& upper, long exponent,

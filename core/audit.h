@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an audit is given and what it says.
+// Input and output of an audit.
 #ifndef KINEX_CORE_AUDIT_H
 #define KINEX_CORE_AUDIT_H
 

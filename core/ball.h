@@ -8,14 +8,16 @@
 
 namespace kinex {
 
-// The exact value lies in [value - error, value + error]; if either is not finite nothing is known.
+// The exact value lies in [value - error, value + error]; unknown if either is not finite.
 //
-// Rounding: with u = 2^-53 every operation in round-to-nearest is off by at most u|result| + 2^-1075.
-// The errors are themselves computed in floating point: each `error` below is the sum of at most four
-// non-negative terms with at most five roundings, so it is too small by at most a factor (1 + u)^-6;
-// using 2u = kUnit instead of u for the rounding of the value alone would not cover the terms that
-// come from the operands, so the total is inflated by kInflate = 1 + 16u.
-// kTiny covers underflow of any of the (at most six) products.
+// Rounding, with u = 2^-53:
+//   (1) Every operation in round-to-nearest is off by at most u|result| + 2^-1075.
+//   (2) The errors are themselves computed in floating point. Each `error` below is the sum of at
+//       most four non-negative terms with at most five roundings, so it is too small by at most a
+//       factor (1 + u)^-6.
+//   (3) Using 2u = kUnit instead of u for the rounding of the value would not cover the terms that
+//       come from the operands, so the total is inflated by kInflate = 1 + 16u.
+//   (4) kTiny covers underflow of any of the (at most six) products.
 struct Ball {
   static constexpr double kUnit = 0x1p-52;
   static constexpr double kInflate = 1.0 + 0x1p-49;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hard bounds: explicit integers for this very input, from theorems with known constants.
+// Hard bounds: explicit integers for the given input, from theorems with known constants.
 #ifndef KINEX_CORE_BOUND_H
 #define KINEX_CORE_BOUND_H
 
@@ -35,13 +35,20 @@ struct BoundCheck {
 // observed <= bound.
 BoundCheck at_most(std::string id, std::string source, Integer bound, Integer observed);
 
-// Largest number of pieces of the lower envelope of n functions of which any two cross at most s
-// times (Davenport-Schinzel numbers lambda_s(n)): 1 for s = 0, n for s = 1, 2n - 1 for s = 2, the
-// known values for s = 3 and n <= 8 (1, 4, 8, 12, 17, 22, 27, 32), and else the smaller one of two proven
-// upper bounds: s n(n-1)/2 + 1 (every change of the envelope is at a crossing of two functions); and
-// for s = 3, from lambda_3(n) / n <= lambda_3(n-1) / (n-1) + 2 / (n-1) (take out the rarest symbol, and
-// two neighbours that become equal), 4 n + 2 n (H(n-1) - H(7)) <= n (4 + 2 ceil(log2(n / 8))). 0 for
-// n <= 0.
+// Upper bound on the Davenport-Schinzel number lambda_s(n): the largest number of pieces of the
+// lower envelope of n functions of which any two cross at most s times. 0 for n <= 0.
+//
+//   s = 0           1
+//   s = 1           n
+//   s = 2           2n - 1
+//   s = 3, n <= 8   1, 4, 8, 12, 17, 22, 27, 32 (known values)
+//   else            the smaller of
+//                     (a) s n(n-1)/2 + 1: the envelope changes only where two functions cross;
+//                     (b) for s = 3, n (4 + 2 ceil(log2(n / 8)))
+//
+// Proof of (b): lambda_3(n) / n <= lambda_3(n-1) / (n-1) + 2 / (n-1), by removing the rarest symbol
+// and one of two neighbours that become equal. So lambda_3(n) <= 4 n + 2 n (H(n-1) - H(7)), which
+// is at most (b).
 // Source: Sharir and Agarwal, "Davenport-Schinzel sequences and their geometric applications"
 // (1995); the values for s = 3: OEIS A002004.
 Integer davenport_schinzel_bound(int s, const Integer& n);
@@ -49,12 +56,12 @@ Integer davenport_schinzel_bound(int s, const Integer& n);
 // n(n-1)/2; 0 for n <= 0.
 Integer pairs(const Integer& n);
 
-// Sum over all pairs of objects of how often the sign of a function of the pair can change during
-// the run: its values are polynomials of degree `degree` on each joint piece of the two motions and
-// continuous where pieces meet (or one of the two is absent). m pieces have at most degree * m
-// roots and m - 1 meeting points, and pieces a and b make at most a + b - 1 joint pieces. A run in
-// which nobody has more than one piece gives degree * n(n-1)/2. `common`: pieces of one more motion
-// that the functions of all pairs depend on. O(n).
+// Sum over all pairs of objects of the number of sign changes of a function of the pair during the
+// run. The function is a polynomial of degree `degree` on each joint piece of the two motions, and
+// continuous where pieces meet (or one of the two objects is absent). m pieces have at most
+// degree * m roots and m - 1 meeting points; a and b pieces make at most a + b - 1 joint pieces. If
+// every object has one piece the sum is degree * n(n-1)/2. `common`: pieces of one more motion that
+// the functions of all pairs depend on. O(n).
 Integer pair_sign_changes(const std::vector<int>& pieces, int degree, int common = 1);
 
 }  // namespace kinex

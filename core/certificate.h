@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificate: (predicate, a few object ids), one elementary claim of a structure's proof.
+// Certificate: (predicate, object ids), one elementary claim of a structure's proof.
 #ifndef KINEX_CORE_CERTIFICATE_H
 #define KINEX_CORE_CERTIFICATE_H
 
@@ -72,9 +72,9 @@ inline std::array<ObjectId, kMaxArity> sorted_ids(const Query& query) {
   return ids;
 }
 
-// A failure time as it is kept in the queue: [lo, hi] holds the exact instant, and `root` names the
-// exact number in the arithmetic's own table (0: not made, and rarely ever needed).
-// Never: lo = hi = +infinity.
+// A failure time as the queue keeps it: [lo, hi] contains the exact instant; `root` names the exact
+// number in the arithmetic's own table (0: not made; it is rarely needed). Never: lo = hi =
+// +infinity.
 struct FailureTime {
   double lo = 0;
   double hi = 0;

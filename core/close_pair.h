@@ -15,10 +15,16 @@ struct ClosePair {
   Rational second_lower, second_upper;
 };
 
-// Requires: lower < upper dyadic, p has the same sign at both, p' exactly one root between them, a
-// simple one, and p is not zero there (p has no multiple root). The two roots of p between lower
-// and upper, or nullopt if p has none. Bisection would take as many steps as there are bits in the
-// distance of the roots; the root of p' is approximated in a number of steps logarithmic in that.
+// The two roots of p between lower and upper, or nullopt if p has none.
+//
+//      +  \                 / +       p at lower and upper
+//   -------\-.-----------.-/-----     the two roots
+//             '-._____.-'             the root of p' between them
+//
+// Requires: lower < upper dyadic; p has the same sign at both; p' has exactly one root between
+// them, a simple one; p is not zero at that root (p has no multiple root).
+// Cost: steps logarithmic in the number of bits of the distance of the roots, to approximate the
+// root of p'; bisection would take as many steps as there are bits.
 std::optional<ClosePair> separate_close_pair(const Polynomial& p, const Rational& lower,
                                              const Rational& upper, RootCounters& counters);
 

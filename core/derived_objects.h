@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DerivedObjects: objects that a scene does not have and a structure needs: a tangent line, a
+// DerivedObjects: objects that a structure needs and the scene does not have: a tangent line, a
 // vertex in its body's frame, one body as seen from another.
 //
-// A structure asks for one by a construction over ids (Kernel::derive) or by exact constants
-// (Kernel::constant), gets an id beyond those of the scene, and goes on handling ids. When the
-// motion of an object changes, those derived from it follow, and their certificates are scheduled
-// anew.
+// A structure requests one by a construction over ids (Kernel::derive) or by exact constants
+// (Kernel::constant) and gets an id beyond those of the scene. When the motion of an object
+// changes, those derived from it follow, and their certificates are scheduled anew.
 #ifndef KINEX_CORE_DERIVED_OBJECTS_H
 #define KINEX_CORE_DERIVED_OBJECTS_H
 
@@ -24,7 +23,7 @@ namespace kinex {
 // The widest derived object, a pose (predicates/pose_2.h), has so many axes.
 inline constexpr int kMostDerivedAxes = 7;
 
-// How the motion of a derived object follows from those it is derived from. Exact.
+// The motion of a derived object as a function of the motions of its bases. Exact.
 class Construction {
  public:
   virtual ~Construction() = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `double`: the filter's own algorithms in plain IEEE doubles, with no error accounting: the best
-// floating-point kinetic arithmetic we can write, and so the honest rival of `exact`. No promise.
+// `double`: the filter's algorithms in plain IEEE doubles, with no error accounting: the best
+// floating-point kinetic arithmetic we can write, and so a fair rival of `exact`. No guarantee.
 #ifndef KINEX_CORE_DOUBLE_ARITHMETIC_H
 #define KINEX_CORE_DOUBLE_ARITHMETIC_H
 

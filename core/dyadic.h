@@ -49,8 +49,8 @@ inline long dyadic_exponent(const Rational& value) {
   return static_cast<long>(mpz_scan1(mpq_denref(value.raw()), 0));
 }
 
-// The sign q has on all of [lower, upper] / 2^exponent, by interval arithmetic; nullopt if that
-// does not tell. q not zero.
+// The sign of q on all of [lower, upper] / 2^exponent, by interval arithmetic; nullopt if that does
+// not decide. q not zero.
 std::optional<Sign> sign_on_interval(const Polynomial& q, Integer lower, Integer upper,
                                      long exponent);
 

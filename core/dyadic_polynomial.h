@@ -2,8 +2,8 @@
 // DyadicPolynomial: polynomials with short dyadic coefficients, in machine integers.
 //
 // Coefficients are 128-bit integers over one power of two. Every operation first proves by bit
-// lengths that nothing overflows; where it cannot, the result is not valid, and nothing that is
-// computed from it is. No heap. Cost: O(size) for a sum, O(size^2) for a product.
+// lengths that nothing overflows; where it cannot, the result is invalid, and so is everything
+// computed from it. No heap. Cost: O(size) for a sum, O(size^2) for a product.
 #ifndef KINEX_CORE_DYADIC_POLYNOMIAL_H
 #define KINEX_CORE_DYADIC_POLYNOMIAL_H
 
@@ -24,8 +24,8 @@ class DyadicPolynomial {
   static DyadicPolynomial of(const std::vector<Rational>& coefficients);
 
   bool is_valid() const { return valid_; }
-  // The power of two that operations on fractions leave as the denominator if they reduce nothing:
-  // that of a product is the product, that of a sum too, unless both are alike.
+  // The power of two that unreduced fractions would have as denominator: that of a product is the
+  // product, and so is that of a sum, unless both are equal.
   unsigned denominator_bits() const { return denominator_bits_; }
   // At least the bit length of every coefficient times 2^shift. Requires shift >= 0 there.
   std::size_t bits(unsigned common) const { return bits_ + (common - exponent_); }

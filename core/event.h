@@ -23,10 +23,11 @@ struct Event {
   // The certificate whose failure caused it; arity 0 for updates, insertions, erasures.
   Query certificate;
   std::string_view reason;  // of a rebuild, else empty; lives as long as the run
-  // What left the attribute and what joined it, where the event's own ids do not tell: of edges
-  // the pairs, flattened, each with the smaller id first, pairs ascending; of a sequence or a cycle
-  // the whole attribute before and after; of one object that object, or nothing. Both are empty if
-  // the ids tell all. Valid during the call of the sink.
+  // What left the attribute and what joined it, where the event's own ids do not determine it:
+  //   edges            the pairs, flattened, each with the smaller id first, pairs ascending
+  //   sequence, cycle  the whole attribute before and after
+  //   object           that object, or nothing
+  // Both are empty if the ids determine the change. Valid during the call of the sink.
   std::span<const ObjectId> gone, came;
 
   bool has_difference() const { return !gone.empty() || !came.empty(); }
@@ -37,10 +38,10 @@ class EventSink {
  public:
   virtual ~EventSink() = default;
   virtual void event(const Event& event, Arithmetic& arithmetic) = 0;
-  // All events of the instant have been received: they stand.
+  // All events of the instant have been received: they are final.
   virtual void instant_ended() {}
-  // The run was stopped in the midst of an instant: the events received since the last
-  // instant_ended() are withdrawn.
+  // The run was stopped within an instant: the events received since the last instant_ended() are
+  // withdrawn.
   virtual void instant_abandoned() {}
 };
 

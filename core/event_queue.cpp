@@ -14,8 +14,7 @@ CertificateId EventQueue::allocate(StructureId structure, const Query& query, st
     require(certificates_.size() < kNoCertificate, "more certificates than ids");
     id = static_cast<CertificateId>(certificates_.size());
     if (certificates_.size() == certificates_.capacity()) {
-      // By a quarter, not by doubling: memory per certificate is one of the things that are
-      // measured.
+      // By a quarter, not by doubling: memory per certificate is measured.
       const std::size_t room = certificates_.size() + certificates_.size() / 4 + 16;
       certificates_.reserve(room);
     }
@@ -85,7 +84,7 @@ FailureTime EventQueue::time(CertificateId id) const {
   return {e.lo, e.hi, certificates_[id].root};
 }
 
-// In a list the lower end stays as it is: the bucket goes by it.
+// In a list the lower end is kept: it determines the bucket.
 void EventQueue::set_time(CertificateId id, const FailureTime& time) {
   Certificate& c = certificates_[id];
   c.root = time.root;
@@ -97,7 +96,7 @@ void EventQueue::set_time(CertificateId id, const FailureTime& time) {
   }
 }
 
-// The hole sinks to a leaf, and the last entry, which nearly always belongs far down, fills it from
+// The hole sinks to a leaf. The last entry, which nearly always belongs far down, fills it from
 // below.
 FailureTime EventQueue::pop() {
   const Entry& top = heap_.front();
@@ -129,8 +128,8 @@ void EventQueue::take_out(std::size_t i) {
   if (i < heap_.size()) settle(i, last);
 }
 
-// The least of heap_[first .. end). Among four, without branches while the least enclosure lies
-// apart from the others, which is nearly always so.
+// The least of heap_[first .. end). Among four, without branches if the least enclosure is disjoint
+// from the others, as it nearly always is.
 std::size_t EventQueue::least_child(std::size_t first, std::size_t end) {
   std::size_t least = first;
   if (end - first == kArity) {
@@ -149,7 +148,7 @@ std::size_t EventQueue::least_child(std::size_t first, std::size_t end) {
   return least;
 }
 
-// A failure that is known against the end of what is known of another certificate: never 0.
+// A known failure time against the limit of a kLater: never 0.
 int EventQueue::compare_to_limit(Entry& e, double limit) {
   Certificate& c = certificates_[e.certificate];
   FailureTime t{e.lo, e.hi, c.root};
@@ -191,7 +190,7 @@ bool EventQueue::ties_before(CertificateId a, CertificateId b) const {
   const Certificate& ca = certificates_[a];
   const Certificate& cb = certificates_[b];
   if (ca.outlook == Outlook::kLater)
-    return a < b;  // no events: any order that is the same everywhere
+    return a < b;  // not events: any deterministic order
   if (ca.structure != cb.structure) return ca.structure < cb.structure;
   if (ca.query.predicate != cb.query.predicate) return ca.query.predicate < cb.query.predicate;
   const auto sa = sorted_ids(ca.query), sb = sorted_ids(cb.query);
@@ -244,7 +243,7 @@ bool EventQueue::first_instant_is_shared() {
 
 void EventQueue::collect_first_instant(std::vector<CertificateId>& out) {
   if (heap_.empty()) return;
-  // Equal instants form a connected part of the heap at its top.
+  // Equal instants form a connected part of the heap, at its top.
   std::vector<std::size_t> open{0};
   while (!open.empty()) {
     const std::size_t i = open.back();

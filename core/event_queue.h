@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// EventQueue: live certificates, and a heap of those that fail, ordered by exact failure time.
+// EventQueue: the live certificates, and a priority queue of those that fail, by exact failure
+// time.
 #ifndef KINEX_CORE_EVENT_QUEUE_H
 #define KINEX_CORE_EVENT_QUEUE_H
 
@@ -13,37 +14,47 @@
 
 namespace kinex {
 
-// One cache line each: what a retraction or a replacement touches lies together.
+// One cache line each: a retraction or a replacement touches one line.
 struct alignas(64) Certificate {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::uint32_t kNotQueued = 0xffffffffu;
   static constexpr std::uint32_t kFar = 0xfffffffeu;
 
-  double lo = 0, hi = 0;  // the queue's: the key, while it waits in a list
+  double lo = 0, hi = 0;  // owned by the queue: the key, while it waits in a list
   Query query;
   StructureId structure = 0;
   Outlook outlook = Outlook::kNever;
   bool live = false;
-  std::uint8_t looks = 0;  // how often a kLater was looked into further
+  std::uint8_t looks = 0;  // how often a kLater was extended
   std::uint32_t tag = 0;
   std::uint32_t root = 0;  // FailureTime::root
-  // The queue's: neighbours in a list, and the place in the heap, kFar (in a list) or kNotQueued.
+  // Owned by the queue: neighbours in a list, and the place in the heap, kFar (in a list) or
+  // kNotQueued.
   std::uint32_t next = kNone, previous = kNone;
   std::uint32_t where = kNotQueued;
 };
 static_assert(sizeof(Certificate) == 64);
 
-// Keys are enclosures of failure times; only when two overlap is the arithmetic asked. Equal
+// Keys are enclosures of failure times; the arithmetic compares only those that overlap. Equal
 // instants are ordered by value: (structure, predicate, sorted ids). A certificate whose outlook is
-// kLater is queued at the (double) time up to which it is known not to fail; failures at that very
-// instant come first.
+// kLater is queued at the (double) time up to which it is proved not to fail; failures at exactly
+// that instant come first.
 //
-// Two levels: a 4-ary heap of what comes soon, and behind it unsorted buckets of equal width in
-// time, by the lower ends of the keys, for what comes later; what comes after the last bucket waits
-// in one list. When the heap's first key reaches beyond the buckets that were poured into it, the
-// next one is; when there is none left, the list is cut into buckets anew. Most certificates are
-// retracted before their bucket's turn comes, in O(1). Insertion and retraction take O(log n)
-// comparisons at most (all times in one bucket: a heap), and O(1) where times are spread.
+// Two levels: a 4-ary heap of near failures, and behind it unsorted buckets of equal width in time,
+// by the lower ends of the keys. Failures after the last bucket wait in one list.
+//
+//   now                  edge_                                              time
+//    |<--------- heap ---->|                                                 -->
+//    | bucket 0 .. poured_ | poured_ + 1 | poured_ + 2 | ..  | last list: all later
+//          poured            unsorted lists
+//
+//   pour   when the heap's first key reaches beyond edge_, the next bucket goes into the heap
+//   cut    when no bucket is left, the last list is cut into buckets anew
+//   spill  when the heap has become large, everything is cut anew
+//
+// Most certificates are retracted before their bucket is poured, in O(1). Insertion and retraction
+// take O(log n) comparisons at most (all times in one bucket: a heap), and O(1) where times are
+// spread.
 class EventQueue {
  public:
   explicit EventQueue(Arithmetic& arithmetic) : arithmetic_(&arithmetic), spill_at_(kSmall) {}
@@ -59,7 +70,7 @@ class EventQueue {
 
   // Queues a certificate that is not in the heap; its `root` passes from `time`.
   void push(CertificateId id, const FailureTime& time);
-  // Takes a certificate out of the heap, if it is there (it stays live). Its number is released.
+  // Takes a certificate out of the queue, if it is there (it stays live). Its number is released.
   void remove(CertificateId id);
   // The certificate fails at another time: push, or an update in place that needs fewer comparisons
   // than remove and push. The former number must have been released.
@@ -71,17 +82,18 @@ class EventQueue {
   bool empty() const { return heap_.empty(); }
   std::size_t size() const { return heap_.size() + far_; }
   CertificateId top() const { return heap_.front().certificate; }
-  // Certificates that probably come soon, the first one (i = 0) and a few after it in no order, for
-  // their memory to be fetched ahead; kNoCertificate if there are not so many.
+  // Certificates that probably fail soon, for prefetching: the first one (i = 0), then some in no
+  // order; kNoCertificate if there are fewer.
   CertificateId upcoming(std::size_t i) const {
     return i < heap_.size() ? heap_[i].certificate : kNoCertificate;
   }
-  // The first entry is no failure but the end of what is known of a certificate (Outlook::kLater).
+  // The first entry is not a failure but the end of what is proved of a certificate
+  // (Outlook::kLater).
   bool top_is_later() const { return is_later(heap_.front()); }
   // The enclosure of the first failure time; requires !empty().
   double top_lo() const { return heap_.front().lo; }
   double top_hi() const { return heap_.front().hi; }
-  // The failure time of a queued certificate; give it back with set_time after it was refined.
+  // The failure time of a queued certificate; return it with set_time after a refinement.
   FailureTime time(CertificateId id) const;
   void set_time(CertificateId id, const FailureTime& time);
   // Takes the first certificate out of the heap and hands over its number.
@@ -149,12 +161,12 @@ class EventQueue {
   std::vector<CertificateId> free_;
   std::vector<Entry> heap_;
   // Buckets 0 .. poured_ are in the heap; all other entries have buckets beyond, and lo > edge_.
-  std::vector<std::uint32_t> buckets_;  // heads of lists; the last one is for all that comes later
+  std::vector<std::uint32_t> buckets_;  // heads of lists; the last one takes everything later
   std::uint32_t poured_ = 0;
   double base_ = 0, per_time_ = 0;  // bucket = (lo - base) * per_time
   double edge_ = std::numeric_limits<double>::infinity();
   std::size_t far_ = 0;   // entries in lists
-  std::size_t spill_at_;  // size of the heap that is worth cutting anew
+  std::size_t spill_at_;  // size of the heap from which it is cut anew
   std::size_t live_ = 0;
   std::size_t max_size_ = 0;
 };

@@ -10,15 +10,15 @@ namespace kinex {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Entries in a bucket, on the average; the part of all entries that is cut into buckets at once,
-// and how many entries are looked at to find where that part ends.
+// Average number of entries in a bucket; the fraction of all entries that is cut into buckets at
+// once; and the number of entries sampled to find where that fraction ends.
 constexpr std::size_t kPerBucket = 4;
 constexpr double kPart = 0.75;
 constexpr std::size_t kLookedAt = 128;
 
 }  // namespace
 
-// Grows with lo, and is computed in one way only: so the order of buckets is an order of times.
+// Monotone in lo, and always computed in the same way: the order of buckets is an order of times.
 std::uint32_t EventQueue::bucket_of(double lo) const {
   if (lo <= edge_) return poured_;
   const double x = (lo - base_) * per_time_;
@@ -80,11 +80,11 @@ void EventQueue::pour_bucket(std::uint32_t bucket) {
     id = p.next;
   }
   buckets_[bucket] = kNone;
-  prefetch(buckets_[bucket + 1]);  // there is one: the last list is never poured
+  prefetch(buckets_[bucket + 1]);  // it exists: the last list is never poured
   spill_at_ = std::max(kSmall, 2 * heap_.size());
 }
 
-// The largest time of the buckets poured, or a little less.
+// The largest time of the buckets poured, or slightly less.
 void EventQueue::find_edge() {
   const double guess = base_ + (static_cast<double>(poured_) + 1) / per_time_;
   double edge = std::min(guess, kInfinity);
@@ -98,10 +98,10 @@ void EventQueue::find_edge() {
   edge_ = edge;
 }
 
-// Cuts what is in the last list into buckets, all before a certain time, and pours the first.
+// Cuts the entries of the last list up to some time into buckets, and pours the first.
 void EventQueue::cut() {
   const std::uint32_t first = buckets_.back();
-  const std::size_t size = far_;  // nothing is in the other lists
+  const std::size_t size = far_;  // the other lists are empty
   const std::size_t stride = size / kLookedAt + 1;
   std::array<double, kLookedAt> sample{};
   std::size_t looked_at = 0, at = 0;
@@ -119,7 +119,7 @@ void EventQueue::cut() {
   base_ = least;
   per_time_ = static_cast<double>(count) / (*part - least);
   poured_ = 0;
-  // Few entries, or times too close together to be told apart: all of them go into the heap.
+  // Few entries, or times too close to be separated: all of them go into the heap.
   const bool all = size <= kSmall || !(per_time_ < 0x1p500) || !(per_time_ > 0x1p-500);
   buckets_.assign(all ? 2 : count + 1, kNone);
   edge_ = kInfinity;

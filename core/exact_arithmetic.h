@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ExactArithmetic (`exact`): every answer is exact; a filter in doubles gives nearly all of them.
+// ExactArithmetic (`exact`): every answer is exact; a floating-point filter gives nearly all of
+// them.
 //
-// Stages, cheapest first; a stage may abstain, none may be wrong, and the ledger counts who
-// answered.
-//   kDouble: where the scene's numbers are small integers over a common denominator, the
-//   certificate
-//     polynomial is computed in plain doubles in t - origin, for an origin of few bits just before
-//     now: shifted motions and their differences are exact, and the rounding errors of the rest are
-//     bounded by the predicate's relative error times the reach of the points. Other scenes:
-//     doubles with running error bounds. The sign or the first root is then certified in doubles.
-//     Signs of linear forms (core/linear_form.h) are first looked for without the polynomial.
-//   kWide: the same with coefficients in t computed exactly in 128-bit integers.
-//   kExact: integers of any size, isolating intervals, gcds.
+// Stages, cheapest first. A stage may abstain but is never wrong; the ledger counts answers by
+// stage.
+//   kDouble  The certificate polynomial in doubles; its sign or first root is certified in doubles.
+//              Scenes of small integers over a common denominator: plain doubles in t - origin, for
+//              an origin of few bits just before now. Shifted motions and their differences are
+//              exact; the rounding errors of the rest are bounded by the predicate's relative error
+//              times the reach of the points.
+//              Other scenes: doubles with running error bounds.
+//              Signs of linear forms (core/linear_form.h) are first tried without the polynomial.
+//   kWide    As kDouble, with coefficients in t computed exactly in 128-bit integers.
+//   kExact   Integers of any size, isolating intervals, gcds.
 #ifndef KINEX_CORE_EXACT_ARITHMETIC_H
 #define KINEX_CORE_EXACT_ARITHMETIC_H
 
@@ -62,7 +63,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   std::string polynomial_model(PredicateId id) const override;
 
   // Set in FailureTime::root where [lo, hi] isolates no root of the certificate's own polynomial
-  // (it was negative at its birth and fails at the instant it was born).
+  // (it was negative when created and fails at that instant).
   static constexpr std::uint32_t kBornFailing = 0x80000000u;
   // Set where [lo, hi] holds the root but has not been proved to hold no other root of the
   // polynomial.
@@ -104,14 +105,14 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     }
     return true;
   }
-  // The polynomial in the form of one stage (kDouble or kWide); false if the stage cannot have it.
+  // The polynomial in the form of one stage (kDouble or kWide); false if the stage cannot hold it.
   bool approximate(const Query& query, Stage stage, Approximation& p) const;
   void approximate_shifted(const Query& query, Approximation& p) const;
   std::optional<double> shift_from_anchor(const Query& query) const;
   void update_origin();
   bool shift_is_exact(double origin, double step) const;
   void wide_coefficients(const Query& query, Int128* out) const;
-  // Asks one stage after the other; says which one answered.
+  // Tries one stage after the other; returns the one that answered.
   Stage find_failure(const Query& query, double limit, FailureTime& time, Outlook& outlook);
   std::optional<Outlook> failure_in(Stage stage, const Query& query, double limit,
                                     FailureTime& time);
@@ -127,7 +128,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   RealRoot copy_of_now();
   std::uint32_t make_root(const Query& query, const FailureTime& time);
   std::uint32_t root_of(const Query& query, FailureTime& time);
-  // +1 / -1: query is now_.query up to a permutation of that sign; 0: it is not.
+  // +1 / -1: query is now_.query up to a permutation of that sign; 0: neither.
   int relation_to_now(const Query& query) const;
   double horizon(const Query& query) const;
   std::optional<Sign> sign_over_now(const Approximation& p) const;
@@ -155,7 +156,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     ++counters_.polynomials_solved[static_cast<std::size_t>(degree)];
   }
 
-  int solved_degree_ = -1;  // of the polynomial that was looked at last; -1: zero
+  int solved_degree_ = -1;  // of the last polynomial; -1: zero
   MotionStore motions_;
   LinearSigns linear_signs_;
   std::vector<PredicateModel> models_;
@@ -168,13 +169,14 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   // The origin in use for all now_.lo in [origin_, origin_end_).
   double origin_ = 0;
   double origin_end_ = 0;
-  // What names the present instant: the query whose root it became as (arity 0: a rational value).
+  // The source of the present instant's name: the query whose root it is (arity 0: a rational
+  // value).
   struct Naming {
     Query query;
     Rational value;
     double lo = 0, hi = 0;   // as it became now
     bool isolated = false;   // it is the only root of the query's polynomial there
-    bool kept = false;       // the polynomial is that of motions that are in force no more
+    bool kept = false;       // the polynomial is that of motions no longer in force
     std::vector<Integer> polynomial;
   };
   Naming naming_;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FilteredSturm: the Sturm sequence of a polynomial in doubles with proved error bounds.
 //
-// Source: Sturm's theorem, as in core/sturm_sequence.h. Every answer is a proof; where doubles do
-// not tell, there is none. That the sequence could be made proves that the polynomial is
+// Source: Sturm's theorem, as in core/sturm_sequence.h. Every answer is a proof; where doubles
+// cannot decide, there is no answer. A sequence that could be made proves that the polynomial is
 // square-free: its last element is a constant that is certainly not zero.
 //
-// Error model. The exact coefficients of every element, up to a positive constant, differ from the
-// values below by at most the errors below. An operation rounds by at most u|result|, u = 2^-53;
-// every error is a sum of non-negative terms, computed with at most eight roundings, so that
-// kInflate makes up for those. Underflow: values that are not zero lie between 2^-400 and 1 at the
-// start of every division, and quotients below 2^-400 are refused, so no product of three falls
-// below 2^-1100.
+// Error model:
+//   (1) The exact coefficients of every element, up to a positive constant, differ from the values
+//       below by at most the errors below.
+//   (2) An operation rounds by at most u|result|, u = 2^-53.
+//   (3) Every error is a sum of non-negative terms, computed with at most eight roundings, which
+//       kInflate compensates.
+//   (4) Underflow: non-zero values lie between 2^-400 and 1 at the start of every division, and
+//       quotients below 2^-400 are refused, so no product of three falls below 2^-1100.
 #ifndef KINEX_CORE_FILTERED_STURM_H
 #define KINEX_CORE_FILTERED_STURM_H
 

@@ -1,23 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The filter: the first sign change of a polynomial after a given time, in doubles, certified.
+// The floating-point filter for failure times: the first sign change of a polynomial after a given
+// time, certified in doubles.
 //
-// All bounds are a-priori bounds in round-to-nearest; the rounding mode is never changed. Every answer
-// other than kUnknown is a proof (with kCertify); without kCertify the same code runs with no error
+// Bernstein bisection. The polynomial is expanded in the Bernstein basis of a node [x, x + length];
+// the signs of the coefficients decide (?: not certain; the left end is positive):
+//
+//     + + + + +   no sign change in the node; continue with the next one
+//     + + ? - -   exactly one root in the node; refine it by Newton's method and certify it
+//     + - + ? -   undecided; cut the node at 31/64 and take the left part first
+//
+//   a                                                   b
+//   |--------------------- 3 ---------------------------|      sign variations of the nodes
+//   |--------- 0 --------|------------- 3 --------------|
+//                        |----- 1 -----|..............      found; the right part is skipped
+//
+// All bounds are a-priori bounds in round-to-nearest; the rounding mode is never changed. With
+// kCertify every answer other than kUnknown is a proof. Without it the same code runs with no error
 // accounting: that is the `double` arithmetic.
 //
-// Error model. The exact polynomial is sum p_j t^j with |p_j - c_j| <= e_j. With u = 2^-53 and
-// d = degree, every quantity computed below is a sum of terms k c_j t^i with at most 5d + 8 roundings on
-// each term (shift by a: 2d, scaling: 2d, division by a binomial: 2, summation: d; a Horner evaluation:
-// 2d), so it is off by at most
-//     sum_j ((5d + 8) u (1 + 2^-20) |c_j| + e_j) T^j,   T = |a| + length >= every |t| involved.
-// With gamma = (8d + 32) u and m_j = |c_j| + e_j / gamma this is at most gamma * m(T); the slack
-// (3d + 24) u covers the conversion of c_j from 128-bit integers (3u) and the roundings of m(T) itself.
-// Underflow adds at most 2^-1074 per operation, times T^d 2^d: harmless because 2^-300 <= m(T) <= 2^900
-// and T <= 2^(600/d) are checked, and d <= kMaxFilterDegree.
-// Time. The polynomial is in s = t - origin, where origin is a double and a multiple of a power of two
-// not below the units of the times involved, so that t - origin is exact for every double t that matters.
-// Source: Bernstein bisection as in Mehlhorn and Sagraloff's surveys of real root isolation; the bounds
-// are derived here.
+// Error model. The exact polynomial is sum p_j t^j with |p_j - c_j| <= e_j; u = 2^-53, d = degree.
+//   (1) Every quantity computed below is a sum of terms k c_j t^i with at most 5d + 8 roundings on
+//       each term: shift by a 2d, scaling 2d, division by a binomial 2, summation d (Horner: 2d).
+//   (2) So it is off by at most
+//         sum_j ((5d + 8) u (1 + 2^-20) |c_j| + e_j) T^j,   T = |a| + length >= every |t| involved.
+//   (3) With gamma = (8d + 32) u and m_j = |c_j| + e_j / gamma this is at most gamma * m(T). The
+//       slack (3d + 24) u covers the conversion of c_j from 128-bit integers (3u) and the roundings
+//       of m(T).
+//   (4) Underflow adds at most 2^-1074 per operation, times T^d 2^d: negligible, because
+//       2^-300 <= m(T) <= 2^900 and T <= 2^(600/d) are checked, and d <= kMaxFilterDegree.
+// Time. The polynomial is in s = t - origin. origin is a double and a multiple of a power of two
+// not below the units of the times involved, so t - origin is exact for every double t that
+// matters.
+//
+// Source: Bernstein bisection as in Mehlhorn and Sagraloff's surveys of real root isolation; the
+// bounds are derived here.
 #ifndef KINEX_CORE_FIRST_ROOT_H
 #define KINEX_CORE_FIRST_ROOT_H
 
@@ -74,10 +90,13 @@ class FirstRoot {
   FirstRoot(const double* c, const double* m, int degree, double origin)
       : c_(c), m_(m), degree_(degree), origin_(origin) {}
 
-  // a, b are times s = t - origin; out is in t. The first time in (a, b] where the polynomial changes sign, given that it is positive right after a
-  // and that b - a is finite. kFound: exactly one root lies in out, the polynomial is positive at
-  // out.lo and negative at out.hi, and no sign change lies in (a, out.lo). kNone: it is positive on
-  // (a, b]. A root slightly beyond b may be found as well.
+  // The first time in (a, b] at which the polynomial changes sign. a, b are times s = t - origin;
+  // out is in t.
+  //   kFound    exactly one root lies in out, the polynomial is positive at out.lo and negative at
+  //             out.hi, and no sign change lies in (a, out.lo)
+  //   kNone     it is positive on (a, b]
+  //   kUnknown  not decided
+  // Requires: positive right after a; b - a finite. A root slightly beyond b may be found as well.
   Search operator()(double a, double b, Enclosure& out) const {
     std::array<double, kMaxNodes + 1> pending;  // right ends of nodes still to be looked at
     int top = 0;
@@ -144,7 +163,8 @@ class FirstRoot {
   }
   static constexpr double kTimeLimit = time_limit();
 
-  // Bernstein coefficients on [x, x + length]; returns a bound on the error of each, negative if none.
+  // Bernstein coefficients on [x, x + length]; returns a bound on the error of each, negative if
+  // none.
   double expand(double x, double length, std::array<double, kRoom>& b) const {
     const int n = d();
     for (int i = 0; i <= n; ++i) b[static_cast<std::size_t>(i)] = c_[i];
@@ -178,8 +198,9 @@ class FirstRoot {
     return error_at(std::fabs(x) + length);
   }
 
-  // 0: certainly positive on the whole node; 1: certainly exactly one root, from + to -; 2: neither.
-  // plus, minus: indices of the last + and the first - (for 1). The left end is known to be positive.
+  // 0: certainly positive on the whole node; 1: certainly exactly one root, from + to -; 2: neither
+  // is certain. plus, minus: indices of the last + and the first - (for 1). The left end is
+  // positive.
   int classify(const std::array<double, kRoom>& b, double error, int& plus, int& minus) const {
     const int n = d();
     int i = 1;
@@ -259,8 +280,9 @@ class FirstRoot {
   double origin_;
 };
 
-// A bound beyond which there is no real root (Fujiwara): a power of two; +infinity if the leading
-// coefficient's sign is not certain. e: absolute errors implied by m (see above); none if m is null.
+// A bound beyond which there is no real root (Fujiwara): a power of two; +infinity if the sign of
+// the leading coefficient is not certain. The errors are those implied by m (see above); none if m
+// is null.
 double root_bound(const double* c, const double* m, int degree);
 
 // Dispatches on the degree. Requires degree >= 2; a, b are t - origin, b may be +infinity.

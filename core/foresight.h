@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Foresight: questions about the future: what holds right after an instant to come, and what fails
-// next after it. For algorithms that compute ahead of time what a structure would meet on its way.
-// The motions are those in force; what the future brings in flight plans is not known to it.
+// Foresight: queries at future instants: which signs hold right after one, and what fails next. For
+// algorithms that compute ahead of time what a structure will meet. The motions are those in force;
+// future flight plans are not known.
 #ifndef KINEX_CORE_FORESIGHT_H
 #define KINEX_CORE_FORESIGHT_H
 
@@ -14,8 +14,8 @@
 
 namespace kinex {
 
-// Owns the instants that it has found: it hands out numbers. It is short-lived: nothing may happen
-// to the arithmetic's motions, or to now, while it is there.
+// Owns the instants it has found and hands out numbers for them. Short-lived: the arithmetic's
+// motions and now must not change during its life.
 class Foresight {
  public:
   using Moment = std::uint32_t;
@@ -34,7 +34,7 @@ class Foresight {
     const Visit visit(*this, from);
     return arithmetic_->sign_after(query);
   }
-  // When `query` fails next: `found` is a moment after `from` for kFails, `from` for kFailsNow,
+  // The next failure of `query`: `found` is a moment after `from` for kFails, `from` for kFailsNow,
   // else kNever.
   Outlook failure(const Query& query, Moment from, Moment& found) {
     FailureTime time;
