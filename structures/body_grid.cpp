@@ -27,7 +27,7 @@ std::optional<Rational> BodyGrid::width_for(const Scene& scene, const Rational& 
   }
   const Rational cells(static_cast<int>(64 + scene.objects.size()));
   Rational width = diameter;
-  // By doubling: short numbers stay short.
+  // Doubled, so that short numbers stay short.
   while (width * cells < farthest) width *= Rational(2);
   return width;
 }
@@ -54,7 +54,7 @@ bool BodyGrid::is_beyond(ObjectId body, int axis, std::int64_t k) {
   return kernel_.arithmetic().sign_after(query) != Sign::kNegative;
 }
 
-// The last line that the body is beyond: by steps that double, then halve.
+// The last grid line that the body is beyond: by steps that double, then halve.
 std::int64_t BodyGrid::find_cell(ObjectId body, int axis) {
   constexpr std::int64_t kFarthest = std::int64_t{1} << 60;
   std::int64_t low = 0, high = 1;
@@ -127,7 +127,7 @@ ObjectId BodyGrid::move_on(std::uint32_t tag) {
   return body;
 }
 
-// Cells of one column follow each other.
+// The cells of one column are consecutive in the map.
 std::span<const ObjectId> BodyGrid::near(ObjectId body) {
   near_.clear();
   const Cell& own = places_[body].cell;

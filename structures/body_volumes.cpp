@@ -17,7 +17,8 @@ Rational radius_about(const std::vector<Vertex2>& polygon) {
   return root_above(most);
 }
 
-// At most the distance from the origin to the nearest side; zero if it is not strictly inside.
+// A lower bound on the distance from the origin to the nearest side; zero if the origin is not
+// strictly inside.
 Rational radius_within(const std::vector<Vertex2>& polygon) {
   std::optional<Rational> least;  // the square of that distance
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -29,7 +30,7 @@ Rational radius_within(const std::vector<Vertex2>& polygon) {
     const Rational square = cross * cross / (x * x + y * y);
     if (!least || square < *least) least = square;
   }
-  // Down to a dyadic number of some ten bits: short constants make short certificates.
+  // Rounded down to a dyadic number of some ten bits: short constants make short certificates.
   const Rational radius = Rational(1) / root_above(Rational(1) / *least);
   const std::size_t above = radius.numerator().bit_length(),
                     below = radius.denominator().bit_length();

@@ -22,7 +22,7 @@ std::optional<Query> BoundingVolumes::extra(PairId p) {
   return volumes_.discs_overlap(pair(p).a, pair(p).b);
 }
 
-// Volumes are larger than the bodies.
+// Volumes are larger than the bodies: while one is the proof, the bodies do not touch.
 std::optional<CollisionPairs::Features> BoundingVolumes::touch(PairId p, SignNow* now) {
   if (near_[p] == 0) return std::nullopt;
   return ClosestFeatures::touch(p, now);

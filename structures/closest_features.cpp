@@ -10,9 +10,14 @@ std::vector<std::string_view> ClosestFeatures::event_kinds() const {
   return collision_kinds({"change"});
 }
 
-// The slots of a vertex and an edge: past its first end, short of its last one, after the edge
-// before the vertex, before the edge after it, outside. Of two vertices: for A and then for B',
-// short of the vertex in the direction of the edge after it, past it in that of the edge before it.
+// Slots of a vertex and an edge:
+//   0  past the edge's first end
+//   1  short of its last end
+//   2  after the edge before the vertex
+//   3  before the edge after the vertex
+//   4  outside
+// Slots of two vertices, for A (0, 1) and then for B' (2, 3): short of the vertex in the direction
+// of the edge after it; past it in that of the edge before it.
 Query ClosestFeatures::claim(const SumBoundary& sum, const State& state, std::uint32_t slot) {
   if (state.edge) {
     const std::uint8_t z = state.z, w = SumBoundary::other(z);
@@ -31,7 +36,7 @@ Query ClosestFeatures::claim(const SumBoundary& sum, const State& state, std::ui
   }
   const std::uint32_t x = state.e, y = state.v;
   switch (slot) {
-    // A point may stay on the line of one: where it comes to the vertex the other touches.
+    // A point may stay on the line of one of these: where it reaches the vertex the other touches.
     case 0:
       return sum.at_touch(0, sum.short_of(0, x, false, y));
     case 1:
@@ -59,7 +64,7 @@ bool ClosestFeatures::start(PairId p) {
   const SumBoundary sum = boundary(p);
   const auto holds = [&sum](const Query& query) { return sum.sign(query) != Sign::kNegative; };
   for (const SumBoundary::Edge& edge : sum.edges()) {
-    // The edge of M, and the vertex of M at its last end.
+    // This edge of M, or the vertex of M at its last end.
     if (holds(sum.beyond(edge.z, edge.edge, edge.vertex)) &&
         holds(sum.past(edge.z, edge.edge, false, edge.vertex)) &&
         holds(sum.short_of(edge.z, edge.edge, true, edge.vertex))) {
@@ -80,7 +85,7 @@ bool ClosestFeatures::start(PairId p) {
   return false;
 }
 
-// From a vertex and an edge.
+// The successor of a vertex and an edge.
 ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State& state,
                                              std::uint32_t slot) const {
   const std::uint8_t z = state.z, w = SumBoundary::other(z);
@@ -89,8 +94,8 @@ ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State
   };
   if (slot == 0) return vertices(state.e, state.v);
   if (slot == 1) return vertices(sum.frame(z).after(state.e), state.v);
-  // The edge is parallel to one at the vertex: that one's other end takes over if it projects into
-  // the edge, or the edge's end that projects into that one.
+  // The edge is parallel to one at the vertex: the other end of that one takes over if it projects
+  // into the edge; otherwise the edge's end that projects into that one.
   const bool back = slot == 2;
   const std::uint32_t g = back ? sum.frame(w).before(state.v) : state.v;
   const std::uint32_t v = back ? g : sum.frame(w).after(state.v);
@@ -101,7 +106,8 @@ ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State
   return {true, z, state.e, v};
 }
 
-// From its first end the point lies in the edge's direction; or, from its last one, against it.
+// The point lies in the edge's direction from its first end; or (not forward) against it from the
+// last one.
 bool ClosestFeatures::is_along(const SumBoundary& sum, const SumBoundary::Edge& edge,
                                bool forward) {
   const Query claim = forward ? sum.past(edge.z, edge.edge, false, edge.vertex)
@@ -112,11 +118,11 @@ bool ClosestFeatures::is_along(const SumBoundary& sum, const SumBoundary::Edge& 
 void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
   const SumBoundary sum = boundary(p);
   const State state = state_[p];
-  // The vertex has passed the edge's line: beside the edge, if another certificate fails too.
+  // The vertex has crossed the edge's line: beside the edge, if another certificate fails too.
   for (std::uint32_t i = 0; is_contact_slot(p, slot) && i < 4; ++i) {
     if (sum.sign(claim(sum, state, i)) == Sign::kNegative) slot = i;
   }
-  // At an end of the edge, and staying there: it may slide along the next edge of M.
+  // The point stays at an end of the edge: it may slide along the next edge of M.
   for (std::uint32_t i = 0; is_contact_slot(p, slot) && i < 2; ++i) {
     if (sum.sign(claim(sum, state, i)) != Sign::kZero) continue;
     const bool forward = i == 1;
@@ -134,7 +140,7 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
     to = next(sum, state, slot);
   } else {
     // To the edge of M after the vertex (slots 0 and 2) or before it. The normal cone of a vertex
-    // meets M in that vertex only: where several certificates fail the point may be there, and go
+    // meets M in that vertex only: where several certificates fail the point may be there, and move
     // into M, or out beyond the other edge.
     const auto seen = [&sum](const SumBoundary::Edge& edge) {
       return sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex));
@@ -142,7 +148,7 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
     bool forward = slot % 2 == 0;
     SumBoundary::Edge edge = sum.beside(state.e, state.v, forward);
     const Sign at_edge = seen(edge);
-    // A point that slides along two edges of one line goes to the one that it is on.
+  // Of two edges on one line, a point that slides takes the one that it is on.
     if (at_edge == Sign::kNegative || (at_edge == Sign::kZero && !is_along(sum, edge, forward))) {
       forward = !forward;
       const SumBoundary::Edge other = sum.beside(state.e, state.v, forward);
@@ -164,7 +170,7 @@ CollisionPairs::Features ClosestFeatures::at(const SumBoundary::Edge& edge) {
   return edge.z == 0 ? Features{line, vertex} : Features{vertex, line};
 }
 
-// At a vertex of M all four certificates are zero, and two along edges of A that meet only there.
+// At a vertex of M all four certificates are zero; along edges of A that meet only there, two.
 std::optional<CollisionPairs::Features> ClosestFeatures::touch(PairId p, SignNow* now) {
   const SumBoundary sum = boundary(p);
   const State& state = state_[p];

@@ -54,7 +54,7 @@ void CollisionPairs::certificate_failed(CertificateId failed) {
     const ObjectId body = grid_->move_on(tag);
     update_pairs(body);
     kernel_.report(id_, kGrid, {body}, false);
-    // In an inexact arithmetic it may overlap one that was far away.
+    // In an inexact arithmetic the body may overlap one that was far away.
     for (const PairId p : pairs_of_[body]) {
       if (pairs_[p].touching && std::find(had_.begin(), had_.end(), p) == had_.end()) {
         report_overlap(p);
@@ -70,7 +70,7 @@ void CollisionPairs::certificate_failed(CertificateId failed) {
     follow_near(p);
     pairs_[p].resting = false;
     report(p, kVolume);
-    if (pairs_[p].touching && pairs_[p].certificates > 0) {  // it was the proof up to the contact
+    if (pairs_[p].touching && pairs_[p].certificates > 0) {  // the proof held up to the contact
       report_meeting(p, kContact, features_at(p, pairs_[p].ahead));
     } else if (pairs_[p].touching) {
       report_overlap(p);
@@ -110,7 +110,8 @@ bool CollisionPairs::holds(PairId p) const {
   return true;
 }
 
-// After an event of the pair. While its proof does not hold, another one follows at this instant.
+// After an event of the pair. If its proof does not hold yet, another event follows at this
+// instant.
 void CollisionPairs::look_for_touch(PairId p) {
   Pair& pair = pairs_[p];
   if (now_ == nullptr || pair.touching || pair.apart) return;
@@ -120,7 +121,7 @@ void CollisionPairs::look_for_touch(PairId p) {
   if (found && !pair.resting) {
     const auto ahead = edge_ahead(p, *found);
     report_meeting(p, kGraze, ahead ? features_at(p, *ahead) : *found);
-    // Others that touch zero at this instant are done with it too.
+    // This also settles the others that touch zero at this instant.
     for (std::uint8_t i = 0; i < pair.certificates; ++i) {
       const CertificateId id = pair.certificate[i];
       const Query query = kernel_.query(id);
@@ -132,14 +133,14 @@ void CollisionPairs::look_for_touch(PairId p) {
   pair.resting = found && touch(p, nullptr);
 }
 
-// In doubles it cannot be decided whether they only touch.
+// Doubles cannot decide whether two bodies only touch.
 void CollisionPairs::insert(ObjectId object) {
   add_body(object);
   if (kernel_.is_exact() && scene_.overlapping_starts == OverlappingStarts::kRefused) {
     for (const PairId p : pairs_of_[object]) {
       if (!pairs_[p].touching) continue;
       const ObjectId other = pairs_[p].a == object ? pairs_[p].b : pairs_[p].a;
-      // A body comes at a rational time.
+      // A body appears at a rational time.
       const Polynomial& now = kernel_.arithmetic().name_now(InstantDetail::kName).polynomial;
       const Rational t(-now[0], now[1]);
       throw std::invalid_argument(scene_.objects[object].id + " appears at " + time_text(t) +
@@ -152,7 +153,7 @@ void CollisionPairs::insert(ObjectId object) {
   report_overlaps(object);
 }
 
-// Of a body that is new, in the order of the others.
+// The overlaps of a new body, in the order of the other bodies.
 void CollisionPairs::report_overlaps(ObjectId object) {
   std::vector<std::pair<ObjectId, PairId>> found;
   for (const PairId p : pairs_of_[object]) {
@@ -232,7 +233,7 @@ void CollisionPairs::motions_changed(std::span<const ObjectId> objects) {
   }
 }
 
-// By a volume if there is one that is a proof.
+// By a volume if one is a proof, else by the derived class's proof.
 void CollisionPairs::follow_near(PairId p) {
   if (grid_) {
     if (const auto query = volumes_.proof(pairs_[p].a, pairs_[p].b)) {
@@ -309,7 +310,7 @@ void CollisionPairs::set_certificates(PairId p, std::span<const Query> queries) 
   most_of_pair_ = std::max(most_of_pair_, static_cast<std::uint32_t>(queries.size()));
   const std::array<CertificateId, kMostCertificates> old = pair.certificate;
   const std::uint32_t before = pair.certificates;
-  std::uint32_t used = 0;  // bits: old certificates that stay or are replaced
+  std::uint32_t used = 0;  // bit i: old certificate i stays or is replaced
   std::array<CertificateId, kMostCertificates> now{};
   now.fill(kNoCertificate);
   const auto tag = [p](std::size_t slot) {
@@ -317,7 +318,7 @@ void CollisionPairs::set_certificates(PairId p, std::span<const Query> queries) 
   };
   for (std::size_t slot = 0; slot < queries.size(); ++slot) {
     for (std::uint32_t i = 0; i < before; ++i) {
-      // The one that failed is out of the queue: if its claim is needed again it is made anew.
+      // The failed one has left the queue: if its query is needed again, a new one is made.
       if ((used >> i & 1) != 0 || old[i] == failed_) continue;
       if (!(kernel_.query(old[i]) == queries[slot])) continue;
       used |= 1u << i;
@@ -345,7 +346,7 @@ void CollisionPairs::set_certificates(PairId p, std::span<const Query> queries) 
   pair.certificates = static_cast<std::uint8_t>(queries.size());
 }
 
-// The place of the feature in the scene's list of vertices; frames begin elsewhere.
+// The place of the feature in the scene's list of vertices; a frame's list begins elsewhere.
 ObjectId CollisionPairs::feature_object(ObjectId body, bool negated, Feature feature) {
   if (features_.empty()) features_.resize(scene_.objects.size());
   std::vector<ObjectId>& of_body = features_[body];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The witness of CollisionPairs: CGAL's exact orientations of one polygon's vertices against the
-// edges of the other. Polygons that only touch may be in contact (at the instant of one) or not.
+// CollisionPairs: the audit. The witness is CGAL's exact orientations of one polygon's vertices
+// against the edges of the other. Polygons that only touch may be in contact (at its instant) or
+// not.
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -38,7 +39,7 @@ Placed placed(const SceneObject& body, const Snapshot& snapshot, ObjectId id) {
   return result;
 }
 
-// Some edge of `a` has all of `b` on its other side; `strictly`: and none of it on its line.
+// Some edge of `a` has all of `b` on its other side, and, if `strictly`, none of it on its line.
 bool separates(const Placed& a, const Placed& b, bool strictly) {
   const std::size_t n = a.vertices.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -54,7 +55,7 @@ bool separates(const Placed& a, const Placed& b, bool strictly) {
   return false;
 }
 
-// Two convex polygons whose interiors are disjoint are on two sides of an edge of one of them.
+// Two convex polygons with disjoint interiors are on two sides of an edge of one of them.
 bool overlap(const Placed& a, const Placed& b) {
   return CGAL::do_overlap(a.box, b.box) && !separates(a, b, false) && !separates(b, a, false);
 }

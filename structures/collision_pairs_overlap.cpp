@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CollisionPairs while two bodies overlap: from a contact to the separation.
+// CollisionPairs: two bodies that overlap, from contact to separation.
 #include <stdexcept>
 
 #include "core/check.h"
@@ -17,7 +17,7 @@ OverlapProof CollisionPairs::overlap_proof(const SumBoundary& sum, PairId p) {
   return OverlapProof(*rays_, sum, pairs_[p].pose);
 }
 
-// Two vertices: from the edge after the first one.
+// Searched from the edge after the first vertex if `near` are two vertices.
 std::optional<SumBoundary::Edge> CollisionPairs::edge_ahead(PairId p, const Features& near) {
   const SumBoundary sum = boundary(p);
   const bool of_b = near.of_b.edge;
@@ -26,7 +26,7 @@ std::optional<SumBoundary::Edge> CollisionPairs::edge_ahead(PairId p, const Feat
   return overlap_proof(sum, p).ahead(from);
 }
 
-// The features behind the edge of M that the point is on: at an end of it, two vertices.
+// The features of the edge of M that the point is on: two vertices at an end of it.
 CollisionPairs::Features CollisionPairs::features_at(PairId p, const SumBoundary::Edge& edge) {
   const SumBoundary sum = boundary(p);
   if (now_ != nullptr) {
@@ -40,7 +40,7 @@ CollisionPairs::Features CollisionPairs::features_at(PairId p, const SumBoundary
   return edge.z == 0 ? Features{line, vertex} : Features{vertex, line};
 }
 
-// In an inexact arithmetic there may be no proof: the bodies are then in contact until a motion
+// In an inexact arithmetic there may be no proof: the bodies then stay in contact until a motion
 // changes.
 void CollisionPairs::follow_overlap(PairId p, const std::optional<SumBoundary::Edge>& ahead) {
   if (!ahead) {
@@ -53,7 +53,7 @@ void CollisionPairs::follow_overlap(PairId p, const std::optional<SumBoundary::E
   set_certificates(p, overlap_proof(sum, p).certificates(*ahead));
 }
 
-// Among many bodies: by discs within the two, if they overlap. The edge ahead stays the last one.
+// With three or more bodies: by discs within the two, if they overlap. The edge ahead is kept.
 bool CollisionPairs::follow_discs_within(PairId p) {
   if (!grid_) return false;
   const auto query = volumes_.proof_of_overlap(pairs_[p].a, pairs_[p].b);
@@ -62,8 +62,8 @@ bool CollisionPairs::follow_discs_within(PairId p) {
   return true;
 }
 
-// A proof that is repaired again and again at one instant goes in circles: where edges are parallel
-// several repairs can undo each other. From then on it is started anew, which is right after it.
+// A proof that is repaired again and again at one instant cycles: where edges are parallel several
+// repairs can undo each other. It is then started anew, which is right just after the instant.
 bool CollisionPairs::is_stuck(PairId p) {
   constexpr std::uint8_t kPatience = 64;
   if (!kernel_.is_exact()) return false;
@@ -124,7 +124,7 @@ void CollisionPairs::fail_in_contact(PairId p, std::uint32_t slot) {
   report(p, kInside);
 }
 
-// The motion of one of the two has changed.
+// The motion of one of the two bodies has changed.
 void CollisionPairs::move_in_contact(PairId p) {
   if (pairs_[p].certificates == 0) {  // an inexact arithmetic had no proof
     follow(p);
@@ -139,11 +139,11 @@ void CollisionPairs::move_in_contact(PairId p) {
   if (ahead && !proof.is_inside(*ahead)) part(p, *ahead);
 }
 
-// Across this edge of M.
+// The bodies separate across this edge of M.
 void CollisionPairs::part(PairId p, const SumBoundary::Edge& edge) {
   report_meeting(p, kSeparation, features_at(p, edge));
   pairs_[p].touching = false;
-  pairs_[p].resting = true;  // what they touch now they have touched before
+  pairs_[p].resting = true;  // a touch that goes on is not a new one
   if (leave(p, edge)) return;
   require(!kernel_.is_exact(), "no proof that two bodies are disjoint when they have parted");
   pairs_[p].touching = true;

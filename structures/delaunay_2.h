@@ -104,7 +104,7 @@ class Delaunay2 final : public Structure {
   Attribute attribute() const override;
   Attribute told() const override { return untold_.undone(attribute()); }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
-  // A sheared lattice that passes through the square one needs many flips at one instant.
+  // The common limit is already many times the flips of a lattice sheared through the square one.
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;

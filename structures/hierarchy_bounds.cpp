@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRoom = 1 + 1e-9;
 
-// m * 2^e: no integer is too large.
+// m * 2^e, without a limit on the integer.
 struct Scaled {
   double m;
   long e;
@@ -101,7 +101,7 @@ std::vector<double> relative_heights(const OuterHierarchy& tree) {
     const double area = quotient(abs(cross) * q * q, to_first.w * to_last.w * p * p);
     const double height = area / length(difference(first, last), tree.radius());
     heights[v] = std::isfinite(height) ? height : 0;
-    // Whatever rounding says: heights never grow downwards.
+    // Enforced against rounding: heights never grow downwards.
     if (node.parent != OuterHierarchy::kNone) {
       heights[v] = std::min(heights[v], heights[node.parent]);
     }
@@ -109,7 +109,7 @@ std::vector<double> relative_heights(const OuterHierarchy& tree) {
   return heights;
 }
 
-// Of two bounds that hold, the one with the larger observed / bound; one that does not hold stays.
+// Keeps the bound with the larger observed / bound; one that is violated stays.
 void HierarchyBounds::Worst::note(std::int64_t limit, std::int64_t seen) {
   if (observed > bound) return;
   if (observed >= 0 && seen <= limit &&
@@ -128,7 +128,7 @@ void HierarchyBounds::add(const OuterHierarchy& tree) {
   cuts_.note(static_cast<std::int64_t>(2 * n), static_cast<std::int64_t>(tree.edges().size() - 4));
   look_at_depths(tree, heights);
 
-  // From the highest node down: a node is one more end, unless it takes its parent's place.
+  // From the highest node down: a node adds one to the antichain, unless it replaces its parent.
   std::vector<std::uint32_t> order;
   for (std::uint32_t v = 0; v < heights.size(); ++v) {
     if (heights[v] > 0) order.push_back(v);

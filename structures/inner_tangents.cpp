@@ -12,9 +12,9 @@ std::vector<std::string_view> InnerTangents::event_kinds() const {
   return collision_kinds({"change"});
 }
 
-// Slot 4 k + 2 z + s: of tangent k, at its vertex of polygon z, the edge after it (s = 0) or before
-// it. The first tangent's vertex has the point beyond the edge after it and within the one before;
-// the second's the other way round.
+// Slot 4 k + 2 z + s: tangent k at its vertex of polygon z, against the edge after it (s = 0) or
+// before it (s = 1). At the first tangent's vertex the point is beyond the edge after it and within
+// the one before; at the second's the other way round.
 Query InnerTangents::claim(const SumBoundary& sum, const Tangents& tangents, std::uint32_t slot) {
   const std::size_t k = slot / 4;
   const std::uint8_t z = static_cast<std::uint8_t>(slot / 2 % 2);
@@ -36,7 +36,7 @@ bool InnerTangents::start(PairId p) {
   if (tangents_.size() <= p) tangents_.resize(p + std::size_t{1});
   const SumBoundary sum = boundary(p);
   const std::vector<SumBoundary::Edge> edges = sum.edges();
-  std::vector<Sign> signs;  // where the point is beyond the edge
+  std::vector<Sign> signs;  // positive where the point is beyond the edge
   for (const SumBoundary::Edge& edge : edges) {
     signs.push_back(sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex)));
   }
@@ -66,23 +66,23 @@ SumBoundary::Edge InnerTangents::beside(const SumBoundary& sum, const Touch& tou
   return sum.beside(touch[0], touch[1], forward);
 }
 
-// From the first end of this edge of M the point lies in the edge's direction; or, from the last
-// one, against it.
+// The point lies in the edge's direction from its first end; or (not forward) against it from the
+// last one.
 bool InnerTangents::is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward) {
   const Query claim = forward ? sum.past(edge.z, edge.edge, false, edge.vertex)
                               : sum.short_of(edge.z, edge.edge, true, edge.vertex);
   return sum.sign(claim) == Sign::kPositive;
 }
 
-// The cones of the two vertices have a common normal: their sum is a vertex of M.
+// The cones of the two vertices share a normal, so their sum is a vertex of M.
 bool InnerTangents::is_vertex(const SumBoundary& sum, const Touch& touch) {
   const auto& [x, y] = touch;
   const std::uint32_t e = sum.frame(0).before(x), f = sum.frame(1).before(y);
   return sum.before(0, e, f) ? sum.before(1, f, x) : sum.before(0, e, y);
 }
 
-// At the instant at which two edges become parallel that meet in a vertex of M, this one goes into
-// M and the sum of the edges' other ends comes out.
+// At the instant at which two edges that meet in a vertex of M become parallel, this vertex moves
+// into M and the sum of the edges' other ends comes out.
 InnerTangents::Touch InnerTangents::on_boundary(const SumBoundary& sum, const Touch& touch) {
   if (now_ == nullptr || is_vertex(sum, touch)) return touch;
   BodyFrame &a = sum.frame(0), &b = sum.frame(1);
@@ -107,11 +107,11 @@ InnerTangents::Touch InnerTangents::on_boundary(const SumBoundary& sum, const To
   return touch;
 }
 
-// A tangent's vertex divides the edges of M that the point sees from those that it does not.
-// Several certificates may fail together: it goes along the boundary of M, outwards if the next
-// edge there is seen, or at least not unseen, and else inwards; where the point slides along two
-// edges of one line, after the point. If the tangents meet, nothing is seen, unless it is beside
-// the vertex: then the point passes it outside.
+// A tangent's vertex divides the edges of M that the point sees from those that it does not. When
+// several certificates fail together, the vertex moves along the boundary of M: outwards if the
+// next edge there is seen, or at least not unseen; else inwards; after the point, where this slides
+// along two edges of one line. If the tangents meet, nothing is seen, unless the point is beside
+// the vertex: then it passes the vertex outside.
 void InnerTangents::fail(PairId p, std::uint32_t slot) {
   const SumBoundary sum = boundary(p);
   Tangents tangents = tangents_[p];
@@ -157,7 +157,7 @@ CollisionPairs::Features InnerTangents::at(const SumBoundary::Edge& edge) {
   return edge.z == 0 ? Features{line, other} : Features{other, line};
 }
 
-// All edges that the point sees are on two lines at most that meet where it is.
+// All edges that the point sees lie on at most two lines, which meet where it is.
 std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, SignNow* now) {
   const SumBoundary sum = boundary(p);
   const Tangents& tangents = tangents_[p];
@@ -166,7 +166,7 @@ std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, SignNow* 
   };
   if (!is_on_line(beside(sum, tangents[1], false))) return std::nullopt;
   Touch at_first = tangents[0];
-  // Two edges on a line, if they are parallel.
+  // Two edges lie on one line if they are parallel.
   for (int i = 0; i < 4; ++i) {
     const SumBoundary::Edge edge = beside(sum, at_first, true);
     if (!is_on_line(edge)) break;

@@ -8,8 +8,8 @@
 
 namespace kinex {
 
-// The order is that of ties in the queue: a side that fails at a touch too comes where it would
-// come without that.
+// Predicates are bound in the order in which ties leave the queue: a side that fails at a touch too
+// comes where the plain side would.
 PosePredicates::PosePredicates(Kernel& kernel) {
   const std::array<Frame, 2> frames{Frame::kA, Frame::kB};
   for (std::size_t z = 0; z < 2; ++z) {
@@ -38,7 +38,8 @@ MixedTiles::MixedTiles(Kernel& kernel, const PosePredicates& predicates, ObjectI
   turns_ = motion.coordinates[5].size() > 1 || motion.coordinates[6].size() > 1;
   if (tree(0).is_point() || tree(1).is_point()) return;
   if (tree(0).radius() == tree(1).radius()) return;
-  // The error at equal levels is a quarter per two levels of the radius: the smaller polygon waits.
+  // The error at equal levels is a quarter of the radius per two levels: the smaller polygon starts
+  // later.
   const std::uint8_t small = tree(1).radius() < tree(0).radius() ? 1 : 0;
   Rational reach = Rational(2) * tree(small).radius();
   for (int& offset = offset_[small]; reach <= tree(other(small)).radius(); offset += 2) {
@@ -124,7 +125,7 @@ Query MixedTiles::order_after(std::uint8_t z, Id e, Id f) const {
 bool MixedTiles::before(std::uint8_t z, Id e, Id f) const {
   const Query query = order(z, e, f);
   const Sign sign = kernel_.arithmetic().sign_after(query);
-  // Parallel for ever: A's normal comes first.
+  // Identically parallel: A's normal comes first.
   return sign == Sign::kPositive || (sign == Sign::kZero && z == 0);
 }
 
@@ -155,7 +156,7 @@ MixedTiles::Move MixedTiles::inner_side(const Tile& tile) const {
   return {std::nullopt, other(tile.x), tile.other, own};
 }
 
-// The line of edge e of Z at this node of W supports M: the node is at a vertex, or one of its
+// The line of edge e of Z at this node of W supports M if the node is at a vertex, or one of its
 // edges is parallel to e.
 bool MixedTiles::supports(std::uint8_t z, Id e, Id node, SignNow* now) const {
   const std::uint8_t w = other(z);
@@ -169,8 +170,8 @@ bool MixedTiles::is_parallel(std::uint8_t z, Id e, Id f, SignNow* now) const {
   return sign(order(z, e, f), now) == Sign::kZero;
 }
 
-// A line that does not support M does at an instant at which normals are parallel: the point may
-// touch it there.
+// A line that does not support M may do so at an instant at which normals are parallel: the point
+// may touch it there.
 Query MixedTiles::inner(const Tile& tile) const {
   const Move at = inner_side(tile);
   Query query = side(at.x, at.edge, at.node, false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From tile to tile.
+// MixedTiles: moves from tile to tile.
 #include <algorithm>
 #include <span>
 
@@ -56,11 +56,10 @@ MixedTiles::Move MixedTiles::descend(std::uint8_t z, Id edge, Id node, int time)
   }
 }
 
-// A side is a segment, its certificate a line: where sides fail together, at a corner or because a
-// tile is flat, the point may have passed the line beside the segment. If it is in M then, it has
-// passed the next edge of M, which may go on along the same line. At a sharp corner of M it may
-// pass one side and slide along the other: if it is at a corner, the search tells whether it is in
-// M.
+// A side is a segment, its certificate a line. Where sides fail together, at a corner or because a
+// tile is flat, the point may have crossed the line beside the segment. If it is then in M, it has
+// crossed the next edge of M, which may continue along the same line. At a sharp corner of M it may
+// cross one side and slide along the other: at a corner, the search decides whether it is in M.
 MixedTiles::Move MixedTiles::at_boundary(std::uint8_t z, Id edge, Id node) const {
   const Id l = first_end(z, edge, kNever), r = last_end(z, edge, kNever);
   const Move here{std::nullopt, z, edge, node};
@@ -86,8 +85,8 @@ MixedTiles::Move MixedTiles::at_boundary(std::uint8_t z, Id edge, Id node) const
   return {std::nullopt, w, f, facing(z, own, w, f, kNever), true};
 }
 
-// Of the two inner sides of a parallelogram, or of the two outer ones, that both fail: the one that
-// the point has passed. They are one line while f is parallel to the other sides.
+// Of the two inner (or the two outer) sides of a parallelogram that both fail: the one that the
+// point has crossed. They lie on one line while f is parallel to the other sides.
 std::uint32_t MixedTiles::choose_side(const Tile& tile, std::uint32_t slot) const {
   const std::uint8_t x = tile.x, y = other(x);
   const bool left = tile.kind == Tile::Kind::kLeft;
@@ -150,9 +149,14 @@ MixedTiles::Move MixedTiles::cross(const Tile& tile, std::uint32_t slot) const {
   return to(ascend(x, v.right_edge, y2, time));
 }
 
-// Two tiles make one trapezoid while the base of the triangle is parallel to f: before and after
-// that it is divided in two ways. The point is in one of the two new tiles: the side between them
-// tells.
+// While the base of the triangle is parallel to f, two tiles make one trapezoid; before and after
+// that it is divided in two different ways. The point is in one of the two new tiles; the side
+// between them decides:
+//
+//      ____f____ __c__              __c__ ____f____
+//      \        \    /              \    /        /
+//       \        \  /      --->      \  /        /
+//        \________\/                  \/________/
 std::optional<MixedTiles::Move> MixedTiles::flip(const Tile& tile, std::uint32_t slot) const {
   const std::uint8_t x = tile.x, y = other(x);
   const auto to = [](const Tile& next) { return Move{next, 0, 0, 0}; };
@@ -162,7 +166,7 @@ std::optional<MixedTiles::Move> MixedTiles::flip(const Tile& tile, std::uint32_t
   }
   const OuterHierarchy::Node& v = tree(x).node(tile.v);
   const int time = cut_time(x, tile.v);
-  // m has come before f: the triangle at f's first end, or the right parallelogram.
+  // m is now before f: the triangle at f's first end, or the right parallelogram.
   const auto before_f = [&](Id f) {
     const Id y1 = first_end(y, f, time);
     if (beyond(x, v.right_edge, y1)) return to({Tile::Kind::kRight, x, tile.v, f});
@@ -199,7 +203,7 @@ std::optional<MixedTiles::Move> MixedTiles::next(const Tile& tile, std::uint32_t
 
 // ---- where the point is
 
-// The tile exists at this angle: its normals are in order.
+// True if the tile exists at this angle, that is, its normals are in order.
 bool MixedTiles::holds(const Tile& tile) const {
   const Certificates proof = certificates(tile);
   for (std::uint32_t i = 0; i < proof.sides; ++i) {
@@ -226,14 +230,14 @@ std::optional<Tile> MixedTiles::locate_half() const {
   return std::nullopt;
 }
 
-// The tiles of one cut.
+// Searches the tiles of one cut.
 std::optional<Tile> MixedTiles::locate_at(std::uint8_t x, Id node) const {
   const std::uint8_t y = other(x);
   const OuterHierarchy::Node& v = tree(x).node(node);
   const int time = cut_time(x, node);
   Id w = 0;
   if (!tree(y).is_point()) {
-    // The corner whose cone holds the new normal, then down.
+    // From the corner whose cone holds the new normal downwards.
     while (w < 3 && !(!before(x, v.cut, tree(y).node(w).left_edge) &&
                       before(x, v.cut, tree(y).node(w).right_edge))) {
       ++w;
@@ -247,7 +251,7 @@ std::optional<Tile> MixedTiles::locate_at(std::uint8_t x, Id node) const {
   const Tile triangle{Tile::Kind::kTriangle, x, node, w};
   if (holds(triangle)) return triangle;
   if (tree(y).is_point()) return std::nullopt;
-  // Not more than once around: an inexact arithmetic may know no end.
+  // At most once around: in an inexact arithmetic the walk may not end.
   const Id last = edge_after(y, w, time);
   for (Id f = edge_before(y, w, time); before(x, v.left_edge, f);) {
     const Tile tile{Tile::Kind::kLeft, x, node, f};

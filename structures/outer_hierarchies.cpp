@@ -12,7 +12,7 @@ void OuterHierarchies::build(std::span<const ObjectId> objects) {
   for (const ObjectId object : objects) insert(object);
 }
 
-// Nothing that time has touched.
+// Nothing depends on time.
 void OuterHierarchies::rebuild() {}
 
 void OuterHierarchies::insert(ObjectId object) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The witness of OuterHierarchies: CGAL's exact areas, orientations and tests of convexity, on the
-// polygons of the scene and on the stages of their hierarchies.
+// OuterHierarchies: the audit. The witness is CGAL's exact areas, orientations and tests of
+// convexity, on the polygons of the scene and on the stages of their hierarchies.
 #include <CGAL/Gmpq.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Simple_cartesian.h>
@@ -51,8 +51,8 @@ Polygon stage_of(const OuterHierarchy& tree, int k) {
   return {stage.begin(), stage.end()};
 }
 
-// Both convex and counter-clockwise: no vertex of `inner` is right of an edge of `outer`. The
-// vertex furthest to the right goes round once.
+// Both are convex and counter-clockwise: no vertex of `inner` is right of an edge of `outer`. The
+// vertex furthest to the right advances monotonically, once around.
 bool holds(const Polygon& outer, const Polygon& inner) {
   const std::size_t n = outer.size(), m = inner.size();
   const auto goes_right = [](const Vector& along, const Point& from, const Point& to) {
@@ -84,7 +84,7 @@ void audit_tree(const OuterHierarchy& tree, const Polygon& polygon, const std::s
                          (polygon.top_vertex()->y() - polygon.bottom_vertex()->y());
   report.check(outer.is_convex() && outer.area() == box && holds(outer, polygon),
                bad("the first stage is not the bounding box in"));
-  CGAL::Gmpq left = box;  // of the box, without the tiles
+  CGAL::Gmpq left = box;  // of the box, after the tiles
   for (const OuterHierarchy::Node& node : tree.nodes()) {
     if (node.cut == OuterHierarchy::kNone) continue;
     const CGAL::Gmpq tile = CGAL::area(point(tree.node(node.left).apex), point(node.apex),

@@ -37,7 +37,7 @@ OuterHierarchy OuterHierarchy::of_point(FramePoint point) {
 OuterHierarchy::OuterHierarchy(FramePolygon polygon, CutPolicy policy)
     : polygon_(std::move(polygon)) {
   make_box();
-  std::vector<std::uint32_t> open;  // nodes that are not cut, at this level
+  std::vector<std::uint32_t> open;  // nodes not yet cut, at this level
   for (std::uint32_t v = 0; v < 4; ++v) {
     ranges_.resize(nodes_.size());
     if (nodes_[v].count > 0) open.push_back(v);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the policies of OuterHierarchy cut.
+// OuterHierarchy: the cuts chosen by each policy.
 #include <optional>
 #include <utility>
 
@@ -20,7 +20,7 @@ OuterHierarchy::Choice OuterHierarchy::choose(std::uint32_t v, CutPolicy how) co
   return dudley(v);
 }
 
-// The cut of this normal, or, if it would split nothing of the chain, that of the chain's end.
+// The cut with this normal, or, if it would split nothing off the chain, along the chain's end.
 OuterHierarchy::Choice OuterHierarchy::by_normal(const Node& node, const FrameLine& normal) const {
   Choice choice;
   std::uint32_t low = 0, high = node.count;  // the first edge whose normal is not before this one
@@ -69,9 +69,9 @@ OuterHierarchy::Choice OuterHierarchy::compass(std::uint32_t v) const {
   return choice;
 }
 
-// The outline of the square of half-side 2 r about the centre by s in [-1, 7], 2 for a side: s = 0,
-// 2, 4, 6 at the middles of its sides, counter-clockwise from the right one. Every point of it is
-// at least r away from P, and nearest points move no faster than the points they are nearest to.
+// The outline of the square of half-side 2 r about the centre, parametrised by s in [-1, 7], 2 for
+// a side: s = 0, 2, 4, 6 at the middles of its sides, counter-clockwise from the right one. Every
+// point of it is at least r away from P, and nearest points on P move no faster than it.
 OuterHierarchy::Choice OuterHierarchy::dudley(std::uint32_t v) const {
   const Node& node = nodes_[v];
   const Range& range = ranges_[v];

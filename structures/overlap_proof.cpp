@@ -46,8 +46,8 @@ bool OverlapProof::is_inside(const Edge& edge) const {
   return sum_.sign(certificate(edge, kInside)) == Sign::kPositive;
 }
 
-// First to the vertex whose cone holds the edge's normal, always the same way round; then along M,
-// always the same way too.
+// The search first finds the vertex whose cone holds the edge's normal, always in the same
+// direction; then it follows M, again always in the same direction.
 std::optional<OverlapProof::Edge> OverlapProof::ahead(Edge from) const {
   const BodyFrame& other = sum_.frame(SumBoundary::other(from.z));
   std::uint32_t steps = 0;

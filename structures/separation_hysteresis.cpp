@@ -10,7 +10,7 @@
 namespace kinex {
 namespace {
 
-// What a wedge withstands, in thousandths of the separation.
+// The motion that a wedge withstands, in thousandths of the separation.
 constexpr int kWithstands = 230;
 
 }  // namespace
@@ -40,7 +40,7 @@ RoughPose SeparationHysteresis::pose_now(PairId p, Frame frame) {
   return RoughPose::precise(pose, now, frame);
 }
 
-// True if a wedge holds right after now and is in place.
+// True if a wedge that holds right after now is in place.
 bool SeparationHysteresis::put_wedge(PairId p) {
   const RoughPose pose = pose_now(p, Frame::kA);
   const auto plan = plan_wedge(rough(pair(p).a, false), rough(pair(p).b, true), pose);
@@ -72,7 +72,7 @@ bool SeparationHysteresis::put_wedge(PairId p, const WedgePlan& plan, const Roug
   }
   const ObjectId body = pair(p).pose;
   const PosePredicates& x = predicates_;
-  // The orders take the line of A first, so that seen from B' they are each other's reverse.
+  // Orders take the line of A first, so that seen from B' they are each other's reverse.
   const std::array<Query, 3> all =
       line_of == Frame::kA
           ? std::array<Query, 3>{Query(x.side[0], {body, ids[0], ids[3]}),
@@ -111,7 +111,7 @@ double SeparationHysteresis::moving_reach(PairId p, Frame line_of) {
   return rough(of_a ? pair(p).b : pair(p).a, of_a).reach;
 }
 
-// What the doubles may be wrong by is taken for displacement.
+// The error of the doubles counts as displacement.
 void SeparationHysteresis::measure(PairId p) {
   const Wedge& wedge = wedges_[p];
   const RoughPose pose = pose_now(p, wedge.line_of);
@@ -124,7 +124,7 @@ void SeparationHysteresis::measure(PairId p) {
   least_ = std::min(least_, (moved + reach * std::fabs(turned) + error) / wedge.separation);
 }
 
-// A wedge leaves room.
+// While a wedge holds the bodies are apart.
 std::optional<CollisionPairs::Features> SeparationHysteresis::touch(PairId p, SignNow* now) {
   if (wedges_[p].in_use) return std::nullopt;
   return ClosestFeatures::touch(p, now);
@@ -150,7 +150,7 @@ void SeparationHysteresis::fail(PairId p, std::uint32_t slot) {
     report(p, kWedge);
     return;
   }
-  // A wedge proves that there is room: only an inexact arithmetic comes here.
+  // A wedge proves a positive distance: reached only in an inexact arithmetic.
   kernel_.corrupt(id_, "the bodies meet although a wedge was between them");
 }
 

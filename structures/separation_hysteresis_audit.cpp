@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A wedge's line, looked at by itself: it has the polygon that it belongs to on one side and all
-// vertices of the other one, where they are in the world, on the other side. Where a disc is the
-// proof, the line keeps off its middle only, and a parallel to it the polygon.
+// SeparationHysteresis: independent check of a wedge's line: its own polygon lies on one side and
+// all vertices of the other one, placed in the world, on the other. Where a disc is the proof, the
+// line only avoids the disc's middle, and a parallel to it the polygon.
 #include <algorithm>
 #include <vector>
 

@@ -66,7 +66,7 @@ CollisionPairs::Features SeparationMinkowski::features(PairId p, const MixedTile
   const Sum& made = *sums_[p];
   const OuterHierarchy& tree = made.frame->hierarchy();
   const OuterHierarchy::Edge& edge = tree.edge(move.edge);
-  if (edge.polygon_edge == OuterHierarchy::kNone) {  // a line that only touches M, at a vertex
+  if (edge.polygon_edge == OuterHierarchy::kNone) {  // a line that touches M only at a vertex
     std::uint32_t end = edge.first;
     while (tree.node(end).right != OuterHierarchy::kNone) end = tree.node(end).right;
     const std::size_t i = tree.node(end).begin % tree.polygon().size();

@@ -43,7 +43,7 @@ void SeparationMixed::enter(PairId p, const MixedTiles& about, const Tile& tile)
   set_certificates(p, {queries.data(), count});
 }
 
-// It may begin to slide, or end, or slide along a side of M that is longer now.
+// The point may begin to slide, stop, or slide along a side of M that is longer now.
 void SeparationMixed::moved(PairId p) {
   if (now_ == nullptr) return;
   Proof queries;
@@ -110,7 +110,7 @@ void SeparationMixed::fail(PairId p, std::uint32_t slot) {
   const Tile from = tile_[p];
   level_ = about.level(from);
   const MixedTiles::Certificates proof = about.certificates(from);
-  if (slot >= proof.count) {  // it comes to a side of M, or leaves it, along the side's line
+  if (slot >= proof.count) {  // the point reaches a side of M, or leaves it, along the side's line
     enter(p, about, from);
     report(p, kSide);
     return;
@@ -151,7 +151,7 @@ CollisionPairs::Features SeparationMixed::features(PairId p, const MixedTiles::M
                    tree.node(leaf).begin % static_cast<std::uint32_t>(tree.polygon().size())};
   };
   const OuterHierarchy::Edge& edge = own.edge(move.edge);
-  // A line that only touches the polygon touches it at a vertex.
+  // A line that touches the polygon only at a vertex.
   std::uint32_t end = edge.first;
   while (own.node(end).right != OuterHierarchy::kNone) end = own.node(end).right;
   const Feature line = edge.polygon_edge == OuterHierarchy::kNone
