@@ -24,8 +24,7 @@ void ConvexHull2::give_up(const std::string& what) {
   kernel_->corrupt(id_, what);
 }
 
-// The points of a chain, from left to right, without those that are on it by the rule for ties
-// only.
+// The points of a chain, from left to right, without those that only the rule for ties puts on it.
 std::vector<ObjectId> ConvexHull2::strict_chain(Index node) const {
   std::vector<ObjectId> chain;
   for (Index e = nodes_[node].first; e != kNone; e = edges_[e].next) {

@@ -60,7 +60,7 @@ void ConvexHull2::check_chain(Index node, AuditReport& report) const {
                [&] { return named("the end of the chain of node", node); });
 }
 
-// The merged order, contenders, crossings and purple, followed from left to right; and each claim
+// Checks the merged order, contenders, crossings and purple from left to right, and each claim
 // against the signs just after now.
 void ConvexHull2::check_merge(Index node, AuditReport& report) const {
   const Half side = half(node);
@@ -123,7 +123,7 @@ void ConvexHull2::check_merge(Index node, AuditReport& report) const {
   report.check(shown == 0, bad("the links to purple of node"));
 }
 
-// Every certificate that the state asks for is there, and says what it should; no other one is.
+// Every certificate that the state requires exists, with the right query, and no other one does.
 void ConvexHull2::check_certificates(Index node, AuditReport& report) const {
   const auto bad = [&](const char* what, Index e) { return [what, e] { return named(what, e); }; };
   const auto expect = [&](Slot slot, Index place, CertificateId c, bool wanted) {

@@ -17,8 +17,8 @@ std::vector<BoundCheck> ConvexHull2::bounds(const BoundContext& context) const {
   const auto n = static_cast<std::int64_t>(context.objects());
   std::int64_t levels = 0;
   for (std::int64_t k = 1; k < n; k *= 2) ++levels;
-  // A node of m lines has 2 ends, and fewer than m corners with x, y and two slopes each at most;
-  // each half has levels of n lines in all.
+  // A node of m lines has 2 end certificates and fewer than m corners, with x, y and at most two
+  // slopes each; each half has levels of n lines in all.
   if (!context.dynamic) {
     checks.push_back(at_most(prefix + ".compactness",
                              "per half and node 2 at the ends, 4 per corner of its m lines: at "
@@ -58,9 +58,9 @@ std::vector<BoundCheck> ConvexHull2::bounds(const BoundContext& context) const {
   return checks;
 }
 
-// Failures at all nodes of one height: what a certificate of a node names lies on both sides of it,
-// so each pair, triple and four points belong to one node, and each is counted as often as in the
-// bounds for the whole tree. The largest heights of a tree that is not full have few nodes.
+// Failures at all nodes of one height. The lines of a node's certificate come from both of its
+// children, so each pair, triple and quadruple of points belongs to one node and counts as often as
+// in the bounds for the whole tree. The largest heights of a tree that is not full have few nodes.
 void ConvexHull2::add_level_bounds(const BoundContext& context,
                                    std::vector<BoundCheck>& checks) const {
   if (root_ == kNone) return;

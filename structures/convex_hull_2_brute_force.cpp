@@ -30,7 +30,7 @@ void ConvexHull2BruteForce::claim(const Query& query, Kind kind) {
   certificates_.push_back(kernel_->create(id_, query, kind).id);
 }
 
-// The point is left of u v, or on it between its ends for ever.
+// The point is left of u v, or identically on it between its ends.
 void ConvexHull2BruteForce::claim_inside(ObjectId u, ObjectId v, ObjectId point) {
   const Kernel::Created created =
       kernel_->create(id_, signs_.left_turn(u, v, point), static_cast<std::uint32_t>(kInside));
@@ -60,7 +60,7 @@ void ConvexHull2BruteForce::certify_all() {
   most_certificates_ = std::max(most_certificates_, certificates_.size());
 }
 
-// The hull just after now, and everything that proves it.
+// Finds the hull just after now and makes all certificates that prove it.
 void ConvexHull2BruteForce::find_hull() {
   retract_all();
   cycle_ = static_hull(signs_, members());
@@ -95,7 +95,7 @@ void ConvexHull2BruteForce::certificate_failed(CertificateId failed) {
     return kernel_->corrupt(id_, "a certificate fails again and again");
   }
   if (!kernel_->is_exact() && static_hull(signs_, members()) == cycle_) {
-    // The signs say otherwise: the certificate is given up.
+    // The signs contradict the failure: the certificate is dropped.
     certificates_.erase(std::find(certificates_.begin(), certificates_.end(), failed));
     return;
   }
@@ -116,8 +116,8 @@ void ConvexHull2BruteForce::erase(ObjectId object) {
   events_.begin(cycle_);
 }
 
-// Certificates have been rescheduled. Where points are, or come to be, on a hull edge for ever, or
-// equal, a change may show in no certificate.
+// Certificates have been rescheduled. Where points are, or come to be, identically on a hull edge,
+// or equal, a change may show in no certificate.
 void ConvexHull2BruteForce::motions_changed(std::span<const ObjectId> objects) {
   repeats_.clear();
   if (cycle_.size() < 3 || signs_.tied()) look_again_ = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ConvexHull2: the static algorithm: the tree, and the merge of two chains at a node.
+// ConvexHull2: the static algorithm. The tree, and the merge of two chains at a node.
 #include <algorithm>
 #include <utility>
 
@@ -52,7 +52,7 @@ void ConvexHull2::free_chain(Index node) {
   nodes_[node].first = nodes_[node].last = kNone;
 }
 
-// A line at the right end of a chain.
+// Appends a line at the right end of a chain.
 ConvexHull2::Index ConvexHull2::append(Index node, ObjectId point) {
   const Index e = allocate_edge(node, point);
   Node& n = nodes_[node];
@@ -70,7 +70,7 @@ void ConvexHull2::merge(Index node) {
   merge_certificates(node);
 }
 
-// The corners of both chains in the order of x, their contenders, and on which side they are.
+// The corners of both chains in the order of x, with their contenders and sides.
 void ConvexHull2::merge_corners(Index node) {
   Index lines[2];  // blue, red: where the sweep is
   for (const int which : {0, 1}) {
@@ -98,7 +98,7 @@ void ConvexHull2::merge_corners(Index node) {
   nodes_[node].red[1] = signs_.slopes_hold(edges_[lines[0]].point, edges_[lines[1]].point);
 }
 
-// What is above, from left to right.
+// The upper of the two chains, from left to right.
 void ConvexHull2::merge_purple(Index node) {
   const Index red = nodes_[child(node, 0)].first, blue = nodes_[child(node, 1)].first;
   const auto show = [this, node](Index line) {
@@ -156,7 +156,7 @@ void ConvexHull2::update_sizes(Index t) {
   node.height = 1 + std::max(a.height, b.height);
 }
 
-// A balanced tree, merged; the root of it.
+// Builds and merges a balanced tree; returns its root.
 ConvexHull2::Index ConvexHull2::build_tree(std::span<const ObjectId> objects) {
   const Index t = allocate_tree_node();
   if (objects.size() == 1) {

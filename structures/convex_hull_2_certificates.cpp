@@ -30,7 +30,7 @@ ConvexHull2::Index ConvexHull2::last_of_run(Index line) const {
   return c != kNone && edges_[c].red != e.red ? c : kNone;
 }
 
-// ---- what is said
+// ---- claims
 
 Query ConvexHull2::base_query(Slot slot, Index place) const {
   if (slot >= kSlotLeft) {
@@ -122,7 +122,7 @@ void ConvexHull2::refresh(Slot slot, Index place) {
   }
 }
 
-// The certificate is zero for ever.
+// The certificate is identically zero.
 void ConvexHull2::resolve_tie(Slot slot, Index place, CertificateId& certificate) {
   signs_.note_tie();
   if (tied_.size() > 64 + 8 * edges_.size()) {
@@ -173,7 +173,7 @@ void ConvexHull2::refresh_end(Index node, int end) {
   refresh(end == 0 ? kSlotLeft : kSlotRight, node);
 }
 
-// ---- where slopes fall
+// ---- where slopes fall in their runs
 
 void ConvexHull2::drop_claim(Index line) {
   const Index corner = edges_[line].claimant;
@@ -190,7 +190,7 @@ void ConvexHull2::drop_claim(Index line) {
 void ConvexHull2::set_claim(Index line, Index corner, Claim claim) {
   const Index old = edges_[line].claimant;
   if (old != kNone && old != corner) {
-    // The certificates move along.
+    // The certificates move to the new corner.
     Edge& from = edges_[old];
     Edge& to = edges_[corner];
     for (const Slot slot : {kSlotS1, kSlotS2}) {
@@ -212,8 +212,8 @@ void ConvexHull2::set_claim(Index line, Index corner, Claim claim) {
   refresh_y(corner);
 }
 
-// The claim about a line, if one is needed: found from the present one or from `hint`, a corner of
-// the run. Slopes grow along the run, so one looks in one direction only.
+// Finds the claim about a line, if one is needed, starting from the present one or from `hint`, a
+// corner of the run. Slopes grow along the run, so the search goes in one direction only.
 void ConvexHull2::refresh_claim(Index line, Index hint) {
   if (variant_ == Variant::kNaive) return;
   const Index first = first_of_run(line);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ConvexHull2: one line more or less on the chain of a node, and what follows at its ancestors.
+// ConvexHull2: one line more or less on the chain of a node, and the consequences at its ancestors.
 //
 // At such an instant the corners that come and go are at one place (at the ends: infinitely far),
-// so a new corner stands beside the old one in the parent's merged order, with the same contender
-// and on the same side of it.
+// so a new corner takes its place beside the old one in the parent's merged order, with the same
+// contender and on the same side of it.
 #include <algorithm>
 
 #include "structures/convex_hull_2.h"
@@ -24,7 +24,7 @@ void ConvexHull2::unlink(Index node, Index corner) {
   e.left = e.right = kNone;
 }
 
-// On the chain of the root, or of a node whose parent is stale: then the hull is read anew anyway.
+// For a chain of the root, or of a node whose parent is stale: then the hull is read anew anyway.
 void ConvexHull2::note_root_change(Index node, Index a, Index b, ObjectId point, bool enters) {
   hull_changed_ = true;
   const bool inside = a != kNone && b != kNone && node / 2 == root_;
@@ -33,7 +33,7 @@ void ConvexHull2::note_root_change(Index node, Index a, Index b, ObjectId point,
   root_change_ = {point, edges_[a].point, edges_[b].point, half(node), enters};
 }
 
-// A new line between a and b, neighbours on the chain, or at an end of it (a or b is kNone).
+// Adds a line between a and b, neighbours on the chain, or at an end of it (a or b is kNone).
 ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId point) {
   const Index c = allocate_edge(node, point);
   edges_[c].previous = a;
@@ -91,14 +91,14 @@ ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId poi
   return c;
 }
 
-// A line leaves its chain; it is not the only one there.
+// Removes a line from its chain. Requires that it is not the only one.
 void ConvexHull2::leave(Index node, Index edge) {
   const Index a = edges_[edge].previous, b = edges_[edge].next;
   const Index p = merge_of(edge);
   if (p == kNone) note_root_change(node, a, b, edges_[edge].point, false);
   bool merged = p != kNone;
   const int end = a == kNone ? 0 : 1;
-  // The corner that goes, with its claims; its place is taken by a's if that stays.
+  // The corner that is removed, with its claims; a's corner takes its place if that stays.
   const bool inside = a != kNone && b != kNone;
   const Index corner = inside || end == 0 ? edge : a;
   if (merged) {
@@ -153,9 +153,9 @@ void ConvexHull2::leave(Index node, Index edge) {
   refresh_claim(over, end == 0 ? right : left);
 }
 
-// ---- nodes that no repair in place can help
+// ---- nodes that cannot be repaired in place
 
-// Takes all that the merge of a node has said about the corners of its children.
+// Clears what the merge of a node has stored at the corners of its children.
 void ConvexHull2::clear_merge(Index node) {
   for (CertificateId& c : nodes_[node].ends) drop(c);
   for (const int which : {0, 1}) {

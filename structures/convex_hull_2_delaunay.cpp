@@ -41,8 +41,8 @@ std::vector<ObjectId> ConvexHull2Delaunay::cycle() const {
 
 void ConvexHull2Delaunay::build(std::span<const ObjectId>) { events_.begin(cycle()); }
 
-// Flips inside do not count. After a failure the triangulation may go on changing at this instant:
-// the hull is looked at when the instant is settled. What was built anew, or settled, is final.
+// Inner flips do not matter. After a failure the triangulation may go on changing at this instant,
+// so the hull is read when the instant is settled. A rebuild, or a "settled", is final.
 void ConvexHull2Delaunay::look() {
   if (!events_.repairs_to_come()) return events_.settle(cycle());
   kernel_->set_instant_shared(id_, true);

@@ -6,10 +6,10 @@
 
 namespace kinex {
 
-// ---- what the next failures will read is fetched while this one is repaired; nothing changes
-// (an empty asm statement keeps compilers from dropping calls that have no other effect)
+// ---- prefetch: what the next failures will read, fetched while this one is repaired; no effect on
+// the state (an empty asm statement keeps compilers from dropping the calls)
 
-// Before the repair: the places of the failures to come, and what is around the very next one.
+// Before the repair: the places of the coming failures, and the surroundings of the very next one.
 void ConvexHull2::fetch_places() const {
   asm volatile("");
   for (std::size_t i = 1; i <= 4; ++i) {
@@ -28,7 +28,7 @@ void ConvexHull2::fetch_places() const {
   if (e.merge != kNone) __builtin_prefetch(nodes_.data() + e.merge);
 }
 
-// After it: the certificates there, and what may change on purple.
+// After the repair: the certificates at those places, and what may change on purple.
 void ConvexHull2::fetch_certificates() const {
   asm volatile("");
   const std::uint32_t tag = kernel_->upcoming_tag(id_, 0);
@@ -53,7 +53,7 @@ void ConvexHull2::certificate_failed(CertificateId failed) {
   if (!kernel_->is_exact() && repeats_.failed(kernel_->query(failed))) {
     return give_up("a certificate fails again and again");
   }
-  // A tie may have been resolved otherwise, without anything to repair.
+  // A tie may have been resolved differently, with nothing to repair.
   const bool tie = signs_.tied() && kernel_->query(failed) != base_query(slot, place);
   drop(certificate_of(slot, place));
   if (tie && claim_holds(slot, place)) {
@@ -68,7 +68,7 @@ void ConvexHull2::certificate_failed(CertificateId failed) {
   if (!kernel_->instant_is_shared(id_) && !unsettled_) finish_instant();
 }
 
-// Claims that are negative for ever by the rule for ties.
+// Repairs claims that the rule for ties makes negative although they are identically zero.
 void ConvexHull2::work_off() {
   const std::size_t most = 1000 + 8 * edges_.size();
   for (std::size_t i = 0; i < todo_.size(); ++i) {
@@ -85,18 +85,18 @@ void ConvexHull2::work_off() {
   todo_.clear();
 }
 
-// More repairs at one instant than there are lines: the static algorithm is faster. finish_instant
-// reports what changes on the hull.
+// With more repairs at one instant than there are lines the static algorithm is faster.
+// finish_instant reports the changes of the hull.
 void ConvexHull2::start_afresh() {
   spent_ = 0;
-  if (!kernel_->is_exact()) return;  // the guard of the simulator sees to it
+  if (!kernel_->is_exact()) return;  // left to the simulator's guard
   construct_anew();
   hull_changed_ = true;
   root_changes_ += 2;
   kernel_->count_rebuild(id_, "too many repairs at one instant");
 }
 
-// Nothing fails any more just after now.
+// Nothing fails any more at this instant.
 void ConvexHull2::finish_instant() {
   if (corrupt_) return;
   if (!stale_.empty()) {
@@ -111,8 +111,8 @@ void ConvexHull2::finish_instant() {
   root_changes_ = 0;
 }
 
-// One failure, and one vertex that came or went between two others: counter-clockwise, the upper
-// hull goes from right to left.
+// One failure, and one vertex that entered or left between two others. In the cycle, which is
+// counter-clockwise, the upper hull runs from right to left.
 bool ConvexHull2::settle_one_vertex() {
   if (root_changes_ != 1 || signs_.tied() || kernel_->instant_is_shared(id_)) return false;
   const RootChange& change = root_change_;
@@ -169,7 +169,7 @@ void ConvexHull2::repair(Slot slot, Index place) {
   pass(merge_of(place), passed, e.contender, claim);
 }
 
-// The slope of the contender has passed that of the line on the left (kSlotS1) or right of a
+// The slope of the contender has passed that of the line on the left (kSlotS1) or on the right of a
 // corner.
 void ConvexHull2::repair_s(Slot slot, Index v) {
   const Edge& e = edges_[v];
@@ -200,7 +200,7 @@ void ConvexHull2::repair_x(Index u) {
   }
   const Index q = edges_[u].left, t = edges_[w].right;
   const Index line_w = w, next_w = edges_[w].next, line_u = u, next_u = edges_[u].next;
-  // The claims that the two make, over lines that they leave, are made by their neighbours.
+  // Claims of the two about lines that they leave pass to their neighbours.
   for (const Index v : {u, w}) {
     const Index over = edges_[v].contender;
     if (edges_[over].claimant != v) continue;
@@ -222,7 +222,7 @@ void ConvexHull2::repair_x(Index u) {
   refresh_x(q);
   refresh_x(w);
   refresh_x(u);
-  // Over lines of w's colour: u leaves the run of one and joins that of the next.
+  // About lines of w's colour: u leaves the run of one and joins that of the next.
   refresh_claim(line_w, q);
   refresh_claim(next_w, u);
   refresh_claim(next_u, t);
@@ -231,7 +231,12 @@ void ConvexHull2::repair_x(Index u) {
   refresh_y(w);
 }
 
-// A corner ab passes its contender c: what shows of the three lines on purple changes by one.
+// A corner ab passes its contender c: purple gains or loses one of the three lines:
+//
+//     a         b              a     c     b      c shows on purple once it is above the corner ab:
+//       '.    .'                '.       .'       one corner is replaced by two, or two by one
+//         'ab'        <--->       '.___.'
+//     --------------c               (ab)
 void ConvexHull2::repair_y(Index v) {
   const Index node = merge_of(v);
   const Index a = v, b = edges_[v].next, c = edges_[v].contender;
@@ -241,7 +246,7 @@ void ConvexHull2::repair_y(Index v) {
   const auto adjacent = [this](Index x, Index y) {
     return x != kNone && y != kNone && edges_[x].next == y;
   };
-  // What leaves, or enters between which two.
+  // The line that leaves, or the one that enters and its neighbours.
   Index leaving = kNone, entering = kNone, before = kNone, after = kNone;
   bool possible = false;
   if (rises && left && right) {
@@ -289,7 +294,7 @@ void ConvexHull2::repair_y(Index v) {
   refresh_y(edges_[v].right);
 }
 
-// The slopes of e and f (of different colours) exchange places: everything that says otherwise is
+// The slopes of e and f (of different colours) change order: every claim that contradicts this is
 // repaired at once, in both halves where both lines are at the ends of both.
 void ConvexHull2::pass(Index node, Index e, Index f, const Query& claim) {
   const ObjectId p = edges_[e].point, q = edges_[f].point;
@@ -342,7 +347,7 @@ void ConvexHull2::pass_half(Index node, Index e, Index f, const Query& claim) {
   }
 }
 
-// The two first (or last) lines of the chains are parallel: the other one is above from now on, far
+// The two first (or last) lines of the chains are parallel: from now on the other one is above, far
 // out.
 void ConvexHull2::turn_end(Index node, int end) {
   Node& n = nodes_[node];

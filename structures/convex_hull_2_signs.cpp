@@ -16,8 +16,8 @@ HullSigns::HullSigns(Kernel& kernel)
       slope_(kernel.bind(make_slope_order_2())) {}
 
 // v is left of w if the direction of v is counter-clockwise from that of w: (d - c) x (b - a) for
-// w = cd, v = ab. The pairs are put so that exchanging v and w exchanges the first two arguments:
-// the arithmetic knows the polynomial again.
+// w = cd, v = ab. The pairs are ordered so that exchanging v and w exchanges the first two
+// arguments: the arithmetic then reuses the polynomial.
 Query HullSigns::corners(Half half, Corner v, Corner w) const {
   Corner first = w, second = v;
   if (half == kLower) std::swap(first, second);
@@ -55,7 +55,7 @@ bool HullSigns::higher(Half half, ObjectId a, ObjectId b) const {
   return (sign == Sign::kPositive) == (half == kUpper);
 }
 
-// Lifting p by a little changes the value by (that) times x_r - x_q, and so on cyclically.
+// Lifting p by e changes the value by e (x_r - x_q), and so on cyclically.
 HullSigns::Substitutes HullSigns::turn_tie(ObjectId p, ObjectId q, ObjectId r) const {
   note_tie();
   Substitutes result;
@@ -93,8 +93,8 @@ bool HullSigns::corners_hold(Half half, Corner v, Corner w) const {
   return corners_tie(v, w);
 }
 
-// Corners go to the right when the lift of b grows, and to the left with that of a: the value is
-// the product of the difference in x of one corner and the lift of the other's point.
+// A corner moves right when b is lifted, and left when a is: the value is the product of the
+// difference in x of one corner and the lift of the other's point.
 bool HullSigns::corners_tie(Corner v, Corner w) const {
   note_tie();
   const bool v_moves = !equal(w.a, w.b), w_moves = !equal(v.a, v.b);

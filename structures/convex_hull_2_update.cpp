@@ -2,14 +2,14 @@
 // ConvexHull2: insertion, erasure, new motions.
 //
 // The tree is kept in balance by weight: no child has more than three quarters of its parent's
-// leaves (and a few). A subtree that is out of balance is built anew, O(log n) times per n changes.
+// leaves (and a few). An unbalanced subtree is rebuilt: O(log n) times per n changes.
 #include <algorithm>
 
 #include "structures/convex_hull_2.h"
 
 namespace kinex {
 
-// The leaf with the fewest others above it becomes a node over its point and the new one.
+// The leaf with the fewest ancestors becomes a node over its point and the new one.
 void ConvexHull2::insert(ObjectId object) {
   if (corrupt_) return;
   repeats_.clear();
@@ -63,7 +63,7 @@ void ConvexHull2::erase(ObjectId object) {
   merge_path(above);
 }
 
-// Takes the merges of a node and all above it apart, the topmost first.
+// Takes the merges of a node and all its ancestors apart, the topmost first.
 void ConvexHull2::unmerge_path(Index t) {
   std::vector<Index> path;
   for (; t != kNone; t = tree_[t].parent) path.push_back(t);
@@ -91,7 +91,7 @@ void ConvexHull2::merge_path(Index t) {
   reset_hull();
 }
 
-// Builds the subtree anew that has t (whose chains are gone) as its root.
+// Rebuilds the subtree with root t, whose chains are gone.
 ConvexHull2::Index ConvexHull2::remake(Index t) {
   std::vector<ObjectId> objects;
   const Index above = tree_[t].parent;
@@ -110,7 +110,7 @@ ConvexHull2::Index ConvexHull2::remake(Index t) {
   return fresh;
 }
 
-// Nothing above t is merged.
+// Requires that nothing above t is merged.
 void ConvexHull2::take_apart(Index t, std::vector<ObjectId>& objects) {
   const bool is_leaf = tree_[t].children[0] == kNone;
   if (is_leaf) objects.push_back(edges_[nodes_[2 * t].first].point);
@@ -125,8 +125,8 @@ void ConvexHull2::take_apart(Index t, std::vector<ObjectId>& objects) {
   free_tree_nodes_.push_back(t);
 }
 
-// Certificates have been rescheduled. What was a tie may be none any more, or the other way round.
-// The certificate that keeps a tie need not name all points of it.
+// Certificates have been rescheduled. Ties may have come or gone. The certificate that keeps a tie
+// need not name all of its points.
 void ConvexHull2::motions_changed(std::span<const ObjectId> objects) {
   if (corrupt_) return;
   repeats_.clear();
@@ -156,7 +156,7 @@ void ConvexHull2::motions_changed(std::span<const ObjectId> objects) {
     refresh(slot, place);
   }
   work_off();
-  // Points that were tied may be apart now, and vertices, without anything to repair.
+  // Points that were tied may have separated and become vertices, with nothing to repair.
   if (!signs_.tied()) return;
   hull_changed_ = true;
   root_changes_ += 2;

@@ -80,7 +80,7 @@ void Delaunay2::drop_certificate(HalfEdge h) {
 
 // ---- flips
 
-// False if the edge between the opposite vertices is there already (seen from an end of degree
+// False if the edge between the opposite vertices exists already (seen from an end of degree
 // three).
 bool Delaunay2::flippable(HalfEdge h) const {
   const HalfEdge g = store_.twin(h);
@@ -92,14 +92,14 @@ bool Delaunay2::flippable(HalfEdge h) const {
 void Delaunay2::flip(HalfEdge h) {
   const HalfEdge d = store_.flip(h);
   const HalfEdge e = store_.twin(d);
-  set_certificate(d);  // first: the arithmetic knows this polynomial from the failure
+  set_certificate(d);  // first: the arithmetic reuses the polynomial of the failure
   set_certificate(Triangulation2::next(d));
   set_certificate(Triangulation2::previous(d));
   set_certificate(Triangulation2::next(e));
   set_certificate(Triangulation2::previous(e));
 }
 
-// The edge's four points lie on one circle for ever and the smallest id is not on the edge.
+// The edge's four points are identically cocircular and the smallest id is not on the edge.
 bool Delaunay2::wants_other_diagonal(HalfEdge h) const {
   const CertificateId label = store_.label(h);
   if (label == kNoCertificate || kernel_->outlook(label) != Outlook::kIdenticallyZero) return false;
@@ -110,8 +110,8 @@ bool Delaunay2::wants_other_diagonal(HalfEdge h) const {
   return std::min(p, q) < std::min(u, v);
 }
 
-// Gives cocircular points their fans. Each flip raises the degree of the smallest of its four
-// points, which no later flip lowers again, so k cocircular points need O(k^2) flips.
+// Turns identically cocircular points into fans. Each flip raises the degree of the smallest of its
+// four points, and no later flip lowers it, so k cocircular points need O(k^2) flips.
 void Delaunay2::settle_ties(bool report) {
   std::uint64_t left = 64 + 4 * static_cast<std::uint64_t>(store_.triangles()) * store_.triangles();
   while (!ties_.empty() && !corrupt_) {
@@ -132,8 +132,8 @@ void Delaunay2::settle_ties(bool report) {
   }
 }
 
-// The edge u v has been replaced by p q. In the midst of a degenerate instant an edge may be there
-// twice, and others may have changed that are not told yet: then this is told with them.
+// The edge u v has been replaced by p q. During a degenerate instant an edge may exist twice, and
+// other changes may not be reported yet: this one is then reported with them.
 void Delaunay2::report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q, bool degenerate) {
   const ObjectId infinity = store_.infinity();
   const bool goes = u != infinity && v != infinity, comes = p != infinity && q != infinity;
@@ -193,7 +193,7 @@ void Delaunay2::certificate_failed(CertificateId failed) {
   if (!ties_.empty()) settle_ties(true);
 }
 
-// A failure that no flip can repair. At a degenerate instant the edge does without a certificate
+// A failure that no flip can repair. At a degenerate instant the edge goes without a certificate
 // until the instant is settled.
 void Delaunay2::blocked(HalfEdge h, bool shared) {
   if (!shared && !kernel_->is_exact()) return give_up("a flip to an edge that is there already");
@@ -213,7 +213,7 @@ void Delaunay2::blocked(HalfEdge h, bool shared) {
 
 // On a line: the points at `place` and place + 1 change places.
 void Delaunay2::pass(std::uint32_t place) {
-  const bool later = untold_.size() > 0;  // told with what has changed before
+  const bool later = untold_.size() > 0;  // reported with earlier changes
   const Attribute before = later ? attribute() : Attribute{};
   std::swap(line_[place], line_[place + 1]);
   if (later) untold_.add(difference_between(before, attribute()));
@@ -233,9 +233,9 @@ void Delaunay2::pass(std::uint32_t place) {
       line_.size() > 2 && !later);
 }
 
-// ---- what it maintains
+// ---- the attribute
 
-// Sorted by counting, for viewers take it after every event: O(n), and a sort of the few larger
+// Sorted by counting, since viewers read it after every event: O(n), and a sort of the few larger
 // neighbours of each vertex. Each edge is once a half-edge from its smaller to its larger end.
 Attribute Delaunay2::attribute() const {
   Attribute result;
@@ -266,7 +266,7 @@ Attribute Delaunay2::attribute() const {
   std::vector<ObjectId> larger(place.back());
   for_edges([&](ObjectId a, ObjectId b) { larger[place[a + 1]++] = b; });
   result.ids.resize(2 * larger.size());
-  for (ObjectId v = 0; v < infinity; ++v) {  // place[v] .. place[v + 1] are now those of v
+  for (ObjectId v = 0; v < infinity; ++v) {  // place[v] .. place[v + 1] now belong to v
     const auto first = larger.begin() + place[v], last = larger.begin() + place[v + 1];
     if (last - first > 1) std::sort(first, last);
     for (std::uint32_t i = place[v]; i < place[v + 1]; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Delaunay2: bounds, invariants, and the audit against CGAL's exact triangulation. Only this file
-// of the structure includes CGAL.
+// Delaunay2: bounds, invariants, and the audit against CGAL's exact triangulation. No other file of
+// this structure includes CGAL.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Lazy_kernel.h>
@@ -163,8 +163,8 @@ void Delaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {
     }
   }
   Witness witness(input.begin(), input.end());
-  // Points may touch and turn back, or three be on one line, without any event: where that happens
-  // just now, triangles may be flat and edges are not compared.
+  // Points may touch and turn back, or three be on one line, without any event: at such an instant
+  // triangles may be flat, and edges are not compared.
   bool flat = witness.number_of_vertices() != input.size();
   const Attribute edges = attribute();
   std::vector<Edge> ours;

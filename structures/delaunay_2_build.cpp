@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Delaunay2: the static algorithm. Points are put in one by one along a Hilbert curve over their
-// ranks in x and y, in rounds of doubling size (Amenta, Choi, Rote 2003), so that nothing but
-// comparisons of coordinates is needed and no order of the input is a bad one.
+// Delaunay2: the static algorithm. Points are inserted one by one along a Hilbert curve over their
+// ranks in x and y, in rounds of doubling size (Amenta, Choi, Rote 2003): only comparisons of
+// coordinates are needed, and no order of the input is a bad one.
 #include <algorithm>
 #include <random>
 #include <tuple>
@@ -84,7 +84,7 @@ void Delaunay2::retract_all() {
   }
 }
 
-// ranks()[i] < ranks()[j] iff the i-th object comes before the j-th; equal iff equal for ever.
+// ranks()[i] < ranks()[j] iff the i-th object comes before the j-th; equal iff identically equal.
 std::vector<std::uint32_t> Delaunay2::ranks(const std::vector<ObjectId>& objects,
                                             PredicateId order) const {
   std::vector<std::uint32_t> sorted(objects.size());
@@ -131,7 +131,7 @@ void Delaunay2::construct() {
   std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
     return std::tie(a.x, a.y, a.id) < std::tie(b.x, b.y, b.id);
   });
-  // Equal for ever: the smallest id comes first and hides the others.
+  // Identically equal: the smallest id comes first and hides the others.
   std::size_t kept = 0;
   for (const Point& p : points) {
     if (kept != 0 && points[kept - 1].x == p.x && points[kept - 1].y == p.y) {
@@ -189,7 +189,7 @@ void Delaunay2::build_line() {
   }
 }
 
-// The first three points of `order` are not on one line.
+// Requires that the first three points of `order` are not on one line.
 void Delaunay2::build_plane(const std::vector<ObjectId>& order) {
   if (turn(order[0], order[1], order[2]) == Sign::kPositive) {
     store_.start(order[0], order[1], order[2]);

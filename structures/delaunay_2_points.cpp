@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Delaunay2: putting one point in (Bowyer 1981, Watson 1981) and taking one out (ears: Devillers
-// 1999), right after now.
+// Delaunay2: insertion (Bowyer 1981, Watson 1981) and deletion (by ears: Devillers 1999) of one
+// point, right after now.
 #include <algorithm>
 
 #include "structures/delaunay_2.h"
@@ -12,7 +12,7 @@ bool Delaunay2::identical(ObjectId a, ObjectId b) const {
          kernel_->sign_after(order_[1], {a, b}) == Sign::kZero;
 }
 
-// For d on the line through a and b.
+// Requires d on the line through a and b.
 bool Delaunay2::strictly_between(ObjectId d, ObjectId a, ObjectId b) const {
   Sign along = kernel_->sign_after(order_[0], {a, b});
   const PredicateId order = along != Sign::kZero ? order_[0] : order_[1];
@@ -21,8 +21,8 @@ bool Delaunay2::strictly_between(ObjectId d, ObjectId a, ObjectId b) const {
          kernel_->sign_after(order, {d, b}) == along;
 }
 
-// True if d (finite) is inside the circle of the triangle; for a ghost, beyond its hull edge, or on
-// the edge itself.
+// True if d (finite) is inside the circle of the triangle; for a ghost, if d is beyond its hull
+// edge or on the edge itself.
 bool Delaunay2::conflict(ObjectId a, ObjectId b, ObjectId c, ObjectId d) const {
   const ObjectId infinity = store_.infinity();
   if (a != infinity && b != infinity && c != infinity) {
@@ -38,9 +38,9 @@ bool Delaunay2::conflict(Triangle t, ObjectId d) const {
   return conflict(store_.origin(3 * t), store_.origin(3 * t + 1), store_.origin(3 * t + 2), d);
 }
 
-// Walks from the triangle of `hint` towards d, over edges that have d on their other side. In a
-// valid Delaunay triangulation this ends (Devillers, Pion, Teillaud 2002); nothing is found if it
-// does not.
+// Walks from the triangle of `hint` towards d, across edges that have d on their other side. The
+// walk ends in a valid Delaunay triangulation (Devillers, Pion, Teillaud 2002); if it does not,
+// nothing is found.
 Delaunay2::Place Delaunay2::locate(ObjectId d, HalfEdge hint) const {
   const ObjectId infinity = store_.infinity();
   Place place;
@@ -141,7 +141,7 @@ Delaunay2::Insertion Delaunay2::add_point(ObjectId d, HalfEdge hint, bool carefu
   return Insertion::kVertex;
 }
 
-// The edges inside the cavity go.
+// Notes the edges inside the cavity, which disappear.
 void Delaunay2::note_edges(const std::vector<Triangle>& cavity, std::uint32_t inside) {
   for (const Triangle t : cavity) {
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
@@ -154,11 +154,11 @@ void Delaunay2::note_edges(const std::vector<Triangle>& cavity, std::uint32_t in
   }
 }
 
-// ---- taking a point out
+// ---- deletion
 
-// The corner `at` of what is left of the polygon corners_ can be cut off: the triangle is
-// positively oriented and no other corner is in conflict with it. witness_ remembers a corner that
-// is.
+// True if the corner `at` of the remaining polygon corners_ can be cut off: the triangle is
+// positively oriented and no other corner is in conflict with it. witness_ remembers a corner in
+// conflict.
 bool Delaunay2::is_ear(std::uint32_t at) {
   const std::uint32_t before = corner_previous_[at], after = corner_next_[at];
   const ObjectId a = corners_[before], b = corners_[at], c = corners_[after];
@@ -171,7 +171,7 @@ bool Delaunay2::is_ear(std::uint32_t at) {
   return true;
 }
 
-// Cuts the polygon corners_ into Delaunay triangles, ears_. False if there is no way.
+// Cuts the polygon corners_ into Delaunay triangles, ears_. False if that is impossible.
 bool Delaunay2::plan_ears() {
   const auto k = static_cast<std::uint32_t>(corners_.size());
   corner_next_.resize(k);
@@ -208,12 +208,12 @@ bool Delaunay2::plan_ears() {
   return upright(corners_[before], corners_[at], corners_[after]);
 }
 
-// The planned ears make a triangulation together with what is around them: no edge twice, and no
-// edge that is a hull edge on both sides. In a valid triangulation this is so unless all others are
-// on one line.
+// True if the planned ears and their surroundings make a triangulation: no edge twice, and no edge
+// that is a hull edge on both sides. In a valid triangulation this fails only if all other points
+// are on one line.
 bool Delaunay2::ears_fit() {
   const ObjectId infinity = store_.infinity();
-  ghost_beyond_.clear();  // beyond the side from corner i to the next one
+  ghost_beyond_.clear();  // true beyond the side from corner i to the next one
   for (const HalfEdge h : link_) {
     ghost_beyond_.push_back(store_.ghost(Triangulation2::triangle(store_.twin(h))));
   }

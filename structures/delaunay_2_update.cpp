@@ -52,8 +52,8 @@ void Delaunay2::take_out_anywhere(ObjectId object) {
   settle_ties(false);
 }
 
-// With at most three points there is nothing to keep: the static algorithm is the update, in
-// constant time. More points on one line are built anew, which is counted.
+// With at most three points the static algorithm is the update, in constant time. More points on
+// one line are built anew, which is counted.
 void Delaunay2::remake_line(const std::string& reason) {
   const std::size_t before = on_line_ ? line_.size() : store_.vertices();
   if (before > 3 || !hidden_.empty()) return rebuild_because(reason);
@@ -66,7 +66,7 @@ void Delaunay2::motions_changed(std::span<const ObjectId> objects) {
   moved_.insert(moved_.end(), objects.begin(), objects.end());
 }
 
-// `object` is not hidden any more.
+// `object` is no longer hidden.
 void Delaunay2::reveal(ObjectId object) {
   const auto it = hidden_.find(representative_[object]);
   std::vector<ObjectId>& list = it->second;
@@ -92,7 +92,7 @@ bool Delaunay2::put_in(ObjectId object) {
   return true;
 }
 
-// The vertex goes; those that are hidden behind it come forward.
+// Removes the vertex; points hidden behind it come forward.
 bool Delaunay2::take_out(ObjectId vertex) {
   std::vector<ObjectId> behind;
   if (const auto it = hidden_.find(vertex); it != hidden_.end()) {
@@ -107,7 +107,7 @@ bool Delaunay2::take_out(ObjectId vertex) {
   return true;
 }
 
-// Hidden points that do not move with their vertex any more become vertices.
+// Hidden points that no longer coincide with their vertex become vertices.
 bool Delaunay2::reexamine_hidden() {
   std::vector<ObjectId> parted;
   for (const ObjectId v : moved_) {
@@ -156,7 +156,7 @@ void Delaunay2::instant_settled() {
     }
   }
   if (!corrupt_) settle_ties(true);
-  // A point was put in where other certificates had yet to fail: the hull they have led to.
+  // A point was put in before other certificates had failed: checks the hull that these led to.
   if (mended_ && !corrupt_ && !on_line_ && !hull_turns_once()) {
     rebuild_because("the hull winds around twice");
   }
@@ -173,8 +173,8 @@ void Delaunay2::instant_over() {
   kernel_->report_settled(id_, change.gone, change.came);
 }
 
-// Finite triangles around the suspects that are not positively oriented right after now. True if a
-// suspect is on the hull.
+// Collects finite triangles around the suspects that are not positively oriented right after now.
+// True if a suspect is on the hull.
 bool Delaunay2::collect_turned(std::vector<Triangle>& turned) {
   turned.clear();
   bool hull = false;
@@ -194,15 +194,15 @@ bool Delaunay2::collect_turned(std::vector<Triangle>& turned) {
   return hull;
 }
 
-// Takes the points out whose triangles have turned over and puts them in again. False if everything
-// was built anew instead.
+// Takes out the points whose triangles have turned over and puts them in again. False if everything
+// was rebuilt instead.
 bool Delaunay2::mend() {
   sort_unique(suspects_);
   std::vector<Triangle> turned;
   const bool hull = collect_turned(turned);
   if (turned.empty()) {
-    // Upright triangles and left turns along the hull: this is a triangulation unless the hull
-    // winds around more than once (the angles at all vertices then add up to too much).
+    // Upright triangles and left turns along the hull make a triangulation unless the hull winds
+    // around more than once (the angles at all vertices would then add up to too much).
     const bool winds = hull && !hull_turns_once();
     if (!winds && (!blocked_ || retries_ < kMostRetries)) {
       if (blocked_) {
@@ -227,7 +227,7 @@ bool Delaunay2::mend() {
   }
   std::vector<ObjectId> taken;
   while (good && !turned.empty()) {
-    // The vertex of most of them, the largest id first, of those that can be taken out.
+    // The vertex of most of them that can be taken out; among several the largest id.
     std::map<ObjectId, int> count;
     for (const Triangle t : turned) {
       for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) ++count[store_.origin(h)];
@@ -277,7 +277,7 @@ bool Delaunay2::mend() {
   return true;
 }
 
-// Around the suspects: edges whose certificate was given up because their flip was impossible then.
+// Around the suspects: edges that lost their certificate because their flip was impossible.
 void Delaunay2::restore_certificates() {
   for (const ObjectId v : suspects_) {
     if (!store_.has(v)) continue;

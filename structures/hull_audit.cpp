@@ -52,7 +52,7 @@ void audit_hull(const Attribute& attribute, std::size_t objects, const Snapshot&
       attribute.ids.empty() ||
           *std::min_element(attribute.ids.begin(), attribute.ids.end()) == attribute.ids.front(),
       [&] { return "the cycle does not start at its smallest id"; });
-  // Every vertex of the witness in the same cyclic order; what we have besides is on its edges.
+  // Every vertex of the witness, in the same cyclic order; all others lie on its edges.
   std::vector<Point> strict;
   std::vector<Point> rest;
   for (const Point& p : ours) {

@@ -31,8 +31,8 @@ std::uint64_t events_of(const StructureLedger& ledger, std::initializer_list<con
   return total;
 }
 
-// A point that enters or leaves is on one line with its two neighbours then. A vertex leaves, or
-// enters, for one triple at least, and at one instant all three points of a triple may change.
+// A point that enters or leaves is then collinear with its two neighbours: at least one triple for
+// each, and at one instant all three points of a triple may change.
 std::vector<BoundCheck> hull_bounds(std::string_view name, const BoundContext& context, bool tied) {
   std::vector<BoundCheck> checks;
   if (!context.plain() || tied) return checks;

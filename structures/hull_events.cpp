@@ -58,7 +58,7 @@ void HullEvents::settle(std::vector<ObjectId> cycle) {
   cycle_ = std::move(cycle);
 }
 
-// Behind the first point before it, on the cycle that is to be, that is there already.
+// Inserts it behind the nearest predecessor on the new cycle that is present already.
 void HullEvents::report_enter(ObjectId point, const std::vector<ObjectId>& cycle) {
   if (std::find(cycle_.begin(), cycle_.end(), point) != cycle_.end()) return;
   const std::size_t size = cycle.size();
@@ -78,7 +78,7 @@ void HullEvents::report_enter(ObjectId point, const std::vector<ObjectId>& cycle
   kernel_->report(id_, kEnter, {point, from, to}, true);
 }
 
-// The place of `id` on the cycle; the number of vertices if it is not there or there twice.
+// The place of `id` on the cycle; the number of vertices if it is absent or occurs twice.
 std::size_t HullEvents::only_place(ObjectId id) const {
   const auto first = std::find(cycle_.begin(), cycle_.end(), id);
   if (first != cycle_.end() && std::find(first + 1, cycle_.end(), id) != cycle_.end()) {

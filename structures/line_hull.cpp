@@ -76,8 +76,8 @@ void LineHull::put_in_place_of(Place old, Place fresh) {
 
 // ---- building
 
-// By slope; of one slope the best one first. A merge sort ends even where rounding errors make the
-// order none.
+// By slope; among equal slopes the best one first. A merge sort ends even where rounding errors
+// make the comparisons no order.
 void LineHull::sort(std::vector<ObjectId>& members) const {
   std::stable_sort(members.begin(), members.end(), [this](ObjectId a, ObjectId b) {
     const Sign sign = order_->slopes(a, b);
@@ -105,7 +105,7 @@ void LineHull::build(std::vector<ObjectId> members) {
   if (!leaves.empty()) root_ = build_tree(leaves);
 }
 
-// Requires that there are leaves. Their bridges stay; all inner nodes are new.
+// Requires at least one leaf. Bridges of leaves are kept; all inner nodes are new.
 LineHull::Place LineHull::build_tree(std::span<const Place> leaves) {
   if (leaves.size() == 1) {
     nodes_[leaves[0]].parent = kNone;
@@ -121,7 +121,7 @@ LineHull::Place LineHull::build_tree(std::span<const Place> leaves) {
   return p;
 }
 
-// An inner node, from its children.
+// Computes an inner node from its children.
 void LineHull::refresh(Place p) {
   const auto [left, right] = nodes_[p].child;
   nodes_[p].first = nodes_[left].first;
@@ -129,11 +129,14 @@ void LineHull::refresh(Place p) {
   find_bridge(p);
 }
 
-// Goes down in the left half, u, and in the right one, w, along their bridges (p1, p2) and (q1,
-// q2), or points. Something of w on or above the line p1 p2: the bridge is at least as steep, and
-// begins in the left part of u; or else, of a point in w, in the right part. The same for w. If
-// neither, the lines p1 p2 and q1 q2 meet, and on the side of the gap between u and w where they do
-// not, the bridge cannot lie beyond both.
+// Descends in the left half, u, and in the right one, w, along their bridges (p1, p2) and (q1, q2),
+// or points.
+//   - If something of w is on or above the line p1 p2, the bridge is at least as steep and begins in
+//     the left part of u; if nothing is, and w is a point, it begins in the right part of u. The
+//     same, mirrored, for w.
+//   - Otherwise the lines p1 p2 and q1 q2 meet; on the side of the gap between u and w where they
+//   do
+//     not, the bridge cannot lie beyond both.
 void LineHull::find_bridge(Place p) {
   auto [u, w] = nodes_[p].child;
   const ObjectId gap = line(nodes_[w].first);
@@ -170,7 +173,7 @@ void LineHull::refresh_above(const std::vector<Place>& leaves) {
   for (const auto& [depth, p] : stale) refresh(p);
 }
 
-// The highest ancestor of which one half has more than 2/3 of the leaves is built anew.
+// Rebuilds the highest ancestor of which one half has more than 2/3 of the leaves.
 void LineHull::rebalance_above(Place leaf) {
   Place tilted = kNone;
   for (Place p = nodes_[leaf].parent; p != kNone; p = nodes_[p].parent) {
@@ -201,7 +204,7 @@ void LineHull::rebalance_above(Place leaf) {
 
 // ---- changes
 
-// True if the line that counts is another one now.
+// True if the line that counts has changed.
 bool LineHull::place_in_group(Place leaf, ObjectId object) {
   std::vector<ObjectId>& group = groups_[leaf];
   const auto place = std::partition_point(
@@ -239,7 +242,7 @@ void LineHull::insert(ObjectId object) {
   rebalance_above(leaf);
 }
 
-// Takes a line out. A leaf whose ancestors have to be refreshed; kNone: there are none.
+// Removes a line. Returns a leaf whose ancestors must be refreshed; kNone: there are none.
 LineHull::Place LineHull::detach(ObjectId object) {
   const Place leaf = leaf_of_[object];
   leaf_of_[object] = kNone;
@@ -271,7 +274,7 @@ void LineHull::erase(ObjectId object) {
   rebalance_above(leaf);
 }
 
-// All leave before the first comes back: no question may compare old and new lines.
+// All lines leave before the first comes back: no sign may compare old and new lines.
 void LineHull::change(std::span<const ObjectId> objects) {
   std::vector<Place> leaves;
   for (const ObjectId object : objects) {
@@ -295,7 +298,7 @@ std::vector<ObjectId> LineHull::members() const {
   return result;
 }
 
-// Of the two ends of a bridge the better one tells the half.
+// The better of the two ends of a bridge decides which half to search.
 ObjectId LineHull::best() const {
   Place p = root_;
   while (!is_leaf(p)) {
@@ -305,7 +308,7 @@ ObjectId LineHull::best() const {
   return line(p);
 }
 
-// Of the vertices of ever larger hulls: a bridge that begins here leads to the next one.
+// Among the vertices of ever larger hulls: a bridge that begins here leads to the next one.
 ObjectId LineHull::next(ObjectId object) const {
   const Place leaf = leaf_of_[object];
   Place result = kNone;

@@ -15,7 +15,7 @@ Integer crossings(const KeyOrder& order, const BoundContext& context) {
                            order.reference_pieces(context));
 }
 
-// The pieces that the members' keys are made of: where the reference has a new motion, all have.
+// The pieces of the members' keys: a new motion of the reference begins a new piece of every key.
 Integer key_pieces(const KeyOrder& order, const BoundContext& context) {
   Integer sum(0);
   for (const int pieces : order.member_pieces(context)) {
@@ -41,7 +41,7 @@ std::vector<BoundCheck> maximum_bounds(std::string_view name, const KeyOrder& or
                              "one certificate per object that is not the winner",
                              n.is_zero() ? Integer(0) : n - Integer(1), counted(ledger.max_live)));
   }
-  // Where every event is external that bound is one on all events.
+  // If every event is external this bounds all events.
   const auto add = [&](Integer most, const std::string& source) {
     if (certificates) {
       result.push_back(at_most(own + ".events", source, most, counted(ledger.processed)));

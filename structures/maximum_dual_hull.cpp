@@ -51,7 +51,7 @@ void MaximumDualHull::rebuild() {
   look();
 }
 
-// Who is best now, and who comes after.
+// Finds the winner and the next vertex.
 void MaximumDualHull::look() {
   winner_ = hull_.empty() ? kNoObject : hull_.best();
   expect(winner_ == kNoObject ? kNoObject : hull_.next(winner_));
@@ -79,8 +79,8 @@ void MaximumDualHull::certificate_failed(CertificateId) {
   kernel_->report(id_, kReplace, {old, winner_}, true);
 }
 
-// Where somebody else is best now, the certificate says that the old winner is better: it fails at
-// once, and the change is an event like any other.
+// If another object is best now, the certificate still claims the old winner: it fails at once, and
+// the change is an event like any other.
 void MaximumDualHull::motions_changed(std::span<const ObjectId> objects) {
   hull_.change(objects);
   const ObjectId old = winner_;
@@ -105,7 +105,7 @@ void MaximumDualHull::erase(ObjectId object) {
   look();
 }
 
-// ---- what it says
+// ---- attribute, bounds, invariants
 
 Attribute MaximumDualHull::attribute() const {
   Attribute result{Attribute::Shape::kObject, {}};

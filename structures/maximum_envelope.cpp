@@ -58,7 +58,7 @@ void MaximumEnvelope::certificate_failed(CertificateId) {
 
 // ---- changes
 
-// Where the new envelope begins with somebody else, the old winner stays in front of it: its
+// If the new envelope begins with another object, the old winner is kept in front of it: its
 // certificate fails at once, and the change is an event like any other.
 void MaximumEnvelope::motions_changed(std::span<const ObjectId>) {
   const ObjectId old = winner();
@@ -83,7 +83,7 @@ void MaximumEnvelope::erase(ObjectId object) {
   renew();
 }
 
-// ---- what it says
+// ---- attribute, bounds, invariants
 
 Attribute MaximumEnvelope::attribute() const {
   Attribute result{Attribute::Shape::kObject, {}};

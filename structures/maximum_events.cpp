@@ -3,8 +3,8 @@
 
 namespace kinex {
 
-// Only one certificate of the structure failed at this instant, and none that was born since fails
-// at it too. Those of one instant fail by structure: none of another one can stand in front.
+// True if only one certificate of the structure failed at this instant, and none made since fails
+// at it too. Certificates of one instant leave the queue by structure: none of another can precede.
 bool MaximumEvents::instant_is_over(StructureId structure) const {
   if (kernel_->instant_is_shared(structure)) return false;
   const EventQueue& queue = kernel_->queue();

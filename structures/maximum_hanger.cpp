@@ -54,7 +54,7 @@ void MaximumHanger::rebuild() {
   events_.begin(best());
 }
 
-// All hang before the first certificate is made: only n - 1 are.
+// All objects hang before the first certificate is made, so only n - 1 are.
 void MaximumHanger::construct(std::vector<ObjectId> members) {
   nodes_.clear();
   free_.clear();
@@ -95,8 +95,8 @@ void MaximumHanger::set_certificates_below(Place p, Place except) {
   }
 }
 
-// The object at `child` and its parent change places. The certificate between them first: the
-// arithmetic knows its polynomial.
+// The object at `child` and its parent change places. The certificate between them comes first: the
+// arithmetic reuses its polynomial.
 void MaximumHanger::exchange(Place child) {
   const Place parent = nodes_[child].parent;
   const ObjectId up = nodes_[child].object, down = nodes_[parent].object;
@@ -116,8 +116,8 @@ void MaximumHanger::certificate_failed(CertificateId failed) {
   events_.repaired(kSwap, down, up, best());
 }
 
-// Each exchange moves a smaller id up: it ends after at most as many as there are pairs of an
-// ancestor and a descendant.
+// Each exchange moves a smaller id up, so there are at most as many as pairs of an ancestor and a
+// descendant.
 void MaximumHanger::settle_ties() {
   while (!ties_.empty()) {
     const Place p = ties_.back();
@@ -217,7 +217,7 @@ void MaximumHanger::erase(ObjectId object) {
   events_.begin(best());
 }
 
-// ---- what it says
+// ---- attribute, bounds, invariants
 
 Attribute MaximumHanger::attribute() const {
   Attribute result{Attribute::Shape::kObject, {}};
@@ -225,7 +225,7 @@ Attribute MaximumHanger::attribute() const {
   return result;
 }
 
-// Per place, the number of its ancestors; 0 for places that are free.
+// Per place, the number of its ancestors; 0 for free places.
 std::vector<std::uint64_t> MaximumHanger::depths() const {
   std::vector<std::uint64_t> result(nodes_.size(), 0);
   std::vector<Place> open;

@@ -40,7 +40,7 @@ void MaximumHeap::rebuild() {
   events_.begin(top());
 }
 
-// The pairs of an ancestor and a descendant that place i is in: its depth and what is below it.
+// The (ancestor, descendant) pairs with place i: its depth plus the places below it.
 std::uint64_t MaximumHeap::relatives(Place i) const {
   std::uint64_t count = 0;
   for (Place up = i; up > 0; up = (up - 1) / 2) ++count;
@@ -84,8 +84,8 @@ void MaximumHeap::set_certificate(Place i) {
   if (outlook == Outlook::kIdenticallyZero) ties_.push_back(i);
 }
 
-// The object at `child` and its parent change places. The certificate between them first: the
-// arithmetic knows its polynomial.
+// The object at `child` and its parent change places. The certificate between them comes first: the
+// arithmetic reuses its polynomial.
 void MaximumHeap::exchange(Place child) {
   const Place parent = (child - 1) / 2;
   const ObjectId up = heap_[child], down = heap_[parent];
@@ -108,8 +108,8 @@ void MaximumHeap::certificate_failed(CertificateId failed) {
   events_.repaired(kSwap, down, up, top());
 }
 
-// Each exchange moves a smaller id up: it ends after at most as many as there are pairs of an
-// ancestor and a descendant.
+// Each exchange moves a smaller id up, so there are at most as many as pairs of an ancestor and a
+// descendant.
 void MaximumHeap::settle_ties() {
   while (!ties_.empty()) {
     const Place i = ties_.back();
@@ -125,7 +125,7 @@ void MaximumHeap::settle_ties() {
 
 void MaximumHeap::motions_changed(std::span<const ObjectId> objects) {
   for (const ObjectId object : objects) {
-    if (place_of_[object] == kNone) {  // what distances are measured to
+    if (place_of_[object] == kNone) {  // the reference of the distances
       for (const Place i : place_of_) pairs_ += i == kNone ? 0 : relatives(i);
     } else {
       pairs_ += relatives(place_of_[object]);
@@ -192,7 +192,7 @@ void MaximumHeap::insert(ObjectId object) {
   events_.begin(top());
 }
 
-// The last object takes the place that becomes free, and sifts.
+// The last object moves to the free place and sifts.
 void MaximumHeap::erase(ObjectId object) {
   contest_.order().check_erasure(object);
   const Place hole = place_of_[object];
@@ -210,7 +210,7 @@ void MaximumHeap::erase(ObjectId object) {
   events_.begin(top());
 }
 
-// ---- what it says
+// ---- attribute, bounds, invariants
 
 Attribute MaximumHeap::attribute() const {
   Attribute result{Attribute::Shape::kObject, {}};

@@ -9,7 +9,7 @@ std::vector<std::string_view> MaximumOfList::event_kinds() const {
 
 void MaximumOfList::build(std::span<const ObjectId>) { events_.begin(extreme()); }
 
-// What a rebuild of the list changes is reported; objects that came or went are known already.
+// The changes of a rebuild of the list are reported; insertions and erasures were handled already.
 void MaximumOfList::watched_changed(const Event* event) {
   if (event == nullptr) return events_.settle(extreme());
   events_.watched_changed(event->structure, extreme());

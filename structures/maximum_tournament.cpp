@@ -53,8 +53,8 @@ void MaximumTournament::construct(std::vector<ObjectId> members) {
 
 // ---- epochs
 
-// v's descendants k levels below it are v 2^k .. (v + 1) 2^k - 1. The lowest that there are, in
-// pairs of siblings, and those one level above that have no children.
+// v's descendants k levels below it are v 2^k .. (v + 1) 2^k - 1. Counts those on the lowest level,
+// in pairs of siblings, and those one level above without children.
 std::size_t MaximumTournament::leaves_below(Node v) const {
   std::size_t width = 1;
   while (2 * width * v < 2 * leaves_) width *= 2;
@@ -63,7 +63,7 @@ std::size_t MaximumTournament::leaves_below(Node v) const {
   return width / 2 + lowest / 2;
 }
 
-// Changes begin at these nodes; sorts them and puts all above them in, children first.
+// Changes begin at these nodes: sorts them and adds all nodes above them, children first.
 void MaximumTournament::begin_epochs(std::vector<Node>& nodes) {
   const std::size_t given = nodes.size();
   for (std::size_t i = 0; i < given; ++i) {
@@ -77,7 +77,7 @@ void MaximumTournament::begin_epochs(std::vector<Node>& nodes) {
 
 // ---- certificates
 
-// `winner` has won, or is the better guess: if not, the certificate fails at once.
+// `winner` has won, or is expected to: if it has not, the certificate fails at once.
 void MaximumTournament::set_node(Node v, ObjectId winner, ObjectId loser) {
   const auto certify = [&] {
     const Query query = contest_.claim(winner, loser);
@@ -95,9 +95,9 @@ void MaximumTournament::set_node(Node v, ObjectId winner, ObjectId loser) {
   winner_[v] = winner;
 }
 
-// The other child's winner becomes the winner of v; so upwards to where it loses. Wherever the old
-// winner won it was at least as good as its opponent, and the new one is better still right after
-// now.
+// The other child's winner becomes the winner of v, and so on upwards to where it loses. Wherever
+// the old winner won it was at least as good as its opponent, and the new one is better still right
+// after now.
 void MaximumTournament::flip(Node v) {
   ObjectId old = winner_[v], fresh = loser(v);
   set_node(v, fresh, old);
@@ -123,7 +123,7 @@ void MaximumTournament::certificate_failed(CertificateId failed) {
 
 void MaximumTournament::motions_changed(std::span<const ObjectId> objects) {
   std::vector<Node> ties;
-  bool everywhere = false;  // what distances are measured to has a new motion
+  bool everywhere = false;  // the reference of the distances has a new motion
   touched_.clear();
   for (const ObjectId object : objects) {
     everywhere = everywhere || leaf_of_[object] == 0;
@@ -151,7 +151,7 @@ void MaximumTournament::motions_changed(std::span<const ObjectId> objects) {
 
 // ---- insertion and erasure
 
-// Lets the two children's winners play, unless they are the opponents of the last time.
+// Compares the two children's winners, unless they are the opponents of last time.
 void MaximumTournament::decide(Node v) {
   const ObjectId a = winner_[2 * v], b = winner_[2 * v + 1];
   if (certificate_[v] != kNoCertificate) {
@@ -165,8 +165,8 @@ void MaximumTournament::decide(Node v) {
   }
 }
 
-// Decides all nodes on the paths from these inner nodes to the root, children first; an object has
-// come or gone.
+// Decides all nodes on the paths from these inner nodes to the root, children first, after an
+// insertion or erasure.
 void MaximumTournament::replay(Node a, Node b) {
   touched_.assign({a, b});
   begin_epochs(touched_);
@@ -192,8 +192,8 @@ void MaximumTournament::insert(ObjectId object) {
   replay(v, 0);
 }
 
-// The last two leaves give way: one moves up into their parent, the other to the place of the
-// object.
+// The last two leaves are removed: one moves up into their parent, the other to the place of the
+// erased object.
 void MaximumTournament::erase(ObjectId object) {
   contest_.order().check_erasure(object);
   const Node hole = leaf_of_[object];
@@ -220,7 +220,7 @@ void MaximumTournament::erase(ObjectId object) {
   replay(parent / 2, above_hole);
 }
 
-// ---- what it says
+// ---- attribute, bounds, invariants
 
 Attribute MaximumTournament::attribute() const {
   Attribute result{Attribute::Shape::kObject, {}};

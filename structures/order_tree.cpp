@@ -52,7 +52,7 @@ void OrderTree::replace_child(Place parent, Place child, Place by) {
   if (by != kNone) nodes_[by].parent = parent;
 }
 
-// p and its parent change roles; the order stays.
+// Rotates p above its parent; the order of places is unchanged.
 void OrderTree::rotate_up(Place p) {
   const Place parent = nodes_[p].parent;
   const Place grandparent = nodes_[parent].parent;

@@ -13,7 +13,7 @@ bool same_work(const Request& a, const Request& b) {
   return a.structure == b.structure && a.key == b.key;
 }
 
-// Not the label of anything that is asked for.
+// A label that no request has.
 std::string unused_label(const Request& reader, std::string_view reads, const Scene& scene) {
   std::string label = reader.label + "." + std::string(reads);
   while (std::any_of(scene.maintain.begin(), scene.maintain.end(),
@@ -32,7 +32,7 @@ std::vector<PlannedStructure> plan_structures(const Scene& scene) {
                         [&label](const PlannedStructure& p) { return p.request.label == label; });
   };
   for (const Request& request : scene.maintain) {
-    if (find(request.label) != plan.end()) continue;  // it was needed earlier
+    if (find(request.label) != plan.end()) continue;  // added earlier, for a reader
     const StructureInfo* info = find_structure_info(request.structure);
     std::optional<StructureId> watches;
     if (info != nullptr && !info->reads.empty()) {

@@ -30,7 +30,7 @@ void SortedList::rebuild() {
   construct(std::move(members));
 }
 
-// Sorting must not rely on the order being one (inexact arithmetics): a merge sort ends anyway.
+// Merge sort ends even if the signs are no order (inexact arithmetics).
 void SortedList::construct(std::vector<ObjectId> members) {
   std::vector<ObjectId> scratch(members.size());
   for (std::size_t width = 1; width < members.size(); width *= 2) {
@@ -100,8 +100,8 @@ void SortedList::drop_certificate(Place s) {
   slot.certificate = kNoCertificate;
 }
 
-// What stands at s and what stands behind it change places. The certificate between them first: the
-// arithmetic knows its polynomial.
+// The objects at s and at the place behind it change places. The certificate between them comes
+// first: the arithmetic reuses its polynomial.
 void SortedList::exchange(Place s) {
   Slot& a = slots_[s];
   Slot& b = slots_[a.next];
@@ -122,8 +122,7 @@ void SortedList::certificate_failed(CertificateId failed) {
   if (!ties_.empty()) settle_ties();
 }
 
-// Every exchange puts two ids in order, and only neighbours are exchanged: it ends after at most
-// n(n-1)/2 of them.
+// Every exchange orders two ids, and only neighbours are exchanged: at most n(n-1)/2 exchanges.
 void SortedList::settle_ties() {
   while (!ties_.empty()) {
     const Place s = ties_.back();
@@ -186,7 +185,7 @@ void SortedList::erase(ObjectId object) {
   settle_ties();
 }
 
-// New motions may make neighbours equal for ever; all else shows as failures.
+// New motions may make neighbours identically equal; all other changes show as failures.
 void SortedList::motions_changed(std::span<const ObjectId> objects) {
   for (const ObjectId object : objects) {
     for (const CertificateId c : kernel_->certificates_of(object)) {
@@ -199,7 +198,7 @@ void SortedList::motions_changed(std::span<const ObjectId> objects) {
   settle_ties();
 }
 
-// ---- what it says
+// ---- attribute, bounds, invariants
 
 ObjectId SortedList::extreme(Extremum extremum) const {
   if (extremum == Extremum::kMinimum) return first();

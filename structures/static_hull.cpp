@@ -6,7 +6,7 @@
 namespace kinex {
 namespace {
 
-// Sorts by merging: signs that contradict each other (inexact arithmetics) do no harm.
+// Merge sort: contradictory signs (inexact arithmetics) do no harm.
 void sort_by_slope(const HullSigns& signs, std::vector<ObjectId>& ids) {
   std::vector<ObjectId> out(ids.size());
   for (std::size_t width = 1; width < ids.size(); width *= 2) {

@@ -68,8 +68,8 @@ Triangulation2::HalfEdge Triangulation2::flip(HalfEdge h) {
   const ObjectId u = half_edges_[h].origin, v = half_edges_[g].origin;
   const ObjectId p = half_edges_[h2].origin, q = half_edges_[g2].origin;
   const std::uint32_t label = half_edges_[h].label;
-  const Record outer_h = half_edges_[g2];  // q -> v moves over to the slot of h
-  const Record outer_g = half_edges_[h2];  // p -> u to the slot of g
+  const Record outer_h = half_edges_[g2];  // q -> v moves to the slot of h
+  const Record outer_g = half_edges_[h2];  // p -> u moves to the slot of g
   half_edges_[h] = {q, outer_h.twin, outer_h.label};
   half_edges_[outer_h.twin].twin = h;
   half_edges_[g] = {p, outer_g.twin, outer_g.label};
@@ -146,7 +146,7 @@ void Triangulation2::fill(ObjectId v, const std::vector<Ear>& ears, std::vector<
   out_[v] = kNone;
   --vertices_;
   filled.clear();
-  // sides_[i] is the polygon's side from corner i to the next corner that is still there.
+  // sides_[i] is the polygon's side from corner i to the next remaining corner.
   for (std::size_t i = 0; i < ears.size(); ++i) {
     const auto [before, at, after] = ears[i];
     const HalfEdge h = 3 * allocate();

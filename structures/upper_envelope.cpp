@@ -5,7 +5,7 @@ namespace kinex {
 
 namespace {
 
-// Rounding errors may let two keys cross without end.
+// Rounding errors may make two keys cross endlessly.
 constexpr int kMostInexactCrossings = 1000;
 
 }  // namespace
@@ -23,7 +23,7 @@ UpperEnvelope::Pieces UpperEnvelope::envelope(std::span<const ObjectId> members)
   return merge(envelope(members.first(half)), envelope(members.subspan(half)));
 }
 
-// Who wins right after `from`, and until when. The smaller id is a's, and it wins a tie.
+// The winner right after `from`, and the end of its lead. The smaller id is a's, and wins a tie.
 UpperEnvelope::Duel UpperEnvelope::duel(ObjectId a, ObjectId b, Moment from) {
   Duel result{a, Foresight::kNever};
   Outlook outlook = foresight_.failure(contest_->claim(a, b), from, result.end);
@@ -47,7 +47,7 @@ UpperEnvelope::Pieces UpperEnvelope::merge(const Pieces& a, const Pieces& b) {
       merged.push_back({top.winner, Foresight::kNever});
     }
     if (!exact_ && crossings >= kMostInexactCrossings) top.end = Foresight::kNever;
-    // The next breakpoint, of either envelope or of both, or the crossing, whatever comes first.
+    // The next breakpoint of either envelope, or of both, or the crossing, whichever comes first.
     const bool last_a = a[i].end == Foresight::kNever, last_b = b[j].end == Foresight::kNever;
     Moment next = a[i].end;
     const int order = foresight_.compare(next, b[j].end);
