@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `gsl`: doubles with GSL's polynomial solvers, the floating-point kinetic arithmetic that people
-// write today. No promise, but it never crashes, loops or hands out a NaN.
+// `gsl`: doubles with GSL's polynomial solvers, the usual floating-point kinetic arithmetic. No
+// guarantee, except that it never crashes, loops or returns a NaN.
 //
 // GSL's error handler aborts the process by default, and is one pointer per process: making the
 // first arithmetic of this kind turns it off (once, thread-safe), and it stays off.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The leading digits of an instant, binary and decimal: the same however the instant is known.
+// The leading digits of an instant, binary and decimal: the same for every representation of it.
 //
-// Decimal: |t| truncated to kDecimalDigits significant digits. Written with a point where
-// 10^-5 <= |t| < 10^12 ("0.0507768179285"), else as d.ddddddddddde-320; zero is "0".
-// Binary: the cell [m, m + 1] 2^e with 2^(bits - 1) <= m < 2^bits that holds |t|, its lower end
-// included.
+//   decimal  |t| truncated to kDecimalDigits significant digits. Written with a point where
+//            10^-5 <= |t| < 10^12 ("0.0507768179285"), else as d.ddddddddddde-320; zero is "0".
+//   binary   the cell [m, m + 1] 2^e with 2^(bits - 1) <= m < 2^bits that contains |t|, its lower
+//            end included
 #ifndef KINEX_CORE_INSTANT_DIGITS_H
 #define KINEX_CORE_INSTANT_DIGITS_H
 
@@ -19,7 +19,7 @@
 namespace kinex {
 
 inline constexpr int kDecimalDigits = 12;
-// Of the interval that is given where no name is asked for.
+// Significant bits of the interval for InstantDetail::kInterval.
 inline constexpr int kIntervalBits = 40;
 
 struct DyadicCell {
@@ -27,26 +27,27 @@ struct DyadicCell {
   long exponent = 0;
 };
 
-// The closed interval +-[m, m + 1] 2^e. The two results keep their memory.
+// The closed interval +-[m, m + 1] 2^e. Reuses the memory of the two results.
 void set_interval(const DyadicCell& cell, bool negative, Rational& lower, Rational& upper);
 
 // The decimal of +-[n, n + 1) 10^exponent, where n has kDecimalDigits digits.
 void write_digits(std::string& out, bool negative, std::uint64_t digits, long exponent);
 void set_decimal(std::string& out, const Rational& value);
 
-// The closed interval of the numbers whose decimal `text` is (half-open, but for zero: the end that
-// is further from zero is not among them); nullopt: it is no decimal of this form.
+// The closed interval of the numbers with the decimal `text`; nullopt if it is not a decimal of
+// this form. Except for zero, the end farther from zero does not itself have this decimal.
 struct DecimalRange {
   Rational lower, upper;
 };
 std::optional<DecimalRange> decimal_range(std::string_view text);
 
-// From doubles around the instant, where they tell: false if they do not. The ends may be equal.
+// From doubles around the instant; false if they do not determine the result. The ends may be
+// equal.
 bool set_decimal(std::string& out, double lo, double hi);
 bool set_interval(double lo, double hi, Rational& lower, Rational& upper);
 
-// ---- exactly, for what has rational ends lower() <= t <= upper(), equal once t is known to be
-// rational; `compare` gives the order of t and a rational; `refine` narrows the interval.
+// ---- Exactly, for an instant t with rational ends lower() <= t <= upper(), equal once t is known
+// to be rational. `compare` gives the order of t and a rational; `refine` narrows the interval.
 
 namespace digits {
 
@@ -73,12 +74,12 @@ Integer floor_of_scaled(Instant& t, bool negative, const Rational& scale, const 
   }
 }
 
-// floor(|t| / base^e) where that has so many digits, and e.
+// floor(|t| / base^e) and e, for the e that gives `digits` digits.
 template <class Instant, class Compare, class Refine>
 DyadicCell leading(Instant& t, bool negative, int base, long digits, const Compare& compare,
                    const Refine& refine) {
   const Rational least = power_of(base, digits - 1), most = power_of(base, digits);
-  // Not zero, so that this ends.
+  // Terminates because t is not zero.
   while ((negative ? t.upper() : t.lower()).is_zero()) refine();
   for (long e = estimate_exponent(base, negative ? -t.upper() : t.lower()) - digits + 1;;) {
     Integer n = floor_of_scaled(t, negative, power_of(base, -e), compare, refine);
@@ -115,7 +116,7 @@ void set_exact_decimal(std::string& out, Instant& t, const Compare& compare, con
   write_digits(out, sign < 0, static_cast<std::uint64_t>(n.mantissa.to_int64()), n.exponent);
 }
 
-// The cell of `bits` significant bits that holds t; not for zero.
+// The cell of `bits` significant bits that contains t. Requires t != 0.
 template <class Instant, class Compare, class Refine>
 DyadicCell leading_bits(Instant& t, long bits, const Compare& compare, const Refine& refine) {
   return digits::leading(t, sign_of_instant(t, compare, refine) < 0, 2, bits, compare, refine);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ledger: what a run counted. Plain 64-bit counters owned by the run, always on, always exact.
+// The ledger: the counts of a run. Plain 64-bit counters owned by the run, always on, always exact.
 #ifndef KINEX_CORE_LEDGER_H
 #define KINEX_CORE_LEDGER_H
 
@@ -11,23 +11,23 @@
 
 namespace kinex {
 
-// The stages that can answer a question, cheapest first.
+// The stages that can answer a query, cheapest first.
 enum class Stage : std::uint8_t { kDouble, kWide, kMultiprecision, kExact };
 inline constexpr int kStages = 4;
 using StageCounts = std::array<std::uint64_t, kStages>;
 
 struct PredicateCounters {
   StageCounts signs{};
-  StageCounts failures{};     // failure times asked for
-  StageCounts looks{};        // lazy scheduling: windows looked at after the first one
-  StageCounts comparisons{};  // of a failure time (the first of two) that did not end at enclosures
+  StageCounts failures{};     // failure times computed
+  StageCounts looks{};        // lazy scheduling: windows after the first one
+  StageCounts comparisons{};  // of a failure time (the first of two) with overlapping enclosures
 };
 
 struct ArithmeticCounters {
   std::vector<PredicateCounters> by_predicate;  // indexed by PredicateId
-  StageCounts comparisons{};                    // that did not end at disjoint enclosures
-  // polynomials_solved[d]: failure times asked for a polynomial of degree d (the report's cost is a
-  // weighted sum of these).
+  StageCounts comparisons{};                    // of overlapping enclosures
+  // polynomials_solved[d]: failure times computed for polynomials of degree d (the cost in the
+  // report is a weighted sum of these).
   std::vector<std::uint64_t> polynomials_solved;
   std::uint64_t roots_made_exact = 0;
   std::uint64_t refinements = 0;
@@ -35,8 +35,8 @@ struct ArithmeticCounters {
   std::uint64_t max_bits = 0;  // largest coefficient bit length met in exact work
 };
 
-// Per failure, for responsiveness: histogram[k] counts failures with k certificates changed; the
-// last bin collects the rest.
+// Certificates changed per failure, for responsiveness: histogram[k] counts failures with k
+// changes; the last bin collects the rest.
 struct ChangeStatistics {
   static constexpr int kBins = 64;
   std::uint64_t events = 0;
@@ -53,16 +53,17 @@ struct ChangeStatistics {
 };
 
 struct StructureLedger {
-  // Every change of the attribute that was reported is an external event: as many as the event log
-  // marks so, whether a failure led to it, the end of an instant ("settled"), a rebuild, or a
-  // structure that is watched. A failure that reported none is an internal event. So a failure that
-  // changes the attribute twice is two events, and processed = external + internal. Updates,
-  // insertions, erasures and rebuilds that change nothing are no events here.
+  // processed = external + internal.
+  //   external  reported changes of the attribute, as many as the event log marks so: from
+  //             failures, ends of instants ("settled"), rebuilds, and watched structures
+  //   internal  failures that reported no such change
+  // A failure that changes the attribute twice counts as two events. Updates, insertions, erasures
+  // and rebuilds that change nothing are not counted.
   std::uint64_t processed = 0;
   std::uint64_t external = 0;
   std::uint64_t internal = 0;
   std::uint64_t failures = 0;  // certificate failures handled
-  std::uint64_t records = 0;   // what was reported: events, and changes of the scene
+  std::uint64_t records = 0;   // reports: events, and changes of the scene
   std::uint64_t rebuilds = 0;
   std::map<std::string, std::uint64_t> rebuild_reasons;
   std::uint64_t simultaneous_groups = 0;  // instants with two or more failures of this structure
@@ -76,8 +77,8 @@ struct StructureLedger {
   std::uint64_t live = 0;
   std::uint64_t max_live = 0;
   std::uint64_t max_per_object = 0;
-  // Lazy scheduling: failure times found; of these, for certificates that were retracted before
-  // they failed; and times at which a certificate was only proved to hold for a while.
+  // Lazy scheduling: failure times found; those of certificates that were retracted before they
+  // failed; proofs that a certificate holds up to a limit.
   std::uint64_t failures_found = 0;
   std::uint64_t failures_unused = 0;
   std::uint64_t windows = 0;
@@ -85,7 +86,7 @@ struct StructureLedger {
   ChangeStatistics retracted_per_event;
   std::uint64_t audit_checks = 0;
   std::uint64_t audit_violations = 0;
-  bool corrupt = false;  // an inexact arithmetic led it astray
+  bool corrupt = false;  // an inexact arithmetic led to an impossible state
   std::string corruption;
   double seconds = 0;  // CPU time of its work, without reports and audits
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LinearForm: predicates that are linear in the axes of their first argument, all others being
-// constants: forms in a pose (predicates/pose_form.h). At one instant a structure asks for many
-// signs of them in one pose, whose axes are evaluated once.
+// constants: forms in a pose (predicates/pose_form.h). A structure needs many of their signs in one
+// pose at one instant; the axes of the pose are evaluated once.
 #ifndef KINEX_CORE_LINEAR_FORM_H
 #define KINEX_CORE_LINEAR_FORM_H
 
@@ -26,12 +26,12 @@ class LinearForm {
   virtual Ball value(int motion_degree, const MotionView<Ball>* points, const Ball* axes) const = 0;
 };
 
-// Signs of linear forms over a short stretch of time, in doubles with error bounds. The values of
-// the object that was asked for last are kept. O(degree) for each of its axes, then O(1) a sign.
+// Signs of linear forms over a short time interval, in doubles with error bounds. The values of the
+// last object are cached. O(degree) for each of its axes, then O(1) a sign.
 class LinearSigns {
  public:
-  // The form's sign on all of [lo, hi], if it is one and the same for certain. The motions are not
-  // machine integers.
+  // The form's sign on all of [lo, hi]; nullopt if it is not certainly constant. The motions are
+  // not machine integers.
   std::optional<Sign> over(const LinearForm& form, const MotionStore& motions, const Query& query,
                            double lo, double hi);
   // The motion of this object changes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motion: where an object is as a polynomial in t with rational coefficients, in pieces.
+// Motion: the position of an object, piecewise polynomial in t with rational coefficients.
 #ifndef KINEX_CORE_MOTION_H
 #define KINEX_CORE_MOTION_H
 
@@ -10,8 +10,8 @@
 
 namespace kinex {
 
-// A rigid body in the plane has four coordinates: x, y of its frame's origin and a rotor p, q that turns
-// the frame by twice the angle of p + iq (p and q never vanish together).
+// A rigid body in the plane has four coordinates: x, y of its frame's origin and a rotor p, q that
+// turns the frame by twice the angle of p + iq (p and q never vanish together).
 inline constexpr int kBodyAxes = 4;
 
 // coordinates[axis][power]: coefficient of t^power (absolute t), low degree first. Every axis has
@@ -27,13 +27,13 @@ struct Trajectory {
   void normalise();
   // Requires axis < dimension().
   Rational position(int axis, const Rational& t) const;
-  // True if both are at the same place at t, and for bodies in the same position: rotors are equal up to
-  // a factor. Requires equal dimensions.
+  // True if both are at the same place at t, and for bodies in the same position: rotors are equal
+  // up to a factor. Requires equal dimensions.
   bool meets(const Trajectory& other, const Rational& t) const;
   friend bool operator==(const Trajectory&, const Trajectory&) = default;
 };
 
-// A flight plan in force on [from, to); a missing end means "for ever".
+// A flight plan in force on [from, to); a missing end is unbounded.
 struct MotionPiece {
   std::optional<Rational> from;  // nullopt: from the scene's start (or before)
   std::optional<Rational> to;    // nullopt: to the scene's end (or beyond)

@@ -13,7 +13,7 @@
 
 namespace kinex {
 
-// What a scene's numbers allow, decided once per scene from the scene.
+// The number types that a scene's coefficients allow, decided once per scene.
 struct NumberModel {
   int degree = 1;  // motion degree that polynomials are sized for (>= 1)
   int dimension = 1;
@@ -26,12 +26,12 @@ NumberModel choose_number_model(const Scene& scene);
 
 // Coefficient of t^k on axis a at [a * (degree + 1) + k] of an object's numbers.
 // A motion that the model does not cover (given at run time) is kept as big integers, unless it is
-// zero, like what only has a name. Doubles are in rows; all that is zero shares the first one.
+// zero. Doubles are in rows; all zero motions share the first one.
 class MotionStore {
  public:
   MotionStore(const NumberModel& model, std::size_t objects);
 
-  // The object may be a new one. `anchor`: a time near which the motion will be looked at.
+  // The object may be a new one. `anchor`: a time near which the motion will be evaluated.
   void set(ObjectId object, const Trajectory& trajectory, double anchor = 0);
   // Doubles with error bounds are kept only from the first call on.
   void need_balls();
@@ -45,10 +45,10 @@ class MotionStore {
   // The number of coefficients of one object.
   std::size_t stride() const { return stride_; }
   MotionView<Ball> ball(ObjectId object) const { return &balls_[row_[object] * stride_]; }
-  // The same in t - anchor, shifted exactly before it was rounded: far from t = 0 the coefficients
-  // in t cancel, these do not. Requires model().anchored.
+  // The same in t - anchor, shifted exactly before rounding: far from t = 0 the coefficients in t
+  // cancel, these do not. Requires model().anchored.
   MotionView<Ball> anchored(ObjectId object) const { return &anchored_[row_[object] * stride_]; }
-  // The anchor that all moving objects of these share; nullopt if nothing moves, or they do not.
+  // The anchor shared by all moving objects among these; nullopt if none moves, or none is shared.
   std::optional<double> shared_anchor(const ObjectId* ids, std::size_t count) const;
   // The exact polynomial of `predicate` over these objects, times a positive constant.
   Polynomial exact(const Predicate& predicate, const ObjectId* ids) const;

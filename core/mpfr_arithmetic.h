@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mpfr:P`: MPFR numbers of P bits, rounded to nearest, no intervals: the axis of the trade between
-// speed and accuracy. The algorithms are those of `double`. No promise.
+// `mpfr:P`: MPFR numbers of P bits, rounded to nearest, no intervals, for the trade-off between
+// speed and accuracy. The algorithms are those of `double`. No guarantee.
 #ifndef KINEX_CORE_MPFR_ARITHMETIC_H
 #define KINEX_CORE_MPFR_ARITHMETIC_H
 

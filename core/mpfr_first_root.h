@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First sign change of a polynomial in MPFR numbers: the Bernstein bisection of core/first_root.h with
-// no error accounting, for any precision and degree.
+// First sign change of a polynomial in MPFR numbers: the Bernstein bisection of core/first_root.h
+// with no error accounting, for any precision and degree.
 #ifndef KINEX_CORE_MPFR_FIRST_ROOT_H
 #define KINEX_CORE_MPFR_FIRST_ROOT_H
 
@@ -11,8 +11,8 @@
 
 namespace kinex {
 
-// c: low degree first, degree >= 1; positive right after a. The first root in (a, b] at which the sign
-// changes, as far as this precision shows; nullopt if none is seen. `b` unset: no limit.
+// The first root in (a, b] at which the sign changes, as far as this precision shows; nullopt if
+// none is found. c: low degree first, degree >= 1; positive right after a. `b` unset: no limit.
 std::optional<MpFloat> mpfr_first_sign_change(const std::vector<MpFloat>& c, const MpFloat& a,
                                               const std::optional<MpFloat>& b);
 

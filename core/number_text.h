@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact numbers written at the end of a text: what to_string() gives, without a string of its own.
+// Appends exact numbers to a text, as to_string() writes them, without a temporary string.
 #ifndef KINEX_CORE_NUMBER_TEXT_H
 #define KINEX_CORE_NUMBER_TEXT_H
 

@@ -11,29 +11,29 @@
 namespace kinex {
 
 // Primitive gcd with positive leading coefficient; gcd(0, p) = canonical(p), gcd(0, 0) = 0.
-// Exact. Modular: images modulo word-size primes, Chinese remaindering, trial division, so that
-// coprime inputs (the usual case) cost one prime: O(d^2) word operations plus the reductions.
-// `deadline`, here and below, is looked at between the steps; null: none.
+// Exact. Modular: images modulo word-size primes, Chinese remaindering, trial division. Coprime
+// inputs (the usual case) cost one prime: O(d^2) word operations plus the reductions.
+// `deadline`, here and below, is polled between the steps; null: none.
 Polynomial gcd(const Polynomial& a, const Polynomial& b, Deadline* deadline = nullptr);
 
-// False only if a and b have a common factor of positive degree *modulo one fixed prime*; true is a
-// proof that they are coprime, false says nothing. The cheap half of gcd.
+// True: a and b are proved coprime. False: they have a common factor of positive degree modulo one
+// fixed prime, which proves nothing. The cheap half of gcd.
 bool coprime_modulo_prime(const Polynomial& a, const Polynomial& b);
 
-// a / b where b divides a over the rationals; the primitive part of the quotient with the quotient's sign.
+// a / b where b divides a over the rationals; the primitive part of the quotient with the
+// quotient's sign.
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
 
 // canonical(p / gcd(p, p')): the same roots, each once. p not zero.
 Polynomial square_free_part(const Polynomial& p, Deadline* deadline = nullptr);
 
-// Yun: p = constant * product of factor[i]^(i+1); result[i] is canonical, square-free, and pairwise
+// Yun: p = constant * product of result[i]^(i+1). Every result[i] is canonical, square-free, and
 // coprime to the others (degree 0 where no root has that multiplicity). p not zero.
 std::vector<Polynomial> square_free_decomposition(const Polynomial& p,
                                                   Deadline* deadline = nullptr);
 
-// The product of the square-free factors of odd multiplicity, with the sign of p at +infinity:
-// it changes sign exactly where p does, and has the sign of p at every point that is no root of p.
-// p not zero.
+// The product of the square-free factors of odd multiplicity, with the sign of p at +infinity. It
+// changes sign exactly where p does, and has the sign of p wherever p is not zero. p not zero.
 Polynomial odd_part(const Polynomial& p, Deadline* deadline = nullptr);
 
 }  // namespace kinex

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Predicate: a polynomial in the motions of a few objects. A certificate says that it is >= 0.
-// This is the interface that the arithmetics use; a predicate's formula is written once, over any ring,
-// and adapted to this interface by core/predicate_formula.h.
+// Predicate: a polynomial in the motions of a few objects. A certificate claims that it is >= 0.
+// This is the interface that the arithmetics use; a predicate's formula is written once, over any
+// ring, and adapted to this interface by core/predicate_formula.h.
 #ifndef KINEX_CORE_PREDICATE_H
 #define KINEX_CORE_PREDICATE_H
 
@@ -25,7 +25,8 @@ inline constexpr int kMaxFixedDegree = 3;
 // Room for the coefficients of a certificate polynomial of fixed size: degree 5 * 3 plus one.
 inline constexpr int kMaxFixedCoefficients = 16;
 
-// The motion of one object in ring R: coefficient of t^k on axis a at [a * (motion_degree + 1) + k].
+// The motion of one object in ring R: the coefficient of t^k on axis a is entry
+// a * (motion_degree + 1) + k.
 template <class R>
 using MotionView = const R*;
 
@@ -39,11 +40,11 @@ class Predicate {
   virtual int dimension() const = 0;
   // Degree in t of the polynomial for motions of degree d.
   virtual int degree(int motion_degree) const = 0;
-  // The first `alternating()` arguments may be permuted: the value is multiplied by the permutation's
-  // sign. 0 or 1: no identity. So a certificate over the same objects has the same roots.
+  // Permuting the first `alternating()` arguments multiplies the value by the permutation's sign;
+  // the roots stay the same. 0 or 1: no identity.
   virtual int alternating() const = 0;
 
-  // The name of the predicate whose value over the same arguments is this one's negated; empty: none.
+  // The name of the predicate with the negated value over the same arguments; empty: none.
   virtual std::string_view opposite() const { return {}; }
 
   // The value as a polynomial in t, low degree first, degree(motion_degree) + 1 coefficients.
@@ -51,20 +52,22 @@ class Predicate {
   //
   // Exact machine integers; requires narrow_fits(); motion_degree <= kMaxFixedDegree.
   virtual void narrow(int motion_degree, const MotionView<std::int64_t>* points, Int128* out) const = 0;
-  // True if `narrow` cannot overflow for motions whose coefficient of t^k is at most magnitude[k] in
-  // absolute value on every axis (the predicate's own constants included).
+  // True if `narrow` cannot overflow for motions whose coefficient of t^k is at most magnitude[k]
+  // in absolute value on every axis (the predicate's own constants included).
   virtual bool narrow_fits(int motion_degree, const double* magnitude) const = 0;
   // Doubles with proven error bounds, as a polynomial in t - shift (in t unless shifts()).
   virtual void ball(int motion_degree, const MotionView<Ball>* points, double shift,
                     Ball* out) const = 0;
   // True if `ball` shifts motions of this degree.
   virtual bool shifts(int motion_degree) const { return motion_degree <= kMaxFixedDegree; }
-  // Plain doubles, as a polynomial in t - shift, no error accounting. The motions are shifted first, so
-  // that differences of positions near that time are small; motion_degree > kMaxFixedDegree: shift = 0.
+  // Plain doubles, as a polynomial in t - shift, no error accounting. The motions are shifted
+  // first, so that differences of positions near that time are small.
+  // motion_degree > kMaxFixedDegree: shift = 0.
   virtual void plain(int motion_degree, const MotionView<double>* points, double shift,
                      double* out) const = 0;
-  // The same, and reach[k] = the largest |difference| from the reference argument in the coefficient of
-  // (t - shift)^k, over the other arguments and all axes. motion_degree <= kMaxFixedDegree.
+  // As `plain`, and reach[k] = the largest |difference| from the reference argument in the
+  // coefficient of (t - shift)^k, over the other arguments and all axes.
+  // motion_degree <= kMaxFixedDegree.
   virtual void plain_with_reach(int motion_degree, const MotionView<double>* points, double shift,
                                 double* out, double* reach) const = 0;
   // If the shifted motions and their differences are exact in doubles, then coefficient k of
@@ -76,7 +79,7 @@ class Predicate {
   // MPFR numbers of the points' precision.
   virtual void multiprecision(int motion_degree, const MotionView<MpFloat>* points,
                               MpFloat* out) const = 0;
-  // Exact integers. The predicate may be multiplied by a positive constant (the same for all calls).
+  // Exact integers. The value may carry a positive constant factor, the same for all calls.
   virtual Polynomial exact(int motion_degree, const MotionView<Integer>* points) const = 0;
   // Exact rationals, for the reference arithmetic: low degree first, not stripped.
   virtual std::vector<Rational> rational(int motion_degree,

@@ -3,13 +3,14 @@
 //
 // A Formula is a class with
 //   static constexpr int kArity, kDegree (in units of the motion's degree), kAlternating;
-//   static constexpr int kReference;         index of the argument that differences are taken from
-//   static constexpr bool kOnlyToReference;  every coordinate enters as a difference to that argument
+//   static constexpr int kReference;         the argument that differences are taken from
+//   static constexpr bool kOnlyToReference;  every coordinate enters as such a difference
 //   name(), dimension();
 //   template <class Points> auto value(const Points& p) const;
-// where p(i, axis) is the polynomial of the i-th argument on that axis and value() returns a polynomial
-// in the wide ring (through widen or wide_product). The formula must be homogeneous of degree kDegree in
-// the coordinates of its arguments and use them only through differences of two arguments on one axis.
+// where p(i, axis) is the polynomial of the i-th argument on that axis and value() returns a
+// polynomial in the wide ring (through widen or wide_product). The formula must
+//   (1) be homogeneous of degree kDegree in the coordinates of its arguments, and
+//   (2) use them only through differences of two arguments on one axis.
 #ifndef KINEX_CORE_PREDICATE_FORMULA_H
 #define KINEX_CORE_PREDICATE_FORMULA_H
 
@@ -201,8 +202,8 @@ class FormulaPredicate final : public Predicate {
     store(formula_.value(FixedPoints<double, D>{views}), out);
   }
 
-  // With every difference bounded by one and the same polynomial R(t) the formula's absolute values add
-  // up to C R^homogeneity, and C is what the lowest coefficient shows for R = 1 + t + ..
+  // With every difference bounded by the same polynomial R(t), the formula's absolute values add up
+  // to C R^homogeneity. C is the lowest coefficient for R = 1 + t + ..
   template <int D>
   static double relative_error(const FixedPolynomial<RoundingBound, D>& p) {
     double roundings = 0;
@@ -216,8 +217,8 @@ class FormulaPredicate final : public Predicate {
     for (std::size_t i = 0; i < p.c.size(); ++i) out[i] = std::move(p.c[i]);
   }
 
-  // Limits: 64-bit values stay below 2^62 and 128-bit ones below 2^125; the peaks are sums and products
-  // of doubles rounded to nearest, off by far less than the factor of two left.
+  // Limits: 64-bit values stay below 2^62 and 128-bit ones below 2^125; the peaks are sums and
+  // products of doubles rounded to nearest, off by far less than the factor of two left.
   template <int D>
   static bool magnitudes_fit(const FixedPolynomial<Magnitude, D>& p) {
     for (const Magnitude& m : p.c) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How two queries are related by permuting arguments in which their predicate alternates.
+// The relation of two queries by a permutation of arguments in which their predicate alternates.
 #ifndef KINEX_CORE_QUERY_RELATION_H
 #define KINEX_CORE_QUERY_RELATION_H
 
@@ -11,8 +11,8 @@
 
 namespace kinex {
 
-// +1 or -1: the polynomial of `a` is that of `b` times this sign; 0: not related so. `alternating` is
-// Predicate::alternating() of their common predicate.
+// +1 or -1: the polynomial of `a` is that of `b` times this sign; 0: no such relation.
+// `alternating` is Predicate::alternating() of their common predicate.
 inline int query_relation(const Query& a, const Query& b, int alternating) {
   if (a.predicate != b.predicate) return 0;
   const std::size_t k = alternating < 2 ? 0 : static_cast<std::size_t>(alternating);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a root of an integer polynomial is rational: decided exactly.
+// Decides exactly whether a root of an integer polynomial is rational.
 #ifndef KINEX_CORE_RATIONAL_ROOT_H
 #define KINEX_CORE_RATIONAL_ROOT_H
 
@@ -9,19 +9,19 @@
 
 namespace kinex {
 
-// True: the polynomial has no rational root, because it has none (nor one at infinity) modulo one
-// of the primes below 50. False says nothing. `c`: at least two coefficients. Of polynomials
-// without rational roots and without structure some 99.7 % are found to be so, in 3 primes on the
+// True: the polynomial has no rational root, because it has no root (nor one at infinity) modulo
+// one of the primes below 50. False proves nothing. `c`: at least two coefficients. Among
+// unstructured polynomials without rational roots about 99.7 % are detected, with 3 primes on
 // average.
 bool lacks_rational_roots(const std::vector<Integer>& c);
 
 // The fraction with the least denominator in [lo, hi], if its numerator and denominator fit 52
-// bits: a guess, as it is made in doubles.
+// bits. Computed in doubles: a guess.
 std::optional<Rational> simplest_fraction(double lo, double hi);
 
-// The root's value, if it is rational; refines it until that is decided. p(root) = 0; p canonical.
-// A rational root's denominator divides the leading coefficient, so that the interval soon holds
-// one candidate at most.
+// The root's value if it is rational, else nullopt; refines the root until that is decided.
+// Requires p(root) = 0, p canonical. A rational root's denominator divides the leading coefficient,
+// so the interval soon contains at most one candidate.
 std::optional<Rational> rational_value(const Polynomial& p, RealRoot& root, RootCounters& counters);
 
 }  // namespace kinex

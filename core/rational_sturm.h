@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polynomials over the rationals and their Sturm sequences: the whole root finding of the `sturm`
-// arithmetic. It is the reference that the fast arithmetic is compared with, so it is plain and
-// shares nothing with it beyond Integer and Rational.
+// Polynomials over the rationals and their Sturm sequences: all root finding of the `sturm`
+// arithmetic. The reference for `exact`: plain, and sharing only Integer and Rational with it.
 #ifndef KINEX_CORE_RATIONAL_STURM_H
 #define KINEX_CORE_RATIONAL_STURM_H
 
@@ -14,12 +13,12 @@
 
 namespace kinex {
 
-// How much was done, and when to stop; a plain value owned by the caller and passed by reference.
+// Work counts and a deadline; a plain value owned by the caller and passed by reference.
 struct SturmWork {
   std::uint64_t refinements = 0;  // bisections of an isolating interval
   std::uint64_t gcds = 0;
   std::uint64_t max_bits = 0;  // largest numerator or denominator of a coefficient
-  Deadline* deadline = nullptr;  // looked at in every step that may be long; null: none
+  Deadline* deadline = nullptr;  // polled in every step that may be long; null: none
 };
 
 // Coefficients low degree first, no leading zeros; the zero polynomial has none.
@@ -65,8 +64,8 @@ Division divide(const RationalPolynomial& a, const RationalPolynomial& b);
 RationalPolynomial gcd(RationalPolynomial a, RationalPolynomial b, SturmWork& work);
 
 // p, p', and the negated remainders, each divided by the last one (the gcd of p and p') and by a
-// positive constant. So the first element has the roots of p, each once, and counts are right at
-// every point, be it a multiple root of p.
+// positive constant. So the first element has the roots of p, each once, and counts are correct at
+// every point, multiple roots of p included.
 // Source: Sturm's theorem, as in Basu, Pollack, Roy, Algorithms in Real Algebraic Geometry, 2.2.
 class RationalSturm {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is a real root a rational number?
+// Decides whether a real root is rational.
 #ifndef KINEX_CORE_RATIONAL_VALUE_H
 #define KINEX_CORE_RATIONAL_VALUE_H
 
@@ -9,9 +9,9 @@
 
 namespace kinex {
 
-// The value of the root if it is rational, however it is represented; nullopt if it is not.
-// A rational root of an integer polynomial has a denominator that divides the leading coefficient
-// c, so c * root is an integer: the interval is narrowed until it leaves room for one candidate.
+// The value of the root if it is rational, in either representation; nullopt if it is irrational.
+// The denominator of a rational root divides the leading coefficient c, so c * root is an integer:
+// the interval is narrowed until it contains at most one candidate.
 std::optional<Rational> rational_value(RealRoot& root, RootCounters& counters);
 
 }  // namespace kinex

@@ -15,23 +15,21 @@
 
 namespace kinex {
 
-// How much exact work was done, and when to stop; a plain value owned by the caller and passed by
-// reference.
+// Counts of exact work and a deadline; a plain value owned by the caller and passed by reference.
 struct RootCounters {
   std::uint64_t isolations = 0;   // calls that isolated roots of a polynomial
   std::uint64_t refinements = 0;  // refinement steps of an interval
   std::uint64_t gcds = 0;         // exact polynomial gcds
-  std::uint64_t max_bits = 0;     // largest coefficient bit length that was met
-  Deadline* deadline = nullptr;   // looked at in every step that may be long; null: none
+  std::uint64_t max_bits = 0;     // largest coefficient bit length
+  Deadline* deadline = nullptr;   // polled in every step that may be long; null: none
 };
 
 // Invariant, one of:
-//   rational: the number is known to be the rational value(); polynomial() is den*t - num;
-//   isolated: polynomial() has opposite non-zero signs at lower() < upper() (finite, dyadic) and
-//   exactly
-//             one real root between them (it need not be square-free elsewhere).
+//   rational  the number is known to be the rational value(); polynomial() is den*t - num
+//   isolated  polynomial() has opposite non-zero signs at lower() < upper() (finite, dyadic) and
+//             exactly one real root between them (it need not be square-free elsewhere)
 // Refinement is explicit: a function that may narrow the interval takes the root by non-const
-// reference. A refinement that hits the root exactly turns the representation into `rational`.
+// reference. A refinement that hits the root exactly turns `isolated` into `rational`.
 class RealRoot {
  public:
   explicit RealRoot(const Rational& value);
@@ -45,7 +43,7 @@ class RealRoot {
   Rational value() const;                                // requires is_rational()
   Sign sign_at_lower() const { return sign_at_lower_; }  // of polynomial(); kZero when rational
 
-  // Halves the interval at least (quadratic interval refinement: Abbott 2006).
+  // At least halves the interval (quadratic interval refinement: Abbott 2006).
   void refine(RootCounters& counters);
   // Refines until upper - lower <= 2^-bits.
   void refine_to(long bits, RootCounters& counters);
@@ -83,7 +81,7 @@ class RealRoot {
   Sign evaluate(const Integer& numerator, Value& value) const;
   Integer guess(const Integer& width);
   bool width_at_most(long bits) const;  // upper - lower <= 2^-bits
-  // -1, 0, +1 as the interval lies below the other one, meets it in an interval, or lies above.
+  // -1, 0, +1: the interval lies below the other one, overlaps it, or lies above it.
   int side_of(const RealRoot& other) const;
   // Whether `g` has opposite signs at the ends.
   bool changes_sign(const Polynomial& g) const;
@@ -100,18 +98,18 @@ class RealRoot {
   Value value_at_lower_, value_at_upper_;
 };
 
-// -1, 0, +1: exact. Disjoint intervals answer at once; equality is proved by a gcd.
+// -1, 0, +1: exact. Disjoint intervals are compared at once; equality is proved by a gcd.
 int compare(RealRoot& a, RealRoot& b, RootCounters& counters);
 int compare(RealRoot& a, const Rational& b, RootCounters& counters);
 
-// Sign of q at the root, and on (root, root + eps), and on (root - eps, root). kZero of the last
-// two only if q is the zero polynomial.
+// Sign of q at the root, on (root, root + eps), and on (root - eps, root). The last two are kZero
+// only if q is identically zero.
 Sign sign_at(const Polynomial& q, RealRoot& root, RootCounters& counters);
 Sign sign_after(const Polynomial& q, RealRoot& root, RootCounters& counters);
 Sign sign_before(const Polynomial& q, RealRoot& root, RootCounters& counters);
 
 // All distinct real roots in ascending order, with pairwise disjoint isolating intervals (their
-// closed intervals may share an end point only if that end is no root). The RealRoots carry the
+// closures may share an end point only if that end is not a root). The RealRoots carry the
 // square-free factor they come from. Any degree; Descartes' rule in the Bernstein basis, integer
 // arithmetic.
 struct RootWithMultiplicity {
@@ -121,17 +119,21 @@ struct RootWithMultiplicity {
 std::vector<RootWithMultiplicity> isolate_real_roots(const Polynomial& p, RootCounters& counters);
 
 // The first root of odd multiplicity of p strictly above `after` and at most `until` (no limit if
-// nullopt): where p changes sign next. nullopt if there is none. p not zero.
+// nullopt): the next sign change of p. nullopt if there is none. p not zero.
 std::optional<RealRoot> first_sign_change_after(const Polynomial& p, RealRoot& after,
                                                 const std::optional<Rational>& until,
                                                 RootCounters& counters);
 
-// One name for a root of p, the same however it was computed. A rational number is root 1 of den t - num,
-// in [num/den, num/den], whatever p is. Else `polynomial` is the canonical square-free part of p, `index`
-// (from 1) counts its real roots in ascending order, and [lower, upper] is the coarsest cell
-// +-[m, m + 1] 2^e with 2^k <= m < 2^(k+1), k = 0, 1, .., that holds this root and no other, its ends
-// included: the binary digits of the root, as many as tell it from the others. A function of the
-// polynomial and the index alone.
+// The name of a root of p: a function of p and the index alone, however the root was computed.
+//
+//               rational number         irrational number
+//   polynomial  den t - num             the canonical square-free part of p
+//   index       1                       among its real roots in ascending order, from 1
+//   lower       num/den                 [lower, upper] is the coarsest cell +-[m, m + 1] 2^e with
+//   upper       num/den                 2^k <= m < 2^(k+1), k = 0, 1, .., that contains this root
+//                                       and no other, ends included
+//
+// The cell shows as many binary digits of the root as separate it from the others.
 struct RootName {
   Polynomial polynomial;
   int index;
@@ -140,10 +142,11 @@ struct RootName {
 // The name of `root` as a root of p (p not zero, p(root) = 0).
 RootName name_root(const Polynomial& p, RealRoot& root, RootCounters& counters);
 
-// The number that an exact name (detail kName) stands for.
+// The number with this exact name (detail kName).
 RealRoot to_root(const InstantName& name);
 
-// -1, 0, +1: exact. Equal names, roots of one polynomial and disjoint intervals answer at once.
+// -1, 0, +1: exact. Equal names, roots of one polynomial and disjoint intervals are compared at
+// once.
 int compare(const InstantName& a, const InstantName& b, RootCounters& counters);
 
 // The decimal of an instant in logs: see core/instant_digits.h.

@@ -11,8 +11,8 @@
 
 namespace kinex {
 
-// The message says what and why. Everything before `time` is as it should be; the run that has
-// thrown it cannot go on (SimulatorOptions::stop_before makes one that ends before it).
+// The message says what was refused and why. Everything before `time` is correct; the run that
+// threw cannot continue (SimulatorOptions::stop_before makes one that ends before `time`).
 class RefusedChange : public std::invalid_argument {
  public:
   RefusedChange(Rational time, const std::string& message)

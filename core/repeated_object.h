@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RepeatedObject: a structure has asked for a certificate that names one object twice.
+// RepeatedObject: a structure requested a certificate that names one object twice.
 #ifndef KINEX_CORE_REPEATED_OBJECT_H
 #define KINEX_CORE_REPEATED_OBJECT_H
 
@@ -12,9 +12,9 @@
 
 namespace kinex {
 
-// In an exact arithmetic a mistake of the structure's author. In an inexact one wrong signs may lead a
-// structure here too, so that the run takes it for corruption. The message names the structure, the
-// predicate and the objects.
+// In an exact arithmetic this is a bug of the structure. In an inexact one wrong signs may also
+// cause it, so the run treats it as corruption. The message names the structure, the predicate and
+// the objects.
 class RepeatedObject : public std::logic_error {
  public:
   // `objects`: the names of the query's arguments.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polynomials over any ring, as predicate formulas use them: of fixed size (the hot path) or dynamic.
+// Polynomials over any ring, for predicate formulas: of fixed size (the hot path) or dynamic.
 #ifndef KINEX_CORE_RING_POLYNOMIAL_H
 #define KINEX_CORE_RING_POLYNOMIAL_H
 
@@ -15,8 +15,8 @@
 
 namespace kinex {
 
-// The ring of coefficient bounds: it follows a formula with the largest absolute values instead of the
-// values, and so tells whether machine integers can overflow anywhere in it.
+// The ring of coefficient bounds: evaluates a formula on the largest absolute values, to decide
+// whether machine integers can overflow anywhere in it.
 struct Magnitude {
   double value = 0;
   double narrow_peak = 0;  // largest 64-bit intermediate
@@ -44,10 +44,12 @@ struct Magnitude {
   Magnitude& operator+=(const Magnitude& b) { return *this = *this + b; }
 };
 
-// The ring of rounding errors: it follows a formula that is evaluated in plain doubles. Every value is a
-// sum of monomials; `magnitude` bounds the sum of their absolute values and `roundings` how many factors
-// (1 + delta), |delta| <= 2^-53, any one of them carries. Inputs are exact, and so are differences of two
-// inputs (they are integers of few bits, or multiples of one power of two).
+// The ring of rounding errors of a formula evaluated in plain doubles. Every value is a sum of
+// monomials:
+//   magnitude  bounds the sum of their absolute values
+//   roundings  bounds the number of factors (1 + delta), |delta| <= 2^-53, of any of them
+// Inputs are exact, and so are differences of two inputs (they are integers of few bits, or
+// multiples of one power of two).
 struct RoundingBound {
   double magnitude = 0;
   double roundings = 0;
@@ -66,7 +68,7 @@ struct RoundingBound {
   RoundingBound& operator+=(const RoundingBound& b) { return *this = *this + b; }
 };
 
-// The ring that products of two R live in where they may be twice as wide.
+// The ring of products of two R, which may be twice as wide.
 template <class R>
 struct WideRing {
   using Type = R;

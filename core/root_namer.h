@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RootNamer: the exact name of a root that is already enclosed in doubles, without isolating
-// anything anew. See RootName in core/real_root.h for what a name is.
+// RootNamer: the exact name (RootName in core/real_root.h) of a root that is already enclosed in
+// doubles, without isolating it again.
 //
 // A filtered Sturm sequence proves that the polynomial is square-free, counts the roots below, and
-// finds the coarsest cell that isolates the root; roots modulo small primes prove that it is
-// irrational. Each proof may fail; then there is no name from here, and name_root() gives the same
-// one, exactly. Cost: about one microsecond at degree 4, two at degree 8.
+// finds the coarsest cell that isolates the root. Roots modulo small primes prove that it is
+// irrational. If a proof fails no name is given; name_root() then gives the same name exactly.
+// Cost: about one microsecond at degree 4, two at degree 8.
 #ifndef KINEX_CORE_ROOT_NAMER_H
 #define KINEX_CORE_ROOT_NAMER_H
 
@@ -18,8 +18,9 @@ namespace kinex {
 
 class RootNamer {
  public:
-  // Fills in polynomial, root, lower and upper: the name of the root of p in [lo, hi]. It is the
-  // only one there, and p changes sign at it. Takes p. False: no name; the four are then undefined.
+  // Fills in polynomial, root, lower and upper: the name of the root of p in [lo, hi]. Requires: it
+  // is the only one there, and p changes sign at it. Consumes p. False: no name; the four are
+  // undefined.
   bool name(std::vector<Integer>& p, double lo, double hi, InstantName& name);
 
  private:

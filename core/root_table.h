@@ -12,7 +12,7 @@
 
 namespace kinex {
 
-// Handles are small integers, 0 is none. Counted references; a freed place is used again.
+// Handles are small integers, 0 is none. Reference counted; freed places are reused.
 class RootTable {
  public:
   std::uint32_t add(RealRoot root) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An instant rounded down to a double of 40 significant bits: a number that does not depend on how
-// narrow the interval is in which the instant is known to be.
+// An instant rounded down to a double of 40 significant bits, independent of the width of the
+// interval in which the instant is known to lie.
 #ifndef KINEX_CORE_ROUNDED_INSTANT_H
 #define KINEX_CORE_ROUNDED_INSTANT_H
 
@@ -19,8 +19,8 @@ inline double rounded_down(double t) {
   return std::ldexp(std::floor(std::ldexp(mantissa, kBits)), exponent - kBits);
 }
 
-// `Instant` has lower() and upper(), equal once it is known to be rational; `compare` orders it and
-// a rational, and finds out that they are equal; `refine` narrows it.
+// `Instant` has lower() and upper(), equal once it is known to be rational. `compare` gives the
+// exact order of it and a rational; `refine` narrows it.
 template <class Instant, class Compare, class Refine>
 double rounded_down(Instant& instant, const Compare& compare, const Refine& refine) {
   if (instant.lower().sign() < 0 && instant.upper().sign() > 0 && compare(Rational()) == 0) {

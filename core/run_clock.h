@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RunClock: where the time of a run goes, by phase and by structure.
+// RunClock: the time of a run by phase and by structure.
 //
-// Every figure is CPU time of the thread, so a busy machine does not change it, with wall time
-// beside it. Reading the CPU clock is a system call (some hundred nanoseconds) and may cost more
-// than an event of a sorted list. Therefore
+// Every figure is CPU time of the thread, independent of the machine's load, with wall time beside
+// it. Reading the CPU clock is a system call (some hundred nanoseconds) and may cost more than an
+// event of a sorted list. Therefore
 //
-//   phases      read both clocks when the phase changes: a few times in a run without audits
+//   phases      read both clocks when the phase changes: a few times in a run without audits.
 //   structures  read the wall clock (no system call) when another structure is called; the CPU time
-//               of the whole stretch is divided in proportion
+//               of the whole stretch is divided in proportion.
 //   reports     (calls of the event sink) are sampled: all of the first kAlwaysMeasured, then one
-//   in
-//               g, where g keeps the cost of measuring below about 1/kShare of the sink's own; the
-//               gaps vary, so a rhythm of the events is not mistaken for the whole. A measured call
-//               stands for itself and the calls since the one measured before. Their time is taken
-//               from the phase and the structure in which they were made.
+//               in g, where g keeps the cost of measuring below about 1/kShare of the sink's own.
+//               The gaps vary, so that a periodic pattern of events does not bias the sample. A
+//               measured call stands for itself and the calls since the one measured before. Their
+//               time is taken from the phase and the structure in which they were made.
 #ifndef KINEX_CORE_RUN_CLOCK_H
 #define KINEX_CORE_RUN_CLOCK_H
 
@@ -48,8 +47,7 @@ inline constexpr std::size_t kRunPhases = 5;
 
 class RunClock {
  public:
-  // The time up to the end of this object's life is charged to `phase`, then again to the phase
-  // before.
+  // Time is charged to `phase` during this object's life, afterwards to the previous phase again.
   class Scope {
    public:
     Scope(RunClock& clock, RunPhase phase) : clock_(clock), before_(clock.enter(phase)) {}
@@ -112,7 +110,7 @@ class RunClock {
   std::uint64_t until_measured_ = 1;
   std::uint64_t gap_ = 1;       // calls that the next measured one stands for
   std::uint64_t measured_ = 0;  // calls
-  // Of measured calls, and of one look at the clocks for each.
+  // Of measured calls, and of one reading of the clocks for each.
   double measured_cpu_ = 0, cost_cpu_ = 0;
   std::uint64_t random_ = 0x9e3779b97f4a7c15;
 };

@@ -20,8 +20,8 @@ inline constexpr ObjectId kNoObject = 0xffffffffu;
 // A vertex of a polygon in the frame of the body that carries it.
 using Vertex2 = std::array<Rational, 2>;
 
-// A point, or a rigid body: a convex polygon, vertices counter-clockwise. A body's motion has kBodyAxes
-// axes.
+// A point, or a rigid body: a convex polygon, vertices counter-clockwise. A body's motion has
+// kBodyAxes axes.
 struct SceneObject {
   std::string id;
   Motion motion;
@@ -45,8 +45,8 @@ struct Request {
   Key key;
 };
 
-// What becomes of two bodies that overlap when one of them is first seen, at the scene's start, when
-// it appears or jumps, or that touch then and penetrate at once.
+// The treatment of two bodies that overlap, or touch and penetrate at once, when one of them first
+// exists: at the scene's start, when it appears, or when it jumps.
 enum class OverlappingStarts {
   kRefused,
   kContact,  // they begin in contact
@@ -64,12 +64,12 @@ struct Scene {
 
   // Largest degree of any motion.
   int degree() const;
-  // True if the objects are rigid bodies; all are, or none is.
+  // True if the objects are rigid bodies; either all are or none.
   bool has_bodies() const { return !objects.empty() && !objects.front().polygon.empty(); }
   // Coordinates of a motion: the dimension, or kBodyAxes.
   int axes() const { return has_bodies() ? kBodyAxes : dimension; }
-  // What an arithmetic has to hold: the axes of its widest objects and the degree of their motions,
-  // derived objects (core/derived_objects.h) included.
+  // The axes of the widest objects and the largest degree of their motions, derived objects
+  // (core/derived_objects.h) included.
   int held_axes() const;
   int held_degree() const;
 };

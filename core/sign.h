@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sign: what a predicate answers. "I do not know" is never a Sign: filters return std::optional<Sign>.
+// Sign: the answer of a predicate. "Unknown" is never a Sign: filters return std::optional<Sign>.
 #ifndef KINEX_CORE_SIGN_H
 #define KINEX_CORE_SIGN_H
 

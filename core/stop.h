@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Deadline: when a run has to stop. Whatever can take long polls it.
+// Deadline: when a run has to stop. All code that may take long polls it.
 //
-// A run is asked to stop when its time is up, or when a flag is raised (a signal, say). Asked so, it
-// stops after the present instant: due() is true. If that instant takes longer than kGrace, or none
-// is in hand (structures are being built, an audit is made), look() throws Stopped.
+// A run must stop when its time is up, or when a flag is raised (by a signal, for example). It then
+// stops after the present instant: due() is true. If that instant takes longer than kGrace, or no
+// instant is being processed (structures are being built, an audit is made), look() throws Stopped.
 #ifndef KINEX_CORE_STOP_H
 #define KINEX_CORE_STOP_H
 
@@ -14,7 +14,7 @@
 
 namespace kinex {
 
-// Thrown out of work that was asked to stop; what it was working on is unfinished.
+// Thrown out of interrupted work, which stays unfinished.
 class Stopped final : public std::exception {
  public:
   const char* what() const noexcept override { return "the run was stopped"; }
@@ -27,7 +27,7 @@ class Deadline {
 
   // Never.
   Deadline() = default;
-  // After so many seconds (0: never), or when `interrupt` (may be null; it must outlive this) is
+  // Due after `seconds` (0: never), or when `interrupt` (may be null; it must outlive this) is
   // true. Starts running.
   Deadline(double seconds, const std::atomic<bool>* interrupt);
 
@@ -35,8 +35,8 @@ class Deadline {
   void pause();
   bool running() const { return running_; }
 
-  // True if the run has to stop after the present instant. Meant for places that come by often: the
-  // clock is read now and then.
+  // True if the run has to stop after the present instant. For frequent calls: the clock is read
+  // only now and then.
   bool due() {
     if (!running_) return false;
     if (is_due_ || (++asked_ & kSeldom) != 0) return is_due_;
@@ -46,11 +46,11 @@ class Deadline {
   void poll() {
     if (running_ && (++asked_ & kSeldom) == 0) look();
   }
-  // poll() for places that take long each: the clock is read every time.
+  // poll() for rare calls: the clock is read every time.
   void look() {
     if (running_ && note_due()) throw_if_late();
   }
-  // It was the flag that made the run due.
+  // True if the flag made the run due.
   bool interrupted() const { return interrupted_; }
 
  private:
@@ -71,7 +71,7 @@ class Deadline {
   Clock::time_point due_since_;
 };
 
-// For work that may have none.
+// For work that may have no deadline.
 inline void look(Deadline* deadline) {
   if (deadline != nullptr) deadline->look();
 }

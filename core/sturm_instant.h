@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SturmInstant: an instant as the `sturm` arithmetic knows it: a rational number, or a square-free
-// polynomial over the rationals with an interval that holds one of its roots.
+// SturmInstant: an instant of the `sturm` arithmetic: a rational number, or a square-free
+// polynomial over the rationals with an interval that isolates one of its roots.
 #ifndef KINEX_CORE_STURM_INSTANT_H
 #define KINEX_CORE_STURM_INSTANT_H
 
@@ -11,9 +11,9 @@
 namespace kinex {
 
 // Invariant, one of:
-//   rational: lower() == upper() == the number; polynomial() is t - number;
-//   isolated: polynomial() is square-free, has opposite non-zero signs at lower() < upper(), and
-//             exactly one root between them.
+//   rational  lower() == upper() == the number; polynomial() is t - number
+//   isolated  polynomial() is square-free, has opposite non-zero signs at lower() < upper(), and
+//             exactly one root between them
 class SturmInstant {
  public:
   explicit SturmInstant(const Rational& value);
@@ -25,9 +25,9 @@ class SturmInstant {
   const Rational& lower() const { return lower_; }
   const Rational& upper() const { return upper_; }
 
-  // How often the interval has been bisected.
+  // The number of bisections of the interval.
   int bisections() const { return bisections_; }
-  // Bisects the interval, at a dyadic point. A root that is hit makes the instant rational.
+  // Bisects the interval at a dyadic point. If the point is the root, the instant becomes rational.
   void refine(SturmWork& work);
   // Narrows the interval until t is not strictly inside it; exact comparison with t: -1, 0, +1.
   int compare(const Rational& t);
@@ -42,9 +42,9 @@ class SturmInstant {
   int bisections_ = 0;
 };
 
-// -1, 0, +1: exact. Intervals that have been narrowed enough before are not narrowed further to
-// prove that two instants are equal, so instants that many others are equal to stay short. Equality
-// is proved by a root of the gcd in the overlap of the intervals.
+// -1, 0, +1: exact. Equality is proved by a root of the gcd in the overlap of the intervals.
+// Intervals that are already narrow enough are not narrowed for that, so instants with many equals
+// stay short.
 int compare(SturmInstant& a, SturmInstant& b, SturmWork& work);
 
 // Sign of p on (x, x + eps), where `sturm` is the sequence of p. p not zero. Afterwards p has no
@@ -56,8 +56,8 @@ Sign sign_after(const RationalPolynomial& p, const RationalSturm& sturm, SturmIn
 bool vanishes_at(const RationalPolynomial& p, const SturmInstant& x, SturmWork& work);
 
 // The first root of p beyond `from` and at most `until` (no limit if nullopt) where p turns from +
-// to -. Requires: p positive right after `from`. Doubles a step until there is a root, and bisects
-// until there is one: the 1998 report, section 10.
+// to -. Requires: p positive right after `from`. Doubles a step until it contains a root, then
+// bisects until it contains one: the 1998 report, section 10.
 std::optional<SturmInstant> first_failure_after(const RationalPolynomial& p,
                                                 const RationalSturm& sturm, const Rational& from,
                                                 const std::optional<Rational>& until,

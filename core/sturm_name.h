@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of instants as the `sturm` arithmetic finds them: plain bisection and Sturm counts. The
-// same names as RootNamer and name_root give, from code that shares none of their root finding;
-// only the digits are cut and written in one place (core/instant_digits.h).
+// Names of instants for the `sturm` arithmetic, by plain bisection and Sturm counts. The same names
+// as those of RootNamer and name_root, from code that shares none of their root finding; only
+// digits are computed and written in one place (core/instant_digits.h).
 #ifndef KINEX_CORE_STURM_NAME_H
 #define KINEX_CORE_STURM_NAME_H
 

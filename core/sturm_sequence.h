@@ -12,9 +12,8 @@ namespace kinex {
 
 class SturmSequence {
  public:
-  // p not zero; it need not be square-free (the sequence then counts distinct roots, valid at points
-  // that are not multiple roots: count_between divides the sequence by its last element, so it is
-  // valid everywhere).
+  // p not zero. It need not be square-free: the sequence is divided by gcd(p, p'), so the counts
+  // are those of distinct roots, valid everywhere, at multiple roots too.
   explicit SturmSequence(const Polynomial& p);
 
   // Distinct real roots in the half-open interval (a, b]; requires a <= b.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Narrows an enclosure in doubles to the doubles next to the root, with one exact value of the
+// Narrows an enclosure to the doubles next to the root, with one exact evaluation of the
 // polynomial.
 #ifndef KINEX_CORE_TIGHT_ENCLOSURE_H
 #define KINEX_CORE_TIGHT_ENCLOSURE_H
@@ -10,9 +10,10 @@
 
 namespace kinex {
 
-// p has a root in [lo, hi], lo < hi. False: nothing was proved, and the ends are as they were.
+// Requires: p has a root in [lo, hi], lo < hi. False: nothing was proved, and the ends are
+// unchanged.
 // Source: the mean value theorem. With m in the middle, root = m - p(m) / p'(x) for an x between
-// the ends; p(m) is computed exactly, p' and what it varies by in doubles, with error bounds.
+// the ends. p(m) is computed exactly, p' and its variation in doubles with error bounds.
 bool tighten(const std::vector<Integer>& p, double& lo, double& hi);
 
 }  // namespace kinex

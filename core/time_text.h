@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A time in a message: short, and exact where that is short.
+// A time for messages: exact if that is short.
 #ifndef KINEX_CORE_TIME_TEXT_H
 #define KINEX_CORE_TIME_TEXT_H
 
@@ -9,8 +9,10 @@
 
 namespace kinex {
 
-// "7"; "3/2 (1.5)" or "1/3 (0.3333333333)" where the fraction has at most 20 characters; else
-// "about 0.3333333333" (ten significant digits, with an exponent where the number calls for one).
+//   "7"                                integers       (at most 20 characters)
+//   "3/2 (1.5)", "1/3 (0.3333333333)"  fractions      (at most 20 characters)
+//   "about 0.3333333333"               other numbers  (ten significant digits, an exponent if
+//   needed)
 std::string time_text(const Rational& t);
 
 }  // namespace kinex
