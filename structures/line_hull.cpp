@@ -131,8 +131,8 @@ void LineHull::refresh(Place p) {
 
 // Descends in the left half, u, and in the right one, w, along their bridges (p1, p2) and (q1, q2),
 // or points.
-//   - If something of w is on or above the line p1 p2, the bridge is at least as steep and begins in
-//     the left part of u; if nothing is, and w is a point, it begins in the right part of u. The
+//   - If something of w is on or above the line p1 p2, the bridge is at least as steep and begins
+//     in the left part of u; if nothing is, and w is a point, it begins in the right part of u. The
 //     same, mirrored, for w.
 //   - Otherwise the lines p1 p2 and q1 q2 meet; on the side of the gap between u and w where they
 //   do
