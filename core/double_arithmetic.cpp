@@ -82,7 +82,7 @@ class DoubleArithmetic final : public Arithmetic {
 
   Sign sign_after(const Query& query) override {
     ++counters_.by_predicate[query.predicate].signs[static_cast<int>(Stage::kDouble)];
-    // What has failed is negative now, wherever its root has been rounded to.
+    // The failed certificate is negative now, wherever its root was rounded to.
     const int relation = own_ ? related(query, query_) : 0;
     if (relation != 0) return relation > 0 ? Sign::kNegative : Sign::kPositive;
     std::array<double, kRoom> c;
@@ -116,7 +116,7 @@ class DoubleArithmetic final : public Arithmetic {
     double from = now_;
     const int relation = own_ ? related(query, query_) : 0;
     if (relation < 0) {
-      // Its root at now is known: start a few units behind it.
+      // Its root at now is known: start a few units after it.
       if (degree == 1) return Outlook::kNever;
       from = now_ + 0x1p-49 * std::fabs(now_) + 0x1p-1000;
     } else if (relation > 0 || (degree != 1 && sign_at_now(c, degree) == Sign::kNegative)) {
@@ -146,7 +146,7 @@ class DoubleArithmetic final : public Arithmetic {
 
   std::optional<Rational> rational_between(const Query*, FailureTime* time) override {
     if (time == nullptr || time->lo == kInfinity) {
-      const auto from = Rational::from_double(now_);  // none if now is infinite
+      const auto from = Rational::from_double(now_);  // nullopt if now is infinite
       return from ? std::optional<Rational>(*from + Rational(1)) : std::nullopt;
     }
     const double middle = now_ + 0.5 * (time->lo - now_);

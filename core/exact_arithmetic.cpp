@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first stage of ExactArithmetic: what doubles can prove. The rest is in
-// exact_arithmetic_slow.cpp.
+// The floating-point filter of ExactArithmetic. The exact stage is in exact_arithmetic_slow.cpp.
 #include "core/exact_arithmetic.h"
 
 #include <array>
@@ -57,8 +56,8 @@ void power_of(const double* p, int h, double* out) {
   }
 }
 
-// The coefficients of (reach[0] + .. + reach[d] t^d)^h; all summands are positive, so that every
-// order of summation is off by a few units only (see bound_predicate).
+// The coefficients of (reach[0] + .. + reach[d] t^d)^h; all summands are positive, so every order
+// of summation is off by a few units only (see bound_predicate).
 void reach_power(const double* reach, int d, int h, double* out) {
   switch (d) {
     case 1:
@@ -129,11 +128,11 @@ void ExactArithmetic::update_origin() {
     origin_end_ = end_upper_ < kInfinity ? end_upper_ * 0x1p-10 : 0x1p-20;
     return;
   }
-  if (std::fabs(now) < 0x1p-900) {  // a step of few bits would be no double
+  if (std::fabs(now) < 0x1p-900) {  // a step of few bits would underflow
     origin_end_ = now > 0 ? 0x1p-900 : 0;
     return;
   }
-  if (!(std::fabs(now) < 0x1p1000)) {  // the doubles end soon
+  if (!(std::fabs(now) < 0x1p1000)) {  // close to overflow
     origin_end_ = 0;
     return;
   }
@@ -267,13 +266,13 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
 
 int ExactArithmetic::relation_to_now(const Query& query) const {
   if (!now_.own) return 0;
-  // At a touch nothing has become negative. Roots that the filter isolates are none.
+  // At a touch nothing has become negative. Roots that the filter isolates are not touches.
   if (touches_ && models_[now_.query.predicate].touches && !now_.isolated) return 0;
   return related(query, now_.query);
 }
 
-// The sign of p on all of [now.lo, now.hi], if it is one and the same for certain; it is then the
-// sign at now and right after it.
+// The sign of p on all of [now.lo, now.hi], if it is certainly constant; it is then the sign at now
+// and right after it.
 std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const {
   const double t = now_.hi - p.origin;
   const double bound = std::max(std::fabs(now_.lo - p.origin), std::fabs(t));
@@ -310,7 +309,7 @@ Sign ExactArithmetic::sign_after(const Query& query) {
       return *sign;
     }
   }
-  // What has just become negative, or its opposite.
+  // The certificate that has just become negative, or its opposite.
   if (const int relation = relation_to_now(query)) {
     ++counts[static_cast<int>(Stage::kDouble)];
     return relation > 0 ? Sign::kNegative : Sign::kPositive;
@@ -410,7 +409,7 @@ Stage ExactArithmetic::find_failure(const Query& query, double limit, FailureTim
   return Stage::kExact;
 }
 
-// The certificate is positive at `from`: nothing need be known of now.
+// The certificate is positive at `from`, so now does not matter.
 Outlook ExactArithmetic::look_further(const Query& query, double from, double limit,
                                       FailureTime& time) {
   StageCounts& counts = count(query).looks;
@@ -479,7 +478,7 @@ std::optional<Outlook> ExactArithmetic::first_failure(const Query& query, const 
                                                       FailureTime& time) const {
   filter::Enclosure enclosure;
   const double end = horizon(query);
-  // The end may be too late by a little, never too early.
+  // The end may be slightly too late, never too early.
   const double until = filter::next_up(std::min(end, limit) - origin);
   switch (filter::first_sign_change<true>(c, m, degree, origin, from, until, enclosure)) {
     case filter::Search::kNone:

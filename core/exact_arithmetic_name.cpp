@@ -10,7 +10,7 @@ namespace kinex {
 
 namespace {
 
-// In the memory that there is.
+// Reuses the memory of `out`.
 void assign(Integer& out, Int128 value) {
   static_assert(GMP_NUMB_BITS == 64);
   const auto magnitude =
@@ -34,7 +34,8 @@ void ExactArithmetic::begin_name(const Query& query, const Rational* value) {
   name_of_now_.detail = InstantDetail::kNone;
 }
 
-// Before the motion of `object` changes: what vanishes now need not do so afterwards.
+// Called before the motion of `object` changes: a polynomial that vanishes now need not do so
+// after.
 void ExactArithmetic::keep_now(ObjectId object) {
   const auto involves = [object](const Query& query) {
     for (std::size_t i = 0; i < query.arity; ++i) {
@@ -95,7 +96,7 @@ const InstantName& ExactArithmetic::name_now(InstantDetail detail) {
     set_decimal(name.decimal, name.lower);
     return name;
   }
-  // What the enclosure does not tell, one next to the instant nearly always does.
+  // If the enclosure does not determine it, one next to the instant nearly always does.
   const bool wants_interval = detail == InstantDetail::kInterval;
   double lo = now_.lo, hi = now_.hi;
   bool has_interval = !wants_interval || set_interval(lo, hi, name.lower, name.upper);

@@ -13,7 +13,7 @@ namespace kinex {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// An enclosure made from an exact root is at most about this wide, relative to the root.
+// The most refinements of an exact root for its enclosure in doubles.
 constexpr int kEnclosureBits = 60;
 
 bool is_tight(const RealRoot& root) {
@@ -270,7 +270,7 @@ void ExactArithmetic::release(FailureTime& time) {
 
 std::optional<Rational> ExactArithmetic::rational_between(const Query* query, FailureTime* time) {
   if (query == nullptr || time == nullptr || time->lo == kInfinity) {
-    const auto now = Rational::from_double(now_.hi);  // none if now is beyond the doubles
+    const auto now = Rational::from_double(now_.hi);  // nullopt if now overflows doubles
     return (now ? *now : roots_[now_root()].upper()) + Rational(1);
   }
   if (!(now_.hi < time->lo)) {

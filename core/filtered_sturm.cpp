@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kUnit = 0x1p-53;
 constexpr double kInflate = 1 + 0x1p-45;
-// Smaller values are not worked with.
+// Smaller values are refused.
 constexpr double kLeast = 0x1p-400;
 constexpr double kMostX = 0x1p32;
 
@@ -113,7 +113,7 @@ bool FilteredSturm::divide(const Element& a, const Element& b, Element& rest) {
     rest.value[i] = value[i] * factor;
     rest.error[i] = error[i] * -factor;
     if (rest.value[i] == 0 && rest.error[i] == 0) continue;
-    // Never exactly zero for what might not be: see the error model.
+    // Never exactly zero for a value that may be non-zero: see the error model.
     if (!(rest.error[i] >= kLeast * kUnit)) return false;
     if (std::fabs(rest.value[i]) < kLeast) rest.error[i] += kLeast;
   }
@@ -155,7 +155,7 @@ std::optional<int> FilteredSturm::variations(double x) const {
       value = value * x + e.value[i];
       error = error * size + (rounding * std::fabs(e.value[i]) + e.error[i]);
     }
-    // Below this underflow might count.
+    // Below this underflow may matter.
     if (!(error >= 0x1p-900 && std::fabs(value) > error * kInflate)) return std::nullopt;
     variations.add(value < 0);
   }

@@ -17,10 +17,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A computed root counts as real if its imaginary part is at most this fraction of its real part.
 // GSL's roots are eigenvalues: those of a double root come out about 2^-26 apart, on the real axis
-// or off it, and so may count or not. Where they are true double roots that changes no sign.
+// or off it, and so may count or not. For true double roots that changes no sign.
 constexpr double kImaginary = 1e-9;
-// A root of the polynomial that has just failed is taken for the known root at now if it is at most
-// this fraction of now behind it (64 units in the last place).
+// A root of the polynomial that has just failed counts as the known root at now if it is at most
+// this fraction of now later (64 units in the last place).
 constexpr double kSameRoot = 0x1p-46;
 
 // gsl_poly_complex_solve balances the companion matrix in a loop that never ends once a norm
@@ -105,7 +105,7 @@ class GslArithmetic final : public Arithmetic {
 
   Sign sign_after(const Query& query) override {
     ++counters_.by_predicate[query.predicate].signs[static_cast<int>(Stage::kDouble)];
-    // What has failed is negative now, wherever its root has been rounded to.
+    // The failed certificate is negative now, wherever its root was rounded to.
     const int relation = failed_.arity == 0 ? 0 : related(query, failed_);
     if (relation != 0) return relation > 0 ? Sign::kNegative : Sign::kPositive;
     evaluate(query);
@@ -165,8 +165,8 @@ class GslArithmetic final : public Arithmetic {
   }
 
  private:
-  // Set in FailureTime::root for certificates that were negative at their birth: now is no root of
-  // theirs.
+  // Set in FailureTime::root for certificates that were negative when created: now is not their
+  // root.
   static constexpr std::uint32_t kBornFailing = 1;
 
   std::size_t powers() const { return static_cast<std::size_t>(degree_) + 1; }
@@ -196,7 +196,7 @@ class GslArithmetic final : public Arithmetic {
     while (!c_.empty() && c_.back() == 0) c_.pop_back();
   }
 
-  // Of the value at now; where it is zero in doubles, of the slope.
+  // Of the value at now; if that is zero in doubles, of the slope.
   Sign sign_at_now() const {
     double v = 0, slope = 0;
     for (std::size_t i = c_.size(); i-- > 0;) {
@@ -213,7 +213,7 @@ class GslArithmetic final : public Arithmetic {
     return b;
   }
 
-  // The first root behind now after which the value is negative; +infinity if there is none.
+  // The first root after now behind which the value is negative; +infinity if there is none.
   // `now_is_root`: the polynomial is known to turn from - to + at now.
   double first_failure(bool now_is_root) {
     find_real_roots();
@@ -222,7 +222,7 @@ class GslArithmetic final : public Arithmetic {
       const double t = roots_[i];
       if (!(t > from)) continue;
       const double next = i + 1 < roots_.size() ? roots_[i + 1] : t + std::max(1.0, std::fabs(t));
-      if (next == t) continue;  // a multiple root: what counts is the sign behind the last of them
+      if (next == t) continue;  // a multiple root: the sign behind the last of them counts
       if (horner(c_, t + 0.5 * (next - t)) < 0) return t;
     }
     return kInfinity;

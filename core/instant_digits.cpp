@@ -81,7 +81,7 @@ void write_digits(std::string& out, bool negative, std::uint64_t digits, long ex
 
 namespace {
 
-// In machine integers; false if that is too short.
+// In machine integers; false if they overflow.
 bool set_short_decimal(std::string& out, const Rational& value) {
   const mpz_srcptr numerator = mpq_numref(value.raw()), denominator = mpq_denref(value.raw());
   if (mpz_sizeinbase(numerator, 2) > 60 || mpz_sizeinbase(denominator, 2) > 60) return false;
@@ -158,7 +158,7 @@ std::optional<DecimalRange> decimal_range(std::string_view text) {
   if (text == "0") return DecimalRange{};
   const std::optional<Rational> value = Rational::parse(text);
   if (!value || value->is_zero()) return std::nullopt;
-  // Whatever else stands for the same number is written in another way.
+  // Only the canonical form of a number is accepted.
   std::string canonical;
   set_decimal(canonical, *value);
   if (canonical != text) return std::nullopt;

@@ -21,10 +21,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLifetimes = 2.5;
 constexpr double kGrowth = 4;
 constexpr int kMostLooks = 6;
-// Limits have so many bits below the length of a window: different ones for most certificates, and
-// few enough for differences to them to be exact.
+// Limits have this many bits below the length of a window: enough for most certificates to have
+// different ones, few enough for differences to them to be exact.
 constexpr int kWindowBits = 16;
-// An estimate is made from at least so many retractions.
+// The least number of retractions for an estimate.
 constexpr std::uint64_t kSample = 64;
 
 Trajectory constant_trajectory(std::vector<Rational> coordinates) {
@@ -38,7 +38,7 @@ bool is_constant(const DerivedObjects& derived, ObjectId id) {
   return derived.is_derived(id) && derived.object(id).construction == nullptr;
 }
 
-// True if two of the arguments are one object that is no constant.
+// True if two of the arguments are the same object, and it is not a constant.
 bool repeats(const DerivedObjects& derived, const Query& query) {
   for (std::size_t i = 0; i < query.arity; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -136,7 +136,7 @@ Outlook Kernel::enqueue(CertificateId id, Outlook outlook, const FailureTime& ti
   if ((fails || outlook == Outlook::kLater) && time.lo <= time.hi) {
     StructureLedger& ledger = *ledgers_[queue_.certificate(id).structure];
     ++(fails ? ledger.failures_found : ledger.windows);
-    queue_.certificate(id).outlook = outlook;  // the queue asks for it
+    queue_.certificate(id).outlook = outlook;  // the queue reads it
     queue_.reset(id, time);
     return outlook;
   }
@@ -158,7 +158,7 @@ void Kernel::look_further() {
   enqueue(id, arithmetic_->look_further(c.query, from, limit, time), time);
 }
 
-// The end of the window from now on, as a double of few bits, so that differences to it are exact.
+// The end of the window that starts now, as a double of few bits: differences to it are exact.
 double Kernel::limit_of(StructureId structure, int looks) const {
   const Window& window = windows_[structure];
   double length = window.length;
@@ -169,13 +169,13 @@ double Kernel::limit_of(StructureId structure, int looks) const {
   return limit > now ? limit : kInfinity;
 }
 
-// A certificate lives, on the average, as long as it takes to retract as many as are alive.
+// The average lifetime of a certificate is the time in which as many are retracted as are alive.
 void Kernel::update_window(StructureId structure) {
   if (scheduling_ == Scheduling::kEager) return;
   const StructureLedger& ledger = *ledgers_[structure];
   Window& window = windows_[structure];
   if (window.length < kInfinity && ledger.windows == 0) {
-    // Nobody ever made use of a limit (polynomials of degree 1): no more of them.
+    // No limit was ever used (polynomials of degree 1): none from now on.
     window.length = kInfinity;
     window.next = std::numeric_limits<std::uint64_t>::max();
     return;
@@ -199,7 +199,7 @@ void Kernel::update_window(StructureId structure) {
   window.next = ledger.certificates_retracted + std::max(kSample, ledger.live / 4);
 }
 
-// The index from objects to certificates has one place for each object of a certificate.
+// The index from objects to certificates has one entry for each object of a certificate.
 void Kernel::refuse_repeated(StructureId structure, const Query& query) const {
   std::vector<std::string> objects;
   for (std::size_t i = 0; i < query.arity; ++i) objects.push_back(std::to_string(query.ids[i]));
@@ -284,7 +284,7 @@ void Kernel::count_retracted(StructureId structure, const Query& query) {
   }
 }
 
-// Most objects of a certificate stay: they need no counting.
+// Most objects of a certificate stay and need no counting.
 void Kernel::count_replaced(StructureId structure, const Query& before, const Query& after) {
   if (before.arity != 2 || after.arity != 2 || derived_.size() > 0) {
     count_retracted(structure, before);

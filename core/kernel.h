@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernel: what a structure may ask for: signs, certificates, and a place to report events.
+// Kernel: the services of a structure: signs, certificates, and the report of events.
 #ifndef KINEX_CORE_KERNEL_H
 #define KINEX_CORE_KERNEL_H
 
@@ -23,9 +23,14 @@
 
 namespace kinex {
 
-// How far ahead certificates are looked at. Most are retracted long before they would fail, so it
-// can pay to prove only that they hold for a while: for a window of a few typical lifetimes, then
-// for four times as long, and so on (section 10 of Guibas's report). The events are the same.
+// How far ahead failure times are searched for. Most certificates are retracted long before they
+// would fail, so it can pay to prove only that they hold for a window of a few typical lifetimes,
+// then for one four times as long, and so on (section 10 of Guibas's report):
+//
+//   created       kLater             kLater                        failure time, never, ..
+//   |--- window ---|---- 4 windows ----|------- 16 windows -------|
+//
+// The events are the same.
 enum class Scheduling : std::uint8_t {
   kEager,  // the failure time is found at once
   kLazy,
@@ -39,7 +44,7 @@ class Kernel {
   // ---- for structures ------------------------------------------------------------------------
   PredicateId bind(std::shared_ptr<const Predicate> predicate);
 
-  // Sign on (now, now + eps); kZero only if identically zero there. An object may be named twice.
+  // Sign on (now, now + eps); kZero only if identically zero there. An object may occur twice.
   Sign sign_after(PredicateId predicate, std::initializer_list<ObjectId> ids) {
     poll();
     return arithmetic_->sign_after(Query(predicate, ids));
@@ -49,32 +54,32 @@ class Kernel {
     CertificateId id;
     Outlook outlook;
   };
-  // A new certificate "predicate(ids) >= 0" of `structure`. `tag` is the structure's own word. It
-  // is scheduled if it fails by the horizon; one that is negative right after now fails next. O(log
-  // queue) plus one failure time. Throws RepeatedObject if the query names an object twice, a
-  // constant aside: then nothing has changed. (Write a predicate of fewer arguments instead.)
+  // A new certificate "predicate(ids) >= 0" of `structure`; `tag` is at the structure's disposal.
+  // It is scheduled if it fails by the horizon; one that is negative right after now fails next.
+  // Throws RepeatedObject if the query names an object other than a constant twice; then nothing
+  // has changed (use a predicate of fewer arguments). O(log queue) plus one failure time.
   Created create(StructureId structure, const Query& query, std::uint32_t tag);
   // Withdraws a certificate. O(log queue).
   void retract(CertificateId id);
-  // The certificate now says something else (same id; counted as one retracted and one created).
-  // Throws as create does.
+  // Replaces the claim of a certificate (same id; counted as one retracted and one created). Throws
+  // as create does.
   Outlook replace(CertificateId id, const Query& query, std::uint32_t tag);
 
   // ---- derived objects (scenes of bodies); ids beyond those of the scene -----------------------
   // An object made by `construction` from `bases`, which must exist. `name` is for logs.
   ObjectId derive(std::string name, std::shared_ptr<const Construction> construction,
                   std::span<const ObjectId> bases);
-  // Makes a derived object into that of other bases; no live certificate may hold it.
+  // Gives a derived object other bases; no live certificate may contain it.
   void rederive(ObjectId derived, std::string name, std::span<const ObjectId> bases);
   // An object of constant coordinates, one per axis.
   ObjectId constant(std::string name, std::vector<Rational> coordinates);
-  // Makes a constant into another one; no live certificate may hold it.
+  // Gives a constant other coordinates; no live certificate may contain it.
   void redefine(ObjectId constant, std::string name, std::vector<Rational> coordinates);
   const DerivedObjects& derived() const { return derived_; }
 
   const Query& query(CertificateId id) const { return queue_.certificate(id).query; }
   std::uint32_t tag(CertificateId id) const { return queue_.certificate(id).tag; }
-  // The certificate will be replaced or retracted soon: its memory is fetched meanwhile.
+  // Prefetches the memory of a certificate that will be replaced or retracted soon.
   void prefetch(CertificateId id) const { queue_.prefetch(id); }
   // The tag of a certificate of `structure` that probably fails soon (EventQueue::upcoming), or
   // kNoTag.
@@ -93,28 +98,29 @@ class Kernel {
               bool external) {
     report(structure, kind, ids, external, {}, {});
   }
-  // The same with what left the attribute and what joined it (see Event), where ids do not tell.
+  // The same with what left the attribute and what joined it (see Event), where the ids do not
+  // determine it.
   void report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
               bool external, std::span<const ObjectId> gone, std::span<const ObjectId> came);
-  // The common event "settled": what has changed at this instant and has not been told by other
-  // external events. Nothing is reported if nothing has. See Structure::instant_over.
+  // The common event "settled": changes at this instant that no other external event has reported.
+  // Without such changes nothing is reported. See Structure::instant_over.
   void report_settled(StructureId structure, std::span<const ObjectId> gone,
                       std::span<const ObjectId> came);
   // True while more than one certificate of `structure` fails at this instant, or motions changed
   // at it: the instant may be degenerate.
   bool instant_is_shared(StructureId structure) const;
-  // The structure was rebuilt from its static algorithm at this instant, and why. Logged as the
-  // common event "rebuild", external if it made a difference to the attribute; those who watch the
-  // structure are told when its present call has returned.
+  // The structure was rebuilt from its static algorithm at this instant, for this reason. Logged as
+  // the common event "rebuild", external if the attribute changed; the structure's watchers are
+  // notified when its present call has returned.
   void count_rebuild(StructureId structure, const std::string& reason,
                      std::span<const ObjectId> gone = {}, std::span<const ObjectId> came = {});
-  // An inexact arithmetic has led the structure into a state that no exact answer allows. The
+  // An inexact arithmetic has led the structure into a state that exact answers cannot reach. The
   // structure's certificates are retracted; it is not called again. Throws std::logic_error in an
   // exact arithmetic, where this can only be a bug.
   void corrupt(StructureId structure, const std::string& what);
   bool is_exact() const { return arithmetic_->is_exact(); }
-  // For work of a structure that takes long without asking for a sign or a certificate: throws
-  // Stopped if the run has to stop (core/stop.h).
+  // For long work of a structure without signs or certificates: throws Stopped if the run has to
+  // stop (core/stop.h).
   void poll() {
     if (deadline_ != nullptr) deadline_->poll();
   }
@@ -158,7 +164,8 @@ class Kernel {
   std::uint32_t live_certificates(StructureId structure, ObjectId object) const {
     return live_per_object_[structure][object];
   }
-  // All live certificates that `object`, which is no constant, is in. From the first call on an index is kept.
+  // All live certificates that `object`, which is no constant, is in. From the first call on an
+  // index is kept.
   std::span<const CertificateId> certificates_of(ObjectId object);
   void set_instant_shared(StructureId structure, bool shared) { shared_[structure] = shared; }
   void clear_structure(StructureId structure);  // retracts all its certificates
@@ -168,11 +175,11 @@ class Kernel {
   std::size_t bytes() const;
 
  private:
-  // What is known of the lifetimes of a structure's certificates: the present estimate of the
-  // window and when to make the next one.
+  // Estimated lifetimes of a structure's certificates: the present window, and when to make the
+  // next estimate.
   struct Window {
-    double length;                // +infinity: nothing is known, look as far as can be
-    double rounder;               // added and subtracted, it leaves a number of few bits
+    double length;                // +infinity: unknown, no limit
+    double rounder;               // added and subtracted, it leaves few bits of a number
     double since;                 // a double near the time of this estimate
     std::uint64_t retracted = 0;  // certificates retracted by then
     std::uint64_t next = 0;       // the number at which a new estimate is made
@@ -181,7 +188,7 @@ class Kernel {
   Outlook enqueue(CertificateId id, Outlook outlook, const FailureTime& time);
   double limit_of(StructureId structure, int looks) const;
   void update_window(StructureId structure);
-  // Before the certificate leaves: was its failure time found in vain?
+  // Before the certificate leaves: counts a failure time that was computed but not used.
   void count_unused(CertificateId id) {
     const Certificate& c = queue_.certificate(id);
     if (c.outlook == Outlook::kFails && queue_.queued(id)) ++ledgers_[c.structure]->failures_unused;
@@ -200,8 +207,7 @@ class Kernel {
     for (const ObjectId base : derived_.object(id).bases) visit(base);
   }
   void note_live(StructureId structure, ObjectId object);
-  // A count that is no record now need not be looked at later: what comes after only retracts, or
-  // comes here again.
+  // A count below the maximum cannot exceed it later without passing through here.
   void note_or_defer(StructureId structure, ObjectId object) {
     const StructureLedger& ledger = *ledgers_[structure];
     if (ledger.live <= ledger.max_live &&

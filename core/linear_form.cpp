@@ -17,7 +17,7 @@ void LinearSigns::begin(const MotionStore& motions, ObjectId object, double lo, 
   time_ = anchored_ ? now - Ball{*anchor, 0} : now;
 }
 
-// By Horner's scheme; the highest coefficients are zeros.
+// Horner's rule; leading coefficients that are zero are skipped.
 void LinearSigns::evaluate(const MotionStore& motions, std::uint32_t axes) {
   const MotionView<Ball> motion = anchored_ ? motions.anchored(object_) : motions.ball(object_);
   const auto degree = static_cast<std::size_t>(motions.degree());

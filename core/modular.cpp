@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::uint64_t kFirstPrime = (std::uint64_t{1} << 61) - 1;
 
-// The first primes of the sequence are kFirstPrime less these; a proof of primality takes longer
-// than most of the gcds that want the prime.
+// The first primes of the sequence are kFirstPrime minus these; a primality proof takes longer than
+// most of the gcds that need the prime.
 constexpr std::array<std::uint16_t, 64> kBelowFirst = {
     0,    30,   44,   228,  258,  282,  338,  390,  402,  464,  530,  578,  674,  758,  798,  818,
     828,  842,  858,  938,  984,  1014, 1152, 1194, 1214, 1280, 1298, 1350, 1370, 1424, 1488, 1524,

@@ -11,7 +11,7 @@
 namespace kinex {
 namespace {
 
-// Beyond this many bits of common denominator no scene gains from machine integers.
+// With more bits of common denominator no scene gains from machine integers.
 constexpr std::size_t kMaxScaleBits = 60;
 // Differences of two narrow numbers are still exact in doubles.
 constexpr double kMaxNarrow = 0x1p52;
@@ -168,7 +168,7 @@ void MotionStore::split_anchor(double anchor) {
 }
 
 // With anchor = a / 2^e, the polynomial of degree d in u = 2^e t, times 2^(e d), has integer
-// coefficients, and so has what is shifted by a. Requires big integers in units of 1.
+// coefficients, and so has its shift by a. Requires big integers in units of 1.
 void MotionStore::set_anchored(ObjectId object) {
   const BigMotion& big = big_[object];
   const double anchor = anchors_[object];
@@ -295,7 +295,7 @@ void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anch
   if (balls_needed_) set_ball(object);
 }
 
-// The memory of the object's former motion is used again.
+// Reuses the memory of the object's former motion.
 void MotionStore::set_big(ObjectId object, const Trajectory& trajectory) {
   if (big_.size() < objects_) big_.resize(objects_);
   BigMotion& big = big_[object];

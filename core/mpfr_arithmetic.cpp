@@ -78,7 +78,7 @@ class MpfrArithmetic final : public Arithmetic {
   }
   double now_approximate() const override { return now_.to_double(); }
   const InstantName& name_now(InstantDetail detail) override {
-    // Enough digits to tell two neighbours of this precision apart.
+    // Enough digits to distinguish two neighbours of this precision.
     const int digits = static_cast<int>(static_cast<double>(bits_) * 0.30103) + 2;
     std::array<char, 64> small;
     const int size = mpfr_snprintf(small.data(), small.size(), "%.*Rg", digits, now_.raw());
@@ -90,7 +90,7 @@ class MpfrArithmetic final : public Arithmetic {
 
   Sign sign_after(const Query& query) override {
     ++counters_.by_predicate[query.predicate].signs[static_cast<int>(Stage::kMultiprecision)];
-    // What has failed is negative now, wherever its root has been rounded to.
+    // The failed certificate is negative now, wherever its root was rounded to.
     const int relation = own_ ? related(query, query_) : 0;
     if (relation != 0) return relation > 0 ? Sign::kNegative : Sign::kPositive;
     const std::vector<MpFloat> c = polynomial(query);
@@ -110,7 +110,7 @@ class MpfrArithmetic final : public Arithmetic {
     const int relation = own_ ? related(query, query_) : 0;
     if (relation < 0) {
       if (degree == 1) return Outlook::kNever;
-      // Its root at now is known: start a few units behind it.
+      // Its root at now is known: start a few units after it.
       MpFloat step = now_;
       mpfr_abs(step.raw(), step.raw(), MPFR_RNDN);
       mpfr_mul_2si(step.raw(), step.raw(), 4 - bits_, MPFR_RNDN);
@@ -167,7 +167,7 @@ class MpfrArithmetic final : public Arithmetic {
   }
 
  private:
-  // In FailureTime::root: fails at the instant it was born.
+  // In FailureTime::root: fails at the instant it was created.
   static constexpr std::uint32_t kNow = 0x80000000u;
 
   static int compare_values(const MpFloat& a, const MpFloat& b) { return kinex::compare(a, b); }

@@ -82,8 +82,8 @@ class ChineseRemainder {
   Integer modulus_{1};
 };
 
-// gcd of two polynomials of positive degree. A common content only makes `leading` larger than it
-// need be.
+// gcd of two polynomials of positive degree. A common content only makes `leading` larger than
+// necessary.
 Polynomial modular_gcd(const Polynomial& a, const Polynomial& b, Deadline* deadline) {
   Integer leading;
   PrimeSequence primes;
@@ -121,7 +121,7 @@ Polynomial modular_gcd(const Polynomial& a, const Polynomial& b, Deadline* deadl
     for (std::uint64_t& r : image) r = field.multiply(r, scale);
     const bool stable = images.add(field, image);
     ++used;
-    // Small answers are right before they are stable; a wrong one mostly fails in one division.
+    // Small answers are right before they are stable; a wrong one mostly fails after one division.
     if (!stable && used > 2) continue;
     Polynomial candidate = images.polynomial().canonical();
     if (divide(a, candidate, deadline) && divide(b, candidate, deadline)) return candidate;

@@ -11,7 +11,7 @@ namespace kinex {
 namespace {
 
 constexpr std::uint64_t kPrimeProduct = 614889782588491410;  // of the primes below 50
-// Values up to this degree need no reduction on the way: 46^11 (1 + 1/45) < 2^64.
+// Up to this degree values need no intermediate reduction: 46^11 (1 + 1/45) < 2^64.
 constexpr std::size_t kShortDegree = 10;
 constexpr std::size_t kMostCoefficients = 64;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Representation and refinement of real roots. See root_isolation.cpp for where they come from and
-// root_comparison.cpp for what is asked of them.
+// Representation and refinement of real roots. Isolation: root_isolation.cpp; comparisons and
+// signs: root_comparison.cpp.
 #include "core/real_root.h"
 
 #include <mpfr.h>
@@ -17,7 +17,7 @@ namespace kinex {
 namespace {
 
 constexpr unsigned kMaxQirBits = 1u << 20;
-constexpr unsigned kFirstQirBits = 4;  // where doubles are of no use
+constexpr unsigned kFirstQirBits = 4;  // if doubles do not suffice
 
 double rounded(const Integer& numerator, long exponent, mpfr_rnd_t mode) {
   MPFR_DECL_INIT(x, 53);
@@ -51,7 +51,7 @@ RealRoot::RealRoot(std::shared_ptr<const Polynomial> polynomial, Integer lower, 
   shorten();
 }
 
-// Removes common factors two.
+// Removes common factors of two.
 void RealRoot::shorten() {
   if (!lower_.is_even() || !upper_.is_even()) return;
   const std::size_t common = lower_.is_zero() ? upper_.trailing_zeros()
@@ -142,7 +142,7 @@ Sign RealRoot::evaluate(const Integer& numerator, Value& value) const {
   return sign;
 }
 
-// Where the line through both ends vanishes, relative to lower_; half-way if a value is not known.
+// The zero of the line through both ends, relative to lower_; half-way if a value is not known.
 Integer RealRoot::guess(const Integer& width) {
   if (qir_bits_ < 2) return width >> 1;
   if (value_at_lower_.mantissa.is_zero()) evaluate(lower_, value_at_lower_);

@@ -93,7 +93,7 @@ Sign sign_at(const Polynomial& q, RealRoot& root, RootCounters& counters) {
       const Polynomial g = gcd(q, *root.polynomial_, counters.deadline);
       if (g.degree() > 0) {
         ++counters.gcds;
-        // Its only possible root in the interval is `root`; the ends are no roots.
+        // Its only possible root in the interval is `root`; the ends are not roots.
         if (root.changes_sign(square_free_part(g, counters.deadline))) return Sign::kZero;
       }
     }

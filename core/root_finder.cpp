@@ -14,7 +14,7 @@ namespace kinex {
 
 namespace {
 
-// Bisections that keep exactly two sign variations before the derivative is asked.
+// Successive bisections with exactly two sign variations before the derivative is tried.
 constexpr int kLevelsBeforePair = 4;
 
 // lcm of the binomials C(d, 0..d) = lcm(1..d+1) / (d+1), for all d where it fits a word easily.

@@ -16,7 +16,7 @@ namespace kinex {
 
 namespace {
 
-// The depth at which a search asks whether its polynomial is square-free at all.
+// The depth at which a search tests whether its polynomial is square-free.
 constexpr long kDepthBeforeGcd = 8;
 // Bits after the binary point of the point where a search starts.
 constexpr long kOriginBits = 16;
@@ -107,7 +107,8 @@ std::vector<RootWithMultiplicity> isolate_real_roots(const Polynomial& p, RootCo
     }
     all = all.empty() ? std::move(found) : merge(std::move(all), std::move(found), counters);
   }
-  // Comparison with a rational root need not have narrowed an interval. No interval ends at a root.
+  // A comparison with a rational root need not have narrowed an interval. No interval ends at a
+  // root.
   for (std::size_t i = 1; i < all.size(); ++i) {
     RealRoot& below = all[i - 1].root;
     RealRoot& above = all[i].root;
@@ -192,7 +193,7 @@ int compare(const InstantName& a, const InstantName& b, RootCounters& counters) 
   if (a.is_rational() && b.is_rational()) {
     return less(a.lower, b.lower) ? -1 : less(b.lower, a.lower) ? 1 : 0;
   }
-  // The ends of an isolating interval are no roots.
+  // The ends of an isolating interval are not roots.
   if (!less(b.lower, a.upper)) return -1;
   if (!less(a.lower, b.upper)) return 1;
   if (a.is_rational() == b.is_rational() && a.polynomial == b.polynomial) {

@@ -12,9 +12,9 @@ namespace kinex {
 
 namespace {
 
-// Bisections of a binade; what needs more is named exactly.
+// Bisections of a binade; roots that need more are named exactly.
 constexpr int kMostHalvings = 48;
-// Of the origin near a root that is not found about 0.
+// Bits of the origin near a root that is not separated about 0.
 constexpr int kOriginBits = 30;
 
 // Whether the root of p in [lo, hi] is rational, and its value.
@@ -76,7 +76,7 @@ bool RootNamer::name(std::vector<Integer>& p, double lo, double hi, InstantName&
   return found;
 }
 
-// Halves the root's binade until it is alone.
+// Halves the root's binade until the root is alone in its cell.
 bool RootNamer::count(const Frame& frame, double lo, double hi, InstantName& name) const {
   const auto variations = [&](double t) -> std::optional<int> {
     const double x = t - frame.origin;

@@ -83,7 +83,7 @@ void RunClock::charge_other(StructureId id) {
 
 // ---- reports
 
-// A measured call is put beside an empty one: reading the clocks may take as long as a short call.
+// The cost of reading the clocks is measured too: it may be as large as a short call's.
 void RunClock::end_report(const Seconds& begin) {
   const Seconds end = seconds_now();
   Seconds empty = seconds_now();
@@ -94,8 +94,8 @@ void RunClock::end_report(const Seconds& begin) {
   ++measured_;
   measured_cpu_ += call.cpu;
   cost_cpu_ += empty.cpu;
-  // A wait (a full disk cache, another process) is counted once: it is rare, and need not be in the
-  // calls left out.
+  // A wait (a full disk cache, another process) is counted once: it is rare, and the calls left out
+  // need not contain any.
   const double cpu = call.cpu * static_cast<double>(gap_);
   const Seconds all{cpu, cpu + std::max(call.wall - call.cpu, 0.0)};
   of_phase_[static_cast<std::size_t>(RunPhase::kReport)] += all;
@@ -107,7 +107,7 @@ void RunClock::end_report(const Seconds& begin) {
   gap_ = until_measured_ = next_gap();
 }
 
-// Uniform in 1 .. 2 g - 1: g on average, and independent of what the calls cost that it leaves out.
+// Uniform in 1 .. 2 g - 1: g on average, and independent of the cost of the calls left out.
 std::uint64_t RunClock::next_gap() {
   if (measured_ < kAlwaysMeasured) return 1;
   const double wanted =

@@ -15,8 +15,8 @@ int Scene::degree() const {
 
 int Scene::held_axes() const { return has_bodies() ? kMostDerivedAxes : dimension; }
 
-// The position of one body as seen from another, with the denominators of both rotations multiplied
-// away, has the degree of the positions plus twice that of both rotors.
+// The position of one body as seen from another, with the denominators of both rotations cleared,
+// has the degree of the positions plus twice that of both rotors.
 int Scene::held_degree() const {
   if (!has_bodies()) return degree();
   int centre = 0, first = 0, second = 0;  // the two largest degrees of rotors

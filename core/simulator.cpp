@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t kLookEvery = 4096;
 // See simulator.h for the guard.
 constexpr std::uint64_t kGuardFree = 1000;
-// Of the run's length; a structure that goes round in circles moves on by an ulp each time.
+// Of the run's length; a structure that cycles moves on by an ulp each time.
 constexpr int kGuardWindow = -40, kLongestGuardWindow = -8, kGuardUlps = 27;
 
 }  // namespace
@@ -88,7 +88,7 @@ void Simulator::reported(const Event& event) {
   } else if (sink_ != nullptr) {
     clock_.report([&] { sink_->event(event, kernel_.arithmetic()); });
   }
-  // Those who watch are told of rebuilds by rebuilt().
+  // Watchers are notified of rebuilds by rebuilt().
   if (!event.external || entry.watchers.empty() || !event.reason.empty()) return;
   notices_.push_back({event.structure, true, event});
   notices_.back().event.gone = notices_.back().event.came = {};
@@ -116,7 +116,7 @@ void Simulator::report_change(StructureId id, CommonEvent kind, ObjectId object)
   report_common(event, kind);
 }
 
-// Notices may lead to further notices: those who watch have larger ids, so this ends.
+// Notices may lead to further notices. Watchers have larger ids, so this terminates.
 void Simulator::tell_watchers() {
   for (std::size_t i = 0; i < notices_.size(); ++i) {
     const Notice notice = notices_[i];
@@ -163,7 +163,7 @@ void Simulator::call(StructureId id, const std::function<void(Structure&)>& func
   if (kernel_.ledger(id).corrupt) abandon(id);
 }
 
-// A corrupt structure has no certificates, and those who watch it cannot go on either.
+// A corrupt structure has no certificates, and its watchers cannot continue either.
 void Simulator::abandon(StructureId id) {
   if (entries_[id].abandoned) return;
   entries_[id].abandoned = true;
@@ -174,7 +174,7 @@ void Simulator::abandon(StructureId id) {
   }
 }
 
-// The end of a stretch of work of the structures.
+// Ends a stretch of work of the structures.
 void Simulator::end_charge() {
   clock_.charge(RunClock::kNoStructure);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -257,7 +257,7 @@ void Simulator::repair() {
   while (fails_now()) handle_failure();
 }
 
-// Tells structures of which two or more certificates fail at the instant of the first failure.
+// Marks the structures of which two or more certificates fail at the instant of the first failure.
 void Simulator::mark_shared() {
   EventQueue& queue = kernel_.queue();
   if (!queue.first_instant_is_shared()) return;
@@ -271,7 +271,7 @@ void Simulator::mark_shared() {
   }
 }
 
-// Requires that the first failure comes after now.
+// Requires the first failure to be after now.
 void Simulator::failure_instant() {
   at_failure_instant_ = true;
   begin_instant();
@@ -283,8 +283,7 @@ void Simulator::failure_instant() {
   end_instant();
 }
 
-// Structures whose instant was shared look at what single failures cannot break, until nothing
-// fails.
+// Structures whose instant was shared check what no single failure can break, until nothing fails.
 void Simulator::settle() {
   for (;;) {
     bool looked = false;
@@ -304,8 +303,7 @@ void Simulator::settle() {
   }
 }
 
-// The last word on the instant, of all whose instant was shared. True if this leaves nothing to
-// those who watch.
+// Final reports on the instant by the structures that shared it. True if no watcher has work left.
 bool Simulator::tell_what_changed() {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StructureId id = static_cast<StructureId>(i);
@@ -325,8 +323,8 @@ void Simulator::begin_instant() {
   ++ledger_.instants;
 }
 
-// Takes back what the instant in hand has added to the counts of events and failures; what its work
-// cost stays counted.
+// Subtracts the events and failures of the present instant from the counts; the cost of its work
+// stays counted.
 void Simulator::abandon_instant() {
   is_broken_ = true;
   if (in_instant_) {
@@ -354,7 +352,7 @@ void Simulator::abandon_instant() {
     if (!at_failure_instant_) reached_ = reached_before_instant_;
     if (sink_ != nullptr) sink_->instant_abandoned();
   }
-  // Nothing happens between the last instant and the one in hand.
+  // Nothing happens between the last instant and the present one.
   if (!started_ || !(settled_hi_ < next_lo_)) return;
   const std::optional<Rational> t = Rational::from_double(settled_hi_);
   if (!t || *t < reached_ || (scene_.end && *scene_.end < *t)) return;
@@ -362,7 +360,7 @@ void Simulator::abandon_instant() {
   reached_ = *t;
 }
 
-// Does the work; false, with the status, if it is stopped, or memory ends.
+// Does the work; false, with the status, if it is stopped or memory is exhausted.
 template <class Work>
 bool Simulator::unless_stopped(const Work& work) {
   try {
@@ -423,7 +421,7 @@ bool Simulator::start() {
   span_ = scene_.end ? (*scene_.end - scene_.start).to_double() : 1.0;
   const bool built = unless_stopped([&] {
     begin_instant();
-    --ledger_.instants;  // the start is none
+    --ledger_.instants;  // the start is not one
     kernel_.arithmetic().set_now(scene_.start);
     std::vector<ObjectId> objects;
     for (ObjectId object = 0; object < alive_.size(); ++object) {
@@ -432,7 +430,7 @@ bool Simulator::start() {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       call(static_cast<StructureId>(i), [&](Structure& s) { s.build(objects); });
     }
-    notices_.clear();  // those who watch were built later
+    notices_.clear();  // watchers were built later
     repair();
     settle();
   });
@@ -527,7 +525,7 @@ RunStatus Simulator::run_until(const std::optional<Rational>& t) {
   return status_;
 }
 
-// Looks at the limits. Progress only after kLookEvery instants or failures.
+// Checks the limits. Progress only after kLookEvery instants or failures.
 bool Simulator::stop_early() {
   if (status_ != RunStatus::kDone) return true;
   if (options_.max_events != 0 && ledger_.events >= options_.max_events) {
@@ -541,7 +539,7 @@ bool Simulator::stop_early() {
   const std::uint64_t work = ledger_.events + ledger_.instants;
   if (work < next_look_) return false;
   next_look_ = work + 2 * kLookEvery;
-  // Counting all bytes takes as long as there are objects: at times that grow with the work done.
+  // Counting all bytes is linear in the objects: done at intervals that grow with the work done.
   if (work >= next_peak_) {
     next_peak_ = work + work / 16;
     note_peak();
@@ -552,7 +550,7 @@ bool Simulator::stop_early() {
   return status_ != RunStatus::kDone;
 }
 
-// now := a rational time before the next instant, so that the run can be taken up again.
+// now := a rational time before the next instant, so that the run can be continued.
 void Simulator::stop_between() {
   std::optional<Rational> t = rational_after_now();
   if (!t && !kernel_.is_exact()) t = Rational::from_double(kernel_.arithmetic().now_approximate());

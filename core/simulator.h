@@ -3,18 +3,23 @@
 //
 // An instant is the failure time of a certificate or the rational time of a flight-plan change.
 // State is always read from the right: at an instant, failures are handled until every certificate
-// is non-negative right after it. At the instant of changes the order is: motions (every
-// certificate of the changed objects is scheduled anew, once), failures, erasures, failures,
-// insertions, failures. An update to another position is an erasure and an insertion.
+// is non-negative right after it. At an instant of flight-plan changes the order is:
 //
-// Guard: a structure may make 1000 + 64 c + c^2 repairs at one instant, where c is the largest
-// number of certificates that it has had. No correct structure needs more: a sorted list of n keys
-// has n - 1 certificates and swaps each pair once at most, C(n,2) <= c^2; Delaunay flips never
-// bring an edge back, C(n,2) <= c^2 again; winners in a tournament or a heap only grow, at most c
-// per certificate. In an exact arithmetic the structure is built anew when the guard fires, and if
-// that does not help at the same instant, std::logic_error is thrown. In an inexact one it is corrupt
-// after 1000 + 8 c + most_repairs(c), which is c^2 or what the structure asks for, and instants
-// closer together than 2^-40 of the run, or 2^27 ulps, count as one (at most 2^-8 of it).
+//   motions -> failures -> erasures -> failures -> insertions -> failures
+//
+// All certificates of the objects with new motions are first scheduled anew, once. An update to
+// another position is an erasure and an insertion.
+//
+// Guard against cycling: a structure may make 1000 + 64 c + c^2 repairs at one instant, where c is
+// the largest number of certificates that it has had. No correct structure needs more:
+//   sorted list       n keys have n - 1 certificates; each pair swaps at most once: C(n,2) <= c^2
+//   Delaunay flips    never restore an edge: C(n,2) <= c^2
+//   tournament, heap  winners only grow: at most c repairs per certificate
+// When the guard fires,
+//   exact arithmetic    the structure is rebuilt; std::logic_error if it fires again at the instant
+//   inexact arithmetic  the structure is corrupt. The guard is then 1000 + 8 c + most_repairs(c);
+//                       instants closer together than 2^-40 of the run, or 2^27 ulps, count as one
+//                       (at most 2^-8 of it).
 #ifndef KINEX_CORE_SIMULATOR_H
 #define KINEX_CORE_SIMULATOR_H
 
@@ -48,8 +53,8 @@ struct SimulatorOptions {
   AuditLevel audit = AuditLevel::kEnd;
   Scheduling scheduling = Scheduling::kLazy;
   std::uint64_t max_events = 0;  // stop with kLimit after so many failures; 0: no limit
-  // Likewise, from the making of the simulator on, set-up and audits included (wall time, not while
-  // nothing is asked of it after the start); 0: no limit.
+  // Likewise for wall time from the simulator's construction on, set-up and audits included, idle
+  // time after the start excluded; 0: no limit.
   double max_seconds = 0;
   // Stop with kInterrupted before the first change of the scene at this time or later.
   std::optional<Rational> stop_before = std::nullopt;
@@ -72,9 +77,9 @@ class Simulator final : private EventReporter {
   const Kernel& kernel() const { return kernel_; }
   const Scene& scene() const { return scene_; }
 
-  // Reserves the id that a structure is constructed with; then hand the structure over.
+  // Reserves the id that a structure is constructed with; add() then takes the structure.
   StructureId reserve() { return kernel_.add_structure(); }
-  // `watches`: ids of structures whose external events it is told of; they must be smaller than
+  // `watches`: ids of structures whose external events are passed to it; they must be smaller than
   // `id` and have been added.
   void add(StructureId id, std::unique_ptr<Structure> structure, std::string label,
            std::vector<StructureId> watches = {});
@@ -90,35 +95,35 @@ class Simulator final : private EventReporter {
   // All event kinds by rank, the common ones included.
   std::vector<std::string_view> event_kinds(StructureId id) const;
 
-  // `timed`: what its calls take is charged to RunPhase::kReport. Measuring costs more than a sink
-  // that only fills a buffer: that one is not timed, and charges itself for what it does with the
-  // buffer.
+  // `timed`: the time of its calls is charged to RunPhase::kReport. Measuring costs more than a
+  // sink that only fills a buffer: such a sink is not timed, and charges the work on the buffer
+  // itself.
   void set_sink(EventSink* sink, bool timed = true) {
     sink_ = sink;
     sink_timed_ = timed;
   }
 
   // Sets the motions in force right after the scene's start and builds every structure, in the
-  // order of ids.
-  // False if it was stopped on the way: then run_until() says why, and no attribute is known.
+  // order of ids. False if it was stopped: then run_until() returns why, and no attribute is known.
   bool start();
   // Handles all flight-plan changes and failures at instants <= t; then now = t. nullopt: up to the
   // scene's end, or all of them if it has none (now is then a rational time after the last). Can be
-  // called again with later times; t before reached() or after the scene's end throws
-  // std::invalid_argument. Where the scene ends (or, in a scene without end, at every t) the run is
-  // audited as AuditLevel says. If it stops early, it does so between two instants, and can be taken
-  // up again; where an instant (or an audit) takes too long, or memory ends, that instant is
-  // abandoned: its events and failures are taken back, and the run is_broken(). A change that
-  // cannot be made throws RefusedChange (a std::invalid_argument).
+  // called again with later times.
+  //   audits      at the scene's end (or, in a scene without end, at every t), by AuditLevel
+  //   early stop  between two instants; the run can be continued
+  //   abandoned   an instant (or audit) that takes too long or runs out of memory: its events and
+  //               failures are taken back, and the run is_broken()
+  // Throws std::invalid_argument if t is before reached() or after the scene's end, RefusedChange
+  // (a std::invalid_argument) for a change that cannot be made.
   RunStatus run_until(const std::optional<Rational>& t);
-  // The full audit at a rational time right after now; adds to the ledgers. True if nothing is
-  // wrong.
+  // The full audit at a rational time right after now; adds to the ledgers. True if no violation is
+  // found.
   bool audit();
 
   // ---- changes from outside, at a rational instant t >= the time run so far ---------------------
-  // From t on they take the place of the scene's own flight plan for the object. They throw
-  // std::invalid_argument if t has passed or lies after the scene's end; a change that does not fit
-  // (an insertion of an object that is there) throws it from run_until.
+  // From t on they replace the scene's own flight plan for the object. They throw
+  // std::invalid_argument if t has passed or is after the scene's end; an impossible change (an
+  // insertion of an object that is alive) throws it from run_until.
   // A flight-plan change; the position must be continuous at t, or the object is erased and
   // inserted.
   void schedule_update(const Rational& t, ObjectId object, Trajectory trajectory);
@@ -129,11 +134,12 @@ class Simulator final : private EventReporter {
   // The exact time the run has reached (the last t of run_until, or, inside it, the last
   // flight-plan instant).
   const Rational& reached() const { return reached_; }
-  // The run was stopped in the midst of something: what has been reported holds, but it cannot go on.
+  // The run was stopped within an instant or audit: the reports so far hold, but it cannot
+  // continue.
   bool is_broken() const { return is_broken_; }
   // ... and the attributes are not those of any instant.
   bool is_torn() const { return is_broken_ && in_instant_; }
-  // It was memory that ended (kLimit).
+  // Memory was exhausted (kLimit).
   bool out_of_memory() const { return out_of_memory_; }
   // Runs while start() or run_until() does, and from the beginning to start().
   Deadline& deadline() { return *deadline_; }
@@ -145,8 +151,8 @@ class Simulator final : private EventReporter {
   // Violations found so far, for people (at most kMaxMessages are kept).
   static constexpr std::size_t kMaxMessages = 100;
   const std::vector<std::string>& violations() const { return violations_; }
-  // CPU time of the thread and wall time, by phase: run_clock.h. What the event sink takes is
-  // kReport, apart from kSimulate. For work that belongs to the run but is done outside of it:
+  // CPU time of the thread and wall time, by phase: run_clock.h. The event sink's time is kReport,
+  // apart from kSimulate. For work that belongs to the run but is done outside of it:
   // RunClock::Scope scope(simulator.clock(), RunPhase::kReport).
   Seconds seconds(RunPhase phase) const { return clock_.seconds(phase); }
   RunClock& clock() { return clock_; }
@@ -163,7 +169,7 @@ class Simulator final : private EventReporter {
     std::vector<StructureId> watchers;
     std::vector<std::uint64_t*> kind_counts;  // by rank, into the ledger's by_kind
     std::uint8_t first_common = 0;            // rank of CommonEvent::kMotion
-    bool abandoned = false;                   // corrupt, and all that follows from it is done
+    bool abandoned = false;                   // corrupt, and the consequences are dealt with
   };
   struct Change {
     enum class Kind { kUpdate, kErase, kInsert };
@@ -269,9 +275,9 @@ class Simulator final : private EventReporter {
   bool in_instant_ = false;
   bool is_broken_ = false;
   bool out_of_memory_ = false;
-  double settled_hi_ = 0;  // the last instant that is finished is <= settled_hi_
-  double next_lo_ = 0;     // the instant after it, a failure or a change in hand, is >= next_lo_
-  std::vector<std::uint64_t> repairs_;  // since the guard was last set back
+  double settled_hi_ = 0;  // the last finished instant is <= settled_hi_
+  double next_lo_ = 0;     // the instant after it, a failure or a present change, is >= next_lo_
+  std::vector<std::uint64_t> repairs_;  // since the guard was last reset
   std::vector<std::uint8_t> guard_fired_;
   std::vector<StructureId> touched_;  // structures with failures at the instant
   double guard_window_end_ = 0;       // inexact arithmetics

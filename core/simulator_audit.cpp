@@ -13,7 +13,7 @@
 namespace kinex {
 namespace {
 
-// Where nothing is known of the future, the time 2^-k after the end for these k.
+// Without a known next instant, the time 2^-k after the end for these k.
 constexpr std::array<unsigned long, 14> kSteps{0,  1,   2,   4,   8,    16,   32,
                                                64, 128, 256, 512, 1024, 2048, 4096};
 constexpr std::size_t kInexactSteps = 8;
@@ -54,8 +54,8 @@ void Simulator::audit_certificates() {
   }
 }
 
-// True if every certificate is positive at these positions (zero, where it is zero for ever): then
-// there is no doubt about what the structures should say.
+// True if every certificate is positive at these positions (zero if it is identically zero): the
+// attributes are then unambiguous.
 bool Simulator::certificates_hold(const Snapshot& positions) const {
   const EventQueue& queue = kernel_.queue();
   std::array<MotionView<Rational>, kMaxArity> points;
@@ -84,8 +84,8 @@ bool Simulator::certificates_hold(const Snapshot& positions) const {
                      [&](const Entry& entry) { return entry.structure->holds_at(positions); });
 }
 
-// A rational strictly between now and whatever comes next: a failure, a change, the end. nullopt if
-// none is found (in an exact arithmetic only just before a change).
+// A rational strictly between now and the next failure, change or end. nullopt if none is found (in
+// an exact arithmetic only just before a change).
 std::optional<Rational> Simulator::rational_after_now() {
   Arithmetic& arithmetic = kernel_.arithmetic();
   EventQueue& queue = kernel_.queue();
@@ -118,11 +118,11 @@ std::optional<Rational> Simulator::rational_after_now() {
   return (*now + *limit) / Rational(2);
 }
 
-// A rational time right after now at which every certificate is strict, if there is one among a
-// few.
+// A rational time right after now at which every certificate is strict; nullopt if none of a few
+// candidates is one.
 std::optional<Rational> Simulator::audit_time() {
   if (!at_failure_instant_ && scene_.end && *scene_.end <= reached_) {
-    // Failures after the end are not scheduled: look for a time before the first of them.
+    // Failures after the end are not scheduled: a time before the first of them is searched for.
     std::optional<Rational> t;
     for (std::size_t i = 0; i < kSteps.size(); ++i) {
       if (!kernel_.is_exact() && i == kInexactSteps) break;

@@ -31,8 +31,8 @@ void Simulator::put_in_force(ObjectId object, const Trajectory& trajectory,
   ++pieces_[object];
 }
 
-// The pieces that start or end inside the scene's time become changes; those in force right after
-// its start are put in force. A piece that ends with the scene or later has no end.
+// Pieces that start or end within the scene's time become changes; those in force right after its
+// start are put in force. A piece that ends with the scene or later has no end.
 void Simulator::plan_changes() {
   for (ObjectId object = 0; object < scene_.objects.size(); ++object) {
     bool present = false;
@@ -78,7 +78,7 @@ void Simulator::queue_change(Change change) {
     throw std::invalid_argument("no change can be made at " + time_text(change.t));
   }
   if (change.trajectory != nullptr) degree_ = std::max(degree_, change.trajectory->degree());
-  // It takes the place of the scene's own plan for the object.
+  // It replaces the scene's own plan for the object.
   const auto open = changes_.begin() + static_cast<std::ptrdiff_t>(next_change_);
   changes_.erase(std::remove_if(open, changes_.end(),
                                 [&](const Change& c) {
@@ -176,14 +176,14 @@ void Simulator::change_instant() {
   if (fails_now()) mark_shared();
   repair();
   settle();
-  // What fails at this instant may have named it by a polynomial in motions that end here.
+  // A failure at this instant may have named it by a polynomial in motions that end here.
   if (!erasures.empty() || !insertions.empty()) kernel_.arithmetic().set_now(t);
   apply_erasures(erasures);
   settle();
   apply_insertions(insertions);
   settle();
   end_instant();
-  // What is past is needed no more.
+  // Past changes are dropped.
   if (next_change_ >= 1024 && 2 * next_change_ >= changes_.size()) {
     changes_.erase(changes_.begin(), changes_.begin() + static_cast<std::ptrdiff_t>(next_change_));
     next_change_ = 0;
@@ -204,7 +204,7 @@ void Simulator::apply_updates(const std::vector<Change>& updates) {
   }
   std::sort(affected.begin(), affected.end());
   affected.erase(std::unique(affected.begin(), affected.end()), affected.end());
-  // All leave the queue first: no comparison may meet a time that belongs to a former motion.
+  // All leave the queue first: no comparison may involve a time under a former motion.
   for (const CertificateId id : affected) kernel_.unschedule(id);
   for (const Change& update : updates) {
     put_in_force(update.object, *update.trajectory, update.until);

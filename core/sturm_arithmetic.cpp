@@ -20,7 +20,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Bisections of an instant that becomes now, for a useful now_approximate.
 constexpr int kRefinementsOfNow = 20;
 
-// The instants in use: handles from 1 with counted references; a freed place is used again.
+// The instants in use: handles from 1, reference counted; freed places are reused.
 class InstantPool {
  public:
   std::uint32_t add(SturmInstant instant) {
@@ -128,7 +128,7 @@ class SturmArithmetic final : public Arithmetic, public SignNow {
   }
 
  private:
-  // Set in FailureTime::root of a certificate that was negative at its birth: its polynomial need
+  // Set in FailureTime::root of a certificate that was negative when created: its polynomial need
   // not vanish at that instant.
   static constexpr std::uint32_t kBornFailing = 0x80000000u;
 
@@ -162,7 +162,7 @@ class SturmArithmetic final : public Arithmetic, public SignNow {
   InstantPool instants_;
   std::uint32_t now_;        // never 0
   std::uint32_t home_ = 0;   // where leave() goes back to
-  RationalPolynomial name_;  // of the certificate that made now what it is: vanishes there
+  RationalPolynomial name_;  // of the certificate whose failure time now is: vanishes there
   SturmWork work_;
 };
 

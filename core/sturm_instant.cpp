@@ -9,7 +9,7 @@
 namespace kinex {
 namespace {
 
-// Bisections of both intervals before equality is looked into by a gcd.
+// Bisections of both intervals before equality is tested by a gcd.
 constexpr int kBisectionsBeforeGcd = 24;
 
 Rational power_of_two(long k) {
@@ -26,12 +26,12 @@ Sign sign_after_rational(const RationalPolynomial& p, const Rational& t) {
   return s;
 }
 
-// -1, 0, +1 where the intervals tell, nullopt where they overlap.
+// -1, 0, +1 if the intervals decide, nullopt if they overlap.
 std::optional<int> compare_intervals(const SturmInstant& a, const SturmInstant& b) {
   if (a.is_rational() && b.is_rational()) {
     return a.lower() < b.lower() ? -1 : a.lower() > b.lower() ? 1 : 0;
   }
-  // The ends of an isolating interval are no roots.
+  // The ends of an isolating interval are not roots.
   if (a.upper() <= b.lower()) return -1;
   if (b.upper() <= a.lower()) return 1;
   return std::nullopt;
@@ -190,7 +190,7 @@ std::optional<SturmInstant> first_failure_after(const RationalPolynomial& p,
         at_b = at_m;
       }
     }
-    // p is positive between a and this root: what is it behind the root?
+    // p is positive between a and this root: its sign after the root decides.
     if (p.sign_at(b) == Sign::kZero) {
       if (sign_after_rational(p, b) == Sign::kNegative) return SturmInstant(b);
     } else if (p.sign_at(b) == Sign::kNegative) {

@@ -89,7 +89,7 @@ void name_by_sturm(const RationalPolynomial& p, SturmInstant instant, InstantNam
   const auto refine = [&] { instant.refine(work); };
   const RationalSturm sturm(p, work);
   const RationalPolynomial& simple = sturm.square_free();
-  // Until the instant is alone as a root of p, between dyadic numbers that are no roots.
+  // Until the instant is the only root of p between two dyadic numbers that are not roots.
   const auto alone = [&](const Rational& a, const Rational& b) {
     return sturm.count(a, b) == 1 && simple.sign_at(a) != Sign::kZero &&
            simple.sign_at(b) != Sign::kZero;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostCoefficients = 33;
 constexpr double kUnit = 0x1p-53;
-// The coefficients' exponents may differ by so much.
+// The largest difference of the coefficients' exponents.
 constexpr long kRange = 800;
 
 struct Scaled {

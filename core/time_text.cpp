@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostCharacters = 20;
 
-// Numbers beyond the range of doubles too.
+// Also for numbers beyond the range of doubles.
 std::string short_decimal(const Rational& t) {
   mpf_t number;
   mpf_init2(number, 128);

@@ -11,8 +11,7 @@ namespace kinex {
 
 //   "7"                                integers       (at most 20 characters)
 //   "3/2 (1.5)", "1/3 (0.3333333333)"  fractions      (at most 20 characters)
-//   "about 0.3333333333"               other numbers  (ten significant digits, an exponent if
-//   needed)
+//   "about 0.3333333333"               other numbers  (ten significant digits, maybe an exponent)
 std::string time_text(const Rational& t);
 
 }  // namespace kinex

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Touches: instants at which a certificate's value is zero and not negative right after. By the
-// right-hand rule they are no failures; where something happens at a touch (two bodies graze), a
-// certificate can ask to fail there too.
+// right-hand rule they are not failures. For events at touches (two bodies graze) a certificate can
+// be made to fail there too:
+//
+//   value   \           /
+//            \         /
+//   0  -------'-._._.-'--------- t
+//                ^ touch (double root): a failure only of a FailsAtTouch
 #ifndef KINEX_CORE_TOUCH_H
 #define KINEX_CORE_TOUCH_H
 
@@ -11,8 +16,8 @@
 namespace kinex {
 
 // A base of a Predicate: in an exact arithmetic its certificates fail at their first root after
-// now, of whatever multiplicity, or now if they are negative right after it. Their structure looks
-// at the sign then. In an inexact arithmetic they are like all others. One of the same name without
+// now, of any multiplicity, or now if they are negative right after it. Their structure then checks
+// the sign. In an inexact arithmetic they are like all others. A predicate of the same name without
 // this base is the same polynomial.
 class FailsAtTouch {
  public:
