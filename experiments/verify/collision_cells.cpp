@@ -109,10 +109,18 @@ void add_rounds(Catalogue& catalogue, const Method& method, Extent extent) {
   const int last = extent == Extent::kQuick ? 12 : 16;
   for (int k = 3; k <= last; ++k) add_round(catalogue, method, n, k);
   if (method.convex) {
-    // Wedges: the upper bound only, sizes are too few for their exponent.
-    const bool at_most = std::string_view(method.name) == "separation_hysteresis";
+    if (std::string_view(method.name) == "separation_hysteresis") {
+      // Wedges come down to the polygon's own sides sooner than tiles, and are then no more than n:
+      // the law is that of a larger n.
+      for (int k = 3; k <= last; ++k) {
+        add_round(catalogue, method, 4 * n, k);
+        catalogue.cells.back().family = "B1 wedges, n = " + std::to_string(4 * n);
+        catalogue.cells.back().story.clear();
+        catalogue.cells.back().comparison.clear();
+      }
+    }
     catalogue.growths.push_back(
-        growth(catalogue.cells.back(), "collision.round.mu", Variable::kMu, 1, 0.15, at_most));
+        growth(catalogue.cells.back(), "collision.round.mu", Variable::kMu, 1, 0.15, false));
   }
   if (std::string_view(method.name) == "bounding_volumes") return;  // discs prove most of these
   for (const int size : {16, 32, 64, 128}) {
@@ -175,8 +183,11 @@ void add_spins(Catalogue& catalogue, const Method& method, Extent extent) {
 void add_fans(Catalogue& catalogue, const Method& method, Extent extent) {
   const std::string_view name = method.name;
   for (const bool tangents : {false, true}) {
-    for (const int n : {8, 16, 32, 64, 128}) {
-      if (n > 64 && extent == Extent::kQuick) continue;
+    // n (3n + 2) is no power: more sizes where an exponent is fitted.
+    const bool is_fitted = name == (tangents ? "inner_tangents" : "closest_features");
+    for (const int n : {8, 12, 16, 24, 32, 48, 64, 96, 128}) {
+      const bool power_of_two = (n & (n - 1)) == 0;
+      if (!is_fitted && (!power_of_two || (n > 64 && extent == Extent::kQuick))) continue;
       Cell cell = scene(method, tangents ? "B5 tangent fan" : "B4 fan",
                         tangents ? "polygon-tangents" : "polygon-fan", n);
       cell.parameters.separation = Rational(2);
@@ -196,10 +207,10 @@ void add_fans(Catalogue& catalogue, const Method& method, Extent extent) {
       }
       catalogue.cells.push_back(std::move(cell));
     }
-    if (name == (tangents ? "inner_tangents" : "closest_features")) {
+    if (is_fitted) {
       catalogue.growths.push_back(growth(catalogue.cells.back(),
                                          tangents ? "collision.tangents.n" : "collision.fan.n",
-                                         Variable::kVertices, 2, 0.1, false));
+                                         Variable::kVertices, 2, 0.06, false));
     }
   }
 }
