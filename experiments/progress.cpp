@@ -27,9 +27,10 @@ void Progress::show(const Simulator& simulator) {
   last_ = now;
   shown_ = true;
   const double seconds = std::chrono::duration<double>(now - began_).count();
-  const auto events = static_cast<double>(simulator.ledger().events);
+  const auto failures = static_cast<double>(simulator.ledger().events);
   const double t = simulator.kernel().arithmetic().now_approximate();
-  std::fprintf(stderr, "\r\033[K%.0f events, t = %.6g, %.3g events/s", events, t, events / seconds);
+  std::fprintf(stderr, "\r\033[K%.0f certificate failures, t = %.6g, %.3g a second", failures, t,
+               failures / seconds);
   const Scene& scene = simulator.scene();
   if (scene.end) {
     const double start = scene.start.to_double();

@@ -90,7 +90,7 @@ std::string cost(const CaseResult& one, const TradeRun& run) {
 
 std::string bits_table(const std::vector<const CaseResult*>& cases) {
   std::string text =
-      "| scene | events | instants | bits needed, at most | bits, 99 % of neighbours |\n"
+      "| scene | log records | instants | bits needed, at most | bits, 99 % of neighbours |\n"
       "| --- | --- | --- | --- | --- |\n";
   for (const CaseResult* one : cases) {
     const bool any = one->bits.pairs > 0;

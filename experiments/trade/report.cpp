@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "experiments/counted.h"
 #include "experiments/trade/standings.h"
 
 namespace kinex {
@@ -27,7 +28,7 @@ std::string standing_text(const TradeRun& run) {
     case Ending::kCorrupt:
       return fmt::format("CORRUPT{}: {}", run.guard_fired ? ", guard" : "", run.trouble);
     case Ending::kEndless:
-      return fmt::format("ENDLESS: stopped after {} events", run.events);
+      return fmt::format("ENDLESS: stopped after {} log records", run.events);
     case Ending::kGaveUp:
       return "gave up at the limit of time";
     case Ending::kThrew:
@@ -86,8 +87,8 @@ std::string case_heading(const CaseResult& one) {
   const std::string what =
       fmt::format("{}, {}, n = {}", one.which.structure, one.which.name, one.objects);
   if (!one.problem.empty()) return what + ": " + one.problem;
-  return fmt::format("{}: {} events at {} instants; {}", what, one.events, one.bits.instants,
-                     bits_sentence(one.bits));
+  return fmt::format("{}: {} at {}; {}", what, counted(one.events, "log record", "log records"),
+                     counted(one.bits.instants, "instant", "instants"), bits_sentence(one.bits));
 }
 
 std::string growth_text(const PowerFit& fit) {

@@ -202,8 +202,8 @@ std::string record(const Viewed& viewed, const Wanted& wanted, const Options& op
 }
 
 std::string line_of(const RecordedRun& run) {
-  std::string text =
-      "run       " + run.arithmetic + ", " + counted(run.events.size(), "log record", "log records");
+  std::string text = "run       " + run.arithmetic + ", " +
+                     counted(run.events.size(), "log record", "log records");
   if (run.before > 0) text += " after " + std::to_string(run.before) + " before them";
   if (!run.complete) text += " (not all: " + run.stopped + ")";
   for (const RecordedStructure& structure : run.structures) {
@@ -221,8 +221,8 @@ std::string report(const Viewed& viewed, const std::vector<RecordedRun>& runs,
   for (const RecordedRun& run : runs) text += line_of(run);
   if (runs.size() > 1) {
     const std::uint64_t parted = first_divergence(runs[0], runs[1]);
-    text += parted == 0 ? "compared  the same events\n"
-                        : "compared  the runs part at event " + std::to_string(parted) + "\n";
+    text += parted == 0 ? "compared  the same log records\n"
+                        : "compared  the runs part at log record " + std::to_string(parted) + "\n";
   }
   return text + "page      " + file + ", " + std::to_string((bytes + 1023) / 1024) + " kB\n";
 }
@@ -259,10 +259,11 @@ void view(const Options& options, int& exit_code) {
   }
   for (const RecordedRun& run : runs) {
     if (run.complete || run.stopped == kLogEnds) continue;
-    std::fprintf(stderr,
-                 "kinex: the page holds the first %zu events of the %s run: %s; choose others with "
-                 "--from and --until, or more with --max-events\n",
-                 run.events.size(), run.arithmetic.c_str(), run.stopped.c_str());
+    std::fprintf(
+        stderr,
+        "kinex: the page holds the first %zu log records of the %s run: %s; choose others with "
+        "--from and --until, or more with --max-events\n",
+        run.events.size(), run.arithmetic.c_str(), run.stopped.c_str());
     exit_code = kExitGaveUp;
   }
 }
@@ -272,7 +273,8 @@ void view(const Options& options, int& exit_code) {
 void add_view_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand(
-      "view", "A run as one HTML page: play it, step through its events, compare it with another");
+      "view",
+      "A run as one HTML page: play it, step through its log records, compare it with another");
   verb->add_option("FILE", options->file, "A scene, or an event log of one (with --scene)")
       ->required();
   verb->add_option("-o,--output", options->output, "Write the page to this file, - prints it")
@@ -287,12 +289,13 @@ void add_view_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--from", options->from, "Show the run from this time on");
   verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
   verb->add_option("--max-events", options->max_events,
-                   "Hold so many events at most, of each run (100000)");
+                   "Hold so many log records at most, of each run (100000)");
   verb->add_flag("--force", options->force, "Replace a page that exists");
   verb->footer(
       "The scene is run again, and its states are recorded; a log is checked against that run.\n"
-      "The page needs no network. page.html#event=7 opens it after event 7.\n"
-      "Exit codes: 1 a log is not what its scene gives; 3 there are more events than the page\n"
+      "The page needs no network. page.html#event=7 opens it after log record 7.\n"
+      "Exit codes: 1 a log is not what its scene gives; 3 there are more log records than the "
+      "page\n"
       "holds, or more objects than it draws.\n"
       "Example:\n  kinex view square.json -o square.html\n"
       "  kinex view square.exact.jsonl --scene square.json --with square.gsl.jsonl -o parted.html\n"

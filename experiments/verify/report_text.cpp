@@ -140,12 +140,12 @@ std::string seeds_line(const VerifyResult& result) {
 std::string closing_line(const VerifyResult& result) {
   std::array<std::size_t, 4> by_verdict{};
   std::size_t checks = result.growths.size(), runs = 0;
-  std::uint64_t events = 0;
+  std::uint64_t failures = 0;
   for (const CellResult& cell : result.cells) {
     ++by_verdict[static_cast<std::size_t>(cell.verdict())];
     checks += cell.checks.size();
     runs += cell.trials.size();
-    for (const Trial& trial : cell.trials) events += trial.measurement.run.events;
+    for (const Trial& trial : cell.trials) failures += trial.measurement.run.events;
   }
   for (const GrowthResult& growth : result.growths) {
     ++by_verdict[static_cast<std::size_t>(growth.check.verdict)];
@@ -167,7 +167,8 @@ std::string closing_line(const VerifyResult& result) {
                         by_verdict[static_cast<std::size_t>(verdict)], verdict_name(verdict));
   }
   text += fmt::format("; {}, {}, {}\n", counted(checks, "check", "checks"),
-                      counted(runs, "run", "runs"), counted(events, "event", "events"));
+                      counted(runs, "run", "runs"),
+                      counted(failures, "certificate failure", "certificate failures"));
   return text + seeds_line(result);
 }
 

@@ -112,6 +112,13 @@ bool LogFollower::follow(const SeenEvent& event) {
   if (!std::equal(next_.ids.begin(), next_.ids.end(), event.ids.begin(), event.ids.end())) {
     part = "objects";
   }
+  if (next_.change.has_value() != event.event.has_difference()) part = "difference";
+  if (next_.change && (!std::equal(next_.change->gone.begin(), next_.change->gone.end(),
+                                   event.gone.begin(), event.gone.end()) ||
+                       !std::equal(next_.change->came.begin(), next_.change->came.end(),
+                                   event.came.begin(), event.came.end()))) {
+    part = "difference";
+  }
   if (!same_instant(next_.time, event.instant, header())) part = "time";
   if (part == nullptr) return true;
   problem_ = reader_.file() + ": line " + std::to_string(next_.line) +

@@ -30,9 +30,9 @@ class LogFollower {
               const std::string& hash);
 
   const LogHeader& header() const { return reader_.header(); }
-  // True if the log has this record next: same structure, kind, ids, effect (external or internal)
-  // and, as far as the log tells, the same instant. False at the end of the log, and where they
-  // part; then problem() says how.
+  // True if the log has this record next: same structure, kind, ids, effect (external or internal),
+  // difference ("gone" and "came") and, as far as the log tells, the same instant. False at the end
+  // of the log, and where they part; then problem() says how.
   bool follow(const SeenEvent& event);
   // The run is at its end: the log must be, too.
   void finish();

@@ -87,14 +87,15 @@ class Recorder final : public EventSink {
     if (record || options_.observe) instant = arithmetic.describe_now();
     const std::string& kind = structure.kinds[event.kind];
     if (recording_ && !record)
-      return stop("it has more than " + std::to_string(options_.max_events) + " events");
-    names_.clear();
-    for (std::size_t i = 0; i < event.count; ++i) {
-      names_.push_back(simulator_->object_name(event.ids[i]));
-    }
-    if (options_.observe &&
-        !options_.observe({events_ + 1, structure.label, kind, names_, event, instant})) {
-      return stop(std::string(kLogEnds));
+      return stop("it has more than " + std::to_string(options_.max_events) + " log records");
+    name_all({event.ids.data(), event.count}, names_);
+    if (options_.observe) {
+      name_all(event.gone, gone_);
+      name_all(event.came, came_);
+      if (!options_.observe(
+              {events_ + 1, structure.label, kind, names_, gone_, came_, event, instant})) {
+        return stop(std::string(kLogEnds));
+      }
     }
     ++events_;
     run_.all.push_back(as_recorded(event));
@@ -106,6 +107,11 @@ class Recorder final : public EventSink {
   }
 
  private:
+  void name_all(std::span<const ObjectId> ids, std::vector<std::string_view>& names) const {
+    names.clear();
+    for (const ObjectId id : ids) names.push_back(simulator_->object_name(id));
+  }
+
   // Nobody minds a change that cannot be made where nothing more is to be recorded.
   RunStatus run_to_end() {
     try {
@@ -272,6 +278,7 @@ class Recorder final : public EventSink {
   std::optional<Simulator> simulator_;
   std::optional<ProofRecorder> proofs_;  // in scenes of bodies
   std::vector<std::string_view> names_;  // of the present event's objects
+  std::vector<std::string_view> gone_, came_;
   std::uint64_t events_ = 0;
   bool recording_ = false;
   bool full_ = false;

@@ -27,7 +27,8 @@ inline constexpr std::string_view kLogEnds = "the log ends here";
 struct SeenEvent {
   std::uint64_t number;  // from 1
   std::string_view structure, kind;
-  std::span<const std::string_view> ids;  // names
+  std::span<const std::string_view> ids;         // names
+  std::span<const std::string_view> gone, came;  // likewise: of the event's difference
   const Event& event;
   const InstantText& instant;
 };

@@ -174,7 +174,7 @@ TEST(TradeCase, EndlessRunsAreCut) {
     EXPECT_FALSE(run->seconds);
   }
   EXPECT_EQ(one.run_in("sturm")->standing(), Standing::kSame);  // exact ones have no budget
-  EXPECT_THAT(table_of(one), HasSubstr("ENDLESS: stopped after 5 events"));
+  EXPECT_THAT(table_of(one), HasSubstr("ENDLESS: stopped after 5 log records"));
   EXPECT_TRUE(one.faults().empty());
 }
 

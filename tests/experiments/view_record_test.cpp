@@ -210,7 +210,7 @@ TEST(ViewRecord, AWindowOfARunIsAPartOfIt) {
   const RecordedRun part = record_run(scene, options);
   ASSERT_EQ(part.events.size(), 17u);
   EXPECT_FALSE(part.complete);
-  EXPECT_EQ(part.stopped, "it has more than 17 events");
+  EXPECT_EQ(part.stopped, "it has more than 17 log records");
   ASSERT_GT(part.before, 0u);
   for (std::uint64_t k = part.before; k <= part.before + 17; ++k) {
     for (std::size_t i = 0; i < 2; ++i) {

@@ -62,7 +62,7 @@ TEST_F(TradeVerb, TableSaysHowManyBitsTheSceneNeeds) {
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_THAT(finished.out, HasSubstr("sorted_list, near-one-point n=6"));
   EXPECT_THAT(finished.out,
-              testing::ContainsRegex("15 events at 15 instants; needs [67][0-9] bits"));
+              testing::ContainsRegex("15 log records at 15 instants; needs [67][0-9] bits"));
   EXPECT_THAT(finished.out, HasSubstr("WRONG"));
 }
 

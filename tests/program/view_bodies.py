@@ -48,7 +48,7 @@ def check_next(name, state, events, label, shown):
         fail(f"{name}: after event {state['event']} {text} fails next in {label}; displayed: {proof}")
     if not shown:
         return
-    wanted = [f"Fails next: certificate {slot + 1}, event {event['seq']}", event["time"]["decimal"],
+    wanted = [f"Fails next: certificate {slot + 1}, log record {event['seq']}", event["time"]["decimal"],
               event["kind"], proof["text"]]
     for text in wanted:
         if text not in state["proofText"]:
@@ -190,7 +190,7 @@ def one_scene(page, name, generate, maintain, steps=24, second=None):
             if contact and i == 0:
                 shown = state["proof"]["structures"][label]["contact"]
                 for text in ("contact: " + " meets ".join(shown["features"]),
-                             f"since event {shown['event']}, t"):
+                             f"since log record {shown['event']}, t"):
                     if text not in state["proofText"]:
                         fail(f"{name}: no {text!r} in {state['proofText']!r}")
             if state["event"] in times:

@@ -201,7 +201,7 @@ def check_states(name, answer, events, samples):
                 fail(f"{name}: an empty picture after event {k}: {state['ink']}")
         if k > 0:
             event = events[k - 1]
-            wanted = [f"Event {k} of {len(events)}", event["kind"],
+            wanted = [f"Log record {k} of {len(events)}", event["kind"],
                       "external" if event["external"] else "internal", event["time"]["decimal"]]
             if event["certificate"]:
                 wanted.append("%s(%s)" % (event["certificate"]["predicate"],

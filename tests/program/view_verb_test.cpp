@@ -64,10 +64,10 @@ TEST_F(ViewVerb, LaysASecondRunOverIt) {
   const Finished by_name = run_kinex({"view", scene_, "--with", "double", "-o", page_});
   EXPECT_EQ(by_log.exit_code, 0) << by_log.err;
   EXPECT_EQ(by_name.exit_code, 0) << by_name.err;
-  EXPECT_THAT(by_name.out, HasSubstr("compared  the runs part at event "));
+  EXPECT_THAT(by_name.out, HasSubstr("compared  the runs part at log record "));
   EXPECT_EQ(by_log.out, read_file(page_));
   EXPECT_THAT(run_kinex({"view", scene_, "--with", "sturm", "-o", page_, "--force"}).out,
-              HasSubstr("compared  the same events"));
+              HasSubstr("compared  the same log records"));
 }
 
 TEST_F(ViewVerb, NeverReplacesAFile) {
@@ -219,6 +219,26 @@ TEST_F(ViewVerb, ALogThatIsNotWhatTheSceneGives) {
   expect_refused({changed, "--scene", scene_, "-o", page_}, "no such record", 1);
 }
 
+// What left the attribute and joined it, where the ids do not tell.
+TEST_F(ViewVerb, ALogWithAnotherDifference) {
+  const std::string scene = scratch_.file("meet.json"), log = scratch_.file("meet.jsonl");
+  ASSERT_EQ(
+      run_kinex({"gen", "meet", "--n", "6", "--seed", "1", "--maintain", "delaunay_2", "-o", scene})
+          .exit_code,
+      0);
+  ASSERT_EQ(run_kinex({"run", scene, "--events", log}).exit_code, 0);
+  ASSERT_EQ(run_kinex({"view", log, "--scene", scene, "-o", scratch_.file("fine")}).exit_code, 0);
+  const std::string text = read_file(log), changed = scratch_.file("changed.jsonl");
+  for (const char* side : {"\"gone\": [[\"p0\"", "\"came\": [[\"p1\""}) {
+    std::string other = text;
+    const std::size_t at = other.find(side);
+    ASSERT_NE(at, other.npos) << side;
+    other.replace(at + std::string(side).size() - 3, 2, "p3");
+    write_file(changed, other);
+    expect_refused({changed, "--scene", scene, "-o", page_}, "other difference", 1);
+  }
+}
+
 // A log that was stopped is shown as far as it goes.
 TEST_F(ViewVerb, AShortLog) {
   const std::string log = scratch_.file("short.jsonl");
@@ -233,7 +253,7 @@ TEST_F(ViewVerb, LimitsAreToldAndKept) {
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_THAT(finished.out, HasSubstr("exact, 5 log records"));
   EXPECT_THAT(finished.err, HasSubstr("--from and --until, or more with --max-events"));
-  EXPECT_THAT(read_file(page_), HasSubstr("it has more than 5 events"));
+  EXPECT_THAT(read_file(page_), HasSubstr("it has more than 5 log records"));
   const Finished later =
       run_kinex({"view", scene_, "--from", "3/4", "--until", "7/8", "-o", page_, "--force"});
   EXPECT_EQ(later.exit_code, 0) << later.err;

@@ -9,7 +9,8 @@ const BEFORE = FIRST.before;              // events before those that the page h
 const LAST = BEFORE + FIRST.u.length;     // the number of the last event
 const PARTED = DATA.divergence;           // the first event at which the runs part; 0: none
 
-// Events have numbers from 1 in the whole run; the state "after event k" goes with number k.
+// Log records (events, and changes of the scene) have numbers from 1 in the whole run; the state "after
+// log record k" goes with number k. An "event" in this code is a log record.
 const at = (run, k) => k - run.before - 1;
 const timeOf = (run, k) => (k <= run.before ? 0 : run.u[at(run, k)]);
 const instantOf = (run, k) => run.instants[run.i[at(run, k)]];

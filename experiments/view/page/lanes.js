@@ -64,12 +64,12 @@ class Lanes extends TimeWindow {
     const { top } = this.parts(index);
     const counts = this.counts[0][index];
     let text = DATA.structures[index].label + "  " + (placeUntil(counts.events, app.k) + 1) + " of " +
-      counts.events.length + " events";
+      counts.events.length + (counts.events.length === 1 ? " log record" : " log records");
     if (counts.external > 0) text += ", " + counts.external + " external";
     if (OTHER !== null) text += " (" + OTHER.arithmetic + ": " + this.counts[1][index].events.length + ")";
     label(context, text, axis.left + 5, top + 9, app.colourOf(index));
     if (index === 0 && app.partedAt === null) {
-      label(context, "long bars: external events, short: internal; ring: fails next",
+      label(context, "long bars: external events, short: other log records; ring: fails next",
             axis.right - 4, top + 9, COLOUR.quiet, "right");
     }
   }

@@ -180,7 +180,7 @@ class App {
     };
     set("scrub", this.k);
     set("number", this.k);
-    document.getElementById("scrub").setAttribute("aria-valuetext", "event " + this.k);
+    document.getElementById("scrub").setAttribute("aria-valuetext", "log record " + this.k);
     const rate = this.rate * DATA.time.span;
     document.getElementById("speed").textContent = shortNumber(+rate.toPrecision(2)) + " t/s";
   }
@@ -198,9 +198,9 @@ class App {
     if (BODIES) {
       entry("failed", "fails next, or contact");
     } else if (this.k > BEFORE) {
-      entry("failed", "event " + this.k + ": what failed and what it changed");
+      entry("failed", "log record " + this.k + ": what failed and what it changed");
     }
-    this.picture.canvas.setAttribute("aria-label", structure.label + " after event " + this.k);
+    this.picture.canvas.setAttribute("aria-label", structure.label + " after log record " + this.k);
   }
 }
 

@@ -55,19 +55,19 @@ class Panel {
     const k = app.k;
     this.event.replaceChildren();
     if (k === BEFORE) {
-      this.event.append(make("h2", BEFORE === 0 ? "Before the first event"
-                                                : "Before event " + (BEFORE + 1)));
+      this.event.append(make("h2", BEFORE === 0 ? "Before the first log record"
+                                                : "Before log record " + (BEFORE + 1)));
       this.event.append(make("p", "t = " + DATA.time.start[0]));
       this.drawLost();
       return;
     }
-    this.event.append(make("h2", "Event " + k + " of " + LAST));
+    this.event.append(make("h2", "Log record " + k + " of " + LAST));
     this.event.append(this.describe(FIRST, k));
     this.drawLost();
     if (OTHER === null) return;
     const j = app.kOther();
     if (PARTED !== 0 && k >= PARTED && j > OTHER.before) {
-      this.event.append(make("h2", OTHER.arithmetic + ", last event by then: " + j, "other"));
+      this.event.append(make("h2", OTHER.arithmetic + ", last log record by then: " + j, "other"));
       this.event.append(this.describe(OTHER, j));
     }
   }

@@ -39,12 +39,12 @@ class ProofPanel extends Panel {
     if (contact.event === null) {
       this.proof.append(make("p", "contact: " + pairOf(pair).map(nameOf).join(" meets "), "external"));
       this.proof.append(make("p", BEFORE === 0 ? "from the beginning"
-                                               : "since before event " + (BEFORE + 1)));
+                                               : "since before log record " + (BEFORE + 1)));
       return;
     }
     const names = pairOf(pair).map((body, z) => featureName(body, contact.features[z]));
     this.proof.append(make("p", "contact: " + names.join(" meets "), "external"));
-    this.proof.append(make("p", "since event " + contact.event + ", t \u2248 " +
+    this.proof.append(make("p", "since log record " + contact.event + ", t \u2248 " +
                            instantOf(FIRST, contact.event)[0]));
   }
 
@@ -68,7 +68,7 @@ class ProofPanel extends Panel {
     }
     const e = at(FIRST, next), slot = proofs.failingSlot(pair, this.app.k);
     const what = slot < 0 ? "a certificate that is not there yet" : "certificate " + (slot + 1);
-    this.proof.append(make("h2", "Fails next: " + what + ", event " + next, "external"));
+    this.proof.append(make("h2", "Fails next: " + what + ", log record " + next, "external"));
     const list = make("dl");
     const row = (name, ...content) => {
       const value = make("dd");

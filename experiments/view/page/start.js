@@ -15,7 +15,7 @@ function describePage() {
     (r.stopped ? " (not all: " + r.stopped + ")" : "");
   let facts = OBJECTS + " objects in " + AXES + "-D \u00b7 " + run(FIRST);
   if (OTHER !== null) facts += " \u00b7 " + run(OTHER);
-  if (BEFORE > 0) facts += " \u00b7 from t = " + DATA.time.start[0] + ", event " + (BEFORE + 1);
+  if (BEFORE > 0) facts += " \u00b7 from t = " + DATA.time.start[0] + ", log record " + (BEFORE + 1);
   if (AXES > 2) facts += " \u00b7 drawn by their first two coordinates";
   document.getElementById("facts").textContent = facts + " \u00b7 " + DATA.program;
   document.getElementById("of").textContent = "of " + LAST;
@@ -35,12 +35,12 @@ function describePage() {
   const box = document.getElementById("divergence");
   box.hidden = false;
   if (PARTED === 0) {
-    box.append(make("h2", "Both runs have the same events"));
+    box.append(make("h2", "Both runs have the same log records"));
     return;
   }
-  box.append(make("h2", "The runs part at event " + PARTED));
+  box.append(make("h2", "The runs part at log record " + PARTED));
   const event = r => (PARTED > r.before && PARTED <= r.before + r.u.length
-    ? kindOf(r, PARTED) + " " + listOf(r.ids[at(r, PARTED)]) : "no event");
+    ? kindOf(r, PARTED) + " " + listOf(r.ids[at(r, PARTED)]) : "no log record");
   const list = make("dl");
   for (const r of RUNS) list.append(make("dt", r.arithmetic), make("dd", event(r)));
   box.append(list);

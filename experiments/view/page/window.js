@@ -108,7 +108,7 @@ class TimeWindow {
     context.stroke();
     context.setLineDash([]);
     const left = x > axis.right - 150;
-    label(context, "the runs part: event " + PARTED, x + (left ? -6 : 6), 18, COLOUR.second,
+    label(context, "the runs part: log record " + PARTED, x + (left ? -6 : 6), 18, COLOUR.second,
           left ? "right" : "left");
   }
 
@@ -118,7 +118,7 @@ class TimeWindow {
     context.textBaseline = "middle";
     context.fillStyle = COLOUR.quiet;
     if (Math.abs(axis.x(this.app.u) - x) < 170) return;
-    context.fillText("long bars: external events, short: internal", x, 6);
+    context.fillText("long bars: external events, short: other log records", x, 6);
   }
 
   drawOverview() {
