@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/reproduce/checked_by.h"
 #include "experiments/verify/statistics.h"
 
 namespace kinex {
@@ -27,6 +28,11 @@ struct PaperClaim {
   std::string observed;
   ClaimVerdict verdict = ClaimVerdict::kOpen;
   std::vector<std::string> assumptions;  // that we had to add
+  // A small run of what the claim is about, for a second program to check; or, without a structure,
+  // why there is none.
+  RunKey small_run;
+  std::string no_small_run;
+  CheckedBy checked_by;
 };
 
 std::string verdict_name(ClaimVerdict verdict);

@@ -49,7 +49,9 @@ void write_claim(JsonWriter& json, const PaperClaim& claim) {
   field("verdict", verdict_name(claim.verdict));
   json.line(4).key("assumptions").begin_array();
   for (const std::string& assumption : claim.assumptions) json.string(assumption);
-  json.end_array().line(2).end_object();
+  json.end_array().line(4).key("checked_by");
+  write_checked_by(json, claim.checked_by);
+  json.line(2).end_object();
 }
 
 std::string made_by(const ReproductionFacts& facts) {
@@ -91,6 +93,7 @@ std::string paper_readme(const Paper& paper, const std::vector<ReproducedPart>& 
       for (const std::string& assumption : claim.assumptions) {
         text += "  - assumed: " + assumption + "\n";
       }
+      text += "  - checked by a second program: " + claim.checked_by.text() + "\n";
     }
     for (std::size_t i = 0; drawn && i < part.report.figures.size(); ++i) {
       text += fmt::format("\n![{}]({}.svg)\n\n{}: {}\n", part.report.figures[i].title,

@@ -37,7 +37,11 @@ RecordStore::RecordStore(std::string path, const std::string& commit, bool fresh
         throw InputError(path_, "line 1", "it was begun by another version of the program",
                          "give --fresh to begin anew, or another folder");
       }
-      if (number > 1) {
+      if (is_checked_by_line(line)) {
+        StoredCheck stored = parse_checked_by(line, path_, number);
+        kept += line + "\n";
+        checks_.insert_or_assign(std::move(stored.key), std::move(stored.checked));
+      } else if (number > 1) {
         RunRecord record = parse_record(line, path_, number);
         kept += line + "\n";
         std::string key = record.key;
@@ -63,17 +67,37 @@ const RunRecord* RecordStore::find(const std::string& key) const {
   return found == records_.end() ? nullptr : &found->second;
 }
 
-const RunRecord& RecordStore::add(const RunRecord& record) {
+std::optional<CheckedBy> RecordStore::find_check(const RunKey& run,
+                                                 const std::string& program) const {
   const std::lock_guard lock(mutex_);
-  const std::string line = record_line(record) + "\n";
+  const auto found = checks_.find(checked_by_key(run, program));
+  if (found == checks_.end()) return std::nullopt;
+  CheckedBy checked = found->second;
+  checked.run = run;
+  return checked;
+}
+
+void RecordStore::append(const std::string& line) {
   if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() ||
       std::fflush(file_.get()) != 0) {
     throw InputError(path_, "", std::string("cannot be written: ") + std::strerror(errno),
                      "make room on the disk; the same command goes on from here");
   }
+}
+
+const RunRecord& RecordStore::add(const RunRecord& record) {
+  const std::lock_guard lock(mutex_);
+  const std::string line = record_line(record) + "\n";
+  append(line);
   // As it will be read: what is made of a record does not depend on when it was run.
   std::string key = record.key;
   return records_.insert_or_assign(std::move(key), parse_record(line, path_, 0)).first->second;
+}
+
+void RecordStore::add_check(const CheckedBy& checked) {
+  const std::lock_guard lock(mutex_);
+  append(checked_by_line(checked) + "\n");
+  checks_.insert_or_assign(checked_by_key(checked.run, checked.program), checked);
 }
 
 }  // namespace kinex

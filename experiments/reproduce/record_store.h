@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RecordStore: the runs that are done, in a file that is added to as they end, so that an
-// experiment of hours goes on where it was stopped.
+// RecordStore: the runs that are done, and what a second program found fine, in a file that is
+// added to as they end, so that an experiment of hours goes on where it was stopped.
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_RECORD_STORE_H
 #define KINEX_EXPERIMENTS_REPRODUCE_RECORD_STORE_H
 
@@ -8,8 +8,10 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
+#include "experiments/reproduce/checked_by.h"
 #include "experiments/reproduce/run_record.h"
 
 namespace kinex {
@@ -25,6 +27,9 @@ class RecordStore {
   const RunRecord* find(const std::string& key) const;
   // Written through at once. Called from any thread.
   const RunRecord& add(const RunRecord& record);
+  // What a second program found fine; with the run of `run`.
+  std::optional<CheckedBy> find_check(const RunKey& run, const std::string& program) const;
+  void add_check(const CheckedBy& checked);
   std::size_t size() const { return records_.size(); }
   const std::string& path() const { return path_; }
 
@@ -32,10 +37,13 @@ class RecordStore {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+  void append(const std::string& line);
+
   std::string path_;
   std::unique_ptr<std::FILE, Close> file_;
   mutable std::mutex mutex_;
   std::map<std::string, RunRecord> records_;  // references stay valid
+  std::map<std::string, CheckedBy> checks_;
 };
 
 }  // namespace kinex

@@ -18,23 +18,6 @@ namespace kinex {
 
 namespace {
 
-Scene scene_for(const RunKey& key) {
-  WorkloadParameters parameters;
-  parameters.n = key.n;
-  parameters.dimension = key.dimension;
-  parameters.seed = key.seed;
-  parameters.m = key.m;
-  if (!key.separation.empty()) parameters.separation = Rational::parse(key.separation);
-  parameters.turns = key.turns;
-  Scene scene = generate_scene(*find_workload(key.workload), parameters);
-  if (key.turned) turn_scene(scene, static_cast<int>(key.seed) - 1);
-  if (key.forever) scene.end.reset();
-  Request request;
-  request.structure = request.label = key.structure;
-  scene.maintain = {std::move(request)};
-  return scene;
-}
-
 std::uint64_t signs_of(const ArithmeticCounters& counters) {
   std::uint64_t sum = 0;
   for (const PredicateCounters& predicate : counters.by_predicate) {
@@ -66,6 +49,23 @@ std::string RunKey::text() const {
   if (forever) text += " forever";
   if (max_events != 0) text += " events=" + std::to_string(max_events);
   return text;
+}
+
+Scene scene_for(const RunKey& key) {
+  WorkloadParameters parameters;
+  parameters.n = key.n;
+  parameters.dimension = key.dimension;
+  parameters.seed = key.seed;
+  parameters.m = key.m;
+  if (!key.separation.empty()) parameters.separation = Rational::parse(key.separation);
+  parameters.turns = key.turns;
+  Scene scene = generate_scene(*find_workload(key.workload), parameters);
+  if (key.turned) turn_scene(scene, static_cast<int>(key.seed) - 1);
+  if (key.forever) scene.end.reset();
+  Request request;
+  request.structure = request.label = key.structure;
+  scene.maintain = {std::move(request)};
+  return scene;
 }
 
 std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool()>& go_on,

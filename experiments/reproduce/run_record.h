@@ -15,6 +15,8 @@
 
 namespace kinex {
 
+struct Scene;
+
 // Which run it is.
 struct RunKey {
   std::string structure;
@@ -49,6 +51,8 @@ struct RunRecord {
   bool clean = true;         // audits and bounds
   std::string trouble;       // what was not
 };
+
+Scene scene_for(const RunKey& key);  // asks for the structure of the key only
 
 // Runs it in `exact` with an audit at the end. nullopt if `go_on` (asked now and then) said no.
 std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool()>& go_on,

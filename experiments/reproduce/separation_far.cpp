@@ -65,6 +65,7 @@ PartReport separation_hysteresis_report(const std::vector<SeriesResult>& results
   lasting.verdict = broken != 0 ? ClaimVerdict::kRefuted
                     : runs == 0 ? ClaimVerdict::kOpen
                                 : ClaimVerdict::kConfirmed;
+  set_small_run(lasting, results, own, "polygon-approach");
   report.claims.push_back(std::move(lasting));
 
   PaperClaim calm;
@@ -75,6 +76,7 @@ PartReport separation_hysteresis_report(const std::vector<SeriesResult>& results
   calm.tolerance = "none";
   calm.observed = fmt::format("at most {:.0f}", trembling);
   calm.verdict = trembling == 0 ? ClaimVerdict::kConfirmed : ClaimVerdict::kRefuted;
+  set_small_run(calm, results, own, "polygon-jitter");
   report.claims.push_back(std::move(calm));
 
   const auto approach = points_of(results, own, "polygon-approach", halvings);
@@ -86,6 +88,7 @@ PartReport separation_hysteresis_report(const std::vector<SeriesResult>& results
       "times by which the distance is halved.",
       approach, "halvings", 1);
   cover.assumptions = {"the path: straight from side to side, twice as near each time"};
+  set_small_run(cover, results, own, "polygon-approach");
   report.claims.push_back(std::move(cover));
   const auto kinks = [](const SeriesResult& result) { return 1.0 * result.point.key.m; };
   report.figures = {curves_figure(
@@ -126,6 +129,7 @@ PartReport separation_hierarchies_report(const std::vector<SeriesResult>& result
                     : check.verdict == Verdict::kFail ? ClaimVerdict::kRefuted
                                                       : ClaimVerdict::kOpen;
     claim.assumptions = {"policies of cuts and constants are worked out here"};
+    claim.no_small_run = "a hierarchy is built once and nothing of it moves: there is no log";
     report.claims.push_back(std::move(claim));
   }
   report.tables = measures_text(study_table(study)).substr(1);

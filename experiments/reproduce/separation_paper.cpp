@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/reproduce/claim_check.h"
+
 namespace kinex {
 
 namespace {
@@ -101,12 +103,23 @@ Figure curves_figure(std::string title, std::string caption, const std::string& 
   return figure;
 }
 
+void set_small_run(PaperClaim& claim, const std::vector<SeriesResult>& results,
+                   const std::string& structure, const std::string& workload) {
+  for (const SeriesResult& result : results) {
+    const RunKey& key = result.point.key;
+    if (key.structure != structure || key.workload != workload) continue;
+    claim.small_run = small_run(key);
+    return;
+  }
+  claim.no_small_run = "no run of it was made";
+}
+
 void finish(PartReport& report, const std::vector<SeriesResult>& results,
             const std::string& command) {
   if (!results.empty()) {
     report.tables +=
-        "| structure | workload | n | separation | turns | runs | events | standard error | "
-        "certificates | signs an event |\n"
+        "| structure | workload | n | separation | turns | runs | certificate failures | standard "
+        "error | certificates | signs a failure |\n"
         "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
   }
   for (const SeriesResult& result : results) {

@@ -38,6 +38,11 @@ struct NamedCurve {
 Figure curves_figure(std::string title, std::string caption, const std::string& x,
                      const std::vector<NamedCurve>& curves);
 
+// The claim is about runs of this structure and workload: one of these, made small, is checked by a
+// second program.
+void set_small_run(PaperClaim& claim, const std::vector<SeriesResult>& results,
+                   const std::string& structure, const std::string& workload);
+
 // All runs in a table, and every claim's place and command.
 void finish(PartReport& report, const std::vector<SeriesResult>& results,
             const std::string& command);

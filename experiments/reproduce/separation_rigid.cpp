@@ -48,6 +48,7 @@ PartReport separation_rigid_report(const std::vector<SeriesResult>& results,
   claim.assumptions = {
       "the motion: mu rounds in one turn, so its degree grows with mu; of constant degree none is "
       "known here that needs mu^2"};
+  set_small_run(claim, results, "separation_mixed", "polygon-spin-orbit");
   report.claims.push_back(std::move(claim));
 
   std::vector<FitPoint> signs;
@@ -66,6 +67,7 @@ PartReport separation_rigid_report(const std::vector<SeriesResult>& results,
   update.observed += fmt::format("; at most {:.2f} (1 + log2 mu) signs an event", most);
   update.assumptions = {"time: signs asked for",
                         "s is at least the least separation of the motion"};
+  set_small_run(update, results, "separation_mixed", "polygon-spin-orbit");
   report.claims.push_back(std::move(update));
 
   PaperClaim compact;
@@ -76,6 +78,7 @@ PartReport separation_rigid_report(const std::vector<SeriesResult>& results,
   compact.tolerance = "none";
   compact.observed = fmt::format("at most {:.0f}", certificates);
   compact.verdict = certificates <= 6 ? ClaimVerdict::kConfirmed : ClaimVerdict::kRefuted;
+  set_small_run(compact, results, "separation_mixed", "polygon-spin-orbit");
   report.claims.push_back(std::move(compact));
   report.figures = {
       curves_figure("mu rounds in a turn: events against mu", "Separation 2 / mu^2.", "mu",
@@ -136,6 +139,7 @@ PartReport separation_features_report(const std::vector<SeriesResult>& results,
     claim.verdict = runs == 0       ? ClaimVerdict::kOpen
                     : right == runs ? ClaimVerdict::kConfirmed
                                     : ClaimVerdict::kRefuted;
+    set_small_run(claim, results, method, workload);
     report.claims.push_back(std::move(claim));
   }
   double far = 0;
@@ -154,6 +158,7 @@ PartReport separation_features_report(const std::vector<SeriesResult>& results,
   claim.tolerance = "none";
   claim.observed = fmt::format("at most {:.0f}, for all n", far);
   claim.verdict = far <= kFewTiles ? ClaimVerdict::kConfirmed : ClaimVerdict::kRefuted;
+  set_small_run(claim, results, "separation_mixed", "polygon-fan");
   report.claims.push_back(std::move(claim));
 
   std::vector<SeriesResult> middle;

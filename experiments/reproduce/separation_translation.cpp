@@ -86,6 +86,7 @@ PartReport separation_translation_report(const std::vector<SeriesResult>& result
       points_of(results, "separation_minkowski", "polygon-line", log_mu), "log2 mu", 1);
   line.assumptions = {
       kLinesOnly, "hierarchy of the Minkowski sum; every run also keeps to 2 events a level + 8"};
+  set_small_run(line, results, "separation_minkowski", "polygon-line");
   report.claims.push_back(std::move(line));
   std::vector<NamedCurve> rounds, lines;
   for (const char* method : kMethods) {
@@ -98,11 +99,13 @@ PartReport separation_translation_report(const std::vector<SeriesResult>& result
     if (std::string(method) == "separation_hysteresis") {
       claim.assumptions.push_back("the wedges and their bound are worked out here");
     }
+    set_small_run(claim, results, method, "polygon-orbit");
     report.claims.push_back(std::move(claim));
     rounds.push_back({method, round});
     lines.push_back({method, points_of(results, method, "polygon-line", mu_of)});
   }
   report.claims.push_back(lower_bound(results));
+  set_small_run(report.claims.back(), results, kMethods[0], "polygon-orbit");
   NamedCurve least{"lower bound", {}};
   for (const SeriesResult& result : results) {
     const RunKey& key = result.point.key;

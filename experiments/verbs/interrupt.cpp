@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/verbs/interrupt.h"
 
+#include <chrono>
 #include <cstddef>
+#include <optional>
 
 namespace kinex {
 
@@ -32,6 +34,16 @@ InterruptGuard::InterruptGuard() {
 
 InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
+}
+
+std::function<bool()> InterruptGuard::go_on_a_while() const {
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kAWhile{500};
+  return [this, asked = std::optional<Clock::time_point>()]() mutable {
+    if (!interrupted()) return true;
+    if (!asked) asked = Clock::now();
+    return Clock::now() - *asked < kAWhile;
+  };
 }
 
 const std::atomic<bool>& InterruptGuard::flag() const { return interrupt_seen; }

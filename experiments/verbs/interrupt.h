@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// InterruptGuard: while it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP sets a flag instead of
-// ending the program, and writing to a pipe whose reader has gone fails as any other write does.
+// InterruptGuard: while it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP sets a flag instead
+// of ending the program, and writing to a pipe whose reader has gone fails as any other write does.
 #ifndef KINEX_EXPERIMENTS_VERBS_INTERRUPT_H
 #define KINEX_EXPERIMENTS_VERBS_INTERRUPT_H
 
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <functional>
 
 namespace kinex {
 
@@ -20,6 +21,9 @@ class InterruptGuard {
   bool interrupted() const { return flag().load(std::memory_order_relaxed); }
   // The flag itself, for SimulatorOptions::interrupt.
   const std::atomic<bool>& flag() const;
+  // For what is made of finished work, such as plots, that may be left out: after an interruption
+  // it says no when half a second has gone by since it was first asked.
+  std::function<bool()> go_on_a_while() const;
 
  private:
   static constexpr std::array<int, 4> kSignals{SIGINT, SIGTERM, SIGHUP, SIGPIPE};

@@ -9,6 +9,7 @@
 
 #include "experiments/file_io.h"
 #include "experiments/input_error.h"
+#include "experiments/reproduce/claim_check.h"
 #include "experiments/reproduce/paper_files.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
@@ -26,6 +27,7 @@ struct Options {
   std::vector<std::string> parts;
   std::string folder;
   int jobs = 1;
+  std::string logcheck;  // empty: the one that is found
   bool quick = false;
   bool force = false;
   bool fresh = false;
@@ -93,6 +95,15 @@ ReproducedPart run_part(const PaperPart& part, const Options& options, RecordSto
       claim.observed += "; interrupted: not all runs were made";
     }
   }
+  const SecondProgram program(options.logcheck, running.go_on, running.interrupt);
+  CellProgress checking(std::vector<double>{1});
+  for (std::string& refusal : check_claims(
+           done.report.claims, program, store,
+           [&](const RunKey& small) { checking.show(0, program.name() + ", " + small.text()); })) {
+    done.troubles.push_back(std::move(refusal));
+  }
+  checking.wipe();
+  done.interrupted = done.interrupted || interrupt.interrupted();
   return done;
 }
 
@@ -103,7 +114,7 @@ void tell(const ReproducedPart& done) {
   for (const PaperClaim& claim : done.report.claims) {
     text += verdict_name(claim.verdict) + "  " + claim.id + ": " + claim.statement +
             "\n           expected " + claim.expected + "\n           observed " + claim.observed +
-            "\n";
+            "\n           checked by a second program: " + claim.checked_by.text() + "\n";
   }
   print(text);
 }
@@ -144,7 +155,7 @@ void reproduce(Options options, int& exit_code) {
     }
     if (interrupted) break;
   }
-  const Drawings drawings = draw(figures);
+  const Drawings drawings = draw(figures, "gnuplot", interrupt.go_on_a_while());
   std::size_t drawn = 0;
   for (const ReproducedPart& one : done) {
     for (const std::string& name : one.report.figure_names) {
@@ -191,11 +202,16 @@ void add_reproduce_verb(CLI::App& app, int& exit_code) {
   verb->add_flag("--force", options->force, "Replace results that exist");
   verb->add_flag("--fresh", options->fresh, "Run again what runs.jsonl in the folder holds");
   verb->add_option("--jobs", options->jobs, "Runs at a time (1: more disturb the times)");
+  verb->add_option(
+      "--logcheck", options->logcheck,
+      "The second program, which checks one small run of every claim (kinex-logcheck)");
   verb->add_flag("--json", options->json, "Print claims.json instead of the tables");
   verb->footer(
       "Every run is exact and audited. Runs that are done are kept in runs.jsonl: after an\n"
       "interruption the same command with --force goes on with the next one.\n"
-      "Exit codes: 1 a claim is refuted, an audit or a bound failed; 3 interrupted.\n"
+      "Exit codes: 1 a claim is refuted, an audit or a bound failed, the log of a small run is "
+      "refused;\n"
+      "3 interrupted.\n"
       "Example:\n  kinex reproduce kds-report-1998 figure-3 --quick -o figure");
   verb->callback([options, &exit_code] { reproduce(*options, exit_code); });
 }

@@ -146,7 +146,7 @@ void trade(const Options& options, int& exit_code) {
   facts.command = command_of(options);
   database.write(trade_database(result, facts.build, facts.machine));
   const std::vector<Figure> figures = trade_figures(result);
-  const Drawings drawings = draw(figures);
+  const Drawings drawings = draw(figures, "gnuplot", interrupt.go_on_a_while());
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   page.write(trade_page(result, figures, drawings, facts));
   if (markdown) markdown->write(trade_markdown(result, facts));

@@ -116,7 +116,7 @@ void verify(const Options& options, int& exit_code) {
   facts.command = command_of(options);
   database.write(verify_database(result, facts.build, facts.machine));
   const std::vector<Figure> figures = verify_figures(result);
-  const Drawings drawings = draw(figures);
+  const Drawings drawings = draw(figures, "gnuplot", interrupt.go_on_a_while());
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   page.write(verify_page(result, figures, drawings, facts));
   if (!result.interrupted) finished.remove();

@@ -4,6 +4,7 @@
 #define KINEX_EXPERIMENTS_VERIFY_GNUPLOT_H
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,10 @@ struct Drawings {
 };
 
 // Draws all figures as SVG in one run of `program`, in a fresh temporary folder that is removed.
-Drawings draw(const std::vector<Figure>& figures, const std::string& program = "gnuplot");
+// When `go_on` says no, drawing ends; what is not drawn by then is not there.
+Drawings draw(
+    const std::vector<Figure>& figures, const std::string& program = "gnuplot",
+    const std::function<bool()>& go_on = [] { return true; });
 
 // Colour and symbol of the i-th curve: told apart with any colour vision, and by their symbols
 // (Okabe and Ito, 2008).

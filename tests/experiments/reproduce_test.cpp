@@ -256,6 +256,7 @@ TEST(PaperFiles, HaveEveryFieldOfEveryClaim) {
   claim.observed = "2.01";
   claim.verdict = ClaimVerdict::kRefuted;
   claim.assumptions = {"one", "two"};
+  claim.checked_by.message = "nothing moves";
   ReproducedPart part;
   part.part = &papers()[0].parts[0];
   part.report.claims = {claim};
@@ -271,9 +272,12 @@ TEST(PaperFiles, HaveEveryFieldOfEveryClaim) {
   }
   EXPECT_EQ(one.find("verdict")->text, "refuted");
   EXPECT_EQ(one.find("assumptions")->items.size(), 2u);
+  ASSERT_NE(one.find("checked_by"), nullptr);
+  EXPECT_EQ(one.find("checked_by")->find("verdict")->text, "not checked: nothing moves");
   const std::string readme = paper_readme(papers()[0], {part}, {}, false);
   EXPECT_THAT(readme, HasSubstr("**refuted**"));
   EXPECT_THAT(readme, HasSubstr("**Failed:** an audit"));
+  EXPECT_THAT(readme, HasSubstr("checked by a second program: not checked: nothing moves"));
   EXPECT_THAT(readme, Not(HasSubstr(".svg")));
 }
 

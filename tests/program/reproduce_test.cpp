@@ -11,6 +11,8 @@ namespace kinex {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
+using Words = std::vector<std::string>;
 
 TEST(ReproduceVerb, NamesWhatThereIs) {
   const Finished paper = run_kinex({"reproduce", "some-paper"});
@@ -55,6 +57,30 @@ TEST(ReproduceVerb, TellsThePaperOnCollisions) {
   const Finished part = run_kinex({"reproduce", "separation-sensitive-1999", "figure-3"});
   EXPECT_EQ(part.exit_code, 2);
   EXPECT_THAT(part.err, HasSubstr("translation, rigid, features, hysteresis, hierarchies"));
+}
+
+// The second program refuses the small run: the claim is not confirmed, and says so.
+TEST(ReproduceVerb, WhatTheSecondProgramRefusesIsNotConfirmed) {
+  const ScratchFolder scratch;
+  const std::string stub = scratch.file("refuse");
+  write_file(stub, "#!/bin/sh\necho 'an event is missing' >&2\nexit 1\n");
+  std::filesystem::permissions(stub, std::filesystem::perms::owner_all);
+  const std::string folder = scratch.file("features");
+  Words command{"reproduce", "separation-sensitive-1999", "features", "--quick", "-o", folder};
+  const Finished fine = run_kinex(command);
+  EXPECT_EQ(fine.exit_code, 0) << fine.err << fine.out;
+  EXPECT_THAT(read_file(folder + "/claims.json"),
+              HasSubstr("\"checked_by\": {\"program\": \"kinex-logcheck\", \"levels\": [0, 1, 5]"));
+  EXPECT_THAT(read_file(folder + "/runs.jsonl"), HasSubstr("{\"check\": \"closest_features "));
+  EXPECT_THAT(read_file(folder + "/README.md"), HasSubstr("nothing wrong"));
+  command.insert(command.end(), {"--force", "--logcheck", stub});
+  const Finished run = run_kinex(command);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.out, HasSubstr("open  features.closest"));
+  EXPECT_THAT(run.out, HasSubstr("refused: an event is missing"));
+  EXPECT_THAT(run.out, Not(HasSubstr("confirmed")));
+  EXPECT_THAT(read_file(folder + "/claims.json"), HasSubstr("refused: an event is missing"));
+  EXPECT_THAT(read_file(folder + "/README.md"), HasSubstr("refused: an event is missing"));
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs another program that helps this one: gnuplot, kinex-logcheck.
+#ifndef KINEX_EXPERIMENTS_HELPER_PROGRAM_H
+#define KINEX_EXPERIMENTS_HELPER_PROGRAM_H
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace kinex {
+
+struct HelperEnd {
+  enum class How {
+    kExited,
+    kNotFound,  // there is no such program, or what it runs in (a script's interpreter) is absent
+    kSignal,    // it was ended by a signal that is not ours
+    kStopped,   // `go_on` said no, and it was ended
+  };
+  How how = How::kExited;
+  int code = 0;  // of kExited; the signal of kSignal
+};
+
+// Runs `program` (looked for in PATH if it has no slash) without a shell and waits for it. Its
+// standard input is empty, what it prints goes to the files `out` and `err`, which may be one. It
+// is in a process group of its own, so a Ctrl-C reaches it by `go_on` alone, which is asked a
+// hundred times a second; at a no all of its group is killed.
+HelperEnd run_helper(const std::string& program, const std::vector<std::string>& arguments,
+                     const std::string& out, const std::string& err,
+                     const std::function<bool()>& go_on);
+
+}  // namespace kinex
+
+#endif
