@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The experiments, as a list of cells. Each source file states its questions, where the expected
-// answers come from, and what they cost.
+// The experiments, as a list of cells. Each source file states its question, the sources of the
+// expected answers, and its cost.
 //
-// Every structure of the registry is in it: those without experiments of their own get the common
-// ones, so a new structure has its hard bounds checked from the day on which it is registered.
+// It covers every structure of the registry: those without experiments of their own get the common
+// ones, so the hard bounds of a new structure are checked as soon as it is registered.
 #ifndef KINEX_EXPERIMENTS_VERIFY_CATALOGUE_H
 #define KINEX_EXPERIMENTS_VERIFY_CATALOGUE_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cell: one experiment as data: what is run, on which scenes, and what should come out.
+// Cell: one experiment as data: structure, scenes and expectations.
 #ifndef KINEX_EXPERIMENTS_VERIFY_CELL_H
 #define KINEX_EXPERIMENTS_VERIFY_CELL_H
 
@@ -15,11 +15,13 @@
 
 namespace kinex {
 
-// A quantity is a count of a run by name: "external" (changes of the attribute), "processed" and
-// "internal" (all events that this cost, and those beyond, of the structure that is read as well:
-// Measurement::costs), "kind.NAME" for the events of a kind, or a sum of these:
-// "kind.enter+kind.leave". "signs_per_event": signs asked for while the scene ran over events and
-// changes of the scene, rounded up.
+// A quantity is a count of a run by name:
+//   external         changes of the attribute
+//   processed        all events, including those of a structure that is read (Measurement::costs)
+//   internal         processed less external
+//   kind.NAME        events of the kind; "kind.enter+kind.leave": a sum
+//   signs_per_event  signs computed while the scene ran, over events and changes of the scene,
+//                    rounded up
 using Quantity = std::string;
 
 enum class ExpectationKind {
@@ -30,13 +32,13 @@ enum class ExpectationKind {
   kAtMost,   // or more
 };
 
-// What the scenes of a family differ in.
+// The variable of a family of scenes.
 enum class Variable {
   kObjects,   // n
   kVertices,  // the parameter n of two bodies: vertices of each, or of one
   kMu,        // of two bodies: min(all vertices, sqrt(diameter / separation))
   kLogMu,     // log2 of that
-  kHalvings,  // log2(4 / separation): how often the distance is halved in an approach
+  kHalvings,  // log2(4 / separation): the number of halvings of the distance in an approach
 };
 
 struct Expectation {
@@ -48,8 +50,8 @@ struct Expectation {
   // kMean: |mean - reference| <= z sqrt(se^2 + reference_error^2) + tolerance; see allowed_errors.
   double reference = 0;
   double reference_error = 0;  // standard error of the reference; 0 if it is a proven expectation
-  double tolerance = 0;        // of a reference that is known in a few digits only
-  int comparisons = 1;  // how many means are compared under this claim: the sizes of a family
+  double tolerance = 0;        // of a reference that is known to a few digits only
+  int comparisons = 1;  // the number of means compared under this claim: the sizes of a family
   std::string source;
 };
 
@@ -60,11 +62,11 @@ struct Cell {
   WorkloadParameters parameters;  // its seed is the first; scene k has seed + k
   bool turned = false;            // bodies: scene k is turned by the k-th angle (turned_scene.h)
   bool mirrored = false;          // all coordinates negated: a maximum's scene becomes a minimum's
-  std::string family;             // the curve that it is a point of, for plots and growth claims
+  std::string family;             // the curve it is a point of, for plots and growth claims
   bool random = false;
   Variable variable = Variable::kObjects;  // of its family
-  std::string comparison;  // the table of measures that it has a row in; empty: none
-  std::string story;       // bodies: the rows in the table of all methods; empty: none
+  std::string comparison;                  // the table of measures with a row for it; empty: none
+  std::string story;  // bodies: the rows in the table of all methods; empty: none
   // Random families: seeds are added until the standard error of the mean of every quantity in
   // `precise` is below its relative error times the mean, from min_seeds to max_seeds.
   int min_seeds = 1;
@@ -80,7 +82,8 @@ struct Cell {
   double cost = 0.01;        // expected seconds of the whole cell, for progress
   std::vector<Expectation> expectations;
 
-  // "worst-case family, degree 2": the workload and what is not its default, without n.
+  // "worst-case family, degree 2": the workload and its parameters that are not defaults, without
+  // n.
   std::string workload_text() const;
 };
 
@@ -95,19 +98,19 @@ struct GrowthClaim {
   std::string structure;
   std::string family;
   Quantity quantity;
-  double smallest = 1;  // x from which on the law is expected to show
+  double smallest = 1;  // the smallest x at which the law is expected to hold
   double exponent = 1;
   double tolerance = 0.03;
   std::string source;
   Variable variable = Variable::kObjects;
   bool at_most = false;  // or slower
   // The law is a + b log2 x: its scatter is at most `tolerance` of the mean count and at most half
-  // of that of a line a + b x, unless the counts hardly differ, and the power of x that fits best
-  // is at most `exponent`. (A power alone would not tell a line with a large offset.)
+  // that of a line a + b x, unless the counts hardly differ, and the best-fitting power of x is at
+  // most `exponent`. (A power alone would not exclude a line with a large offset.)
   bool logarithm = false;
 };
 
-// An experiment that is not a run of one structure: a table, and what was checked.
+// An experiment that is not a run of one structure: a table and its checks.
 struct StudyResult;
 struct Study {
   std::string name;
@@ -121,7 +124,7 @@ struct Catalogue {
   std::vector<Study> studies;
 };
 
-// The scene of a cell for its k-th seed, asking for the cell's structure only.
+// The scene of a cell for its k-th seed, maintaining the cell's structure only.
 Scene scene_of(const Cell& cell, int k);
 
 }  // namespace kinex

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CellProgress: one line on standard error, only where that is a terminal.
+// CellProgress: one line on standard error, only if that is a terminal.
 #ifndef KINEX_EXPERIMENTS_VERIFY_CELL_PROGRESS_H
 #define KINEX_EXPERIMENTS_VERIFY_CELL_PROGRESS_H
 
@@ -14,7 +14,7 @@ namespace kinex {
 // All functions may be called from any thread.
 class CellProgress {
  public:
-  // What each cell is expected to cost.
+  // `costs`: the expected cost of each cell.
   explicit CellProgress(std::vector<double> costs);
   ~CellProgress() { wipe(); }
   CellProgress(const CellProgress&) = delete;
@@ -22,9 +22,9 @@ class CellProgress {
 
   // "cell 12 of 130: WHAT; 45 s left", a few times a second.
   void show(std::size_t cell, const std::string& what);
-  // The cell is done: what it was expected to cost counts for the time left.
+  // The cell is done: its expected cost counts for the time left.
   void finished(std::size_t cell);
-  // Takes the line away, before something else is printed.
+  // Clears the line, before other output.
   void wipe();
 
  private:

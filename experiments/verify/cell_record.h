@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an interrupted `kinex verify` goes on from: finished cells and studies as text, and back.
+// The state that an interrupted `kinex verify` resumes from: finished cells and studies as text,
+// and back.
 #ifndef KINEX_EXPERIMENTS_VERIFY_CELL_RECORD_H
 #define KINEX_EXPERIMENTS_VERIFY_CELL_RECORD_H
 
@@ -10,12 +11,12 @@
 
 namespace kinex {
 
-// Which cell it is, with all that decides what comes out of it but the program; `seeds` as in
+// Identifies a cell by everything but the program that decides its results; `seeds` as in
 // VerifyOptions.
 std::string cell_key(const Cell& cell, const std::optional<int>& seeds);
-// Its runs, contest and seconds. Checks are made again, from the runs.
+// Its runs, contest and seconds. Checks are recomputed from the runs.
 std::string cell_record(const CellResult& result);
-// nullopt if the text is no such record. `cell` is that of the key.
+// nullopt if the text is no such record. `cell`: the one of the key.
 std::optional<CellResult> read_cell_record(const std::string& record, const Cell& cell);
 
 std::string study_key(const Study& study);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: how many events do the ways of following two convex polygons cost, against their
+// Question: how many events do the methods of following two convex polygons cost, against their
 //   vertices n and against mu = min(n, sqrt(D / sigma)), D their diameter, sigma their separation?
 // Sources: Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for convex
 //   objects (1999), introduction, for the laws; counts and constants are worked out for the scenes
-//   (workloads/polygon_*.cpp) or, where it says so, measured.
-// Parameters: nearly regular polygons of radius 1, D = 2. B1: one goes round the other, nothing
-//   turns; B2: it passes by on a line, in 8 directions; B3: it goes round mu times while it turns
-//   once; B4, B5: it turns before a fan of edges; B6: it trembles, walks with kinks, comes closer.
+//   (workloads/polygon_*.cpp) or, where stated, measured.
+// Parameters: nearly regular polygons of radius 1, D = 2.
+//   B1      one goes round the other, nothing turns
+//   B2      it passes by on a line, in 8 directions
+//   B3      it goes round mu times while it turns once
+//   B4, B5  it turns before a fan of edges
+//   B6      it trembles, walks with kinks, comes closer
 //   separation_minkowski is for bodies that do not turn against each other.
 // Expected: lower bounds for convex certificates, exact counts, and exponents below. Only a
 //   straight line promises O(log mu): on a circle, a convex curve, every method needs Omega(mu).
@@ -142,7 +145,7 @@ void add_rounds(Catalogue& catalogue, const Method& method, Extent extent) {
 void add_lines(Catalogue& catalogue, const Method& method, Extent extent) {
   const int n = extent == Extent::kQuick ? 128 : 1024;
   const int last = extent == Extent::kQuick ? 14 : 20;
-  // The one with a law for lines is looked at more closely.
+  // The method with a law for lines is tested at more sizes.
   const bool has_law = std::string_view(method.name) == "separation_minkowski";
   for (int k = 2; k <= last; k += has_law ? 1 : 2) {
     Cell cell = scene(method, "B2 line", "polygon-line", n);

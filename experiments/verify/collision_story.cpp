@@ -57,7 +57,7 @@ std::vector<Curve> curves_of(const std::vector<CellResult>& cells, const std::st
     if (variable == Variable::kMu && cell.cell.variable != Variable::kMu) continue;
     Curve& curve = curves[cell.cell.structure];
     curve.method = cell.cell.structure;
-    // What has no event is drawn at the bottom.
+    // A cell without events is drawn at the bottom.
     curve.points.emplace_back(variable_of(cell.cell, variable), std::max(events_of(cell), 0.5));
   }
   std::vector<Curve> result;
@@ -70,10 +70,10 @@ std::vector<Curve> curves_of(const std::vector<CellResult>& cells, const std::st
   return result;
 }
 
-// Lines are told apart by dashes and symbols as well as by colours.
+// Lines differ by dashes and symbols as well as by colours.
 constexpr const char* kDashes[] = {"1", "2", "3", "4", "5", "(18,5)"};
 
-// One picture: data blocks first, then the plot. What is no method is black.
+// One picture: data blocks first, then the plot. Curves that are no method are black.
 std::string panel(const std::vector<CellResult>& cells, const std::vector<Curve>& curves,
                   const std::string& tag) {
   const std::vector<std::string> methods = methods_of(cells);

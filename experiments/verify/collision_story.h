@@ -13,17 +13,18 @@ namespace kinex {
 
 // Events of every method by scene; nullopt if no cell is in a story.
 std::optional<MeasuresTable> collision_table(const std::vector<CellResult>& cells);
-// What the signs per event of this cell may be, c log2 mu + c0, where a law is known: of the tiles'
-// structures, in scenes of two bodies of a known separation, which do not touch. Levels: a tile at
+// The limit on the signs per event of this cell, c log2 mu + c0, where a law is known: for the tile
+// structures, in scenes of two bodies of a known separation that do not touch. Levels: a tile at
 // distance s was made by a cut before which the outer polygons were within 5.5 (r_A + r_B) / 4^i of
 // the bodies, i = floor(level / 2); with r <= 0.72 D that gives 2 log2 sqrt(D / s) + 5 levels, and
-// their balance 2 log2 n + 3. The rest is SeparationMixed::kSignsPerLevel and kSigns.
+// the balance of the hierarchies 2 log2 n + 3. The rest is SeparationMixed::kSignsPerLevel and
+// kSigns.
 std::optional<double> signs_limit(const Cell& cell);
-// Signs asked for per event, against log2 min(n, sqrt(D / s)): s the least separation of the scene;
-// and that limit.
+// Signs per event against log2 min(n, sqrt(D / s)), with s the least separation of the scene, and
+// that limit.
 std::optional<MeasuresTable> signs_table(const std::vector<CellResult>& cells);
 // Events against mu, for a round, and against n, for turns before the fans: three pictures in one
-// frame. Empty if there are not enough sizes.
+// frame. Empty if there are too few sizes.
 std::vector<Figure> collision_figures(const std::vector<CellResult>& cells);
 
 }  // namespace kinex

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: do a structure's hard bounds hold, and its audits, on every kind of scene: other
-// motions,
-//   higher degrees, and scenes full of simultaneous and degenerate events?
+//   motions, higher degrees, and scenes full of simultaneous and degenerate events?
 // Source: the bounds that the structure registers, each with its own.
 // Parameters: n = 24 (16 where there are ties, audited after every event), one seed; in full n = 96
-//   and four seeds. Bodies: 8 vertices (40 in full), 5 bodies where there may be many.
-// Expected: every bound holds, no audit finds anything.
+//   and four seeds. Bodies: 8 vertices (40 in full), 5 bodies where several are allowed.
+// Expected: every bound holds, no audit finds a violation.
 // Cost: about 1 s a structure.
 #include <algorithm>
 #include <utility>
@@ -94,7 +93,7 @@ void add_common_cells(Catalogue& catalogue, const StructureInfo& structure, Exte
     const int dimension = std::max(structure.min_dimension, scenes.min_dimension);
     if (dimension > structure.min_dimension || workload == nullptr ||
         dimension > workload->max_dimension) {
-      continue;  // a scene of the plane says nothing new about what is on a line
+      continue;  // for one-dimensional structures a scene in the plane adds nothing
     }
     if (structure.linear && scenes.degree > 1) continue;
     Cell cell;

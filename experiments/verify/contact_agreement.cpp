@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: are the instants of contact and of separation the same, whatever proves that there was
-// none before?
+// Question: do contacts and separations come at the same instants, whatever proved that the bodies
+//   were apart before?
 // Witness: every vertex against every edge, without structures (collision_witness.h).
-// Parameters: pairs of random polygons of 10 vertices at most in random motion of degree 1 and 2,
-// as
-//   they are and without turning. Expected: the same algebraic number from all; none where the
-//   witness finds none. Cost: 2 s, 20 s in full.
+// Parameters: pairs of random polygons of at most 10 vertices in random motion of degree 1 and 2,
+//   with and without turning.
+// Expected: the same algebraic number from all; none where the witness finds none.
+// Cost: 2 s, 20 s in full.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class ContactSink final : public EventSink {
     if (event.kind != CollisionPairs::kContact && event.kind != CollisionPairs::kSeparation) return;
     instants_.push_back(to_root(arithmetic.name_now(InstantDetail::kName)));
   }
-  // Of contacts and separations in turns.
+  // Of contacts and separations, alternately.
   std::vector<RealRoot>& instants() { return instants_; }
 
  private:

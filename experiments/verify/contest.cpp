@@ -20,7 +20,7 @@ constexpr double kPatience = 1;  // seconds, set-up included
 std::optional<SpeedContest> compare_with_double(const Scene& scene, const Measurement& exact,
                                                 SimulatorOptions options) {
   options.audit = AuditLevel::kNone;
-  SimulatorOptions limited = options;  // rounding errors may make events without end
+  SimulatorOptions limited = options;  // rounding errors may cause endless events
   limited.max_events = 4 * exact.run.events + 10000;
   SpeedContest contest;
   const double began = cpu_seconds();

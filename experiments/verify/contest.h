@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SpeedContest: what exactness costs on one scene: CPU time in `exact` over CPU time in `double`.
+// SpeedContest: the cost of exactness on one scene: CPU time in `exact` over CPU time in `double`.
 #ifndef KINEX_EXPERIMENTS_VERIFY_CONTEST_H
 #define KINEX_EXPERIMENTS_VERIFY_CONTEST_H
 
@@ -11,15 +11,15 @@ namespace kinex {
 
 struct SpeedContest {
   Measurement rival;  // the run in `double`
-  // Simulation only, best of the rounds; nullopt if the time is too short to be measured, or a run
-  // gave up.
+  // Simulation only, best of the rounds; nullopt if the time is too short to measure, or a run gave
+  // up.
   std::optional<double> ratio;
   // `double` handled as many events as `exact` and ended with the same attribute.
   bool same_counts = false;
 };
 
-// `exact`: what the scene gives in exact arithmetic. Rounds in the two arithmetics take turns until
-// each has taken 20 ms, at least one and at most 40, and a second for all of it. `options` says when to
+// `exact`: the measurement of the scene in exact arithmetic. The two arithmetics alternate until
+// each has taken 20 ms: at least one round, at most 40, and a second in all. `options` says when to
 // stop; nullopt if the runs were interrupted.
 std::optional<SpeedContest> compare_with_double(const Scene& scene, const Measurement& exact,
                                                 SimulatorOptions options);

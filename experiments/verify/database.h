@@ -6,12 +6,11 @@
 //   cell             one experiment: structure, workload, parameters, verdict
 //   run              one simulated scene in one arithmetic (number_mode)
 //   counter          run_id, name, stage, value: every count of the ledger that is not 0; `stage`
-//   is
-//                    the stage that answered, the degree of the polynomials, or empty
+//                    is the stage that answered, the degree of the polynomials, or empty
 //   extreme          run_id, name, value_text: largest values
-//   claim_result     what was expected of a cell, and what came out; run_id: the run that decided
+//   claim_result     expectation and result of a claim on a cell; run_id: the run that decided
 //   growth           fitted exponents
-//   study            what was checked without a run
+//   study            checks made without a run
 // Unique keys make a second insertion of the same result impossible.
 #ifndef KINEX_EXPERIMENTS_VERIFY_DATABASE_H
 #define KINEX_EXPERIMENTS_VERIFY_DATABASE_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables `build` and `machine` that every database of results has, with one row each (id 1).
+// The tables `build` and `machine` of every database of results, with one row each (id 1).
 #ifndef KINEX_EXPERIMENTS_VERIFY_FACTS_TABLES_H
 #define KINEX_EXPERIMENTS_VERIFY_FACTS_TABLES_H
 

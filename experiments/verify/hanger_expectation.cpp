@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: does the kinetic hanger have as many events as is expected of its coins?
+// Question: does the kinetic hanger have as many events as its coins predict?
 // Source: structures/maximum_hanger.h: the sum over all crossings of q(k), k the lines above the
 //   crossing, O(n log n) for lines; da Fonseca, de Figueiredo, Carvalho, "Kinetic hanger" (2004).
-// Scenes: the worst cases of tournament and heap, and random motion; each with many seeds of the
-//   coins, the first scene only.
+// Scenes: the worst cases of tournament and heap, and random motion; many seeds of the coins for
+//   each, the first scene only.
 // Expected: means within the standard errors that allowed_errors() gives for all rows together; and
 //   expectations of the worst cases at most n log2 n.
 // Cost: seconds.
@@ -24,7 +24,7 @@ namespace kinex {
 
 namespace {
 
-// q(k): the chance that two neighbours of the order with k objects above are parent and child.
+// q(k): the probability that two neighbours of the order with k objects above are parent and child.
 std::vector<double> chances(std::size_t n) {
   std::vector<double> q{1.0};
   for (std::size_t k = 1; k < n; ++k) {
@@ -43,8 +43,8 @@ struct Crossing {
   std::size_t i, j;
 };
 
-// By a sweep over all crossings in time. Requires lines in one piece, of which no two cross where
-// others do.
+// By a sweep over all crossings in time. Requires lines in one piece, no two crossing where others
+// do.
 double expectation_of(const Scene& scene) {
   const std::size_t n = scene.objects.size();
   const auto line = [&](std::size_t i) -> const Trajectory& {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all pages of results share: the head with its style, escaping, figures, and a foot that says
-// how the page was made. A page needs nothing else: no scripts, no files, no network.
+// Parts of all pages of results: the head with its style, escaping, figures, and a foot that states
+// how the page was made. Pages are self-contained: no scripts, no files, no network.
 #ifndef KINEX_EXPERIMENTS_VERIFY_HTML_H
 #define KINEX_EXPERIMENTS_VERIFY_HTML_H
 
@@ -14,7 +14,7 @@
 namespace kinex {
 
 struct PageFacts {
-  std::string command;  // how to get it again
+  std::string command;  // that reproduces the page
   double seconds = 0;   // all of it, wall clock
   BuildFacts build;
   MachineFacts machine;
@@ -22,9 +22,9 @@ struct PageFacts {
 
 // From the doctype to the heading.
 std::string html_head(const std::string& title);
-// Text as HTML; "+-" becomes one character.
+// Escapes text for HTML; "+-" becomes one character.
 std::string escape(std::string_view text);
-// A heading and the pictures inside the page, or why there are none.
+// A heading and the pictures, embedded, or the reason why there are none.
 std::string plots_part(const std::vector<Figure>& figures, const Drawings& drawings);
 // Command, build, machine.
 std::string facts_part(const PageFacts& facts);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: what do the slope certificates of the kinetic hull buy?
+// Question: what do the slope certificates of the kinetic hull gain?
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 6: without
 //   them a line can be the contender of Omega(n) vertices of the other chain.
 // Scene: n points of a convex chain, one of which moves past, over n points in few lines, of which
 //   all but two are covered.
-// Expected: a point that is in at least n / 2 certificates of the naive set; in the local one at
+// Expected: in the naive set, a point that is in at least n / 2 certificates; in the local one at
 //   most 24 per half and level, for every n.
 // Cost: seconds.
 #include <fmt/format.h>

@@ -40,7 +40,7 @@ Check check_counts(const Expectation& expectation, std::size_t index,
     return observed(i) == expected(i);
   };
   std::size_t good = 0;
-  std::optional<std::size_t> shown;  // the first that is wrong, or else the first
+  std::optional<std::size_t> shown;  // the first wrong one, or else the first
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (trials[i].measurement.status != RunStatus::kDone) {
       check.verdict = std::max(check.verdict, Verdict::kGaveUp);
@@ -86,7 +86,7 @@ Check check_mean(const Cell& cell, const Expectation& expectation,
     check.verdict = Verdict::kGaveUp;
     return check;
   }
-  // Of fewer scenes than it takes to know their spread, no distance can be said.
+  // With fewer scenes than it takes to know their spread there is no distance.
   if (static_cast<int>(trials.size()) < cell.min_seeds) {
     check.verdict = Verdict::kInconclusive;
     check.seeds_needed = seeds_needed(cell, trials);
@@ -136,7 +136,7 @@ void add_bounds(const std::vector<Trial>& trials, std::vector<Check>& checks) {
   }
 }
 
-// A bound that a structure no longer checks is not a bound that holds.
+// Fails if a bound was not checked: a structure may have ceased to register it.
 void add_missing_bound(const std::vector<Trial>& trials, std::vector<Check>& checks) {
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (event_bound(trials[i].measurement) != nullptr) continue;

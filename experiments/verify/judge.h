@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Judge: compares what the runs of a cell counted with what was expected, and fits growth claims.
+// Judge: compares the counts of a cell's runs with the expectations, and fits growth claims.
 #ifndef KINEX_EXPERIMENTS_VERIFY_JUDGE_H
 #define KINEX_EXPERIMENTS_VERIFY_JUDGE_H
 
@@ -19,7 +19,7 @@ namespace kinex {
 // From best to worst: the verdict of several is the largest.
 enum class Verdict {
   kPass,
-  kInconclusive,  // agrees, but the data are too few to say so with the precision asked for
+  kInconclusive,  // agrees, but with too few data for the requested precision
   kGaveUp,        // a run stopped at a limit
   kFail,
 };
@@ -34,8 +34,8 @@ struct Check {
   std::string observed;
   std::string source;
   Verdict verdict = Verdict::kPass;
-  std::optional<std::size_t> trial;  // the run that decided, where one did
-  int seeds_needed = 0;  // about so many would do, where the scenes are too few to tell; else 0
+  std::optional<std::size_t> trial;  // the deciding run, if there is one
+  int seeds_needed = 0;  // an estimate of enough, if the scenes are too few to decide; else 0
 };
 
 // One scene of a cell.
@@ -59,7 +59,7 @@ RunningMean mean_of(const std::vector<Trial>& trials, const Quantity& quantity);
 
 // True if the cell has the seeds it needs.
 bool precise_enough(const Cell& cell, const std::vector<Trial>& trials);
-// About how many seeds the cell needs, from the spread seen so far: min_seeds or more.
+// An estimate of the seeds that the cell needs, from the spread so far: at least min_seeds.
 int seeds_needed(const Cell& cell, const std::vector<Trial>& trials);
 
 // All expectations, then all hard bounds of the structure (each over all trials: the trial that
@@ -77,10 +77,12 @@ struct GrowthResult {
   Check check;
 };
 
-// Fits the counts of the family over its cells. The verdict: PASS if the confidence interval of the
-// exponent lies within the tolerance, FAIL if it lies outside, else INCONCLUSIVE; so it is too
-// where a cell has fewer seeds than it needs at least, or there are fewer than three sizes (four,
-// where counts have no standard errors). A logarithm (GrowthClaim) wants six sizes.
+// Fits the counts of the family over its cells. Verdict:
+//   PASS          the confidence interval of the exponent lies within the tolerance
+//   FAIL          it lies outside
+//   INCONCLUSIVE  otherwise; also if a cell has fewer than its least number of seeds, or there are
+//                 fewer than three sizes (four for counts without standard errors; six for a
+//                 logarithm, see GrowthClaim)
 GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells);
 
 struct StudyResult {
@@ -93,7 +95,7 @@ struct StudyResult {
   Verdict verdict() const;
 };
 
-// A number for people: integers whole, others with about `digits` significant digits.
+// A readable number: integers whole, others with about `digits` significant digits.
 std::string number_text(double value, int digits);
 // "586 +-6": the error with two digits, the mean to the same place.
 std::string mean_text(double mean, double error);

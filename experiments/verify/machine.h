@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What made a result: the build and the machine.
+// Identification of a result: its build and its machine.
 #ifndef KINEX_EXPERIMENTS_VERIFY_MACHINE_H
 #define KINEX_EXPERIMENTS_VERIFY_MACHINE_H
 
@@ -25,8 +25,8 @@ struct MachineFacts {
 };
 
 BuildFacts build_facts();
-// What tells the program from others that would not make the same results: the commit; where that
-// does not say all (sources changed, or outside of a repository) with a digest of the program.
+// Identifies the program among those that could give other results: the commit, with a digest of
+// the program where the commit is not enough (changed sources, or outside a repository).
 std::string program_identity();
 MachineFacts machine_facts();
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: what do the ways of maintaining a maximum cost, on the same scenes? Responsiveness,
-//   locality, compactness and efficiency of each.
+// Question: what do the structures for a maximum cost on the same scenes? Responsiveness, locality,
+//   compactness and efficiency of each.
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5, for the
 //   structures and for the worst cases of tournament and heap; worst_cases.cpp and uniform_lines.h.
 // Parameters: the two worst-case families; random motion, of degree 1 to 3; random motion in which
-//   every object changes its flight plan once on the mean, or three of four come or go; eight seeds
+//   every object changes its flight plan once on average, or three of four come or go; eight seeds
 //   where there are no other experiments on the same scenes.
-// Expected: the maximum changes equally often, whoever maintains it; the sorted list swaps all
-// pairs;
-//   the envelope and the dual hull have no internal events.
+// Expected: the same number of changes of the maximum in all structures; the sorted list swaps all
+//   pairs; the envelope and the dual hull have no internal events.
 // Cost: about 10 s.
 #include <algorithm>
 #include <string>
@@ -58,7 +57,7 @@ Cell new_cell(const std::string& structure, const Family& family) {
   cell.random = find_workload(family.workload)->random;
   cell.bounded = true;
   cell.parameters.m = find_workload(family.workload)->takes_m ? family.n : 0;
-  // Audits at events ask for signs, too; where changes are to be measured they are made at the end.
+  // Audits at events compute signs, too; where changes are to be measured they are made at the end.
   const bool changes =
       find_workload(family.workload)->takes_m || family.workload == std::string("come-and-go");
   cell.audit = family.n <= 64 && !changes ? AuditLevel::kEvents : AuditLevel::kEnd;

@@ -73,7 +73,7 @@ void add(const ChangeStatistics& one, ChangeStatistics& sum) {
   for (std::size_t k = 0; k < one.histogram.size(); ++k) sum.histogram[k] += one.histogram[k];
 }
 
-// What a structure that is read adds to the costs of its reader.
+// Adds the costs of a structure that is read to those of its reader.
 void add_costs(const StructureLedger& read, StructureLedger& sum) {
   sum.failures += read.failures;
   sum.rebuilds += read.rebuilds;
@@ -122,7 +122,7 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
   result.started = utc_now();
   result.scene_name = scene.name;
   result.objects = scene.objects.size();
-  // The audit at the end is made apart, so that it takes no part of the time.
+  // The audit at the end is made separately, so that its time is not measured.
   const bool audit_end = options.audit == AuditLevel::kEnd;
   if (audit_end) options.audit = AuditLevel::kNone;
   const std::unique_ptr<Simulator> simulator =
@@ -144,7 +144,7 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
     if (id != asked) add_costs(kernel.ledger(id), result.costs);
   }
   result.run = simulator->ledger();
-  // Structures that read one another may ask the same question: counted under one name.
+  // Structures that read one another may use the same predicate: counted under one name.
   std::vector<PredicateCounters> counters;
   for (std::size_t id = 0; id < result.numbers.by_predicate.size(); ++id) {
     const std::string name(kernel.arithmetic().predicate(static_cast<PredicateId>(id)).name());
@@ -157,7 +157,7 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
     add(result.numbers.by_predicate[id], counters[place]);
   }
   result.numbers.by_predicate = std::move(counters);
-  // Those of what it reads as well.
+  // Includes those of the structures it reads.
   for (std::size_t s = 0; s < simulator->structures(); ++s) {
     const std::vector<BoundCheck> bounds = simulator->bounds(static_cast<StructureId>(s));
     result.bounds.insert(result.bounds.end(), bounds.begin(), bounds.end());

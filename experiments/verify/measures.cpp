@@ -34,7 +34,7 @@ Measures measures_of(const CellResult& cell, std::size_t trials) {
     scene_changes += trial.measurement.scene_changes();
     asked_by_scene += trial.measurement.asked_by_scene();
     signs += trial.measurement.signs();
-    // The largest numbers of both, which need not be of the same event, but are wherever every
+    // The largest numbers of both, which need not belong to one event, but do wherever every
     // certificate that goes is replaced.
     result.most_changed = std::max(result.most_changed,
                                    ledger.created_per_event.max + ledger.retracted_per_event.max);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The four measures of a kinetic data structure, as counted: responsiveness, locality, compactness
-// and efficiency, side by side for structures that maintain the same attribute on the same scenes.
+// The four measures of a kinetic data structure (responsiveness, locality, compactness,
+// efficiency), as counted, side by side for structures that maintain the same attribute on the same
+// scenes.
 #ifndef KINEX_EXPERIMENTS_VERIFY_MEASURES_H
 #define KINEX_EXPERIMENTS_VERIFY_MEASURES_H
 
@@ -13,7 +14,7 @@
 
 namespace kinex {
 
-// Over all scenes of a cell. Certificates come and go in pairs mostly: both are counted.
+// Over all scenes of a cell. Certificates mostly come and go in pairs; both are counted.
 struct Measures {
   double events = 0;               // mean, processed; of what is read, too (Measurement::costs)
   double external = 0;             // mean, changes of the attribute
@@ -22,15 +23,16 @@ struct Measures {
   double mean_changed = 0;         // the mean of that
   std::uint64_t per_object = 0;    // locality: the most certificates of one object
   std::uint64_t certificates = 0;  // compactness: the most certificates at one time
-  // Mean of the failure times asked for by a change of the scene: a flight plan that changes, an
-  // object that comes or goes. Negative if there was none.
+  // Mean of the failure times computed for a change of the scene: a flight plan that changes, an
+  // object that comes or goes. Negative if there was no change.
   double asked_by_scene = -1;
-  // Mean of the signs asked for, by event or change of the scene. Negative if audits asked as well.
+  // Mean of the signs computed, by event or change of the scene. Negative if audits needed signs
+  // too.
   double signs = -1;
   // Efficiency: internal events per external one; negative if there was no external one.
   double internal_per_external() const { return external > 0 ? internal / external : -1; }
 };
-// Of the first `trials` scenes, or of all where there are no more. Requires at least one.
+// Of the first `trials` scenes, or of all if there are fewer. Requires at least one.
 Measures measures_of(const CellResult& cell, std::size_t trials);
 Measures measures_of(const CellResult& cell);
 
@@ -39,10 +41,10 @@ struct MeasuresTable {
   std::string title;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
-  std::string note;  // what the numbers are
+  std::string note;  // the meaning of the numbers
 };
-// What cells of collisions tell together (collision_story.h), then one table per comparison that
-// cells take part in: structures are compared on the same scenes, as many as each has.
+// The table of collision cells (collision_story.h), then one table per comparison: structures are
+// compared on the scenes that all of them have.
 std::vector<MeasuresTable> measures_tables(const std::vector<CellResult>& cells);
 MeasuresTable study_table(const StudyResult& study);
 // As text, in Markdown, with a newline in front.

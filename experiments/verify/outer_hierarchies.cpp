@@ -3,7 +3,7 @@
 //   the polygon, and how deep are they?
 // Sources: the introduction of Erickson, Guibas, Stolfi, Zhang (1999) promises O(sqrt(D / s))
 //   vertices; constants and checks: structures/hierarchy_bounds.h, as in every run.
-// The table's distances are in doubles, of exact apexes.
+// Exactness: the table's distances are in doubles, of exact apexes.
 // Cost: a second, ten in full.
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ namespace kinex {
 namespace {
 
 constexpr double kSlack = 1 + 1e-9;
-constexpr double kNodes = 4;  // of min(n, sqrt(D / s)); measured: 2.6
+constexpr double kNodes = 4;  // times min(n, sqrt(D / s)); measured: 2.6
 
 using Point = std::array<double, 2>;
 

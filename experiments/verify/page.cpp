@@ -58,7 +58,7 @@ std::string summary_part(const VerifyResult& result) {
   return text;
 }
 
-// What did not pass, with its reasons; nothing if all passed.
+// The checks that did not pass, with reasons; empty if all passed.
 std::string trouble_part(const VerifyResult& result) {
   std::string text;
   for (const CellResult& cell : result.cells) {

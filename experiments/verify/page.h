@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The results as one HTML page that needs nothing else.
+// The results as one self-contained HTML page.
 #ifndef KINEX_EXPERIMENTS_VERIFY_PAGE_H
 #define KINEX_EXPERIMENTS_VERIFY_PAGE_H
 
@@ -10,8 +10,8 @@
 
 namespace kinex {
 
-// Verdicts, what failed, fits, plots, and the table of all cells with all their checks. Where plots
-// could not be drawn the page says why.
+// Verdicts, failures, fits, plots, and the table of all cells with all their checks. If plots could
+// not be drawn the page gives the reason.
 std::string verify_page(const VerifyResult& result, const std::vector<Figure>& figures,
                         const Drawings& drawings, const PageFacts& facts);
 

@@ -36,7 +36,7 @@ struct Family {
   std::vector<Point> points;  // ascending n
 };
 
-// The least hard bound on the events that was checked in a run of the cell; 0: a run has none.
+// The smallest hard bound on the events checked in a run of the cell; 0: none.
 double least_bound(const CellResult& cell) {
   double least = 0;
   for (const Trial& trial : cell.trials) {
@@ -56,7 +56,7 @@ std::vector<Family> families_of(const std::vector<CellResult>& cells,
     if (cell.cell.structure != structure || cell.trials.empty()) continue;
     const RunningMean mean = mean_of(cell.trials, "processed");
     if (cell.cell.variable != Variable::kObjects) continue;  // see collision_story.h
-    if (!(mean.mean() > 0)) continue;  // nothing to be seen on a logarithmic axis
+    if (!(mean.mean() > 0)) continue;  // cannot be drawn on a logarithmic axis
     const Measurement& run = cell.trials.front().measurement;
     auto found = std::find_if(families.begin(), families.end(), [&](const Family& family) {
       return family.name == cell.cell.family && family.degree == cell.cell.parameters.degree;
@@ -88,8 +88,8 @@ std::string data_block(const std::string& name, const std::vector<Point>& points
   return text + "EOD\n";
 }
 
-// The hard bounds that were checked in the family's own runs, as a curve over n; empty where a size
-// has none, or one size has several: then they do not go by n.
+// The hard bounds checked in the family's own runs, as a curve over n; empty if a size has none or
+// several: they are then no function of n.
 std::vector<Point> bound_curve(const Family& family) {
   std::vector<Point> curve;
   for (const Point& point : family.points) {
@@ -120,7 +120,7 @@ Figure counts_figure(const VerifyResult& result, const std::string& structure) {
   std::string& script = figure.script;
   script = kCommon;
   script += "set logscale y\nset format y '10^{%L}'\nset ylabel 'events'\n";
-  // Several families may differ in the degree of the motion only.
+  // Several families may differ only in the degree of the motion.
   const auto name_of = [&](const Family& family) {
     const bool alone = std::count_if(families.begin(), families.end(), [&](const Family& other) {
                          return other.name == family.name;
@@ -173,7 +173,7 @@ std::string size_tics(const std::vector<Point>& points) {
   return "set xtics (" + text + ")\n";
 }
 
-// What cells of the family were compared with, as departures from the fit.
+// The references of the family's cells, as departures from the fit.
 std::vector<Point> references_of(const VerifyResult& result, const GrowthResult& growth) {
   std::vector<Point> references;
   for (const CellResult& cell : result.cells) {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: how many events does random motion cause, and how do they grow with n?
-// Motion: origin and destination independent and uniform in the unit square (interval), t in [0,
-// 1]. Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 9, for
-// the
+// Motion: origin and destination independent and uniform in the unit square (interval), t in
+//   [0, 1].
+// Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 9, for the
 //   laws of growth; uniform_lines.h for the expectations of maxima; n(n-1)/4 for sorting, since the
 //   orders at 0 and at 1 are independent; for Delaunay triangulations means of an independent Monte
 //   Carlo simulation in doubles, with their standard errors.
 // Parameters: n below; seeds 1, 2, .. until the standard error of the mean number of events is
-// below
-//   2 % (1 % for sorting, 5 % for changes of a maximum, which are few), at least 8. Minima run on
-//   mirrored scenes, so they must count what maxima count.
+//   below 2 % (1 % for sorting, 5 % for changes of a maximum, which are few), at least 8. Minima
+//   run on mirrored scenes, so their counts must be those of maxima.
 // Expected: means within two standard errors of the difference, all sizes of a family together (see
 //   allowed_errors); exponents within 0.03; on the line also the exact count of every single scene.
 // Cost: about 40 s.

@@ -32,7 +32,7 @@ std::string ratio_text(const CellResult& cell) {
   return fmt::format("{:.2f}", *cell.contest->ratio);
 }
 
-// A fault is explained in full, other bounds need no words.
+// Failures are explained in full; a bound that holds needs no words.
 std::string explain(const Check& check) {
   return fmt::format("  {} {} {}: expected {}, observed {}{}\n", verdict_name(check.verdict),
                      check.claim, check.quantity, check.expected, check.observed,

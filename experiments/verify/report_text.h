@@ -15,14 +15,14 @@ struct CellRow {
   std::string bound;     // hard bound on the events; "-" if there is none with known constants
   std::string expected;  // of its first expectation; "-" if it has none
   std::string observed;  // likewise; the events if it has none
-  std::string checks;    // "5/5": how many hold
+  std::string checks;    // "5/5": holding, of all
   std::string verdict;
-  std::string ratio;  // CPU time in `exact` over `double`; "-" too short; "differs": other events
+  std::string ratio;  // CPU time in `exact` over `double`; "-": too short; "differs": other events
 };
 CellRow cell_row(const CellResult& cell);
 
-// Some of these cells may have a hard bound on their events. Structures for bodies have none, but
-// for the one that knows a line.
+// True if some of these cells may have a hard bound on their events. Of the structures for bodies
+// only the one with a law for straight lines has one.
 bool shows_bounds(const std::vector<Cell>& cells);
 // `bounds`: with a column of bounds.
 std::string table_header(bool bounds = true);
@@ -31,7 +31,7 @@ std::string table_row(const CellResult& cell, bool bounds = true);
 std::string table_row(const GrowthResult& growth);
 // Its checks, a line each.
 std::string table_row(const StudyResult& study);
-// What to do where scenes are too few to tell, with a newline; empty where they are not.
+// The remedy if scenes are too few to decide, with a newline; empty if they are not.
 std::string seeds_line(const VerifyResult& result);
 // Cells by verdict, checks, runs, and events over all of them; then the seeds line.
 std::string closing_line(const VerifyResult& result);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// run_in_order: independent pieces of work, several at a time, handed over one after another.
+// run_in_order: independent pieces of work on several threads, results handed over in order.
 #ifndef KINEX_EXPERIMENTS_VERIFY_RUN_IN_ORDER_H
 #define KINEX_EXPERIMENTS_VERIFY_RUN_IN_ORDER_H
 
@@ -20,12 +20,12 @@ namespace kinex {
 template <class Result>
 struct InOrder {
   std::vector<Result> finished;  // in the order of their indices
-  bool interrupted = false;      // not all are there
+  bool interrupted = false;      // some are missing
 };
 
-// Calls work(i) for i in [0, count), from `jobs` threads; nullopt interrupts: nothing more is
-// begun. on_result(i, result) is called in the order of i, one at a time, as soon as those before i
-// are done. What `work` or `on_result` throws is thrown again when all threads have ended.
+// Calls work(i) for i in [0, count) from `jobs` threads; nullopt interrupts: no further work is
+// started. on_result(i, result) is called in the order of i, one at a time, as soon as all before i
+// are done. An exception of `work` or `on_result` is rethrown when all threads have ended.
 template <class Result>
 InOrder<Result> run_in_order(std::size_t count, int jobs,
                              const std::function<std::optional<Result>(std::size_t)>& work,
@@ -63,7 +63,7 @@ InOrder<Result> run_in_order(std::size_t count, int jobs,
   for (int k = 1; k < jobs; ++k) {
     threads.emplace_back([&run] {
       run();
-      mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);  // what MPFR keeps for each thread
+      mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);  // MPFR's cache of this thread
     });
   }
   run();

@@ -20,7 +20,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// The scene of trial k, in the folder for it, under a name that says what it is.
+// Writes the scene of trial k into the folder, under a descriptive name.
 std::string keep_scene(const Cell& cell, int k, const std::string& folder) {
   std::string name = "verify-failed-" + cell.structure + "-" + cell.workload_text() + "-n" +
                      std::to_string(cell.parameters.n) + "-seed" +
@@ -80,13 +80,13 @@ void judge_runs(CellResult& result, const VerifyOptions& options) {
   keep_failures(result, options);
 }
 
-// The cell as it is run: with the number of scenes that was asked for.
+// The cell with the requested number of scenes.
 Cell with_seeds(Cell cell, const VerifyOptions& options) {
   if (options.seeds && cell.random) cell.max_seeds = *options.seeds;
   return cell;
 }
 
-// As run_cell, but what is finished already is not run again.
+// As run_cell, except that finished work is not run again.
 std::optional<CellResult> find_or_run(const Cell& cell, const VerifyOptions& options,
                                       const std::function<void(int seed)>& on_scene) {
   if (options.finished == nullptr) return run_cell(cell, options, on_scene);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runner: runs the cells of a catalogue, several at a time where asked to. What comes out does not
-// depend on how many, times aside: cells share nothing, and are handed over in the catalogue's
+// Runner: runs the cells of a catalogue, several at a time if requested. Results do not depend on
+// the number of jobs, times aside: cells share nothing, and are handed over in the catalogue's
 // order.
 #ifndef KINEX_EXPERIMENTS_VERIFY_RUNNER_H
 #define KINEX_EXPERIMENTS_VERIFY_RUNNER_H
@@ -19,9 +19,9 @@ namespace kinex {
 
 struct VerifyOptions {
   int jobs = 1;                      // more than one makes time ratios noisy
-  std::optional<int> seeds;          // exactly so many for every random cell
-  std::string keep_folder;           // where scenes that fail are kept; empty: nowhere
-  FinishedWork* finished = nullptr;  // what it holds is not run again; what is run is added
+  std::optional<int> seeds;          // exactly this many for every random cell
+  std::string keep_folder;           // for scenes that fail; empty: they are not kept
+  FinishedWork* finished = nullptr;  // its pieces are not run again; new ones are added
   std::function<bool()> go_on = [] { return true; };  // called from all threads
   const std::atomic<bool>* interrupt = nullptr;       // as in SimulatorOptions
   // A scene of cell `index` is about to be run. Called from all threads.
@@ -31,7 +31,7 @@ struct VerifyOptions {
 };
 
 struct VerifyResult {
-  std::vector<CellResult> cells;  // those that were finished
+  std::vector<CellResult> cells;  // those that finished
   std::vector<GrowthResult> growths;
   std::vector<StudyResult> studies;
   bool interrupted = false;
@@ -39,7 +39,7 @@ struct VerifyResult {
   Verdict verdict() const;
 };
 
-// One cell with all its seeds; nullopt if it was interrupted. Whatever a run throws is a failed
+// One cell with all its seeds; nullopt if it was interrupted. An exception of a run is a failed
 // check.
 std::optional<CellResult> run_cell(const Cell& cell, const VerifyOptions& options,
                                    const std::function<void(int seed)>& on_scene);

@@ -15,7 +15,7 @@ struct sqlite3_stmt;
 namespace kinex {
 
 // Every failure throws std::runtime_error with SQLite's message: with a database in memory it is a
-// bug, or there is not enough memory.
+// bug, or memory is exhausted.
 class Database {
  public:
   Database();
@@ -44,7 +44,7 @@ class Statement {
   Statement& maybe(const std::optional<std::int64_t>& value) {
     return value ? integer(*value) : null();
   }
-  // Executes it and forgets the values. Returns the row that was inserted.
+  // Executes it and clears the values. Returns the row that was inserted.
   std::int64_t run();
 
  private:

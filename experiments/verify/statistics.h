@@ -35,14 +35,14 @@ class RunningMean {
   double smallest_ = 0, largest_ = 0;
 };
 
-// How far apart two means are in standard errors of their difference; beyond `tolerance`. 0 if they
+// The distance of two means in standard errors of their difference, less `tolerance`. 0 if they
 // agree within the tolerance; infinite if they differ and neither has an error.
 double distance_in_errors(double mean, double error, double reference, double reference_error,
                           double tolerance);
 
-// How many standard errors apart a mean may be from its reference if `comparisons` such means are
-// judged together: 2 for one, and so much that all of them agree with the same probability (95.4 %)
-// if they are independent and nothing is wrong (Sidak 1967): 2.7 for six.
+// The allowed distance of a mean from its reference, in standard errors, if `comparisons` such
+// means are judged together: 2 for one; for several, as much as makes all of them agree with the
+// same probability (95.4 %) if they are independent and nothing is wrong (Sidak 1967): 2.7 for six.
 double allowed_errors(int comparisons);
 
 struct FitPoint {
@@ -57,9 +57,9 @@ struct PowerFit {
   double exponent_error = 0;
   double lower = 0, upper = 0;  // 95 % confidence interval of the exponent
   double factor = 0;
-  double centre = 0;      // the n at which the fit is surest: its logarithm is the (weighted) mean
+  double centre = 0;      // the n where the fit is surest: its logarithm is the (weighted) mean
   bool weighted = false;  // every point has a standard error
-  double chi_square = 0;  // weighted sum of squares; says nothing unless `weighted`
+  double chi_square = 0;  // weighted sum of squares; meaningless unless `weighted`
   int degrees = 0;        // of freedom: points - 2
   std::vector<double> residuals;  // count / fit - 1, in the order of the points
 

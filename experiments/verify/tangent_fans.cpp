@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: a regular polygon of n vertices turns once before a fan of m edges
 //   (workloads/polygon_fans.cpp). How often does each of the two inner tangents change?
-// Expected: that at the fan exactly n (2m + 1) times, whatever the separation is; the other one n
-//   times, once for each vertex that passes. (An event names the bodies only: the tangents are
-//   compared before and after it.)
+// Expected: the one at the fan exactly n (2m + 1) times, at any separation; the other one n times,
+//   once for each vertex that passes. (An event names the bodies only: the tangents are compared
+//   before and after it.)
 // Cost: a second, some in full.
 #include <array>
 #include <optional>

@@ -4,8 +4,9 @@
 // Sources: the property is that of Erickson, Guibas, Stolfi, Zhang (1999), introduction; metric and
 //   constant: structures/separation_hysteresis.h.
 // Parameters: B6 of collision_cells.cpp: trembling, random walks with kinks, an approach by halves;
-//   and, turning, a square whose corners pass over the edge of another one, and gears. All with
-//   either body as the first one. Expected: the bound in all of them.
+//   and, turning, a square whose corners pass over the edge of another one, and gears. Each with
+//   either body as the first.
+// Expected: the bound in all of them.
 // Cost: a second, 3 s in full.
 #include <fmt/format.h>
 

@@ -94,7 +94,7 @@ Integer inversions(const Scene& scene) {
     if (lines[i].slope != lines[j].slope) return lines[i].slope < lines[j].slope;
     return i < j;
   });
-  std::vector<Rational> last;  // what decides the order at the end
+  std::vector<Rational> last;  // decides the order at the end
   for (const Line& line : lines) {
     last.push_back(scene.end ? line.value + line.slope * (*scene.end - scene.start) : line.slope);
   }

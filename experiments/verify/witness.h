@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact event counts found in a scene of lines without simulating it: they share no code with the
+// Exact event counts of a scene of lines, found without simulation. They share no code with the
 // structures that they check.
 #ifndef KINEX_EXPERIMENTS_VERIFY_WITNESS_H
 #define KINEX_EXPERIMENTS_VERIFY_WITNESS_H
@@ -9,9 +9,9 @@
 
 namespace kinex {
 
-// How many pairs of objects change places on the first axis: inversions between the order right
-// after the start and the order right after the end (in a scene without end: at infinity). Objects
-// that move together keep their order. Requires linear motion in one piece. O(n log n).
+// The number of pairs of objects that change places on the first axis: inversions between the order
+// right after the start and the order right after the end (in a scene without end: at infinity).
+// Objects that move together keep their order. Requires linear motion in one piece. O(n log n).
 Integer inversions(const Scene& scene);
 
 // How often the largest (smallest) first coordinate passes to another object: breakpoints of the

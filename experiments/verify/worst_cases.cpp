@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: are the largest possible event counts reached exactly, and never exceeded?
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), sections 5 to 7,
-// for
-//   the bounds; the families are constructed for this project, and their counts were found with
+//   for the bounds; the families are constructed for this project, and their counts were found with
 //   exact polynomials and rational sample points between consecutive critical times.
 // Parameters: see each family. Minima run on the mirror images of the scenes for maxima.
 // Expected: the integers below, in every run; audited after every event at small sizes.
@@ -53,7 +52,7 @@ void add_sorting(Catalogue& catalogue, int n, int degree, double cost) {
   catalogue.cells.push_back(std::move(cell));
 }
 
-// n = 2^k lines in bit-reversed order: at every node the two sides take turns.
+// n = 2^k lines in bit-reversed order: at every node the two sides win alternately.
 void add_tournament(Catalogue& catalogue, std::string structure, bool mirrored, int n,
                     double cost) {
   Cell cell = worst_case(std::move(structure), "tournament-worst", n, 1, cost);
@@ -69,7 +68,7 @@ void add_tournament(Catalogue& catalogue, std::string structure, bool mirrored, 
   catalogue.cells.push_back(std::move(cell));
 }
 
-// Every item bubbles up from its place to the root after all smaller ones are done.
+// Every item rises from its place to the root after all smaller ones are done.
 void add_heap(Catalogue& catalogue, std::string structure, bool mirrored, int n, double cost) {
   Cell cell = worst_case(std::move(structure), "heap-worst", n, 1, cost);
   cell.mirrored = mirrored;
@@ -105,7 +104,7 @@ void add_hull(Catalogue& catalogue, int size, int flips, double cost) {
   catalogue.cells.push_back(std::move(cell));
 }
 
-// The same motion, for structures that keep the hull alone.
+// The same motion, for structures that maintain the hull alone.
 void add_hull_changes(Catalogue& catalogue, std::string structure, int size, double cost) {
   Cell cell = worst_case(std::move(structure), "hull-worst", size, 1, cost);
   cell.family = "quadratic family";
