@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `exact` and `sturm` share no root finding. They must give the same outlooks, signs, orders of
-// instants and names of instants, on certificates that are degenerate as often as not.
+// instants and names of instants, on certificates of which many are degenerate.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -38,7 +38,7 @@ std::string to_text(const Scene& scene, const Query& query) {
   return out.str();
 }
 
-// What was seen, so that a test can demand that the interesting cases did occur.
+// Counts of cases, so that a test can require the interesting ones to have occurred.
 struct Tally {
   std::vector<std::string> disagreements;
   std::array<int, 4> outlooks{};
@@ -53,7 +53,7 @@ struct Failing {
   bool now;  // known to be now
 };
 
-// The two arithmetics over one scene, asked the same questions.
+// The two arithmetics over one scene, with the same queries.
 class Rivals {
  public:
   Rivals(const Scene& scene, std::uint64_t seed, Tally& tally)
@@ -96,8 +96,8 @@ class Rivals {
           "names of a rational now");
   }
 
-  // Asks everything about these certificates at the present instant, then moves on to the first
-  // failure (or, if `stay`, to one that is now). The other failure times are held, as a queue does,
+  // Makes all queries about these certificates at the present instant, then advances to the first
+  // failure (or, if `stay`, to one that is now). The other failure times are held, as in a queue,
   // and take part in the next step. False if there is none, or the two disagree.
   bool step(std::vector<Query>& queries, bool stay) {
     std::vector<Failing> failing = std::move(held_);
@@ -199,7 +199,7 @@ class Rivals {
     ++tally_.outlooks[static_cast<std::size_t>(sturm)];
     const std::optional<Rational> horizon = horizon_of(q);
     if (horizon && exact == Outlook::kFails && sturm == Outlook::kNever) {
-      // Beyond the horizon either answer is right.
+      // Beyond the horizon both answers are right.
       check(exact_->compare(q, f.exact, *horizon) > 0, "failures by the horizon", q);
       exact_->release(f.exact);
       return;
@@ -249,7 +249,7 @@ class Rivals {
     if (order == 0) ++tally_.equal_pairs;
   }
 
-  // Advances to a failure and puts the permuted certificate, which now holds, in its place.
+  // Advances to a failure and replaces the certificate by the permuted one, which now holds.
   void move(Failing& next, std::vector<Query>& queries) {
     ++tally_.advances;
     const Query failed = next.query;
@@ -282,7 +282,7 @@ Rational draw_number(int bits, std::mt19937_64& random) {
   return random() % 16 == 0 ? r / Rational(3) : r;
 }
 
-// Some objects repeat another's motion, or move along with it, or stand.
+// Some objects repeat another's motion, or move parallel to it, or are at rest.
 Scene draw_scene(int degree, int bits, std::mt19937_64& random) {
   std::vector<std::vector<Coefficients>> objects;
   for (int i = 0; i < 7; ++i) {
@@ -307,8 +307,8 @@ Scene draw_scene(int degree, int bits, std::mt19937_64& random) {
   return scene;
 }
 
-// A few instants from the start on, then from another time on, and then under a changed motion that
-// may be of higher degree, or in larger numbers, than the scene announced.
+// A few instants from the start, then from another time, then under a changed motion that may be of
+// higher degree, or have larger numbers, than those of the scene.
 void run(const Scene& scene, std::uint64_t seed, int certificates, int predicates, Tally& tally) {
   Rivals rivals(scene, seed, tally);
   std::vector<Query> queries;
@@ -357,7 +357,7 @@ TEST_P(ArithmeticAgreement, OnRandomCertificates) {
   EXPECT_GT(tally.pairs, 5 * family.scenes);
   EXPECT_GT(tally.equal_pairs, 0);
   EXPECT_GT(tally.equal_to_now, 0);
-  // Every stage was really asked.
+  // Every stage was used.
   const auto kDouble = static_cast<std::size_t>(Stage::kDouble);
   const auto kWide = static_cast<std::size_t>(Stage::kWide);
   const auto kExact = static_cast<std::size_t>(Stage::kExact);
@@ -399,7 +399,7 @@ TEST(ArithmeticAgreementOnce, DegreeTwenty) {
   EXPECT_GT(tally.advances, 0);
 }
 
-// Small integers, so that a failure shrinks to something that can be worked out by hand.
+// Small integers, so that a failing case shrinks to one that can be worked out by hand.
 RC_GTEST_PROP(ArithmeticAgreementOnce, OnSmallIntegers, ()) {
   const int degree = *rc::gen::inRange(1, 4);
   const auto size = static_cast<std::size_t>(degree) + 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tests of arithmetics share: predicates, scenes, polynomials with chosen roots and
+// Shared by the tests of arithmetics: predicates, scenes, polynomials with chosen roots and
 // certificates on them.
 #ifndef KINEX_TESTS_CORE_CERTIFICATE_FIXTURE_H
 #define KINEX_TESTS_CORE_CERTIFICATE_FIXTURE_H
@@ -97,7 +97,7 @@ inline Coefficients with_roots(const std::vector<Rational>& roots, Coefficients 
 
 inline Rational rational(std::string_view text) { return *Rational::parse(text); }
 
-// One piece per object, from the start for ever; coordinates[object][axis].
+// One piece per object, from the start without end; coordinates[object][axis].
 inline Scene make_scene(const std::vector<std::vector<Coefficients>>& coordinates,
                         const Rational& start) {
   Scene scene;
@@ -116,8 +116,8 @@ inline Scene make_scene(const std::vector<std::vector<Coefficients>>& coordinate
   return scene;
 }
 
-// Objects on a line, one for each polynomial, and a last one that stays at 0. So any polynomial can
-// be made a certificate: order(last, i) is the track of i.
+// Objects on a line, one for each polynomial, and a last one at rest at 0. Any polynomial can thus
+// be a certificate: order(last, i) is the track of i.
 inline Scene make_track_scene(const std::vector<Coefficients>& tracks, const Rational& start) {
   std::vector<std::vector<Coefficients>> coordinates;
   for (const Coefficients& track : tracks) coordinates.push_back({track});
@@ -125,7 +125,7 @@ inline Scene make_track_scene(const std::vector<Coefficients>& tracks, const Rat
   return make_scene(coordinates, start);
 }
 
-// Puts the motions of a scene made above in force.
+// Sets the motions of a scene made above.
 inline void set_motions(const Scene& scene, Arithmetic& arithmetic) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const MotionPiece& piece = scene.objects[i].motion.pieces.front();

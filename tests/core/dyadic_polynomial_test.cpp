@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polynomials in machine integers against rationals: whatever is valid is right.
+// Polynomials in machine integers against rationals: every valid result is right.
 #include "core/dyadic_polynomial.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ class Draw {
  public:
   explicit Draw(std::uint64_t seed) : engine_(seed) {}
   unsigned below(unsigned bound) { return static_cast<unsigned>(engine_() % bound); }
-  // Up to so many bits, often near a power of two, often zero.
+  // At most `bits` bits, often near a power of two, often zero.
   Rational dyadic(unsigned bits) {
     if (below(6) == 0) return Rational();
     Integer n = Integer::power_of_two(below(bits + 1));
@@ -82,7 +82,7 @@ void expect_same(const DyadicPolynomial& p, const Reference& r) {
   for (const unsigned more : {0u, 1u, 70u}) {
     const unsigned common = p.denominator_bits() + more;
     const List wanted = written(r, common);
-    List got(2, Rational(Integer(5), Integer(7)));  // what was there before goes
+    List got(2, Rational(Integer(5), Integer(7)));  // the former contents are overwritten
     p.write(common, got);
     EXPECT_EQ(got, wanted);
     std::size_t bits = 0;

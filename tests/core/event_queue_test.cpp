@@ -13,7 +13,7 @@
 namespace kinex::test {
 namespace {
 
-// What the order of the queue is by.
+// The key of the queue's order.
 using Rank = std::tuple<int, StructureId, PredicateId, std::vector<ObjectId>, CertificateId>;
 
 struct Fixture {
@@ -83,7 +83,7 @@ TEST(EventQueue, RandomOperations) {
       ASSERT_EQ(f.queue.size(), f.expected.size());
       ASSERT_EQ(f.arithmetic.numbers, static_cast<int>(f.queue.size()));
       if (f.queue.empty()) continue;
-      // Those that share the first instant.
+      // The certificates that share the first instant.
       std::vector<CertificateId> shared, wanted;
       f.queue.collect_first_instant(shared);
       for (const Rank& r : f.expected) {

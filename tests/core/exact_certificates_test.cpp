@@ -259,7 +259,7 @@ TEST_P(ExactArithmetics, DescribesNow) {
   EXPECT_EQ(text.polynomial, (std::vector<std::string>{"-2", "3"}));
   EXPECT_EQ(text.root, 1);
   EXPECT_EQ(text.approximate, "0.666666666666");
-  t.advance(2);  // not a root of its own polynomial: the instant keeps its name
+  t.advance(2);  // not a root of this polynomial: the instant keeps its name
   EXPECT_EQ(t->describe_now().polynomial, text.polynomial);
   EXPECT_EQ(t->describe_now().root, 1);
   t.advance(1);
@@ -322,7 +322,7 @@ TEST_P(ExactArithmetics, ExtremeMagnitudes) {
                {rational("1e300"), Rational(-1)},
                {rational("2e-600"), Rational(0), Rational(-1)},
                {rational("2e600"), Rational(0), Rational(-1)},
-               {rational("1e400"), Rational(-1)},  // beyond the doubles
+               {rational("1e400"), Rational(-1)},  // beyond the range of doubles
            },
            Rational(0));
   EXPECT_TRUE(t.fails_at(0, rational("1e-300")));
@@ -334,7 +334,7 @@ TEST_P(ExactArithmetics, ExtremeMagnitudes) {
   EXPECT_EQ(t.order(3, 4), -1);
 }
 
-// Equal instants are given one form, but each certificate goes on as what it was.
+// Equal instants are merged into one form, but each certificate keeps its polynomial.
 TEST_P(ExactArithmetics, EqualInstantsKeepTheirNames) {
   const Coefficients one{Rational(1), Rational(-1)};  // 1
   for (const Coefficients& p : {kMinusTwo, one}) {
@@ -349,7 +349,7 @@ TEST_P(ExactArithmetics, EqualInstantsKeepTheirNames) {
     EXPECT_EQ(t->compare(t.query(2), c, t.query(1), b), 0);
     t->advance(t.query(2), c);  // its polynomial does not vanish now
     EXPECT_EQ(t->describe_now().polynomial.size(), p.size());
-    t->advance(t.query(1), b);  // this one's does, but the instant has its name
+    t->advance(t.query(1), b);  // this one's does, but the instant is already named
     EXPECT_EQ(t->describe_now().polynomial.size(), p.size());
   }
 }

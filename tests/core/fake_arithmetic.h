@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An arithmetic in which the failure time of a query is simply looked up: for tests of the queue
-// and the kernel.
+// An arithmetic that looks failure times up in a table, for tests of the queue and the kernel.
 #ifndef KINEX_TESTS_CORE_FAKE_ARITHMETIC_H
 #define KINEX_TESTS_CORE_FAKE_ARITHMETIC_H
 
@@ -17,14 +16,14 @@ namespace kinex::test {
 
 class FakeArithmetic final : public Arithmetic {
  public:
-  // The failure time of every query over these ids; none: it never fails. In steps of 1; the
-  // enclosures handed out are `slack` wider on both sides.
+  // The failure time of every query over these ids, in steps of 1; missing: it never fails. The
+  // returned enclosures are `slack` wider on both sides.
   std::map<std::array<ObjectId, kMaxArity>, int> times;
   double slack = 0;
   int now = 0;
   bool exact = true;
   std::uint64_t comparisons_asked = 0;
-  // Numbers handed out and not yet given back.
+  // Numbers handed out and not yet released.
   int numbers = 0;
 
   FailureTime make(int t) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `gsl` promises nothing, so what is tested is: easy certificates come out right, the root at now
-// is not found again, and no input whatever crashes it or yields a NaN.
+// `gsl` guarantees no answers. Tested: easy certificates are right, the root at now is not found
+// again, and no input crashes it or yields a NaN.
 #include "core/gsl_arithmetic.h"
 
 #include <gsl/gsl_errno.h>
@@ -137,7 +137,7 @@ TEST(GslArithmetic, PassesTheRootAtNow) {
     set_motions(scene, *arithmetic);
     Query current(id, {0, 1});
     if (arithmetic->sign_after(current) == Sign::kNegative) current = Query(id, {1, 0});
-    // A polynomial of degree d turns at most d times.
+    // A polynomial of degree d changes sign at most d times.
     for (int events = 0;; ++events) {
       ASSERT_LE(events, degree);
       FailureTime time;

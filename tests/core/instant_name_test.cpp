@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of instants: the filtered way, the exact way and the way of `sturm` give the same one, and
-// it is what core/real_root.h says.
+// Names of instants: the filtered method, the exact one and that of `sturm` agree, and the names
+// are as defined in core/real_root.h.
 #include "core/instant_name.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ Polynomial stretched(const Polynomial& p, const Rational& by) {
   return Polynomial::from_rationals(c);
 }
 
-// The coarser cell that a cell (or its mirror image) is a half of: false, if it is a whole binade.
+// The coarser cell of which a cell (or its mirror image) is a half; false if it is a whole binade.
 bool widen(const Rational& lower, const Rational& upper, Rational& wide_lower,
            Rational& wide_upper) {
   const Rational width = upper - lower;
@@ -243,7 +243,7 @@ TEST(InstantName, DecimalsAreTruncatedToSignificantDigits) {
     const Rational near = t.sign() < 0 ? range->upper : range->lower;
     const Rational far = t.sign() < 0 ? range->lower : range->upper;
     EXPECT_TRUE(t.sign() < 0 ? far < t && t <= near : t == near || (near < t && t < far)) << text;
-    // Doubles around it say the same, or nothing.
+    // Doubles around it give the same, or abstain.
     std::string filtered;
     if (set_decimal(filtered, t.lower_double(), t.upper_double())) {
       EXPECT_EQ(filtered, text);
@@ -273,7 +273,8 @@ TEST(InstantName, AreComparedExactly) {
       roots.push_back(std::move(entry.root));
     }
   };
-  // Roots shared by several polynomials, alone in a cell of one and not of another; rational ones.
+  // Roots shared by several polynomials, isolated by a cell in one and not in another; rational
+  // ones.
   const Polynomial two = polynomial({-2, 0, 1});
   for (const std::int64_t k : {-3, 1, 2, 3})
     add(two * polynomial({-k, 0, 2}) * polynomial({-k, 3}));

@@ -44,7 +44,7 @@ TEST(Kernel, SchedulesWhatFails) {
   EXPECT_EQ(f.kernel->tag(never.id), 7u);
   f.kernel->set_tag(never.id, 9);
   EXPECT_EQ(f.kernel->tag(never.id), 9u);
-  // The one never fails any more, the other does: ids and tags.
+  // The first no longer fails, the other does: ids and tags.
   EXPECT_EQ(f.kernel->replace(later.id, Query(0, {1, 2}), 1), Outlook::kNever);
   EXPECT_TRUE(f.kernel->queue().empty());
   EXPECT_EQ(f.kernel->replace(never.id, Query(0, {0, 1}), 2), Outlook::kFails);
@@ -106,7 +106,7 @@ TEST(Kernel, AnEventIsCountedOnceAndLargestNumbersAreTakenAfterIt) {
   EXPECT_EQ(a.max_per_object, 1u);
   EXPECT_EQ(a.created_per_event.histogram[2], 1u);
   EXPECT_EQ(a.retracted_per_event.histogram[2], 1u);
-  // A change that comes after the failures of an instant is an event too; a tie put right is not.
+  // A change reported after the failures of an instant is an event too; a repaired tie is not.
   f.kernel->report(f.a, 1, {2}, true);
   EXPECT_EQ(f.kernel->last_event().certificate.arity, 0);
   f.kernel->report(f.a, 2, {2}, false);
@@ -116,7 +116,7 @@ TEST(Kernel, AnEventIsCountedOnceAndLargestNumbersAreTakenAfterIt) {
   EXPECT_EQ(a.internal, 0u);
 }
 
-// Keeps what it was given.
+// Records its input.
 struct Reporter final : EventReporter {
   void reported(const Event& event) override { take("own", event); }
   void settled(Event event) override { take("settled", event); }
@@ -155,7 +155,7 @@ TEST(Kernel, EventsWithADifference) {
   EXPECT_EQ(f.kernel->ledger(f.a).external, 3u);
   EXPECT_EQ(f.kernel->ledger(f.a).processed, 3u);
   EXPECT_EQ(f.kernel->ledger(f.a).rebuilds, 2u);
-  // One that a failure led to: the failure is no internal event.
+  // A change caused by a failure: the failure is not an internal event.
   f.fails({0, 1}, 1);
   const auto failed = f.kernel->create(f.a, Query(0, {0, 1}), 0).id;
   f.kernel->queue().pop();
@@ -243,7 +243,7 @@ TEST(Kernel, TheIndexFollowsAllChanges) {
   }
 }
 
-// Every arity, every two places: refused, and nothing has changed.
+// Every arity, every pair of places: refused, and nothing has changed.
 TEST(Kernel, ACertificateNamesNoObjectTwice) {
   Fixture f;
   f.kernel->bind(make_predicate<Order>());
@@ -291,8 +291,8 @@ TEST(Kernel, ACertificateNamesNoObjectTwice) {
   EXPECT_EQ(f.kernel->certificates_of(0).size(), 0u);
 }
 
-// A constant may stand twice in a certificate (a vertex that two bodies have in their frames): it
-// is in no index, which stays right for the others.
+// A constant may occur twice in a certificate (a vertex that two bodies have in their frames): it
+// is in no index, which stays right for the other objects.
 TEST(Kernel, AConstantMayStandTwice) {
   Fixture f;
   f.kernel->certificates_of(0);
@@ -311,7 +311,7 @@ TEST(Kernel, AConstantMayStandTwice) {
   EXPECT_EQ(f.kernel->certificates_of(0).size(), 0u);
 }
 
-// A sign may be asked for: the formula's value.
+// A sign with a repeated object is allowed: the formula's value.
 TEST(Kernel, ASignMayNameAnObjectTwice) {
   const Scene scene = make_scene({{{Rational(0)}, {Rational(0)}},
                                   {{Rational(3), Rational(1)}, {Rational(1)}},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PlainList: the plainest kinetic structure, a sorted array, for tests of the simulator. It writes
-// down every call, and does not care how ties stand.
+// PlainList: the simplest kinetic structure, a sorted array, for tests of the simulator. It records
+// every call and accepts ties in any order.
 #ifndef KINEX_TESTS_CORE_PLAIN_LIST_H
 #define KINEX_TESTS_CORE_PLAIN_LIST_H
 

@@ -66,7 +66,7 @@ inline Polynomial chebyshev(int n) {
   return current;
 }
 
-// Engines are specified bit by bit, distributions are not.
+// The standard specifies engines bit by bit, distributions not.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

@@ -135,7 +135,7 @@ TEST(PolynomialGcd, OddPartHasTheSignOfThePolynomial) {
 }
 
 TEST(PrimeSequence, HasAllPrimesInDescendingOrder) {
-  // More than the table has, with GMP as the second opinion; no prime is left out.
+  // More primes than the table holds, checked against GMP; no prime is left out.
   PrimeSequence primes;
   std::uint64_t expected = (std::uint64_t{1} << 61) - 1;
   for (int i = 0; i < 70; ++i, expected -= 2) {

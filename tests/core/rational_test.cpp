@@ -74,7 +74,8 @@ TEST(Rational, TakesDoublesExactly) {
   EXPECT_FALSE(Rational::from_double(kInfinity));
 }
 
-// (1) lower <= value <= upper; (2) they are equal or neighbours; (3) equal exactly for doubles.
+//   (1) lower <= value <= upper   (2) lower and upper are equal or neighbours
+//   (3) they are equal exactly for doubles
 void expect_enclosed(const Rational& value) {
   const double lower = value.lower_double();
   const double upper = value.upper_double();

@@ -30,7 +30,7 @@ RealRoot square_root_of(int n) {
   return RealRoot(polynomial({-n, 0, 1}), Rational(0), Rational(n + 1));
 }
 
-// What isolate_real_roots promises, apart from the number of roots.
+// The guarantees of isolate_real_roots, apart from the number of roots.
 void expect_isolated(const Polynomial& p, const std::vector<RootWithMultiplicity>& roots) {
   const Polynomial square_free = square_free_part(p);
   for (std::size_t i = 0; i < roots.size(); ++i) {
@@ -258,8 +258,7 @@ TEST(Compare, SameNumberFromDifferentPolynomials) {
 
 TEST(Compare, CommonFactorWithoutACommonRootInTheOverlap) {
   RootCounters counters;
-  // Both have t - 5 and t^2 - 7 in common; the roots compared are sqrt(2) and sqrt(2) + 2^-40 or
-  // so.
+  // Common factors t - 5 and t^2 - 7; the roots compared are sqrt(2) and about sqrt(2) + 2^-40.
   const Polynomial common = with_root(Rational(5)) * polynomial({-7, 0, 1});
   RealRoot a(polynomial({-2, 0, 1}) * common, Rational(1), Rational(2));
   std::vector<Integer> moved = {-(Integer(2) << 40) - Integer(1), Integer(0), Integer(1) << 40};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Agreement with FLINT and arb, which share no code with us but GMP.
+// Agreement with FLINT and arb, which share only GMP with kinex.
 #include <arb_fmpz_poly.h>
 #include <flint/fmpz_poly.h>
 #include <gtest/gtest.h>

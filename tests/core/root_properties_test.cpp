@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Identities that hold for all polynomials, on small coefficients (many coincidences) and large
-// ones.
+// Identities of all polynomials, on small coefficients (many coincidences) and large ones.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -95,7 +94,7 @@ RC_GTEST_PROP(RootProperties, ComparisonIsATotalOrder, ()) {
       RealRoot c = y;
       RealRoot d = x;
       RC_ASSERT(compare(c, d, counters) == -order);
-      // Equality is the same as being a root of the gcd.
+      // Equal if and only if it is a root of the gcd.
       if (order == 0) {
         RealRoot e = x;
         RC_ASSERT(sign_at(y.polynomial(), e, counters) == Sign::kZero);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signs of polynomials at real roots, and where a polynomial changes its sign next.
+// Signs of polynomials at real roots, and the next sign change of a polynomial.
 #include <gtest/gtest.h>
 
 #include <optional>

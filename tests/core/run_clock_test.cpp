@@ -90,7 +90,7 @@ TEST(RunClock, WithoutASinkNothingIsReported) {
   EXPECT_LE(run.simulator.kernel().ledger(0).seconds, all);
 }
 
-// Short calls are sampled: their sum is estimated, also where what they cost follows a rhythm.
+// Short calls are sampled: their sum is estimated, even if their cost is periodic.
 TEST(RunClock, ShortCallsAreSampled) {
   for (const int rhythm : {1, 2, 7, 16}) {
     RunClock clock;

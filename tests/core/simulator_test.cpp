@@ -65,7 +65,7 @@ TEST(Simulator, HandlesFailuresUpToAndAtT) {
 }
 
 TEST(Simulator, FailuresAtTheEndOfTheSceneAreHandled) {
-  // They cross at exactly 2 (a square root away from being found by doubles), and again just after.
+  // They cross at exactly 2, the scene's end.
   const Scene scene = scene_of({path({{-2, 0, 1}}), path({{2}})}, 0, Rational(2));
   Fixture f(scene);
   f.simulator.run_until(std::nullopt);
@@ -74,7 +74,7 @@ TEST(Simulator, FailuresAtTheEndOfTheSceneAreHandled) {
 }
 
 TEST(Simulator, TheLastAuditKeepsClearOfWhatComesAfterTheEnd) {
-  // After the end, at 1 + 2^-70, they cross: nobody has scheduled that.
+  // They cross after the end, at 1 + 2^-70: not scheduled.
   const Rational later = Rational(1) + Rational(Integer(1), Integer::power_of_two(70));
   const Scene scene = scene_of({path({{0, 1}}), path({{later}})}, 0, Rational(1));
   for (const AuditLevel level : {AuditLevel::kEnd, AuditLevel::kEvents}) {
@@ -101,7 +101,7 @@ TEST(Simulator, ASceneWithoutEndRunsToTheLastEvent) {
 }
 
 TEST(Simulator, OrderOfThingsAtOneInstant) {
-  // At 2: 0 and 1 meet; 3 turns towards 4, with which it has always been; 5 goes, 6 comes.
+  // At 2: 0 and 1 meet; 3 turns towards 4, with which it has coincided; 5 disappears, 6 appears.
   Scene scene = scene_of({path({{0, 1}}), path({{2}}), path({{5}}), path({{7, 1}}), path({{7, 1}}),
                           path({{20}}), path({{30}})},
                          0, Rational(3));
@@ -237,7 +237,7 @@ TEST(Simulator, ProgressMayStopTheRun) {
 
 // ---- the guard
 
-// Insists on its first two objects being in order.
+// Never swaps its first two objects: claims again that they are in order.
 class Stubborn final : public PlainList {
  public:
   using PlainList::PlainList;
@@ -255,7 +255,7 @@ class Stubborn final : public PlainList {
   }
 };
 
-// The events that carry a difference: kind, what went, what came.
+// The events that carry a difference: kind, gone, came.
 class DifferenceSink final : public EventSink {
  public:
   explicit DifferenceSink(const Simulator& simulator) : simulator_(simulator) {}
@@ -368,9 +368,9 @@ TEST(Simulator, NothingMayReferToAnErasedObject) {
   EXPECT_THROW(f.simulator.run_until(std::nullopt), std::logic_error);
 }
 
-// ---- audits find what is wrong
+// ---- audits find violations
 
-// Exchanges its first two objects without saying so.
+// Exchanges its first two objects without reporting it.
 class Lying final : public PlainList {
  public:
   using PlainList::PlainList;
@@ -401,13 +401,13 @@ TEST(Simulator, AuditsSayWhen) {
   f.simulator.run_until(Rational(1));
   EXPECT_FALSE(f.simulator.audit());
   EXPECT_EQ(f.simulator.violations().back(), "list: order (t = 5/4 (1.25))");
-  // A time after the end serves for what holds right after it, and is not told.
+  // A time after the end is used to audit the state right after it, and is not reported.
   f.simulator.run_until(std::nullopt);
   EXPECT_EQ(f.simulator.violations().back(),
             "list: order (right after the scene's end, which is t = 3/2 (1.5))");
 }
 
-// Names of hundreds of digits are for machines.
+// Messages do not show names of hundreds of digits.
 TEST(Simulator, TimesInMessagesAreShort) {
   const Rational late = Rational(1) + Rational(Integer(1), Integer::power_of_two(2000));
   const Scene scene = scene_of({path({{0}}), path({{1}})}, 0, late);
@@ -496,7 +496,7 @@ struct Composition {
 };
 
 TEST(Simulator, WatchersAreToldOfEveryChange) {
-  // The list swaps at 1 (0, 1) and 2 (0, 2); 1 goes at 3 and comes back at 4.
+  // The list swaps at 1 (0, 1) and 2 (0, 2); 1 is erased at 3 and inserted at 4.
   const Scene scene = scene_of({path({{0, 1}}), path({{1}}), path({{2}})}, 0, Rational(6));
   const auto c = Composition::make(scene);
   c->simulator->schedule_erasure(Rational(3), 1);
@@ -510,7 +510,7 @@ TEST(Simulator, WatchersAreToldOfEveryChange) {
   EXPECT_EQ(c->simulator->violations(), Calls{});
 }
 
-// Says nothing of its swaps until the instant is over.
+// Reports its swaps only when the instant is over.
 class Late final : public PlainList {
  public:
   using PlainList::PlainList;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs that are stopped: between two instants, in the midst of one, and while they are set up.
+// Runs that are stopped: between two instants, within one, and during set-up.
 #include "core/stop.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@
 namespace kinex::test {
 namespace {
 
-// Waits, so that the grace of a deadline is over.
+// Waits until the grace of a deadline is over.
 void work_until_stopped(Deadline& deadline) {
   for (;;) deadline.look();
 }
@@ -68,7 +68,7 @@ TEST(Deadline, DoesNotStopWhatItIsPausedFor) {
   EXPECT_THROW(deadline.look(), Stopped);
 }
 
-// Long computations of the exact arithmetics look at it themselves.
+// Long computations of the exact arithmetics poll it themselves.
 TEST(Deadline, IsLookedAtByIsolationGcdsAndSturmSequences) {
   std::atomic<bool> flag = true;
   Deadline deadline(0, &flag);
@@ -98,7 +98,7 @@ Scene crossing() {
 
 enum class Trouble { kNone, kLong, kMemory };
 
-// Gets into trouble with the event of this number.
+// Fails at the event of this number.
 class TroubledSink final : public EventSink {
  public:
   TroubledSink(Deadline& deadline, int number, Trouble trouble)
@@ -135,7 +135,7 @@ struct StoppedRun {
     status = simulator.run_until(std::nullopt);
   }
   const StructureLedger& ledger() const { return simulator.kernel().ledger(0); }
-  // The counts are those of so many events.
+  // The counts are those of n events.
   void expect_counts(std::uint64_t n) const {
     EXPECT_EQ(static_cast<std::uint64_t>(sink.events), n);
     EXPECT_EQ(ledger().external, n);

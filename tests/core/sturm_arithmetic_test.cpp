@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is `sturm` alone; exact_certificates_test.cpp and arithmetic_agreement_test.cpp test its
-// answers.
+// Properties of `sturm` alone; its answers are tested in exact_certificates_test.cpp and
+// arithmetic_agreement_test.cpp.
 #include "core/sturm_arithmetic.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The set of contact times is described by signs of the polynomials below. Between two neighbouring
-// roots of all those that are not zero every sign is constant, and contact with it; the set is
-// closed; so its first time is 0 or one of these roots.
+// roots of those that are not identically zero every sign is constant, and so is contact. The set
+// is closed, so its first time is 0 or one of these roots.
 #include "tests/predicates/contact_oracle.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ P turn(const Vector& a, const Vector& b, std::pair<std::size_t, std::size_t> pla
   return minus(times(a[plane.first], b[plane.second]), times(a[plane.second], b[plane.first]));
 }
 
-// Halves the interval; Sturm's theorem tells which half has the root.
+// Halves the interval; Sturm's theorem finds the half that contains the root.
 void refine(OracleRoot& root, SturmWork& work) {
   if (root.lower == root.upper) return;
   const Rational middle = (root.lower + root.upper) / Rational(2);
@@ -85,7 +85,7 @@ std::vector<OracleRoot> roots_of(const P& p, SturmWork& work) {
   return result;
 }
 
-// Whether a < b; equal numbers are told by a common factor.
+// Whether a < b; equality is decided by a common factor.
 bool less(OracleRoot a, OracleRoot b, SturmWork& work) {
   if (sign_of(b.polynomial, a, work) == 0) {
     const P above({-b.lower, Rational(1)}), below({-b.upper, Rational(1)});
@@ -95,7 +95,7 @@ bool less(OracleRoot a, OracleRoot b, SturmWork& work) {
   for (;;) {
     if (a.upper < b.lower) return true;
     if (b.upper < a.lower) return false;
-    // Intervals that touch for ever have their roots apart: the common end is the root of one only.
+    // Intervals that keep touching have different roots: the common end is the root of one only.
     if (a.upper == b.lower && b.lower != b.upper) return true;
     if (b.upper == a.lower && a.lower != a.upper) return false;
     refine(a, work);
@@ -152,8 +152,8 @@ class Oracle {
   }
 
  private:
-  // Cramer's rule in a plane: the determinant, the two numerators, and what is left of each to the
-  // determinant (of their sum, for a triangle).
+  // Cramer's rule in a plane: the determinant, the two numerators, and the determinant minus each
+  // (for a triangle, minus their sum).
   std::vector<P> numbers(std::pair<std::size_t, std::size_t> plane) const {
     const P whole = turn(first_, second_, plane), a = turn(offset_, second_, plane);
     if (kind_ == ContactKind::kVertexFace) {

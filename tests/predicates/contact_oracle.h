@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First contact by another formulation, in rationals and Sturm sequences: positions in the bodies
-// by Cramer's rule in a coordinate plane, and candidates from every polynomial of every test.
+// First contact by an independent formulation, in rationals and Sturm sequences: barycentric
+// coordinates by Cramer's rule in a coordinate plane, candidates from every polynomial of every
+// test.
 #ifndef KINEX_TESTS_PREDICATES_CONTACT_ORACLE_H
 #define KINEX_TESTS_PREDICATES_CONTACT_ORACLE_H
 

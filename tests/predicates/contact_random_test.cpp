@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Continuous contact on random queries: against another formulation, against CGAL, against itself
-// after changes that keep the answer, and the stages against each other.
+// Continuous contact on random queries: against an independent formulation, against CGAL, against
+// itself after changes that keep the answer, and the stages against each other.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -101,7 +101,7 @@ TEST_P(RandomContact, CgalSeesNoEarlierContact) {
   }
 }
 
-// Another order of the same bodies, and every change of coordinates that is affine.
+// Invariant under reordering of the bodies' points and under affine maps.
 TEST_P(RandomContact, DoesNotDependOnNamesOrCoordinates) {
   QueryMaker make(3);
   const int rounds = kSanitized ? 60 : 500;
@@ -153,7 +153,7 @@ TEST_P(RandomContact, DoesNotDependOnNamesOrCoordinates) {
   }
 }
 
-// [0, 1] is [0, s] and then [s, 1]; and time may run backwards.
+// [0, 1] can be split into [0, s] and [s, 1], and time reversed.
 TEST_P(RandomContact, TimeCanBeCutAndReversed) {
   QueryMaker make(4);
   const int rounds = kSanitized ? 80 : 800;
@@ -219,13 +219,13 @@ TEST_P(RandomContact, FilterNeverContradictsTheExactStage) {
   EXPECT_GT(misses, rounds / 10);
 }
 
-// The doubles of a query that is no double are rounded, and the filter knows it.
+// The filter accounts for the rounding of coordinates that are not doubles.
 TEST_P(RandomContact, RoundedCoordinates) {
   QueryMaker make(6);
   const int rounds = kSanitized ? 60 : 600;
   for (int round = 0; round < rounds; ++round) {
     Points points = make.small();
-    // Thirds; or so close together that rounding is all that is left of the differences.
+    // Thirds; or so close together that the differences are mere rounding.
     const Rational unit =
         round % 2 == 0 ? Rational(1) / Rational(3) : *Rational::from_double(0x1p-54);
     for (Point& p : points) {

@@ -94,8 +94,8 @@ ContactQuery::Doubles QueryMaker::ordinary(ContactKind kind) {
 
 ContactQuery::Doubles QueryMaker::near(ContactKind kind, double gap) {
   ContactQuery::Doubles c = ordinary(kind);
-  // All points are moved so that a point of one body meets a point of the border of the other at a
-  // random time, but for the gap.
+  // All points are moved so that a point of one body comes within the gap of a point of the other's
+  // border at a random time.
   const double t = 0.5 + unit() / 2, along = 0.5 + unit() / 2, other = 0.5 + unit() / 2;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto at = [&](std::size_t p) {

@@ -18,7 +18,7 @@ using Points = std::array<Point, 8>;  // four at t = 0, then four at t = 1
 
 ContactQuery query_of(ContactKind kind, const Points& points);
 Points points_of(const ContactQuery& query);
-// Where the four points are at t.
+// The positions of the four points at t.
 std::array<Point, 4> positions(const Points& points, const Rational& t);
 // For messages.
 std::string show(ContactKind kind, const Points& points);
@@ -31,9 +31,9 @@ class QueryMaker {
     return low + static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(high - low + 1));
   }
   bool chance(int in) { return integer(1, in) == 1; }
-  // Small integers (now and then fractions): many of them degenerate, coplanar, grazing, at rest.
+  // Small integers (sometimes fractions): many degenerate, coplanar, grazing, at rest.
   Points small();
-  // Doubles in [-1, 1], and one body moved towards the other so that many meet.
+  // Doubles in [-1, 1], one body moved towards the other so that many meet.
   ContactQuery::Doubles ordinary(ContactKind kind);
   // The same, made to miss or to meet by about `gap`.
   ContactQuery::Doubles near(ContactKind kind, double gap);

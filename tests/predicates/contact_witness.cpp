@@ -15,7 +15,7 @@ K::Point_3 cgal(const Point& p) {
   return {CGAL::Gmpq(p[0].raw()), CGAL::Gmpq(p[1].raw()), CGAL::Gmpq(p[2].raw())};
 }
 
-// CGAL wants bodies that are not degenerate.
+// CGAL requires non-degenerate bodies.
 bool holds(const K::Point_3& u, const K::Point_3& v, const K::Point_3& p) {
   return u == v ? p == u : K::Segment_3(u, v).has_on(p);
 }

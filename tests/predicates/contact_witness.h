@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact at one instant, as CGAL's exact kernel sees it.
+// Contact at one instant, by CGAL's exact kernel.
 #ifndef KINEX_TESTS_PREDICATES_CONTACT_WITNESS_H
 #define KINEX_TESTS_PREDICATES_CONTACT_WITNESS_H
 

@@ -38,7 +38,7 @@ Points resting(const std::array<const char*, 4>& texts) {
   return moving({texts[0], texts[1], texts[2], texts[3], texts[0], texts[1], texts[2], texts[3]});
 }
 
-// The first time as the event log would name it: a fraction, or "polynomial, root k"; "none".
+// The first time in the form of the event log: a fraction, or "polynomial, root k"; "none".
 std::string name_of(const RootName& name) {
   if (name.lower == name.upper) return name.lower.to_string();
   return name.polynomial.to_string() + ", root " + std::to_string(name.index);
@@ -121,7 +121,7 @@ TEST(ContinuousContact, InOnePlaneForAllTime) {
   expect_first(kFace, vertex("-3 -2 0", "9 -2 0"), "none");  // passes by
   expect_first(kFace, vertex("1 1 0", "2 -1 0"), "1");       // reaches a corner
   expect_first(kFace, vertex("3 -2 0", "1 0 0"), "1/2");  // touches it, and passes on along an edge
-  // In two steps past a corner: touches it alone.
+  // Reaches a corner and slides along an edge from there; passes a corner and touches only it.
   expect_first(kFace, vertex("-2 3 0", "0 1 0"), "1/2");
   expect_first(kFace, vertex("-2 2 0", "0 2 0"), "1/2");
   expect_first(kEdges, edge("0 1 0", "0 3 0", "0 -1 0", "0 1 0"), "1/2");
@@ -167,7 +167,7 @@ TEST(ContinuousContact, DegenerateTriangle) {
   expect_first(kFace, with("0 0 0", "0 0 0", "0 0 0"), "1/2");  // a point
   expect_first(kFace, with("0 1e-300 0", "0 1e-300 0", "0 1e-300 0"), "none");
   expect_first(kFace, with("0 0 1/2", "0 0 -1/2", "0 0 0"), "1/4");  // along the line of motion
-  // Flat at t = 1/2 only, and just then the vertex comes by.
+  // Flat at t = 1/2 only, when the vertex passes.
   expect_first(kFace,
                moving({"0 0 1", "-1 0 0", "1 0 0", "0 -1 0", "0 0 -1", "-1 0 0", "1 0 0", "0 1 0"}),
                "1/2");
@@ -208,7 +208,7 @@ TEST(ContinuousContact, IrrationalAndDoubleRoots) {
   expect_first(kFace, turning("2", "2"), "-1 0 2, root 2");  // 4 t^2 = 2
   expect_first(kFace, turning("1", "1"), "1/2");
   expect_first(kFace, turning("5", "5"), "none");
-  // 4 t^2 = 4t - 1: a double root, it comes down on the triangle and leaves upwards.
+  // 4 t^2 = 4t - 1: a double root; the vertex touches the triangle from above and leaves upwards.
   expect_first(kFace, turning("-1", "3"), "1/2");
   expect_first(kFace, turning("-1.000000000000000000000000000001", "3"), "none");
   // (2t - 1)(2t - 1 + 1e-30): two roots, 5e-31 apart.
@@ -291,7 +291,7 @@ TEST(ContinuousContact, PlainQueriesAreAnsweredInDoubles) {
   EXPECT_EQ(verdict(kFace, turning("2", "2")), Kind::kFirst);
   EXPECT_EQ(verdict(kEdges, edge("0 -1 1", "0 1 1", "0 -1 -2", "0 1 -2")), Kind::kFirst);
   EXPECT_EQ(verdict(kEdges, edge("2 1 0", "3 1 0", "2 -1 0", "3 -1 0")), Kind::kNone);
-  // It cannot know that doubles touch.
+  // It cannot prove a touch.
   EXPECT_EQ(verdict(kFace, vertex("0 0 0", "0 0 1")), Kind::kUnknown);
   EXPECT_EQ(verdict(kFace, turning("-1", "3")), Kind::kUnknown);
 }
@@ -308,7 +308,7 @@ TEST(RationalValue, FindsFractionsAmongRoots) {
     found.push_back(value ? value->to_string() : "irrational");
   }
   EXPECT_EQ(found, (std::vector<std::string>{"irrational", "1/3", "5/7", "irrational"}));
-  // Beside a rational number, not on it.
+  // Close to a rational number, not equal to it.
   const Rational third(Integer(1), Integer(3));
   for (const char* c : {"-1e30", "1e30"}) {
     const Polynomial q = Polynomial::from_rationals({number(c), Rational(0), number("3e60")});

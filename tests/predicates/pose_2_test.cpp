@@ -157,7 +157,7 @@ struct World {
   Rational side_a, side_b, along_a, along_b, order, left;
 };
 
-// The factor that makes all coefficients of the pose whole.
+// The factor that makes all coefficients of the pose integers.
 Rational scale_of(const Example& e, const Rational& t) {
   return e.pose.position(4, t) / (Placed(e.a, t).n * Placed(e.b, t).n);
 }
@@ -306,7 +306,7 @@ TEST(PoseForms, RingsAgree) {
       const std::vector<Rational> rational = rational_value(*form.predicate, arguments);
       ASSERT_EQ(rational.size(), size);
 
-      // Every argument times a number of its own that makes it whole.
+      // Every argument times its own factor that makes it integral.
       auto whole = arguments.in<Rational>([](const Rational& q) { return q; });
       Rational factor = 1;
       std::vector<std::vector<Integer>> integers;
@@ -363,7 +363,7 @@ TEST(PoseForms, RingsAgree) {
   }
 }
 
-// Numbers of bodies never are machine integers.
+// The numbers of bodies are never machine integers.
 TEST(PoseForms, RefuseNarrowNumbers) {
   const std::vector<double> magnitude(4, 1.0);
   for (const auto& predicate : {make_pose_side(Frame::kA, false), make_pose_along(Frame::kB)}) {

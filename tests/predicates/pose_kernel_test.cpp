@@ -18,8 +18,8 @@ namespace {
 
 using Line = std::array<Rational, 3>;
 
-// Watches the signs of some forms in the pose of bodies 0 and 1: one certificate for each, which
-// says on which side it is; a failure turns it round.
+// Watches the signs of some forms in the pose of bodies 0 and 1: one certificate for the present
+// side of each; a failure exchanges it for the other side.
 class SignWatch final : public Structure {
  public:
   struct Form {
@@ -149,7 +149,7 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-// A flight plan that begins in the given place, turned by the rotor p, q.
+// A flight plan that begins at the given place, turned by the rotor p, q.
 Trajectory onwards(Draw& draw, const Rational& t, const std::array<Rational, 4>& from) {
   for (;;) {
     Trajectory trajectory;
@@ -242,13 +242,13 @@ TEST(PoseKernel, FailuresFollowTheFlightPlansOfBothBodies) {
   EXPECT_GT(audits, 60);
 }
 
-// Two bodies turn as one, so nothing ever changes between them, although all numbers do.
+// Two bodies turn as one: nothing changes between them, although all coefficients do.
 TEST(PoseKernel, BodiesThatTurnAsOne) {
   Scene scene;
   scene.dimension = 2;
   scene.start = 0;
   scene.end = 1;
-  // In the same place: a common centre other than that of a frame takes a denominator.
+  // In the same place: a common centre other than that of a frame needs a denominator.
   for (const char* id : {"a", "b"}) {
     SceneObject body{id, {}, {{0, 0}, {1, 0}, {0, 1}}};
     body.motion.pieces.push_back(

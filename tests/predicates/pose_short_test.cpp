@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The short ways with poses: through machine integers, and to signs without the polynomial.
+// The fast paths of poses: machine integers, and signs without the polynomial.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -137,7 +137,7 @@ TEST(LinearSigns, AreTheExactSigns) {
   EXPECT_GT(unknown, 0);
 }
 
-// x = 2^40 (t - 1) - 1: the sign hangs on the last bits.
+// x = 2^40 (t - 1) - 1: the sign depends on the last bits.
 TEST(LinearSigns, AbstainWhereTheStretchHoldsARoot) {
   Stored stored(1);
   const Rational big(Integer::power_of_two(40));
@@ -176,7 +176,7 @@ TEST(LinearSigns, FollowTheMotion) {
   EXPECT_EQ(signs.over(form, stored.store, query, 0.5, 0.5), Sign::kNegative);
 }
 
-// Rows of doubles are shared by all that is zero, and nothing stays of what was there before.
+// All zero motions share one row of doubles; nothing remains of former values.
 TEST(MotionStore, WhatBecomesZeroIsZero) {
   Stored stored(0.5);
   const auto at = [&](ObjectId id, std::size_t k) { return stored.store.ball(id)[k].value; };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wedges of both roles: which one is taken, and that the certificates prove what they should.
+// Wedges of both roles: the choice of the role, and the proof by the certificates.
 #include "predicates/separating_wedge.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ Polygon scaled(Polygon polygon, const Rational& size) {
   return polygon;
 }
 
-// What doubles do not hold, or not the squares of, is left to other proofs.
+// Lengths beyond the range of doubles, or with such squares, are left to other proofs.
 TEST(SeparatingWedge, IsNotPutWhereDoublesEnd) {
   for (const int exponent : {-400, -320, -300, -170, 170, 300, 308, 310, 400}) {
     const Rational size = power_of_ten(exponent);
@@ -73,7 +73,7 @@ TEST(SeparatingWedge, IsNotPutWhereDoublesEnd) {
   }
 }
 
-// Its lines are of integers of any length.
+// The lines have integers of any length.
 TEST(SeparatingWedge, HoldsForVerticesThatAreNearlyDoubles) {
   Polygon square = box(-1, -1, 1, 1);
   square[1][0] += power_of_ten(-309);
@@ -83,15 +83,15 @@ TEST(SeparatingWedge, HoldsForVerticesThatAreNearlyDoubles) {
     for (const Frame line_of : {Frame::kA, Frame::kB}) {
       const auto wedge = pair.wedge(line_of);
       ASSERT_TRUE(wedge.has_value());
-      // The line is a little outside of its body, and beyond no vertex of it.
+      // The line is slightly outside its body, behind no vertex of it.
       const FramePolygon& own = line_of == Frame::kA ? pair.a : pair.b;
       for (const FramePoint& v : own.vertices) EXPECT_EQ(side(wedge->line, v), Sign::kNegative);
     }
   }
 }
 
-// Nothing is known of a pose at a time that is no double; of one with terms that are lost in
-// doubles, as little as those terms are large.
+// A pose at a time beyond the doubles is unknown; for terms that doubles lose, the error bounds are
+// at least as large as the terms.
 TEST(RoughPose, KnowsWhatItDoesNotKnow) {
   Trajectory moving = placed(0, 40);
   moving.coordinates[1] = {Rational(40), 0, 0, power_of_ten(-330)};
@@ -126,7 +126,7 @@ TEST(SeparatingWedge, TheEdgeHasTheLine) {
   EXPECT_GT(plain.plan->line_of_a.half_angle, 8 * plain.plan->line_of_b.half_angle);
 }
 
-// A quarter turn of A turns its frame, and nothing else.
+// A quarter turn of A changes only its frame.
 TEST(SeparatingWedge, TheFrameOfTheFirstMayBeTurned) {
   const Polygon edge = box(-9, -2, 9, 0), turned = box(-2, -9, 0, 9),
                 corner{{0, 0}, {1, 1}, {-1, 1}};
@@ -146,8 +146,8 @@ TEST(SeparatingWedge, OfEqualBodiesTheFirst) {
   EXPECT_EQ(Pair(square, right, square, left).plan->longer(), Frame::kA);
 }
 
-// Wedges that cannot be told apart: the larger body gets the wedge, in either order. (Corners
-// alike, one of a long triangle.)
+// Equal wedges: the larger body gets the wedge, in either order. (Equal corners, one of a long
+// triangle.)
 TEST(SeparatingWedge, TiesAreBrokenByShape) {
   const Polygon small{{0, 0}, {1, 1}, {-1, 1}}, large{{-4, -4}, {4, -4}, {0, 0}};
   WedgePlan plan = *Pair(small, placed(0, half(1)), large, placed(0, 0)).plan;
@@ -173,7 +173,7 @@ TEST(SeparatingWedge, TheLargerAngleThenTheSmallerLoss) {
   EXPECT_EQ(plan.longer(), Frame::kB);
 }
 
-// Two bodies that turn: in the second one's frame everything is turned back.
+// Two bodies that turn: in the second one's frame the pose is turned back.
 TEST(RoughPose, InBothFrames) {
   const Trajectory pose = pose_of(placed(1, 2, 2, 1), placed(-3, 5, 1, 3));
   const RoughPose a(pose, 0, Frame::kA), b(pose, 0, Frame::kB);
@@ -225,8 +225,8 @@ std::array<int, 3> signs(const Pair& pair, Frame line_of, const SeparatingWedge&
   return {value(side, line, v), value(reversed, g1, line), value(order, g2, line)};
 }
 
-// Whether the line has all of its body behind it and, wherever the other body may be, v bounds that
-// body in the direction of the line's normal: exact, vertex by vertex.
+// Checks exactly, vertex by vertex, that the line has all of its body behind it, and that v bounds
+// the other body in the direction of the line's normal.
 void expect_proof(const Pair& pair, Frame line_of, const SeparatingWedge& wedge) {
   const bool of_a = line_of == Frame::kA;
   const FramePolygon &own = of_a ? pair.a : pair.b, &other = of_a ? pair.b : pair.a;
