@@ -19,9 +19,9 @@ struct Bracket {
   Rational near, far;  // p has the sign `inside` at near and the opposite one at far
 };
 
-// A bracket of the only sign change between `inside` and `outside`, where it is much nearer to
-// `inside`: |far - inside| is 2 |near - inside|, unless it is at once. The distances tried are unit
-// * 2^k.
+// A bracket of the only sign change between `inside` and `outside`, which is much nearer to
+// `inside`, by galloping: the distances tried are unit * 2^k. |far - inside| = 2 |near - inside|,
+// unless the sign changes within the first unit or `far` is `outside`.
 Bracket gallop(const Polynomial& p, const Rational& inside, const Rational& outside,
                const Rational& unit, Sign sign_inside, Deadline* deadline) {
   const bool upwards = outside > inside;

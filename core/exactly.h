@@ -10,7 +10,7 @@
 
 namespace kinex {
 
-// Throws std::logic_error for an infinity or NaN; where that is possible, use Rational::from_double.
+// Throws std::logic_error for an infinity or NaN; if those may occur, use Rational::from_double.
 inline Rational exactly(double value) {
   const std::optional<Rational> result = Rational::from_double(value);
   require(result.has_value(), "a double that is not finite has no exact value");

@@ -5,7 +5,7 @@ namespace kinex::filter {
 
 double root_bound(const double* c, const double* m, int degree) {
   const double infinity = std::numeric_limits<double>::infinity();
-  // m_j = |c_j| + e_j / gamma, so e_j = gamma (m_j - |c_j|) up to rounding: be generous by a factor 2.
+  // m_j = |c_j| + e_j / gamma, so e_j = gamma (m_j - |c_j|) up to rounding, covered by a factor 2.
   const double g = 2 * gamma(degree);
   const auto error = [&](int i) { return m == nullptr ? 0 : g * m[i]; };
   const double lead = std::fabs(c[degree]) - error(degree);

@@ -29,8 +29,7 @@
 //   (4) Underflow adds at most 2^-1074 per operation, times T^d 2^d: negligible, because
 //       2^-300 <= m(T) <= 2^900 and T <= 2^(600/d) are checked, and d <= kMaxFilterDegree.
 // Time. The polynomial is in s = t - origin. origin is a double and a multiple of a power of two
-// not below the units of the times involved, so t - origin is exact for every double t that
-// matters.
+// not below the units of the times involved, so t - origin is exact for all doubles t involved.
 //
 // Source: Bernstein bisection as in Mehlhorn and Sagraloff's surveys of real root isolation; the
 // bounds are derived here.
@@ -98,9 +97,9 @@ class FirstRoot {
   //   kUnknown  not decided
   // Requires: positive right after a; b - a finite. A root slightly beyond b may be found as well.
   Search operator()(double a, double b, Enclosure& out) const {
-    std::array<double, kMaxNodes + 1> pending;  // right ends of nodes still to be looked at
+    std::array<double, kMaxNodes + 1> pending;  // right ends of nodes still to be visited
     int top = 0;
-    // A little more than asked for, so that a root exactly at b is not at the end of the interval.
+    // Slightly beyond b, so that a root exactly at b is not at the end of the interval.
     double x = a;
     double y = a + (b - a) * (1 + 0x1p-7);
     std::array<double, kRoom> bernstein;

@@ -77,7 +77,7 @@ class Rational {
   mpq_t q_;
 };
 
-// Decimal digits of `value`, rounded towards zero, with `digits` digits after the point; for people.
+// Decimal digits of `value`, rounded towards zero, with `digits` digits after the point.
 std::string decimal(const Rational& value, int digits);
 
 }  // namespace kinex

@@ -249,7 +249,7 @@ void RealRoot::step(unsigned max_bits, RootCounters& counters) {
   }
   const unsigned bits = std::max(1u, std::min(qir_bits_, max_bits));
   Integer width = upper_ - lower_;
-  // The grid is between width/2^(bits+1) and width/2^bits; with one bit to spare for the guess.
+  // The grid is between width/2^(bits+1) and width/2^bits, with one spare bit for the guess.
   long grid = static_cast<long>(width.bit_length()) - 1 - static_cast<long>(bits);
   if (grid < 1) {
     const long shift = 1 - grid;
@@ -270,7 +270,7 @@ void RealRoot::step(unsigned max_bits, RootCounters& counters) {
 
 void RealRoot::refine(RootCounters& counters) {
   if (rational_) return;
-  // Until the width is at most half of what it was.
+  // Until the width is at most half the former one.
   const Integer width = upper_ - lower_;
   const long exponent = exponent_;
   do {

@@ -67,12 +67,17 @@ class RealRoot {
            long exponent, Sign sign_at_lower);
 
   void become_rational(const Rational& value);
-  // One step of quadratic interval refinement into at most 2^max_bits parts.
+  // One step of quadratic interval refinement, with k = min(qir_bits_, max_bits):
+  //
+  //   lower_           guess (secant)           upper_
+  //     |---|---|---|---|-x-|---|---|---|---|---|        about 2^k parts
+  //
+  // If the root is in a part next to the guess, qir_bits_ is doubled, else halved.
   void step(unsigned max_bits, RootCounters& counters);
   // The first step: an approximate root in doubles, then two exact signs around it.
   bool step_from_double();
-  // Moves the ends to the multiples of 2^grid nearest to `guess`; false if the root is not between
-  // two neighbouring ones.
+  // Cuts at the multiple of 2^grid nearest to `guess` and, with `try_neighbour`, at its neighbour
+  // towards the root. True if the root is proved to lie between two neighbouring multiples.
   bool narrow_around(const Integer& guess, unsigned long grid, bool try_neighbour);
   // Moves one end to the given point, if that is inside.
   void cut_at(const Integer& numerator, long exponent, RootCounters& counters);
