@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: what does an exact answer to a continuous collision query cost, and which stage gives
-// it? Workload: random doubles; the same after a box test has sorted out the easy ones; bodies made
-// to miss or meet by a gap of 1e-3 to 1e-15 at a point of their border; small integers, which
-// touch, graze and stay in a plane. Times are microseconds a query, one core, the best of several
-// rounds: `answer` is yes or no, `first` with the first time of contact, `exact` with the exact
-// stage alone. Ratio: exact over first. Output: see result_table.h; options: see options.h.
+//   it?
+// Workload: random doubles; the same after a box test has removed the easy ones; bodies made to
+//   miss or meet by a gap of 1e-3 to 1e-15 at a point of their border; small integers, which touch,
+//   graze and stay in a plane.
+// Times: microseconds a query, one core, the best of several rounds.
+//   answer  yes or no
+//   first   with the first time of contact
+//   exact   the exact stage alone
+// Ratio: exact over first. Output: see result_table.h; options: see options.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +37,7 @@ class Maker {
     return c;
   }
 
-  // Boxes around the two bodies' ways overlap.
+  // The boxes around the two bodies' paths overlap.
   Doubles overlapping() {
     for (;;) {
       const Doubles c = random();
@@ -41,7 +45,7 @@ class Maker {
     }
   }
 
-  // A point of one body meets a point of the border of the other at a random time, but for the gap.
+  // A point of one body meets a point of the border of the other at a random time, up to the gap.
   Doubles near(double gap) {
     Doubles c = random();
     const double t = half(), along = half(), other = half();
@@ -110,7 +114,7 @@ void measure(ResultTable& table, ContactKind kind, const char* workload,
       best_of(rounds, queries, [&](const ContactQuery& q) { in_contact(q, ignored); });
   const double first =
       best_of(rounds, queries, [&](const ContactQuery& q) { first_contact(q, ignored); });
-  // The exact stage takes long: a part of the queries is enough.
+  // The exact stage is slow: it is timed on a part of the queries.
   const std::vector<ContactQuery> some(
       queries.begin(), queries.begin() + static_cast<long>((queries.size() + 9) / 10));
   const double exact =

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Questions: what does collision detection cost: events per second in `exact` and in `double`; how
-// does the cost of an event, and of one certificate, grow with the vertices n and the separation s;
-// and how long do many bodies in a box take?
+//   does the cost of an event, and of one certificate, grow with the vertices n and the separation
+//   s; and how long do many bodies in a box take?
 // Workloads: polygon-gears (both bodies turn, linear rotors), polygon-spin-orbit (rotors of degree
-// 2), polygon-fan and polygons-in-box. Rounds of both arithmetics are interleaved; the best of each
-// is taken; times are thread CPU time. Ratio: exact over double; 0 where double goes astray.
+//   2), polygon-fan and polygons-in-box. Rounds of both arithmetics are interleaved; the best of
+//   each counts; times are thread CPU time.
+// Ratio: exact over double; 0 if double goes astray.
 // Output: see result_table.h; options: see options.h.
 #include <algorithm>
 #include <cmath>
@@ -107,7 +108,7 @@ void add_row(const Case& one, const Pair& pair, ResultTable& table) {
   const Result& exact = pair.exact;
   const double events = static_cast<double>(std::max<std::uint64_t>(exact.events, 1));
   const double certificates = static_cast<double>(std::max<std::uint64_t>(exact.certificates, 1));
-  // Other events than the exact ones are no measure of anything.
+  // A run with other events than the exact ones has no comparable time.
   const bool astray = pair.plain.corrupt ||
                       std::abs(static_cast<double>(pair.plain.events) - events) > 0.02 * events;
   table.row({one.structure, one.workload, one.n, one.inverse_separation, exact.events,
@@ -138,7 +139,7 @@ std::vector<Case> cases(bool smoke) {
   return list;
 }
 
-// What a sort and sweep of bounding boxes would do: the ends of all boxes in one list per axis.
+// The events of a sort and sweep of bounding boxes: the ends of all boxes in one list per axis.
 std::uint64_t sweep_events(const Scene& bodies, const Rational& radius) {
   Scene ends;
   ends.name = "ends";
@@ -166,7 +167,7 @@ std::uint64_t sweep_events(const Scene& bodies, const Rational& radius) {
   return events;
 }
 
-// The longest time of 10,000 bodies, of those that start far apart and of those near each other.
+// The longest times of 10,000 bodies: of those that start far apart and of those near each other.
 struct Boxes {
   double sparse = 0, dense = 0;
 };
@@ -197,7 +198,7 @@ Boxes measure_boxes(const BenchOptions& options) {
       Scene scene = generate_scene(*find_workload("polygons-in-box"), parameters);
       scene.maintain = {{"separation_mixed", "separation_mixed", {}}};
       Result result = measure(scene, "exact");
-      // The square of n: not for all.
+      // Quadratic in n: not for the largest.
       const std::uint64_t sweep = n > 1000 ? 0 : sweep_events(scene, radius);
       const double r = radius.to_double();
       table.row({n, r, 100 * 2 * std::sqrt(2.0) * r * r, result.events, result.by_kind["contact"],

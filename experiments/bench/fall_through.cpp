@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: what does a question cost that doubles and 128-bit integers cannot answer, against one
-// that they can? (Questions: signs, failure times, further looks, comparisons of instants.)
+// Question: the cost of a query that falls through the floating-point filter and 128-bit integers,
+//   relative to one that they resolve. (Queries: signs, failure times, further looks, comparisons
+//   of instants.)
 // Workload: grid (many events at one instant) and near-one-point (instants within 2^-60 of each
-// other), against uniform-square. Ordinary: time of the uniform run over its questions, everything
-// included (the structure, the queue). Fall-through: what is left of the time of the other run when
-// its ordinary questions are taken out, over the questions that were answered with integers of any
-// size. The best of several rounds; thread CPU time. Output: see result_table.h;
-// options: see options.h.
+//   other), against uniform-square.
+// Ordinary: time of the uniform run over its queries, everything included (the structure, the
+//   queue). Fall-through: the time of the other run less that of its ordinary queries, over the
+//   queries answered with integers of any size. The best of several rounds; thread CPU time.
+// Output: see result_table.h; options: see options.h.
 #include <cstdio>
 
 #include "core/simulator.h"
@@ -22,8 +23,8 @@ using namespace kinex;
 
 struct Result {
   double seconds = 0;
-  double ordinary = 0;      // questions
-  double fall_through = 0;  // questions
+  double ordinary = 0;      // queries
+  double fall_through = 0;  // queries
 };
 
 Result run_once(const Scene& scene) {

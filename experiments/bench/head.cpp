@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The head of bench.md: what it was made with, and what exact arithmetic costs, from the rows of
+// The head of bench.md: build and machine, and the cost of exact arithmetic, from the rows of
 // `speed`.
-//   kinex_bench_head COMMAND FILE     FILE: JSON lines of the benchmarks, of which `speed` may be
-//   one
+//   kinex_bench_head COMMAND FILE
+//     FILE: JSON lines of the benchmarks, with or without `speed`
 #include <cstdio>
 #include <exception>
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: what does the kinetic convex hull cost: events per second in `exact` and in `double`,
-// time per event and level of the tree, building, memory; and what do the other methods cost?
-// Workload: uniform-square (origin and destination uniform in the unit square, t in [0, 1]).
-// Rounds of different arithmetics are interleaved; the best of each is taken; times are thread CPU
-// time; n = 1,000,000 is built and run for a while only. Output: see result_table.h; options: see
-// options.h.
+//   time per event and level of the tree, building, memory; and what do the other methods cost?
+// Workload: uniform-square (origin and destination uniform in the unit square, t in [0, 1]). Rounds
+//   of different arithmetics are interleaved; the best of each counts; times are thread CPU time;
+//   n = 1,000,000 is built and run for a limited number of events.
+// Output: see result_table.h; options: see options.h.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Contest {
   const char* structure;
   int n;
   int rounds;
-  std::uint64_t events;  // the run stops after so many; 0: at the end of the scene
+  std::uint64_t events;  // the run stops after this many; 0: at the end of the scene
 };
 
 struct Result {
@@ -84,7 +84,7 @@ Result measure(const Scene& scene, const char* arithmetic, std::uint64_t events)
   return result;
 }
 
-// The most memory that this process has had so far; contests grow.
+// The peak memory of this process so far; contests grow.
 double process_megabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -107,7 +107,7 @@ void add_row(const Contest& contest, const Result& exact, const Result& plain, R
              exact.per_object});
 }
 
-// What an event costs, in numbers that no machine changes, and in time; each by level of the tree.
+// The cost of an event, in machine-independent counts and in time; each by level of the tree.
 void add_growth(const Contest& contest, const Result& exact, ResultTable& table) {
   const double levels = levels_of(contest.n);
   const double events = static_cast<double>(std::max<std::uint64_t>(exact.events, 1));

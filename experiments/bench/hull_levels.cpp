@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Questions: in how many certificates is one point at most, on every workload in the plane, against
-// log2 n (locality)? And at which heights of the tree do the events of random motion happen?
-// The bound on locality is c per half and level, c = 24 (structures/convex_hull_2.h): the column
-// `per_half_and_level` is the c that would have been enough. Runs stop after 200,000 events, in
-// degenerate families after 20,000. In the families with changes, n of them happen.
+//   log2 n (locality)? And at which heights of the tree do the events of random motion happen?
+// Bound on locality: c per half and level, c = 24 (structures/convex_hull_2.h); the column
+//   `per_half_and_level` is the smallest sufficient c. Runs stop after 200,000 events, in
+//   degenerate families after 20,000. In the families with changes, n changes happen.
 // Second table: height 1 is above single points; `events_per_pair`: over the pairs of points that
-// meet at nodes of that height. Output: see result_table.h; options: see options.h.
+//   meet at nodes of that height.
+// Output: see result_table.h; options: see options.h.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: what does it cost to name an instant exactly, or to enclose it? Workload:
-// uniform-square. For each structure and degree: runs whose sink asks nothing of the instants, an
-// interval, a name, and the name in words, in turn; the best of each; thread CPU time. Counted:
-// microseconds an instant beyond the run that asks nothing. Output: see result_table.h; options:
-// see options.h.
+// Question: what does it cost to name an instant exactly, or to enclose it?
+// Workload: uniform-square. For each structure and degree, runs whose sink requests nothing of the
+//   instants, an interval, a name, and the name in words, alternating; the best of each; thread CPU
+//   time.
+// Counted: microseconds an instant beyond the run that requests nothing.
+// Output: see result_table.h; options: see options.h.
 #include <algorithm>
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options that all benchmarks have.
+// The options of all benchmarks.
 #ifndef KINEX_EXPERIMENTS_BENCH_OPTIONS_H
 #define KINEX_EXPERIMENTS_BENCH_OPTIONS_H
 
@@ -11,12 +11,12 @@
 namespace kinex {
 
 struct BenchOptions {
-  std::string json;      // a file that rows are added to as JSON lines; none if empty
-  std::string markdown;  // a file that tables are added to; none if empty
+  std::string json;      // a file to which rows are appended as JSON lines; empty: none
+  std::string markdown;  // a file to which tables are appended; empty: none
   bool smoke = false;    // tiny sizes, for the test suite
 };
 
-// nullopt, and a line on stderr, if there is anything else among the arguments.
+// nullopt, and a line on stderr, for any other argument.
 inline std::optional<BenchOptions> bench_options(int argc, char** argv) {
   BenchOptions options;
   for (int i = 1; i < argc; ++i) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: which priority queue serves kinetic runs best?
 // Workload: the queue operations of real runs (uniform-square, exact, lazy scheduling), replayed on
-// Boost's binary and 4-ary heaps with positions, Boost's pairing heap, and kinex's EventQueue (a
-// 4-ary heap of what comes soon, unsorted buckets behind it). All compare enclosures in the same
-// way. Rounds are interleaved; the best of each is taken; thread CPU time. Output: see
-// result_table.h; options: see options.h.
+//   Boost's binary and 4-ary heaps with positions, Boost's pairing heap, and kinex's EventQueue (a
+//   4-ary heap of the near future, unsorted buckets behind it). All compare enclosures in the same
+//   way. Rounds are interleaved; the best of each counts; thread CPU time.
+// Output: see result_table.h; options: see options.h.
 #include <boost/heap/d_ary_heap.hpp>
 #include <boost/heap/pairing_heap.hpp>
 #include <cstdio>
@@ -28,7 +28,7 @@ struct Entry {
   std::uint32_t id;
 };
 
-// Overlapping enclosures are told apart by their lower ends: the real instants are not known here.
+// Overlapping enclosures are ordered by their lower ends: the real instants are not known here.
 bool before(const Entry& a, const Entry& b) {
   if (a.hi < b.lo) return true;
   if (b.hi < a.lo) return false;
@@ -60,7 +60,7 @@ using DAryHeap = boost::heap::d_ary_heap<Entry, boost::heap::arity<Arity>,
                                          boost::heap::mutable_<true>, boost::heap::compare<Later>>;
 using PairingHeap = boost::heap::pairing_heap<Entry, boost::heap::compare<Later>>;
 
-// What EventQueue asks of an arithmetic: the order of two enclosures that overlap.
+// The part of an arithmetic that EventQueue needs: the order of two enclosures that overlap.
 class LowerEnds final : public Arithmetic {
  public:
   std::string name() const override { return "lower ends"; }
@@ -105,7 +105,7 @@ class BucketQueue {
 
 struct Result {
   double seconds = 0;
-  std::uint64_t astray = 0;  // of the pops: another certificate came first than in the run
+  std::uint64_t astray = 0;  // pops of another certificate than in the run
 };
 
 template <class Queue>

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = QueueOperation::Kind;
 
-// A structure that looks at the queue around every failure that it passes on.
+// Decorator: forwards every failure to a structure, and compares the queue before and after it.
 class Recorder final : public Structure {
  public:
   Recorder(std::unique_ptr<Structure> inner, Kernel& kernel, QueueTrace& trace)
@@ -29,7 +29,7 @@ class Recorder final : public Structure {
       known_[failed].queued = false;
       trace_->operations.push_back({Kind::kPop, failed, 0, 0});
     } else {
-      look(failed);  // the first failure: what was built
+      look(failed);  // the first failure: everything that was built
       trace_->operations.push_back({Kind::kPush, failed, -1e300, -1e300});
       trace_->operations.push_back({Kind::kPop, failed, 0, 0});
     }
@@ -54,7 +54,7 @@ class Recorder final : public Structure {
     double lo = 0, hi = 0;
   };
 
-  // Notes what has changed since the last look; nothing of `except`.
+  // Records the changes since the last look, except those of `except`.
   void look(CertificateId except) {
     const EventQueue& queue = std::as_const(*kernel_).queue();
     known_.resize(queue.capacity());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operations that a real run performs on its event queue, recorded so that other queues can be
-// put through the same.
+// The operations that a real run performs on its event queue, recorded so that other queues can
+// replay them.
 #ifndef KINEX_EXPERIMENTS_BENCH_QUEUE_TRACE_H
 #define KINEX_EXPERIMENTS_BENCH_QUEUE_TRACE_H
 
@@ -14,7 +14,7 @@ namespace kinex {
 struct QueueOperation {
   enum class Kind : std::uint8_t { kPush, kReset, kRemove, kPop };
   Kind kind;
-  std::uint32_t id;  // of the certificate; of kPop: of the one that the run handled
+  std::uint32_t id;  // of the certificate; kPop: of the one that the run handled
   double lo, hi;     // kPush, kReset: the enclosure of the failure time
 };
 

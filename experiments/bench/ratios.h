@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What exact arithmetic costs: the time of `exact` over that of the same structure in doubles, from
-// the rows of the benchmark `speed`.
+// The cost of exact arithmetic: the time of `exact` over that of the same structure in doubles,
+// from the rows of the benchmark `speed`.
 #ifndef KINEX_EXPERIMENTS_BENCH_RATIOS_H
 #define KINEX_EXPERIMENTS_BENCH_RATIOS_H
 
@@ -14,11 +14,11 @@ namespace kinex {
 struct Ratio {
   std::string structure, scene;
   int degree = 0, n = 0;
-  double value = 0;  // 0: doubles handle other events, or come to no end
+  double value = 0;  // 0: doubles handle other events, or do not end
 };
 
-// Of JSON lines, those of `speed` that compare `exact` with `double`. Throws InputError, with
-// `file` and the line, for what is not JSON.
+// The rows of `speed` among JSON lines that compare `exact` with `double`. Throws InputError, with
+// `file` and the line, for text that is not JSON.
 std::vector<Ratio> exact_over_double(std::string_view lines, const std::string& file);
 
 // Markdown: a sentence with the ranges for points in random motion, scenes full of ties and

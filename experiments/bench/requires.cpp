@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: does a run pay for what its scene requires, and for nothing else?
-//   moving: k moving points among n standing ones. Certificates with a polynomial, roots found and
-//     memory beyond that of the standing points grow with k, not with n.
-//   shared: one, two, three attributes of one scene: the sum of what each costs alone, and less
-//     where a structure is shared.
-//   padded: a scene of degree 1 written with coefficients 0 up to degree 3 runs as fast as without.
-// Workload: uniform-square. Rounds are interleaved; the best of each is taken; thread CPU time.
-// Output: see result_table.h;
-// options: see options.h.
+//   moving  k moving points among n resting ones: certificates with a polynomial, roots found and
+//           memory beyond that of the resting points grow with k, not with n
+//   shared  one, two, three attributes of one scene: the sum of their single costs, and less where
+//           a structure is shared
+//   padded  a scene of degree 1 written with coefficients 0 up to degree 3 runs as fast as without
+// Workload: uniform-square. Rounds are interleaved; the best of each counts; thread CPU time.
+// Output: see result_table.h; options: see options.h.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -63,7 +62,7 @@ Result run_once(const Scene& scene) {
   return result;
 }
 
-// The best of several rounds, all scenes in turn.
+// The best of several rounds, all scenes alternating.
 std::vector<Result> run_all(const std::vector<Scene>& scenes, int rounds) {
   std::vector<Result> best(scenes.size());
   for (int round = 0; round < rounds; ++round) {
@@ -87,7 +86,7 @@ Scene few_moving(const char* structure, int k, int n) {
   for (SceneObject& object : scene.objects) {
     for (auto& axis : object.motion.pieces[0].trajectory.coordinates) axis.resize(1);
   }
-  // The same ones for every n. They are few, so that no two stand in one place.
+  // The same ones for every n. They are few, so that no two coincide.
   const Scene moving = uniform_square(k == 0 ? 1 : k, dimension, 2);
   for (int i = 0; i < k; ++i) {
     scene.objects[static_cast<std::size_t>(i)].motion =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ResultTable: the rows of a benchmark, printed as they come, and written as JSON lines and as
-// markdown where the options ask for it.
+// Markdown if the options request it.
 #ifndef KINEX_EXPERIMENTS_BENCH_RESULT_TABLE_H
 #define KINEX_EXPERIMENTS_BENCH_RESULT_TABLE_H
 
@@ -18,7 +18,7 @@ namespace kinex {
 class ResultTable {
  public:
   struct Column {
-    std::string key;       // in JSON, and its words as the heading
+    std::string key;       // in JSON; its words are the heading
     int decimals = kText;  // of a number
     int width = 0;         // at least; 0: that of the heading
   };
@@ -37,7 +37,7 @@ class ResultTable {
   // std::runtime_error if a file cannot be written.
   ResultTable(const BenchOptions& options, std::string name, const std::string& about,
               std::vector<Column> columns);
-  // As many cells as columns: text for text, numbers for numbers.
+  // One cell for each column: text or number.
   void row(const std::vector<Cell>& cells);
 
  private:

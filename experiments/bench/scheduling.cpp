@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: where does lazy scheduling pay? (Guibas 1998, section 10: certificates are queued under
-// a horizon before which they are proved not to fail.) Workload: uniform-square. For each
-// structure, degree and arithmetic one run with and one without, in turn; the best of each; thread
-// CPU time. Counted: failure times computed in full, those of them that were computed for
-// certificates that died first, and horizons queued instead. Output: see result_table.h;
-// options: see options.h.
+//   a horizon before which they are proved not to fail.)
+// Workload: uniform-square. For each structure, degree and arithmetic one run with and one without,
+//   alternating; the best of each; thread CPU time.
+// Counted: failure times computed in full, those among them of certificates that were retracted
+//   first, and horizons queued instead.
+// Output: see result_table.h; options: see options.h.
 #include <cstdio>
 #include <cstring>
 #include <string>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: how many events per second does a whole run handle in `exact`, and how does that
-// compare with floating point and with the unfiltered reference, in one process on one core?
+//   compare with floating point and with the unfiltered reference, in one process on one core?
 // Workload: random motion (uniform-square), scenes full of ties (lattice, meet, grid) and bodies;
-// small and large n. Without event log and digest.
-// Rounds of different arithmetics are interleaved; the best of each is taken; times are thread CPU
-// time. Doubles that handle other events than `exact`, or come to no end, are no rival: their ratio
-// is written as 0. Output: see result_table.h; options: see options.h; the head of bench.md is made
-// of the rows (head.cpp).
+//   small and large n. Without event log and digest. Rounds of different arithmetics are
+//   interleaved; the best of each counts; times are thread CPU time.
+// Ratio: 0 where doubles handle other events than `exact`, or do not end.
+// Output: see result_table.h; options: see options.h; the head of bench.md is made of the rows
+//   (head.cpp).
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct Contest {
   int degree;
   int n;
   std::vector<const char*> arithmetics;  // the first is the reference of the ratios
-  std::uint64_t events = 0;              // the run stops after so many; 0: at the end of the scene
+  std::uint64_t events = 0;              // the run stops after them; 0: at the end of the scene
   int m = 0;
   int inverse_separation = 0;  // of two bodies: 1 / separation; 0: the family's own
   int turns = -1;
@@ -94,13 +94,13 @@ Result run_once(const Scene& scene, const char* arithmetic, std::uint64_t max_ev
 // `least_seconds`: of a round; shorter runs are repeated.
 void run_contest(const Contest& contest, int rounds, double least_seconds, ResultTable& table) {
   const Scene scene = scene_of(contest);
-  // Doubles that go round in circles are stopped.
+  // Doubles that cycle are stopped.
   const Result exact = run_once(scene, "exact", contest.events);
   const std::uint64_t most = contest.events != 0 ? contest.events : 4 * exact.events + 1000;
   std::vector<Result> best(contest.arithmetics.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < best.size(); ++i) {
-      // A short run is disturbed by more than it lasts: it is repeated.
+      // The noise of a short run exceeds its time: it is repeated.
       double spent = 0;
       do {
         const Result r = run_once(scene, contest.arithmetics[i], most);
@@ -158,7 +158,7 @@ std::vector<Contest> contests(int scale) {
       {"maximum_heap", random, 1, n(10000), two},
       {"maximum_hanger", random, 1, n(10000), two},
   };
-  // Small scenes: what a run costs apart from its events.
+  // Small scenes: the cost of a run apart from its events.
   for (const char* structure :
        {"sorted_list", "maximum_tournament", "convex_hull_2", "delaunay_2"}) {
     for (const int size : {10, 30}) {

@@ -13,10 +13,10 @@ Rational absolute(Rational x);
 // The largest k with 2^k <= x, and the smallest k with x <= 2^k: exact. Requires x > 0.
 long floor_log2(const Rational& x);
 long ceil_log2(const Rational& x);
-// The number of `bits` significant bits that is nearest to x (ties to the even one).
+// The number of `bits` significant bits nearest to x (ties to even).
 Rational round_to_bits(const Rational& x, long bits);
-// The distance between neighbouring binary64 numbers around x: 2^(floor(log2 |x|) - 52), and for
-// |x| below 2^-1022 (zero, too) 2^-1074.
+// The distance between neighbouring binary64 numbers around x: 2^(floor(log2 |x|) - 52), or 2^-1074
+// for |x| below 2^-1022, zero included.
 Rational ulp_of(const Rational& x);
 
 }  // namespace kinex

@@ -25,7 +25,7 @@ constexpr double kLongEnough = 0.05;   // seconds for all rounds of one arithmet
 constexpr double kOnceIsEnough = 1;    // seconds of a round that is not repeated
 constexpr double kMeasurable = 20e-6;  // seconds of one round
 constexpr int kMostRounds = 50;
-// How corruption begins that a guard has seen: "no end of repairs", "no end of rebuilds".
+// The beginning of the reasons given by guards: "no end of repairs", "no end of rebuilds".
 constexpr std::string_view kGuardText = "no end of ";
 
 SimulatorOptions simulator_options(const TradeOptions& options, std::uint64_t max_events) {
@@ -38,7 +38,7 @@ SimulatorOptions simulator_options(const TradeOptions& options, std::uint64_t ma
   return result;
 }
 
-// The state right now against an independent exact computation at t; what is wrong, or nothing.
+// Compares the state right now with an independent exact computation at t; the violation, or empty.
 std::string audit_at(const Simulator& simulator, const Rational& t) {
   AuditReport report;
   const Structure& structure = simulator.structure(asked_structure(simulator.scene()));
@@ -47,7 +47,7 @@ std::string audit_at(const Simulator& simulator, const Rational& t) {
   return report.violations.empty() ? "" : report.violations.front();
 }
 
-// Why the run is corrupt: the first structure that went astray says it, those who read it do not.
+// Why the run is corrupt: the reason of the first corrupt structure; its readers give none.
 std::string corruption_of(const Kernel& kernel) {
   StructureId id = 0;
   while (!kernel.ledger(id).corrupt) ++id;
@@ -99,7 +99,7 @@ bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& che
   return status != RunStatus::kInterrupted;
 }
 
-// The exact run: its events; a scene without end is given one, after the last of them.
+// The exact run and its events. A scene without an end gets one, after the last of them.
 struct Exact {
   Scene scene;
   ExactTrace trace;
@@ -165,7 +165,7 @@ std::optional<TradeRun> compared_run(Exact& exact, EventNames& names, const std:
   return run;
 }
 
-// Rounds in all arithmetics take turns. False if it was interrupted.
+// Rounds in all arithmetics alternate. False if it was interrupted.
 bool measure_times(const Scene& scene, std::vector<TradeRun>& runs, const TradeOptions& options) {
   std::vector<double> total(runs.size(), 0);
   for (int round = 0; round < kMostRounds; ++round) {
@@ -190,7 +190,7 @@ bool measure_times(const Scene& scene, std::vector<TradeRun>& runs, const TradeO
   return true;
 }
 
-// `exact` and `double` first and second, the others in their order, none twice.
+// `exact` and `double` first and second, the others in their order, without repetitions.
 std::vector<std::string> in_order(const std::vector<std::string>& arithmetics) {
   std::vector<std::string> result{"exact", "double"};
   for (const std::string& name : arithmetics) {

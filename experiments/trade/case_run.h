@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One scene in several arithmetics, each compared with the exact run. States are those of the
-// structure that is asked for; where it reads another one, the events, instants, times and memory
-// of both are counted.
+// requested structure; if it reads another one, the events, instants, times and memory of both are
+// counted.
 #ifndef KINEX_EXPERIMENTS_TRADE_CASE_RUN_H
 #define KINEX_EXPERIMENTS_TRADE_CASE_RUN_H
 
@@ -21,14 +21,14 @@ namespace kinex {
 
 enum class Ending {
   kEnded,    // the run reached the end of its scene
-  kCorrupt,  // the structure was led astray, and knows it
+  kCorrupt,  // the structure became corrupt and detected it
   kEndless,  // stopped after many more events than the exact run has
   kGaveUp,   // stopped at the limit of time
   kThrew,    // a bug: no arithmetic may do that
 };
 std::string_view ending_name(Ending ending);  // "ended", "corrupt", ..
 
-// How good a run was, best first.
+// The quality of a run, best first.
 enum class Standing {
   kSame,   // the exact run's events, at instants in the same order, and every audited state valid
   kValid,  // other events, or in another order; yet every audited state was valid
@@ -38,11 +38,11 @@ enum class Standing {
 struct TradeRun {
   std::string arithmetic;
   Ending ending = Ending::kEnded;
-  std::string trouble;       // why it is corrupt, or what it threw
-  bool guard_fired = false;  // it is corrupt since a guard saw repairs or rebuilds without end
+  std::string trouble;       // the reason of corruption, or the exception
+  bool guard_fired = false;  // corrupt because a guard detected endless repairs or rebuilds
   std::uint64_t events = 0;
   std::optional<double> seconds;  // CPU time of the whole run, best of the rounds, without audits
-  std::uint64_t peak_bytes = 0;   // motions, certificates, queue and structure, as the ledger says
+  std::uint64_t peak_bytes = 0;   // motions, certificates, queue and structure, from the ledger
   Deviation deviation;
   bool differs = false;  // of an exact arithmetic: its events are not those of `exact`
   // Checkpoints are up to ten times (checkpoints.h) and the end. At each the state is compared
@@ -50,7 +50,7 @@ struct TradeRun {
   int checkpoints = 0, valid = 0;
   bool valid_at_end = false;
   std::string first_wrong;  // decimal time of the first checkpoint that is not valid; empty: none
-  std::string violation;    // what the audit said there
+  std::string violation;    // the audit's message there
 
   Standing standing() const;
 };
@@ -62,7 +62,7 @@ struct CaseResult {
   std::uint64_t events = 0;  // of the exact run
   BitsNeeded bits;
   std::vector<TradeRun> runs;  // `exact` first
-  // Why there is nothing to compare with: the exact run gave up or threw; empty if all is well.
+  // Why there is no reference: the exact run gave up or threw; empty if all is well.
   std::string problem;
   bool gave_up = false;
   double seconds = 0;  // all of it, wall clock
@@ -71,7 +71,8 @@ struct CaseResult {
   // Time and memory over those of `double`; nullopt where either is missing or too short.
   std::optional<double> time_ratio(const TradeRun& run) const;
   std::optional<double> memory_ratio(const TradeRun& run) const;
-  // An exact arithmetic was wrong, two exact ones differ, or something was thrown; empty if not.
+  // An exact arithmetic was wrong, two exact ones differ, or an exception was thrown; empty if
+  // none.
   std::vector<std::string> faults() const;
 };
 
@@ -80,19 +81,19 @@ struct TradeOptions {
   // `exact` and `double` are run in any case.
   std::vector<std::string> arithmetics = trade_arithmetics();
   double max_seconds = 120;  // of one run
-  // An inexact run is endless after events_factor times the exact run's events and events_more.
+  // An inexact run is endless after events_factor times the exact run's events, plus events_more.
   std::uint64_t events_factor = 4;
   std::uint64_t events_more = 10000;
-  FinishedWork* finished = nullptr;  // what it holds is not run again; what is run is added
+  FinishedWork* finished = nullptr;  // its pieces are not run again; new ones are added
   std::function<bool()> go_on = [] { return true; };  // called from all threads
   const std::atomic<bool>* interrupt = nullptr;       // as in SimulatorOptions
 };
 
-// nullopt if go_on says to stop. `on_run` is told of every arithmetic that is about to be run.
+// nullopt if go_on returns false. `on_run` is called before each arithmetic is run.
 std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& options,
                                    const std::function<void(const std::string&)>& on_run);
 
-// The bits that the instants of the scene's exact run need; nullopt if go_on says to stop or the
+// The bits needed by the instants of the scene's exact run; nullopt if go_on returns false or the
 // run gave up.
 std::optional<BitsNeeded> bits_of_scene(const Scene& scene, const TradeOptions& options);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr long kDoubleBits = 53;
 
-// What is compared for one structure. Sizes: quick, full.
+// The cases of one structure. Sizes: quick, full.
 struct Plan {
   std::string_view structure;
   int dimension;

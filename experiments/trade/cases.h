@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cases: the scenes on which arithmetics are compared, and those whose bits are counted over n.
 //
-// Question: what is traded for speed by a less exact arithmetic?
-// Workloads, for every structure: uniform-square with motions of degree 1, 2 and 3 (ordinary
-// scenes), the structure's worst case, a grid with integer velocities (simultaneous events), and
-// near-one-point (all events in a time of 2^-59: nearly degenerate).
-// Expected: `exact` and `sturm` agree and are valid everywhere; nothing is expected of the others
-// but that they end.
+// Question: what does a less exact arithmetic trade for its speed?
+// Workloads, for every structure:
+//   uniform-square       motions of degree 1, 2 and 3: ordinary scenes
+//   the structure's worst case
+//   grid                 integer velocities: simultaneous events
+//   near-one-point       all events within 2^-59: nearly degenerate
+// Expected: `exact` and `sturm` agree and are valid everywhere; of the others only that they end.
 #ifndef KINEX_EXPERIMENTS_TRADE_CASES_H
 #define KINEX_EXPERIMENTS_TRADE_CASES_H
 
@@ -33,7 +34,7 @@ struct TradeCase {
   Scene scene() const;
 };
 
-// Scenes of one size of a family; only the exact run is made of each.
+// Scenes of one size of a family, for which only the exact run is made.
 struct BitsCase {
   std::string structure, workload;
   WorkloadParameters parameters;  // seeds from 1
@@ -44,11 +45,11 @@ struct BitsCase {
 
 struct TradeCatalogue {
   std::vector<TradeCase> cases;
-  std::vector<BitsCase> bits;  // families in a row, sizes ascending
+  std::vector<BitsCase> bits;  // families consecutive, sizes ascending
 };
 
-// `what`: names of structures, or "all", or files of scenes, in any mixture; nothing means "all".
-// Every structure that a scene maintains is a case. Throws InputError.
+// `what`: names of structures, "all", or files of scenes, mixed; empty means "all". Every structure
+// that a scene maintains is a case. Throws InputError.
 TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, Extent extent);
 
 // exact, sturm, double, gsl, mpfr:24, 53, 64, 100, 200, 400.

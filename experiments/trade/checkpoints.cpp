@@ -31,7 +31,7 @@ std::size_t instant_after(ExactTrace& exact, const Rational& t) {
   return low;
 }
 
-// The gap below the instant `low`; refined until what is lost at its ends is a sixteenth of it.
+// The gap below the instant `low`, refined until a sixteenth of it at most is lost at its ends.
 Gap gap_below(ExactTrace& exact, std::size_t low, const Rational& start, const Rational& end) {
   RootCounters counters;
   for (;;) {

@@ -9,12 +9,13 @@
 
 namespace kinex {
 
-// Up to ten rational times inside (start, end), ascending, none of them an instant of the trace and
-// each well inside the gap between two instants, so that a run whose times are nearly right is in
-// the right state there: one in each of the gaps that hold the times (12k + 1)/97 of the way,
-// k = 1 .. 7 (no round fractions: scenes like to be degenerate at those), and one where a quarter,
-// a half and three quarters of the instants are over. Requires start < end, and no instant beyond
-// them. May refine the instants.
+// Up to ten rational times inside (start, end), ascending. None is an instant of the trace, and
+// each lies well inside the gap between two instants, so that a run whose times are nearly right is
+// in the right state there:
+//   - one in each gap that holds a time (12k + 1)/97 of the way, k = 1 .. 7 (no round fractions:
+//     scenes tend to be degenerate at those)
+//   - one where a quarter, a half and three quarters of the instants are over
+// Requires start < end, and no instant beyond them. May refine the instants.
 std::vector<Rational> checkpoints_of(ExactTrace& exact, const Rational& start, const Rational& end);
 
 }  // namespace kinex

@@ -2,7 +2,7 @@
 // The trade as a SQLite database.
 //
 // STRICT tables, foreign keys: exact values and ratios are TEXT, counts INTEGER, and REAL is for
-// seconds only (of the clock, and of errors of event times; infinite where a time was no number).
+// seconds only (of the clock, and of errors of event times; infinite for a time that is no number).
 //   build, machine   what made the results: one row each
 //   trade_case       one scene with one structure: events, bits needed to separate its instants
 //   trade_run        the scene in one arithmetic, compared with the exact run

@@ -13,7 +13,7 @@ namespace kinex {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Larger tables than this are not made: then events are matched in order only.
+// The largest table for the assignment: beyond it events are matched in order only.
 constexpr std::size_t kMostSteps = 4000000;
 constexpr int kErrorBits = 20;
 constexpr int kDecimals = 17;
@@ -26,7 +26,7 @@ std::vector<Places> places_of(const std::vector<std::uint32_t>& names, std::size
   return places;
 }
 
-// For each of the fewer times one of the more, in order, with the smallest sum of distances.
+// Assigns to each of the fewer times one of the more, in order, with the smallest sum of distances.
 Places assign(const std::vector<double>& fewer, const std::vector<double>& more) {
   const std::size_t f = fewer.size(), slack = more.size() - f;
   Places result(f);
@@ -109,7 +109,7 @@ Rational ulp_of_root(RealRoot& root, RootCounters& counters) {
   const Rational lower = root.lower(), upper = root.upper();
   const Rational small = ulp_of(lower), large = ulp_of(upper);
   if (small == large) return small;
-  // A power of two is inside: which side of it?
+  // A power of two lies inside the interval: on which side of it is the root?
   const bool positive = lower.sign() > 0;
   const Rational power = power_of_two(floor_log2(absolute(positive ? upper : lower)));
   const int side = compare(root, positive ? power : -power, counters);

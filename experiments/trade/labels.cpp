@@ -14,7 +14,7 @@ constexpr double kNear = 12;  // from a point to its label
 constexpr double kStep = 8;   // between the places that are tried
 constexpr int kRings = 16;
 constexpr double kFar = 22;     // up or down, from which on a line leads to the label
-constexpr int kOutside = 1000;  // as bad as covering so many others
+constexpr int kOutside = 1000;  // counts as covering this many others
 
 bool overlap(const LabelPlacer::Box& a, const LabelPlacer::Box& b) {
   return a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
@@ -41,7 +41,7 @@ LabelPlacer::Label LabelPlacer::place(const std::string& text, double x, double 
   int fewest = std::numeric_limits<int>::max();
   Label best{};
   Box best_box{};
-  // Beside the point first, then ever further away.
+  // Beside the point first, then in growing rings.
   for (int ring = 0; ring <= kRings && fewest > 0; ++ring) {
     for (const int sideways : {0, 1, 3, 6}) {
       for (const int vertical : {ring, -ring}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LabelPlacer: puts labels beside their points so that they cover neither points nor one another.
+// LabelPlacer: places labels beside their points so that they cover neither points nor each other.
 #ifndef KINEX_EXPERIMENTS_TRADE_LABELS_H
 #define KINEX_EXPERIMENTS_TRADE_LABELS_H
 
@@ -17,15 +17,15 @@ class LabelPlacer {
   struct Label {
     double x, y;                                // of the middle of its left or right side
     const char* align;                          // "left": x is its left side; "right"
-    bool far;                                   // so far away that a line should lead to it
+    bool far;                                   // a line should lead to it
     double anchor_x, anchor_y, from_x, from_y;  // that line
   };
 
   // Labels stay inside.
   explicit LabelPlacer(const Box& area) : area_(area) {}
   void add_point(double x, double y, double radius);
-  // The nearest free place for the label of the point at (x, y), which is then taken; where there
-  // is none, the one that covers the fewest others.
+  // The nearest free place for the label of the point at (x, y), which is then taken; if there is
+  // none, the place that covers the fewest others.
   Label place(const std::string& text, double x, double y);
 
  private:

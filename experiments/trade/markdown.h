@@ -10,9 +10,9 @@
 
 namespace kinex {
 
-// A section a structure: scenes over arithmetics, once each for what came out, for errors of event
-// times, and for time and memory; then the bits. All but times is the same on every machine; what
-// depends on the machine is marked as such.
+// A section for each structure: scenes over arithmetics, in one table each for standings, errors of
+// event times, and time and memory; then the bits. Everything but times is the same on every
+// machine; what depends on the machine is marked.
 std::string trade_markdown(const TradeResult& result, const PageFacts& facts);
 
 }  // namespace kinex

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The trade as one HTML page that needs nothing else.
+// The trade as one self-contained HTML page.
 #ifndef KINEX_EXPERIMENTS_TRADE_PAGE_H
 #define KINEX_EXPERIMENTS_TRADE_PAGE_H
 
@@ -10,8 +10,8 @@
 
 namespace kinex {
 
-// How often each arithmetic was right, what is wrong with an exact one, the figures, the bits, and
-// a table for every scene. Where plots could not be drawn the page says why.
+// How often each arithmetic was right, faults of exact ones, the figures, the bits, and a table for
+// every scene. If plots could not be drawn the page gives the reason.
 std::string trade_page(const TradeResult& result, const std::vector<Figure>& figures,
                        const Drawings& drawings, const PageFacts& facts);
 

@@ -34,7 +34,7 @@ constexpr double kMedianPlace = 0.17, kLegendHeight = 0.03;
 
 // ---- the plane of speed and accuracy
 
-// What is larger is drawn here: 2^53 ulps are the time itself.
+// Larger errors are drawn here: 2^53 ulps are the time itself.
 constexpr double kLargestError = 1e16;
 constexpr int kPlaneWidth = 640, kPlaneHeight = 560;
 // Of the picture, from the left and from below.
@@ -174,7 +174,7 @@ Figure plane_figure(const TradeResult& result, const std::string& structure) {
                         decades.low, decades.high);
   script += error_tics(decades);
 
-  // What labels must not cover, and where they may be.
+  // What labels must not cover, and the area for them.
   const auto pixel_x = [&](double x) {
     return kPlaneWidth * (kLeft + (kRight - kLeft) * std::log(x / low) / std::log(high / low));
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of the trade: the plane of speed and accuracy of every structure, and the bits that
+// The plots of the trade: the plane of speed and accuracy of every structure, and the bits that
 // instants need over n.
 #ifndef KINEX_EXPERIMENTS_TRADE_PLOTS_H
 #define KINEX_EXPERIMENTS_TRADE_PLOTS_H

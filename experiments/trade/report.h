@@ -10,21 +10,21 @@
 
 namespace kinex {
 
-// The columns of a run's row, as text; "-" where there is nothing to be said.
+// The columns of a run's row, as text; "-": does not apply.
 struct TradeRow {
   std::string arithmetic;
   std::string time, memory;  // over `double`
   std::string missed, invented, inversions;
   std::string first;        // "12 at 0.31": number and time of the first event that differs
   std::string error, ulps;  // largest of an event time
-  std::string state;        // "8/8": valid at so many checkpoints
+  std::string state;        // "8/8": valid checkpoints, of all
   std::string standing;     // "same events", "other events, valid", "WRONG from t = 0.5", ..
 };
 TradeRow trade_row(const CaseResult& one, const TradeRun& run);
 
-// "1.5e-17", with so many significant digits; "inf".
+// "1.5e-17", with `digits` significant digits; "inf".
 std::string short_number(double value, int digits);
-// Of a decimal: eight significant digits at most.
+// A decimal, with at most eight significant digits.
 std::string short_decimal(const std::string& decimal);
 // "a heading, this scene needs 71 bits, .."
 std::string case_heading(const CaseResult& one);
@@ -33,12 +33,12 @@ std::string bits_sentence(const BitsNeeded& bits);
 // "bits = 3.9 log2(n) + 12.1, 95 % in [3.6, 4.2]"
 std::string growth_text(const PowerFit& fit);
 
-// A heading, the table's header, a row an arithmetic, an empty line.
+// A heading, the table's header, a row for each arithmetic, an empty line.
 std::string table_of(const CaseResult& one);
 std::string bits_header();
 std::string table_row(const BitsResult& one);
 std::string table_row(const BitsGrowth& growth);
-// Cases, and in how many of them each arithmetic was the same, valid, wrong.
+// The number of cases, and of those in which each arithmetic was the same, valid, wrong.
 std::string closing_lines(const TradeResult& result);
 
 // {"row": "case", ..}, {"row": "bits", ..}, {"row": "growth", ..}, with a newline.

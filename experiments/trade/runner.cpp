@@ -29,7 +29,7 @@ std::optional<BitsResult> run_bits(const BitsCase& which, const TradeOptions& op
     const std::optional<BitsNeeded> bits = bits_of_scene(one.scene(), options);
     if (!bits) return std::nullopt;
     ++one.parameters.seed;
-    if (bits->pairs == 0) continue;  // nothing happens
+    if (bits->pairs == 0) continue;  // no instants
     result.most.add(static_cast<double>(bits->most));
     result.percentile_99.add(static_cast<double>(bits->percentile_99));
     result.instants.add(static_cast<double>(bits->instants));
@@ -37,7 +37,7 @@ std::optional<BitsResult> run_bits(const BitsCase& which, const TradeOptions& op
   return result;
 }
 
-// As `run`, but what is finished already is not run again.
+// As `run`, except that finished work is not run again.
 template <class Result, class Run, class Read, class Record>
 std::optional<Result> find_or_run(FinishedWork* finished, const std::string& key, const Read& read,
                                   const Record& record, const Run& run) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runner: all cases of the trade, several at a time where asked to, and how bits needed grow.
+// Runner: all cases of the trade, several at a time if requested, and the growth of bits needed.
 #ifndef KINEX_EXPERIMENTS_TRADE_RUNNER_H
 #define KINEX_EXPERIMENTS_TRADE_RUNNER_H
 
@@ -14,41 +14,41 @@
 
 namespace kinex {
 
-// The scenes of one size.
+// The scenes of one size of a family.
 struct BitsResult {
   BitsCase which;
   RunningMean most, percentile_99;  // bits needed, over the scenes
   RunningMean instants;             // distinct ones
 };
 
-// The smallest gap shrinks like n^-exponent: bits grow by `exponent` for every doubling of n.
+// The smallest gap shrinks like n^-exponent: bits grow by `exponent` with every doubling of n.
 struct BitsGrowth {
   std::string structure, family;
   std::optional<PowerFit> most, percentile_99;  // of 2^bits over n
 };
 
 struct TradeResult {
-  std::vector<CaseResult> cases;  // those that were finished
+  std::vector<CaseResult> cases;  // those that finished
   std::vector<BitsResult> bits;
   std::vector<BitsGrowth> growths;
   bool interrupted = false;
-  bool gave_up() const;  // an exact arithmetic did
+  bool gave_up() const;  // an exact arithmetic gave up
   std::vector<std::string> faults() const;
 };
 
 struct TradeWatch {
-  // Something is about to be done; from all threads. Indices: cases, then bits.
+  // Work is about to start; from all threads. Indices: cases, then bits.
   std::function<void(std::size_t index, const std::string& what)> on_work;
   std::function<void(std::size_t index)> on_finished;  // one at a time, in order
   std::function<void(const CaseResult&)> on_case;
   std::function<void(const BitsResult&)> on_bits;
 };
 
-// What comes out does not depend on the number of jobs, times aside.
+// Results do not depend on the number of jobs, times aside.
 TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& options,
                       const TradeWatch& watch);
 
-// Fits every family of three sizes or more. 2^bits has to be a double: families that need more than
+// Fits every family of at least three sizes. 2^bits must be a double: families that need more than
 // 1000 bits have no fit.
 std::vector<BitsGrowth> fit_bits(const std::vector<BitsResult>& bits);
 

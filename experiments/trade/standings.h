@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the arithmetics stand over all scenes.
+// The standing of each arithmetic over all scenes.
 #ifndef KINEX_EXPERIMENTS_TRADE_STANDINGS_H
 #define KINEX_EXPERIMENTS_TRADE_STANDINGS_H
 
@@ -20,7 +20,7 @@ struct ArithmeticStandings {
 // In the order of the first case's runs.
 std::vector<ArithmeticStandings> standings_of(const TradeResult& result);
 
-// Structures in the order of the cases, none twice.
+// Structures in the order of the cases, without repetitions.
 std::vector<std::string> structures_of(const TradeResult& result);
 
 }  // namespace kinex

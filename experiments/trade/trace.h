@@ -28,7 +28,7 @@ class EventNames {
   std::map<Name, std::uint32_t> numbers_;
 };
 
-// Of a run in an exact arithmetic. Refining its instants changes nothing that can be observed.
+// Of a run in an exact arithmetic. Refining its instants has no observable effect.
 struct ExactTrace {
   std::vector<std::uint32_t> names;     // by event
   std::vector<std::uint32_t> instants;  // by event: index into `times`; never decreases
@@ -37,7 +37,7 @@ struct ExactTrace {
   std::size_t size() const { return names.size(); }
 };
 
-// Of a run in an inexact arithmetic: the numbers that it took for the instants, exactly.
+// Of a run in an inexact arithmetic: the numbers that it used for the instants, exactly.
 struct InexactTrace {
   std::vector<std::uint32_t> names;
   std::vector<std::optional<Rational>> times;  // by event; nullopt: not a finite number
@@ -71,7 +71,7 @@ class InexactRecorder final : public EventSink {
   std::string last_;
 };
 
-// Exactly the same events in the same order at the same instants. May refine the instants.
+// True if events, order and instants are exactly the same. May refine the instants.
 bool equal(ExactTrace& a, ExactTrace& b);
 
 }  // namespace kinex
