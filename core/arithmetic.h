@@ -53,8 +53,7 @@ class Arithmetic {
 
   // now := t. Moving back is allowed (samples are not taken this way; see Simulator).
   virtual void set_now(const Rational& t) = 0;
-  // now := the failure time of `query`, whose number passes to the arithmetic (time.root becomes
-  // 0).
+  // now := the failure time of `query`. The arithmetic takes its number (time.root becomes 0).
   virtual void advance(const Query& query, FailureTime& time) = 0;
   // Moves now temporarily to a later instant, the failure time of `query`; leave() moves it back.
   // Meanwhile only signs and failure times may be queried. `time` keeps its number. See Foresight.

@@ -40,8 +40,7 @@ class EventSink {
   virtual void event(const Event& event, Arithmetic& arithmetic) = 0;
   // All events of the instant have been received: they are final.
   virtual void instant_ended() {}
-  // The run was stopped within an instant: the events received since the last instant_ended() are
-  // withdrawn.
+  // The run was stopped within an instant: the events since the last instant_ended() are withdrawn.
   virtual void instant_abandoned() {}
 };
 

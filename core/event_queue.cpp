@@ -96,8 +96,7 @@ void EventQueue::set_time(CertificateId id, const FailureTime& time) {
   }
 }
 
-// The hole sinks to a leaf. The last entry, which nearly always belongs far down, fills it from
-// below.
+// The hole sinks to a leaf; the last entry, which nearly always belongs far down, then fills it.
 FailureTime EventQueue::pop() {
   const Entry& top = heap_.front();
   Certificate& c = certificates_[top.certificate];

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// EventQueue: the live certificates, and a priority queue of those that fail, by exact failure
-// time.
+// EventQueue: the live certificates, and a priority queue of those that fail, by failure time.
 #ifndef KINEX_CORE_EVENT_QUEUE_H
 #define KINEX_CORE_EVENT_QUEUE_H
 
@@ -28,8 +27,7 @@ struct alignas(64) Certificate {
   std::uint8_t looks = 0;  // how often a kLater was extended
   std::uint32_t tag = 0;
   std::uint32_t root = 0;  // FailureTime::root
-  // Owned by the queue: neighbours in a list, and the place in the heap, kFar (in a list) or
-  // kNotQueued.
+  // Owned by the queue: neighbours in a list; place in the heap, kFar (in a list) or kNotQueued.
   std::uint32_t next = kNone, previous = kNone;
   std::uint32_t where = kNotQueued;
 };

@@ -470,8 +470,7 @@ std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& que
   return first_failure(query, c, m, degree, p.origin, now_.hi - p.origin, limit, time);
 }
 
-// The first sign change after `from` (in t - origin), where the polynomial is positive right after
-// it.
+// The first sign change after `from` (in t - origin). Requires: positive right after `from`.
 std::optional<Outlook> ExactArithmetic::first_failure(const Query& query, const double* c,
                                                       const double* m, int degree, double origin,
                                                       double from, double limit,

@@ -65,8 +65,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   // Set in FailureTime::root where [lo, hi] isolates no root of the certificate's own polynomial
   // (it was negative when created and fails at that instant).
   static constexpr std::uint32_t kBornFailing = 0x80000000u;
-  // Set where [lo, hi] holds the root but has not been proved to hold no other root of the
-  // polynomial.
+  // Set where [lo, hi] contains the root but is not proved to isolate it.
   static constexpr std::uint32_t kLoose = 0x40000000u;
   static constexpr std::uint32_t kFlags = kBornFailing | kLoose;
 
@@ -169,8 +168,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   // The origin in use for all now_.lo in [origin_, origin_end_).
   double origin_ = 0;
   double origin_end_ = 0;
-  // The source of the present instant's name: the query whose root it is (arity 0: a rational
-  // value).
+  // The source of the present instant's name: the query whose root it is; arity 0: a rational.
   struct Naming {
     Query query;
     Rational value;

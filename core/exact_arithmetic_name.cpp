@@ -34,8 +34,7 @@ void ExactArithmetic::begin_name(const Query& query, const Rational* value) {
   name_of_now_.detail = InstantDetail::kNone;
 }
 
-// Called before the motion of `object` changes: a polynomial that vanishes now need not do so
-// after.
+// Called before the motion of `object` changes: polynomials may no longer vanish now afterwards.
 void ExactArithmetic::keep_now(ObjectId object) {
   const auto involves = [object](const Query& query) {
     for (std::size_t i = 0; i < query.arity; ++i) {

@@ -162,8 +162,7 @@ class FirstRoot {
   }
   static constexpr double kTimeLimit = time_limit();
 
-  // Bernstein coefficients on [x, x + length]; returns a bound on the error of each, negative if
-  // none.
+  // Bernstein coefficients on [x, x + length]; returns a bound on their errors, negative if none.
   double expand(double x, double length, std::array<double, kRoom>& b) const {
     const int n = d();
     for (int i = 0; i <= n; ++i) b[static_cast<std::size_t>(i)] = c_[i];

@@ -34,7 +34,7 @@ class Foresight {
     const Visit visit(*this, from);
     return arithmetic_->sign_after(query);
   }
-  // The next failure of `query`: `found` is a moment after `from` for kFails, `from` for kFailsNow,
+  // The next failure of `query`. `found`: a moment after `from` for kFails, `from` for kFailsNow,
   // else kNever.
   Outlook failure(const Query& query, Moment from, Moment& found) {
     FailureTime time;

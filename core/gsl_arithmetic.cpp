@@ -165,8 +165,7 @@ class GslArithmetic final : public Arithmetic {
   }
 
  private:
-  // Set in FailureTime::root for certificates that were negative when created: now is not their
-  // root.
+  // Set in FailureTime::root for certificates negative when created: now is not their root.
   static constexpr std::uint32_t kBornFailing = 1;
 
   std::size_t powers() const { return static_cast<std::size_t>(degree_) + 1; }
@@ -228,8 +227,7 @@ class GslArithmetic final : public Arithmetic {
     return kInfinity;
   }
 
-  // roots_ := the real roots of c_ in ascending order; none if GSL fails or a coefficient is not
-  // finite.
+  // roots_ := the real roots of c_, ascending; none if GSL fails or a coefficient is not finite.
   void find_real_roots() {
     roots_.clear();
     for (double v : c_) {

@@ -41,8 +41,7 @@ struct DecimalRange {
 };
 std::optional<DecimalRange> decimal_range(std::string_view text);
 
-// From doubles around the instant; false if they do not determine the result. The ends may be
-// equal.
+// From doubles around the instant (lo <= hi); false if they do not determine the result.
 bool set_decimal(std::string& out, double lo, double hi);
 bool set_interval(double lo, double hi, Rational& lower, Rational& upper);
 

@@ -81,7 +81,7 @@ class Kernel {
   std::uint32_t tag(CertificateId id) const { return queue_.certificate(id).tag; }
   // Prefetches the memory of a certificate that will be replaced or retracted soon.
   void prefetch(CertificateId id) const { queue_.prefetch(id); }
-  // The tag of a certificate of `structure` that probably fails soon (EventQueue::upcoming), or
+  // The tag of a certificate of `structure` that probably fails soon (EventQueue::upcoming); else
   // kNoTag.
   static constexpr std::uint32_t kNoTag = 0xffffffffu;
   std::uint32_t upcoming_tag(StructureId structure, std::size_t i) const {
@@ -98,8 +98,7 @@ class Kernel {
               bool external) {
     report(structure, kind, ids, external, {}, {});
   }
-  // The same with what left the attribute and what joined it (see Event), where the ids do not
-  // determine it.
+  // The same with the change of the attribute (Event::gone, came), if the ids do not determine it.
   void report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
               bool external, std::span<const ObjectId> gone, std::span<const ObjectId> came);
   // The common event "settled": changes at this instant that no other external event has reported.
@@ -175,8 +174,7 @@ class Kernel {
   std::size_t bytes() const;
 
  private:
-  // Estimated lifetimes of a structure's certificates: the present window, and when to make the
-  // next estimate.
+  // The window by the estimated lifetimes of a structure's certificates, and the next estimate.
   struct Window {
     double length;                // +infinity: unknown, no limit
     double rounder;               // added and subtracted, it leaves few bits of a number

@@ -82,8 +82,7 @@ class ChineseRemainder {
   Integer modulus_{1};
 };
 
-// gcd of two polynomials of positive degree. A common content only makes `leading` larger than
-// necessary.
+// gcd of two polynomials of positive degree. A common content only makes `leading` too large.
 Polynomial modular_gcd(const Polynomial& a, const Polynomial& b, Deadline* deadline) {
   Integer leading;
   PrimeSequence primes;

@@ -53,8 +53,7 @@ class RationalPolynomial {
   std::vector<Rational> c_;
 };
 
-// a = quotient * b + remainder with degree(remainder) < degree(b). Requires b != 0. O(d^2)
-// operations.
+// a = quotient * b + remainder, degree(remainder) < degree(b). Requires b != 0. O(d^2) operations.
 struct Division {
   RationalPolynomial quotient, remainder;
 };

@@ -150,8 +150,7 @@ RootName name_root(const Polynomial& p, RealRoot& root, RootCounters& counters);
 // The number with this exact name (detail kName).
 RealRoot to_root(const InstantName& name);
 
-// -1, 0, +1: exact. Equal names, roots of one polynomial and disjoint intervals are compared at
-// once.
+// -1, 0, +1: exact. At once for equal names, roots of one polynomial, and disjoint intervals.
 int compare(const InstantName& a, const InstantName& b, RootCounters& counters);
 
 // The decimal of an instant in logs: see core/instant_digits.h.

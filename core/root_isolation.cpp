@@ -107,8 +107,7 @@ std::vector<RootWithMultiplicity> isolate_real_roots(const Polynomial& p, RootCo
     }
     all = all.empty() ? std::move(found) : merge(std::move(all), std::move(found), counters);
   }
-  // A comparison with a rational root need not have narrowed an interval. No interval ends at a
-  // root.
+  // Comparing with a rational root need not have narrowed an interval. No interval ends at a root.
   for (std::size_t i = 1; i < all.size(); ++i) {
     RealRoot& below = all[i - 1].root;
     RealRoot& above = all[i].root;

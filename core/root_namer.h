@@ -36,8 +36,7 @@ class RootNamer {
   std::vector<Integer> shifted_;
 };
 
-// p / +-content(p): primitive, positive leading coefficient. p is not zero, nor its leading
-// coefficient.
+// p / +-content(p): primitive, positive leading coefficient. Requires p.back() != 0.
 void make_canonical(std::vector<Integer>& p);
 
 // The minimal name of a rational number: -num + den t, root 1, [value, value].

@@ -442,8 +442,7 @@ bool Simulator::start() {
   return ready;
 }
 
-// Handles all failures before `stop` (at it too, if inclusive; all if there is none) until a limit
-// is reached.
+// Handles all failures before `stop` (inclusive: at it too; null: all) until a limit is reached.
 void Simulator::run_failures(const Rational* stop, bool inclusive) {
   EventQueue& queue = kernel_.queue();
   const double lo = stop != nullptr ? stop->lower_double() : 0;

@@ -116,16 +116,14 @@ class Simulator final : private EventReporter {
   // Throws std::invalid_argument if t is before reached() or after the scene's end, RefusedChange
   // (a std::invalid_argument) for a change that cannot be made.
   RunStatus run_until(const std::optional<Rational>& t);
-  // The full audit at a rational time right after now; adds to the ledgers. True if no violation is
-  // found.
+  // The full audit at a rational time right after now; adds to the ledgers. True: no violation.
   bool audit();
 
   // ---- changes from outside, at a rational instant t >= the time run so far ---------------------
   // From t on they replace the scene's own flight plan for the object. They throw
   // std::invalid_argument if t has passed or is after the scene's end; an impossible change (an
   // insertion of an object that is alive) throws it from run_until.
-  // A flight-plan change; the position must be continuous at t, or the object is erased and
-  // inserted.
+  // A flight-plan change; if the position is not continuous at t, an erasure and an insertion.
   void schedule_update(const Rational& t, ObjectId object, Trajectory trajectory);
   // The object appears with this motion; it must not be alive then.
   void schedule_insertion(const Rational& t, ObjectId object, Trajectory trajectory);
@@ -134,8 +132,7 @@ class Simulator final : private EventReporter {
   // The exact time the run has reached (the last t of run_until, or, inside it, the last
   // flight-plan instant).
   const Rational& reached() const { return reached_; }
-  // The run was stopped within an instant or audit: the reports so far hold, but it cannot
-  // continue.
+  // The run was stopped within an instant or audit: its reports hold, but it cannot continue.
   bool is_broken() const { return is_broken_; }
   // ... and the attributes are not those of any instant.
   bool is_torn() const { return is_broken_ && in_instant_; }

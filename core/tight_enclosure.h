@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Narrows an enclosure to the doubles next to the root, with one exact evaluation of the
-// polynomial.
+// Narrows an enclosure to the doubles next to the root, by one exact value of the polynomial.
 #ifndef KINEX_CORE_TIGHT_ENCLOSURE_H
 #define KINEX_CORE_TIGHT_ENCLOSURE_H
 

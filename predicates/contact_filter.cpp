@@ -219,8 +219,7 @@ class Filter {
 
   Ball f_at(const Corners& c) const { return dot(cross(c.q[0], c.q[1]), c.q[k_ - 1]); }
 
-  // The Bernstein coefficients of f on the interval, the inner two times three; the outer two are f
-  // at the ends.
+  // The Bernstein coefficients of f on the interval, the inner two times three.
   std::array<Ball, 4> bernstein(const Piece& piece) const {
     const Vector &a0 = piece.at_lower.q[0], &a1 = piece.at_upper.q[0];
     const Vector &b0 = piece.at_lower.q[1], &b1 = piece.at_upper.q[1];

@@ -42,8 +42,7 @@ FrameLine frame_line(const Rational& nx, const Rational& ny, const Rational& h);
 FramePoint meeting(const FrameLine& first, const FrameLine& second);
 // The side of the line on which p lies: positive on the side of its normal.
 Sign side(const FrameLine& line, const FramePoint& p);
-// Positive iff the normal of `second` is counter-clockwise from that of `first` by less than half a
-// turn.
+// Positive iff the normals turn counter-clockwise, by less than half a turn, from first to second.
 Sign turn(const FrameLine& first, const FrameLine& second);
 // 0: angle in [0, 90) degrees, 1: [90, 180), and so on.
 int quadrant(const FrameLine& line);

@@ -50,8 +50,7 @@ struct LineKey {
   }
 };
 
-// A Formula has kArity, kAlternating, kHomogeneity, name() and value(points, key), in the wide
-// ring.
+// A Formula has kArity, kAlternating, kHomogeneity, name(), value(points, key) in the wide ring.
 template <class Formula>
 class LinePredicate final : public Predicate {
  public:

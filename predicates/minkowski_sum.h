@@ -24,8 +24,7 @@ struct MinkowskiSum {
   std::vector<std::uint32_t> a, b;
 };
 
-// The sum of A and R B', R from the pose of the bodies (predicates/pose_2.h); nullopt if R is not
-// constant.
+// The sum of A and R B', R from the pose (predicates/pose_2.h); nullopt if R is not constant.
 std::optional<MinkowskiSum> minkowski_sum(const FramePolygon& a, const FramePolygon& b,
                                           const Trajectory& pose);
 

@@ -74,8 +74,8 @@ std::shared_ptr<const Predicate> make_pose_along_touch(Frame frame, bool reverse
 //   (3) `reversed`: the negated value (named normal_order_reversed)
 std::shared_ptr<const Predicate> make_pose_normal_order(bool reversed);
 
-// As make_pose_normal_order(reversed), but fails at a touch too: where normals become parallel and
-// turn back.
+// As make_pose_normal_order(reversed), but fails at a touch too (normals become parallel and turn
+// back).
 std::shared_ptr<const Predicate> make_pose_order_touch(bool reversed);
 
 // left_of_ray(pose, a0, b0, a, b), points a0 and a of A, b0 and b of B': the side of the ray from

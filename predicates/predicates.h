@@ -24,8 +24,7 @@ std::shared_ptr<const Predicate> make_coordinate_order(int axis);
 //   (1) positive iff a precedes b along v   (2) degree 1 in the coordinates   (3) alternating
 std::shared_ptr<const Predicate> make_direction_order(const std::vector<Rational>& direction);
 
-// The primitive integer vector of the same direction. Throws std::invalid_argument for the zero
-// vector.
+// The primitive integer vector of the same direction; std::invalid_argument for the zero vector.
 std::vector<Integer> primitive_direction(const std::vector<Rational>& direction);
 
 // squared_distance_order(a, b, o) = |b - o|^2 - |a - o|^2 in `dimension` axes.

@@ -74,8 +74,7 @@ Rational rounded(double value, int bits) {
                   Integer::power_of_two(static_cast<unsigned long>(bits)));
 }
 
-// The tangent of the polygon with this outward normal. The vertex is found in doubles and verified
-// exactly.
+// The tangent of the polygon with this outward normal; its vertex is verified exactly.
 FrameLine tangent(const FramePolygon& polygon, const RoughPolygon& rough, const Vector& direction,
                   int bits) {
   const Rational x = rounded(direction[0], bits), y = rounded(direction[1], bits);

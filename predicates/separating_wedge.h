@@ -94,8 +94,7 @@ struct WedgeBody {
   const RoughPolygon& rough;
 };
 
-// True if the errors of the pose keep a wedge from being placed where doubles could still separate
-// the bodies.
+// True if the pose is too inaccurate for a wedge where doubles could still separate the bodies.
 bool is_too_rough(const RoughPose& pose, const RoughPolygon& a, const RoughPolygon& b);
 
 // The separation of the bodies, and what a wedge of either role withstands; all in doubles.

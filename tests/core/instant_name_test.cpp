@@ -273,8 +273,7 @@ TEST(InstantName, AreComparedExactly) {
       roots.push_back(std::move(entry.root));
     }
   };
-  // Roots shared by several polynomials, isolated by a cell in one and not in another; rational
-  // ones.
+  // Roots of several polynomials, isolated by a cell in one and not in another; rational roots.
   const Polynomial two = polynomial({-2, 0, 1});
   for (const std::int64_t k : {-3, 1, 2, 3})
     add(two * polynomial({-k, 0, 2}) * polynomial({-k, 3}));

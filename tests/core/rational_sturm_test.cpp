@@ -45,8 +45,7 @@ TEST(SturmInstant, DyadicNearMiddle) {
   }
 }
 
-// Random roots with multiplicities: counts, the square-free part and the first turn from + to - are
-// known.
+// Random roots with multiplicities: known counts, square-free part, first change from + to -.
 TEST(RationalSturm, ChosenRoots) {
   std::mt19937_64 random(3);
   int found = 0, none = 0;

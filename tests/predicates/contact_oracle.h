@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // First contact by an independent formulation, in rationals and Sturm sequences: barycentric
-// coordinates by Cramer's rule in a coordinate plane, candidates from every polynomial of every
-// test.
+// coordinates by Cramer's rule in a coordinate plane; all polynomials give candidates.
 #ifndef KINEX_TESTS_PREDICATES_CONTACT_ORACLE_H
 #define KINEX_TESTS_PREDICATES_CONTACT_ORACLE_H
 

@@ -146,8 +146,7 @@ TEST(SeparatingWedge, OfEqualBodiesTheFirst) {
   EXPECT_EQ(Pair(square, right, square, left).plan->longer(), Frame::kA);
 }
 
-// Equal wedges: the larger body gets the wedge, in either order. (Equal corners, one of a long
-// triangle.)
+// Equal wedges (equal corners, one of a long triangle): the larger body gets the wedge.
 TEST(SeparatingWedge, TiesAreBrokenByShape) {
   const Polygon small{{0, 0}, {1, 1}, {-1, 1}}, large{{-4, -4}, {4, -4}, {0, 0}};
   WedgePlan plan = *Pair(small, placed(0, half(1)), large, placed(0, 0)).plan;
