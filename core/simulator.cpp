@@ -318,7 +318,7 @@ bool Simulator::tell_what_changed() {
 
 void Simulator::begin_instant() {
   in_instant_ = true;
-  if (!at_failure_instant_) reached_before_instant_ = reached_;
+  if (!at_failure_instant_) reached_before_instant_ = Rational(reached_);
   events_at_instant_.clear();
   ++ledger_.instants;
 }
@@ -349,15 +349,15 @@ void Simulator::abandon_instant() {
       ledger_.events -= failures_at_instant_[id];
     }
     --ledger_.instants;
-    if (!at_failure_instant_) reached_ = reached_before_instant_;
+    if (!at_failure_instant_) reached_ = std::move(reached_before_instant_);
     if (sink_ != nullptr) sink_->instant_abandoned();
   }
   // Nothing happens between the last instant and the present one.
   if (!started_ || !(settled_hi_ < next_lo_)) return;
-  const std::optional<Rational> t = Rational::from_double(settled_hi_);
+  std::optional<Rational> t = Rational::from_double(settled_hi_);
   if (!t || *t < reached_ || (scene_.end && *scene_.end < *t)) return;
   if (next_change() != nullptr && *next_change() <= *t) return;
-  reached_ = *t;
+  reached_ = *std::move(t);
 }
 
 // Does the work; false, with the status, if it is stopped or memory is exhausted.
@@ -399,7 +399,8 @@ void Simulator::end_instant() {
   }
   in_instant_ = false;
   settled_hi_ = now_hi_;
-  next_lo_ = -std::numeric_limits<double>::infinity();
+  const EventQueue& queue = kernel_.queue();
+  next_lo_ = queue.empty() ? std::numeric_limits<double>::infinity() : queue.top_lo();
   if (sink_ != nullptr) sink_->instant_ended();
   if (options_.audit == AuditLevel::kEvents) run_audit(true);
 }
@@ -487,7 +488,7 @@ void Simulator::run_to(const std::optional<Rational>& target) {
     stop_between();
   } else if (target) {
     kernel_.arithmetic().set_now(*target);
-    reached_ = *target;
+    reached_ = Rational(*target);
     now_hi_ = target->upper_double();
     at_failure_instant_ = false;
   } else if (at_failure_instant_) {
@@ -555,8 +556,8 @@ void Simulator::stop_between() {
   if (!t && !kernel_.is_exact()) t = Rational::from_double(kernel_.arithmetic().now_approximate());
   if (!t || *t < reached_) return;
   kernel_.arithmetic().set_now(*t);
-  reached_ = *t;
   now_hi_ = t->upper_double();
+  reached_ = *std::move(t);
   at_failure_instant_ = false;
 }
 
@@ -568,6 +569,7 @@ void Simulator::note_peak() {
 }
 
 std::vector<BoundCheck> Simulator::bounds(StructureId id) const {
+  if (is_torn()) return {};
   BoundContext context;
   context.pieces = pieces_;
   for (int& p : context.pieces) p = std::max(p, 1);

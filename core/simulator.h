@@ -143,7 +143,7 @@ class Simulator final : private EventReporter {
   bool alive(ObjectId object) const { return alive_[object]; }
   Snapshot snapshot(const Rational& t) const;
   const RunLedger& ledger() const { return ledger_; }
-  // Hard bounds of one structure for what has been run.
+  // Hard bounds of one structure for what has been run; none if the run is_torn().
   std::vector<BoundCheck> bounds(StructureId id) const;
   // Violations found so far, for people (at most kMaxMessages are kept).
   static constexpr std::size_t kMaxMessages = 100;

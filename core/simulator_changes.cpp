@@ -127,7 +127,7 @@ void Simulator::change_instant() {
   begin_instant();
   next_lo_ = t.lower_double();
   kernel_.arithmetic().set_now(t);
-  reached_ = t;
+  reached_ = Rational(t);
   now_hi_ = t.upper_double();
 
   std::vector<Change> updates, insertions;

@@ -79,6 +79,9 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
               reason + "\n";
     }
   }
+  if (simulator.is_torn()) {
+    text += "bounds    not judged: the run was stopped in the midst of an instant or its set-up\n";
+  }
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     for (const BoundCheck& bound : outcome.bounds[id]) {
       text += "bound     " + bound.id + ": " + bound.observed.to_string() +

@@ -64,6 +64,7 @@ void write_counts(JsonWriter& json, const StructureLedger& ledger) {
   }
 }
 
+// None where they are not judged: Simulator::bounds.
 void write_bounds(JsonWriter& json, const std::vector<BoundCheck>& bounds) {
   json.key("bounds").begin_array();
   for (const BoundCheck& bound : bounds) {

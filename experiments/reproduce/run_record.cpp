@@ -94,6 +94,10 @@ std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool(
     record.clean = false;
     record.trouble = simulator->violations().empty() ? "audit" : simulator->violations().front();
   }
+  if (simulator->is_broken()) {
+    record.clean = false;
+    record.trouble = simulator->out_of_memory() ? "memory" : "stopped";
+  }
   for (std::size_t s = 0; s < simulator->structures(); ++s) {
     const auto other = static_cast<StructureId>(s);
     for (const BoundCheck& bound : simulator->bounds(other)) {

@@ -9,6 +9,7 @@
 
 #include "core/check.h"
 #include "core/refused_change.h"
+#include "core/stop.h"
 #include "experiments/gmp_memory.h"
 #include "experiments/input_error.h"
 #include "experiments/log_digest.h"
@@ -55,10 +56,11 @@ class Recorder final : public EventSink {
     recording_ = !options_.from || *options_.from == scene_.start;
     run_.start = options_.from ? *options_.from : scene_.start;
     const GmpGuard guard(&simulator_->deadline());
-    simulator_->start();
+    if (!simulator_->start()) throw Stopped();  // there is nothing to show
     RunStatus status = RunStatus::kDone;
     if (!recording_) {
       status = simulator_->run_until(run_.start);
+      if (simulator_->is_torn()) throw Stopped();
       run_.before = events_;
       recording_ = true;
       for (StructureId id = 0; id < run_.structures.size(); ++id) take_initial(id);

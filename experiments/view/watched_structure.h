@@ -6,15 +6,18 @@
 
 #include <functional>
 #include <memory>
+#include <new>
 #include <utility>
 
+#include "core/stop.h"
 #include "core/structure.h"
 
 namespace kinex {
 
 class WatchedStructure final : public Structure {
  public:
-  // `done` is called when a call that may change the attribute has returned, or thrown.
+  // `done` is called when a call that may change the attribute has returned, or thrown; not when it
+  // was stopped, or memory ended: then it is half way, and nobody may look.
   WatchedStructure(std::unique_ptr<Structure> structure, std::function<void()> done)
       : structure_(std::move(structure)), done_(std::move(done)) {}
 
@@ -70,6 +73,10 @@ class WatchedStructure final : public Structure {
   void call(const Call& function) {
     try {
       function(*structure_);
+    } catch (const Stopped&) {
+      throw;
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (...) {
       done_();
       throw;
