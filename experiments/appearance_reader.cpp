@@ -68,6 +68,7 @@ void check_appearances(const JsonNode& objects, const Scene& scene) {
       std::optional<Polygon2> placed;
       for (std::size_t k = 0; k < scene.objects.size(); ++k) {
         const SceneObject& other = scene.objects[k];
+        objects.poll();
         if (k == i || !may_exist(other.motion, t)) continue;
         const MotionPiece* there = other.motion.piece_after(t);
         if (there == nullptr) continue;

@@ -180,6 +180,7 @@ void check_apart(const JsonNode& objects, const Scene& scene) {
   for (const Placed& body : bodies) {
     std::erase_if(open, [&](const Placed* other) { return other->x_high < body.x_low; });
     for (const Placed* other : open) {
+      objects.poll();
       if (other->y_high < body.y_low || body.y_high < other->y_low) continue;
       const Contact contact = contact_of(other->polygon, body.polygon);
       if (contact == Contact::kApart) continue;

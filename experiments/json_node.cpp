@@ -69,6 +69,7 @@ bool JsonNode::boolean() const {
 }
 
 Rational JsonNode::rational() const {
+  poll();
   static const char kRemedy[] = "write an integer, a fraction \"1/3\" or a decimal";
   if (!is(JsonValue::Kind::kNumber) && !is(JsonValue::Kind::kString)) refuse("a number", kRemedy);
   if (value_->text.size() > kMaxNumberLength)

@@ -20,6 +20,7 @@ struct JsonSource {
   std::string file;
   std::string_view text;
   std::size_t first_line = 1;
+  Deadline* deadline = nullptr;  // readers poll it between numbers; null: none
 };
 
 // A child refers to its parent, which must outlive it (readers go down the tree on the stack).
@@ -30,6 +31,10 @@ class JsonNode {
   const JsonValue& value() const { return *value_; }
   bool is(JsonValue::Kind kind) const { return value_->kind == kind; }
   std::size_t size() const { return value_->items.size(); }
+  // The deadline of the file, for readers that may take long.
+  void poll() const {
+    if (source_->deadline != nullptr) source_->deadline->poll();
+  }
 
   // Each throws InputError if the value is of another kind.
   const std::string& string() const;

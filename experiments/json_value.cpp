@@ -34,7 +34,8 @@ struct TrackedBytes {
 
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  TreeBuilder(std::string_view text, const char* const* reached) : text_(text), reached_(reached) {}
+  TreeBuilder(std::string_view text, const char* const* reached, Deadline* deadline)
+      : text_(text), reached_(reached), deadline_(deadline) {}
 
   JsonValue take() { return std::move(root_); }
   const std::string& problem() const { return problem_; }
@@ -120,6 +121,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   JsonValue& add(JsonValue::Kind kind) {
+    if (deadline_ != nullptr) deadline_->poll();
     JsonValue* value = &root_;
     if (!open_.empty()) value = &open_.back()->items.emplace_back();
     value->kind = kind;
@@ -167,6 +169,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   std::string_view text_;
   const char* const* reached_;
+  Deadline* deadline_;
   JsonValue root_;
   std::vector<JsonValue*> open_;
   std::string problem_, remedy_;
@@ -182,9 +185,10 @@ const JsonValue* JsonValue::find(std::string_view key) const {
   return nullptr;
 }
 
-JsonValue parse_json(std::string_view text, const std::string& file, std::size_t first_line) {
+JsonValue parse_json(std::string_view text, const std::string& file, std::size_t first_line,
+                     Deadline* deadline) {
   const char* reached = text.data();
-  TreeBuilder builder(text, &reached);
+  TreeBuilder builder(text, &reached, deadline);
   const TrackedBytes begin{text.data(), &reached};
   const TrackedBytes end{text.data() + text.size(), &reached};
   if (!nlohmann::json::sax_parse(begin, end, &builder)) {

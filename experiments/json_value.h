@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/stop.h"
+
 namespace kinex {
 
 struct JsonValue {
@@ -30,8 +32,10 @@ inline constexpr std::size_t kMaxNumberLength = 1000000;
 // Parses the whole of `text`. Refuses (InputError with `file`, line and column): what RFC 8259 does
 // not allow (NaN, comments, trailing commas, bytes that are not UTF-8), a name twice in one object,
 // nesting deeper than kMaxJsonDepth, and bare numbers beyond the range of a double (they can be
-// quoted). `first_line` is the number of the text's first line in the file.
-JsonValue parse_json(std::string_view text, const std::string& file, std::size_t first_line = 1);
+// quoted). `first_line` is the number of the text's first line in the file. `deadline` is polled
+// between values; null: none.
+JsonValue parse_json(std::string_view text, const std::string& file, std::size_t first_line = 1,
+                     Deadline* deadline = nullptr);
 
 // Line and column (from 1) of a byte of `text`.
 struct TextPosition {

@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "kinex: %s\n", error.what());
     return kinex::kExitBadInput;
   } catch (const kinex::Stopped&) {
-    std::fprintf(stderr, "kinex: the run was stopped while it was being set up\n");
+    std::fprintf(stderr, "kinex: stopped before there was anything to write\n");
     return kinex::kExitGaveUp;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "kinex: gave up: there is not enough memory\n");

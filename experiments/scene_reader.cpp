@@ -100,9 +100,9 @@ void read_objects(const JsonNode& node, Scene& scene) {
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::string& file) {
-  const JsonValue tree = parse_json(text, file);
-  const JsonSource source{file, text};
+Scene parse_scene(std::string_view text, const std::string& file, Deadline* deadline) {
+  const JsonValue tree = parse_json(text, file, 1, deadline);
+  const JsonSource source{file, text, 1, deadline};
   const JsonNode root(tree, source);
   root.require_object({"kinex", "name", "dimension", "time", "objects", "maintain", "jumps",
                        "overlapping_starts", "source", "description", "expect", "$schema"});
@@ -121,9 +121,9 @@ Scene parse_scene(std::string_view text, const std::string& file) {
   return scene;
 }
 
-Scene read_scene(const std::string& path) {
+Scene read_scene(const std::string& path, Deadline* deadline) {
   const std::string text = read_text_file(path);
-  return parse_scene(text, path);
+  return parse_scene(text, path, deadline);
 }
 
 }  // namespace kinex

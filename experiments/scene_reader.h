@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "core/stop.h"
 
 namespace kinex {
 
@@ -23,10 +24,11 @@ inline constexpr int kMaxMotionDegree = 1000;
 inline constexpr int kMaxRotorDegree = 100;
 inline constexpr std::size_t kMaxIdBytes = 1000;
 
-// `file` is for messages only.
-Scene parse_scene(std::string_view text, const std::string& file);
+// `file` is for messages only. `deadline` is polled between numbers (null: none); one number takes a
+// fraction of a second at most.
+Scene parse_scene(std::string_view text, const std::string& file, Deadline* deadline = nullptr);
 // "-" reads standard input.
-Scene read_scene(const std::string& path);
+Scene read_scene(const std::string& path, Deadline* deadline = nullptr);
 
 // Replaces scene.maintain by what --maintain says, in one or several texts: entries with commas
 // between them. An entry is a name, a name and a coordinate to order by ("sorted_list:y", which is

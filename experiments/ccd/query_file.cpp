@@ -32,8 +32,8 @@ struct Number {
 
 class QueryParser {
  public:
-  QueryParser(std::string_view text, const std::string& file, ContactKind kind)
-      : text_(text), file_(file), kind_(kind) {}
+  QueryParser(std::string_view text, const std::string& file, ContactKind kind, Deadline* deadline)
+      : text_(text), file_(file), kind_(kind), deadline_(deadline) {}
 
   QueryFile parse() {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
@@ -64,6 +64,7 @@ class QueryParser {
   }
 
   void read_row(std::string_view line) {
+    if (deadline_ != nullptr) deadline_->poll();
     std::array<std::string_view, kColumns + 1> fields;
     const std::size_t count = split(line, fields);
     if (row_ == 0) first_line_ = line_;
@@ -170,6 +171,7 @@ class QueryParser {
   std::string_view text_;
   const std::string& file_;
   ContactKind kind_;
+  Deadline* deadline_;
   std::size_t line_ = 0, first_line_ = 0;
   std::size_t row_ = 0;  // of the query
   bool truth_ = false;
@@ -179,8 +181,9 @@ class QueryParser {
 
 }  // namespace
 
-QueryFile parse_queries(std::string_view text, const std::string& file, ContactKind kind) {
-  return QueryParser(text, file, kind).parse();
+QueryFile parse_queries(std::string_view text, const std::string& file, ContactKind kind,
+                        Deadline* deadline) {
+  return QueryParser(text, file, kind, deadline).parse();
 }
 
 std::string_view contact_kind_name(ContactKind kind) {

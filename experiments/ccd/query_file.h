@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/stop.h"
 #include "predicates/continuous_contact.h"
 
 namespace kinex {
@@ -32,7 +33,8 @@ struct QueryFile {
 };
 
 // Throws InputError that names the line.
-QueryFile parse_queries(std::string_view text, const std::string& file, ContactKind kind);
+QueryFile parse_queries(std::string_view text, const std::string& file, ContactKind kind,
+                        Deadline* deadline = nullptr);
 
 // "vertex-face" and "edge-edge".
 std::string_view contact_kind_name(ContactKind kind);

@@ -81,10 +81,15 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
                  ContactTally& tally) {
   constexpr std::size_t kFlush = 1 << 16;
   const ContactKind kind = kind_of(options, file);
-  const QueryFile queries = parse_queries(read_text_file(file), file, kind);
-  ContactCounters counters;
   Deadline deadline(0, &interrupt.flag());
   const GmpGuard guard(&deadline);
+  QueryFile queries;
+  try {
+    queries = parse_queries(read_text_file(file), file, kind, &deadline);
+  } catch (const Stopped&) {
+    return false;
+  }
+  ContactCounters counters;
   counters.roots.deadline = &deadline;
   QueryProgress progress;
   std::string text;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // InterruptGuard: while it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP sets a flag instead
 // of ending the program, and writing to a pipe whose reader has gone fails as any other write does.
+//
+// The verbs that run something (run, verify, reproduce, trade, view, ccd) have one from where there
+// is something to keep. Those that only read (check, diff, roots), those that write one file when
+// they are done (gen, import), and run and view as long as they read their scene leave signals
+// alone: the program ends at once.
 #ifndef KINEX_EXPERIMENTS_VERBS_INTERRUPT_H
 #define KINEX_EXPERIMENTS_VERBS_INTERRUPT_H
 

@@ -2,6 +2,7 @@
 // kinex run: simulates a scene and reports what happened.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -12,8 +13,10 @@
 #include <vector>
 
 #include "core/refused_change.h"
+#include "core/stop.h"
 #include "experiments/event_log.h"
 #include "experiments/file_io.h"
+#include "experiments/gmp_memory.h"
 #include "experiments/input_error.h"
 #include "experiments/model_text.h"
 #include "experiments/progress.h"
@@ -43,6 +46,9 @@ struct RunOptions {
   bool force = false;
   bool explain = false;
 };
+
+// A limit that has been reached.
+constexpr double kNoSeconds = 1e-9;
 
 AuditLevel audit_level(const std::string& name) {
   if (name == "none") return AuditLevel::kNone;
@@ -155,8 +161,17 @@ void run(const RunOptions& options, int& exit_code) {
   simulator_options.max_events = static_cast<std::uint64_t>(options.max_events);
   simulator_options.max_seconds = options.max_seconds;
 
-  Scene scene = read_scene(options.scene);
+  // Signals end the program as long as it reads: there is nothing to be kept.
+  const auto begin = std::chrono::steady_clock::now();
+  Deadline reading(options.max_seconds, nullptr);
+  std::optional<GmpGuard> reading_guard(std::in_place, &reading);
+  Scene scene = read_scene(options.scene, &reading);
   const std::string hash = scene_hash(scene);  // of the file, whatever the options change
+  reading_guard.reset();
+  if (options.max_seconds > 0) {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    simulator_options.max_seconds = std::max(options.max_seconds - taken.count(), kNoSeconds);
+  }
   if (!options.maintain.empty()) set_maintain(scene, options.maintain);
   if (scene.maintain.empty()) {
     throw InputError(options.scene, "/maintain", "nothing is to be maintained",
@@ -288,7 +303,8 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   verb->add_flag("--json", options->json, "Print the summary, as --summary - does");
   verb->add_option("--max-events", options->max_events,
                    "Give up after so many certificate failures (no limit)");
-  verb->add_option("--max-seconds", options->max_seconds, "Give up after this time (no limit)");
+  verb->add_option("--max-seconds", options->max_seconds,
+                   "Give up after this time, reading included (no limit)");
   verb->add_flag("--force", options->force, "Replace output files that exist");
   verb->footer(
       "Example:\n  kinex run square.json --arithmetic exact --events square.log --at 1/3\n"
