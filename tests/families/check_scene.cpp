@@ -9,6 +9,7 @@
 
 #include "core/refused_change.h"
 #include "core/simulator.h"
+#include "experiments/cpu_clock.h"
 #include "experiments/input_error.h"
 #include "experiments/run_report.h"
 #include "experiments/scene_reader.h"
@@ -99,6 +100,14 @@ class Check {
   std::optional<Seen> run(const Scene& scene, const std::string& arithmetic, AuditLevel audit) {
     const std::string name = scene.maintain.front().structure + " in " + arithmetic;
     ++tally_.runs;
+    const double begin = cpu_seconds();
+    std::optional<Seen> seen = watched_run(scene, arithmetic, audit, name);
+    tally_.time(name, cpu_seconds() - begin);
+    return seen;
+  }
+
+  std::optional<Seen> watched_run(const Scene& scene, const std::string& arithmetic,
+                                  AuditLevel audit, const std::string& name) {
     try {
       SimulatorOptions options;
       options.audit = audit;
@@ -181,6 +190,12 @@ void check_scene(const std::string& text, const SceneCheck& what, Tally& tally) 
 void Tally::problem(const std::string& what, std::string_view scene) {
   problems.push_back(what);
   if (problems.size() <= kMostProblems) problems.back() += "\nscene:\n" + std::string(scene);
+}
+
+void Tally::time(const std::string& run, double seconds) {
+  if (seconds <= slowest) return;
+  slowest = seconds;
+  slowest_run = run;
 }
 
 }  // namespace kinex::families

@@ -22,11 +22,14 @@ struct Tally {
   std::uint64_t events = 0;   // external and internal, in `exact`
   std::uint64_t corrupt = 0;  // runs of inexact arithmetics that have noticed it
   std::uint64_t limits = 0;   // runs that ended at the limit of time
+  double slowest = 0;         // CPU seconds of the run that took longest ..
+  std::string slowest_run;    // .. and what it was; whoever reads may set both back
   std::vector<std::string> problems;
 
   // At most kMostProblems are kept with their scenes.
   static constexpr std::size_t kMostProblems = 20;
   void problem(const std::string& what, std::string_view scene);
+  void time(const std::string& run, double seconds);
 };
 
 struct Family {

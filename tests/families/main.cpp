@@ -2,18 +2,20 @@
 // kinex_families: runs families of random scenes.
 //   kinex_families FAMILY COUNT [FIRST_SEED]
 //   kinex_families --list
-// Prints one line of counts, and every problem with its scene. Exit code 0: no problem; 1:
-// problems; 2: usage.
+// Prints one line of counts and one of CPU time, every problem with its scene, and every scene that
+// takes long. Exit code 0: no problem; 1: problems; 2: usage.
 #include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <string>
 
+#include "experiments/cpu_clock.h"
 #include "tests/families/family.h"
 
 namespace {
 
+using kinex::cpu_seconds;
 using kinex::families::Family;
 using kinex::families::Tally;
 
@@ -28,10 +30,21 @@ int usage() {
   return 2;
 }
 
+constexpr double kLong = 5;  // CPU seconds of a scene, in all its runs
+
+struct Slowest {
+  std::uint64_t seed = 0;
+  double seconds = 0;
+};
+
 int run(const Family& family, std::uint64_t count, std::uint64_t first) {
   Tally tally;
+  Slowest slowest;
+  const double begin = cpu_seconds();
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const std::size_t before = tally.problems.size();
+    const double began = cpu_seconds();
+    tally.slowest = 0;
     try {
       family.check(seed, tally);
     } catch (const std::exception& error) {
@@ -40,6 +53,13 @@ int run(const Family& family, std::uint64_t count, std::uint64_t first) {
     for (std::size_t i = before; i < tally.problems.size(); ++i) {
       std::printf("seed %llu: %s\n", static_cast<unsigned long long>(seed),
                   tally.problems[i].c_str());
+    }
+    const double seconds = cpu_seconds() - began;
+    if (seconds > slowest.seconds) slowest = {seed, seconds};
+    if (seconds > kLong) {
+      std::printf("seed %llu: took %.1f s, %s %.1f s of it\n",
+                  static_cast<unsigned long long>(seed), seconds, tally.slowest_run.c_str(),
+                  tally.slowest);
     }
     std::fflush(stdout);
   }
@@ -51,6 +71,8 @@ int run(const Family& family, std::uint64_t count, std::uint64_t first) {
       static_cast<unsigned long long>(tally.refused),
       static_cast<unsigned long long>(tally.corrupt), static_cast<unsigned long long>(tally.limits),
       tally.problems.size());
+  std::printf("%.1f s; the slowest scene is of seed %llu, %.2f s\n", cpu_seconds() - begin,
+              static_cast<unsigned long long>(slowest.seed), slowest.seconds);
   return tally.problems.empty() ? 0 : 1;
 }
 

@@ -211,7 +211,7 @@ TEST_F(Program, ProgressIsForTerminalsOnly) {
   EXPECT_THAT(plain.err, testing::Not(HasSubstr("events/s")));
   EXPECT_THAT(plain.out, testing::Not(HasSubstr("events/s")));
   const std::string command =
-      std::string(KINEX_PROGRAM) + " run " + large + " --max-seconds 1.5 --json > /dev/null";
+      std::string(KINEX_PROGRAM) + " run " + large + " --max-seconds 6 --json > /dev/null";
   const std::string terminal = scratch_.file("terminal");
   const std::string script =
       "script -qc '" + command + "' " + terminal + " < /dev/null > /dev/null";
