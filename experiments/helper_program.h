@@ -13,8 +13,8 @@ struct HelperEnd {
   enum class How {
     kExited,
     kNotFound,  // there is no such program, or what it runs in (a script's interpreter) is absent
-    kSignal,    // it was ended by a signal that is not ours
-    kStopped,   // `go_on` said no, and it was ended
+    kSignal,    // ended by a signal of other origin
+    kStopped,   // `go_on` returned false, and it was ended
   };
   How how = How::kExited;
   int code = 0;  // of kExited; the signal of kSignal
@@ -22,8 +22,8 @@ struct HelperEnd {
 
 // Runs `program` (looked for in PATH if it has no slash) without a shell and waits for it. Its
 // standard input is empty, what it prints goes to the files `out` and `err`, which may be one. It
-// is in a process group of its own, so a Ctrl-C reaches it by `go_on` alone, which is asked a
-// hundred times a second; at a no all of its group is killed.
+// has a process group of its own, so a Ctrl-C reaches it through `go_on` alone, which is called a
+// hundred times a second; when it returns false the whole group is killed.
 HelperEnd run_helper(const std::string& program, const std::vector<std::string>& arguments,
                      const std::string& out, const std::string& err,
                      const std::function<bool()>& go_on);

@@ -94,7 +94,7 @@ std::string describe(const Workload& workload, const WorkloadParameters& paramet
   return name;
 }
 
-// Empty if there is nothing for a family.
+// Empty if there is none for the family.
 std::string_view default_structure(const Workload& workload, int dimension) {
   if (!workload.maintain.empty()) return workload.maintain;
   if (!workload.bodies) return dimension == 2 ? "delaunay_2" : "sorted_list";

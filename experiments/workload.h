@@ -16,9 +16,9 @@ namespace kinex {
 
 struct WorkloadParameters {
   int n = 100;             // objects; >= 1
-  int m = 0;               // a second size, where a family has one; 0: the family's own
+  int m = 0;               // a second size, if the family has one; 0: the family's own
   std::uint64_t seed = 1;  // ignored by families that draw nothing
-  int degree = 1;          // of the motion, where a family has a choice
+  int degree = 1;          // of the motion, if the family has a choice
   int dimension = 0;       // 0: the family's own
   std::optional<Rational> separation = std::nullopt;  // of two bodies; nullopt: the family's own
   int turns = -1;                                     // -1: once
@@ -33,12 +33,12 @@ struct Workload {
   bool takes_degree;
   bool takes_m;
   std::string_view maintain;  // in the default dimension; "" means by dimension
-  // Fills time and objects; the parameters are valid and their dimension is set.
+  // Fills time and objects. Requires valid parameters with their dimension set.
   void (*generate)(const WorkloadParameters&, Scene&);
   int min_n = 1, min_m = 1;
   int default_m = 0;                                  // 0: same as n
   bool bodies = false;                                // rigid polygons, not points
-  std::optional<Rational> separation = std::nullopt;  // the default, where a family takes one
+  std::optional<Rational> separation = std::nullopt;  // the default, if the family takes one
   bool takes_turns = false;
   int min_turns = 1;
   std::optional<Rational> min_separation = std::nullopt;  // nullopt: anything above 0
@@ -49,12 +49,12 @@ inline constexpr int kMaxWorkloadSize = 10000000;
 inline constexpr int kMaxWorkloadDegree = 20;
 inline constexpr int kMaxWorkloadTurns = 100000;
 
-// All families, in the order in which they are listed to people.
+// All families, in the order in which users see them.
 const std::vector<Workload>& workloads();
 const Workload* find_workload(std::string_view name);
 
-// The scene, named after its parameters, with what the family is meant for in `maintain`.
-// Throws InputError for parameters that the family does not have or allow.
+// The scene, named after its parameters, with the family's own structures in `maintain`. Throws
+// InputError for parameters that the family does not have or allow.
 Scene generate_scene(const Workload& workload, WorkloadParameters parameters);
 
 }  // namespace kinex

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CheckedBy: what a second program, which shares nothing with this one, said of the log of a small
-// run.
+// CheckedBy: the verdict of a second program, which shares nothing with this one, on the log of a
+// small run.
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_CHECKED_BY_H
 #define KINEX_EXPERIMENTS_REPRODUCE_CHECKED_BY_H
 
@@ -21,15 +21,15 @@ struct CheckedBy {
     kNotChecked,
   };
   std::string program;      // "kinex-logcheck"
-  RunKey run;               // whose log; without a structure: no run
-  std::vector<int> levels;  // that it did, see experiments/logcheck
-  std::string left_out;     // which levels it did not do, or what it did not follow, and why
+  RunKey run;               // that made the log; without a structure: no run
+  std::vector<int> levels;  // checked, see experiments/logcheck
+  std::string left_out;     // levels not checked, or parts not followed, and why
   Outcome outcome = Outcome::kNotChecked;
   std::string message;  // why it refused the log, or why it was not checked
 
   // "nothing wrong", "refused: line 3: ..", "not checked: python3 was not found"
   std::string verdict() const;
-  // For people: the program, the levels, the run and the verdict.
+  // One sentence: the program, the levels, the run and the verdict.
   std::string text() const;
 };
 
@@ -39,7 +39,7 @@ void write_checked_by(JsonWriter& json, const CheckedBy& checked);
 // A line of a RecordStore, and back; of the run only its key is read.
 std::string checked_by_line(const CheckedBy& checked);
 bool is_checked_by_line(std::string_view line);
-// What tells it from others in a store: the run and the program.
+// Its key in a store: the run and the program.
 std::string checked_by_key(const RunKey& run, const std::string& program);
 struct StoredCheck {
   std::string key;

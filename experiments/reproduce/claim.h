@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PaperClaim: a statement of a paper, what was seen of it, and the verdict.
+// PaperClaim: a statement of a paper, the observations, and the verdict.
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_CLAIM_H
 #define KINEX_EXPERIMENTS_REPRODUCE_CLAIM_H
 
@@ -27,8 +27,8 @@ struct PaperClaim {
   std::string tolerance;
   std::string observed;
   ClaimVerdict verdict = ClaimVerdict::kOpen;
-  std::vector<std::string> assumptions;  // that we had to add
-  // A small run of what the claim is about, for a second program to check; or, without a structure,
+  std::vector<std::string> assumptions;  // added to the paper's
+  // A small run about the claim, for a second program to check; or, without a structure, the reason
   // why there is none.
   RunKey small_run;
   std::string no_small_run;
@@ -37,7 +37,7 @@ struct PaperClaim {
 
 std::string verdict_name(ClaimVerdict verdict);
 
-// Of a growth claim: confirmed only where the whole confidence interval lies within the tolerance.
+// On a growth claim: confirmed only if the whole confidence interval lies within the tolerance.
 ClaimVerdict claim_verdict(IntervalSays says);
 
 }  // namespace kinex

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Has one small run of each claim checked by a second program.
+// Checks one small run of each claim by a second program.
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_CLAIM_CHECK_H
 #define KINEX_EXPERIMENTS_REPRODUCE_CLAIM_CHECK_H
 
@@ -13,12 +13,12 @@
 
 namespace kinex {
 
-// `run` as small as it is worth checking: with so few points, or vertices of bodies, that every
-// level of the second program can be done and has something to do.
+// `run` at its smallest useful size: few enough points, or vertices of bodies, for every level of
+// the second program, and enough for every level to have work.
 RunKey small_run(RunKey run);
 
-// Fills in checked_by of all claims. What the store holds is not checked again; what is found fine
-// is added to it. A claim whose run is refused is not confirmed: it is left open, and says why.
+// Fills in checked_by of all claims. Runs in the store are not checked again; accepted ones are
+// added to it. A claim whose run is refused is not confirmed: it is left open, with the reason.
 // Returns the refusals, one a run. `on_run`: a run is about to be checked.
 std::vector<std::string> check_claims(std::vector<PaperClaim>& claims, const SecondProgram& program,
                                       RecordStore& store,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: what do three ways to keep a convex hull cost, as the sum over the polynomial equations
-// that they solve, weighted by degree? (Guibas 1998, section 11, figure 3.)
+// Question: what do three structures for a convex hull cost, as the sum over the polynomial
+//   equations that they solve, weighted by degree? (Guibas 1998, section 11, figure 3.)
 // Motion: linear, from a random origin to a random destination, which is reached at t = 1; the run
-// goes on until no event is left. Workloads: uniform square, uniform disk, Gaussian.
+//   continues until no event is left. Workloads: uniform square, uniform disk, Gaussian.
 // Parameters: n and seeds below. Weights: the report gives none. Used: d^2, and measured ones.
 // Expected: the kinetic structure is cheaper than brute force from some n < 100 on, and always
-// cheaper than the way by the Delaunay triangulation.
+//   cheaper than the Delaunay triangulation.
 // Cost: about 5 minutes; --quick: seconds.
 #include <fmt/format.h>
 
@@ -54,8 +54,8 @@ CostTable cost_table(const std::vector<SeriesResult>& results, const PolynomialW
   return table;
 }
 
-// The n from which on the kinetic structure is cheaper than brute force: between two sizes by
-// straight lines on logarithms. 0: at all sizes; nullopt: not at the largest.
+// The n beyond which the kinetic structure is cheaper than brute force, interpolated between two
+// sizes on logarithms. 0: at all sizes; nullopt: not at the largest.
 std::optional<double> crossing(const std::map<int, Costs>& costs) {
   std::optional<double> from;
   const std::pair<const int, Costs>* before = nullptr;
@@ -127,7 +127,7 @@ PaperClaim claim_on_delaunay(const CostTable& table, const PolynomialWeights& we
   return claim;
 }
 
-// On every scene, that is for equal workloads, sizes and seeds.
+// On every scene, that is, for equal workloads, sizes and seeds.
 PaperClaim claim_on_changes(const std::vector<SeriesResult>& results, const std::string& command) {
   PaperClaim claim;
   claim.id = "figure-3.same-changes";

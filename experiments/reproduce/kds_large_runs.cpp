@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: does the kinetic hull hold for large n? (Guibas 1998, section 11: 50,000 points, about
-// 400,000 events.) And for 1,000,000 points?
+// Question: does the kinetic hull scale to large n? (Guibas 1998, section 11: 50,000 points, about
+//   400,000 events.) And to 1,000,000 points?
 // Motion: uniform square, linear, one seed; until no event is left.
 // Expected: about 8 events a point; the report does not say when its run ends.
 // Cost: some minutes; --quick: 2,000 points.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: how many events does random motion cause, and by which law do they grow? (Guibas 1998,
-// section 9.)
+//   section 9.)
 // Motion: origin and destination independent and uniform in the unit square (the interval for
-// sorting and maxima), t in [0, 1].
-// Parameters: n below; seeds until the standard error is 2 % of the mean. References: n(n-1)/4 for
-// sorting and the expectation of the maximum's changes are exact; the others are means of an
-// independent simulation in floating point, with its standard errors.
+//   sorting and maxima), t in [0, 1].
+// Parameters: n below; seeds until the standard error is 2 % of the mean.
+// References: n(n-1)/4 for sorting and the expectation of the maximum's changes are exact; the
+//   others are means of an independent simulation in floating point, with its standard errors.
 // Expected: hull changes like log^2 n, events of the kinetic hull like n, changes of the maximum
-// like log n, Delaunay events like n^1.5. Where a logarithm is at stake, a small power is fitted as
-// well and the two are compared.
+//   like log n, Delaunay events like n^1.5. Against a logarithm a small power is fitted as well and
+//   the two are compared.
 // Cost: under an hour; --quick: minutes.
 #include <fmt/format.h>
 
@@ -175,7 +175,7 @@ PaperClaim growth_claim(const Family& family, const std::vector<FitPoint>& point
     claim.expected = fmt::format("exponent {}", family.exponent);
     claim.tolerance = fmt::format(
         "{}, for all of the 95 % interval of the larger half of the sizes", kExponentTolerance);
-    // What is of lower order shows at small n: the law is that of the larger sizes.
+    // Lower-order terms show at small n: the law is fitted to the larger sizes.
     const std::vector<FitPoint> larger(points.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                             points.size() / 2, points.size() - 3)),
                                        points.end());
@@ -223,7 +223,7 @@ bool add_constant_claim(const Family& family, const std::vector<FitPoint>& point
   PaperClaim claim;
   double farthest = 0;
   int compared = 0;
-  bool precise = true;  // a mean of too few runs agrees with anything
+  bool precise = true;  // a mean of too few runs agrees with any reference
   for (const FitPoint& point : points) {
     for (const Reference& reference : references) {
       if (reference.n != static_cast<int>(point.n)) continue;

@@ -16,7 +16,7 @@ namespace kinex {
 struct ModelFit {
   std::string name;  // "a + b ln^2 n"
   double a = 0, b = 0;
-  double b_error = 0;  // standard error; widened where the points scatter more than they may
+  double b_error = 0;  // standard error; widened if the points scatter more than their errors allow
   double lower = 0, upper = 0;  // 95 % confidence interval of b
   double chi_square = 0;
   int degrees = 0;                // of freedom
@@ -32,9 +32,9 @@ ModelFit fit_linear_model(std::string name, std::span<const FitPoint> points,
 // On logarithms.
 ModelFit fit_power_model(std::span<const FitPoint> points);
 
-// Which of two fits with as many parameters to the same points is the better one: by so much of
-// chi^2 (of one degree of freedom, where both leave more than the errors explain) that chance is
-// no explanation.
+// The better of two fits with the same number of parameters to the same points: better by so much
+// chi^2 (per degree of freedom, if both leave more than the errors explain) that chance is no
+// explanation.
 enum class BetterFit { kFirst, kNeither, kSecond };
 inline constexpr double kDecisive = 9;  // three standard errors
 BetterFit better_fit(const ModelFit& first, const ModelFit& second);

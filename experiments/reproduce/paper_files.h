@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of a reproduced paper: claims.json, and README.md made from it.
+// The files of a reproduced paper: claims.json, and the README.md made from it.
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_PAPER_FILES_H
 #define KINEX_EXPERIMENTS_REPRODUCE_PAPER_FILES_H
 

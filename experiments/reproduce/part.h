@@ -13,7 +13,7 @@
 
 namespace kinex {
 
-// What came out of a part.
+// The results of a part.
 struct PartReport {
   std::vector<PaperClaim> claims;
   std::vector<Figure> figures;
@@ -25,8 +25,8 @@ struct PaperPart {
   std::string_view name;  // "figure-3"
   std::string_view summary;
   std::vector<SeriesPoint> (*points)(bool quick);
-  // `command`: what reproduces it. The results of all points of this part, in their order; after an
-  // interruption fewer.
+  // `results`: of all points of this part, in order; fewer after an interruption. `command`
+  // reproduces it.
   PartReport (*report)(const std::vector<SeriesResult>& results, const std::string& command);
 };
 

@@ -19,7 +19,7 @@ namespace {
 constexpr int kObjects = 200;
 constexpr int kRounds = 15;
 
-// CPU seconds of so many failure times.
+// CPU seconds of `questions` failure times.
 double seconds_of(Arithmetic& arithmetic, PredicateId predicate, std::size_t arity, int questions) {
   WorkloadRandom random(17);
   const double begin = cpu_seconds();
@@ -69,8 +69,8 @@ PolynomialWeights measured_weights(const std::string& arithmetic) {
   const PredicateId order = numbers->bind(make_coordinate_order(0));
   const PredicateId orientation = numbers->bind(make_orientation_2());
   const PredicateId circle = numbers->bind(make_in_circle_2());
-  // The machine's speed varies from minute to minute: ratios are taken within a round, right after
-  // one another, and the median of the rounds counts.
+  // The machine's speed varies from minute to minute: each ratio is taken within a round, and the
+  // median of the rounds counts.
   std::vector<double> two, four;
   for (int round = 0; round < kRounds; ++round) {
     const double one = seconds_of(*numbers, order, 2, questions);

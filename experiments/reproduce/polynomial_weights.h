@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PolynomialWeights: what it costs to solve an equation, by its degree; the cost of a run is the
-// sum over the equations that it solves.
+// PolynomialWeights: the cost of solving an equation, by its degree. The cost of a run is the sum
+// over the equations that it solves.
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_POLYNOMIAL_WEIGHTS_H
 #define KINEX_EXPERIMENTS_REPRODUCE_POLYNOMIAL_WEIGHTS_H
 
@@ -18,7 +18,7 @@ struct PolynomialWeights {
   std::array<double, kHighestWeight + 1> by_degree{};
 };
 
-// d^2 for degree d: the multiplications of a Sturm sequence, d divisions of degree d.
+// d^2 for degree d: the multiplications of a Sturm sequence, d divisions of degree d each.
 PolynomialWeights square_weights();
 // CPU time of a failure time of each degree over that of degree 1, in one arithmetic, on random
 // linear motion: coordinate order, orientation and in-circle (degree 3 takes the mean of 2 and 4).

@@ -50,7 +50,7 @@ RecordStore::RecordStore(std::string path, const std::string& commit, bool fresh
       ++number;
     }
   }
-  // Without what a killed run left of its last line.
+  // Without the incomplete last line of a killed run.
   OutputFile clean(path_, true);
   clean.write(kept);
   clean.commit();
@@ -89,7 +89,7 @@ const RunRecord& RecordStore::add(const RunRecord& record) {
   const std::lock_guard lock(mutex_);
   const std::string line = record_line(record) + "\n";
   append(line);
-  // As it will be read: what is made of a record does not depend on when it was run.
+  // As it will be read back: results do not depend on when the record was made.
   std::string key = record.key;
   return records_.insert_or_assign(std::move(key), parse_record(line, path_, 0)).first->second;
 }

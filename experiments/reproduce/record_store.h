@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RecordStore: the runs that are done, and what a second program found fine, in a file that is
-// added to as they end, so that an experiment of hours goes on where it was stopped.
+// RecordStore: finished runs, and logs that a second program accepted, in a file that grows as they
+// end, so that an experiment of hours resumes where it was stopped.
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_RECORD_STORE_H
 #define KINEX_EXPERIMENTS_REPRODUCE_RECORD_STORE_H
 
@@ -20,14 +20,14 @@ class RecordStore {
  public:
   // Reads the file if there is one; its first line names the format and the commit of the program
   // that wrote it. Records of another commit are not mixed with new ones: InputError, unless
-  // `fresh`, which begins anew. A last line that is not whole is dropped. Throws InputError.
+  // `fresh`, which begins anew. An incomplete last line is dropped. Throws InputError.
   RecordStore(std::string path, const std::string& commit, bool fresh);
 
   // nullptr if it has not been run. Called from any thread.
   const RunRecord* find(const std::string& key) const;
   // Written through at once. Called from any thread.
   const RunRecord& add(const RunRecord& record);
-  // What a second program found fine; with the run of `run`.
+  // What a second program accepted; with the run of `run`.
   std::optional<CheckedBy> find_check(const RunKey& run, const std::string& program) const;
   void add_check(const CheckedBy& checked);
   std::size_t size() const { return records_.size(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RunRecord: what one exact run of one structure counted, as a line of JSON that a later run of the
-// program can go on from.
+// RunRecord: the counts of one exact run of one structure, as a line of JSON from which a later run
+// of the program can resume.
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_RUN_RECORD_H
 #define KINEX_EXPERIMENTS_REPRODUCE_RUN_RECORD_H
 
@@ -17,7 +17,7 @@ namespace kinex {
 
 struct Scene;
 
-// Which run it is.
+// Identifies a run.
 struct RunKey {
   std::string structure;
   std::string workload;
@@ -25,12 +25,12 @@ struct RunKey {
   int dimension = 2;
   std::uint64_t seed = 1;
   bool forever = false;          // until no event is left, instead of the workload's time
-  std::uint64_t max_events = 0;  // the run is stopped there; 0: it is not
-  // Bodies: where a workload takes them. Empty, 0 and -1 stand for its own.
+  std::uint64_t max_events = 0;  // the run stops there; 0: no limit
+  // Bodies, if a workload takes them. Empty, 0 and -1 stand for its own.
   int m = 0;
   std::string separation;  // a rational
   int turns = -1;
-  bool turned = false;  // by an angle that goes with the seed (turned_scene.h)
+  bool turned = false;  // by an angle given by the seed (turned_scene.h)
 
   // "convex_hull_2 uniform-square n=100 d=2 seed=1 forever"
   std::string text() const;
@@ -39,22 +39,22 @@ struct RunKey {
 struct RunRecord {
   std::string key;                    // RunKey::text()
   std::uint64_t processed = 0;        // certificate failures, over all structures that were built
-  std::uint64_t external = 0;         // of the structure that was asked for
+  std::uint64_t external = 0;         // of the requested structure
   std::uint64_t max_live = 0;         // certificates, over all structures that were built
   std::uint64_t max_per_object = 0;   // likewise
-  std::uint64_t signs = 0;            // asked for after the start
-  std::vector<std::uint64_t> solved;  // by degree: failure times asked for
-  std::map<std::string, std::uint64_t> kinds;  // events of the structure asked for, by kind
+  std::uint64_t signs = 0;            // computed after the start
+  std::vector<std::uint64_t> solved;  // by degree: failure times computed
+  std::map<std::string, std::uint64_t> kinds;  // events of the requested structure, by kind
   std::uint64_t peak_bytes = 0;
   double seconds_setup = 0;  // CPU
   double seconds = 0;        // CPU, of the simulation
   bool clean = true;         // audits and bounds
-  std::string trouble;       // what was not
+  std::string trouble;       // what was not clean
 };
 
-Scene scene_for(const RunKey& key);  // asks for the structure of the key only
+Scene scene_for(const RunKey& key);  // maintains the structure of the key only
 
-// Runs it in `exact` with an audit at the end. nullopt if `go_on` (asked now and then) said no.
+// Runs it in `exact` with an audit at the end. nullopt if `go_on` (called now and then) is false.
 std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool()>& go_on,
                                     const std::atomic<bool>* interrupt = nullptr);
 

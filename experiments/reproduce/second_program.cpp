@@ -34,7 +34,7 @@ std::string found_program() {
   return !error && fs::exists(here, error) ? here.string() : kName;
 }
 
-// Is there such a program: at this path, or in PATH?
+// True if there is such a program: at this path, or in PATH.
 bool is_there(const std::string& program) {
   std::error_code error;
   if (program.find('/') != program.npos) return fs::exists(program, error);
@@ -54,18 +54,18 @@ void write_file(const fs::path& path, const std::string& text) {
   file.commit();
 }
 
-// nullptr if it says nothing that is one.
+// nullptr if there is no such member, or it is no text.
 const JsonValue* text_member(const JsonValue& report, const char* name) {
   const JsonValue* found = report.find(name);
   return found == nullptr || found->kind != JsonValue::Kind::kString ? nullptr : found;
 }
 
-// What a report of kinex-logcheck --json says besides its verdict.
+// The parts of a report of kinex-logcheck --json other than its verdict.
 void read_report(const JsonValue& report, CheckedBy& checked) {
   const auto leave_out = [&](const std::string& what) {
     checked.left_out += (checked.left_out.empty() ? "" : "; ") + what;
   };
-  std::string reason;  // of the levels before, which are named together
+  std::string reason;  // of the preceding levels, which are named together
   std::vector<int> undone;
   const auto name_undone = [&] {
     if (undone.empty()) return;
@@ -166,7 +166,7 @@ CheckedBy SecondProgram::check(const RunKey& run) const {
     case HelperEnd::How::kExited:
       break;
   }
-  std::string told;  // why it is not fine
+  std::string told;  // the reason of a failure
   try {
     const JsonValue report = parse_json(read_text_file(out.string()), name_);
     read_report(report, checked);

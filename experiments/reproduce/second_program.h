@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SecondProgram: has the log of a small run checked by kinex-logcheck, a program in another
-// language that shares nothing with this one (experiments/logcheck).
+// SecondProgram: checks the log of a small run by kinex-logcheck, a program in another language
+// that shares nothing with this one (experiments/logcheck).
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_SECOND_PROGRAM_H
 #define KINEX_EXPERIMENTS_REPRODUCE_SECOND_PROGRAM_H
 
@@ -18,10 +18,10 @@ class SecondProgram {
   // `interrupt` as in run_record.
   SecondProgram(std::string path, std::function<bool()> go_on, const std::atomic<bool>* interrupt);
 
-  // Runs `run` in `exact`, with a log in a temporary folder, and has it checked at all levels. What
-  // an interruption stops is not checked.
+  // Runs `run` in `exact`, with a log in a temporary folder, and checks it at all levels. After an
+  // interruption the result is "not checked".
   CheckedBy check(const RunKey& run) const;
-  // As results name it: "kinex-logcheck", or the path that was given.
+  // Its name in results: "kinex-logcheck", or the path that was given.
   const std::string& name() const { return name_; }
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Questions: do certificates last for a constant fraction of the separation, on paths that are not
 //   smooth? Do outer hierarchies have few vertices far from their polygon?
-// Expected: no wedge fails before 0.23 of the separation at which it was made; an approach costs
-//   events like the number of times by which the distance is halved; trembling costs none.
+// Expected: no wedge fails before 0.23 of the separation at which it was made; the events of an
+//   approach grow like the number of halvings of the distance; trembling causes none.
 // Cost: a minute; --quick: 5 s.
 #include <fmt/format.h>
 

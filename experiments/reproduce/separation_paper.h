@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the parts of separation-sensitive-1999 share. Bodies have radius 1, so D = 2.
+// Common parts of separation-sensitive-1999. Bodies have radius 1, so D = 2.
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_SEPARATION_PAPER_H
 #define KINEX_EXPERIMENTS_REPRODUCE_SEPARATION_PAPER_H
 
@@ -25,8 +25,8 @@ std::vector<FitPoint> points_of(const std::vector<SeriesResult>& results,
                                 const std::string& structure, const std::string& workload,
                                 const std::function<double(const SeriesResult&)>& x);
 
-// "events grow like NAME^exponent at most": confirmed if the fitted exponent is at most `exponent`
-// + 0.1 or the 95 % interval reaches down to it.
+// "events grow at most like NAME^exponent": confirmed if the fitted exponent is at most
+// `exponent` + 0.1 or the 95 % interval reaches down to it.
 PaperClaim power_claim(std::string id, std::string statement, const std::vector<FitPoint>& points,
                        const std::string& name, double exponent);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Questions: how often does the certificate change when the polygons turn, what does a change cost,
-//   and what do methods cost that follow features?
+//   and what do methods that follow features cost?
 // Motion: mu rounds in one turn, at separation 2 / mu^2; a turn before a fan of edges.
 // Expected: O(mu^2) events of O(log mu) signs each; n (3n + 2) changes of closest features, at any
 //   separation, and n (2n + 2) of tangents.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: how often does the certificate of two polygons change that move without turning?
+// Question: how often does the certificate of two polygons change if they do not turn?
 // Motion: past each other on a line in 16 directions; once round each other. Nearly regular
 //   polygons of radius 1 at separation 2^-k.
-// Expected: O(log mu) on a line, O(mu) on an algebraic path, and never fewer than the path needs
-//   of certificates that prove convex sets of positions.
+// Expected: O(log mu) on a line, O(mu) on an algebraic path, and never fewer than the certificates
+//   for convex sets of positions that the path needs.
 // Cost: four minutes; --quick: 15 s.
 #include <fmt/format.h>
 

@@ -14,9 +14,9 @@
 
 namespace kinex {
 
-// A number of a run: "processed", "external", "max_live", "max_per_object", "signs", "kind.NAME",
-// "solved.DEGREE" (0 if nothing was counted under that name). Throws std::invalid_argument for
-// other names.
+// A count of a run by name: "processed", "external", "max_live", "max_per_object", "signs",
+// "kind.NAME", "solved.DEGREE" (0 if nothing was counted under that name). Throws
+// std::invalid_argument for other names.
 double quantity_of(const RunRecord& record, const std::string& quantity);
 
 // Runs with seeds 1, 2, .. until the standard error of `precise` is below `relative_error` of its
@@ -51,7 +51,7 @@ struct SeriesRun {
   std::vector<std::string> troubles;  // audits and bounds that failed: none in a right program
 };
 
-// What the store holds is not run again; what is run is added to it.
+// Runs in the store are not run again; new ones are added to it.
 SeriesRun run_series(const std::vector<SeriesPoint>& points, RecordStore& store,
                      const SeriesOptions& options);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random motion whose flight plans change, and random motion of objects that come and go. What an
-// update, an insertion and an erasure cost shows here.
+// Random motion whose flight plans change, and random motion of objects that come and go: the cost
+// of an update, an insertion and an erasure.
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -11,8 +11,7 @@ namespace kinex {
 
 namespace {
 
-// Instants are multiples of 2^-40: two of one family hardly ever coincide, and it is no harm if
-// they do.
+// Instants are multiples of 2^-40: two of one family hardly ever coincide, and may.
 constexpr std::int64_t kInstants = std::int64_t{1} << 40;
 
 Rational instant(WorkloadRandom& random, std::int64_t low, std::int64_t high) {
@@ -27,7 +26,7 @@ std::vector<Rational> random_place(WorkloadRandom& random, int dimension) {
   return place;
 }
 
-// From `place` at the time `from`, to be at `destination` one unit of time later.
+// From `place` at time `from` to `destination` one unit of time later.
 Trajectory heading(const std::vector<Rational>& place, const std::vector<Rational>& destination,
                    const Rational& from) {
   Trajectory trajectory;

@@ -12,7 +12,7 @@ struct CirclePoint {
 };
 
 // The i-th of n points counter-clockwise on the unit circle: u = tan(angle / 2) grows evenly from 0
-// to 1 in the first quadrant, and the other quadrants are turned by right angles.
+// to 1 in the first quadrant; the other quadrants are turned by right angles.
 CirclePoint circle_point(std::int64_t i, std::int64_t n) {
   const std::int64_t quadrant = 4 * i / n;
   const Rational u = fraction(4 * i - quadrant * n, n);
@@ -53,8 +53,8 @@ void generate_counter_rotating_rings(const WorkloadParameters& parameters, Scene
   }
 }
 
-// All points move outwards, (1 + t) times the unit circle: every in-circle certificate is zero for
-// ever.
+// All points move outwards, (1 + t) times the unit circle: every in-circle certificate is
+// identically zero.
 void generate_expanding_circle(const WorkloadParameters& parameters, Scene& scene) {
   scene.start = 0;
   scene.end = 4;
@@ -64,7 +64,7 @@ void generate_expanding_circle(const WorkloadParameters& parameters, Scene& scen
   }
 }
 
-// One ring turns by a right angle: its coordinates are quadratic, its shape never changes.
+// One ring turns by a right angle: quadratic coordinates, constant shape.
 void generate_rotating_circle(const WorkloadParameters& parameters, Scene& scene) {
   scene.start = 0;
   scene.end = 1;

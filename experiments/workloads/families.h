@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The generators behind the names of workload.h, and what they share.
+// The generators behind the names of workload.h, and their common parts.
 #ifndef KINEX_EXPERIMENTS_WORKLOADS_FAMILIES_H
 #define KINEX_EXPERIMENTS_WORKLOADS_FAMILIES_H
 
@@ -14,8 +14,7 @@
 
 namespace kinex {
 
-// std::mt19937_64 is specified bit by bit; the standard's distributions are not, so ranges are our
-// own.
+// std::mt19937_64 is specified bit by bit; the standard's distributions are not, hence these.
 class WorkloadRandom {
  public:
   explicit WorkloadRandom(std::uint64_t seed) : engine_(seed) {}
@@ -61,7 +60,7 @@ void generate_gaussian(const WorkloadParameters&, Scene&);
 // lattices.cpp
 void generate_grid(const WorkloadParameters&, Scene&);
 void generate_lattice(const WorkloadParameters&, Scene&);
-// worst_1d.cpp: the most events that sorting and the two maxima can have
+// worst_1d.cpp: the largest numbers of events of sorting and of two structures for a maximum
 void generate_sort_worst(const WorkloadParameters&, Scene&);
 void generate_tournament_worst(const WorkloadParameters&, Scene&);
 void generate_heap_worst(const WorkloadParameters&, Scene&);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A convex hull that changes 2nm - 1 times in linear motion: at time t the m points q_j lie on the
-// parabola y = x(t - x), and each of the n points p_i, 1/8 below it, comes out in the middle of
-// every gap between two q's and hides behind each q.
+// A convex hull that changes 2nm - 1 times in linear motion. At time t the m points q_j lie on the
+// parabola y = x(t - x); each of the n points p_i, 1/8 below it, emerges in the middle of every gap
+// between two q's and disappears behind each q.
 #include "experiments/workloads/families.h"
 
 namespace kinex {

@@ -6,7 +6,7 @@ namespace kinex {
 
 namespace {
 
-// The smallest side of a cube of lattice points that holds n of them.
+// The side of the smallest cube of lattice points that holds n of them.
 std::int64_t side_for(int n, int dimension) {
   for (std::int64_t side = 1;; ++side) {
     std::int64_t points = 1;
@@ -42,7 +42,7 @@ void generate_grid(const WorkloadParameters& parameters, Scene& scene) {
   }
 }
 
-// Starts at random, is on the lattice at t = 1, and flies on to t = 2.
+// Starts at random, is on the lattice at t = 1, and continues to t = 2.
 void generate_lattice(const WorkloadParameters& parameters, Scene& scene) {
   WorkloadRandom random(parameters.seed);
   const std::int64_t side = side_for(parameters.n, scene.dimension);

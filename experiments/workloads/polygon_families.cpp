@@ -30,7 +30,7 @@ Workload with_turns(Workload workload, int least) {
   return workload;
 }
 
-// --m counts something else than vertices.
+// --m counts something other than vertices.
 Workload with_count(Workload workload) {
   workload.min_m = 1;
   return workload;

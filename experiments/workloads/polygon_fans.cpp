@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A regular polygon of n vertices and radius 1 that turns once about its centre (0, L), and a body
 // below it with a fan of m nearly parallel edges at the origin. L = 1 + separation.
+//
+//        .-'-.        B turns
+//       |  +  |       centre (0, L)
+//        '-.-'
+//     ___.-----.___   the fan of the other body
 #include <algorithm>
 
 #include "experiments/workloads/families.h"
@@ -24,9 +29,9 @@ Rational spread(const Rational& low, const Rational& high, int k, int m) {
 
 }  // namespace
 
-// As a vertex of B passes, the direction of the shortest way between the bodies swings by the angle
-// b1 with sin b1 = sin(pi/n) / L to either side, there and back. The normals of the fan's edges,
-// (s, 1), lie within 2/5 of that, so the way crosses the whole fan twice: 3m + 2 changes of the
+// As a vertex of B passes, the direction of the shortest segment between the bodies swings by the
+// angle b1 with sin b1 = sin(pi/n) / L to either side and back. The normals of the fan's edges,
+// (s, 1), lie within 2/5 of that, so the segment crosses the whole fan twice: 3m + 2 changes of the
 // closest features per vertex, n (3m + 2) in the turn.
 void generate_polygon_fan(const WorkloadParameters& parameters, Scene& scene) {
   const Rational gap = *parameters.separation, distance = Rational(1) + gap;
@@ -51,8 +56,8 @@ void generate_polygon_fan(const WorkloadParameters& parameters, Scene& scene) {
 // direction from upright is atan(sin u / (L - cos u)). As a vertex passes, that swings between the
 // direction at cos u = 1/L, the largest, and that at pi/n beside it. The fan's edges have
 // directions in the middle half of the swing and are short, so the tangent crosses the whole fan
-// twice: 2m + 1 changes per vertex, n (2m + 1) in the turn. Nearer than 3/4 the bodies would come
-// into each other's way.
+// twice: 2m + 1 changes per vertex, n (2m + 1) in the turn. At a separation below 3/4 the bodies
+// would collide.
 void generate_polygon_tangents(const WorkloadParameters& parameters, Scene& scene) {
   const Rational distance = Rational(1) + *parameters.separation;
   const Rational cos = Rational(1) / distance;

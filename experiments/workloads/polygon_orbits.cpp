@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two nearly regular polygons of radius 1, one going round or past the other at a small distance.
+// Two nearly regular polygons of radius 1; one moves round or past the other at a small distance.
 //
-// As seen from A, the position of B is that of a point outside of their Minkowski sum, which holds
-// the disc of radius rho = cos(pi/n) + cos(pi/m) around the centre. A certificate that proves a
-// convex set of positions free covers an arc of at most 2 arccos(rho / R) of a path within the
-// radius R. So one round needs at least pi / arccos(rho / R) certificates: the square root of 1 /
-// separation.
+// Seen from A, B is a point outside their Minkowski sum, which holds the disc of radius
+// rho = cos(pi/n) + cos(pi/m) about the centre. A certificate that proves a convex set of positions
+// free covers an arc of at most 2 arccos(rho / R) of a path within the radius R. So one round needs
+// at least pi / arccos(rho / R) certificates, of the order of sqrt(1 / separation).
+//
+//        ____.____      R
+//      '  ___|___  '    the convex set beyond a tangent of the disc covers this arc of the path
+//     . '    |rho  ' .
+//    :       +        :
 #include "experiments/workloads/families.h"
 #include "experiments/workloads/polygons.h"
 
 namespace kinex {
 
 // An exact circle: B stays at distance 2 + separation, and both turn alike, so that B goes round in
-// A's frame and is never turned there. R = 2 + separation. Each round takes the time 2.
+// A's frame without turning in it. R = 2 + separation. Each round takes the time 2.
 void generate_polygon_orbit(const WorkloadParameters& parameters, Scene& scene) {
   scene.start = 0;
   scene.end = 2 * parameters.turns;
@@ -23,8 +27,8 @@ void generate_polygon_orbit(const WorkloadParameters& parameters, Scene& scene) 
 }
 
 // Nothing turns: one round along parabolic arcs, of degree 2. They touch the circle of radius
-// r = 2 + separation at their ends and are outside of it in between: an arc of the angle 2a by
-// r (1 - cos a)^2 / (2 cos a) at most, which is below r a^4 / 7 for a <= pi/8. There are as many as
+// r = 2 + separation at their ends and lie outside it in between: an arc of angle 2a by at most
+// r (1 - cos a)^2 / (2 cos a), which is below r a^4 / 7 for a <= pi/8. There are enough arcs to
 // keep that within separation / 10, so R = 2 + 11/10 separation.
 void generate_polygon_orbit_arcs(const WorkloadParameters& parameters, Scene& scene) {
   const Rational r = Rational(2) + *parameters.separation;
@@ -64,7 +68,7 @@ void generate_polygon_orbit_arcs(const WorkloadParameters& parameters, Scene& sc
   scene.objects.push_back({"b", std::move(motion), regular_polygon(parameters.m, 1)});
 }
 
-// In A's frame B turns once about its own centre while that goes round on an exact circle `turns`
+// In A's frame B turns once about its own centre, which goes round on an exact circle `turns`
 // times.
 void generate_polygon_spin_orbit(const WorkloadParameters& parameters, Scene& scene) {
   scene.start = 0;
@@ -81,7 +85,7 @@ void generate_polygon_spin_orbit(const WorkloadParameters& parameters, Scene& sc
   add_turning_body(scene, "b", regular_polygon(parameters.m, 1), distance, 0, rotor);
 }
 
-// Neither moves, both turn counter-clockwise: A `turns` times in the time 2, B once more. All
+// Both stay in place and turn counter-clockwise: A `turns` times in the time 2, B once more. All
 // rotors are linear, in pieces of a half turn. R = 2 + separation.
 void generate_polygon_gears(const WorkloadParameters& parameters, Scene& scene) {
   scene.start = 0;

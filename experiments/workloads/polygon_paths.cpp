@@ -20,9 +20,9 @@ void generate_path(const WorkloadParameters& parameters, Scene& scene,
 
 }  // namespace
 
-// The body goes to and fro m times on the diagonal, by 2^-20 to either side of the distance 1 +
-// sqrt(2). For n a multiple of 8, that is where the line that touches one polygon in the middle of
-// a quadrant meets the corner of the box around the other.
+// The body moves to and fro m times on the diagonal, by 2^-20 to either side of the distance
+// 1 + sqrt(2). For n a multiple of 8, that is where the line that touches one polygon in the middle
+// of a quadrant meets the corner of the box around the other.
 void generate_polygon_jitter(const WorkloadParameters& parameters, Scene& scene) {
   const Rational middle = Rational(1) + rounded(approximate_root(fraction(1, 2)), 40);
   const Rational near = middle - on_grid(1), far = middle + on_grid(1);
@@ -35,8 +35,9 @@ void generate_polygon_jitter(const WorkloadParameters& parameters, Scene& scene)
 }
 
 // A random walk round the body with m kinks. It keeps a clearance of at least `separation`: the
-// kinks are on the circle of radius r = 33/32 (2 + separation), 64 places apart, and a step goes by
-// four places at most, so its line stays outside of the circle of radius r cos(pi/16) > 49/50 r.
+// kinks are on the circle of radius r = 33/32 (2 + separation), 64 places apart, and a step
+// advances by at most four places, so its line stays outside the circle of radius r cos(pi/16) >
+// 49/50 r.
 void generate_polygon_kinks(const WorkloadParameters& parameters, Scene& scene) {
   constexpr std::int64_t kPlaces = 64;
   WorkloadRandom random(parameters.seed);
@@ -52,7 +53,7 @@ void generate_polygon_kinks(const WorkloadParameters& parameters, Scene& scene) 
   generate_path(parameters, scene, points);
 }
 
-// From above, swinging from side to side by as much as is left to the top of the Minkowski sum,
+// From above, swinging from side to side by the remaining distance to the top of the Minkowski sum,
 // which is halved in every unit of time until it is at most `separation`.
 void generate_polygon_approach(const WorkloadParameters& parameters, Scene& scene) {
   std::vector<Vertex2> turned = regular_polygon(parameters.n, 1);

@@ -9,8 +9,8 @@ namespace kinex {
 
 namespace {
 
-// At most `most` vertices, random ones of a regular polygon with four times as many, stretched
-// along both axes by factors in [1/4, 1].
+// At most `most` vertices, chosen at random among those of a regular polygon with four times as
+// many and stretched along both axes by factors in [1/4, 1].
 std::vector<Vertex2> random_polygon(WorkloadRandom& random, int most) {
   const std::vector<Vertex2> places = regular_polygon(4 * most, 1);
   const Rational x = on_grid(random.between(kGridUnits / 4, kGridUnits));
@@ -40,10 +40,9 @@ Spin random_spin(WorkloadRandom& random) {
 
 }  // namespace
 
-// Two bodies in discs of radius 1. Both turn; one comes from the distance 3 and is to be somewhere
-// in
-// [-3, 3]^2 at t = 1/2. In degree d > 1 its way has terms b_k (t^k - t / 2^(k - 1)), b_k uniform in
-// [-1, 1], which leave both places. They may collide.
+// Two bodies in discs of radius 1. Both turn; one comes from the distance 3 and is at a random
+// place in [-3, 3]^2 at t = 1/2. In degree d > 1 its path has terms b_k (t^k - t / 2^(k - 1)), b_k
+// uniform in [-1, 1], which keep both places. They may collide.
 void generate_polygon_random(const WorkloadParameters& parameters, Scene& scene) {
   WorkloadRandom random(parameters.seed);
   scene.start = 0;
@@ -70,9 +69,8 @@ void generate_polygon_random(const WorkloadParameters& parameters, Scene& scene)
 }
 
 // n regular polygons of m vertices, each in a unit cell of its own of a square box, move straight
-// to a random place in the box while they turn. They may collide on the way. Centres start 3/4
-// apart or more: the radius is half of what the separation leaves of that, 1/4 unless asked for
-// otherwise.
+// to a random place in the box while they turn. They may collide on the way. Centres start at least
+// 3/4 apart; the radius is half of what the separation leaves of that, by default 1/4.
 void generate_polygons_in_box(const WorkloadParameters& parameters, Scene& scene) {
   WorkloadRandom random(parameters.seed);
   scene.start = 0;

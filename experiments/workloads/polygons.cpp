@@ -47,7 +47,7 @@ Rational approximate_pi() {
   return Rational(Integer(std::int64_t{0x3243F6A8885A308D}), Integer::power_of_two(60));
 }
 
-// Newton's iteration falls from above until it stands.
+// Newton's iteration decreases monotonically until it is stationary.
 Rational approximate_root(const Rational& square) {
   Rational root = square + Rational(1);
   for (;;) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the families of rigid polygons share: nearly regular polygons with rational vertices on a
-// circle, rotors of many turns, paths of straight lines. No floating point: sines are series in
+// Common parts of the families of rigid polygons: nearly regular polygons with rational vertices on
+// a circle, rotors of many turns, paths of straight lines. No floating point: sines are series in
 // fixed-point numbers.
 #ifndef KINEX_EXPERIMENTS_WORKLOADS_POLYGONS_H
 #define KINEX_EXPERIMENTS_WORKLOADS_POLYGONS_H
@@ -36,12 +36,12 @@ struct RotorPiece {
   std::optional<Rational> from, to;
   Coefficients p, q;
 };
-// `count` half turns of the rotor's argument, that is as many turns of a body by half a turn,
-// counter-clockwise, in the time from 0 to `span`; each in a piece of its own and linear in t. The
-// first and the last piece go on for ever. count >= 1.
+// `count` half turns of a body, that is, quarter turns of the rotor's argument, counter-clockwise,
+// in the time from 0 to `span`; each in a piece of its own and linear in t. The first and the last
+// piece are extended for all time. count >= 1.
 std::vector<RotorPiece> half_turns(int count, const Rational& span);
-// The same body twice: `fine` refines `coarse`. The products of both rotors, in the pieces of
-// `fine`.
+// The rotors of one body turned twice: the products of both, in the pieces of `fine`. Requires that
+// `fine` refines `coarse`.
 std::vector<RotorPiece> composed(const std::vector<RotorPiece>& fine,
                                  const std::vector<RotorPiece>& coarse);
 
@@ -51,8 +51,8 @@ void add_turning_body(Scene& scene, std::string id, std::vector<Vertex2> polygon
 // A body with one flight plan.
 void add_body(Scene& scene, std::string id, std::vector<Vertex2> polygon, Coefficients x,
               Coefficients y, Coefficients p = {1}, Coefficients q = {0});
-// A body that is at points[i] at t = i, and moves in straight lines without turning. Two points at
-// least.
+// A body that is at points[i] at t = i, and moves in straight lines without turning. At least two
+// points.
 void add_body_on_polyline(Scene& scene, std::string id, std::vector<Vertex2> polygon,
                           const std::vector<Vertex2>& points);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All objects but one rest in the unit square; the last one crosses it. What it costs should depend
-// on what the mover meets, not on n.
+// All objects but one rest in the unit square; the last one crosses it. The cost should depend on
+// what the mover meets, not on n.
 #include "experiments/workloads/families.h"
 
 namespace kinex {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random motion: origin and destination are drawn independently from one distribution, t in [0, 1].
-// In degree d > 1, x(t) = o + (p - o) t + sum over k = 2..d of a_k (t^k - t), a_k uniform in [-1,
-// 1]: the same origin o and destination p, another way between them.
+// In degree d > 1, x(t) = o + (p - o) t + sum over k = 2..d of a_k (t^k - t), a_k uniform in
+// [-1, 1]: the same origin o and destination p, another path between them.
 #include "experiments/workloads/families.h"
 
 namespace kinex {

@@ -23,8 +23,7 @@ std::vector<Rational> product_of_roots(int degree) {
   return q;
 }
 
-// f_j(t) = j t - (2n)^j, t >= 0: j overtakes i < j once, after all pairs of smaller numbers are
-// done.
+// f_j(t) = j t - (2n)^j, t >= 0: j overtakes i < j once, after all pairs of smaller numbers.
 void add_power_lines(int n, Scene& scene) {
   scene.start = 0;
   Integer power_j(1);
@@ -57,7 +56,7 @@ void generate_sort_worst(const WorkloadParameters& parameters, Scene& scene) {
 }
 
 // f_i(t) = i t - 2^i with leaves in bit-reversed order: at every node of the tournament the two
-// sides take turns, so that its winner changes once for every function below it: n log2(n) - n + 1
+// sides win alternately, so its winner changes once for every function below it: n log2(n) - n + 1
 // failures.
 void generate_tournament_worst(const WorkloadParameters& parameters, Scene& scene) {
   const int n = parameters.n;
@@ -74,8 +73,8 @@ void generate_tournament_worst(const WorkloadParameters& parameters, Scene& scen
   }
 }
 
-// In array order every item bubbles up to the root after all smaller ones are done, so the failures
-// are the sum of the depths: floor(log2(j + 1)) over j = 0 .. n-1.
+// In array order every item rises to the root after all smaller ones are done, so the failures are
+// the sum of the depths: floor(log2(j + 1)) over j = 0 .. n-1.
 void generate_heap_worst(const WorkloadParameters& parameters, Scene& scene) {
   add_power_lines(parameters.n, scene);
 }
