@@ -26,7 +26,7 @@ struct BoundContext {
 
 struct BoundCheck {
   std::string id;      // stable name, for example "sorted_list.swaps"
-  std::string source;  // where the bound comes from
+  std::string source;  // of the bound, for people
   Integer bound;
   Integer observed;
   bool holds = true;

@@ -20,7 +20,7 @@
 
 namespace kinex {
 
-// The widest derived object, a pose (predicates/pose_2.h), has so many axes.
+// The axes of the widest derived object, a pose (predicates/pose_2.h).
 inline constexpr int kMostDerivedAxes = 7;
 
 // The motion of a derived object as a function of the motions of its bases. Exact.

@@ -184,7 +184,7 @@ bool EventQueue::less_slow(Entry& a, Entry& b) {
   return order < 0 || (order == 0 && ties_before(a.certificate, b.certificate));
 }
 
-// By structure, predicate, sorted ids, ids as they stand, certificate.
+// By structure, predicate, sorted ids, ids in order of the arguments, certificate.
 bool EventQueue::ties_before(CertificateId a, CertificateId b) const {
   const Certificate& ca = certificates_[a];
   const Certificate& cb = certificates_[b];

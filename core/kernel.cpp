@@ -16,8 +16,8 @@ namespace kinex {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A window is so many lifetimes long; windows that follow are each kGrowth times as long, and the
-// last one of kMostLooks has no end.
+// The length of the first window in lifetimes. Each further one is kGrowth times as long, and the
+// last one, of number kMostLooks, is unbounded.
 constexpr double kLifetimes = 2.5;
 constexpr double kGrowth = 4;
 constexpr int kMostLooks = 6;

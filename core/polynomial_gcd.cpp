@@ -109,7 +109,8 @@ Polynomial modular_gcd(const Polynomial& a, const Polynomial& b, Deadline* deadl
       }
       leading = gcd(a.leading(), b.leading());
     }
-    // An image of too high a degree comes from an unlucky prime; of too low, all earlier ones did.
+    // An image of higher degree than before is from an unlucky prime; if lower, all earlier ones
+    // are.
     if (!images.empty() && image.size() > images.size()) continue;
     if (!images.empty() && image.size() < images.size()) {
       images.restart();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scene: what moves, how, and what is to be maintained.
+// Scene: the objects, their motions, and the structures to be maintained.
 #ifndef KINEX_CORE_SCENE_H
 #define KINEX_CORE_SCENE_H
 

@@ -52,7 +52,7 @@ enum class AuditLevel {
 struct SimulatorOptions {
   AuditLevel audit = AuditLevel::kEnd;
   Scheduling scheduling = Scheduling::kLazy;
-  std::uint64_t max_events = 0;  // stop with kLimit after so many failures; 0: no limit
+  std::uint64_t max_events = 0;  // stop with kLimit after this many failures; 0: no limit
   // Likewise for wall time from the simulator's construction on, set-up and audits included, idle
   // time after the start excluded; 0: no limit.
   double max_seconds = 0;

@@ -47,7 +47,7 @@ class InstantPool {
   }
   SturmInstant& operator[](std::uint32_t handle) { return *slots_[handle - 1].instant; }
   const SturmInstant& operator[](std::uint32_t handle) const { return *slots_[handle - 1].instant; }
-  // Estimated: GMP's limbs are not asked for.
+  // Estimated: GMP's limbs are not counted.
   std::size_t bytes() const {
     const std::size_t live = slots_.size() - free_.size();
     return slots_.capacity() * sizeof(Slot) + free_.capacity() * sizeof(std::uint32_t) +

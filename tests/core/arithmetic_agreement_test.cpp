@@ -271,7 +271,7 @@ class Rivals {
   Tally& tally_;
   std::mt19937_64 random_;
   std::unique_ptr<Arithmetic> exact_, sturm_;
-  std::vector<Failing> held_;  // asked for at an earlier instant, not before now
+  std::vector<Failing> held_;  // computed at an earlier instant, not before now
 };
 
 // An integer of `bits` bits, sometimes a third of one.

@@ -68,7 +68,7 @@ Reference reference(const List& list) {
   return r;
 }
 
-// As write() says.
+// The contract of write().
 List written(const Reference& r, unsigned common) {
   List result = r.c;
   for (Rational& c : result) c *= Rational(Integer::power_of_two(common));
