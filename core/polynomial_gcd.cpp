@@ -109,8 +109,7 @@ Polynomial modular_gcd(const Polynomial& a, const Polynomial& b, Deadline* deadl
       }
       leading = gcd(a.leading(), b.leading());
     }
-    // An image of higher degree than before is from an unlucky prime; if lower, all earlier ones
-    // are.
+    // Unlucky primes: this one if its image has a higher degree, all earlier ones if a lower one.
     if (!images.empty() && image.size() > images.size()) continue;
     if (!images.empty() && image.size() < images.size()) {
       images.restart();

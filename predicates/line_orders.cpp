@@ -11,11 +11,12 @@
 // points, and so the order in which three lines meet. line_meeting, for slope_a < slope_b and
 // slope_c < slope_d, has the sign of the height of line ab less that of line cd, both at e:
 //
-//              . b
-//           .                ab above cd at the slope of e: positive
-//        .  |      . d
-//     a  c . . . .
-//           e
+//   height |            . b
+//          |         .
+//          |      .  |     . d      ab above cd at the slope of e: positive
+//          |   a     |  .
+//          |      c  .
+//          +---------e-------- slope
 //
 // Degrees in the dual points: 1, 2, 3; in t: 0. Identities:
 //   (1) odd permutations of the arguments of line_slope_order and line_turn change the sign
