@@ -192,7 +192,7 @@ class Simulator final : private EventReporter {
     std::uint8_t kind;
     bool external;
   };
-  // simulator.cpp
+  // simulator.cpp, simulator_instant.cpp
   void reported(const Event& event) override;
   void settled(Event event) override;
   void rebuilt(Event event) override;
