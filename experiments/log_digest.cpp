@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/log_digest.h"
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -53,6 +54,7 @@ LogDigest::LogDigest(const Simulator& simulator) {
 
 void LogDigest::begin(const std::vector<DigestedStructure>& structures,
                       const std::vector<std::string_view>& objects) {
+  objects_ = objects.size();
   std::string text = "kinex-digest 2\n[";
   for (const DigestedStructure& one : structures) {
     if (text.back() != '[') text += ',';
@@ -70,13 +72,37 @@ void LogDigest::begin(const std::vector<DigestedStructure>& structures,
   hash_.add(text);
 }
 
+namespace {
+
+// The byte after it.
+char* put_head(char* at, std::uint8_t structure, std::uint8_t kind, bool external, bool difference,
+               std::size_t ids) {
+  at[0] = static_cast<char>(structure);
+  at[1] = static_cast<char>(kind);
+  at[2] = static_cast<char>((external ? 1 : 0) | (difference ? 2 : 0));
+  at[3] = static_cast<char>(static_cast<unsigned char>(ids));
+  return at + 4;
+}
+
+char* put_number(char* at, std::uint32_t number) {
+  for (int i = 0; i < 4; ++i)
+    at[i] = static_cast<char>(static_cast<unsigned char>(number >> 8 * i));
+  return at + 4;
+}
+
+}  // namespace
+
+void LogDigest::put(std::uint32_t number) {
+  make_room(4);
+  put_number(block_.get() + used_, number);
+  used_ += 4;
+}
+
 void LogDigest::head(std::uint8_t structure, std::uint8_t kind, bool external, bool difference,
                      std::size_t ids) {
   make_room(4);
-  block_[used_++] = static_cast<char>(structure);
-  block_[used_++] = static_cast<char>(kind);
-  block_[used_++] = static_cast<char>((external ? 1 : 0) | (difference ? 2 : 0));
-  block_[used_++] = static_cast<char>(static_cast<unsigned char>(ids));
+  put_head(block_.get() + used_, structure, kind, external, difference, ids);
+  used_ += 4;
 }
 
 void LogDigest::derived(std::string_view name) {
@@ -89,8 +115,20 @@ void LogDigest::derived(std::string_view name) {
 
 void LogDigest::add(const Event& event, const Simulator& simulator) {
   const bool difference = event.has_difference();
-  head(event.structure, event.kind, event.external, difference, event.count);
-  add_ids({event.ids.data(), event.count}, simulator);
+  const std::size_t ids = event.count;
+  const std::span<const ObjectId> named(event.ids.data(), ids);
+  const auto is_derived = [this](ObjectId id) { return id >= objects_; };
+  if (std::any_of(named.begin(), named.end(), is_derived)) {
+    head(event.structure, event.kind, event.external, difference, ids);
+    add_ids(named, simulator);
+  } else {
+    // The usual record: its place in the block is known beforehand.
+    make_room(4 + 4 * ids);
+    char* at = block_.get() + used_;
+    used_ += 4 + 4 * ids;
+    at = put_head(at, event.structure, event.kind, event.external, difference, ids);
+    for (const ObjectId id : named) at = put_number(at, id);
+  }
   if (!difference) return;
   for (const std::span<const ObjectId> side : {event.gone, event.came}) {
     count(side.size());
@@ -99,9 +137,8 @@ void LogDigest::add(const Event& event, const Simulator& simulator) {
 }
 
 void LogDigest::add_ids(std::span<const ObjectId> ids, const Simulator& simulator) {
-  const std::size_t objects = simulator.scene().objects.size();
   for (const ObjectId id : ids) {
-    if (id < objects) {
+    if (id < objects_) {
       object(id);
     } else {
       derived(simulator.object_name(id));

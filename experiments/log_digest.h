@@ -74,18 +74,14 @@ class LogDigest {
   void begin(const std::vector<DigestedStructure>& structures,
              const std::vector<std::string_view>& objects);
   void add_ids(std::span<const ObjectId> ids, const Simulator& simulator);
-  void put(std::uint32_t number) {
-    make_room(4);
-    for (int shift = 0; shift < 32; shift += 8) {
-      block_[used_++] = static_cast<char>(static_cast<unsigned char>(number >> shift));
-    }
-  }
+  void put(std::uint32_t number);
   void make_room(std::size_t bytes) {
     if (used_ + bytes > size_) flush(bytes);
   }
   // Hashes what cannot be taken back; then there is room for so many bytes.
   void flush(std::size_t bytes);
 
+  std::size_t objects_ = 0;  // of the scene
   std::unique_ptr<char[]> block_ = std::make_unique<char[]>(kBlock);
   std::size_t size_ = kBlock, used_ = 0;
   std::size_t settled_ = 0;  // what is before it in the block stands
