@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/event_log.h"
 
+#include <array>
+#include <charconv>
 #include <optional>
 
+#include "core/number_text.h"
 #include "experiments/json_writer.h"
 #include "experiments/scene_run.h"
 #include "experiments/scene_writer.h"
@@ -13,19 +16,56 @@ namespace kinex {
 
 namespace {
 
+std::string quoted(std::string_view text) {
+  std::string result;
+  append_json_string(result, text);
+  return result;
+}
+
+void append_word(std::string& text, std::uint64_t value) {
+  std::array<char, 24> buffer;
+  text.append(buffer.data(),
+              std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+}
+
+template <class Number>
+void append_quoted(std::string& text, const Number& number) {
+  text += '"';
+  append(text, number);
+  text += '"';
+}
+
+// "time" of a record: of all of it the part that takes longest, so the text is put together here.
 void set_instant_json(std::string& text, const InstantName& name) {
-  text.clear();
-  JsonWriter json(text);
-  json.begin_object();
+  text = '{';
   if (name.exact && name.detail == InstantDetail::kName) {
-    json.key("polynomial").begin_array();
-    for (const Integer& c : name.polynomial.coefficients()) json.quoted(c);
-    json.end_array().key("root").number(name.root);
+    text += "\"polynomial\": [";
+    bool first = true;
+    for (const Integer& c : name.polynomial.coefficients()) {
+      if (!first) text += ", ";
+      first = false;
+      append_quoted(text, c);
+    }
+    text += "], \"root\": ";
+    append_word(text, static_cast<std::uint64_t>(name.root));
+    text += ", ";
   }
   if (name.exact) {
-    json.key("interval").begin_array().quoted(name.lower).quoted(name.upper).end_array();
+    text += "\"interval\": [";
+    const std::size_t begin = text.size();
+    append_quoted(text, name.lower);
+    const std::size_t size = text.size() - begin;
+    text += ", ";
+    if (name.is_rational()) {
+      text.append(text, begin, size);
+    } else {
+      append_quoted(text, name.upper);
+    }
+    text += "], ";
   }
-  json.key("decimal").string(name.decimal).end_object();
+  text += "\"decimal\": \"";
+  text += name.decimal;
+  text += "\"}";
 }
 
 // What the structure with this label orders by; nullopt for one that has no key.
@@ -66,7 +106,16 @@ EventLog::EventLog(const Simulator& simulator, std::string_view scene_hash, Outp
     const StructureInfo* info = find_structure_info(structure.structure);
     is_edges_.push_back(info != nullptr && info->attribute_shape() == Attribute::Shape::kEdges);
   }
-  if (file_ != nullptr) write_header(scene_hash);
+  if (file_ == nullptr) return;
+  for (const DigestedStructure& structure : structures_) {
+    std::vector<std::string>& heads = heads_.emplace_back();
+    for (const std::string& kind : structure.kinds) {
+      heads.push_back(", \"structure\": " + quoted(structure.label) +
+                      ", \"kind\": " + quoted(kind) + ", \"ids\": ");
+    }
+  }
+  for (const SceneObject& object : simulator.scene().objects) names_.push_back(quoted(object.id));
+  write_header(scene_hash);
 }
 
 void EventLog::write_header(std::string_view scene_hash) {
@@ -104,50 +153,70 @@ void EventLog::event(const Event& event, Arithmetic& arithmetic) {
   ++records_;
   if (event.external) ++external_;
   digest_.add(event, simulator_);
-  if (file_ != nullptr) write_record(event, arithmetic);
+  if (file_ != nullptr) append_record(event, arithmetic);
 }
 
-void EventLog::write_ids(JsonWriter& json, std::span<const ObjectId> ids) {
-  json.begin_array();
-  for (const ObjectId id : ids) json.string(simulator_.object_name(id));
-  json.end_array();
+// As a JSON string.
+void EventLog::append_name(ObjectId id) {
+  if (id < names_.size()) {
+    pending_ += names_[id];
+  } else {
+    append_json_string(pending_, simulator_.object_name(id));
+  }
+}
+
+void EventLog::append_ids(std::span<const ObjectId> ids) {
+  pending_ += '[';
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (i != 0) pending_ += ", ";
+    append_name(ids[i]);
+  }
+  pending_ += ']';
 }
 
 // Edges as pairs, everything else as ids.
-void EventLog::write_side(JsonWriter& json, std::span<const ObjectId> ids, StructureId structure) {
-  if (!is_edges_[structure]) return write_ids(json, ids);
-  json.begin_array();
-  for (std::size_t i = 0; i + 1 < ids.size(); i += 2) write_ids(json, ids.subspan(i, 2));
-  json.end_array();
+void EventLog::append_side(std::span<const ObjectId> ids, StructureId structure) {
+  if (!is_edges_[structure]) return append_ids(ids);
+  pending_ += '[';
+  for (std::size_t i = 0; i + 1 < ids.size(); i += 2) {
+    if (i != 0) pending_ += ", ";
+    append_ids(ids.subspan(i, 2));
+  }
+  pending_ += ']';
 }
 
-void EventLog::write_record(const Event& event, Arithmetic& arithmetic) {
-  const DigestedStructure& structure = structures_[event.structure];
-  line_.clear();
-  JsonWriter json(line_);
-  json.begin_object().key("seq").number(records_).key("structure").string(structure.label);
-  json.key("kind").string(structure.kinds[event.kind]).key("ids");
-  write_ids(json, {event.ids.data(), event.count});
-  json.key("certificate");
+// Nearly all that a log is made of: what is the same in many records is text already.
+void EventLog::append_record(const Event& event, Arithmetic& arithmetic) {
+  pending_ += "{\"seq\": ";
+  append_word(pending_, records_);
+  pending_ += heads_[event.structure][event.kind];
+  append_ids({event.ids.data(), event.count});
   const Query& certificate = event.certificate;
   if (certificate.arity == 0) {
-    json.null();
+    pending_ += ", \"certificate\": null";
   } else {
-    json.begin_object().key("predicate");
-    json.string(arithmetic.predicate(certificate.predicate).name()).key("ids");
-    write_ids(json, {certificate.ids.data(), certificate.arity});
-    json.end_object();
+    pending_ += ", \"certificate\": {\"predicate\": ";
+    append_json_string(pending_, arithmetic.predicate(certificate.predicate).name());
+    pending_ += ", \"ids\": ";
+    append_ids({certificate.ids.data(), certificate.arity});
+    pending_ += '}';
   }
-  json.key("external").boolean(event.external);
-  if (!event.reason.empty()) json.key("reason").string(event.reason);
+  pending_ += event.external ? ", \"external\": true" : ", \"external\": false";
+  if (!event.reason.empty()) {
+    pending_ += ", \"reason\": ";
+    append_json_string(pending_, event.reason);
+  }
   if (event.has_difference()) {
-    write_side(json.key("gone"), event.gone, event.structure);
-    write_side(json.key("came"), event.came, event.structure);
+    pending_ += ", \"gone\": ";
+    append_side(event.gone, event.structure);
+    pending_ += ", \"came\": ";
+    append_side(event.came, event.structure);
   }
-  if (instants_ != InstantDetail::kNone) write_instant(json.key("time"), arithmetic);
-  json.end_object();
-  line_ += '\n';
-  pending_ += line_;
+  if (instants_ != InstantDetail::kNone) {
+    pending_ += ", \"time\": ";
+    append_instant(arithmetic);
+  }
+  pending_ += "}\n";
 }
 
 void EventLog::instant_ended() {
@@ -168,13 +237,13 @@ void EventLog::instant_abandoned() {
   pending_.clear();
 }
 
-void EventLog::write_instant(JsonWriter& json, Arithmetic& arithmetic) {
+void EventLog::append_instant(Arithmetic& arithmetic) {
   const InstantName& name = arithmetic.name_now(instants_);
   if (name.number == 0 || name.number != instant_number_) {
     set_instant_json(instant_, name);
     instant_number_ = name.number;
   }
-  json.raw(instant_);
+  pending_ += instant_;
 }
 
 void EventLog::finish(RunStatus status) {

@@ -55,6 +55,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/event.h"
 #include "core/instant_name.h"
@@ -90,16 +91,21 @@ class EventLog final : public EventSink {
 
  private:
   void write_header(std::string_view scene_hash);
-  void write_record(const Event& event, Arithmetic& arithmetic);
-  void write_ids(class JsonWriter& json, std::span<const ObjectId> ids);
-  void write_side(JsonWriter& json, std::span<const ObjectId> ids, StructureId structure);
-  void write_instant(JsonWriter& json, Arithmetic& arithmetic);
+  // To pending_:
+  void append_record(const Event& event, Arithmetic& arithmetic);
+  void append_name(ObjectId id);
+  void append_ids(std::span<const ObjectId> ids);
+  void append_side(std::span<const ObjectId> ids, StructureId structure);
+  void append_instant(Arithmetic& arithmetic);
   void write_line();
 
   const Simulator& simulator_;
   OutputFile* file_;
   std::vector<DigestedStructure> structures_;
   std::vector<bool> is_edges_;  // the attribute
+  // JSON: what follows "seq" in a record, by structure and kind, and the scene's objects.
+  std::vector<std::vector<std::string>> heads_;
+  std::vector<std::string> names_;
   std::string line_;
   std::uint64_t records_ = 0;
   std::uint64_t external_ = 0;
