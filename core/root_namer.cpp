@@ -30,15 +30,26 @@ std::optional<Rational> decide_rational(const std::vector<Integer>& p, double lo
   return rational_value(polynomial, root, counters);
 }
 
+// Of the coefficients; most are found to have none in words.
+Integer content_of(const std::vector<Integer>& p) {
+  Integer content = abs(p.back());
+  for (std::size_t i = p.size() - 1; i-- > 0;) {
+    if (mpz_size(content.raw()) > 1) {
+      mpz_gcd(content.raw(), content.raw(), p[i].raw());
+      continue;
+    }
+    const unsigned long word = mpz_get_ui(content.raw());
+    if (word == 1) break;
+    mpz_set_ui(content.raw(), mpz_gcd_ui(nullptr, p[i].raw(), word));
+  }
+  return content;
+}
+
 }  // namespace
 
 void make_canonical(std::vector<Integer>& p) {
-  Integer content = abs(p.back());
-  for (std::size_t i = p.size() - 1; i-- > 0;) {
-    if (mpz_cmp_ui(content.raw(), 1) == 0) break;
-    mpz_gcd(content.raw(), content.raw(), p[i].raw());
-  }
   const bool negative = p.back().sign() < 0;
+  Integer content = content_of(p);
   if (mpz_cmp_ui(content.raw(), 1) == 0) {
     if (!negative) return;
     for (Integer& c : p) c.negate();
@@ -59,7 +70,11 @@ bool RootNamer::name(std::vector<Integer>& p, double lo, double hi, InstantName&
   if (p.size() < 2 || !std::isfinite(lo) || !std::isfinite(hi)) return false;
   make_canonical(p);
   if (p.size() == 2) {
-    set_rational_name(Rational(-p[0], p[1]), name);
+    mpz_neg(mpq_numref(name.lower.raw()), p[0].raw());
+    mpz_set(mpq_denref(name.lower.raw()), p[1].raw());
+    name.upper = name.lower;
+    name.root = 1;
+    name.polynomial = Polynomial(std::move(p));
     return true;
   }
   if (const std::optional<Rational> value = decide_rational(p, lo, hi)) {
