@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: what does it cost to name an instant exactly, or to enclose it?
-// Workload: uniform-square. For each structure and degree, runs whose sink requests nothing of the
-//   instants, an interval, a name, and the name in words, alternating; the best of each; thread CPU
-//   time.
-// Counted: microseconds an instant beyond the run that requests nothing.
-// Output: see result_table.h; options: see options.h.
+// Question: what does it cost to say what happened: to name an instant exactly where doubles
+// already enclose it, to make the digest of a run, to write its log? Workload: uniform-square. For
+// each structure and degree, in turn: runs without a sink; with one that asks nothing of the
+// instants, an interval, a name, and the name in words; with the digest, and with the whole log (to
+// the null device), as `kinex run` has them for --summary and --events; the best of each; thread
+// CPU time. Counted: microseconds an instant beyond the sink that asks nothing, and ratios of whole
+// runs. Output: see result_table.h; options: see options.h.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "core/event.h"
@@ -14,6 +16,8 @@
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"
+#include "experiments/event_log.h"
+#include "experiments/file_io.h"
 #include "experiments/workload.h"
 #include "structures/plan.h"
 
@@ -27,7 +31,7 @@ struct Contest {
   int n;
 };
 
-enum Asked { kNothing, kInterval, kName, kWords, kWays };
+enum Asked { kNothing, kInterval, kName, kWords, kAlone, kDigest, kLog, kWays };
 
 class Namer final : public EventSink {
  public:
@@ -54,15 +58,26 @@ double run_once(const Scene& scene, Asked asked, std::uint64_t& instants) {
   Simulator simulator(scene, make_arithmetic("exact", scene), options);
   add_structures(simulator, scene);
   Namer namer(asked);
-  simulator.set_sink(&namer);
+  std::optional<OutputFile> file;
+  std::optional<EventLog> log;
+  if (asked == kDigest || asked == kLog) {
+    if (asked == kLog) file.emplace("/dev/null", true);
+    log.emplace(simulator, "", file ? &*file : nullptr);
+    if (!file) log->charge_to(simulator.clock());
+    simulator.set_sink(&*log, file.has_value());
+  } else if (asked != kAlone) {
+    simulator.set_sink(&namer);
+  }
   simulator.start();
   const double begin = cpu_seconds();
-  simulator.run_until(scene.end);
+  const RunStatus status = simulator.run_until(scene.end);
+  if (log) log->finish(status);
   instants = std::max(instants, namer.instants);
   return cpu_seconds() - begin;
 }
 
-void run_contest(const Contest& contest, int rounds, ResultTable& table) {
+// `least_seconds`: of all runs of one way together.
+void run_contest(const Contest& contest, int rounds, double least_seconds, ResultTable& table) {
   WorkloadParameters parameters;
   parameters.n = contest.n;
   parameters.degree = contest.degree;
@@ -70,9 +85,11 @@ void run_contest(const Contest& contest, int rounds, ResultTable& table) {
   scene.maintain = {{contest.structure, contest.structure, {}}};
   std::array<double, kWays> seconds{};
   std::uint64_t instants = 0;
-  for (int round = 0; round < rounds; ++round) {
+  double spent = 0;
+  for (int round = 0; round < rounds || spent < least_seconds; ++round) {
     for (int way = 0; way < kWays; ++way) {
       const double now = run_once(scene, static_cast<Asked>(way), instants);
+      if (way == kAlone) spent += now;
       double& best = seconds[static_cast<std::size_t>(way)];
       best = round == 0 ? now : std::min(best, now);
     }
@@ -81,7 +98,8 @@ void run_contest(const Contest& contest, int rounds, ResultTable& table) {
     return (seconds[asked] - seconds[kNothing]) * 1e6 / static_cast<double>(instants);
   };
   table.row({contest.structure, contest.degree, contest.n, instants, seconds[kNothing],
-             each(kInterval), each(kName), each(kWords), seconds[kName] / seconds[kNothing]});
+             each(kInterval), each(kName), each(kWords), seconds[kName] / seconds[kNothing],
+             seconds[kDigest] / seconds[kAlone], seconds[kLog] / seconds[kAlone]});
 }
 
 }  // namespace
@@ -92,7 +110,8 @@ int main(int argc, char** argv) {
   ResultTable table(
       *options, "naming",
       "Microseconds for an interval around an instant, for its exact name, and for the "
-      "name in words, beyond a run that asks for none; time of a run with names over that.",
+      "name in words, beyond a run that asks for none; time of a run with names over that; time of "
+      "a run with its digest, and with its log, over that of the run alone.",
       {{"structure", ResultTable::kText, 19},
        {"degree", 0},
        {"n", 0, 6},
@@ -101,7 +120,9 @@ int main(int argc, char** argv) {
        {"interval", 3},
        {"name", 3},
        {"words", 3},
-       {"named_over_plain", 3}});
+       {"named_over_plain", 3},
+       {"digest_over_none", 3},
+       {"log_over_none", 3}});
   const bool smoke = options->smoke;
   for (const Contest& contest : std::initializer_list<Contest>{{"sorted_list", 1, 600},
                                                                {"sorted_list", 2, 400},
@@ -111,7 +132,7 @@ int main(int argc, char** argv) {
                                                                {"delaunay_2", 3, 200}}) {
     Contest one = contest;
     if (smoke) one.n = 20;
-    run_contest(one, smoke ? 1 : 3, table);
+    run_contest(one, smoke ? 1 : 3, smoke ? 0 : 0.5, table);
   }
   return 0;
 }
