@@ -11,24 +11,48 @@ namespace {
 
 constexpr double kRoom = 1 + 1e-9;
 
-// m * 2^e, without a limit on the integer.
-struct Scaled {
-  double m;
-  long e;
-};
+// m is finite, not negative.
+Magnitude magnitude(double m, long e) {
+  if (m == 0) return {};
+  const int exponent = std::ilogb(m);
+  return {std::ldexp(m, -exponent), e + exponent};
+}
 
-Scaled scaled(const Integer& value) {
+// m 2^e; 0 or infinity where a double ends.
+double to_double(const Magnitude& value) {
+  return std::ldexp(value.m, static_cast<int>(std::clamp(value.e, -3000L, 3000L)));
+}
+
+// |value|, rounded towards zero.
+Magnitude magnitude(const Integer& value) {
+  constexpr std::size_t kEnough = 64;
   const std::size_t bits = value.bit_length();
-  if (bits < 512) return {value.to_double(), 0};
-  const unsigned long dropped = static_cast<unsigned long>(bits) - 64;
-  const Integer top = value.sign() < 0 ? -(-value >> dropped) : value >> dropped;
-  return {top.to_double(), static_cast<long>(dropped)};
+  const std::size_t dropped = bits > 8 * kEnough ? bits - kEnough : 0;
+  return magnitude((abs(value) >> dropped).to_double(), static_cast<long>(dropped));
 }
 
-double quotient(const Integer& a, const Integer& b) {
-  const Scaled p = scaled(a), q = scaled(b);
-  return std::ldexp(p.m / q.m, static_cast<int>(p.e - q.e));
+// b is not 0.
+Magnitude quotient(const Magnitude& a, const Magnitude& b) {
+  return magnitude(a.m / b.m, a.e - b.e);
 }
+
+// |a / b|; b is not 0.
+Magnitude quotient(const Integer& a, const Integer& b) {
+  return quotient(magnitude(a), magnitude(b));
+}
+
+Magnitude hypot(const Magnitude& x, const Magnitude& y) {
+  if (x < y) return hypot(y, x);
+  return magnitude(std::hypot(x.m, to_double({y.m, y.e - x.e})), x.e);
+}
+
+// floor(log2(factor / value)); value is not 0.
+long floor_of_logarithm(double factor, const Magnitude& value) {
+  return quotient(magnitude(factor, 0), value).e;
+}
+
+// floor(x / 2)
+long half(long x) { return x >> 1; }
 
 // (x, y) / w
 struct Difference {
@@ -39,9 +63,9 @@ Difference difference(const FramePoint& from, const FramePoint& to) {
   return {to.x * from.w - from.x * to.w, to.y * from.w - from.y * to.w, to.w * from.w};
 }
 
-double length(const Difference& d, const Rational& unit) {
+Magnitude length(const Difference& d, const Rational& unit) {
   const Integer p = unit.numerator(), q = unit.denominator(), w = d.w * p;
-  return std::hypot(quotient(d.x * q, w), quotient(d.y * q, w));
+  return hypot(quotient(d.x * q, w), quotient(d.y * q, w));
 }
 
 double relative_perimeter(const OuterHierarchy& tree) {
@@ -49,7 +73,7 @@ double relative_perimeter(const OuterHierarchy& tree) {
   double sum = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const FramePoint& next = vertices[i + 1 == vertices.size() ? 0 : i + 1];
-    sum += length(difference(vertices[i], next), tree.radius());
+    sum += to_double(length(difference(vertices[i], next), tree.radius()));
   }
   return sum;
 }
@@ -85,8 +109,8 @@ std::string_view depth_source(CutPolicy policy) {
 
 }  // namespace
 
-std::vector<double> relative_heights(const OuterHierarchy& tree) {
-  std::vector<double> heights(tree.nodes().size(), 0.0);
+std::vector<Magnitude> relative_heights(const OuterHierarchy& tree) {
+  std::vector<Magnitude> heights(tree.nodes().size());
   const std::vector<FramePoint>& vertices = tree.polygon().vertices;
   const Integer p = tree.radius().numerator(), q = tree.radius().denominator();
   for (std::size_t v = 0; v < heights.size(); ++v) {
@@ -98,9 +122,9 @@ std::vector<double> relative_heights(const OuterHierarchy& tree) {
     Integer cross = to_first.x * to_last.y;
     cross.subtract_product(to_first.y, to_last.x);
     // Twice the triangle's area over r^2, and the chord over r.
-    const double area = quotient(abs(cross) * q * q, to_first.w * to_last.w * p * p);
-    const double height = area / length(difference(first, last), tree.radius());
-    heights[v] = std::isfinite(height) ? height : 0;
+    const Magnitude area = quotient(cross * q * q, to_first.w * to_last.w * p * p);
+    const Magnitude chord = length(difference(first, last), tree.radius());
+    if (!chord.is_zero()) heights[v] = quotient(area, chord);
     // Enforced against rounding: heights never grow downwards.
     if (node.parent != OuterHierarchy::kNone) {
       heights[v] = std::min(heights[v], heights[node.parent]);
@@ -123,7 +147,7 @@ void HierarchyBounds::Worst::note(std::int64_t limit, std::int64_t seen) {
 
 void HierarchyBounds::add(const OuterHierarchy& tree) {
   if (tree.is_point()) return;
-  const std::vector<double> heights = relative_heights(tree);
+  const std::vector<Magnitude> heights = relative_heights(tree);
   const std::size_t n = tree.polygon().size();
   cuts_.note(static_cast<std::int64_t>(2 * n), static_cast<std::int64_t>(tree.edges().size() - 4));
   look_at_depths(tree, heights);
@@ -131,11 +155,11 @@ void HierarchyBounds::add(const OuterHierarchy& tree) {
   // From the highest node down: a node adds one to the antichain, unless it replaces its parent.
   std::vector<std::uint32_t> order;
   for (std::uint32_t v = 0; v < heights.size(); ++v) {
-    if (heights[v] > 0) order.push_back(v);
+    if (!heights[v].is_zero()) order.push_back(v);
   }
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return heights[a] > heights[b]; });
-  const double twice_perimeter = 2 * relative_perimeter(tree);
+                   [&](std::uint32_t a, std::uint32_t b) { return heights[b] < heights[a]; });
+  const Magnitude twice_perimeter = magnitude(2 * relative_perimeter(tree), 0);
   std::vector<std::uint8_t> is_end(heights.size(), 0);
   std::int64_t ends = 0;
   for (const std::uint32_t v : order) {
@@ -146,12 +170,13 @@ void HierarchyBounds::add(const OuterHierarchy& tree) {
     } else {
       ++ends;
     }
-    antichain_.note(floor_of(std::sqrt(twice_perimeter / heights[v]) * kRoom), ends);
+    antichain_.note(floor_of(std::sqrt(to_double(quotient(twice_perimeter, heights[v]))) * kRoom),
+                    ends);
   }
 }
 
 void HierarchyBounds::look_at_depths(const OuterHierarchy& tree,
-                                     const std::vector<double>& heights) {
+                                     const std::vector<Magnitude>& heights) {
   const int halvings = binary_logarithm(tree.polygon().size()) + 1;
   if (policy_ == CutPolicy::kMedian) {
     depth_.note(halvings, tree.depth());
@@ -160,16 +185,16 @@ void HierarchyBounds::look_at_depths(const OuterHierarchy& tree,
   if (policy_ == CutPolicy::kBalancedDudley) depth_.note(2 * halvings, tree.depth());
   for (std::size_t v = 0; v < heights.size(); ++v) {
     const OuterHierarchy::Node& node = tree.nodes()[v];
-    if (node.depth == 0 || !(heights[v] > 0)) continue;
+    if (node.depth == 0 || heights[v].is_zero()) continue;
     switch (policy_) {
       case CutPolicy::kCompass:
-        depth_.note(floor_of(std::log2(1.1 * kRoom / heights[v])), node.depth);
+        depth_.note(floor_of_logarithm(1.1 * kRoom, heights[v]), node.depth);
         break;
       case CutPolicy::kDudley:
-        depth_.note(floor_of(std::log2(5.5 * kRoom / heights[v]) / 2), node.depth);
+        depth_.note(half(floor_of_logarithm(5.5 * kRoom, heights[v])), node.depth);
         break;
       case CutPolicy::kBalancedDudley:
-        depth_.note(2 * floor_of(std::log2(5.5 * kRoom / heights[v]) / 2), node.depth);
+        depth_.note(2 * half(floor_of_logarithm(5.5 * kRoom, heights[v])), node.depth);
         break;
       case CutPolicy::kMedian:
         break;

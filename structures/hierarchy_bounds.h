@@ -19,8 +19,9 @@
 //              kBalancedDudley: 2 min(floor(log2 n) + 1, floor(log4(5.5 r / s))): at least every
 //              other cut above a node is Dudley's, and after two levels the chain is halved.
 //
-// Heights are computed from exact integers and rounded at the end: relative error below 1e-12 at
-// any scale; comparisons allow for 1e-9. Cost: O(n log n), a few integer products a node.
+// Heights are computed from exact integers and rounded at the end, with exponents of their own:
+// relative error below 1e-12 at any scale and however small they are beside the radius;
+// comparisons allow for 1e-9. Cost: O(n log n), a few integer products a node.
 #ifndef KINEX_STRUCTURES_HIERARCHY_BOUNDS_H
 #define KINEX_STRUCTURES_HIERARCHY_BOUNDS_H
 
@@ -34,8 +35,20 @@
 
 namespace kinex {
 
+// m 2^e with 1 <= m < 2, or 0: a double that neither overflows nor underflows.
+struct Magnitude {
+  double m = 0;
+  long e = 0;
+
+  bool is_zero() const { return m == 0; }
+  friend bool operator<(const Magnitude& a, const Magnitude& b) {
+    if (a.is_zero() || b.is_zero()) return !b.is_zero() && a.is_zero();
+    return a.e != b.e ? a.e < b.e : a.m < b.m;
+  }
+};
+
 // The heights of the nodes over the radius, by node; 0 for leaves.
-std::vector<double> relative_heights(const OuterHierarchy& tree);
+std::vector<Magnitude> relative_heights(const OuterHierarchy& tree);
 
 class HierarchyBounds {
  public:
@@ -52,7 +65,7 @@ class HierarchyBounds {
     std::int64_t bound = 0, observed = -1;  // -1: none yet
     void note(std::int64_t limit, std::int64_t seen);
   };
-  void look_at_depths(const OuterHierarchy& tree, const std::vector<double>& heights);
+  void look_at_depths(const OuterHierarchy& tree, const std::vector<Magnitude>& heights);
 
   CutPolicy policy_;
   Worst antichain_, depth_, cuts_;
