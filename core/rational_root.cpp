@@ -10,10 +10,11 @@ namespace kinex {
 
 namespace {
 
-constexpr std::uint64_t kPrimeProduct = 614889782588491410;  // of the primes below 50
-// Up to this degree values need no intermediate reduction: 46^11 (1 + 1/45) < 2^64.
-constexpr std::size_t kShortDegree = 10;
 constexpr std::size_t kMostCoefficients = 64;
+
+// Values up to this degree need no reduction on the way: with m = prime - 1 they are at most
+// m^(degree + 1) (1 + 1 / (m - 1)), and 46^11 (1 + 1/45) < 2^64, 96^9 (1 + 1/95) < 2^64.
+constexpr std::size_t short_degree(std::uint64_t prime) { return prime < 50 ? 10 : 8; }
 
 // A root modulo a prime, one at infinity included.
 template <std::uint64_t kPrime>
@@ -26,26 +27,28 @@ bool has_root_modulo(const std::uint64_t* c, std::size_t size) {
     std::uint64_t value = leading;
     for (std::size_t i = size - 1; i-- > 0;) {
       value = value * x + residue[i];
-      if (size > kShortDegree + 1) value %= kPrime;
+      if (size > short_degree(kPrime) + 1) value %= kPrime;
     }
     if (value % kPrime == 0) return true;
   }
   return false;
 }
 
+// No root modulo one of these primes, whose product fits a word.
 template <std::uint64_t... kPrimes>
-bool lacks_roots_modulo_some(const std::uint64_t* c, std::size_t size) {
-  return (!has_root_modulo<kPrimes>(c, size) || ...);
+bool lacks_roots_modulo_some(const std::vector<Integer>& c) {
+  constexpr std::uint64_t kProduct = (kPrimes * ...);
+  std::array<std::uint64_t, kMostCoefficients> residue;
+  for (std::size_t i = 0; i < c.size(); ++i) residue[i] = mpz_fdiv_ui(c[i].raw(), kProduct);
+  return (!has_root_modulo<kPrimes>(residue.data(), c.size()) || ...);
 }
 
 }  // namespace
 
 bool lacks_rational_roots(const std::vector<Integer>& c) {
   if (c.size() > kMostCoefficients) return false;
-  std::array<std::uint64_t, kMostCoefficients> residue;
-  for (std::size_t i = 0; i < c.size(); ++i) residue[i] = mpz_fdiv_ui(c[i].raw(), kPrimeProduct);
-  return lacks_roots_modulo_some<2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47>(
-      residue.data(), c.size());
+  return lacks_roots_modulo_some<2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47>(c) ||
+         lacks_roots_modulo_some<53, 59, 61, 67, 71, 73, 79, 83, 89, 97>(c);
 }
 
 std::optional<Rational> simplest_fraction(double lo, double hi) {

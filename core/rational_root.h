@@ -10,8 +10,8 @@
 namespace kinex {
 
 // True: the polynomial has no rational root, because it has no root (nor one at infinity) modulo
-// one of the primes below 50. False proves nothing. `c`: at least two coefficients. Among
-// unstructured polynomials without rational roots about 99.7 % are detected, with 3 primes on
+// one of the primes below 100. False proves nothing. `c`: at least two coefficients. Among
+// unstructured polynomials without rational roots about 99.99 % are detected, with 3 primes on
 // average.
 bool lacks_rational_roots(const std::vector<Integer>& c);
 
