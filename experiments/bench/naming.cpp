@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: what does it cost to say what happened: to name an instant exactly where doubles
-// already enclose it, to make the digest of a run, to write its log? Workload: uniform-square. For
-// each structure and degree, in turn: runs without a sink; with one that asks nothing of the
-// instants, an interval, a name, and the name in words; with the digest, and with the whole log (to
-// the null device), as `kinex run` has them for --summary and --events; the best of each; thread
-// CPU time. Counted: microseconds an instant beyond the sink that asks nothing, and ratios of whole
-// runs. Output: see result_table.h; options: see options.h.
+// Question: what does it cost to report a run: to name an instant exactly where doubles already
+//   enclose it, to make the digest, to write the log?
+// Workload: uniform-square. For each structure and degree, alternating: runs without a sink; with a
+//   sink that requests nothing of the instants, an interval, a name, and the name in words; with the
+//   digest and with the whole log (to the null device), as `kinex run` has them for --summary and
+//   --events; the best of each; thread CPU time.
+// Counted: microseconds an instant beyond the sink that requests nothing; ratios of whole runs.
+// Output: see result_table.h; options: see options.h.
 #include <algorithm>
 #include <array>
 #include <optional>
