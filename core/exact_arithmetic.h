@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ExactArithmetic (`exact`): every answer is exact; a floating-point filter gives nearly all of
-// them.
+// ExactArithmetic (`exact`): every answer is exact, and nearly all come from a floating-point
+// filter.
 //
-// Stages, cheapest first. A stage may abstain but is never wrong; the ledger counts answers by
-// stage.
+// Stages, cheapest first. A stage may abstain but is never wrong; the ledger counts their answers.
 //   kDouble  The certificate polynomial in doubles; its sign or first root is certified in doubles.
 //              Scenes of small integers over a common denominator: plain doubles in t - origin, for
 //              an origin of few bits just before now. Shifted motions and their differences are

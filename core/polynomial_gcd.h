@@ -16,8 +16,8 @@ namespace kinex {
 // `deadline`, here and below, is polled between the steps; null: none.
 Polynomial gcd(const Polynomial& a, const Polynomial& b, Deadline* deadline = nullptr);
 
-// True: a and b are proved coprime. False: they have a common factor of positive degree modulo one
-// fixed prime, which proves nothing. The cheap half of gcd.
+// True: a and b are proved coprime, modulo one fixed prime. False proves nothing. The cheap half of
+// gcd.
 bool coprime_modulo_prime(const Polynomial& a, const Polynomial& b);
 
 // a / b where b divides a over the rationals; the primitive part of the quotient with the

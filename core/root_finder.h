@@ -11,7 +11,7 @@
 //   depth 3           |-1-|-1-|                     kInterval, kInterval: the first two roots
 //
 // A cell that keeps exactly two variations over several levels is settled at once: its two close
-// roots are separated at the root of the derivative between them (close_pair.h).
+// roots, if real, are separated at the root of the derivative between them (close_pair.h).
 //
 // Source: Descartes' rule of signs in the Bernstein basis with bisection (Lane, Riesenfeld 1981;
 // the method of Vincent, Collins and Akritas), integer arithmetic.
