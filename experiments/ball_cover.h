@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many balls cover the relative motion of two bodies, each small against the separation at its
-// centre: a bound on what a proof costs that withstands a constant fraction of the separation
-// (structures/separation_hysteresis.h), however jagged the motion is.
+// The number of balls that cover the relative motion of two bodies, each small against the
+// separation at its centre: a bound on the events of a proof that withstands a constant fraction of
+// the separation (structures/separation_hysteresis.h), however jagged the motion.
 #ifndef KINEX_EXPERIMENTS_BALL_COVER_H
 #define KINEX_EXPERIMENTS_BALL_COVER_H
 
@@ -11,9 +11,9 @@
 
 namespace kinex {
 
-// A ball's radius, of the separation at its centre. What is made anywhere in a ball and withstands
-// c times the separation there holds in all of it if the radius is at most c / (2 + c): for c =
-// 0.23 a little more than this.
+// A ball's radius over the separation at its centre. A proof made anywhere in a ball that
+// withstands c times the separation there holds in all of the ball if the radius is at most c / (2
+// + c): for c = 0.23 a little more than this.
 inline constexpr double kBallRadius = 0.103;
 
 // The number of consecutive pieces into which the motion of the second body against the first is
@@ -23,11 +23,10 @@ inline constexpr double kBallRadius = 0.103;
 //   max(|dt| + rho_2 |d theta|, |dt'| + rho_1 |d theta|).
 // The separation changes by no more than that.
 //
-// In doubles, at samples that are no farther apart than 1/64 of the separation; a ball must hold
-// its samples with that much to spare, so that it holds what is between them. Greedy: each piece
-// goes on as far as a ball can be found. Vertices against edges: O(n_a n_b) a sample. Requires two
-// bodies, polygons, that live from the start of the scene to its end and keep a distance well above
-// the rounding of doubles.
+// In doubles, at samples at most 1/64 of the separation apart; a ball must hold its samples with
+// that margin, so that it holds the path between them. Greedy: each piece extends as far as a ball
+// can be found. Vertices against edges: O(n_a n_b) a sample. Requires two polygons that exist from
+// the start of the scene to its end and keep a distance well above the rounding of doubles.
 std::uint64_t ball_cover(const Scene& scene);
 
 }  // namespace kinex

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The independent witness of collision detection: every contact and separation of two bodies, by
-// looking at every vertex of one against every edge of the other.
+// The independent witness of collision detection: every contact and separation of two bodies, found
+// by testing every vertex of one against every edge of the other.
 //
 // Polygons whose interiors are disjoint meet only where a vertex of one lies on an edge of the
 // other. The instants at which a vertex crosses the line of an edge are the real roots of a
-// polynomial in t; there, the signs of two more say whether it is between the ends. Between two
+// polynomial in t; there, the signs of two more decide whether it is between the ends. Between two
 // such instants nothing changes, so the bodies are placed at a rational time in between and tested
 // for overlap.
 //
-// Exact; world coordinates throughout. O(n_a n_b) polynomials for each pair of flight plans, of the
-// degree of the positions, plus four times that of the rotor of the edge's body, plus twice that of
-// the vertex's. It shares nothing with the structures but polynomials and their roots.
+// Exactness: exact; world coordinates throughout. Cost: O(n_a n_b) polynomials for each pair of
+// flight plans, of the degree of the positions, plus four times that of the rotor of the edge's
+// body, plus twice that of the vertex's. It shares nothing with the structures but polynomials and
+// their roots.
 #ifndef KINEX_EXPERIMENTS_COLLISION_WITNESS_H
 #define KINEX_EXPERIMENTS_COLLISION_WITNESS_H
 
@@ -35,8 +36,8 @@ struct FeaturePair {
 
 struct BodyContact {
   RealRoot instant;
-  // All that are in contact, in ascending order; none if the bodies overlap, or are apart, from a
-  // jump on.
+  // All features in contact, in ascending order; none if the bodies overlap, or are apart, because
+  // of a jump.
   std::vector<FeaturePair> features;
   // Right after the instant: kApart for a touch of one instant, kTouching if they stay in touch,
   // kOverlapping if they penetrate.
@@ -58,8 +59,8 @@ struct CollisionWitness {
   const BodyContact* first() const;
 };
 
-// What happens from `start` to `end` (for ever if nullopt), where both bodies exist. Bodies that
-// touch already at the start count as beginning to touch there. What follows the end is told by the
+// The contacts from `start` to `end` (nullopt: for all time) while both bodies exist. Bodies that
+// touch at the start begin to touch there. At the end, events are decided by extrapolating the
 // flight plans that end there.
 CollisionWitness find_contacts(const SceneObject& a, const SceneObject& b, const Rational& start,
                                const std::optional<Rational>& end);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of things, for people.
+// Numbers of things, in words.
 #ifndef KINEX_EXPERIMENTS_COUNTED_H
 #define KINEX_EXPERIMENTS_COUNTED_H
 

@@ -27,8 +27,8 @@ Rational csv_number(const CsvTable& table, const CsvRow& row, std::size_t column
 // What is an id in a table must be one in a scene. Throws InputError.
 void check_csv_id(const std::string& id, const std::string& file, const std::string& where);
 
-// The remedy of an error that a reader of scenes found in a text made of a table, without the line
-// of that text.
+// The remedy of an error that the scene reader found in a text made of a table, without the line of
+// that text.
 std::string remedy_without_line(const InputError& error);
 
 }  // namespace kinex

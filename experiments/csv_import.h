@@ -36,20 +36,19 @@ struct ImportReport {
 };
 
 // The first line names the columns, in any order; the coordinates are a prefix of x, y, z. Numbers
-// are exact, as in scenes. Fields may be quoted ("a, b"). Objects come in the order of their first
-// rows.
-//
-// Traces: an object exists from its first to its last fix and moves linearly between two fixes;
-// rows need not be in the order of time. Two fixes of one id at one time must be identical. The
-// scene's time is that of all fixes together, unless the options say otherwise. Velocities: x(t) =
-// x + vx t from time 0 on unless the options say otherwise; without an end the scene runs until no
-// event is left. The fixed objects come last, and are there at all times.
-//
-// Bodies: the coordinates are those of the origin of a polygon's frame. A heading turns the frame,
-// as exactly as experiments/heading.h says. Between two fixes the rotor is linear in t, the short
-// way round, so that motion is continuous; the body of a row with velocities keeps its heading.
-// Fixed objects have heading 0. Bodies that overlap when they are first seen are refused, as scenes
-// refuse them, unless the options say otherwise.
+// are exact, as in scenes. Fields may be quoted ("a, b"). Objects are in the order of their first
+// rows, fixed objects last. Defaults can be overridden by the options.
+//   traces      An object exists from its first to its last fix and moves linearly between two
+//               fixes; rows need not be in the order of time. Two fixes of one id at one time must
+//               be identical. Default time of the scene: that of all fixes together.
+//   velocities  x(t) = x + vx t, by default from time 0 on; without an end the scene runs until no
+//               event is left.
+//   fixed       Objects that exist at all times.
+//   bodies      The coordinates are those of the origin of a polygon's frame. A heading turns the
+//               frame, to the precision of experiments/heading.h. Between two fixes the rotor is
+//               linear in t, the short way round, so motion is continuous; the body of a row with
+//               velocities keeps its heading; fixed objects have heading 0. Bodies that overlap
+//               when they are first seen are refused by default.
 //
 // Throws InputError that names the line, or the option.
 ImportReport import_csv(std::string_view text, const std::string& file,

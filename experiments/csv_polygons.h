@@ -13,7 +13,7 @@
 
 namespace kinex {
 
-// The id of the polygon of all objects that have none of their own.
+// The id of the polygon of all objects without one of their own.
 inline constexpr const char* kEveryId = "*";
 
 struct PolygonTable {
@@ -27,7 +27,7 @@ struct PolygonTable {
   std::vector<Entry> entries;                           // in order of first rows
   std::unordered_map<std::string, std::size_t> number;  // of an id's entry
 
-  // The polygon of `id`, or else that of kEveryId; null if there is neither.
+  // The polygon of `id`, else that of kEveryId; nullptr if there is neither.
   const std::vector<Vertex2>* find(const std::string& id) const;
 };
 
@@ -42,9 +42,9 @@ struct ObjectTable {
   const std::unordered_map<std::string, std::size_t>& lines;  // of the first row of every id
 };
 
-// Gives every object its polygon; the scene's motions are those of bodies already. Objects that are
+// Gives every object its polygon; the scene's motions are already those of bodies. Objects that are
 // not in the table are those of --fixed. Throws InputError for an object without a polygon, for a
-// polygon of no id, and for what the reader of scenes refuses: bodies in contact at the start.
+// polygon without an object, and for bodies in contact at the start, as the scene reader does.
 void make_bodies(Scene& scene, const PolygonTable& polygons, const ObjectTable& objects);
 
 }  // namespace kinex

@@ -11,7 +11,7 @@
 //   "instants": "names", "intervals" or "none"    how much a record says of its instant
 //   "build": "kinex VERSION"
 //   "structures": [{"label", "structure", "key", "kinds"}, ..]    in the order of the run
-//       "key": only of a structure that orders by a key, written as in a scene's "maintain"
+//       "key": only for a structure that orders by a key, written as in a scene's "maintain"
 //       "kinds": its own, then "motion", "insert", "erase", "settled", "rebuild"
 //   "objects": [ID, ..]    the scene's, in its order
 //
@@ -21,30 +21,33 @@
 //   "certificate": {"predicate": NAME, "ids": [ID, ..]}    the one that failed, or null
 //   "external": BOOLEAN   the attribute changed
 //   "reason": TEXT        of a rebuild only
-//   "gone": .., "came": ..    the change of the attribute where the ids do not tell it (of every
-//       "settled", of a "rebuild" that changed it). Edges: those that went and those that came, as
-//       arrays of pairs, in the scene's order within and between pairs. Sequence, cycle, object:
-//       the whole attribute before and after, as arrays of ids.
+//   "gone": .., "came": ..    the change of the attribute where the ids do not give it (of every
+//       "settled", of a "rebuild" that changed it)
+//       edges: those removed and those added, as arrays of pairs, in the scene's order within and
+//         between pairs
+//       sequence, cycle, object: the whole attribute before and after, as arrays of ids
 //   "time": {..}          none where "instants" is "none"
 //     exact, "names":      {"polynomial": [C, ..], "root": K, "interval": [A, B], "decimal": D}
 //     exact, "intervals":  {"interval": [A, B], "decimal": D}
 //     inexact:             {"decimal": D}
-//   polynomial: primitive, square-free, positive leading coefficient; low degree first. root: the
-//   place of the instant among its real roots, from 1. interval: ends are dyadic and no roots, and
-//   the instant is the only root in it; A = B for a rational instant, whose polynomial is linear.
-//   decimal: for people, truncated towards zero to 12 significant digits (core/instant_digits.h).
+//     polynomial  primitive, square-free, positive leading coefficient; low degree first
+//     root        the place of the instant among its real roots, from 1
+//     interval    ends are dyadic and no roots, and the instant is the only root in it; A = B for a
+//                 rational instant, whose polynomial is linear
+//     decimal     for readers, truncated towards zero to 12 significant digits
+//                 (core/instant_digits.h)
 //
 // Kinds of all structures:
-//   motion         the flight plan of an object changed; what that brings is reported after it
+//   motion         the flight plan of an object changed; its consequences are reported after it
 //   insert, erase  an object came or went; the attribute changes as inserting or erasing does
-//   settled        the end of an instant: what its external events have not yet told
+//   settled        the end of an instant: changes that its external events have not reported
 //   rebuild        the structure was built anew
 // Replaying a structure's external records, insertions and erasures gives its attribute right after
 // every instant.
 //
 // Last line:
 //   "end": "done", "limit" or "interrupted"
-//   "reached": T or null    the run holds up to this time; null: to no end, as the scene has none
+//   "reached": T or null    the run is valid up to this time; null: for all time (no end)
 //   "records": N, "external": N
 //   "digest": HEX           see log_digest.h
 //   "seal": HEX             SHA-256 of the file up to and including the quotation mark before it
@@ -71,8 +74,8 @@ inline constexpr int kLogVersion = 2;
 
 class EventLog final : public EventSink {
  public:
-  // `simulator` has its structures. Without a file only the digest is made, and no instant is
-  // named.
+  // Requires a simulator with its structures. Without a file only the digest is computed, and no
+  // instant is named.
   EventLog(const Simulator& simulator, std::string_view scene_hash, OutputFile* file,
            InstantDetail instants = InstantDetail::kName);
 
@@ -114,7 +117,7 @@ class EventLog final : public EventSink {
   InstantDetail instants_;
   std::string instant_;               // the last "time" that was written ..
   std::uint64_t instant_number_ = 0;  // .. and the number of its name
-  // Of the present instant, which may be abandoned; and the counts before it.
+  // The records of the present instant, which may be abandoned; and the counts before it.
   std::string pending_;
   std::uint64_t settled_records_ = 0;
   std::uint64_t settled_external_ = 0;

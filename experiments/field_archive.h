@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FieldWriter and FieldReader: values as text and back, exactly, by one function for both:
+// FieldWriter and FieldReader: exact conversion of values to text and back, by one function:
 //
 //   template <class Archive> void fields(Archive& archive, Point& p) { archive(p.x, p.y); }
 //
-// The text has no description: it is read by the program that wrote it. Numbers are followed by a
-// space; strings have their length before them; containers their size.
+// The text does not describe itself: it is read by the program that wrote it. Numbers are followed
+// by a space; strings are preceded by their length, containers by their size.
 #ifndef KINEX_EXPERIMENTS_FIELD_ARCHIVE_H
 #define KINEX_EXPERIMENTS_FIELD_ARCHIVE_H
 

@@ -11,22 +11,22 @@
 
 namespace kinex {
 
-// Files beyond this are refused: they would be held in memory several times.
+// Larger files are refused: they would be held in memory several times.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 
 // The bytes of a regular file, or of standard input for "-". Throws InputError.
 std::string read_text_file(const std::string& path);
 
-// What becomes of an output that is not finished.
+// The treatment of an unfinished output.
 enum class Unfinished {
   kRemoved,
-  kLinesKept,  // whole lines are worth something: see OutputFile::keep_lines
+  kLinesKept,  // whole lines are useful: see OutputFile::keep_lines
 };
 
-// Writes to a temporary file beside `path`, PATH.partial-PID; commit() gives it its name. A file
-// that exists is never replaced unless `force`. Devices (/dev/null) are written directly. Without
-// commit() the temporary file is removed. Every failure throws InputError; one to write (a full
-// disk) says where the lines are, if they are kept.
+// Writes to a temporary file beside `path`, PATH.partial-PID; commit() renames it. An existing file
+// is never replaced unless `force`. Devices (/dev/null) are written directly. Without commit() the
+// temporary file is removed. Every failure throws InputError; a failure to write (a full disk) says
+// where the lines are, if they are kept.
 class OutputFile {
  public:
   OutputFile(std::string path, bool force, Unfinished unfinished = Unfinished::kRemoved);
@@ -40,7 +40,7 @@ class OutputFile {
   // where that is taken), and returns the name; empty if there was no line to keep.
   std::string keep_lines();
   const std::string& path() const { return path_; }
-  // Temporary files of earlier runs that were to become `path`: those runs were killed, or go on.
+  // Temporary files of earlier runs for `path`: those runs were killed, or are still running.
   const std::vector<std::string>& leftovers() const { return leftovers_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// InputError: what is wrong with a file or an option, where, and what to write instead.
+// InputError: a defect of a file or an option, with its place and a remedy.
 #ifndef KINEX_EXPERIMENTS_INPUT_ERROR_H
 #define KINEX_EXPERIMENTS_INPUT_ERROR_H
 

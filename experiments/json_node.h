@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JsonNode: a value inside a parsed file that knows its path, for readers that must name what is
-// wrong.
+// JsonNode: a value inside a parsed file that knows its path, for readers with precise messages.
 #ifndef KINEX_EXPERIMENTS_JSON_NODE_H
 #define KINEX_EXPERIMENTS_JSON_NODE_H
 
@@ -15,7 +14,7 @@
 
 namespace kinex {
 
-// What every node of one file shares; must outlive them.
+// Shared by all nodes of one file; must outlive them.
 struct JsonSource {
   std::string file;
   std::string_view text;
@@ -39,7 +38,7 @@ class JsonNode {
   // Each throws InputError if the value is of another kind.
   const std::string& string() const;
   bool boolean() const;
-  // A number, or a string with a number: exact, as it is written.
+  // A number, or a string with a number: exact, as written.
   Rational rational() const;
   // A JSON number that is an integer in [low, high].
   int integer(int low, int high) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JsonValue: a JSON tree that keeps numbers as they are written, so that nothing is rounded.
+// JsonValue: a JSON tree that keeps numbers as written, so that nothing is rounded.
 #ifndef KINEX_EXPERIMENTS_JSON_VALUE_H
 #define KINEX_EXPERIMENTS_JSON_VALUE_H
 
@@ -25,15 +25,17 @@ struct JsonValue {
   const JsonValue* find(std::string_view key) const;
 };
 
-// Limits: what lies beyond is refused. The depth also bounds the recursion of every reader.
+// Limits; text beyond them is refused. The depth also bounds the recursion of every reader.
 inline constexpr int kMaxJsonDepth = 64;
 inline constexpr std::size_t kMaxNumberLength = 1000000;
 
-// Parses the whole of `text`. Refuses (InputError with `file`, line and column): what RFC 8259 does
-// not allow (NaN, comments, trailing commas, bytes that are not UTF-8), a name twice in one object,
-// nesting deeper than kMaxJsonDepth, and bare numbers beyond the range of a double (they can be
-// quoted). `first_line` is the number of the text's first line in the file. `deadline` is polled
-// between values; null: none.
+// Parses the whole of `text`. Refuses (InputError with `file`, line and column):
+//   - text that RFC 8259 forbids (NaN, comments, trailing commas, bytes that are not UTF-8)
+//   - a name twice in one object
+//   - nesting deeper than kMaxJsonDepth
+//   - bare numbers beyond the range of a double (they can be quoted)
+// `first_line`: the number of the text's first line in the file. `deadline`: polled between values;
+// nullptr: none.
 JsonValue parse_json(std::string_view text, const std::string& file, std::size_t first_line = 1,
                      Deadline* deadline = nullptr);
 

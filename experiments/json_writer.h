@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JsonWriter: JSON text in exactly the order in which it is written, so that equal data gives equal
-// bytes.
+// JsonWriter: JSON text in exactly the order of the calls, so that equal data gives equal bytes.
 #ifndef KINEX_EXPERIMENTS_JSON_WRITER_H
 #define KINEX_EXPERIMENTS_JSON_WRITER_H
 
@@ -34,7 +33,7 @@ class JsonWriter {
   JsonWriter& real(double value);  // 6 significant digits; null if it is not finite
   JsonWriter& boolean(bool value) { return raw(value ? "true" : "false"); }
   JsonWriter& null() { return raw("null"); }
-  // Text that is JSON already.
+  // Text that is already JSON.
   JsonWriter& raw(std::string_view json);
   // The next value or key starts on a new line, indented by `spaces`.
   JsonWriter& line(int spaces);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Re-verifies an event log: what it says of itself, and what its scene says of it.
+// Re-verifies an event log: its own claims, and its agreement with its scene.
 //
 // level 0  the format of every member, names, counts, digest and seal
 // level 1  each instant: its name holds exactly that root, its decimal is its own; times never
@@ -7,7 +7,7 @@
 // level 2  with the scene: its hash, name, objects and structures, and of each certificate of a
 //          point structure the polynomial, made anew: it vanishes at the instant and is negative
 //          right after it
-// Whether an event is the right one, and whether one is missing, is for a replay: kinex-logcheck.
+// Whether an event is the right one, or one is missing, is decided by a replay: kinex-logcheck.
 #ifndef KINEX_EXPERIMENTS_LOG_CHECK_H
 #define KINEX_EXPERIMENTS_LOG_CHECK_H
 

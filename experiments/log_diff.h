@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares two event logs: where they first part, and how much they disagree.
+// Compares two event logs: their first difference, and the amount of disagreement.
 #ifndef KINEX_EXPERIMENTS_LOG_DIFF_H
 #define KINEX_EXPERIMENTS_LOG_DIFF_H
 
@@ -13,15 +13,15 @@ namespace kinex {
 
 // How the instants of two events were compared.
 enum class InstantsCompared {
-  kExactly,    // both logs name them: as numbers, whatever their names
-  kIntervals,  // both have intervals at least: the same unless they show that it is not
+  kExactly,    // both logs name them: compared as numbers, whatever their names
+  kIntervals,  // both have at least intervals: the same unless these are disjoint
   kNot,        // one log has none, or is of an inexact arithmetic
 };
 
-// Compared are the structures that both logs have (same label, structure and key), and of these the
-// events, external and internal: everything but the records of changes (motion, insert, erase, and
-// a rebuild that changed nothing). Two events are the same if structure, kind, ids, "gone" and
-// "came" agree; the k-th such event of one log is matched with the k-th of the other.
+// Compares the structures that both logs have (same label, structure and key), and their events,
+// external and internal: all records except those of changes (motion, insert, erase, and a rebuild
+// that changed nothing). Two events are the same if structure, kind, ids, "gone" and "came" agree;
+// the k-th such event of one log is matched with the k-th of the other.
 struct LogDifference {
   std::uint64_t events_a = 0, events_b = 0;  // of the structures in both
   // The first place at which the events differ, counted from 1, with both lines ("" past a log's
@@ -31,7 +31,7 @@ struct LogDifference {
   std::string text_a, text_b;
   std::uint64_t missing = 0;   // in a, not in b
   std::uint64_t invented = 0;  // in b, not in a
-  // The fewest matched events to take out so that the rest are in one order.
+  // The fewest matched events to remove so that the rest are in the same order.
   std::uint64_t out_of_order = 0;
   std::uint64_t other_effects = 0;  // matched events, external in one log and internal in the other
   std::uint64_t other_instants = 0;  // matched events at another instant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a log says of an instant: whether it is true of itself, and how two compare.
+// The instants of a log: their self-consistency, and the comparison of two.
 #ifndef KINEX_EXPERIMENTS_LOG_INSTANT_H
 #define KINEX_EXPERIMENTS_LOG_INSTANT_H
 
@@ -13,12 +13,14 @@ namespace kinex {
 // The same text: polynomial, root, interval and decimal.
 bool same_text(const LogInstant& a, const LogInstant& b);
 
-// What is wrong with the claim of an instant about itself; empty if it holds. By name: canonical
-// polynomial, the minimal one where the instant is rational, an interval with that root and no
-// other, the decimal. By interval: its ends, the decimal. By decimal: that it is a number.
+// The defect of an instant; empty if it is consistent. Checked are
+//   by name      canonical polynomial, the minimal one for a rational instant; interval with that
+//                root and no other; the decimal
+//   by interval  its ends, the decimal
+//   by decimal   that it is a number
 std::string instant_problem(const LogInstant& instant, const LogHeader& header);
 
-// The number that a name is of. Requires a log with names whose instant has no problem.
+// The number that is named. Requires a log with names whose instant has no problem.
 RealRoot root_of(const LogInstant& instant);
 
 }  // namespace kinex

@@ -35,10 +35,10 @@ struct LogHeader {
 };
 
 struct LogInstant {
-  Polynomial polynomial;  // where the header has_names(), as the next
+  Polynomial polynomial;  // if the header has_names(), as the next
   int root = 0;
-  Rational lower, upper;  // where it has_intervals()
-  std::string decimal;    // where it has_times()
+  Rational lower, upper;  // if it has_intervals()
+  std::string decimal;    // if it has_times()
 };
 
 // "gone" and "came" of a record: edges (flattened) or whole values of the attribute.
@@ -73,7 +73,7 @@ struct LogEnd {
   std::uint64_t external = 0;
   std::string digest;
   std::string seal;
-  std::string_view sealed;  // what the seal is of
+  std::string_view sealed;  // the text that the seal covers
 };
 
 // True if the text begins like an event log (and not like a scene).
@@ -82,8 +82,8 @@ bool looks_like_log(std::string_view text);
 class LogReader {
  public:
   // Reads the header. `text` must outlive the reader. Throws InputError, as next() does, for a line
-  // that is not of the form that event_log.h gives, and for another version; what the line claims
-  // is not checked here.
+  // that is not of the form given in event_log.h, and for another version; claims of the line are
+  // not checked here.
   LogReader(std::string_view text, std::string file);
 
   const std::string& file() const { return file_; }

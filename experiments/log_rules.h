@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be in a log of this program: kinds of events and what they do, predicates.
+// The possible contents of a log: kinds of events with their effects, predicates.
 #ifndef KINEX_EXPERIMENTS_LOG_RULES_H
 #define KINEX_EXPERIMENTS_LOG_RULES_H
 
@@ -22,7 +22,7 @@ struct KindRule {
 // all structures have; nullptr for an unknown structure.
 const std::vector<KindRule>* own_kinds(std::string_view structure);
 
-// The number of objects that a predicate takes; nullopt: there is none of that name.
+// The number of arguments of a predicate; nullopt: there is none of that name.
 std::optional<std::size_t> arity_of(std::string_view predicate);
 
 }  // namespace kinex

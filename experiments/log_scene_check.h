@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holds an event log against its scene: level 2 of log_check.h.
+// Checks an event log against its scene: level 2 of log_check.h.
 #ifndef KINEX_EXPERIMENTS_LOG_SCENE_CHECK_H
 #define KINEX_EXPERIMENTS_LOG_SCENE_CHECK_H
 
@@ -21,14 +21,14 @@ namespace kinex {
 
 class LogSceneCheck {
  public:
-  // `hash`: of the scene's file. What is wrong with the header goes into `problems`.
+  // `hash`: of the scene's file. Defects of the header are added to `problems`.
   LogSceneCheck(const LogHeader& header, const Scene& scene, const std::string& hash,
                 std::vector<std::string>& problems);
 
-  // What is wrong with the certificate of the next record, or with the features of bodies that it
-  // names; empty if nothing is. `instant`: its time, if that is known exactly.
+  // The defect of the next record's certificate, or of the features of bodies that it names; empty
+  // if there is none. `instant`: its time, if that is known exactly.
   std::string check(const LogRecord& record, RealRoot* instant);
-  // What is wrong with the last line.
+  // The defect of the last line.
   std::string check(const LogEnd& end) const;
 
   std::uint64_t certificates() const { return certificates_; }

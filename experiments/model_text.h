@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene is made of and what a run of it builds, in lines for people.
+// Descriptions of a scene's model and of the structures that a run builds, as text.
 #ifndef KINEX_EXPERIMENTS_MODEL_TEXT_H
 #define KINEX_EXPERIMENTS_MODEL_TEXT_H
 
@@ -10,12 +10,13 @@
 
 namespace kinex {
 
-// "scene", "objects", "motion", "maintain" lines, then "left out": what the scene does not need.
+// Lines "scene", "objects", "motion", "maintain", then "left out": parts that the scene does not
+// need.
 std::string describe_model(const Scene& scene, const std::string& hash);
 
 // More of the model, for a simulator made for the scene (started or not): the number types, the
-// degree of each kind of certificate polynomial and what it is computed in, what each structure
-// reads and who shares it, the scheduling.
+// degree and number type of each kind of certificate polynomial, the structures that each one reads
+// and shares, the scheduling.
 std::string explain_model(const Scene& scene, const Simulator& simulator);
 
 }  // namespace kinex

@@ -12,7 +12,7 @@ namespace kinex {
 // Vertices of a convex polygon, counter-clockwise.
 using Polygon2 = std::vector<Vertex2>;
 
-// A polygon where the trajectory of its body carries it at t. Requires a rotor that is not zero at
+// The polygon at the place of its body at t. Requires a rotor that is not zero at
 // t.
 Polygon2 placed_polygon(const Polygon2& polygon, const Trajectory& trajectory, const Rational& t);
 

@@ -16,7 +16,7 @@ inline constexpr int kMaxFileDegree = 400;
 
 struct PolynomialLine {
   std::size_t line;       // in the file, from 1
-  Polynomial polynomial;  // not zero; a positive multiple of what is written
+  Polynomial polynomial;  // not zero; a positive multiple of the one written
 };
 
 // Coefficients are integers, fractions or decimals. Throws InputError that names the line: a wrong

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The results of a run in lines for people.
+// The results of a run as text.
 #ifndef KINEX_EXPERIMENTS_RUN_REPORT_H
 #define KINEX_EXPERIMENTS_RUN_REPORT_H
 
@@ -24,7 +24,7 @@ RunCounts counts_of(const Simulator& simulator);
 // A table of counts by structure, the bounds, samples; a last line with all counts and the seconds.
 std::string describe_results(const Simulator& simulator, const RunOutcome& outcome);
 
-// What went wrong: bounds that do not hold, corruption, violations of audits.
+// Failures: violated bounds, corruption, violations found by audits.
 std::vector<std::string> failures_of(const Simulator& simulator, const RunOutcome& outcome);
 
 }  // namespace kinex

@@ -25,13 +25,13 @@ void check_rotor(const JsonNode& node, const Trajectory& trajectory, const Ratio
                  const std::optional<Rational>& to);
 // A convex polygon, vertices counter-clockwise, no three consecutive ones on a line.
 std::vector<Vertex2> read_polygon(const JsonNode& node);
-// What to do about bodies that start overlapping: the end of a remedy.
+// The end of a remedy for bodies that start overlapping.
 inline constexpr const char* kOverlappingStartsRemedy =
     ", or say \"overlapping_starts\": \"contact\" (not \"refused\", the default) in the scene";
 // Refuses two bodies that are not apart at the scene's start.
 void check_apart(const JsonNode& objects, const Scene& scene);
-// Refuses a body that overlaps another when it appears, or jumps, after the start. One that touches
-// is for the run to judge: it may leave.
+// Refuses a body that overlaps another when it appears, or jumps, after the start. A touch is left
+// to the run: the body may leave.
 void check_appearances(const JsonNode& objects, const Scene& scene);
 
 // Fills scene.maintain; the objects must have been read.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a scene: JSON of the form that schemas/scene.schema.json describes, to a core Scene.
+// Reads a scene: JSON of the form of schemas/scene.schema.json, to a core Scene.
 //
-// Numbers are exact: what is written, as a decimal, a fraction or a hexadecimal binary64, is what
-// is read. Everything that a run relies on is checked here: ids, dimensions, pieces and their
-// continuity, polygons and rotors, that bodies are apart at the start, what is to be maintained. A
-// scene that is returned is valid; anything else throws InputError with file, JSON path, offending
-// text and remedy. Unknown fields are refused.
+// Numbers are read exactly as written: decimals, fractions or hexadecimal binary64. Everything that
+// a run relies on is checked here: ids, dimensions, pieces and their continuity, polygons and
+// rotors, bodies apart at the start, the structures to maintain. A returned scene is valid;
+// anything else throws InputError with file, JSON path, offending text and remedy. Unknown fields
+// are refused.
 #ifndef KINEX_EXPERIMENTS_SCENE_READER_H
 #define KINEX_EXPERIMENTS_SCENE_READER_H
 
@@ -24,13 +24,13 @@ inline constexpr int kMaxMotionDegree = 1000;
 inline constexpr int kMaxRotorDegree = 100;
 inline constexpr std::size_t kMaxIdBytes = 1000;
 
-// `file` is for messages only. `deadline` is polled between numbers (null: none); one number takes a
-// fraction of a second at most.
+// `file` is for messages only. `deadline` is polled between numbers (null: none); one number takes
+// a fraction of a second at most.
 Scene parse_scene(std::string_view text, const std::string& file, Deadline* deadline = nullptr);
 // "-" reads standard input.
 Scene read_scene(const std::string& path, Deadline* deadline = nullptr);
 
-// Replaces scene.maintain by what --maintain says, in one or several texts: entries with commas
+// Replaces scene.maintain by the values of --maintain, one or several texts: entries with commas
 // between them. An entry is a name, a name and a coordinate to order by ("sorted_list:y", which is
 // then the label too), or a JSON object as in a scene. Throws InputError that names the option.
 void set_maintain(Scene& scene, const std::vector<std::string>& texts);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a scene as the program does: all that it maintains, samples on the way, bounds at the end.
+// Runs a scene as the program does: all its structures, samples on the way, bounds at the end.
 #ifndef KINEX_EXPERIMENTS_SCENE_RUN_H
 #define KINEX_EXPERIMENTS_SCENE_RUN_H
 
@@ -21,7 +21,7 @@ std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Sce
 std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string& arithmetic,
                                           SimulatorOptions options);
 
-// The attribute right after now; an empty object (null) for a structure that was led astray.
+// The attribute right after now; an empty object (null) for a corrupt structure.
 Attribute value_now(const Simulator& simulator, StructureId id);
 
 struct Sample {
@@ -34,13 +34,13 @@ struct RunOutcome {
   std::vector<Sample> samples;
   std::vector<std::vector<BoundCheck>> bounds;  // by StructureId
 
-  // Every bound holds, no audit found anything wrong, no structure is corrupt.
+  // Every bound holds, no audit found a violation, no structure is corrupt.
   bool clean(const Simulator& simulator) const;
 };
 
 // Starts the simulator, runs it to the end of its scene, and takes a sample at each of `times`
-// (ascending, within the scene's time). Audits as the simulator's options say; a run
-// that stops at a limit is not audited at its end.
+// (ascending, within the scene's time). Audits according to the simulator's options; a run that
+// stops at a limit is not audited at its end.
 RunOutcome run_scene(Simulator& simulator, const std::vector<Rational>& times);
 
 std::string_view status_name(RunStatus status);  // "done", "limit", "interrupted"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a polygon meets itself.
+// Tests whether a polygon intersects itself.
 #ifndef KINEX_EXPERIMENTS_SIMPLE_POLYGON_H
 #define KINEX_EXPERIMENTS_SIMPLE_POLYGON_H
 

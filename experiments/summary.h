@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The summary of a run as JSON: what other programs read.
+// The summary of a run as JSON, for other programs.
 #ifndef KINEX_EXPERIMENTS_SUMMARY_H
 #define KINEX_EXPERIMENTS_SUMMARY_H
 
@@ -9,13 +9,14 @@
 
 namespace kinex {
 
-// Everything but "seconds" and "peak_bytes" is the same on every machine in an exact arithmetic.
 // {"scene", "scene_hash", "arithmetic", "status", "time", "objects", counts, "log_digest",
 //  "structures": {LABEL: {counts, "by_kind", "certificates", "audit", "bounds", "attribute"}},
-//  "samples", "numbers", "seconds", "peak_bytes"}; ends with a newline. Counts are those of
-// run_report.h: "events" ("processed" of a structure), "external", "internal", "failures", "records".
-// "seconds" are CPU time of the run's thread, with wall time in "wall".
-// The schema is experiments/schemas/summary.schema.json.
+//  "samples", "numbers", "seconds", "peak_bytes"}, and a newline
+//
+// Counts are those of run_report.h: "events" ("processed" of a structure), "external", "internal",
+// "failures", "records". "seconds" are CPU time of the run's thread, with wall time in "wall". In an
+// exact arithmetic everything but "seconds" and "peak_bytes" is the same on every machine. Schema:
+// experiments/schemas/summary.schema.json.
 std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
                           const std::string& scene_hash, const std::string& log_digest);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same scene of bodies in another direction: structures that favour the axes do not know it.
+// A scene of bodies turned to another direction, so that structures that favour the axes gain
+// nothing.
 #ifndef KINEX_EXPERIMENTS_TURNED_SCENE_H
 #define KINEX_EXPERIMENTS_TURNED_SCENE_H
 

@@ -10,10 +10,10 @@
 
 namespace kinex {
 
-// Two bodies of the scene, the first in its order, of which one is not at the same angle to the
-// other all through some time in which both keep to a flight plan; nullopt if there are none. A
-// change of the angle from plan to plan, by a jump, is no turn. Requires a scene of bodies. Exact;
-// O(n + k^2) comparisons of plans, k the number of different ways in which bodies turn.
+// The first two bodies of the scene, in its order, whose angle to each other is not constant while
+// both keep to a flight plan; nullopt if there are none. A change of the angle from plan to plan,
+// by a jump, is no turn. Requires a scene of bodies. Exact; O(n + k^2) comparisons of plans, k the
+// number of different ways in which bodies turn.
 std::optional<std::pair<ObjectId, ObjectId>> find_turning_pair(const Scene& scene);
 
 }  // namespace kinex

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names come from tables and command lines as bytes; scenes are UTF-8.
+// UTF-8: names come from tables and command lines as bytes; scenes are UTF-8.
 #ifndef KINEX_EXPERIMENTS_UTF8_H
 #define KINEX_EXPERIMENTS_UTF8_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of command-line options, read with the same care as files.
+// Values of command-line options, validated like files.
 #ifndef KINEX_EXPERIMENTS_VERBS_OPTION_VALUES_H
 #define KINEX_EXPERIMENTS_VERBS_OPTION_VALUES_H
 
@@ -30,7 +30,7 @@ const std::string& name_option(const std::string& text);
 // Writes a result to `path`, or to standard output if it is empty or "-".
 void write_result(const std::string& path, bool force, const std::string& text);
 
-// Refuses an output that is the input itself, by whatever name: --force is for earlier results.
+// Refuses an output that is the input itself, under any name: --force is for earlier results.
 // "-" and devices are no files to be kept. Throws InputError that names the option.
 void keep_input(const char* option, const std::string& output, const std::string& input);
 

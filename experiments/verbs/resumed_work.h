@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What verbs share whose work goes on after an interruption (finished_work.h).
+// Common parts of verbs that resume after an interruption (finished_work.h).
 #ifndef KINEX_EXPERIMENTS_VERBS_RESUMED_WORK_H
 #define KINEX_EXPERIMENTS_VERBS_RESUMED_WORK_H
 
@@ -25,7 +25,7 @@ class ResultFile {
   FinishedWork& finished_;
 };
 
-// On stderr, where there is any: "12 experiments are finished already".
+// On stderr, if there are any: "12 experiments are finished already".
 void tell_what_is_found(const FinishedWork& finished, const char* one, const char* many);
 
 }  // namespace kinex

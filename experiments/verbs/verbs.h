@@ -12,7 +12,7 @@ class App;
 
 namespace kinex {
 
-// What the program tells its caller.
+// Exit codes of the program.
 inline constexpr int kExitFine = 0;
 inline constexpr int kExitFailed = 1;    // a claim, bound or audit failed; two logs differ
 inline constexpr int kExitBadInput = 2;  // bad input or usage

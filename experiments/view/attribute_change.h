@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// AttributeChange: how one value of an attribute becomes the next. Can be applied in both
-// directions, so a replay needs no copies of whole values on the way.
+// AttributeChange: the difference between consecutive values of an attribute. It can be applied in
+// both directions, so a replay needs no copies of whole values.
 #ifndef KINEX_EXPERIMENTS_VIEW_ATTRIBUTE_CHANGE_H
 #define KINEX_EXPERIMENTS_VIEW_ATTRIBUTE_CHANGE_H
 
@@ -14,8 +14,8 @@ namespace kinex {
 
 struct AttributeChange {
   std::uint64_t event = 0;  // the number of the event that made it, from 1; 0: before any
-  // Sequences, cycles and objects: at place `at` the ids `removed` give way to `added`. Edges: both
-  // are pairs, flattened and sorted; `at` is 0.
+  // Sequences, cycles and objects: at place `at` the ids `removed` are replaced by `added`. Edges:
+  // both are pairs, flattened and sorted; `at` is 0.
   std::size_t at = 0;
   std::vector<ObjectId> removed, added;
 

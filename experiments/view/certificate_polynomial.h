@@ -14,7 +14,7 @@
 
 namespace kinex {
 
-// Which motion of each object a run has in force.
+// The motion of each object that a run has in force.
 class MotionsInForce {
  public:
   explicit MotionsInForce(const Scene& scene);
@@ -29,12 +29,12 @@ class MotionsInForce {
 };
 
 // A positive multiple of the predicate's value with coprime integer coefficients; zero if it is
-// zero for ever, or if one of its objects has no motion. `motions`: one of each argument.
+// identically zero, or if one of its objects has no motion. `motions`: one for each argument.
 Polynomial certificate_polynomial(const Predicate& predicate,
                                   std::span<const Trajectory* const> motions);
 Polynomial certificate_polynomial(const Predicate& predicate, const Query& query,
                                   const MotionsInForce& motions);
-// Under the motions that a kernel keeps, which must be those in force: of a scene of bodies.
+// Under the motions that a kernel keeps, for a scene of bodies. Requires that they are in force.
 Polynomial certificate_polynomial(const Predicate& predicate, const Query& query,
                                   const DerivedObjects& motions);
 

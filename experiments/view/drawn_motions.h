@@ -20,12 +20,12 @@ struct DrawnPiece {
 struct DrawnMotions {
   std::vector<std::vector<DrawnPiece>> objects;
   std::vector<std::vector<std::array<double, 2>>> polygons;  // of bodies, in their frames
-  double scale = 1;  // what a coordinate is to be multiplied with; +infinity beyond the doubles
+  double scale = 1;  // factor of the coordinates; +infinity beyond the doubles
   Rational exact_scale = Rational(1);
 };
 
-// A rotor is divided by another number, which changes nothing. Pieces that lie outside of [start,
-// start + span] are left out. Requires span > 0.
+// A rotor is divided by a number of its own, which changes nothing. Pieces outside
+// [start, start + span] are left out. Requires span > 0.
 DrawnMotions drawn_motions(const Scene& scene, const Rational& start, const Rational& span);
 
 }  // namespace kinex

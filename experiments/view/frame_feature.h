@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the constants of a proof on two polygons are on those polygons: which vertex or edge a line
-// touches, which vertex a point is, or which vertices an outer corner lies over. Exact.
+// The features of two polygons behind the constants of a proof: the vertex or edge that a line
+// touches, the vertex that a point is, or the vertices below an outer corner. Exact.
 #ifndef KINEX_EXPERIMENTS_VIEW_FRAME_FEATURE_H
 #define KINEX_EXPERIMENTS_VIEW_FRAME_FEATURE_H
 
@@ -15,7 +15,7 @@ namespace kinex {
 
 struct FrameFeature {
   enum class Kind : std::uint8_t {
-    kNone,    // it has nothing to do with the polygon
+    kNone,    // unrelated to the polygon
     kVertex,  // vertex `first`: the point itself, or the only one that the line touches
     kEdge,    // the line of edge `first`, which goes from vertex `first` to the next
     kAcross,  // the line across edge `first` at vertex `last`
@@ -29,8 +29,8 @@ struct FrameFeature {
   friend bool operator==(const FrameFeature&, const FrameFeature&) = default;
 };
 
-// `polygon`: as the scene has it, its numbering is that of the features; `negated`: the constants
-// are of the polygon turned by half a turn about its origin. A line is (nx, ny, h), n its outward
+// `polygon`: as in the scene, whose numbering the features use; `negated`: the constants belong to
+// the polygon turned by half a turn about its origin. A line is (nx, ny, h), n its outward
 // normal; a point is (x, y, w), w > 0. O(size) operations.
 FrameFeature line_feature(const std::vector<Vertex2>& polygon, bool negated,
                           const std::vector<Rational>& line);

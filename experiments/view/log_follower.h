@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LogFollower: goes along an event log while its scene is run again, and says where they part. An
+// LogFollower: follows an event log while its scene is run again, and reports where they differ. An
 // event log names its scene and what happened, but holds no motions and no states.
 #ifndef KINEX_EXPERIMENTS_VIEW_LOG_FOLLOWER_H
 #define KINEX_EXPERIMENTS_VIEW_LOG_FOLLOWER_H
@@ -15,7 +15,7 @@ namespace kinex {
 
 // Throws InputError if the log is of a scene with another hash.
 void require_same_scene(const LogHeader& header, const std::string& file, const std::string& hash);
-// The scene maintains what the log is of: the same structures with the same labels and keys.
+// True if the scene maintains the log's structures, with the same labels and keys.
 bool maintains_as_logged(const Scene& scene, const LogHeader& header);
 // Makes it so. Throws InputError that names the log.
 void maintain_as_logged(Scene& scene, const LogHeader& header, const std::string& file);

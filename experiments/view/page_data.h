@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page of `kinex view` shows, as JSON.
+// The data of the page of `kinex view`, as JSON.
 //
 // Combinatorics, polynomials and instants are exact, as the run gave them. For drawing alone there
 // are doubles: times as u = (t - start) / span, and motions as polynomials in u, divided by one

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of the page's data that scenes of bodies have, and scenes of points have not:
-//   "polygons": [[[x, y], ..] per object] in the frames of the bodies, divided by "scale";
-//   "things": [[NAME, NUMBERS], ..], derived objects, numbered on from "ids";
-//   in a run "claims": [[PREDICATE, [ARGUMENTS], [FEATURE per argument]]] and
-//   "proofs": [[[A, B, [[EVENT, [CLAIMS], TILE], ..]] per pair] per structure].
-// NUMBERS of a constant with three coordinates (a, b, c): a line's [a/s, b/s, c/s/scale] with s the
-// larger of |a| and |b|, and a point's [a/c/scale, b/c/scale] after them, each null if it is none.
-// FEATURE: 0 or [KIND, FIRST, LAST], kinds as in frame_feature.h: "vertex", "edge", "across",
-// "corner", "support". TILE: 0 or [KIND, X, V, OTHER], as in structures/mixed_tiles.h.
+// The part of the page's data that only scenes of bodies have:
+//   "polygons"  [[[x, y], ..] per object] in the frames of the bodies, divided by "scale"
+//   "things"    [[NAME, NUMBERS], ..], derived objects, numbered on from "ids"
+//   in a run:
+//   "claims"    [[PREDICATE, [ARGUMENTS], [FEATURE per argument]]]
+//   "proofs"    [[[A, B, [[EVENT, [CLAIMS], TILE], ..]] per pair] per structure]
+// with
+//   NUMBERS  of a constant with three coordinates (a, b, c): a line's [a/s, b/s, c/s/scale] with s
+//            the larger of |a| and |b|, and a point's [a/c/scale, b/c/scale]; null if it is none
+//   FEATURE  0 or [KIND, FIRST, LAST], kinds as in frame_feature.h: "vertex", "edge", "across",
+//            "corner", "support"
+//   TILE     0 or [KIND, X, V, OTHER], as in structures/mixed_tiles.h
 #ifndef KINEX_EXPERIMENTS_VIEW_PROOF_DATA_H
 #define KINEX_EXPERIMENTS_VIEW_PROOF_DATA_H
 

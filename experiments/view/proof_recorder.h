@@ -21,10 +21,10 @@ class ProofRecorder {
   ProofRecorder(const Scene& scene, Simulator& simulator, RecordedRun& run)
       : scene_(scene), simulator_(simulator), run_(run) {}
 
-  // An object as the record names it: itself, or its place among the things, counted on from the
-  // objects of the scene.
+  // The number of an object in the record: its own, or its place among the things, counted on from
+  // the objects of the scene.
   ObjectId recorded(ObjectId id);
-  // The structure has done its work; what is new is put down to `event`. O(certificates).
+  // Called after each call of the structure: changes are attributed to `event`. O(certificates).
   void look(StructureId id, const Structure& structure, std::uint64_t event);
 
  private:
@@ -45,7 +45,7 @@ class ProofRecorder {
   RecordedRun& run_;
   std::vector<Watched> watched_;    // per structure
   std::vector<ObjectId> thing_of_;  // per derived object, the last one seen
-  // By predicate and arguments; the same may be about a sum's lines and about the bodies' own.
+  // By predicate and arguments; equal ones may refer to a sum's lines or to the bodies' own.
   std::map<std::tuple<PredicateId, std::vector<ObjectId>, bool>, std::uint32_t> claims_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RecordedProofs: the proofs that a structure on pairs of bodies has held, as data: after every
-// event the certificates of each pair, by slot, and where it has one the tile. What a certificate's
-// lines and points are on the two polygons is found exactly, once, when it is first seen.
+// RecordedProofs: the proofs of a structure on pairs of bodies as data: after every event the
+// certificates of each pair, by slot, and its tile, if it has one. The features of a certificate's
+// lines and points on the two polygons are found exactly, once, when it is first seen.
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDED_PROOF_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDED_PROOF_H
 
@@ -18,8 +18,8 @@
 
 namespace kinex {
 
-// A derived object of the run, as it was when it was seen: one that was made into another constant
-// is another entry.
+// A derived object of the run as first seen. An object that was redefined as another constant has
+// another entry.
 struct RecordedThing {
   std::string name;
   std::vector<Rational> coordinates;  // of a constant
@@ -30,13 +30,13 @@ struct RecordedThing {
 struct RecordedClaim {
   PredicateId predicate = 0;
   std::vector<ObjectId> arguments;
-  // By argument: what a line or a point is on its polygon. The pose itself has none.
+  // By argument: the feature of a line or point on its polygon. The pose itself has none.
   std::vector<FrameFeature> features;
   friend bool operator==(const RecordedClaim&, const RecordedClaim&) = default;
 };
 
 struct PairProof {
-  std::uint64_t event = 0;            // since when
+  std::uint64_t event = 0;            // from this event on
   std::vector<std::uint32_t> claims;  // places in RecordedRun::claims, by slot; none: no proof
   std::optional<Tile> tile;
 };

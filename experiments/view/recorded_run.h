@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RecordedRun: a run as data: every event with its certificate and instant, and the attribute of
-// every structure after each of them; in scenes of bodies also the proof of every pair. Nothing in
-// it is recomputed: it is what the run said.
+// every structure after each of them; in scenes of bodies also the proof of every pair. Nothing is
+// recomputed: all of it was reported by the run.
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 
@@ -37,7 +37,7 @@ struct RecordedStructure {
   std::vector<std::string> kinds;
   Attribute initial;                     // before the first recorded event
   std::vector<AttributeChange> changes;  // ascending in `event`
-  // An inexact arithmetic led it astray after this many events: no attribute from then on.
+  // Corrupt in an inexact arithmetic after this many events: no attribute from then on.
   std::optional<std::uint64_t> corrupt_after;
   std::string corruption;
   std::vector<PairHistory> pairs;  // of bodies; in the order in which they first had a proof
@@ -49,7 +49,7 @@ struct RecordedRun {
   Rational start;            // of what is recorded
   std::uint64_t before = 0;  // events before it
   bool complete = true;      // to the end of the scene
-  std::string stopped;       // why it is not
+  std::string stopped;       // why it is not complete
   std::vector<Event> all;    // every event from the start of the run on, recorded or not
   std::vector<RecordedEvent> events;
   std::vector<InstantText> instants;
@@ -66,8 +66,8 @@ struct RecordedRun {
 // run.before); nullopt where it is corrupt. Replays the changes.
 std::optional<Attribute> attribute_after(const RecordedStructure& structure, std::uint64_t event);
 
-// The number of the first event (from 1) at which two runs of one scene part: in structure, kind or
-// ids; 0: one is the beginning of the other and was not run further, or they are equal.
+// Index (from 1) of the first event in which two runs of one scene differ, in structure, kind or
+// ids; 0: they are equal, or one was stopped and is a prefix of the other.
 std::uint64_t first_divergence(const RecordedRun& a, const RecordedRun& b);
 
 }  // namespace kinex

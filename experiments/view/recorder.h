@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a scene and records it.
 //
-// The attribute is taken from the structure itself whenever it has done its work: after a failure
-// is repaired, an object inserted, and so on. What changed is put down to the first event that the
-// structure reported meanwhile; further events of the same repair (ties put in order) find it done.
-// Likewise the proofs of pairs of bodies.
+// The attribute is read from the structure after every call that may change it: after a failure is
+// repaired, an object inserted, and so on. A change is attributed to the first event that the
+// structure reported during the call; later events of the same repair (ties put in order) have none.
+// Likewise for the proofs of pairs of bodies.
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDER_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDER_H
 
@@ -20,10 +20,10 @@
 
 namespace kinex {
 
-// RecordedRun::stopped where an observer wanted no more.
+// RecordedRun::stopped if an observer ended the run.
 inline constexpr std::string_view kLogEnds = "the log ends here";
 
-// What an observer is told of an event.
+// An event as reported to an observer.
 struct SeenEvent {
   std::uint64_t number;  // from 1
   std::string_view structure, kind;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// StageWatch: an arithmetic as it is, that remembers of each certificate which stage found its
-// failure time and which stage was needed to put it in order with other instants.
+// StageWatch: decorator of an arithmetic: forwards every call and remembers, for each certificate,
+// the stage that found its failure time and the highest stage that ordered it among other instants.
 #ifndef KINEX_EXPERIMENTS_VIEW_STAGE_WATCH_H
 #define KINEX_EXPERIMENTS_VIEW_STAGE_WATCH_H
 
@@ -22,7 +22,7 @@ class StageWatch : public Arithmetic {
  public:
   explicit StageWatch(std::unique_ptr<Arithmetic> arithmetic);
 
-  // Of the failure time that was last found for this certificate; nullopt: none was.
+  // Of the failure time last found for this certificate; nullopt: none.
   std::optional<StagesUsed> stages(const Query& query) const;
 
   std::string name() const override { return inner_->name(); }
@@ -75,7 +75,7 @@ class StageWatch : public Arithmetic {
   std::unordered_map<Query, StagesUsed, Hash> stages_;
 };
 
-// The same of an arithmetic that tells signs at now, too.
+// The same for an arithmetic that also gives signs at now.
 class ExactStageWatch final : public StageWatch, public SignNow {
  public:
   // Requires a SignNow.

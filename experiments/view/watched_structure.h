@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// WatchedStructure: a structure as it is, with somebody who is told whenever it has done its work.
-// Between two calls of a structure its attribute is defined; within one it need not be.
+// WatchedStructure: decorator: forwards every call and notifies a callback afterwards. Between two
+// calls of a structure its attribute is defined; within one it need not be.
 #ifndef KINEX_EXPERIMENTS_VIEW_WATCHED_STRUCTURE_H
 #define KINEX_EXPERIMENTS_VIEW_WATCHED_STRUCTURE_H
 
@@ -17,7 +17,7 @@ namespace kinex {
 class WatchedStructure final : public Structure {
  public:
   // `done` is called when a call that may change the attribute has returned, or thrown; not when it
-  // was stopped, or memory ended: then it is half way, and nobody may look.
+  // was stopped, or memory was exhausted: the state is then undefined.
   WatchedStructure(std::unique_ptr<Structure> structure, std::function<void()> done)
       : structure_(std::move(structure)), done_(std::move(done)) {}
 
