@@ -26,7 +26,7 @@ const std::vector<Paper>& papers() {
         {"hysteresis", "certificates that last", separation_hysteresis_points,
          separation_hysteresis_report},
         {"hierarchies", "outer hierarchies of one polygon", separation_hierarchies_points,
-         separation_hierarchies_report}}},
+         nullptr, separation_hierarchies_study}}},
   };
   return kPapers;
 }

@@ -3,6 +3,7 @@
 #ifndef KINEX_EXPERIMENTS_REPRODUCE_PART_H
 #define KINEX_EXPERIMENTS_REPRODUCE_PART_H
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,9 +26,11 @@ struct PaperPart {
   std::string_view name;  // "figure-3"
   std::string_view summary;
   std::vector<SeriesPoint> (*points)(bool quick);
-  // `results`: of all points of this part, in order; fewer after an interruption. `command`
-  // reproduces it.
+// `results`: of all points of this part, in order; fewer after an interruption. `command`
+  // reproduces it. nullptr for a part without runs.
   PartReport (*report)(const std::vector<SeriesResult>& results, const std::string& command);
+  // Of such a part: it works until `go_on` says no.
+  PartReport (*study)(const std::string& command, const std::function<bool()>& go_on) = nullptr;
 };
 
 struct Paper {
@@ -67,8 +70,8 @@ std::vector<SeriesPoint> separation_hysteresis_points(bool quick);
 PartReport separation_hysteresis_report(const std::vector<SeriesResult>& results,
                                         const std::string& command);
 std::vector<SeriesPoint> separation_hierarchies_points(bool quick);
-PartReport separation_hierarchies_report(const std::vector<SeriesResult>& results,
-                                         const std::string& command);
+PartReport separation_hierarchies_study(const std::string& command,
+                                        const std::function<bool()>& go_on);
 
 }  // namespace kinex
 

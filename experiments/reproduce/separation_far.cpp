@@ -107,11 +107,11 @@ PartReport separation_hysteresis_report(const std::vector<SeriesResult>& results
 
 std::vector<SeriesPoint> separation_hierarchies_points(bool) { return {}; }
 
-PartReport separation_hierarchies_report(const std::vector<SeriesResult>& results,
-                                         const std::string& command) {
+PartReport separation_hierarchies_study(const std::string& command,
+                                        const std::function<bool()>& go_on) {
   PartReport report;
   const bool quick = command.find("--quick") != std::string::npos;
-  const StudyResult study = study_outer_hierarchies(quick, [] { return true; });
+  const StudyResult study = study_outer_hierarchies(quick, go_on);
   for (const Check& check : study.checks) {
     PaperClaim claim;
     claim.id = "hierarchies." + check.claim.substr(check.claim.find('.') + 1);
@@ -133,7 +133,7 @@ PartReport separation_hierarchies_report(const std::vector<SeriesResult>& result
     report.claims.push_back(std::move(claim));
   }
   report.tables = measures_text(study_table(study)).substr(1);
-  finish(report, results, command);
+  finish(report, {}, command);
   return report;
 }
 

@@ -86,10 +86,12 @@ ReproducedPart run_part(const PaperPart& part, const Options& options, RecordSto
   progress.wipe();
   ReproducedPart done;
   done.part = &part;
-  done.report = part.report(run.results, command_of(options, part.name));
-  done.interrupted = run.interrupted;
+  const std::string command = command_of(options, part.name);
+  done.report = part.study == nullptr ? part.report(run.results, command)
+                                      : part.study(command, running.go_on);
+  done.interrupted = run.interrupted || (part.study != nullptr && interrupt.interrupted());
   done.troubles = std::move(run.troubles);
-  if (run.interrupted) {
+  if (done.interrupted) {
     for (PaperClaim& claim : done.report.claims) {
       claim.verdict = ClaimVerdict::kOpen;
       claim.observed += "; interrupted: not all runs were made";

@@ -176,7 +176,9 @@ VerifyResult run_catalogue(const Catalogue& catalogue, const VerifyOptions& opti
   }
   for (const Study& study : catalogue.studies) {
     if (result.interrupted || !options.go_on()) break;
-    result.studies.push_back(find_or_run(study, options));
+    StudyResult found = find_or_run(study, options);
+    if (!options.go_on()) break;  // it may be a part of one
+    result.studies.push_back(std::move(found));
   }
   result.interrupted = result.interrupted || result.studies.size() < catalogue.studies.size();
   return result;

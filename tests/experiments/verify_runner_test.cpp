@@ -123,5 +123,27 @@ TEST(RunCatalogue, KeepsWhatWasFinishedWhenInterrupted) {
   EXPECT_EQ(result.cells.size(), 2u);
 }
 
+std::atomic<bool> study_began{false};
+
+StudyResult long_study(bool, const std::function<bool()>& go_on) {
+  study_began = true;
+  StudyResult result;
+  if (go_on()) result.checks.resize(100);
+  return result;
+}
+
+// What the last study has done by then is not all of it.
+TEST(RunCatalogue, KnowsThatItsLastStudyWasInterrupted) {
+  Catalogue catalogue;
+  catalogue.studies.push_back({"study", long_study, true});
+  VerifyOptions options;
+  EXPECT_FALSE(run_catalogue(catalogue, options).interrupted);
+  study_began = false;
+  options.go_on = [] { return !study_began; };
+  const VerifyResult result = run_catalogue(catalogue, options);
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_TRUE(result.studies.empty());
+}
+
 }  // namespace
 }  // namespace kinex
