@@ -14,9 +14,9 @@ namespace kinex {
 //  "samples", "numbers", "seconds", "peak_bytes"}, and a newline
 //
 // Counts are those of run_report.h: "events" ("processed" of a structure), "external", "internal",
-// "failures", "records". "seconds" are CPU time of the run's thread, with wall time in "wall". In an
-// exact arithmetic everything but "seconds" and "peak_bytes" is the same on every machine. Schema:
-// experiments/schemas/summary.schema.json.
+// "failures", "records". "seconds" are CPU time of the run's thread, with wall time in "wall". In
+// an exact arithmetic everything but "seconds" and "peak_bytes" is the same on every machine.
+// Schema: experiments/schemas/summary.schema.json.
 std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
                           const std::string& scene_hash, const std::string& log_digest);
 

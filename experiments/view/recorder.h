@@ -3,8 +3,8 @@
 //
 // The attribute is read from the structure after every call that may change it: after a failure is
 // repaired, an object inserted, and so on. A change is attributed to the first event that the
-// structure reported during the call; later events of the same repair (ties put in order) have none.
-// Likewise for the proofs of pairs of bodies.
+// structure reported during the call; later events of the same repair (ties put in order) have
+// none. Likewise for the proofs of pairs of bodies.
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDER_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDER_H
 
@@ -37,7 +37,7 @@ struct RecordOptions {
   std::string arithmetic = "exact";
   std::optional<Rational> from;                 // default: the scene's start
   std::uint64_t max_events = ~std::uint64_t{};  // recorded; the run stops soon after
-  // Told of every event, recorded or not; false: the run is of no interest from this event on.
+  // Called for every event, recorded or not; false: the run ends at this event.
   std::function<bool(const SeenEvent&)> observe;
   std::function<bool(const Simulator&)> progress;  // as in SimulatorOptions
   const std::atomic<bool>* interrupt = nullptr;    // likewise

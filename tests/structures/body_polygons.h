@@ -58,7 +58,7 @@ inline Polygon turned(Polygon polygon, const Rational& p, const Rational& q) {
   return polygon;
 }
 
-// The same, written down from another vertex on.
+// The same polygon, listed from another vertex on.
 inline Polygon from_vertex(Polygon polygon, std::size_t first) {
   const auto middle = polygon.begin() + static_cast<std::ptrdiff_t>(first % polygon.size());
   std::rotate(polygon.begin(), middle, polygon.end());

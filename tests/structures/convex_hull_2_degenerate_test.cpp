@@ -37,7 +37,7 @@ TEST(ConvexHull2Degenerate, Pencil) {
   }
 }
 
-// All points on one line for ever: slanted, vertical, horizontal, and all at one place.
+// All points identically on one line: slanted, vertical, horizontal, and all at one place.
 TEST(ConvexHull2Degenerate, OneLineForEver) {
   Random random(3);
   std::vector<Trajectory> slanted, vertical, horizontal, together;

@@ -25,8 +25,8 @@ BoundCheck bound_of(const Simulator& simulator, const std::string& id) {
   return {};
 }
 
-// The two points of each node just above the points pass each other in x once, and nothing else can
-// fail there: the bound of the lowest level is reached.
+// The two points of each node just above the points pass each other in x once, and no other
+// certificate can fail there: the bound of the lowest level is reached.
 TEST(ConvexHull2Levels, EachPairPassesOnce) {
   const int n = 32;
   std::vector<Trajectory> motions;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ConvexHull2 on motion in general position: CGAL between all events, `sturm`, bounds, counts that
-// can be proved.
+// ConvexHull2 on motion in general position: CGAL between all events, `sturm`, bounds, provable
+// counts.
 #include "structures/convex_hull_2.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one-dimensional structures where many things happen at one instant, or ties last for ever.
+// The one-dimensional structures with many events at one instant, or identical ties.
 // Their answer right after each of many times, degenerate ones too, is compared with the order of
 // the keys' Taylor coefficients at that time: exact, and without any code of the structures.
 #include <algorithm>
@@ -124,7 +124,7 @@ TEST(DegenerateKeys, GridsWithIntegerVelocities) {
 TEST(DegenerateKeys, CocircularPointsThatExpand) {
   std::vector<Trajectory> paths{path({{0}, {0}})};
   for (const auto& [a, b] : kCircle) paths.push_back(path({{a, a}, {b, b}}));
-  // All as far from the centre at all times; in the other keys the order stays as it is.
+  // Identical distances from the centre; in the other keys the order is constant.
   EXPECT_EQ(expect_right(scene_of(paths, 0, Rational(3)), 1), 0u);
   // Around a centre that moves.
   paths[0] = path({{-7, 5}, {1}});

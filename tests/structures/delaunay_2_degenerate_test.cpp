@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Delaunay2 where many things happen at one instant, or ties last for ever.
+// Delaunay2 with many events at one instant, or identical ties.
 #include <algorithm>
 #include <set>
 
@@ -9,7 +9,7 @@
 namespace kinex::delaunay_2_test {
 namespace {
 
-// Runs with audits between all instants; says what was rebuilt in the test's record.
+// Runs with audits between all instants; rebuilds are noted in the test's record.
 void run_clean(const std::vector<Trajectory>& motions, const Rational& start, const Rational& end,
                std::uint64_t most_rebuilds) {
   World world(scene_of(motions, start, end));

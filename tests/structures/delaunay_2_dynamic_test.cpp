@@ -18,7 +18,7 @@ Scene scene_of_lives(const std::vector<Life>& lives, const Rational& start, cons
   return scene;
 }
 
-// The same scene started at t, when what happened before cannot matter.
+// The same scene started at t, independent of what happened before.
 Scene started_at(Scene scene, const Rational& t) {
   scene.start = t;
   scene.end = t + Rational(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Delaunay2 with at most three points, and why it is built anew.
+// Delaunay2 with at most three points, and the reasons of its rebuilds.
 #include <gtest/gtest.h>
 
 #include "tests/structures/delaunay_2_support.h"

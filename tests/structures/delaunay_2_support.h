@@ -150,7 +150,7 @@ class World {
     changes_.insert(*simulator_, t, object, std::move(trajectory));
   }
   void erase(const Rational& t, ObjectId object) { changes_.erase(*simulator_, t, object); }
-  // Audits once more; nothing may be wrong, and every bound must hold.
+  // Audits once more: no violation, and every bound holds.
   void expect_clean() {
     EXPECT_EQ(status, RunStatus::kDone);
     EXPECT_TRUE(simulator_->audit());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// EventReplay: holds structures to the rule that their external events tell every change of their
-// attributes. It replays the events of a run and compares at the end of every instant; what does
-// not agree is a violation of the run's audit (AuditLevel::kEvents).
+// EventReplay: checks that the external events of structures report every change of their
+// attributes. It replays the events of a run and compares at the end of every instant; a difference
+// is a violation of the run's audit (AuditLevel::kEvents).
 //
 // An insertion or erasure changes the attribute as the structure's own call does (a new body does
-// not change the contacts); all else must be told: an event without a difference (Event::gone,
-// Event::came) by its ids.
+// not change the contacts). All other changes must be reported: by the ids of an event, or by its
+// difference (Event::gone, Event::came).
 #ifndef KINEX_TESTS_STRUCTURES_EVENT_REPLAY_H
 #define KINEX_TESTS_STRUCTURES_EVENT_REPLAY_H
 
@@ -30,12 +30,12 @@ namespace kinex::test {
 // One attribute, changed by events.
 class ReplayedAttribute {
  public:
-  // `exact`: no edge is ever there twice.
+  // `exact`: no edge may exist twice.
   void begin(const Attribute& attribute, bool exact) {
     value_ = attribute;
     exact_ = exact;
   }
-  // What is wrong with the event; empty: nothing.
+  // The defect of the event; empty: none.
   std::string apply(std::string_view kind, const Event& event) {
     const auto id = [&event](std::size_t i) { return event.ids[i]; };
     std::vector<ObjectId>& ids = value_.ids;
@@ -171,12 +171,13 @@ class EventReplay final : public EventSink {
  public:
   explicit EventReplay(Simulator& simulator) : simulator_(simulator) {}
 
-  // From then on built anew instead of repaired, after every so many failures on the average.
+  // From then on structures are rebuilt instead of repaired, on average after every `one_in`
+  // failures.
   void rebuild_at_random(std::uint64_t seed, int one_in) {
     engine_.seed(seed);
     one_in_ = one_in;
   }
-  // Adds what the scene asks for. Call simulator.set_sink(&replay) and start.
+  // Adds the scene's structures. Call simulator.set_sink(&replay) and start.
   void add_structures(const Scene& scene) {
     std::vector<const Structure*> made;
     for (const PlannedStructure& planned : plan_structures(scene)) {

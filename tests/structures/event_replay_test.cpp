@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every change of an attribute is told by an external event: replayed at every instant, on scenes
-// in which points meet, coincide, part, line up, come, go and jump.
+// Every change of an attribute is reported by an external event: replayed at every instant, on
+// scenes in which points meet, coincide, separate, line up, come, go and jump.
 #include "tests/structures/event_replay.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ struct Replay {
     result.audit = AuditLevel::kEvents;
     return result;
   }
-  // Corrupt structures aside.
+  // Corrupt structures are exempt.
   void expect_clean() {
     simulator.run_until(std::nullopt);
     for (const std::string& what : simulator.violations()) {
@@ -171,7 +171,8 @@ TEST_P(EveryPointStructure, TellsEveryChangeInEveryArithmetic) {
 INSTANTIATE_TEST_SUITE_P(All, EveryPointStructure, testing::ValuesIn(point_structures()),
                          [](const auto& tested) { return tested.param; });
 
-// Two that coincide at 3/2 and part there: delaunay_2 has one edge before, and three after.
+// Two points that coincide up to 3/2 and separate there: delaunay_2 has one edge before, and three
+// after.
 TEST(EventReplay, PointsThatPartWithNewMotions) {
   const Rational half(Integer(3), Integer(2));
   Scene scene = scene_of({path({{0}, {0}}), path({{3}, {0}}), path({{3}, {0}})}, 0, Rational(3));
@@ -197,7 +198,7 @@ TEST(EventReplay, PointsThatPartWithNewMotions) {
   EXPECT_EQ(run.replay.counts["settled"] + run.replay.counts["rebuild"], 1u);
 }
 
-// The test sees what is not told.
+// The test detects a change that is not reported.
 TEST(EventReplay, AChangeThatIsNotToldIsSeen) {
   class Silent final : public EventSink {
    public:

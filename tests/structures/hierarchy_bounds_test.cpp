@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hard bounds of outer hierarchies: they hold, they are near what is there, and what they look
-// at is what exact rationals say.
+// The hard bounds of outer hierarchies: they hold, they are near the observed values, and the
+// observed values agree with exact rationals.
 #include "structures/hierarchy_bounds.h"
 
 #include <gtest/gtest.h>
@@ -161,7 +161,7 @@ TEST(HierarchyBounds, TheAntichainIsTheWorstOfAllHeights) {
   }
 }
 
-// Bounds that nothing comes near would say nothing.
+// The bounds are not vacuous: observed values come near them.
 TEST(HierarchyBounds, AreNotFarFromWhatIsThere) {
   for (const CutPolicy policy : kPolicies) {
     SCOPED_TRACE(cut_policy_name(policy));
@@ -172,14 +172,14 @@ TEST(HierarchyBounds, AreNotFarFromWhatIsThere) {
   }
 }
 
-// A tree is held to the policy that it is said to have.
+// A tree is checked against the bounds of its stated policy.
 TEST(HierarchyBounds, TellPoliciesApart) {
   const Polygon chain = geometric_chain(28);
   const OuterHierarchy deep = built(chain, CutPolicy::kDudley);
   EXPECT_TRUE(one(checks_of(deep, CutPolicy::kDudley), "h.depth").holds);
   EXPECT_FALSE(one(checks_of(deep, CutPolicy::kMedian), "h.depth").holds);
   EXPECT_FALSE(one(checks_of(deep, CutPolicy::kBalancedDudley), "h.depth").holds);
-  // The middle edge of a chain tells nothing about heights.
+  // The middle edge of a chain implies nothing about heights.
   const OuterHierarchy flat = built(chain, CutPolicy::kMedian);
   EXPECT_TRUE(one(checks_of(flat, CutPolicy::kMedian), "h.depth").holds);
 }

@@ -64,7 +64,7 @@ inline Scene hull_worst(int m, int n) {
   return scene_of(motions, 0, g + Rational(m + 2));
 }
 
-// What one method says about the hull: external events with their instants, and the hull at the
+// The report of one method about the hull: external events with their instants, and the hull at the
 // end.
 struct HullStory {
   std::vector<Recorded> events;
@@ -112,7 +112,7 @@ inline HullStory tell(Scene scene, const std::string& structure,
   return story;
 }
 
-// The same happenings at the same instants, which may be roots of different polynomials.
+// The same events at the same instants, which may be roots of different polynomials.
 inline void expect_same_events(std::vector<Recorded> expected, std::vector<Recorded> found) {
   ASSERT_EQ(expected.size(), found.size());
   RootCounters counters;
@@ -128,7 +128,7 @@ inline void expect_same_events(std::vector<Recorded> expected, std::vector<Recor
   }
 }
 
-// All methods tell the same story.
+// All methods report the same story.
 inline void expect_one_story(const Scene& scene, AuditLevel audit = AuditLevel::kEvents,
                              const OutsideChanges* changes = nullptr) {
   const HullStory first = tell(scene, kHulls[0], "exact", audit, changes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inexact arithmetics promise nothing but to end: every structure, with and without an end of the
+// Inexact arithmetics promise only that runs end: every structure, with and without an end of the
 // scene, from small numbers to numbers beyond the doubles.
 #include <string>
 
@@ -14,7 +14,7 @@ constexpr const char* kInexact[] = {"double", "gsl", "mpfr:4", "mpfr:53"};
 void expect_end(const Scene& scene) {
   for (const StructureInfo& info : structure_infos()) {
     if (info.bodies) continue;
-    if (!info.reads.empty()) continue;  // nothing but what it reads can go astray
+    if (!info.reads.empty()) continue;  // only the structure that it reads can become corrupt
     if (info.linear && scene.degree() > 1) continue;
     for (const char* arithmetic : kInexact) {
       SCOPED_TRACE(std::string(info.name) + " in " + arithmetic);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands still costs nothing: by the ledger, not by the clock.
+// Objects at rest cost nothing: by the ledger, not by the clock.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@
 namespace kinex::test {
 namespace {
 
-// Failure times asked for polynomials that are not constant.
+// Failure times computed of polynomials that are not constant.
 std::uint64_t moving_polynomials(const Trial& run) {
   const auto& solved = run.simulator.kernel().arithmetic().counters().polynomials_solved;
   std::uint64_t sum = 0;
@@ -41,7 +41,7 @@ void expect_no_work(const Scene& scene, const std::string& structure, const Key&
   Trial run(scene, structure, "exact", AuditLevel::kEnd, key);
   EXPECT_EQ(run.simulator.kernel().queue().size(), 0u);
   run.to_end().expect_clean();
-  if (structure != "maximum_dual_hull") {  // nobody comes after the winner
+  if (structure != "maximum_dual_hull") {  // there is no next winner
     EXPECT_GT(run.ledger().live, 0u);
   }
   EXPECT_EQ(run.ledger().processed, 0u);
@@ -82,7 +82,7 @@ TEST(LargeScenes, StandingPointsInOnePlaceOrOnAGridAreNeverScheduled) {
   expect_no_work(scene, "maximum_tournament", distance_to(0));
 }
 
-// Among n that stand one moves: only what it takes part in is solved and scheduled.
+// One moves among n at rest: only certificates with it are solved and scheduled.
 TEST(LargeScenes, OneMovesAmongManyThatStand) {
   const int n = 10000;
   std::vector<Trajectory> paths = standing(3, n, 1 << 20);
@@ -116,7 +116,7 @@ TEST(LargeScenes, OneMovesAmongManyThatStand) {
   }
 }
 
-// The same around an object that moves: then every distance changes, and all is scheduled.
+// The same around a moving object: every distance changes, and all certificates are scheduled.
 TEST(LargeScenes, AMovingReferenceMovesEverything) {
   std::vector<Trajectory> paths = standing(4, 1000, 1 << 20);
   paths.push_back(path({{0, 1}, {0}}));

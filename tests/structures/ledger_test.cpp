@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run counts: by hand where that can be done, and the sums that must agree everywhere.
+// The counts of a run: by hand where possible, and the sums that must always agree.
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -59,7 +59,7 @@ void expect_sums(const Trial& run) {
   EXPECT_LE(2 * l.simultaneous_groups, l.failures);
   EXPECT_LE(run.simulator.ledger().max_queue, l.max_live);
   EXPECT_GT(run.simulator.ledger().peak_bytes, 0u);
-  // Every certificate's failure time is asked for when it is made (and when a motion changes).
+  // A certificate's failure time is computed when it is made, and when a motion changes.
   std::uint64_t failures = 0;
   for (const PredicateCounters& p : numbers(run).by_predicate) failures += sum(p.failures);
   EXPECT_GE(failures, l.certificates_created);
@@ -160,7 +160,7 @@ TEST(Ledger, SumsAgree) {
   }
 }
 
-// How many events of each structure a log marks as external.
+// The number of events of each structure that a log marks as external.
 class ExternalSink final : public EventSink {
  public:
   void event(const Event& event, Arithmetic&) override {
@@ -170,10 +170,10 @@ class ExternalSink final : public EventSink {
     if (event.certificate.arity == 0) ++late;
   }
   std::vector<std::uint64_t> counts;
-  std::uint64_t late = 0;  // those that no failure of the structure's own led to
+  std::uint64_t late = 0;  // those without a failure of the structure's own
 };
 
-// The largest number of external events of the structure that is asked for, beyond its failures.
+// The largest number of external events of the requested structure beyond its failures.
 std::uint64_t expect_external_as_logged(Scene scene, const std::string& structure,
                                         const std::string& arithmetic) {
   scene.maintain = {{structure, structure, {}}};
@@ -215,11 +215,11 @@ TEST(Ledger, ExternalEventsAreThoseThatTheLogMarks) {
       }
     }
   }
-  EXPECT_GT(beyond, 100u);  // changes that no failure reported, or one of several
+  EXPECT_GT(beyond, 100u);  // changes reported by no failure, or by one of several
 }
 
-// A point lies between two others for ever, until a new motion takes it up or down. The divide and
-// conquer hulls report what becomes of that when the instant is settled, after its failures.
+// A point is identically between two others until a new motion takes it up or down. The divide and
+// conquer hulls report the consequence when the instant is settled, after its failures.
 TEST(Ledger, AChangeThatIsReportedWhenTheInstantIsSettledIsExternal) {
   for (const int way : {1, -1}) {
     Scene scene = scene_of({path({{0}, {0}}), path({{4}, {0}}), path({{2}, {0}})}, 0, Rational(2));

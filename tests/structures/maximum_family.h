@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All structures that maintain one maximum, in one run: what changed it, and at which instants.
+// All structures that maintain one maximum, in one run: its changes and their instants.
 #ifndef KINEX_TESTS_STRUCTURES_MAXIMUM_FAMILY_H
 #define KINEX_TESTS_STRUCTURES_MAXIMUM_FAMILY_H
 
@@ -30,8 +30,8 @@ inline std::vector<std::string> maximum_family(const Scene& scene, const Key& ke
   return names;
 }
 
-// One external event of a maximum as it was reported: the number of its instant from the start of
-// the run, and what it says.
+// One external event of a maximum as reported: the number of its instant from the start of the run,
+// and its ids.
 struct Change {
   std::uint64_t instant = 0;
   ObjectId old = kNoObject, fresh = kNoObject;
@@ -78,7 +78,7 @@ struct FamilyRun {
     simulator->set_sink(changes.get());
     simulator->start();
   }
-  // Those that were asked for: a list that only serves others is none.
+  // The requested structures: a list that is only read by others is none.
   std::vector<StructureId> members() const {
     std::vector<StructureId> result;
     for (StructureId id = 0; id < simulator->structures(); ++id) {

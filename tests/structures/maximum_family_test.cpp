@@ -55,7 +55,7 @@ TEST(MaximumFamily, WorstCases) {
   for (int k = 1; k <= 5; ++k) {
     EXPECT_EQ(expect_family(bit_reversed_lines(k)), (std::size_t{1} << k) - 1);
   }
-  // Any two cross d times, all beside d roots: there the first and the last take turns.
+  // Any two cross d times, all near d roots: there the first and the last win alternately.
   for (std::size_t d = 2; d <= 5; ++d) {
     EXPECT_EQ(expect_family(weaving_curves(5, static_cast<int>(d))), d);
   }
@@ -98,8 +98,8 @@ TEST(MaximumFamily, ThreeLinesThroughOnePoint) {
   } while (std::next_permutation(place.begin(), place.end()));
 }
 
-// Objects of a grid, by their x, with velocities of a grid: many meet at each of few instants, by
-// threes and more, some for ever; some turn there.
+// Objects on a grid, by their x, with velocities on a grid: three and more meet at each of few
+// instants, some identically; some turn there.
 TEST(MaximumFamily, GridsThatMeet) {
   std::size_t changes = 0;
   for (int shift = 0; shift < 5; ++shift) {
@@ -125,7 +125,7 @@ TEST(MaximumFamily, GridsThatMeet) {
   EXPECT_GT(changes, 10u);
 }
 
-// Those with one certificate have one event per change, however many meet.
+// Structures with one certificate have one event per change, however many objects meet.
 TEST(MaximumFamily, NobodyPassesThroughWhereOnlyTheLastCounts) {
   for (const int n : {2, 3, 9, 16, 33}) {
     const Scene scene = pencil(n);
@@ -255,7 +255,7 @@ TEST(MaximumFamily, InexactArithmeticsEnd) {
   }
 }
 
-// ---- what is said of single members
+// ---- single structures
 
 // The vertices of the upper hull of (slope, height), by brute force over exact rationals.
 std::vector<ObjectId> static_hull(const Simulator& simulator, bool minimum) {
@@ -308,7 +308,7 @@ TEST(MaximumDualHull, KeepsTheHull) {
       simulator.start();
       std::vector<bool> alive(n, true);
       for (int step = 1; step <= 150; ++step) {
-        // Twice as many leave as come, then the other way round; sorted slopes now and then.
+        // Twice as many leave as come, then the reverse; sorted slopes now and then.
         const bool shrink = step <= 80;
         for (int k = 0; k < 3; ++k) {
           const auto object = static_cast<ObjectId>(random.between(0, n - 1));
@@ -384,7 +384,7 @@ TEST(MaximumDualHull, RefusesWhatIsNotLinear) {
                std::invalid_argument);
 }
 
-// One certificate, one event per change, whatever happens below.
+// One certificate, one event per change, whatever the order below.
 TEST(Maximum, SomeHaveOneCertificate) {
   const Scene scene = steep_lines(30);
   FamilyRun run(scene, {}, false, "exact", AuditLevel::kEnd);

@@ -14,7 +14,7 @@
 namespace kinex::test {
 namespace {
 
-// q(k): the chance that two neighbours of the order with k objects above are parent and child.
+// q(k): the probability that two neighbours of the order with k objects above are parent and child.
 std::vector<double> parent_and_child(std::size_t n) {
   std::vector<double> q{1.0};
   for (std::size_t k = 1; k < n; ++k) {

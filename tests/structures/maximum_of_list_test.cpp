@@ -31,7 +31,7 @@ struct SharedRun {
     simulator.run_until(std::nullopt);
     EXPECT_EQ(simulator.violations(), std::vector<std::string>{});
   }
-  // What one structure reported, without its label.
+  // The report of one structure, without its label.
   std::vector<std::string> told_by(const std::string& label) const {
     std::vector<std::string> result;
     for (const std::string& line : sink.lines) {
@@ -112,7 +112,7 @@ TEST(MaximumOfList, WorstCase) {
 }
 
 TEST(MaximumOfList, OfTiesTheSmallestId) {
-  // 1 and 2 are equal for ever and overtake 0 at 3; then they are the largest, and 1 wins.
+  // 1 and 2 are identically equal and overtake 0 at 3; then they are the largest, and 1 wins.
   SharedRun run(scene_of({path({{3}}), path({{0, 1}}), path({{0, 1}})}, 0, Rational(4)),
                 {asked("maximum_sorted_list"), asked("minimum_sorted_list")});
   EXPECT_EQ(run.simulator.structure(1).attribute().ids, std::vector<ObjectId>{1});
@@ -123,12 +123,12 @@ TEST(MaximumOfList, OfTiesTheSmallestId) {
 TEST(Plan, ListsAreSharedByKey) {
   const Scene scene =
       scene_of({path({{0, 1}, {0}}), path({{1}, {0, 1}}), path({{2}, {1}})}, 0, Rational(4));
-  // Asked for last, and by two readers: one list, in front of them.
+  // Requested last, and read by two: one list, in front of them.
   SharedRun shared(
       scene, {asked("maximum_sorted_list"), asked("minimum_sorted_list"), asked("sorted_list")});
   EXPECT_EQ(shared.labels(), (std::vector<std::string>{"sorted_list", "maximum_sorted_list",
                                                        "minimum_sorted_list"}));
-  // By another key it is another list, which nobody asked for.
+  // By another key it is another list, not requested.
   SharedRun apart(scene, {asked("sorted_list"), asked("maximum_sorted_list", "top", 1)});
   EXPECT_EQ(apart.labels(), (std::vector<std::string>{"sorted_list", "top.sorted_list", "top"}));
   // The label that it would have is taken.

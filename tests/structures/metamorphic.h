@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes from scenes: transformations after which a run must give the same events, at instants that
-// are known, in words that are known.
+// Metamorphic tests: transformations of scenes after which a run must give the same events, at
+// known instants, in known words.
 #ifndef KINEX_TESTS_STRUCTURES_METAMORPHIC_H
 #define KINEX_TESTS_STRUCTURES_METAMORPHIC_H
 
@@ -25,7 +25,7 @@ struct Image {
   Scene scene;
   Key key;
   Rational a = 1, b = 0;
-  bool reverses_order = false;  // the key that was smallest is largest
+  bool reverses_order = false;  // the smallest key becomes the largest
   std::vector<ObjectId> name;   // old ids by new ids; empty: the same
   std::string how;              // for messages
 
@@ -182,13 +182,13 @@ inline RealRoot instant_of(const Recorded& event, const Image& image) {
   return roots.at(static_cast<std::size_t>(index)).root;
 }
 
-// What happens at one instant, in words, in any order.
+// The events at one instant, in words, in any order.
 struct Moment {
   RealRoot at;
   std::multiset<std::string> happenings;
 };
 
-// `word` gives what an event says, or nothing for one that is left out.
+// `word`: the text of an event, or nullopt for one that is left out.
 template <class Word>
 std::vector<Moment> moments_of(const std::vector<Recorded>& events, const Image& image,
                                const Word& word) {
@@ -207,7 +207,7 @@ std::vector<Moment> moments_of(const std::vector<Recorded>& events, const Image&
   return moments;
 }
 
-// Equal instants, exactly, and the same happenings at each.
+// Exactly equal instants, and the same events at each.
 inline void expect_same_moments(std::vector<Moment> expected, std::vector<Moment> found) {
   RootCounters counters;
   ASSERT_EQ(expected.size(), found.size());

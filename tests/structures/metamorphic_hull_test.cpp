@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kinetic hulls of transformed scenes: the same points enter and leave at the transformed instants,
-// and the hull is the same between them. What a hull reports of an instant is the difference that
-// this makes to the hull, so even where many things happen at once the events must agree.
+// and the hull is the same between them. A hull reports the difference that an instant makes, so
+// the events must agree even where several certificates fail at once.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@
 namespace kinex::test {
 namespace {
 
-// An image, and whether counter-clockwise is clockwise there.
+// An image, and whether it reverses orientation.
 struct HullImage {
   Image image;
   bool turns_over = false;
@@ -45,7 +45,7 @@ std::vector<ObjectId> old_cycle(const HullImage& in, const std::vector<ObjectId>
 }
 
 // "enter 3": in old ids and the old direction of time. A turn is left out: which of several points
-// it names depends on ids; the hulls in between tell it.
+// it names depends on ids; the hulls in between show it.
 std::vector<Moment> hull_moments(const HullImage& in, const std::vector<Recorded>& events) {
   return moments_of(events, in.image, [&](const Recorded& event) -> std::optional<std::string> {
     if (event.kind >= HullEvents::kTurn) return std::nullopt;

@@ -82,7 +82,7 @@ inline Scene wild_flights(std::uint64_t seed, int n, int degree) {
   return scene;
 }
 
-// ---- many events at one instant, but no ties that last
+// ---- many events at one instant, but no identical ties
 
 // All in one place at t = 1/2, some turning back there.
 inline Scene through_one_point(std::uint64_t seed, int n, int degree) {

@@ -26,7 +26,7 @@ std::string pair_of(ObjectId a, ObjectId b) {
   return std::to_string(std::min(a, b)) + "-" + std::to_string(std::max(a, b));
 }
 
-// What an event says about the old scene, in old ids and in the old direction of time. Internal
+// The text of an event for the old scene, in old ids and in the old direction of time. Internal
 // events of tournaments and heaps depend on the history and on the order of the objects: without
 // `internal` they are left out.
 std::optional<std::string> word(const std::string& structure, const Image& image, bool internal,
@@ -49,7 +49,7 @@ std::optional<std::string> word(const std::string& structure, const Image& image
         return std::nullopt;  // flight plans; these scenes have no other kind
     }
   }
-  const bool net = event.external && !is_list(structure);  // whatever the structure calls it
+  const bool net = event.external && !is_list(structure);  // under any name of the structure's
   if ((event.kind != 0 && !net) || (!internal && !event.external)) return std::nullopt;
   if (back != (is_list(structure) && image.reverses_order)) std::swap(ids[0], ids[1]);
   return std::to_string(ids[0]) + " then " + std::to_string(ids[1]);
@@ -160,7 +160,7 @@ TEST(Metamorphic, Delaunay) {
   for (const auto& [degree, n] : {std::pair{1, 12}, std::pair{2, 8}, std::pair{3, 6}}) {
     const Scene scene = wild_scene(static_cast<std::uint64_t>(20 + degree), n, degree);
     for (const Image& image : images_of(scene, any, true)) {
-      // Not reversed in its attribute: the order of the key means nothing here.
+      // Not reversed in its attribute: the order of the key is irrelevant here.
       Image read = image;
       read.reverses_order = false;
       instants += expect_same("delaunay_2", scene, any, read, Compare::kEvents);

@@ -71,7 +71,7 @@ void for_all(const Check& check) {
 
 constexpr int kEnd = OuterHierarchy::kNever - 1;
 
-// What the tiles have in all is what there is between the sum of the boxes and M.
+// The areas of the tiles add up to that between the sum of the boxes and M.
 TEST(MixedTiles, AreasAddUp) {
   for_all([](Bench& bench, const Case& one) {
     const TileGeometry geometry = bench.geometry(one.rotor);
@@ -183,7 +183,7 @@ struct World {
   bool parallels;
 };
 
-// Where a point that has just left a side really is.
+// Checks the place of a point that has just left a side.
 void expect_beyond(Bench& bench, const World& world, const Vertex2& on, const Vertex2& way,
                    const MixedTiles::Move& next) {
   const TileGeometry& geometry = world.geometry;
@@ -299,7 +299,7 @@ TEST(MixedTiles, NeighboursOfHalfPlanes) {
 }
 
 // Polygons with parallel edges turn through the pose in which they are parallel, both ways: a tile
-// that is divided anew hands its points over to the right one.
+// that is divided anew passes its points to the right one.
 TEST(MixedTiles, FlipsAtParallelNormals) {
   const Polygon triangle{{0, 0}, {5, 1}, {2, 7}};
   Random random(23);
@@ -359,7 +359,7 @@ TEST(MixedTiles, FlipsAtParallelNormals) {
   EXPECT_GT(flips, 300);
 }
 
-// Smaller polygons wait: at equal levels the errors are alike.
+// Smaller polygons start later: at equal levels the errors are alike.
 TEST(MixedTiles, SmallPolygonsWait) {
   const Bench alike(regular(8), regular(9), CutPolicy::kBalancedDudley);
   EXPECT_EQ(alike.offset, (std::array<int, 2>{0, 0}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The structure "outer_hierarchy": it builds, is audited and has bounds, and nothing happens to it.
+// The structure "outer_hierarchy": it builds, is audited and has bounds, but no events.
 #include "structures/outer_hierarchies.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST(OuterHierarchies, ANewBodyBringsItsPolygonAndAnOldOneLeavesIt) {
             (std::vector<std::string>{"outer_hierarchy insert 1", "outer_hierarchy erase 0"}));
 }
 
-// Its audit sees what it is given: here, the polygons of another scene.
+// Its audit detects the polygons of another scene.
 TEST(OuterHierarchies, TheAuditLooksAtTheScenesPolygons) {
   Scene scene = scene_of({body("a", regular(12), 0), body("b", regular(5), 9)});
   Trial trial(scene, "outer_hierarchy", "exact", AuditLevel::kNone);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hierarchies of one polygon: what their header says, all policies, exactly.
+// The hierarchies of one polygon: the claims of their header, all policies, exactly.
 #include "structures/outer_hierarchy.h"
 
 #include <gtest/gtest.h>
@@ -202,8 +202,8 @@ TEST(OuterHierarchy, NodesAreBoomerangs) {
   });
 }
 
-// Every stage is a convex polygon inside the one before; the last is the polygon itself, and what
-// the cuts removed is what there is between it and the box.
+// Every stage is a convex polygon inside the one before; the last is the polygon itself, and the
+// cuts removed exactly what lies between it and the box.
 TEST(OuterHierarchy, StagesAreNestedAndConvex) {
   for_all([](const Built& built) {
     const OuterHierarchy& tree = built.tree;
@@ -306,7 +306,7 @@ TEST(OuterHierarchy, DepthIsBounded) {
   });
 }
 
-// Depth is what the policies differ in: plain Dudley goes down a corner of n vertices one by one,
+// The policies differ in depth: plain Dudley goes down a corner of n vertices one by one,
 // the balanced one halves the chain.
 TEST(OuterHierarchy, BalancedIsShallowAtASharpCorner) {
   const Polygon chain = geometric_chain(28);
@@ -336,7 +336,7 @@ TEST(OuterHierarchy, DoesNotDependOnTheFirstVertex) {
   }
 }
 
-// The same polygon in other units and at another place is cut alike by the policies that look at
+// The same polygon in other units and at another place is cut alike by the policies that depend on
 // normals alone. (Dudley's squares have rounded radii.)
 TEST(OuterHierarchy, DoesNotDependOnUnits) {
   Random random(3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The events of a run as data, and the changes that a test makes from outside, so that the same run
-// can be made again.
+// The events of a run as data, and the changes that a test makes from outside, so that the run can
+// be repeated.
 #ifndef KINEX_TESTS_STRUCTURES_RECORDER_H
 #define KINEX_TESTS_STRUCTURES_RECORDER_H
 
@@ -21,7 +21,7 @@ struct Recorded {
   std::uint8_t kind = 0;
   std::vector<ObjectId> ids;
   bool external = false;
-  // The exact name of the instant, where it was asked for.
+  // The exact name of the instant, if requested.
   std::vector<std::string> polynomial;
   int root = 0;
   std::string lower, upper, decimal;
@@ -55,14 +55,14 @@ class Recorder final : public EventSink {
                                 ? std::string_view()
                                 : arithmetic.predicate(event.certificate.predicate).name());
   }
-  // So many events are recorded with their instants.
+  // The number of events recorded with their instants.
   std::size_t instants = 0;
   std::vector<Recorded> events;
   // Of the certificate behind each event; empty: there is none.
   std::vector<std::string> predicates;
 };
 
-// Changes from outside, kept so that they can be made once more.
+// Changes from outside, kept so that they can be repeated.
 class OutsideChanges {
  public:
   void update(Simulator& simulator, const Rational& t, ObjectId object, Trajectory trajectory) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tile that a run is in, at rational times, against all tiles there are at that time.
+// The tile of a run, at rational times, against all tiles at that time.
 #include "structures/separation_mixed.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ Polygon negated(Polygon polygon) {
   return polygon;
 }
 
-// B as A sees it at t: where it is, and the rotor.
+// B as seen from A at t: its place and the rotor.
 struct Pose {
   Pose(const Scene& scene, const Rational& t) {
     const Trajectory& a = scene.objects[0].motion.pieces[0].trajectory;
@@ -135,8 +135,8 @@ BoundCheck signs_check(const Trial& trial) {
   return {};
 }
 
-// After the first failure its signs are all there are; later ones only take the place of it if they
-// come nearer to their bound.
+// After the first failure its signs are the recorded ones; a later failure replaces it only if it
+// comes nearer to its bound.
 TEST(SeparationMixed, CountsTheSignsOfAFailure) {
   int alone = 0;
   for (int round = 0; round < 8; ++round) {
@@ -163,7 +163,7 @@ TEST(SeparationMixed, CountsTheSignsOfAFailure) {
     EXPECT_GT(trial.ledger().failures, 4u);
     const BoundCheck check = signs_check(trial);
     EXPECT_TRUE(check.holds);
-    // Not far from what is there.
+    // The bound is not far from the observed value.
     EXPECT_GE(Integer(10) * check.observed, check.bound);
   }
   EXPECT_GE(alone, 3);

@@ -73,7 +73,7 @@ TEST(SortedList, TouchingIsNoEvent) {
 
 TEST(SortedList, AuditsKeepClearOfTouchingPoints) {
   // Half way between start and end 0 touches 1, where positions alone would put 0 first; 2 and 3
-  // are equal for ever.
+  // are identically equal.
   const Scene scene =
       scene_of({path({{0, 0, 1}}), path({{0}}), path({{5}}), path({{5}})}, -1, Rational(1));
   Trial run(scene, kName);

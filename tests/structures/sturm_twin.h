@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every run in `exact` that a test makes is made again in `sturm`, which shares no filter with it,
-// and compared: all events, their order, the exact names of their instants, and the attribute at
-// the end.
+// Every run of a test in `exact` is repeated in `sturm`, which shares no filter with it, and
+// compared: all events, their order, the exact names of their instants, and the attribute at the
+// end.
 //
 // Large scenes are compared up to their first events only, or not at all; the test's record says so
 // ("sturm").
@@ -24,7 +24,7 @@ namespace kinex::test {
 // Beyond this many objects `sturm` takes too long to build a structure.
 inline constexpr std::size_t kMostTwinObjects = 1100;
 
-// The number of failures that are compared: about a second's work in `sturm`.
+// The number of failures compared: about a second in `sturm`.
 inline std::size_t twin_failures(const Scene& scene, std::string_view structure) {
   if (structure != "delaunay_2") return 2000;
   constexpr std::size_t kByDegree[] = {1000, 1000, 300, 150};
@@ -32,7 +32,7 @@ inline std::size_t twin_failures(const Scene& scene, std::string_view structure)
   return degree <= 3 ? kByDegree[degree] : 50;
 }
 
-// Whether to run `scene` in sturm too; if not, the test's record says why.
+// True if `scene` is run in `sturm` too; if not, the test's record says why.
 inline bool has_twin(const Scene& scene, const std::string& arithmetic) {
   if (arithmetic != "exact") return false;
   if (scene.objects.size() <= kMostTwinObjects) return true;

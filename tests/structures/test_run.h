@@ -73,7 +73,7 @@ struct Trial {
     thrown_ = false;
     return *this;
   }
-  // For a run that has been made, and compared, before.
+  // For a run that was compared before.
   Trial& without_twin() {
     twin_ = false;
     return *this;

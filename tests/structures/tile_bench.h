@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MixedTiles without a simulator: two polygons in any pose, and a point that moves any way.
+// MixedTiles without a simulator: two polygons in any pose, and a point in any motion.
 #ifndef KINEX_TESTS_STRUCTURES_TILE_BENCH_H
 #define KINEX_TESTS_STRUCTURES_TILE_BENCH_H
 
@@ -61,8 +61,8 @@ struct Bench {
     while (slot < proof.count && sign(proof.query[slot]) != Sign::kNegative) ++slot;
     return slot;
   }
-  // Moves on until the tile holds. Where normals are parallel for ever there are flat tiles on the
-  // way; nowhere else.
+  // Moves on until the tile holds. Flat tiles on the way occur only where normals are identically
+  // parallel.
   MixedTiles::Move settled(MixedTiles::Move move, bool flat_tiles) {
     for (int moves = 0; move.tile && !holds(*move.tile); ++moves) {
       EXPECT_TRUE(flat_tiles) << "a tile that does not hold";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tiles of two polygons at one rational pose, all of them, by their definition: stages of both
-// hierarchies as plain lists of points, no certificates and no moves. The witness of MixedTiles.
+// The witness of MixedTiles: all tiles of two polygons at one rational pose, by their definition:
+// stages of both hierarchies as plain lists of points, no certificates and no moves.
 #ifndef KINEX_TESTS_STRUCTURES_TILE_GEOMETRY_H
 #define KINEX_TESTS_STRUCTURES_TILE_GEOMETRY_H
 
@@ -70,7 +70,7 @@ inline int where(const Vertex2& p, const Polygon& polygon) {
   return polygon.size() < 3 ? std::min(result, 0) : result;
 }
 
-// Where a tile is. For half-planes nothing.
+// The place of a tile; empty for half-planes.
 struct PlacedTile {
   Tile tile;
   Polygon outline;                                // counter-clockwise
@@ -80,8 +80,8 @@ struct PlacedTile {
 
 class TileGeometry {
  public:
-  // `offset`: empty levels before those of either polygon. Normals that are parallel: those of A
-  // come first, or (`b_first`) those of B'.
+  // `offset`: empty levels before those of either polygon. Of parallel normals those of A come
+  // first, or (`b_first`) those of B'.
   TileGeometry(const OuterHierarchy& a, const OuterHierarchy& b, std::array<int, 2> offset,
                Vertex2 rotor, bool b_first = false)
       : trees_{&a, &b}, offset_(offset), b_first_(b_first) {
@@ -127,7 +127,7 @@ class TileGeometry {
     return minkowski_sum(convex_hull(outline(0, time)), convex_hull(outline(1, time)));
   }
 
-  // Where the tile of this name is.
+  // The place of the tile of this name.
   PlacedTile placed(const Tile& tile) const {
     PlacedTile result;
     result.tile = tile;
@@ -164,7 +164,7 @@ class TileGeometry {
     return tiles;
   }
 
-  // Whether an edge of one hierarchy is parallel to one of the other.
+  // True if an edge of one hierarchy is parallel to one of the other.
   bool has_parallels() const {
     for (std::uint32_t e = 0; e < tree(0).edges().size(); ++e) {
       for (std::uint32_t f = 0; f < tree(1).edges().size(); ++f) {

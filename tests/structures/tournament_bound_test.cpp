@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bound on the events of a tournament through flight plans, insertions and erasures: scenes
-// that reach it exactly, and what a change adds to it.
+// that reach it exactly, and the terms added by a change.
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,7 +27,7 @@ void expect_reached(const Trial& run, std::int64_t events) {
   EXPECT_EQ(bound.observed, Integer(events));
 }
 
-// All turn back at `turn` and run through what they have done the other way.
+// All turn back at `turn` and retrace their motion.
 Scene there_and_back(Scene scene, const Rational& turn) {
   scene.end = turn * Rational(2) - scene.start;
   for (SceneObject& object : scene.objects) {
@@ -122,7 +122,7 @@ TEST(TournamentBound, AChangeOfOneCountsItsPath) {
   EXPECT_EQ(events_bound(run).bound, Integer(4 + 2 * 3 + 7 + 1 + 3 + 7));
 }
 
-// What distances are measured to changes all keys.
+// A new motion of the reference of distances changes all keys.
 TEST(TournamentBound, ANewMotionOfTheReferenceCountsAllNodes) {
   std::vector<Trajectory> paths;
   for (int i = 0; i < 7; ++i) paths.push_back(path({{i}, {i * i}}));
