@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The polynomial of a certificate for the first stages of ExactArithmetic: in doubles, with bounds
-// on their errors, and in 128-bit integers.
+// The polynomial of a certificate for the first stages of ExactArithmetic: in doubles with error
+// bounds, and in 128-bit integers.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -102,7 +102,7 @@ void ExactArithmetic::approximate_shifted(const Query& query, Approximation& p) 
   for (int i = 0; i <= model.degree; ++i) p.m[i] = std::fabs(p.c[i]) + model.reach_error * power[i];
 }
 
-// From the anchor that the query's motions share to the origin, where doubles hold it exactly.
+// From the shared anchor of the query's motions to the origin; nullopt if not an exact double.
 std::optional<double> ExactArithmetic::shift_from_anchor(const Query& query) const {
   if (!motions_.model().anchored) return std::nullopt;
   const std::optional<double> anchor = motions_.shared_anchor(query.ids.data(), query.arity);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostCoefficients = 64;
 
-// Values up to this degree need no reduction on the way: with m = prime - 1 they are at most
+// Up to this degree values need no intermediate reduction: with m = prime - 1 they are at most
 // m^(degree + 1) (1 + 1 / (m - 1)), and 46^11 (1 + 1/45) < 2^64, 96^9 (1 + 1/95) < 2^64.
 constexpr std::size_t short_degree(std::uint64_t prime) { return prime < 50 ? 10 : 8; }
 

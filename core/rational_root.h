@@ -10,9 +10,8 @@
 namespace kinex {
 
 // True: the polynomial has no rational root, because it has no root (nor one at infinity) modulo
-// one of the primes below 100. False proves nothing. `c`: at least two coefficients. Among
-// unstructured polynomials without rational roots about 99.99 % are detected, with 3 primes on
-// average.
+// one of the primes below 100. False proves nothing. `c`: at least two coefficients. Detects about
+// 99.99 % of unstructured polynomials without rational roots, with 3 primes on average.
 bool lacks_rational_roots(const std::vector<Integer>& c);
 
 // The fraction with the least denominator in [lo, hi], if its numerator and denominator fit 52

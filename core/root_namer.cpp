@@ -30,7 +30,7 @@ std::optional<Rational> decide_rational(const std::vector<Integer>& p, double lo
   return rational_value(polynomial, root, counters);
 }
 
-// Of the coefficients; most are found to have none in words.
+// The content; most polynomials are found to be primitive in machine words.
 Integer content_of(const std::vector<Integer>& p) {
   Integer content = abs(p.back());
   for (std::size_t i = p.size() - 1; i-- > 0;) {
@@ -122,14 +122,14 @@ bool RootNamer::count(const Frame& frame, double lo, double hi, InstantName& nam
   return false;
 }
 
-// The sequence about a number of few bits near the root, found exactly: for roots that are close to
-// each other and far from 0.
+// The sequence about a number of few bits near the root, computed exactly: for roots that are close
+// to each other and far from 0.
 bool RootNamer::make_near(const std::vector<Integer>& p, double lo, Frame& frame) {
   const int unit = std::ilogb(lo) - (kOriginBits - 1);
   const auto count = static_cast<std::int64_t>(std::ldexp(lo, -unit));
   frame.origin = std::ldexp(static_cast<double>(count), unit);
   frame.scale = unit;
-  // In units of 2^down, an integer number of which the origin is.
+  // In units of 2^-down, of which the origin is a multiple.
   const unsigned long down = unit < 0 ? static_cast<unsigned long>(-unit) : 0;
   Integer origin(count);
   if (unit > 0) origin <<= static_cast<unsigned long>(unit);

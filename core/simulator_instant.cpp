@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An instant of a run: failures are handled, structures are called, and what they report goes to
-// the sink and to watchers, until nothing fails; or all of it is withdrawn.
+// An instant of a run: failures are handled, structures are called, and their reports go to the
+// sink and to watchers, until nothing fails; or all of it is withdrawn.
 #include <algorithm>
 #include <cmath>
 #include <limits>

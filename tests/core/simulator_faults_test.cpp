@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a simulator does about structures that are wrong: the guard, corruption, audits.
+// Incorrect structures: the guard, corruption, audits.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A simulator with one plain list, lists that do wrong, and what a run reported, for tests of the
-// simulator.
+// For tests of the simulator: a simulator with one plain list, incorrect lists, recorded reports.
 #ifndef KINEX_TESTS_CORE_SIMULATOR_FIXTURE_H
 #define KINEX_TESTS_CORE_SIMULATOR_FIXTURE_H
 

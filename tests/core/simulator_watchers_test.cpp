@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Structures that watch others are told of every change.
+// Structures that watch others are notified of every change.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
