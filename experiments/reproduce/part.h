@@ -26,7 +26,7 @@ struct PaperPart {
   std::string_view name;  // "figure-3"
   std::string_view summary;
   std::vector<SeriesPoint> (*points)(bool quick);
-// `results`: of all points of this part, in order; fewer after an interruption. `command`
+  // `results`: of all points of this part, in order; fewer after an interruption. `command`
   // reproduces it. nullptr for a part without runs.
   PartReport (*report)(const std::vector<SeriesResult>& results, const std::string& command);
   // Of such a part: it works until `go_on` says no.

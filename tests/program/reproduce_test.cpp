@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tests/program/spawn.h"
+#include "tests/sanitized.h"
 
 namespace kinex {
 namespace {
@@ -81,6 +83,27 @@ TEST(ReproduceVerb, WhatTheSecondProgramRefusesIsNotConfirmed) {
   EXPECT_THAT(run.out, Not(HasSubstr("confirmed")));
   EXPECT_THAT(read_file(folder + "/claims.json"), HasSubstr("refused: an event is missing"));
   EXPECT_THAT(read_file(folder + "/README.md"), HasSubstr("refused: an event is missing"));
+}
+
+// An interruption ends the second program too; what was run by then is kept and written.
+TEST(ReproduceVerb, IsInterruptedWhileTheSecondProgramRuns) {
+  const ScratchFolder scratch;
+  const std::string stub = scratch.file("slow");
+  write_file(stub, "#!/bin/sh\nsleep 1000\n");
+  std::filesystem::permissions(stub, std::filesystem::perms::owner_all);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const std::string folder = scratch.file(std::to_string(signal)), runs = folder + "/runs.jsonl";
+    Words command{"reproduce", "separation-sensitive-1999", "features", "--quick", "-o", folder};
+    command.insert(command.end(), {"--logcheck", stub});
+    constexpr int kLines = 46;  // all runs and the header
+    const Finished stopped = run_kinex_until(command, runs, kLines, signal);
+    EXPECT_EQ(stopped.exit_code, 3) << stopped.err;
+    EXPECT_THAT(stopped.err, HasSubstr("interrupted: the same command with --force goes on"));
+    EXPECT_THAT(read_file(folder + "/claims.json"), HasSubstr("not checked: interrupted"));
+    const std::string text = read_file(runs);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), kLines);
+    if (test::kSanitized) break;
+  }
 }
 
 }  // namespace
