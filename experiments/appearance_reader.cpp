@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies that appear, or jump, after the scene's start: not into others.
+// Bodies that appear, or jump, after the scene's start must not overlap others.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace kinex {
 
 namespace {
 
-// False where the object surely is not there right after t. O(1).
+// False if the object certainly does not exist right after t. O(1).
 bool may_exist(const Motion& motion, const Rational& t) {
   if (motion.pieces.empty()) return false;
   const MotionPiece& first = motion.pieces.front();
@@ -31,7 +31,7 @@ double radius_of(const Polygon2& polygon) {
   return most;
 }
 
-// A place in doubles, and more than what rounding does to it.
+// A place in doubles, and an upper bound on its rounding error.
 struct RoughPlace {
   RoughPlace(const Trajectory& trajectory, double t) {
     for (std::size_t axis = 0; axis < 2; ++axis) {

@@ -74,7 +74,7 @@ struct Plan {
   }
 };
 
-// Where the bodies are with respect to each other at one instant.
+// The relative position of the bodies at one instant.
 struct Pose {
   Point t{}, seen{};  // the second one's origin in the frame of the first, and in its own
   double c = 1, s = 0;

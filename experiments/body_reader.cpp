@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What only scenes of rigid bodies have: polygons, rotors that never vanish, a start without
+// The parts of scenes of rigid bodies only: polygons, rotors that never vanish, a start without
 // contacts.
 #include <algorithm>
 #include <cstddef>
@@ -48,7 +48,7 @@ int turn(const Vertex2& a, const Vertex2& b, const Vertex2& c) {
   return ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).sign();
 }
 
-// Whether the edge from `a` to `b` goes up, or level to the right: its angle is in [0, pi).
+// True if the edge from `a` to `b` goes up, or level to the right: its angle is in [0, pi).
 bool goes_up(const Vertex2& a, const Vertex2& b) {
   return a[1] != b[1] ? a[1] < b[1] : a[0] < b[0];
 }

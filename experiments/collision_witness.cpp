@@ -137,7 +137,8 @@ class SpanSearch {
     }
   }
 
-  // from_first: the way to the vertex from the edge's first end; to_second: on to its other end.
+  // from_first: the vector from the edge's first end to the vertex; to_second: from there to its
+  // other end.
   void look_at(const FeaturePair& features, const Point& direction, const Point& from_first,
                const Point& to_second) {
     const Polynomial side =
@@ -151,7 +152,7 @@ class SpanSearch {
       return;
     }
     staying_.push_back({along, ahead, features});
-    // The vertex stays on the line: it can only come on the edge at its ends, or be there already.
+    // The vertex stays on the line: it can only enter the edge at its ends, or be on it already.
     add(RealRoot(span_.from), along, ahead, features);
     if (!along.is_zero()) add_roots(along, along, ahead, features);
     if (!ahead.is_zero()) add_roots(ahead, along, ahead, features);
@@ -229,7 +230,7 @@ Contact contact_beyond(const SceneObject& a, const SceneObject& b, const Span& s
   return search.contact_at(between(moments[0].instant, moments[1].instant, counters));
 }
 
-// What the instants of one pair come to, one after another.
+// The contacts of one pair, from its instants in order.
 class Story {
  public:
   void appear() { before_ = Contact::kApart; }
@@ -278,7 +279,7 @@ CollisionWitness find_contacts(const SceneObject& a, const SceneObject& b, const
       Moment& moment = moments[i];
       search.add_staying(moment.instant, moment.features);
       if (last && compare(moment.instant, *last, counters) == 0) {
-        // What follows is told by the next flight plans, if there are any.
+        // Decided by the next flight plans, if there are any.
         const bool is_last = !end || *span.to == *end;
         if (is_last) {
           const Contact after = contact_beyond(a, b, span, *span.to, counters);

@@ -245,7 +245,7 @@ class Importer {
     return motion;
   }
 
-  // An object that stands still, at all times.
+  // An object at rest, at all times.
   void add_fixed(const std::string& text) {
     const std::string option = "--fixed";
     Scene& scene = report_.scene;

@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* kColumns = "name the columns id,x,y: a row for each vertex";
 
-// Reads the polygon as that of a scene, so that both refuse the same. Fields that are numbers need
-// no escapes.
+// Reads the polygon as that of a scene, so that both refuse the same ones. Fields that are numbers
+// need no escapes.
 std::vector<Vertex2> polygon_of(const std::string& id, const std::vector<const CsvRow*>& rows,
                                 std::size_t x, std::size_t y, const std::string& file) {
   std::string text;
@@ -58,7 +58,7 @@ void check_known(const Scene& scene, const PolygonTable& polygons, const ObjectT
   }
 }
 
-// The reader of scenes is the judge.
+// Checks the scene with the scene reader.
 void check_scene(const Scene& scene, const ObjectTable& objects) {
   try {
     parse_scene(write_scene(scene), objects.file);

@@ -35,7 +35,7 @@ void append_quoted(std::string& text, const Number& number) {
   text += '"';
 }
 
-// "time" of a record: of all of it the part that takes longest, so the text is put together here.
+// "time" of a record, its slowest part: hence the text is put together here.
 void set_instant_json(std::string& text, const InstantName& name) {
   text = '{';
   if (name.exact && name.detail == InstantDetail::kName) {
@@ -68,7 +68,7 @@ void set_instant_json(std::string& text, const InstantName& name) {
   text += "\"}";
 }
 
-// What the structure with this label orders by; nullopt for one that has no key.
+// The key of the structure with this label; nullopt for one without.
 std::optional<Key> key_of(const DigestedStructure& structure, const Scene& scene) {
   const StructureInfo* info = find_structure_info(structure.structure);
   if (info == nullptr || !info->uses_key) return std::nullopt;
@@ -185,7 +185,7 @@ void EventLog::append_side(std::span<const ObjectId> ids, StructureId structure)
   pending_ += ']';
 }
 
-// Nearly all that a log is made of: what is the same in many records is text already.
+// Nearly all of a log's text: parts that are the same in many records are prepared.
 void EventLog::append_record(const Event& event, Arithmetic& arithmetic) {
   pending_ += "{\"seq\": ";
   append_word(pending_, records_);

@@ -163,7 +163,7 @@ void OutputFile::commit() {
   if (!flushed) fail(std::strerror(errno));
   if (temporary_.empty()) return;
   if (!force_) {
-    // A hard link, unlike a renaming, never replaces what has appeared meanwhile.
+    // Unlike renaming, a hard link never replaces a file that has appeared meanwhile.
     if (::link(temporary_.c_str(), path_.c_str()) == 0) return;  // the destructor removes the other
     if (errno == EEXIST) {
       const std::string kept = unfinished_ == Unfinished::kLinesKept ? keep_lines() : "";

@@ -72,7 +72,7 @@ FinishedWork::FinishedWork(std::string path, const std::string& program, bool fr
       if (key->text.rfind(kOutput, 0) != 0) ++found_;
       pieces_.insert_or_assign(key->text, data->text);
     }
-    // Without what a killed run left of its last line.
+    // Without the incomplete last line of a killed run.
     if (::ftruncate(file_, static_cast<off_t>(whole)) != 0) {
       throw InputError(path_, "", std::string("cannot be written: ") + std::strerror(errno), "");
     }
@@ -83,7 +83,7 @@ FinishedWork::FinishedWork(std::string path, const std::string& program, bool fr
   }
 }
 
-// Nothing finished is nothing to go on from.
+// Without finished work there is nothing to resume from.
 FinishedWork::~FinishedWork() {
   if (pieces_.empty()) remove();
   ::close(file_);

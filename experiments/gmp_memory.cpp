@@ -14,9 +14,10 @@
 namespace kinex {
 namespace {
 
-// Blocks of so many bytes are worth a look at the deadline: at some of them, at each.
+// Block sizes in bytes at which the deadline is checked: at some blocks, at each.
 constexpr std::size_t kLarge = 256, kHuge = 16384;
-// Small blocks come from functions that may not throw. When memory ends, this is given back for them.
+// Small blocks come from functions that may not throw. When memory is exhausted, this reserve is
+// released for them.
 constexpr std::size_t kSmall = 64;
 constexpr std::size_t kReserve = 1 << 18;
 std::atomic<void*> reserve{nullptr};

@@ -21,7 +21,7 @@ CosSin rounded_cos_sin(const Rational& degrees) {
   return turn;
 }
 
-// The line through two values of a coordinate: what it is at 0, and its slope.
+// The line through two values of a coordinate: its value at 0 and its slope.
 std::vector<Rational> line(const Rational& a, const Rational& t0, const Rational& b,
                            const Rational& t1) {
   const Rational slope = (b - a) / (t1 - t0);
@@ -41,8 +41,8 @@ Rational heading_of_bearing(const Rational& degrees) {
   return reduced_heading(Rational(90) - degrees);
 }
 
-// Half of the heading is some right angles and a rest, and the rest is at most 45 degrees from one
-// of its two ends.
+// Half of the heading is a number of right angles and a remainder, which is at most 45 degrees from
+// one of its two ends.
 Rotor rotor_of_heading(const Rational& heading) {
   const bool second_quadrant = heading >= Rational(180);
   const Rational rest = (second_quadrant ? heading - Rational(180) : heading) / Rational(2);

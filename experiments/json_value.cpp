@@ -13,7 +13,7 @@ namespace kinex {
 
 namespace {
 
-// Reads bytes for nlohmann's lexer and lets the handler below see how far it has come.
+// Reads bytes for nlohmann's lexer and shows the handler below its position.
 struct TrackedBytes {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;

@@ -81,7 +81,7 @@ class Checker {
     if (end->seal != seal) complain("the seal is broken: the log was changed after it was written");
   }
 
-  // The time of the last record, where the log has names and it is well.
+  // The time of the last record, if the log has names and it has no defect.
   RealRoot* instant() { return time_is_well_ && last_root_ ? &*last_root_ : nullptr; }
 
   void complain(const std::string& what) {
@@ -217,7 +217,7 @@ class Checker {
     complain("the header knows no object " + quoted(id));
   }
 
-  // What certificates of bodies are about beside the bodies: a pair "a|b", a point "(x, y)", a line
+  // Arguments of certificates of bodies other than bodies: a pair "a|b", a point "(x, y)", a line
   // "[a, b | c]", a number.
   bool is_construction(const std::string& id) const {
     for (std::size_t bar = id.find('|'); bar != std::string::npos; bar = id.find('|', bar + 1)) {
@@ -323,7 +323,7 @@ class Checker {
     std::uint64_t last = 0;
     for (std::size_t i = 0; i < ids.size(); i += 2) {
       const auto a = objects_.find(ids[i]), b = objects_.find(ids[i + 1]);
-      if (a == objects_.end() || b == objects_.end()) continue;  // complained about before
+      if (a == objects_.end() || b == objects_.end()) continue;  // already reported
       const std::uint64_t pair = (std::uint64_t{a->second} << 32 | b->second) + 1;
       if (b->second <= a->second || pair <= last) {
         return complain("pairs are in the scene's order, each pair too");
@@ -338,7 +338,7 @@ class Checker {
     if (last_ && same_text(*last_, time)) return;
     time_is_well_ = false;
     const std::string problem = instant_problem(time, header_);
-    if (!problem.empty()) return complain(problem);  // it says nothing, so it cannot be compared
+    if (!problem.empty()) return complain(problem);  // it cannot be compared
     if (header_.has_names()) {
       RealRoot root = root_of(time);
       const int order = last_root_ ? compare(*last_root_, root, counters_) : -1;

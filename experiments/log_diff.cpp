@@ -90,7 +90,7 @@ Log read_log(LogReader& reader, const std::set<std::string>& structures, Names& 
   return log;
 }
 
-// Tells instants of two logs apart, each pair once.
+// Compares instants of two logs, each pair once.
 class Instants {
  public:
   Instants(const Log& a, const Log& b) : a_(a), b_(b) {
@@ -117,7 +117,7 @@ class Instants {
     if (names_a && names_b && a.root == b.root && a.polynomial == b.polynomial) return true;
     if (a.upper < b.lower || b.upper < a.lower) return false;
     if (!names_a && !names_b) return true;
-    // Only what is well can be compared as a number.
+    // Only instants without defects can be compared as numbers.
     if ((names_a && !instant_problem(a, a_.header).empty()) ||
         (names_b && !instant_problem(b, b_.header).empty())) {
       return false;
@@ -139,7 +139,7 @@ class Instants {
   RootCounters counters_;
 };
 
-// For each event of `a` the position in `b` of the event that it is matched with, or kNone.
+// For each event of `a` the position in `b` of its match, or kNone.
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 std::vector<std::size_t> match(const std::vector<Entry>& a, const std::vector<Entry>& b,
                                std::size_t names) {
@@ -170,7 +170,7 @@ std::size_t longest_in_order(const std::vector<std::size_t>& positions) {
   return tails.size();
 }
 
-// Numbers that are in one list and not in the other, as often as they are.
+// The number of elements in one list and not in the other, with multiplicity.
 std::uint64_t not_in_both(std::vector<std::uint32_t> a, std::vector<std::uint32_t> b) {
   std::sort(a.begin(), a.end());
   std::sort(b.begin(), b.end());

@@ -74,7 +74,7 @@ void LogDigest::begin(const std::vector<DigestedStructure>& structures,
 
 namespace {
 
-// The byte after it.
+// Returns the byte after it.
 char* put_head(char* at, std::uint8_t structure, std::uint8_t kind, bool external, bool difference,
                std::size_t ids) {
   at[0] = static_cast<char>(structure);

@@ -50,7 +50,7 @@ std::string name_problem(const LogInstant& instant) {
   return right == instant.decimal ? "" : shown_decimal(instant.decimal, right);
 }
 
-// The decimal has to be that of a number of the interval.
+// The decimal must be that of a number of the interval.
 std::string interval_problem(const LogInstant& instant) {
   if (instant.upper < instant.lower) return "the ends of the interval are in the wrong order";
   const std::optional<DecimalRange> range = decimal_range(instant.decimal);
@@ -63,7 +63,7 @@ std::string interval_problem(const LogInstant& instant) {
              : "";
 }
 
-// What printf writes for a number, or mpfr for its own.
+// The text of printf for a number, or of mpfr for its own.
 std::string inexact_problem(const std::string& text) {
   if (text == "inf" || text == "-inf" || text == "nan" || text == "-nan") return "";
   if (!text.empty() && text.find_first_not_of("0123456789+-.e") == std::string::npos &&

@@ -159,7 +159,7 @@ LogInstant read_instant(const JsonNode& node, const LogHeader& header) {
   return instant;
 }
 
-// "gone" or "came": ids, or pairs of them. `pairs` is what is known of that; nullopt: nothing yet.
+// "gone" or "came": ids, or pairs of them. `pairs`: which of the two; nullopt: not known yet.
 std::vector<std::string> read_side(const JsonNode& node, std::optional<bool>& pairs) {
   node.require_array();
   std::vector<std::string> ids;

@@ -120,7 +120,7 @@ std::string LogSceneCheck::feature_problem(const std::vector<std::string>& ids) 
     if (objects_.count(id) == 1) continue;
     const std::size_t dot = id.rfind('.');
     const auto body = dot == std::string::npos ? objects_.end() : objects_.find(id.substr(0, dot));
-    if (body == objects_.end() || dot + 2 >= id.size()) continue;  // complained about elsewhere
+    if (body == objects_.end() || dot + 2 >= id.size()) continue;  // reported elsewhere
     const std::string number = id.substr(dot + 2);
     const std::size_t vertices = scene_.objects[body->second].polygon.size();
     const std::optional<Integer> place = Integer::parse(number);

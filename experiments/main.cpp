@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program `kinex`: parses the command line, runs one verb, and turns what went wrong into an
-// exit code.
+// The program `kinex`: parses the command line, runs one verb, and turns errors into exit codes.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -74,7 +73,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "kinex: gave up: there is not enough memory\n");
     return kinex::kExitGaveUp;
   } catch (const std::invalid_argument& error) {
-    // A run finds out what no reader can see: bodies that turn against each other, for one.
+    // A run detects errors that no reader can, such as bodies that turn against each other.
     std::fprintf(stderr, "kinex: %s\n", error.what());
     return kinex::kExitBadInput;
   } catch (const std::exception& error) {

@@ -18,7 +18,7 @@ namespace kinex {
 namespace {
 
 constexpr std::string_view kAxisNames = "xyz";
-const std::string kOption = "--maintain";  // the place of what is not in a file
+const std::string kOption = "--maintain";  // the place of errors outside a file
 
 std::string known_structures() {
   std::string result;
@@ -107,7 +107,7 @@ bool label_is_taken(const Scene& scene, std::string_view label) {
 
 bool are_too_many(const Scene& scene) { return scene.maintain.size() > kMostStructures; }
 
-// What is asked for, and what that reads, has to fit one run.
+// The requested structures, and those that they read, must fit one run.
 std::optional<Complaint> complaint_about_number(const Scene& scene) {
   if (!are_too_many(scene) && plan_structures(scene).size() <= kMostStructures) return std::nullopt;
   const std::string most = std::to_string(kMostStructures);

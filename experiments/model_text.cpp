@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kShownDigits = 30;
 
-// What happens to the objects within the scene's time.
+// Changes of the objects within the scene's time.
 struct PlanCounts {
   std::size_t at_rest = 0;
   std::size_t updates = 0, insertions = 0, erasures = 0;
@@ -38,7 +38,7 @@ PlanCounts count_plans(const Scene& scene) {
       if (pieces[i].from && within(*pieces[i].from, scene)) {
         ++(joined ? counts.updates : counts.insertions);
       }
-      // What ends with the scene is there to the last.
+      // A piece that ends with the scene does not end within it.
       const bool ends = pieces[i].to && (!scene.end || *pieces[i].to < *scene.end);
       if (ends && !goes_on && within(*pieces[i].to, scene)) ++counts.erasures;
     }

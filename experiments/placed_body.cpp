@@ -70,7 +70,7 @@ struct Guess {
   double gap = -std::numeric_limits<double>::infinity();
 };
 
-// The edge of `a` whose line seems to leave most room before `b`.
+// The edge of `a` whose line has the largest gap to `b`, approximately.
 Guess best_edge(const Approximate& a, const Approximate& b) {
   Guess best;
   for (std::size_t k = 0; k < a.size(); ++k) {

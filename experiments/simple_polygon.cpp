@@ -21,7 +21,7 @@ int side(const Vertex2& a, const Vertex2& b, const Vertex2& c) {
   return ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).sign();
 }
 
-// Segments whose boxes meet do so themselves iff neither has both of the other's ends on one side.
+// Segments whose boxes meet intersect iff neither has both of the other's ends on one side.
 bool meet(const Edge& e, const Edge& f) {
   if (e.high[1] < f.low[1] || f.high[1] < e.low[1]) return false;
   return side(e.from, e.to, f.from) * side(e.from, e.to, f.to) <= 0 &&

@@ -12,8 +12,8 @@ namespace kinex {
 
 namespace {
 
-// Certificates changed per event: histogram[k] counts the events with k; its last place, where it
-// has all of ChangeStatistics::kBins, those with that many or more.
+// Certificates changed per event: histogram[k] counts the events with k; its last place, if it has
+// all of ChangeStatistics::kBins, those with that many or more.
 void write_changes(JsonWriter& json, const ChangeStatistics& changes) {
   json.begin_object().key("mean");
   json.real(changes.events == 0
@@ -64,7 +64,7 @@ void write_counts(JsonWriter& json, const StructureLedger& ledger) {
   }
 }
 
-// None where they are not judged: Simulator::bounds.
+// None if they are not judged: Simulator::bounds.
 void write_bounds(JsonWriter& json, const std::vector<BoundCheck>& bounds) {
   json.key("bounds").begin_array();
   for (const BoundCheck& bound : bounds) {

@@ -25,8 +25,8 @@ Coefficients sum(Coefficients a, const Coefficients& b, const Rational& factor) 
   return a;
 }
 
-// The rotor of one as seen from the other, conj(w) w', has one direction for ever (or its opposite,
-// which is the same turn): its two parts are multiples of one polynomial.
+// The rotor of one as seen from the other, conj(w) w', has one direction at all times (or its
+// opposite, which is the same turn): its two parts are multiples of one polynomial.
 bool keep_their_angle(const Trajectory& a, const Trajectory& b) {
   const auto &p = a.coordinates[2], &q = a.coordinates[3];
   const auto &r = b.coordinates[2], &s = b.coordinates[3];
@@ -65,7 +65,7 @@ bool turn_against_each_other(const Motion& a, const Motion& b, const Scene& scen
   return false;
 }
 
-// At one angle all through its time.
+// At one angle at all times of its motion.
 bool never_turns(const Motion& motion) {
   const Trajectory at_rest{{{Rational(0)}, {Rational(0)}, {Rational(1)}, {Rational(0)}}};
   return std::all_of(motion.pieces.begin(), motion.pieces.end(), [&](const MotionPiece& piece) {
@@ -78,7 +78,7 @@ struct Way {
   bool turns;
 };
 
-// There at the same time, and not turning, or by the same rotors.
+// Existing at the same times, and not turning, or by the same rotors.
 bool are_alike(const Motion& a, const Motion& b, bool turn) {
   if (!turn) {
     return a.pieces.front().from == b.pieces.front().from &&

@@ -29,7 +29,7 @@ struct PaperPart {
   // `results`: of all points of this part, in order; fewer after an interruption. `command`
   // reproduces it. nullptr for a part without runs.
   PartReport (*report)(const std::vector<SeriesResult>& results, const std::string& command);
-  // Of such a part: it works until `go_on` says no.
+  // Of such a part: it works until `go_on` returns false.
   PartReport (*study)(const std::string& command, const std::function<bool()>& go_on) = nullptr;
 };
 

@@ -28,7 +28,7 @@ struct Options {
   bool tally = false;
 };
 
-// Queries done, on standard error, only where that is a terminal.
+// The number of queries done, on standard error, only if that is a terminal.
 class QueryProgress {
  public:
   QueryProgress() : terminal_(::isatty(STDERR_FILENO) != 0) {}

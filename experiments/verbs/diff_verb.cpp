@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// kinex diff: where two runs first part, and how much they disagree.
+// kinex diff: the first difference of two runs, and the amount of disagreement.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>

@@ -40,7 +40,7 @@ std::string listed() {
   return text;
 }
 
-// In WorkloadParameters 0 asks for the default; who writes --m 0 does not.
+// In WorkloadParameters 0 means the default; --m 0 does not.
 WorkloadParameters parameters_of(const GenOptions& options, const Workload& workload) {
   WorkloadParameters parameters = options.parameters;
   if (!options.seed.empty()) parameters.seed = seed_option("--seed", options.seed);
@@ -64,7 +64,7 @@ WorkloadParameters parameters_of(const GenOptions& options, const Workload& work
   return parameters;
 }
 
-// Polygons of extreme sizes may degenerate in the doubles that some families place vertices by.
+// Polygons of extreme sizes may degenerate in the doubles with which some families place vertices.
 void check_bodies(const Scene& scene, const Workload& workload) {
   try {
     parse_scene(write_scene(scene), "the scene");

@@ -27,7 +27,7 @@ class InterruptGuard {
   // The flag itself, for SimulatorOptions::interrupt.
   const std::atomic<bool>& flag() const;
   // For what is made of finished work, such as plots, that may be left out: after an interruption
-  // it says no when half a second has gone by since it was first asked.
+  // it returns false half a second after its first call.
   std::function<bool()> go_on_a_while() const;
 
  private:

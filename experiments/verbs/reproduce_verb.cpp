@@ -127,12 +127,12 @@ void reproduce(Options options, int& exit_code) {
   const std::vector<const PaperPart*> parts = parts_named(paper, options.parts);
   if (options.folder.empty()) options.folder = options.paper + (options.quick ? "-quick" : "");
   std::error_code error;
-  std::filesystem::create_directories(options.folder, error);  // what is wrong is told below
+  std::filesystem::create_directories(options.folder, error);  // errors are reported below
   const std::string claims_path = options.folder + "/claims.json";
   const std::string readme_path = options.folder + "/README.md";
   for (const std::string& path : {claims_path, readme_path}) {
     const OutputFile probe(path,
-                           options.force);  // nothing of it is left when the program is killed
+                           options.force);  // leaves nothing behind when the program is killed
   }
   ReproductionFacts facts;
   facts.build = build_facts();

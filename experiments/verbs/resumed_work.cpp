@@ -10,7 +10,7 @@ namespace kinex {
 
 ResultFile::ResultFile(std::string path, bool force, FinishedWork& finished)
     : path_(std::move(path)), force_(force || finished.is_own_output(path_)), finished_(finished) {
-  const OutputFile probe(path_, force_);  // nothing of it is left when the program is killed
+  const OutputFile probe(path_, force_);  // leaves nothing behind when the program is killed
 }
 
 void ResultFile::write(std::string_view text) const {

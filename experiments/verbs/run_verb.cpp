@@ -98,7 +98,7 @@ std::vector<Rational> sample_times(const Scene& scene, const std::vector<std::st
   return times;
 }
 
-// Two results in one file would spoil each other; a device (/dev/null) takes both.
+// Two results in one file would overwrite each other; a device (/dev/null) takes both.
 void check_outputs(const RunOptions& options) {
   if (options.events == "-") {
     throw InputError("--events", "", "\"-\": standard output has the report",
@@ -117,7 +117,7 @@ void check_outputs(const RunOptions& options) {
                    "give two names");
 }
 
-// A run that was killed has left its lines under another name.
+// A killed run has left its lines under another name.
 void tell_leftovers(const OutputFile& file) {
   for (const std::string& name : file.leftovers()) {
     std::fprintf(stderr,
@@ -127,15 +127,15 @@ void tell_leftovers(const OutputFile& file) {
   }
 }
 
-// Runs, and keeps what was written of the log if that fails.
+// Runs, and keeps the lines of the log written so far if that fails.
 RunOutcome run_keeping(Simulator& simulator, const std::vector<Rational>& times,
                        std::optional<OutputFile>& events) {
   try {
     return run_scene(simulator, times);
   } catch (const InputError&) {
-    throw;  // of the file itself, which says what it kept
+    throw;  // from the file itself, which reports what it kept
   } catch (const RefusedChange&) {
-    throw;  // what is right before it will be written
+    throw;  // the log up to it will be written
   } catch (...) {
     const std::string kept = events ? events->keep_lines() : "";
     if (!kept.empty()) {
@@ -161,7 +161,7 @@ void run(const RunOptions& options, int& exit_code) {
   simulator_options.max_events = static_cast<std::uint64_t>(options.max_events);
   simulator_options.max_seconds = options.max_seconds;
 
-  // Signals end the program as long as it reads: there is nothing to be kept.
+  // While it reads, signals end the program: there is nothing to keep.
   const auto begin = std::chrono::steady_clock::now();
   Deadline reading(options.max_seconds, nullptr);
   std::optional<GmpGuard> reading_guard(std::in_place, &reading);
@@ -185,7 +185,7 @@ void run(const RunOptions& options, int& exit_code) {
     return;
   }
 
-  InterruptGuard interrupt;  // before there is a temporary file
+  InterruptGuard interrupt;  // before a temporary file exists
   std::optional<OutputFile> events_file, summary_file;
   if (!options.events.empty()) {
     events_file.emplace(options.events, options.force, Unfinished::kLinesKept);
@@ -236,7 +236,7 @@ void run(const RunOptions& options, int& exit_code) {
   try {
     simulate();
   } catch (const RefusedChange& change) {
-    // What is right before it is made once more, and kept.
+    // The part up to it is made once more, and kept.
     refused = change.what();
     simulator_options.stop_before = change.time();
     log.reset();

@@ -58,7 +58,7 @@ std::string command_of(const Options& options) {
   return command;
 }
 
-// A wrong name is told now, not after the first run.
+// A wrong name is reported now, not after the first run.
 void check_arithmetics(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const Scene nothing;
@@ -130,7 +130,7 @@ void trade(const Options& options, int& exit_code) {
   const TradeCatalogue catalogue =
       make_trade_catalogue(options.what, options.quick ? Extent::kQuick : Extent::kFull);
   std::error_code error;
-  std::filesystem::create_directories(options.folder, error);  // what is wrong is told below
+  std::filesystem::create_directories(options.folder, error);  // errors are reported below
   FinishedWork finished(options.folder + "/trade.unfinished", program_identity(), options.fresh);
   const ResultFile database(options.folder + "/trade.sqlite", options.force, finished);
   const ResultFile page(options.folder + "/trade.html", options.force, finished);

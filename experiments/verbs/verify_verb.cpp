@@ -63,7 +63,7 @@ void verify(const Options& options, int& exit_code) {
   const Catalogue catalogue =
       make_catalogue(options.structure, options.quick ? Extent::kQuick : Extent::kFull);
   std::error_code error;
-  std::filesystem::create_directories(options.folder, error);  // what is wrong is told below
+  std::filesystem::create_directories(options.folder, error);  // errors are reported below
   FinishedWork finished(options.folder + "/verify.unfinished", program_identity(), options.fresh);
   const ResultFile database(options.folder + "/verify.sqlite", options.force, finished);
   const ResultFile page(options.folder + "/verify.html", options.force, finished);

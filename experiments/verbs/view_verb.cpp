@@ -39,7 +39,7 @@ struct Options {
   bool force = false;
 };
 
-// A run to be shown: in an arithmetic, along a log if there is one.
+// A run to show: in an arithmetic, following a log if there is one.
 struct Wanted {
   std::string arithmetic;
   std::string file, log;  // empty: no log
@@ -96,7 +96,7 @@ Wanted wanted_with(const std::string& with) {
   return wanted_log(read_text_file(with), with);
 }
 
-// What --maintain says; else what the first log is of; else what the scene says.
+// The structures of --maintain; else those of the first log; else those of the scene.
 void set_structures(Viewed& viewed, const Options& options, const std::string& scene_file) {
   const auto first = std::find_if(viewed.runs.begin(), viewed.runs.end(),
                                   [](const Wanted& wanted) { return !wanted.file.empty(); });
@@ -171,7 +171,7 @@ void check(const Options& options) {
   }
 }
 
-// What is wrong between a log and its scene; empty if all is well.
+// The disagreement of a log with its scene; empty if there is none.
 std::string record(const Viewed& viewed, const Wanted& wanted, const Options& options,
                    const InterruptGuard& interrupt, RecordedRun& run) {
   RecordOptions how;
@@ -236,7 +236,7 @@ void view(const Options& options, int& exit_code) {
     exit_code = kExitGaveUp;
     return;
   }
-  InterruptGuard interrupt;  // before there is a temporary file
+  InterruptGuard interrupt;  // before a temporary file exists
   std::optional<OutputFile> output;
   if (options.output != "-") output.emplace(options.output, options.force);
   std::vector<RecordedRun> runs;

@@ -11,7 +11,7 @@ namespace kinex {
 namespace {
 
 constexpr double kInterval = 0.2;      // seconds between two lines
-constexpr double kTrustedPart = 0.02;  // of the cost, from which on the time left is told
+constexpr double kTrustedPart = 0.02;  // of the cost, beyond which the time left is shown
 
 }  // namespace
 

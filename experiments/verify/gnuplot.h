@@ -25,7 +25,7 @@ struct Drawings {
 };
 
 // Draws all figures as SVG in one run of `program`, in a fresh temporary folder that is removed.
-// When `go_on` says no, drawing ends; what is not drawn by then is not there.
+// When `go_on` returns false, drawing ends; the rest is not drawn.
 Drawings draw(
     const std::vector<Figure>& figures, const std::string& program = "gnuplot",
     const std::function<bool()>& go_on = [] { return true; });

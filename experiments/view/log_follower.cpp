@@ -15,7 +15,7 @@ namespace kinex {
 
 namespace {
 
-// What a scene's run has, as a log says it.
+// The structures of a scene's run, as a log lists them.
 std::vector<LogStructure> planned_structures(const Scene& scene) {
   std::vector<LogStructure> planned;
   for (const PlannedStructure& one : plan_structures(scene)) {
@@ -47,7 +47,7 @@ std::string entry_for(const LogStructure& logged) {
   return text;
 }
 
-// As far as the log tells.
+// As far as the log's detail allows.
 bool same_instant(const LogInstant& a, const InstantText& b, const LogHeader& header) {
   if (!header.has_times()) return true;
   if (!b.exact) return a.decimal == b.approximate;

@@ -11,7 +11,7 @@ void fill(std::string& page, std::string_view mark, std::string_view text) {
   page.replace(page.find(mark), mark.size(), text);
 }
 
-// JSON that no HTML parser takes for anything else: "<" can only stand inside of strings.
+// JSON that is safe inside HTML: "<" can occur only inside strings.
 std::string harmless(std::string_view json) {
   std::string result;
   result.reserve(json.size());
@@ -29,8 +29,8 @@ std::string harmless(std::string_view json) {
 
 std::string view_page(const std::string& title, std::string_view data) {
   std::string page(kViewFrame);
-  // The first mark of its kind is the right one, whatever title and data hold: the title comes
-  // before the data on the page, and is filled in after it.
+  // The first mark of its kind is the right one, whatever title and data contain: the title
+  // precedes the data on the page, and is filled in after it.
   fill(page, "@STYLE@", kViewStyle);
   fill(page, "@SCRIPT@", kViewScript);
   fill(page, "@DATA@", harmless(data));

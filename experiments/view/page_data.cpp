@@ -29,7 +29,7 @@ std::string_view shape_name(Attribute::Shape shape) {
   return "";
 }
 
-// The time that is shown: to the end of the scene, or a little beyond the last event.
+// The time shown: to the end of the scene, or a little beyond the last event.
 Rational shown_span(const Scene& scene, const std::vector<RecordedRun>& runs) {
   const Rational& start = runs.front().start;
   const bool complete =
@@ -86,7 +86,7 @@ void write_polygons(JsonWriter& json, const DrawnMotions& motions) {
   json.end_array();
 }
 
-// As drawing needs it: {"axis": A}, {"weights": [..]} of largest absolute value 1, {"object": O}.
+// For drawing: {"axis": A}, {"weights": [..]} of largest absolute value 1, {"object": O}.
 void write_key(JsonWriter& json, const RecordedStructure& structure, const Scene& scene) {
   if (!structure.has_key) {
     json.null();
@@ -182,7 +182,7 @@ class EventColumns {
   const RecordedRun& run_;
 };
 
-// Times for drawing, in units of the span; they never decrease, even where doubles go astray.
+// Times for drawing, in units of the span, made non-decreasing even for corrupt runs in doubles.
 std::vector<double> drawn_times(const RecordedRun& run, const Rational& span) {
   std::vector<double> times;
   double last = 0;

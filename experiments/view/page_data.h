@@ -16,7 +16,7 @@
 //     "states": [{"initial": [..], "changes": [[EVENT, PLACE, [REMOVED], [ADDED]]], "corrupt"}]}],
 //  "divergence": EVENT or 0}
 // Objects are numbers, places in "ids". A body has four axes; its rotor is divided by a number of
-// its own. Scenes of bodies have more: proof_data.h. See page/*.js for who reads it.
+// its own. Scenes of bodies have more: proof_data.h. Readers: page/*.js.
 #ifndef KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H
 #define KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H
 

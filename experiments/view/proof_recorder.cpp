@@ -15,7 +15,7 @@ namespace kinex {
 
 namespace {
 
-// What the arguments of a predicate on a pose are: lines and points of the first body or of the
+// The roles of the arguments of a predicate on a pose: lines and points of the first body or of the
 // second one, which is negated.
 enum class Role : std::uint8_t { kNone, kLine, kPoint };
 struct Argument {
@@ -73,7 +73,7 @@ ProofRecorder::Pair ProofRecorder::pair_of(const Query& query) const {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// Where nothing turns: the farthest of the body in the direction of a line of the sum.
+// Without turning: the farthest feature of the body in the direction of a line of the sum.
 FrameFeature ProofRecorder::support(const Query& query, bool second) const {
   const DerivedObjects& derived = simulator_.kernel().derived();
   const std::vector<ObjectId>& bases = derived.object(query.ids[0]).bases;
@@ -168,7 +168,7 @@ void ProofRecorder::look(StructureId id, const Structure& structure, std::uint64
       continue;
     }
     now[i].event = event;
-    // Two looks at one event: what the second one finds is what the event led to.
+    // Two looks at one event: the second one sees its result.
     if (!proofs.empty() && proofs.back().event == event) proofs.pop_back();
     proofs.push_back(std::move(now[i]));
   }

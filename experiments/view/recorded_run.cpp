@@ -7,7 +7,7 @@ namespace kinex {
 
 namespace {
 
-// Derived objects are the same if their names are: each run numbers its own.
+// Derived objects are the same if their names are: each run has its own numbers.
 bool same_object(const RecordedRun& a, ObjectId x, const RecordedRun& b, ObjectId y) {
   if (x < a.objects || y < b.objects) return x == y;
   return a.things[x - a.objects].name == b.things[y - b.objects].name;

@@ -114,7 +114,7 @@ class Recorder final : public EventSink {
     for (const ObjectId id : ids) names.push_back(simulator_->object_name(id));
   }
 
-  // Nobody minds a change that cannot be made where nothing more is to be recorded.
+  // A change that cannot be made is ignored if nothing more is to be recorded.
   RunStatus run_to_end() {
     try {
       return simulator_->run_until(std::nullopt);
@@ -124,7 +124,7 @@ class Recorder final : public EventSink {
     }
   }
 
-  // Between two looks at a structure.
+  // The state between two looks at a structure.
   struct State {
     const Structure* structure = nullptr;
     bool begun = false;
@@ -262,7 +262,7 @@ class Recorder final : public EventSink {
     }
   }
 
-  // An event that changes the attribute and does not say so would be seen here.
+  // Detects an event that changes the attribute without reporting it.
   void check_final_states() const {
     for (StructureId id = 0; id < run_.structures.size(); ++id) {
       if (run_.structures[id].corrupt_after) continue;

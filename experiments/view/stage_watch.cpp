@@ -8,7 +8,7 @@ namespace kinex {
 
 namespace {
 
-// The highest stage that has counted something since; kDouble if none has.
+// The highest stage with a count since `before`; kDouble if none.
 Stage highest(const StageCounts& before, const StageCounts& after) {
   for (int stage = kStages - 1; stage > 0; --stage) {
     const auto i = static_cast<std::size_t>(stage);
