@@ -39,7 +39,7 @@
 //                   motions leave the tree as it is
 // Events, linear motion: each pair of points fails s and end certificates at one instant and at one
 // node only, C(n,2); y at most 4 C(n,3) and x at most 4 C(n,4) in the two halves (four points have
-// one node at which two are red and two blue); n^(2 + epsilon) is the actual growth.
+// one node at which two are red and two blue). In fact O(n^(2 + epsilon)).
 //
 // The naive variant has y at all corners and no s. Corners far from all crossings then depend on
 // their contender, and one line may be in n certificates: it is not local.

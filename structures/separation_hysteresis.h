@@ -7,7 +7,7 @@
 //
 //      ______ :            .-'  g1
 //     /      \:         .-'  _____
-//    |   A    :  s   v <    |  B  |     line with normal m; tangents with normals g1, g2
+//    |   A    :      v <    |  B  |     line with normal m; tangents with normals g1, g2
 //     \______/:         '-.  -----      that meet at v
 //             : m ->       '-.  g2
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A question for all: do two convex polygons overlap at some time of a motion, and when first?
-// Everything is a binary64, so what a library is given is known exactly.
+// A query for all libraries: do two convex polygons overlap at some time of a motion, and when
+// first? All numbers are binary64, so the input of a library is known exactly.
 #ifndef KINEX_EXPERIMENTS_PEERS_CASE_H
 #define KINEX_EXPERIMENTS_PEERS_CASE_H
 

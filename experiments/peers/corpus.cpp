@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Failures that were reported to the libraries' authors, or seen: what went wrong, as a query.
+// Failures reported to the libraries' authors, or observed, as queries.
 #include <numbers>
 
 #include "experiments/peers/case.h"

@@ -5,8 +5,8 @@
 // hierarchy of triangles.
 //
 // The motions are made here, with the origin as reference point. Those that FCL makes from the end
-// poses are of no use: its default kind, CCDM_TRANS, leaves rotation out, and CCDM_LINEAR never
-// sets the reference point, so that answers depend on what the memory held.
+// poses are unusable: its default kind, CCDM_TRANS, omits rotation, and CCDM_LINEAR never sets the
+// reference point, so answers depend on uninitialised memory.
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/math/bv/OBBRSS.h>
@@ -46,7 +46,7 @@ struct Solid {
     triangles.reset();
   }
 
-  // Made when it is asked for.
+  // Made on demand.
   const fcl::CollisionGeometryd* mesh() {
     if (triangles) return triangles.get();
     std::vector<fcl::Triangle> parts;

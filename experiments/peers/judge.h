@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an answer is worth: against the exact truth of the numbers that the library was given.
+// Judges an answer against the exact truth for the numbers given to the library.
 #ifndef KINEX_EXPERIMENTS_PEERS_JUDGE_H
 #define KINEX_EXPERIMENTS_PEERS_JUDGE_H
 

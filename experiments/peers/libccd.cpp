@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libccd 2.1: double precision; yes or no for fixed poses, no distance and no continuous test.
 // Variants of overlap: 0 GJK, 1 MPR, 2 GJK with penetration by EPA. Its default is no limit on
-// iterations; here it is 10,000, and what has not ended by then has failed.
+// iterations; here it is 10,000, beyond which the query has failed.
 #include <ccd/ccd.h>
 #include <ccd/vec3.h>
 

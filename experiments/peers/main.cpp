@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: what do collision libraries answer where the exact answer is known, what do they
-// certify, and what does it cost them and kinex? Workload: two convex polygons in motions that the
-// libraries can express. Output: tables as text; --json and --markdown as for the benchmarks;
-// pictures into the folder of --plots. --quick: a few questions only.
+//   certify, and at what cost, compared with kinex?
+// Workload: two convex polygons in motions that the libraries can express.
+// Output: tables as text; --json and --markdown as for the benchmarks; pictures into the folder of
+//   --plots. --quick: a few queries only.
 #include <cstdio>
 #include <exception>
 #include <fstream>

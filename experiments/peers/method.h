@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Methods: the ways in which a library can be asked, and the answers that come back.
+// Methods: the queries that a library offers, and its answers.
 #ifndef KINEX_EXPERIMENTS_PEERS_METHOD_H
 #define KINEX_EXPERIMENTS_PEERS_METHOD_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Peer: a collision library that is asked the same questions as kinex. One module a library, loaded
-// when it is needed: the two builds of one library cannot live in one process.
+// Peer: a collision library that answers the same queries as kinex. One module a library, loaded on
+// demand: two builds of one library cannot share a process.
 //
 // Two convex polygons, vertices counter-clockwise around an origin inside of them, are placed by
 // poses. Libraries that work in space are given prisms over them, of heights 2 and 1, so that their

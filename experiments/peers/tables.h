@@ -12,7 +12,7 @@
 
 namespace kinex::peers {
 
-// answers.cpp: who is right, by family, by gap, and on reported failures
+// answers.cpp: right answers, by family, by gap, and on reported failures
 void answer_tables(const BenchOptions& options, PeerQuestions& questions);
 // distances.cpp: how far off the distances are that all else is built on
 void distance_table(const BenchOptions& options);

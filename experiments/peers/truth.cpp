@@ -15,7 +15,7 @@ namespace kinex::peers {
 namespace {
 
 constexpr double kPieceTurn = 0.1;
-// Vertices times edges times pieces that the witness is asked for: without turns, with turns.
+// The limit on vertices times edges times pieces for the witness: without turns, with turns.
 constexpr std::size_t kWitnessWork[] = {20000, 2000};
 
 Rational exactly(double x) { return *Rational::from_double(x); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact answer to a question, for the motion that the libraries are really given.
+// The exact answer to a query, for the motion actually given to the libraries.
 //
 // Without turns that motion is a scene of kinex, number by number. An angle that is linear in time
 // is followed by rotors in pieces of at most 0.1 radians: in one of d radians the angle is off by
@@ -28,7 +28,7 @@ enum class TruthKind : std::uint8_t { kApart, kTouch, kOverlap, kUnknown };
 struct Truth {
   TruthKind kind = TruthKind::kUnknown;
   double earliest = 0, latest = 0;  // of the first overlap
-  bool by_witness = false;          // who checked it
+  bool by_witness = false;          // checked by the witness
 };
 
 // The scene of a question; B's polygon is scaled by `scale`.

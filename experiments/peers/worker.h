@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks a library in a process of its own, which may die or never end.
+// Runs a query of a library in a process of its own, which may crash or hang.
 #ifndef KINEX_EXPERIMENTS_PEERS_WORKER_H
 #define KINEX_EXPERIMENTS_PEERS_WORKER_H
 
