@@ -10,10 +10,9 @@
 // Locally Delaunay everywhere is globally Delaunay (Delaunay 1934).
 //
 //          p                  p
-//        1/ \4              1/|\4         The certificate of uv fails: uv is flipped to pq. The
-//        four /   \              / | \         rim edges 1 .. 4 stay, but one opposite vertex of
-//        each
-//       u-----v    --->    u  |  v        has changed: 5 certificates are renewed.
+//        1/ \4              1/|\4        The certificate of uv fails: uv is flipped to pq. The
+//        /   \              / | \        four rim edges 1 .. 4 stay, but one opposite vertex of
+//       u-----v    --->    u  |  v       each has changed: 5 certificates are renewed.
 //        \   /              \ | /
 //        2\ /3              2\|/3
 //          q                  q
@@ -28,12 +27,11 @@
 // twice, so at most 4 C(n,4) + 2 C(n,3); growth O(n^3 2^alpha(n)) (Guibas, Mitchell, Roos 1991).
 //
 // Ties. The triangulation right after an instant depends on the points' motions and ids alone.
-// Identically
-//   cocircular  the diagonal that contains the smallest id of the four (so k cocircular points are
-//               a fan from the smallest id)
-//   collinear   points on a hull edge are hull vertices
-//   equal       the smallest id is the vertex; the others are hidden behind it
-//   all on one line, or fewer than three points: a chain along the line, see line_
+//   identically cocircular   the diagonal that contains the smallest id of the four (so k
+//                            cocircular points are a fan from the smallest id)
+//   identically collinear    points on a hull edge are hull vertices
+//   identically equal        the smallest id is the vertex; the others are hidden behind it
+//   all identically on one line, or fewer than three points: a chain along the line, see line_
 //
 // Degenerate instants. A certificate that fails alone is one flip. Where several fail at one
 // instant, triangles may turn over without any certificate showing it (points that meet and pass

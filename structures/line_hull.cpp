@@ -135,8 +135,7 @@ void LineHull::refresh(Place p) {
 //     in the left part of u; if nothing is, and w is a point, it begins in the right part of u. The
 //     same, mirrored, for w.
 //   - Otherwise the lines p1 p2 and q1 q2 meet; on the side of the gap between u and w where they
-//   do
-//     not, the bridge cannot lie beyond both.
+//     do not, the bridge cannot lie beyond both.
 void LineHull::find_bridge(Place p) {
   auto [u, w] = nodes_[p].child;
   const ObjectId gap = line(nodes_[w].first);
