@@ -10,6 +10,8 @@
 // Cost: a second, 3 s in full.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include <exception>
 #include <memory>
 #include <optional>
@@ -119,9 +121,11 @@ StudyResult study_wedge_cover(bool quick, const std::function<bool()>& go_on) {
           first_wrong = fmt::format("; first in {}, {} first: {} events, {} balls", scene.name,
                                     first, seen.events, balls);
         }
-        result.rows.push_back({family.name, scene.name, first, std::to_string(seen.events),
-                               std::to_string(balls), fmt::format("{:.3f}", seen.displacement),
-                               std::string(verdict_name(holds ? Verdict::kPass : Verdict::kFail))});
+        result.rows.push_back(
+            {family.name, scene.name, first, std::to_string(seen.events), std::to_string(balls),
+             // Of no event there is none.
+             std::isfinite(seen.displacement) ? fmt::format("{:.3f}", seen.displacement) : "-",
+             std::string(verdict_name(holds ? Verdict::kPass : Verdict::kFail))});
         std::swap(scene.objects[0], scene.objects[1]);
       }
     }
