@@ -36,7 +36,10 @@ class HullSigns {
 
   explicit HullSigns(Kernel& kernel);
 
-  // The claims of certificates (>= 0), ties not resolved.
+  // The claims of certificates (>= 0), ties not resolved; motions of degree d.
+  //   (1) slopes: degree d; exchanging a and b negates it
+  //   (2) height: degree 2d; exchanging v.a and v.b, or `above`, or the half, negates it
+  //   (3) corners: degree 2d; exchanging v and w, or the half, negates it
   // Line a has a smaller slope than line b: point a is left of point b.
   Query slopes(ObjectId a, ObjectId b) const { return Query(order_[0], {a, b}); }
   // The corner is above (or below) line c.

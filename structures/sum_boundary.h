@@ -35,6 +35,10 @@ class SumBoundary {
 
   BodyFrame& frame(std::uint8_t z) const { return *frames_[z]; }
   static std::uint8_t other(std::uint8_t z) { return static_cast<std::uint8_t>(1 - z); }
+  // Queries on the pose, >= 0 where they hold; degrees: predicates/pose_2.h.
+  //   (1) within = -beyond   (2) short_of = -past   (3) order_before = -order_after
+  //   (4) at_touch(z, query) has the sign of `query`
+  //   (5) order_after(0, e, f) = order_before(1, f, e)
   // The point is on the outer side of edge e of polygon z at vertex v of the other (beyond), or on
   // the inner side (within).
   Query beyond(std::uint8_t z, Id e, Id v) const { return side(false, z, e, v); }
