@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-
 #include <exception>
 #include <memory>
 #include <optional>
