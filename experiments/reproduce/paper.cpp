@@ -25,8 +25,8 @@ const std::vector<Paper>& papers() {
          separation_features_points, separation_features_report},
         {"hysteresis", "certificates that last", separation_hysteresis_points,
          separation_hysteresis_report},
-        {"hierarchies", "outer hierarchies of one polygon", separation_hierarchies_points,
-         nullptr, separation_hierarchies_study}}},
+        {"hierarchies", "outer hierarchies of one polygon", separation_hierarchies_points, nullptr,
+         separation_hierarchies_study}}},
   };
   return kPapers;
 }
