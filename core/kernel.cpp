@@ -10,6 +10,7 @@
 
 #include "core/check.h"
 #include "core/repeated_object.h"
+#include "core/time_text.h"
 
 namespace kinex {
 
@@ -20,7 +21,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // last one, of number kMostLooks, is unbounded.
 constexpr double kLifetimes = 2.5;
 constexpr double kGrowth = 4;
-constexpr int kMostLooks = 6;
 // Limits have this many bits below the length of a window: enough for most certificates to have
 // different ones, few enough for differences to them to be exact.
 constexpr int kWindowBits = 16;
@@ -52,6 +52,7 @@ bool repeats(const DerivedObjects& derived, const Query& query) {
 
 Kernel::Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects, Scheduling scheduling)
     : arithmetic_(std::move(arithmetic)),
+      sign_now_(dynamic_cast<SignNow*>(arithmetic_.get())),
       queue_(*arithmetic_),
       scheduling_(scheduling),
       objects_(objects),
@@ -61,13 +62,9 @@ PredicateId Kernel::bind(std::shared_ptr<const Predicate> predicate) {
   return arithmetic_->bind(std::move(predicate));
 }
 
-StructureId Kernel::add_structure() {
-  require(ledgers_.size() < std::numeric_limits<StructureId>::max(), "too many structures");
-  ledgers_.push_back(std::make_unique<StructureLedger>());
-  live_per_object_.emplace_back(objects_, 0u);
-  shared_.push_back(0);
-  windows_.push_back({kInfinity, 0, kInfinity, 0, 0});
-  return static_cast<StructureId>(ledgers_.size() - 1);
+std::string Kernel::now_text() {
+  const InstantName& now = arithmetic_->name_now(InstantDetail::kName);
+  return now.is_rational() ? time_text(now.lower) : "about " + now.decimal;
 }
 
 // ---- derived objects
@@ -106,16 +103,6 @@ void Kernel::make_room(ObjectId object) {
   if (indexed_) index_.resize(objects_);
 }
 
-void Kernel::set_motion(ObjectId object, const Trajectory& trajectory,
-                        const std::optional<Rational>& until) {
-  arithmetic_->set_motion(object, trajectory, until);
-  derived_.set_motion(object, trajectory, until);
-  for (const ObjectId id : derived_.dependents(object)) {
-    const DerivedObjects::Object& renewed = derived_.renew(id);
-    arithmetic_->set_motion(id, renewed.trajectory, renewed.until);
-  }
-}
-
 // ---- certificates
 
 // The former number of the certificate must have been released. A failure time that is not a number
@@ -144,18 +131,6 @@ Outlook Kernel::enqueue(CertificateId id, Outlook outlook, const FailureTime& ti
   queue_.remove(id);
   queue_.certificate(id).outlook = outlook;
   return outlook;
-}
-
-void Kernel::look_further() {
-  poll();
-  const CertificateId id = queue_.top();
-  Certificate& c = queue_.certificate(id);
-  FailureTime time = queue_.time(id);
-  const double from = time.lo;
-  if (c.looks < kMostLooks) ++c.looks;
-  double limit = limit_of(c.structure, c.looks);
-  if (!(limit > from)) limit = kInfinity;
-  enqueue(id, arithmetic_->look_further(c.query, from, limit, time), time);
 }
 
 // The end of the window that starts now, as a double of few bits: differences to it are exact.
@@ -244,14 +219,6 @@ Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag)
   return schedule(id);
 }
 
-void Kernel::clear_structure(StructureId structure) {
-  for (std::size_t i = 0; i < queue_.capacity(); ++i) {
-    const CertificateId id = static_cast<CertificateId>(i);
-    const Certificate& c = queue_.certificate(id);
-    if (c.live && c.structure == structure) retract(id);
-  }
-}
-
 // ---- counting
 
 void Kernel::note_live(StructureId structure, ObjectId object) {
@@ -303,41 +270,6 @@ void Kernel::count_replaced(StructureId structure, const Query& before, const Qu
       note_or_defer(structure, come);
     }
   }
-}
-
-void Kernel::end_change() {
-  deferred_ = false;
-  for (const auto& [structure, object] : touched_) note_live(structure, object);
-  touched_.clear();
-}
-
-void Kernel::begin_event(StructureId structure, CertificateId failed) {
-  const StructureLedger& ledger = *ledgers_[structure];
-  failing_ = failed;
-  failing_structure_ = structure;
-  failing_query_ = queue_.certificate(failed).query;
-  handling_ = true;
-  deferred_ = true;
-  event_external_ = false;
-  created_before_ = ledger.certificates_created;
-  retracted_before_ = ledger.certificates_retracted;
-}
-
-void Kernel::end_event() {
-  if (failing_ != kNoCertificate) retract(failing_);
-  handling_ = false;
-  StructureLedger& ledger = *ledgers_[failing_structure_];
-  ++ledger.failures;
-  if (!event_external_) {
-    ++ledger.internal;
-    ++ledger.processed;
-  }
-  ledger.created_per_event.add(ledger.certificates_created - created_before_);
-  if (ledger.certificates_retracted >= windows_[failing_structure_].next) {
-    update_window(failing_structure_);
-  }
-  ledger.retracted_per_event.add(ledger.certificates_retracted - retracted_before_);
-  end_change();
 }
 
 // ---- events
@@ -397,6 +329,14 @@ void Kernel::count_rebuild(StructureId structure, const std::string& reason,
   if (reporter_ != nullptr) reporter_->rebuilt(event);
 }
 
+void Kernel::clear_structure(StructureId structure) {
+  for (std::size_t i = 0; i < queue_.capacity(); ++i) {
+    const CertificateId id = static_cast<CertificateId>(i);
+    const Certificate& c = queue_.certificate(id);
+    if (c.live && c.structure == structure) retract(id);
+  }
+}
+
 void Kernel::corrupt(StructureId structure, const std::string& what) {
   if (arithmetic_->is_exact()) {
     throw std::logic_error("impossible in an exact arithmetic: " + what);
@@ -452,17 +392,6 @@ std::span<const CertificateId> Kernel::certificates_of(ObjectId object) {
     }
   }
   return index_[object];
-}
-
-std::size_t Kernel::bytes() const {
-  std::size_t total = queue_.bytes() + derived_.bytes() +
-                      ledgers_.size() * sizeof(StructureLedger) +
-                      touched_.capacity() * sizeof(touched_[0]) +
-                      index_position_.capacity() * sizeof(index_position_[0]) +
-                      index_.capacity() * sizeof(index_[0]);
-  for (const auto& live : live_per_object_) total += live.capacity() * sizeof(std::uint32_t);
-  for (const auto& list : index_) total += list.capacity() * sizeof(CertificateId);
-  return total;
 }
 
 }  // namespace kinex

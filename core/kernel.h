@@ -18,8 +18,11 @@
 #include "core/derived_objects.h"
 #include "core/event.h"
 #include "core/event_queue.h"
+#include "core/event_reporter.h"
+#include "core/foresight.h"
 #include "core/ledger.h"
 #include "core/stop.h"
+#include "core/touch.h"
 
 namespace kinex {
 
@@ -38,10 +41,9 @@ enum class Scheduling : std::uint8_t {
 
 class Kernel {
  public:
-  Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects,
-         Scheduling scheduling = Scheduling::kLazy);
+  Kernel(const Kernel&) = delete;
+  Kernel& operator=(const Kernel&) = delete;
 
-  // ---- for structures ------------------------------------------------------------------------
   PredicateId bind(std::shared_ptr<const Predicate> predicate);
 
   // Sign on (now, now + eps); kZero only if identically zero there. An object may occur twice.
@@ -49,6 +51,30 @@ class Kernel {
     poll();
     return arithmetic_->sign_after(Query(predicate, ids));
   }
+
+  Sign sign_after(const Query& query) {
+    poll();
+    return arithmetic_->sign_after(query);
+  }
+  // The sign right after now, or at now itself, which exact arithmetics alone can tell (in others
+  // kNow answers for right after now).
+  bool tells_sign_now() const { return sign_now_ != nullptr; }
+  Sign sign(const Query& query, When when) {
+    if (when == When::kNow && sign_now_ != nullptr) return sign_now_->sign_now(query);
+    return sign_after(query);
+  }
+  // Certificates of the query's predicate fail at touches, too (core/touch.h).
+  bool fails_at_touch(const Query& query) const {
+    return dynamic_cast<const FailsAtTouch*>(&arithmetic_->predicate(query.predicate)) != nullptr;
+  }
+  // How many signs of this predicate have been asked for, by anybody.
+  std::uint64_t signs_asked(PredicateId predicate) const {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t n : arithmetic_->counters().by_predicate[predicate].signs) sum += n;
+    return sum;
+  }
+  // Looks ahead, under the motions in force. Nothing else may be asked for while it is there.
+  Foresight foresight() { return Foresight(*arithmetic_); }
 
   struct Created {
     CertificateId id;
@@ -90,6 +116,14 @@ class Kernel {
     return queue_.certificate(id).tag;
   }
   void set_tag(CertificateId id, std::uint32_t tag) { queue_.certificate(id).tag = tag; }
+  // It belongs to this structure and is identically zero.
+  bool is_tie_of(StructureId structure, CertificateId id) const {
+    const Certificate& c = queue_.certificate(id);
+    return c.structure == structure && c.outlook == Outlook::kIdenticallyZero;
+  }
+  // All live certificates of all structures that `object`, which is no constant, is in. From the
+  // first call on an index is kept.
+  std::span<const CertificateId> certificates_of(ObjectId object);
   Outlook outlook(CertificateId id) const { return queue_.certificate(id).outlook; }
 
   // One event per failure that is handled; further events of the same failure (ties put in order)
@@ -106,8 +140,22 @@ class Kernel {
   void report_settled(StructureId structure, std::span<const ObjectId> gone,
                       std::span<const ObjectId> came);
   // True while more than one certificate of `structure` fails at this instant, or motions changed
-  // at it: the instant may be degenerate.
+  // at it, or the structure asked for it: the instant may be degenerate.
   bool instant_is_shared(StructureId structure) const;
+  // Asks for Structure::instant_settled and instant_over at this instant, as if it were shared.
+  void settle_later(StructureId structure) { shared_[structure] = 1; }
+  // A certificate, of whatever structure, is negative right after now: more is to be repaired at
+  // this instant. (Those of one instant fail by structure, in the order of their ids.)
+  bool failure_is_due() const {
+    return !queue_.empty() && queue_.certificate(queue_.top()).outlook == Outlook::kFailsNow;
+  }
+  // The number of the present instant in the run, from 1.
+  std::uint64_t instant_number() const { return instant_number_; }
+  // A time near now that is the same in every exact arithmetic (Arithmetic::now_rounded), for
+  // choices that any time near now would serve.
+  auto coarse_now() { return arithmetic_->now_rounded(); }
+  // The present instant, for messages: short.
+  std::string now_text();
   // The structure was rebuilt from its static algorithm at this instant, for this reason. Logged as
   // the common event "rebuild", external if the attribute changed; the structure's watchers are
   // notified when its present call has returned.
@@ -124,56 +172,14 @@ class Kernel {
     if (deadline_ != nullptr) deadline_->poll();
   }
 
-  // ---- for the simulator ---------------------------------------------------------------------
-  // The motion of an object of the scene from now on, and of those derived from it.
-  void set_motion(ObjectId object, const Trajectory& trajectory,
-                  const std::optional<Rational>& until);
-  // It outlives the kernel.
-  void set_deadline(Deadline* deadline) {
-    deadline_ = deadline;
-    arithmetic_->set_deadline(deadline);
-  }
-  // Before the first motion is set: objects will be derived.
-  void keep_motions() { derived_.keep_motions(); }
-  // The first in the queue is the end of a window: looks further.
-  void look_further();
-  Arithmetic& arithmetic() { return *arithmetic_; }
-  const Arithmetic& arithmetic() const { return *arithmetic_; }
-  EventQueue& queue() { return queue_; }
-  const EventQueue& queue() const { return queue_; }
-  StructureId add_structure();
-  std::size_t structures() const { return ledgers_.size(); }
-  StructureLedger& ledger(StructureId id) { return *ledgers_[id]; }
-  const StructureLedger& ledger(StructureId id) const { return *ledgers_[id]; }
-  // Starts counting one failure; ends it (retracting `failed` if it is still there).
-  void begin_event(StructureId structure, CertificateId failed);
-  void end_event();
-  // Brackets any other call of a structure. The largest numbers of live certificates are taken
-  // between such calls, not while a structure is in the middle of one.
-  void begin_change() { deferred_ = true; }
-  void end_change();
-  // Takes a certificate out of the queue before the motions of its objects change...
-  void unschedule(CertificateId id) { queue_.remove(id); }
-  // ... and asks for its failure time again afterwards.
-  void reschedule(CertificateId id) {
-    queue_.remove(id);
-    schedule(id);
-  }
-  // The number of live certificates of `structure` that `object` is in. O(1).
-  std::uint32_t live_certificates(StructureId structure, ObjectId object) const {
-    return live_per_object_[structure][object];
-  }
-  // All live certificates that `object`, which is no constant, is in. From the first call on an
-  // index is kept.
-  std::span<const CertificateId> certificates_of(ObjectId object);
-  void set_instant_shared(StructureId structure, bool shared) { shared_[structure] = shared; }
-  void clear_structure(StructureId structure);  // retracts all its certificates
-  // Events are passed on to this function; see Simulator.
-  void set_reporter(class EventReporter* reporter) { reporter_ = reporter; }
-  const Event& last_event() const { return event_; }
-  std::size_t bytes() const;
+ protected:
+  // Further looks at a certificate beyond its first window; the last one has no end.
+  static constexpr int kMostLooks = 6;
 
- private:
+  // Runs own a Scheduler (core/scheduler.h), which is one of these.
+  Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects, Scheduling scheduling);
+  ~Kernel() = default;
+
   // The window by the estimated lifetimes of a structure's certificates, and the next estimate.
   struct Window {
     double length;                // +infinity: unknown, no limit
@@ -183,6 +189,7 @@ class Kernel {
     std::uint64_t next = 0;       // the number at which a new estimate is made
   };
   Outlook schedule(CertificateId id);
+  void clear_structure(StructureId structure);  // retracts all its certificates
   Outlook enqueue(CertificateId id, Outlook outlook, const FailureTime& time);
   double limit_of(StructureId structure, int looks) const;
   void update_window(StructureId structure);
@@ -222,6 +229,7 @@ class Kernel {
   void index_remove(CertificateId id);
 
   std::unique_ptr<Arithmetic> arithmetic_;
+  SignNow* sign_now_;  // the arithmetic, if it can tell
   Deadline* deadline_ = nullptr;
   EventQueue queue_;
   std::vector<std::unique_ptr<StructureLedger>> ledgers_;  // references stay valid
@@ -237,7 +245,8 @@ class Kernel {
   bool indexed_ = false;
   std::size_t objects_;  // derived ones included
   DerivedObjects derived_;
-  class EventReporter* reporter_ = nullptr;
+  EventReporter* reporter_ = nullptr;
+  std::uint64_t instant_number_ = 0;
   Event event_;
   // counts that have grown since begin_event or begin_change
   bool deferred_ = false;
@@ -250,16 +259,6 @@ class Kernel {
   bool event_external_ = false;
   std::uint64_t created_before_ = 0;
   std::uint64_t retracted_before_ = 0;
-};
-
-// Receives what structures report.
-class EventReporter {
- public:
-  virtual ~EventReporter() = default;
-  virtual void reported(const Event& event) = 0;
-  // The common events: `event` has all but its kind.
-  virtual void settled(Event) {}
-  virtual void rebuilt(Event) {}
 };
 
 }  // namespace kinex

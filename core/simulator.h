@@ -33,10 +33,10 @@
 
 #include "core/audit.h"
 #include "core/bound.h"
-#include "core/kernel.h"
 #include "core/repeated_object.h"
 #include "core/run_clock.h"
 #include "core/scene.h"
+#include "core/scheduler.h"
 #include "core/stop.h"
 #include "core/structure.h"
 
@@ -73,8 +73,17 @@ class Simulator final : private EventReporter {
             SimulatorOptions options = {});
   ~Simulator() override;
 
+  // What structures are made with.
   Kernel& kernel() { return kernel_; }
   const Kernel& kernel() const { return kernel_; }
+  const Arithmetic& arithmetic() const { return kernel_.arithmetic(); }
+  const EventQueue& queue() const { return kernel_.queue(); }
+  const StructureLedger& ledger(StructureId id) const { return kernel_.ledger(id); }
+  // Of certificates and their bookkeeping; those of the arithmetic and the structures aside.
+  std::size_t bytes() const { return kernel_.bytes(); }
+  std::uint32_t live_certificates(StructureId id, ObjectId object) const {
+    return kernel_.live_certificates(id, object);
+  }
   const Scene& scene() const { return scene_; }
 
   // Reserves the id that a structure is constructed with; add() then takes the structure.
@@ -248,7 +257,7 @@ class Simulator final : private EventReporter {
   const Scene& scene_;
   SimulatorOptions options_;
   std::unique_ptr<Deadline> deadline_;
-  Kernel kernel_;
+  Scheduler kernel_;
   std::vector<Entry> entries_;
   EventSink* sink_ = nullptr;
   bool sink_timed_ = true;

@@ -267,6 +267,7 @@ void Simulator::begin_instant() {
   if (!at_failure_instant_) reached_before_instant_ = Rational(reached_);
   events_at_instant_.clear();
   ++ledger_.instants;
+  kernel_.count_instant();
 }
 
 // Subtracts the events and failures of the present instant from the counts; the cost of its work

@@ -24,6 +24,12 @@ class FailsAtTouch {
   virtual ~FailsAtTouch() = default;
 };
 
+// What a sign is asked for.
+enum class When : bool {
+  kRightAfter,  // on (now, now + eps)
+  kNow,         // at now itself
+};
+
 // A base of an exact Arithmetic: the sign at now, not right after it.
 class SignNow {
  public:

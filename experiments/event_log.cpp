@@ -104,7 +104,7 @@ EventLog::EventLog(const Simulator& simulator, std::string_view scene_hash, Outp
   digest_.hold();
   for (const DigestedStructure& structure : structures_) {
     const StructureInfo* info = find_structure_info(structure.structure);
-    is_edges_.push_back(info != nullptr && info->attribute_shape() == Attribute::Shape::kEdges);
+    is_edges_.push_back(info != nullptr && info->shape == Attribute::Shape::kEdges);
   }
   if (file_ == nullptr) return;
   for (const DigestedStructure& structure : structures_) {
@@ -119,7 +119,7 @@ EventLog::EventLog(const Simulator& simulator, std::string_view scene_hash, Outp
 }
 
 void EventLog::write_header(std::string_view scene_hash) {
-  const Arithmetic& arithmetic = simulator_.kernel().arithmetic();
+  const Arithmetic& arithmetic = simulator_.arithmetic();
   const Scene& scene = simulator_.scene();
   JsonWriter json(line_);
   json.begin_object().key("format").string(kLogFormat).key("version").number(kLogVersion);

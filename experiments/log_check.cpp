@@ -292,7 +292,7 @@ class Checker {
     }
     if (!record.change) return;
     if (!record.external) complain("\"gone\" and \"came\" in a record that is not external");
-    check_sides(*record.change, structure.info->attribute_shape());
+    check_sides(*record.change, structure.info->shape);
   }
 
   void check_sides(const LogChange& change, Attribute::Shape shape) {

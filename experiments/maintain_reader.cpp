@@ -9,7 +9,6 @@
 #include "experiments/input_error.h"
 #include "experiments/scene_parts.h"
 #include "experiments/scene_reader.h"
-#include "experiments/turning.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
 
@@ -29,16 +28,6 @@ std::string known_structures() {
   return "known are " + result;
 }
 
-std::string structures_for(bool bodies) {
-  std::string result;
-  for (const StructureInfo& info : structure_infos()) {
-    if (info.bodies != bodies) continue;
-    result += result.empty() ? "maintain one of " : ", ";
-    result += info.name;
-  }
-  return result.empty() ? "leave \"maintain\" out" : result;
-}
-
 std::optional<int> axis_of(std::string_view name, int dimension) {
   if (name.size() != 1) return std::nullopt;
   const std::size_t axis = kAxisNames.find(name[0]);
@@ -55,49 +44,14 @@ std::string axes_of(int dimension) {
   return result;
 }
 
-// A structure for the same attribute that is not restricted to linear motions.
-std::string with_every_motion(const std::string& name) {
-  return name.substr(0, name.find('_')) + "_tournament";
-}
-
-// The problem with maintaining `name` in a scene of this dimension: {problem, remedy}, or nothing.
-struct Complaint {
-  std::string problem, remedy;
-};
-std::optional<Complaint> complaint_about(const std::string& name, const Scene& scene) {
-  const int dimension = scene.dimension;
+// The problem with maintaining `name` in the scene: {problem, remedy}, or nothing.
+std::optional<Refusal> complaint_about(const std::string& name, const Scene& scene) {
   const StructureInfo* info = find_structure_info(name);
   if (info == nullptr)
-    return Complaint{show_text(name) + " is not a known structure", known_structures()};
-  if (!scene.objects.empty() && info->bodies != scene.has_bodies()) {
-    return Complaint{show_text(name) + (info->bodies ? " is for rigid bodies, the scene has points"
-                                                     : " is for points, the scene has bodies"),
-                     structures_for(scene.has_bodies())};
-  }
-  if (dimension < info->min_dimension) {
-    return Complaint{show_text(name) + " needs " + std::to_string(info->min_dimension) +
-                         " axes, the scene has " + std::to_string(dimension),
-                     "maintain something else, or give the scene more axes"};
-  }
-  if (!info->any_dimension() && dimension > info->min_dimension) {
-    return Complaint{show_text(name) + " is for " + std::to_string(info->min_dimension) +
-                         " axes, the scene has " + std::to_string(dimension),
-                     "leave axes out, or maintain something else"};
-  }
-  if (info->linear && scene.degree() > 1) {
-    return Complaint{show_text(name) + " needs linear motions, the scene has motions of degree " +
-                         std::to_string(scene.degree()),
-                     "maintain " + with_every_motion(name) + ", which takes every motion"};
-  }
-  if (info->unturned && scene.has_bodies()) {
-    if (const auto pair = find_turning_pair(scene)) {
-      return Complaint{show_text(name) + " is for bodies that do not turn against each other, " +
-                           show_text(scene.objects[pair->first].id) + " and " +
-                           show_text(scene.objects[pair->second].id) + " do",
-                       "maintain separation_mixed, which takes every motion"};
-    }
-  }
-  return std::nullopt;
+    return Refusal{show_text(name) + " is not a known structure", known_structures()};
+  std::optional<Refusal> refusal = refusal_of(*info, scene);
+  if (refusal) refusal->problem = show_text(name) + " " + refusal->problem;
+  return refusal;
 }
 
 bool label_is_taken(const Scene& scene, std::string_view label) {
@@ -108,10 +62,10 @@ bool label_is_taken(const Scene& scene, std::string_view label) {
 bool are_too_many(const Scene& scene) { return scene.maintain.size() > kMostStructures; }
 
 // The requested structures, and those that they read, must fit one run.
-std::optional<Complaint> complaint_about_number(const Scene& scene) {
+std::optional<Refusal> complaint_about_number(const Scene& scene) {
   if (!are_too_many(scene) && plan_structures(scene).size() <= kMostStructures) return std::nullopt;
   const std::string most = std::to_string(kMostStructures);
-  return Complaint{"more than " + most + " structures in one run, those included that others read",
+  return Refusal{"more than " + most + " structures in one run, those included that others read",
                    "maintain at most " + most + ", and the others in a run of their own"};
 }
 
@@ -190,11 +144,9 @@ void read_entry(const JsonNode& node, Scene& scene) {
         key->fail(show_text(request.structure) + " takes no key", "remove it");
       }
       request.key = read_key(*key, scene);
-      if (find_structure_info(request.structure)->linear &&
-          request.key.kind == Key::Kind::kSquaredDistance) {
-        key->fail(
-            show_text(request.structure) + " needs a key that is linear, not a squared distance",
-            "maintain " + with_every_motion(request.structure) + " by this key");
+      const StructureInfo& info = *find_structure_info(request.structure);
+      if (const auto refusal = refusal_of_key(info, request.key)) {
+        key->fail(show_text(request.structure) + " " + refusal->problem, refusal->remedy);
       }
     }
     if (const auto label = node.find("as")) {

@@ -123,7 +123,7 @@ std::string describe_model(const Scene& scene, const std::string& hash) {
 }
 
 std::string explain_model(const Scene& scene, const Simulator& simulator) {
-  const Arithmetic& numbers = simulator.kernel().arithmetic();
+  const Arithmetic& numbers = simulator.arithmetic();
   std::string text = "numbers   " + numbers.name();
   if (numbers.number_model() != numbers.name()) text += ": " + numbers.number_model();
   text += "\n";

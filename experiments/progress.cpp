@@ -28,7 +28,7 @@ void Progress::show(const Simulator& simulator) {
   shown_ = true;
   const double seconds = std::chrono::duration<double>(now - began_).count();
   const auto failures = static_cast<double>(simulator.ledger().events);
-  const double t = simulator.kernel().arithmetic().now_approximate();
+  const double t = simulator.arithmetic().now_approximate();
   std::fprintf(stderr, "\r\033[K%.0f certificate failures, t = %.6g, %.3g a second", failures, t,
                failures / seconds);
   const Scene& scene = simulator.scene();

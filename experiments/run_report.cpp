@@ -51,7 +51,7 @@ std::string last_line(const Simulator& simulator, const RunOutcome& outcome) {
 RunCounts counts_of(const Simulator& simulator) {
   RunCounts counts;
   for (StructureId id = 0; id < simulator.structures(); ++id) {
-    const StructureLedger& ledger = simulator.kernel().ledger(id);
+    const StructureLedger& ledger = simulator.ledger(id);
     counts.external += ledger.external;
     counts.internal += ledger.internal;
     counts.failures += ledger.failures;
@@ -71,10 +71,10 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     std::string label = simulator.label(id);
     if (label.size() < 24) label.resize(24, ' ');
-    text += label + row_of(simulator.kernel().ledger(id)) + "\n";
+    text += label + row_of(simulator.ledger(id)) + "\n";
   }
   for (StructureId id = 0; id < simulator.structures(); ++id) {
-    for (const auto& [reason, count] : simulator.kernel().ledger(id).rebuild_reasons) {
+    for (const auto& [reason, count] : simulator.ledger(id).rebuild_reasons) {
       text += "rebuilt   " + simulator.label(id) + ", " + counted(count, "time", "times") + ": " +
               reason + "\n";
     }
@@ -103,7 +103,7 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
 std::vector<std::string> failures_of(const Simulator& simulator, const RunOutcome& outcome) {
   std::vector<std::string> failures;
   for (StructureId id = 0; id < simulator.structures(); ++id) {
-    const StructureLedger& ledger = simulator.kernel().ledger(id);
+    const StructureLedger& ledger = simulator.ledger(id);
     if (ledger.corrupt)
       failures.push_back(simulator.label(id) + " is corrupt: " + ledger.corruption);
     for (const BoundCheck& bound : outcome.bounds[id]) {

@@ -33,7 +33,7 @@ std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string&
 }
 
 Attribute value_now(const Simulator& simulator, StructureId id) {
-  if (simulator.kernel().ledger(id).corrupt || simulator.is_torn()) return {Attribute::Shape::kObject, {}};
+  if (simulator.ledger(id).corrupt || simulator.is_torn()) return {Attribute::Shape::kObject, {}};
   return simulator.structure(id).attribute();
 }
 
@@ -60,7 +60,7 @@ RunOutcome run_scene(Simulator& simulator, const std::vector<Rational>& times) {
 bool RunOutcome::clean(const Simulator& simulator) const {
   if (!simulator.violations().empty()) return false;
   for (StructureId id = 0; id < simulator.structures(); ++id) {
-    const StructureLedger& ledger = simulator.kernel().ledger(id);
+    const StructureLedger& ledger = simulator.ledger(id);
     if (ledger.corrupt || ledger.audit_violations > 0) return false;
     for (const BoundCheck& bound : bounds[id]) {
       if (!bound.holds) return false;

@@ -123,7 +123,7 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
   std::string text;
   JsonWriter json(text);
   json.begin_object().key("scene").string(scene.name).key("scene_hash").string(scene_hash);
-  json.key("arithmetic").string(simulator.kernel().arithmetic().name());
+  json.key("arithmetic").string(simulator.arithmetic().name());
   json.key("build").string(build_name()).key("status").string(status_name(outcome.status));
   json.key("time").begin_object().key("start").string(scene.start.to_string()).key("end");
   if (scene.end) {
@@ -141,7 +141,7 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
   json.line(1).key("structures").begin_object();
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     json.line(2).key(simulator.label(id)).begin_object();
-    write_counts(json, simulator.kernel().ledger(id));
+    write_counts(json, simulator.ledger(id));
     write_bounds(json, outcome.bounds[id]);
     json.key("attribute");
     write_attribute(json, value_now(simulator, id), scene);
@@ -158,7 +158,7 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
     json.end_object();
   }
   json.end_array().line(1);
-  write_numbers(json, simulator.kernel().arithmetic());
+  write_numbers(json, simulator.arithmetic());
   json.line(1).key("violations").begin_array();
   for (const std::string& violation : simulator.violations()) json.string(violation);
   json.end_array();
@@ -166,11 +166,11 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
   write_phases(json, simulator, &Seconds::cpu);
   json.key("structures").begin_object();
   for (StructureId id = 0; id < simulator.structures(); ++id) {
-    json.key(simulator.label(id)).real(simulator.kernel().ledger(id).seconds);
+    json.key(simulator.label(id)).real(simulator.ledger(id).seconds);
   }
   json.end_object().key("per_event").begin_object();
   for (StructureId id = 0; id < simulator.structures(); ++id) {
-    const StructureLedger& ledger = simulator.kernel().ledger(id);
+    const StructureLedger& ledger = simulator.ledger(id);
     json.key(simulator.label(id));
     json.real(ledger.processed == 0 ? 0.0 : ledger.seconds / static_cast<double>(ledger.processed));
   }

@@ -99,7 +99,7 @@ std::string_view default_structure(const Workload& workload, int dimension) {
   if (!workload.maintain.empty()) return workload.maintain;
   if (!workload.bodies) return dimension == 2 ? "delaunay_2" : "sorted_list";
   for (const StructureInfo& info : structure_infos()) {
-    if (info.collisions) return info.name;
+    if (info.follows_bodies()) return info.name;
   }
   return "";
 }

@@ -51,7 +51,7 @@ ObjectId BodyGrid::line(std::int64_t k) {
 
 bool BodyGrid::is_beyond(ObjectId body, int axis, std::int64_t k) {
   const Query query(beyond_[static_cast<std::size_t>(axis)], {body, line(k)});
-  return kernel_.arithmetic().sign_after(query) != Sign::kNegative;
+  return kernel_.sign_after(query) != Sign::kNegative;
 }
 
 // The last grid line that the body is beyond: by steps that double, then halve.

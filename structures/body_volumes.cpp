@@ -104,7 +104,7 @@ std::optional<Query> BodyVolumes::proof(ObjectId a, ObjectId b) {
   for (const Query& query :
        {Query(gap_[0], {a, b, apart}), Query(gap_[0], {b, a, apart}), Query(gap_[1], {a, b, apart}),
         Query(gap_[1], {b, a, apart}), Query(discs_apart_, {a, b, apart})}) {
-    if (kernel_.arithmetic().sign_after(query) == Sign::kPositive) return query;
+    if (kernel_.sign_after(query) == Sign::kPositive) return query;
   }
   return std::nullopt;
 }
@@ -112,7 +112,7 @@ std::optional<Query> BodyVolumes::proof(ObjectId a, ObjectId b) {
 std::optional<Query> BodyVolumes::proof_of_overlap(ObjectId a, ObjectId b) {
   if (within_.radius(a).sign() == 0 || within_.radius(b).sign() == 0) return std::nullopt;
   const Query query(discs_overlap_, {a, b, within_.reach(a, b, reaches_)});
-  if (kernel_.arithmetic().sign_after(query) != Sign::kPositive) return std::nullopt;
+  if (kernel_.sign_after(query) != Sign::kPositive) return std::nullopt;
   return query;
 }
 

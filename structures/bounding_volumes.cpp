@@ -23,9 +23,9 @@ std::optional<Query> BoundingVolumes::extra(PairId p) {
 }
 
 // Volumes are larger than the bodies: while one is the proof, the bodies do not touch.
-std::optional<CollisionPairs::Features> BoundingVolumes::touch(PairId p, SignNow* now) {
+std::optional<CollisionPairs::Features> BoundingVolumes::touch(PairId p, When when) {
   if (near_[p] == 0) return std::nullopt;
-  return ClosestFeatures::touch(p, now);
+  return ClosestFeatures::touch(p, when);
 }
 
 void BoundingVolumes::fail(PairId p, std::uint32_t slot) {

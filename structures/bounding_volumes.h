@@ -31,7 +31,7 @@ class BoundingVolumes final : public ClosestFeatures {
  protected:
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
-  std::optional<Features> touch(PairId p, SignNow* now) override;
+  std::optional<Features> touch(PairId p, When when) override;
   std::uint32_t most_certificates() const override { return 6; }
   std::optional<Query> extra(PairId p) override;
 

@@ -171,11 +171,11 @@ CollisionPairs::Features ClosestFeatures::at(const SumBoundary::Edge& edge) {
 }
 
 // At a vertex of M all four certificates are zero; along edges of A that meet only there, two.
-std::optional<CollisionPairs::Features> ClosestFeatures::touch(PairId p, SignNow* now) {
+std::optional<CollisionPairs::Features> ClosestFeatures::touch(PairId p, When when) {
   const SumBoundary sum = boundary(p);
   const State& state = state_[p];
   const auto is_zero = [&](std::uint32_t slot) {
-    return sign(claim(sum, state, slot), now) == Sign::kZero;
+    return sign(claim(sum, state, slot), when) == Sign::kZero;
   };
   if (state.edge) {
     if (!is_zero(4)) return std::nullopt;

@@ -47,7 +47,7 @@ class ClosestFeatures : public CollisionPairs {
  protected:
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
-  std::optional<Features> touch(PairId p, SignNow* now) override;
+  std::optional<Features> touch(PairId p, When when) override;
   std::uint32_t most_certificates() const override { return 5; }
   // An additional certificate in the slot after those of the features; nullopt: none.
   virtual std::optional<Query> extra(PairId p) {

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "core/check.h"
-#include "core/time_text.h"
 #include "predicates/pose_2.h"
 
 namespace kinex {
@@ -14,7 +13,6 @@ CollisionPairs::CollisionPairs(Kernel& kernel, StructureId id, const Scene& scen
     : kernel_(kernel),
       id_(id),
       scene_(scene),
-      now_(dynamic_cast<SignNow*>(&kernel.arithmetic())),
       frames_(kernel, scene, policy),
       volumes_(kernel, scene),
       predicates_(kernel),
@@ -86,15 +84,10 @@ void CollisionPairs::certificate_failed(CertificateId failed) {
   look_for_touch(p);
 }
 
-bool CollisionPairs::fails_at_touch(const Query& query) const {
-  return dynamic_cast<const FailsAtTouch*>(&kernel_.arithmetic().predicate(query.predicate)) !=
-         nullptr;
-}
-
 bool CollisionPairs::only_touches(CertificateId failed) {
   const Query query = kernel_.query(failed);
-  if (now_ == nullptr || !fails_at_touch(query) ||
-      kernel_.arithmetic().sign_after(query) == Sign::kNegative) {
+  if (!kernel_.tells_sign_now() || !kernel_.fails_at_touch(query) ||
+      kernel_.sign_after(query) == Sign::kNegative) {
     return false;
   }
   kernel_.replace(failed, query, kernel_.tag(failed));
@@ -105,7 +98,7 @@ bool CollisionPairs::holds(PairId p) const {
   const Pair& pair = pairs_[p];
   for (std::uint8_t i = 0; i < pair.certificates; ++i) {
     const Query& query = kernel_.query(pair.certificate[i]);
-    if (kernel_.arithmetic().sign_after(query) == Sign::kNegative) return false;
+    if (kernel_.sign_after(query) == Sign::kNegative) return false;
   }
   return true;
 }
@@ -114,8 +107,8 @@ bool CollisionPairs::holds(PairId p) const {
 // instant.
 void CollisionPairs::look_for_touch(PairId p) {
   Pair& pair = pairs_[p];
-  if (now_ == nullptr || pair.touching || pair.apart) return;
-  const std::optional<Features> found = touch(p, now_);
+  if (!kernel_.tells_sign_now() || pair.touching || pair.apart) return;
+  const std::optional<Features> found = touch(p, When::kNow);
   if (!found && !pair.resting) return;
   if (!holds(p)) return;
   if (found && !pair.resting) {
@@ -125,12 +118,12 @@ void CollisionPairs::look_for_touch(PairId p) {
     for (std::uint8_t i = 0; i < pair.certificates; ++i) {
       const CertificateId id = pair.certificate[i];
       const Query query = kernel_.query(id);
-      if (fails_at_touch(query) && now_->sign_now(query) == Sign::kZero) {
+      if (kernel_.fails_at_touch(query) && kernel_.sign(query, When::kNow) == Sign::kZero) {
         kernel_.replace(id, query, kernel_.tag(id));
       }
     }
   }
-  pair.resting = found && touch(p, nullptr);
+  pair.resting = found && touch(p, When::kRightAfter);
 }
 
 // Doubles cannot decide whether two bodies only touch.
@@ -140,10 +133,7 @@ void CollisionPairs::insert(ObjectId object) {
     for (const PairId p : pairs_of_[object]) {
       if (!pairs_[p].touching) continue;
       const ObjectId other = pairs_[p].a == object ? pairs_[p].b : pairs_[p].a;
-      // A body appears at a rational time.
-      const Polynomial& now = kernel_.arithmetic().name_now(InstantDetail::kName).polynomial;
-      const Rational t(-now[0], now[1]);
-      throw std::invalid_argument(scene_.objects[object].id + " appears at " + time_text(t) +
+      throw std::invalid_argument(scene_.objects[object].id + " appears at " + kernel_.now_text() +
                                   " in contact with " + scene_.objects[other].id +
                                   "; let it come, or jump, to where it is apart from all others, "
                                   "or say \"overlapping_starts\": \"contact\" (not \"refused\", the "
@@ -250,7 +240,7 @@ void CollisionPairs::follow(PairId p) {
   pairs_[p].apart = false;
   pairs_[p].touching = !start(p);
   if (pairs_[p].touching) follow_overlap(p, edge_ahead(p, {}));
-  pairs_[p].resting = !pairs_[p].touching && touch(p, nullptr);
+  pairs_[p].resting = !pairs_[p].touching && touch(p, When::kRightAfter);
 }
 
 PairId CollisionPairs::add_pair(ObjectId a, ObjectId b) {

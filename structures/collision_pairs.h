@@ -102,7 +102,7 @@ class CollisionPairs : public Structure {
     bool apart = false;        // the proof is one certificate on volumes
     bool resting = false;      // not in contact, but they touch and go on touching
     std::uint8_t repairs = 0;  // of its proof, at `instant`
-    double instant = 0;        // rounded
+    std::uint64_t instant = 0;  // its number in the run
     std::uint8_t certificates = 0;
     SumBoundary::Edge ahead{};  // while they are in contact
     std::array<CertificateId, kMostCertificates> certificate{};
@@ -141,11 +141,10 @@ class CollisionPairs : public Structure {
   struct Features {
     Feature of_a, of_b;
   };
-  // The features by which the bodies touch right after now, or at now if `now` is given; nullopt:
-  // they do not touch. Requires that the proof holds right after now.
-  virtual std::optional<Features> touch(PairId pair, SignNow* now) = 0;
-  Sign sign(const Query& query, SignNow* now) {
-    return now != nullptr ? now->sign_now(query) : kernel_.arithmetic().sign_after(query);
+  // The features by which the bodies touch right after now, or at now; nullopt: they do not touch. Requires that the proof holds right after now.
+  virtual std::optional<Features> touch(PairId pair, When when) = 0;
+  Sign sign(const Query& query, When when) {
+    return kernel_.sign(query, when);
   }
   // Reports the contact: the proof of disjointness ends, the overlap proof begins. `near`: features
   // near those that meet, those of the second body in its negated frame. If the bodies do not
@@ -164,7 +163,6 @@ class CollisionPairs : public Structure {
   Kernel& kernel_;
   const StructureId id_;
   const Scene& scene_;
-  SignNow* now_;  // nullptr in an inexact arithmetic
   BodyFrames frames_;
   BodyVolumes volumes_;
   PosePredicates predicates_;
@@ -181,7 +179,6 @@ class CollisionPairs : public Structure {
   void follow(PairId p);  // by the derived class's proof
   void add_pose(PairId p);
   // The pair's certificate touches zero without failing: it is made anew.
-  bool fails_at_touch(const Query& query) const;
   bool only_touches(CertificateId failed);
   bool holds(PairId p) const;
   void look_for_touch(PairId p);

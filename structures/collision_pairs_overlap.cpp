@@ -29,9 +29,9 @@ std::optional<SumBoundary::Edge> CollisionPairs::edge_ahead(PairId p, const Feat
 // The features of the edge of M that the point is on: two vertices at an end of it.
 CollisionPairs::Features CollisionPairs::features_at(PairId p, const SumBoundary::Edge& edge) {
   const SumBoundary sum = boundary(p);
-  if (now_ != nullptr) {
+  if (kernel_.tells_sign_now()) {
     for (const bool last : {false, true}) {
-      if (now_->sign_now(sum.past(edge.z, edge.edge, last, edge.vertex)) != Sign::kZero) continue;
+      if (kernel_.sign(sum.past(edge.z, edge.edge, last, edge.vertex), When::kNow) != Sign::kZero) continue;
       const auto [x, y] = sum.end(edge, last);
       return {{false, x}, {false, y}};
     }
@@ -72,7 +72,7 @@ bool CollisionPairs::is_stuck(PairId p) {
     pair.repairs = 0;
     return false;
   }
-  const double now = kernel_.arithmetic().now_rounded();
+  const std::uint64_t now = kernel_.instant_number();
   if (pair.instant != now) pair.repairs = 0;
   pair.instant = now;
   if (pair.repairs >= kPatience) return true;

@@ -123,10 +123,7 @@ void ConvexHull2BruteForce::motions_changed(std::span<const ObjectId> objects) {
   if (cycle_.size() < 3 || signs_.tied()) look_again_ = true;
   for (const ObjectId object : objects) {
     for (const CertificateId c : kernel_->certificates_of(object)) {
-      const Certificate& certificate = kernel_->queue().certificate(c);
-      if (certificate.structure == id_ && certificate.outlook == Outlook::kIdenticallyZero) {
-        look_again_ = true;
-      }
+      if (kernel_->is_tie_of(id_, c)) look_again_ = true;
     }
   }
 }

@@ -45,12 +45,12 @@ void ConvexHull2Delaunay::build(std::span<const ObjectId>) { events_.begin(cycle
 // so the hull is read when the instant is settled. A rebuild, or a "settled", is final.
 void ConvexHull2Delaunay::look() {
   if (!events_.repairs_to_come()) return events_.settle(cycle());
-  kernel_->set_instant_shared(id_, true);
+  kernel_->settle_later(id_);
 }
 
 void ConvexHull2Delaunay::watched_changed(const Event* event) {
   if (event == nullptr || event->kind > Delaunay2::kReinsert) return look();
-  if (event->kind != Delaunay2::kFlip) kernel_->set_instant_shared(id_, true);
+  if (event->kind != Delaunay2::kFlip) kernel_->settle_later(id_);
 }
 
 std::vector<BoundCheck> ConvexHull2Delaunay::bounds(const BoundContext& context) const {

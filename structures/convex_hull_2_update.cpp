@@ -134,10 +134,7 @@ void ConvexHull2::motions_changed(std::span<const ObjectId> objects) {
   tags.swap(tied_);
   for (const ObjectId object : objects) {
     for (const CertificateId c : kernel_->certificates_of(object)) {
-      const Certificate& certificate = kernel_->queue().certificate(c);
-      if (certificate.structure == id_ && certificate.outlook == Outlook::kIdenticallyZero) {
-        tags.push_back(certificate.tag);
-      }
+      if (kernel_->is_tie_of(id_, c)) tags.push_back(kernel_->tag(c));
     }
   }
   std::sort(tags.begin(), tags.end());

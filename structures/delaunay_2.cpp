@@ -142,7 +142,7 @@ void Delaunay2::report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q, bool
   if (later) {
     if (goes) untold_.gone(u, v);
     if (comes) untold_.came(p, q);
-    kernel_->set_instant_shared(id_, true);
+    kernel_->settle_later(id_);
   }
   const std::array<ObjectId, 2> old{std::min(u, v), std::max(u, v)};
   const std::array<ObjectId, 2> fresh{std::min(p, q), std::max(p, q)};

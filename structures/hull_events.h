@@ -55,10 +55,7 @@ class HullEvents {
   bool left(ObjectId point, ObjectId from, ObjectId to);
   const std::vector<ObjectId>& cycle() const { return cycle_; }
   // A certificate was made that is negative right after now: the instant is not over.
-  bool repairs_to_come() const {
-    const EventQueue& queue = kernel_->queue();
-    return !queue.empty() && kernel_->outlook(queue.top()) == Outlook::kFailsNow;
-  }
+  bool repairs_to_come() const { return kernel_->failure_is_due(); }
   std::size_t bytes() const;
 
  private:

@@ -84,12 +84,12 @@ bool InnerTangents::is_vertex(const SumBoundary& sum, const Touch& touch) {
 // At the instant at which two edges that meet in a vertex of M become parallel, this vertex moves
 // into M and the sum of the edges' other ends comes out.
 InnerTangents::Touch InnerTangents::on_boundary(const SumBoundary& sum, const Touch& touch) {
-  if (now_ == nullptr || is_vertex(sum, touch)) return touch;
+  if (!kernel_.tells_sign_now() || is_vertex(sum, touch)) return touch;
   BodyFrame &a = sum.frame(0), &b = sum.frame(1);
   // And not opposite: the edge after f is then less than half a turn ahead.
   const auto are_parallel = [&](std::uint32_t e, std::uint32_t f) {
-    return now_->sign_now(sum.order_before(0, e, f)) == Sign::kZero &&
-           now_->sign_now(sum.order_before(0, e, b.after(f))) == Sign::kPositive;
+    return kernel_.sign(sum.order_before(0, e, f), When::kNow) == Sign::kZero &&
+           kernel_.sign(sum.order_before(0, e, b.after(f)), When::kNow) == Sign::kPositive;
   };
   auto [x, y] = touch;
   for (std::uint32_t i = a.size() + b.size(); i > 0; --i) {
@@ -158,11 +158,11 @@ CollisionPairs::Features InnerTangents::at(const SumBoundary::Edge& edge) {
 }
 
 // All edges that the point sees lie on at most two lines, which meet where it is.
-std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, SignNow* now) {
+std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, When when) {
   const SumBoundary sum = boundary(p);
   const Tangents& tangents = tangents_[p];
   const auto is_on_line = [&](const SumBoundary::Edge& edge) {
-    return sign(sum.beyond(edge.z, edge.edge, edge.vertex), now) == Sign::kZero;
+    return sign(sum.beyond(edge.z, edge.edge, edge.vertex), when) == Sign::kZero;
   };
   if (!is_on_line(beside(sum, tangents[1], false))) return std::nullopt;
   Touch at_first = tangents[0];
@@ -171,7 +171,7 @@ std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, SignNow* 
     const SumBoundary::Edge edge = beside(sum, at_first, true);
     if (!is_on_line(edge)) break;
     if (sign(sum.past(edge.z, edge.edge, false, edge.vertex), now) != Sign::kNegative &&
-        sign(sum.short_of(edge.z, edge.edge, true, edge.vertex), now) != Sign::kNegative) {
+        sign(sum.short_of(edge.z, edge.edge, true, edge.vertex), when) != Sign::kNegative) {
       return at(edge);
     }
     at_first = sum.end(edge, true);

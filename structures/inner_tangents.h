@@ -50,7 +50,7 @@ class InnerTangents : public CollisionPairs {
  protected:
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
-  std::optional<Features> touch(PairId p, SignNow* now) override;
+  std::optional<Features> touch(PairId p, When when) override;
   std::uint32_t most_certificates() const override { return 8; }
 
  private:

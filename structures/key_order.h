@@ -31,7 +31,7 @@ class KeyOrder {
   }
   // True if a comes before b right after now, ties by id.
   bool before(ObjectId a, ObjectId b) const {
-    const Sign sign = kernel_->arithmetic().sign_after(query(a, b));
+    const Sign sign = kernel_->sign_after(query(a, b));
     return sign == Sign::kPositive || (sign == Sign::kZero && a < b);
   }
   // `objects` without the reference. Throws std::invalid_argument if the reference is not among
@@ -70,7 +70,7 @@ class Contest {
   }
   // True if a wins right after now, ties by id.
   bool beats(ObjectId a, ObjectId b) const {
-    const Sign sign = kernel_->arithmetic().sign_after(claim(a, b));
+    const Sign sign = kernel_->sign_after(claim(a, b));
     return sign == Sign::kPositive || (sign == Sign::kZero && a < b);
   }
 

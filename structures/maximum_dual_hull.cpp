@@ -87,7 +87,7 @@ void MaximumDualHull::motions_changed(std::span<const ObjectId> objects) {
   const ObjectId best = hull_.empty() ? kNoObject : hull_.best();
   if (best == old) {
     look();
-  } else if (kernel_->arithmetic().sign_after(contest_.claim(old, best)) == Sign::kNegative) {
+  } else if (kernel_->sign_after(contest_.claim(old, best)) == Sign::kNegative) {
     expect(best);
   } else {
     look();

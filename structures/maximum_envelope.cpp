@@ -31,7 +31,7 @@ void MaximumEnvelope::build(std::span<const ObjectId> objects) {
 }
 
 void MaximumEnvelope::renew() {
-  winners_ = UpperEnvelope(contest_, kernel_->arithmetic()).compute(members_);
+  winners_ = UpperEnvelope(contest_, *kernel_).compute(members_);
   at_ = 0;
   set_certificate();
 }
@@ -62,10 +62,10 @@ void MaximumEnvelope::certificate_failed(CertificateId) {
 // certificate fails at once, and the change is an event like any other.
 void MaximumEnvelope::motions_changed(std::span<const ObjectId>) {
   const ObjectId old = winner();
-  winners_ = UpperEnvelope(contest_, kernel_->arithmetic()).compute(members_);
+  winners_ = UpperEnvelope(contest_, *kernel_).compute(members_);
   at_ = 0;
   const bool changed = !winners_.empty() && winners_[0] != old;
-  const bool tie = changed && kernel_->arithmetic().sign_after(contest_.claim(old, winners_[0])) !=
+  const bool tie = changed && kernel_->sign_after(contest_.claim(old, winners_[0])) !=
                                   Sign::kNegative;
   if (changed && !tie) winners_.insert(winners_.begin(), old);
   set_certificate();

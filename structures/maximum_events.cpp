@@ -7,8 +7,7 @@ namespace kinex {
 // at it too. Certificates of one instant leave the queue by structure: none of another can precede.
 bool MaximumEvents::instant_is_over(StructureId structure) const {
   if (kernel_->instant_is_shared(structure)) return false;
-  const EventQueue& queue = kernel_->queue();
-  return queue.empty() || kernel_->outlook(queue.top()) != Outlook::kFailsNow;
+  return !kernel_->failure_is_due();
 }
 
 void MaximumEvents::repaired(std::uint8_t kind, ObjectId old, ObjectId fresh, ObjectId winner) {
@@ -17,12 +16,12 @@ void MaximumEvents::repaired(std::uint8_t kind, ObjectId old, ObjectId fresh, Ob
   kernel_->report(id_, kind, {old, fresh}, says_all);
   if (says_all) return begin(winner);
   if (over) return settle(winner);
-  kernel_->set_instant_shared(id_, true);
+  kernel_->settle_later(id_);
 }
 
 void MaximumEvents::watched_changed(StructureId watched, ObjectId winner) {
   if (instant_is_over(watched)) return settle(winner);
-  kernel_->set_instant_shared(id_, true);
+  kernel_->settle_later(id_);
 }
 
 void MaximumEvents::settle(ObjectId winner) {

@@ -134,10 +134,7 @@ void MaximumHanger::settle_ties() {
 void MaximumHanger::motions_changed(std::span<const ObjectId> objects) {
   for (const ObjectId object : objects) {
     for (const CertificateId c : kernel_->certificates_of(object)) {
-      const Certificate& certificate = kernel_->queue().certificate(c);
-      if (certificate.structure == id_ && certificate.outlook == Outlook::kIdenticallyZero) {
-        ties_.push_back(certificate.tag);
-      }
+      if (kernel_->is_tie_of(id_, c)) ties_.push_back(kernel_->tag(c));
     }
   }
   settle_ties();

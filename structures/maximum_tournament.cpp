@@ -129,10 +129,7 @@ void MaximumTournament::motions_changed(std::span<const ObjectId> objects) {
     everywhere = everywhere || leaf_of_[object] == 0;
     touched_.push_back(leaf_of_[object] / 2);
     for (const CertificateId c : kernel_->certificates_of(object)) {
-      const Certificate& certificate = kernel_->queue().certificate(c);
-      if (certificate.structure == id_ && certificate.outlook == Outlook::kIdenticallyZero) {
-        ties.push_back(certificate.tag);
-      }
+      if (kernel_->is_tie_of(id_, c)) ties.push_back(kernel_->tag(c));
     }
   }
   if (everywhere) {

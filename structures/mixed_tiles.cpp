@@ -124,7 +124,7 @@ Query MixedTiles::order_after(std::uint8_t z, Id e, Id f) const {
 
 bool MixedTiles::before(std::uint8_t z, Id e, Id f) const {
   const Query query = order(z, e, f);
-  const Sign sign = kernel_.arithmetic().sign_after(query);
+  const Sign sign = kernel_.sign_after(query);
   // Identically parallel: A's normal comes first.
   return sign == Sign::kPositive || (sign == Sign::kZero && z == 0);
 }
@@ -135,7 +135,7 @@ Query MixedTiles::side(std::uint8_t z, Id edge, Id node, bool inward) const {
 }
 
 bool MixedTiles::beyond(std::uint8_t z, Id edge, Id node) const {
-  return kernel_.arithmetic().sign_after(side(z, edge, node, false)) != Sign::kNegative;
+  return kernel_.sign_after(side(z, edge, node, false)) != Sign::kNegative;
 }
 
 Query MixedTiles::along_query(std::uint8_t z, Id edge, Id own_node, Id node) const {
@@ -145,7 +145,7 @@ Query MixedTiles::along_query(std::uint8_t z, Id edge, Id own_node, Id node) con
 }
 
 Sign MixedTiles::along(std::uint8_t z, Id edge, Id own_node, Id node) const {
-  return kernel_.arithmetic().sign_after(along_query(z, edge, own_node, node));
+  return kernel_.sign_after(along_query(z, edge, own_node, node));
 }
 
 MixedTiles::Move MixedTiles::inner_side(const Tile& tile) const {
@@ -158,16 +158,16 @@ MixedTiles::Move MixedTiles::inner_side(const Tile& tile) const {
 
 // The line of edge e of Z at this node of W supports M if the node is at a vertex, or one of its
 // edges is parallel to e.
-bool MixedTiles::supports(std::uint8_t z, Id e, Id node, SignNow* now) const {
+bool MixedTiles::supports(std::uint8_t z, Id e, Id node, When when) const {
   const std::uint8_t w = other(z);
   if (cut_time(w, node) == kNever) return true;
-  if (now == nullptr && turns_) return false;
-  return is_parallel(z, e, tree(w).node(node).left_edge, now) ||
-         is_parallel(z, e, tree(w).node(node).right_edge, now);
+  if (when == When::kRightAfter && turns_) return false;
+  return is_parallel(z, e, tree(w).node(node).left_edge, when) ||
+         is_parallel(z, e, tree(w).node(node).right_edge, when);
 }
 
-bool MixedTiles::is_parallel(std::uint8_t z, Id e, Id f, SignNow* now) const {
-  return sign(order(z, e, f), now) == Sign::kZero;
+bool MixedTiles::is_parallel(std::uint8_t z, Id e, Id f, When when) const {
+  return sign(order(z, e, f), when) == Sign::kZero;
 }
 
 // A line that does not support M may do so at an instant at which normals are parallel: the point
@@ -179,7 +179,7 @@ Query MixedTiles::inner(const Tile& tile) const {
   return query;
 }
 
-MixedTiles::Face MixedTiles::face(const Move& at, SignNow* now) const {
+MixedTiles::Face MixedTiles::face(const Move& at, When when) const {
   const std::uint8_t z = at.x, w = other(z);
   Face face{{first_end(z, at.edge, kNever), last_end(z, at.edge, kNever)}, {at.node, at.node}};
   if (tree(w).is_point()) return face;
@@ -187,21 +187,21 @@ MixedTiles::Face MixedTiles::face(const Move& at, SignNow* now) const {
   for (const bool left : {true, false}) {
     Id f = left ? tree(w).node(at.node).left_edge : tree(w).node(at.node).right_edge;
     if (leaf) f = left ? edge_before(w, at.node, kNever) : edge_after(w, at.node, kNever);
-    if (!is_parallel(z, at.edge, f, now)) continue;
+    if (!is_parallel(z, at.edge, f, when)) continue;
     face.parallel = f;
     face.others = {first_end(w, f, kNever), last_end(w, f, kNever)};
   }
   return face;
 }
 
-std::optional<MixedTiles::Move> MixedTiles::touch(const Tile& tile, SignNow* now) const {
+std::optional<MixedTiles::Move> MixedTiles::touch(const Tile& tile, When when) const {
   const Move at = inner_side(tile);
   const std::uint8_t z = at.x;
-  if (sign(side(z, at.edge, at.node, false), now) != Sign::kZero) return std::nullopt;
-  if (!supports(z, at.edge, at.node, now)) return std::nullopt;
-  const Face m = face(at, now);
+  if (sign(side(z, at.edge, at.node, false), when) != Sign::kZero) return std::nullopt;
+  if (!supports(z, at.edge, at.node, when)) return std::nullopt;
+  const Face m = face(at, when);
   const auto place = [&](std::size_t own, std::size_t foreign) {
-    return sign(along_query(z, at.edge, m.own[own], m.others[foreign]), now);
+    return sign(along_query(z, at.edge, m.own[own], m.others[foreign]), when);
   };
   if (place(0, 0) == Sign::kNegative || place(1, 1) == Sign::kPositive) return std::nullopt;
   if (m.parallel == OuterHierarchy::kNone || place(1, 0) != Sign::kPositive) {
@@ -213,10 +213,10 @@ std::optional<MixedTiles::Move> MixedTiles::touch(const Tile& tile, SignNow* now
 MixedTiles::Certificates MixedTiles::slide(const Tile& tile) const {
   Certificates result;
   const Move at = inner_side(tile);
-  if (!supports(at.x, at.edge, at.node, nullptr) || sign(inner(tile), nullptr) != Sign::kZero) {
+  if (!supports(at.x, at.edge, at.node, When::kRightAfter) || sign(inner(tile), When::kRightAfter) != Sign::kZero) {
     return result;
   }
-  const Face m = face(at, nullptr);
+  const Face m = face(at, When::kRightAfter);
   const auto add = [&](std::size_t end, bool against) {
     Query query = along_query(at.x, at.edge, m.own[end], m.others[end]);
     query.predicate = (against ? predicates_.against_touch : predicates_.along_touch)[at.x];

@@ -100,7 +100,7 @@ class MixedTiles {
   std::optional<Tile> leave(std::uint8_t z, std::uint32_t edge, std::uint32_t vertex) const;
   // The side where the tile touches M, if the point is on M there (Move::tile is nullopt): right
   // after now, or at now if `now` is given. Requires that the certificates hold right after now.
-  std::optional<Move> touch(const Tile& tile, SignNow* now) const;
+  std::optional<Move> touch(const Tile& tile, When when) const;
   // While the point stays on the line of that side: certificates that fail where it comes to M or
   // leaves it; at most two.
   Certificates slide(const Tile& tile) const;
@@ -136,8 +136,8 @@ class MixedTiles {
   Query order(std::uint8_t z, Id e, Id f) const;  // non-negative iff before(z, e, f) or parallel
   Query order_after(std::uint8_t z, Id e, Id f) const;
   Query side(std::uint8_t z, Id edge, Id node, bool inward) const;
-  Sign sign(const Query& query, SignNow* now) const {
-    return now != nullptr ? now->sign_now(query) : kernel_.arithmetic().sign_after(query);
+  Sign sign(const Query& query, When when) const {
+    return kernel_.sign(query, when);
   }
   // Side 0 of a tile, the inner one. No other side can touch M, and this one only if its line
   // supports M.
@@ -147,9 +147,9 @@ class MixedTiles {
     std::array<Id, 2> own, others;
     Id parallel = 0xffffffffu;  // the edge of W that is parallel, if there is one
   };
-  Face face(const Move& at, SignNow* now) const;
-  bool supports(std::uint8_t z, Id e, Id node, SignNow* now) const;
-  bool is_parallel(std::uint8_t z, Id e, Id f, SignNow* now) const;
+  Face face(const Move& at, When when) const;
+  bool supports(std::uint8_t z, Id e, Id node, When when) const;
+  bool is_parallel(std::uint8_t z, Id e, Id f, When when) const;
   Query inner(const Tile& tile) const;
   bool beyond(std::uint8_t z, Id edge, Id node) const;  // right after now
   Query along_query(std::uint8_t z, Id edge, Id own_node, Id node) const;

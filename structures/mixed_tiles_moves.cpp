@@ -63,9 +63,9 @@ MixedTiles::Move MixedTiles::descend(std::uint8_t z, Id edge, Id node, int time)
 MixedTiles::Move MixedTiles::at_boundary(std::uint8_t z, Id edge, Id node) const {
   const Id l = first_end(z, edge, kNever), r = last_end(z, edge, kNever);
   const Move here{std::nullopt, z, edge, node};
-  if (auto* const now = dynamic_cast<SignNow*>(&kernel_.arithmetic())) {
-    const Sign to_first = now->sign_now(along_query(z, edge, l, node));
-    const Sign to_last = now->sign_now(along_query(z, edge, r, node));
+  if (kernel_.tells_sign_now()) {
+    const Sign to_first = kernel_.sign(along_query(z, edge, l, node), When::kNow);
+    const Sign to_last = kernel_.sign(along_query(z, edge, r, node), When::kNow);
     if (to_first == Sign::kPositive && to_last == Sign::kNegative) return here;
   }
   const Move searched{std::nullopt, z, edge, node, true};
@@ -95,7 +95,7 @@ std::uint32_t MixedTiles::choose_side(const Tile& tile, std::uint32_t slot) cons
   const std::uint32_t own = is_inner ? 0 : 1, lateral = is_inner ? inner : outer;
   const Certificates proof = certificates(tile);
   const std::uint32_t partner = slot == own ? lateral : own;
-  if (kernel_.arithmetic().sign_after(proof.query[partner]) != Sign::kNegative) return slot;
+  if (kernel_.sign_after(proof.query[partner]) != Sign::kNegative) return slot;
   const OuterHierarchy::Node& v = tree(x).node(tile.v);
   const int time = cut_time(x, tile.v);
   const Id f = tile.other;
@@ -207,7 +207,7 @@ std::optional<MixedTiles::Move> MixedTiles::next(const Tile& tile, std::uint32_t
 bool MixedTiles::holds(const Tile& tile) const {
   const Certificates proof = certificates(tile);
   for (std::uint32_t i = 0; i < proof.sides; ++i) {
-    if (kernel_.arithmetic().sign_after(proof.query[i]) == Sign::kNegative) return false;
+    if (kernel_.sign_after(proof.query[i]) == Sign::kNegative) return false;
   }
   return true;
 }
@@ -276,7 +276,7 @@ std::optional<Tile> MixedTiles::leave(std::uint8_t z, std::uint32_t edge,
   const Tile tile = ascend(z, tree(z).edge_on(edge), node, kNever);
   const Certificates proof = certificates(tile);
   for (std::uint32_t i = 0; i < proof.count; ++i) {
-    if (kernel_.arithmetic().sign_after(proof.query[i]) == Sign::kNegative) return locate();
+    if (kernel_.sign_after(proof.query[i]) == Sign::kNegative) return locate();
   }
   return tile;
 }

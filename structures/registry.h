@@ -1,44 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The registry of structures: names to constructors.
+// The registry of structures: names to descriptors and makers. It walks over the families and knows
+// none of them.
 #ifndef KINEX_STRUCTURES_REGISTRY_H
 #define KINEX_STRUCTURES_REGISTRY_H
 
 #include <memory>
-#include <string>
+#include <optional>
 #include <string_view>
 #include <vector>
 
-#include "core/kernel.h"
-#include "core/scene.h"
-#include "core/structure.h"
+#include "structures/descriptor.h"
 
 namespace kinex {
 
-struct StructureInfo {
-  std::string_view name;     // as in "maintain"
-  std::string_view summary;  // one line
-  int min_dimension;         // axes that a scene must have
-  bool uses_key;             // takes a "key"
-  std::string_view reads;    // the structure, of the same key, that it watches; empty: none
-  bool linear = false;       // for linear motions and keys (not squared distances) only
-  bool bodies = false;       // for rigid bodies; otherwise for points
-  bool collisions = false;   // maintains the pairs of bodies in contact
-  bool unturned = false;     // for bodies that do not turn against each other only
-
-  // A structure with a key also takes scenes of more axes; others would ignore some axes.
-  bool any_dimension() const { return uses_key; }
-  // The shape of its attribute.
-  Attribute::Shape attribute_shape() const;
-};
-
-// All structures, in the order in which users see them.
+// All structures, in the order in which they are listed to people: family by family.
 const std::vector<StructureInfo>& structure_infos();
 // nullptr if there is no such structure.
 const StructureInfo* find_structure_info(std::string_view name);
+// The name of the family that a registered structure belongs to.
+std::string_view family_of(std::string_view structure);
+// The groups of structures that maintain one attribute, in the order of their first structures.
+std::vector<std::string_view> structure_groups();
 
-// Makes the structure for `request`, with id `id` in `kernel`. Throws std::invalid_argument if the
-// request is not valid for the scene (the scene reader checks that). `watched`: the structure that
-// it reads (StructureInfo::reads), which outlives it.
+// Why the structure cannot be maintained in the scene, whatever its key; nullopt: it can be. The
+// problem begins with a verb: "needs 2 axes, the scene has 1". A scene without objects may be of
+// points or of bodies.
+std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene);
+// Likewise for the key of a structure that uses one.
+std::optional<Refusal> refusal_of_key(const StructureInfo& info, const Key& key);
+
+// Makes the structure that `request` asks for, with id `id` in `kernel`. `watched`: the structure
+// that it reads (StructureInfo::reads), which outlives it. Throws std::invalid_argument, with
+// problem and remedy, for what the functions above refuse.
 std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene,
                                           Kernel& kernel, StructureId id,
                                           const Structure* watched = nullptr);

@@ -34,7 +34,7 @@ const RoughPolygon& SeparationHysteresis::rough(ObjectId body, bool negated) {
 
 RoughPose SeparationHysteresis::pose_now(PairId p, Frame frame) {
   const Trajectory& pose = kernel_.derived().trajectory(pair(p).pose);
-  const double now = kernel_.arithmetic().now_rounded();
+  const double now = kernel_.coarse_now();
   const RoughPose rough_pose(pose, now, frame);
   if (!is_too_rough(rough_pose, rough(pair(p).a, false), rough(pair(p).b, true))) return rough_pose;
   return RoughPose::precise(pose, now, frame);
@@ -83,7 +83,7 @@ bool SeparationHysteresis::put_wedge(PairId p, const WedgePlan& plan, const Roug
                                  Query(x.normal_order, {body, ids[2], ids[0]})};
   const std::span<const Query> queries(all.data(), found->turns ? 3 : 1);
   for (const Query& query : queries) {
-    if (kernel_.arithmetic().sign_after(query) != Sign::kPositive) {
+    if (kernel_.sign_after(query) != Sign::kPositive) {
       wedge.turn ^= 1;
       return false;
     }
@@ -125,9 +125,9 @@ void SeparationHysteresis::measure(PairId p) {
 }
 
 // While a wedge holds the bodies are apart.
-std::optional<CollisionPairs::Features> SeparationHysteresis::touch(PairId p, SignNow* now) {
+std::optional<CollisionPairs::Features> SeparationHysteresis::touch(PairId p, When when) {
   if (wedges_[p].in_use) return std::nullopt;
-  return ClosestFeatures::touch(p, now);
+  return ClosestFeatures::touch(p, when);
 }
 
 void SeparationHysteresis::fail(PairId p, std::uint32_t slot) {

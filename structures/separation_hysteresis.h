@@ -59,7 +59,7 @@ class SeparationHysteresis final : public ClosestFeatures {
  protected:
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
-  std::optional<Features> touch(PairId p, SignNow* now) override;
+  std::optional<Features> touch(PairId p, When when) override;
 
  private:
   struct Wedge {

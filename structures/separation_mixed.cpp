@@ -25,7 +25,7 @@ MixedTiles SeparationMixed::tiles(PairId p) {
 std::uint32_t SeparationMixed::prove(const MixedTiles& about, const Tile& tile, Proof& queries) {
   const MixedTiles::Certificates proof = about.certificates(tile);
   std::copy_n(proof.query.begin(), proof.count, queries.begin());
-  if (now_ == nullptr) return proof.count;
+  if (!kernel_.tells_sign_now()) return proof.count;
   const MixedTiles::Certificates slide = about.slide(tile);
   if (slide.count == 0) return proof.count;
   slides_ = true;
@@ -45,7 +45,7 @@ void SeparationMixed::enter(PairId p, const MixedTiles& about, const Tile& tile)
 
 // The point may begin to slide, stop, or slide along a side of M that is longer now.
 void SeparationMixed::moved(PairId p) {
-  if (now_ == nullptr) return;
+  if (!kernel_.tells_sign_now()) return;
   Proof queries;
   const std::uint32_t count = prove(tiles(p), tile_[p], queries);
   bool same = count == pair(p).certificates;
@@ -73,11 +73,8 @@ bool SeparationMixed::leave(PairId p, const SumBoundary::Edge& edge) {
 }
 
 std::uint64_t SeparationMixed::signs_asked() const {
-  const auto& counters = kernel_.arithmetic().counters().by_predicate;
   std::uint64_t sum = 0;
-  const auto add = [&](PredicateId id) {
-    for (const std::uint64_t count : counters[id].signs) sum += count;
-  };
+  const auto add = [&](PredicateId id) { sum += kernel_.signs_asked(id); };
   for (const auto& ids :
        {predicates_.side, predicates_.inside, predicates_.along, predicates_.touch,
         predicates_.touch_inside, predicates_.along_touch, predicates_.against_touch}) {
@@ -135,8 +132,8 @@ void SeparationMixed::fail(PairId p, std::uint32_t slot) {
   report(p, half ? kCell : is_side ? kSide : kFlip);
 }
 
-std::optional<CollisionPairs::Features> SeparationMixed::touch(PairId p, SignNow* now) {
-  const auto move = tiles(p).touch(tile_[p], now);
+std::optional<CollisionPairs::Features> SeparationMixed::touch(PairId p, When when) {
+  const auto move = tiles(p).touch(tile_[p], when);
   touches_ = touches_ || move || pair(p).resting;
   if (!move) return std::nullopt;
   return features(p, *move);

@@ -76,7 +76,7 @@ class SeparationMixed : public CollisionPairs {
   std::uint32_t most_certificates() const override {
     return MixedTiles::kMost + slide_certificates();
   }
-  std::optional<Features> touch(PairId p, SignNow* now) override;
+  std::optional<Features> touch(PairId p, When when) override;
   // The features of the two bodies that meet.
   virtual Features features(PairId p, const MixedTiles::Move& contact);
   // The two hierarchies of a pair.

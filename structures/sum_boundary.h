@@ -57,7 +57,7 @@ class SumBoundary {
   // other, or before it.
   Query order_after(std::uint8_t z, Id e, Id f) const;
   Query order_before(std::uint8_t z, Id e, Id f) const;
-  Sign sign(const Query& query) const { return kernel_.arithmetic().sign_after(query); }
+  Sign sign(const Query& query) const { return kernel_.sign_after(query); }
   bool before(std::uint8_t z, Id e, Id f) const;
 
   // The edge of M after (before) its vertex x + y: of the two candidates, one of either polygon,

@@ -27,8 +27,8 @@ namespace kinex {
 
 class UpperEnvelope {
  public:
-  UpperEnvelope(const Contest& contest, Arithmetic& arithmetic)
-      : contest_(&contest), foresight_(arithmetic), exact_(arithmetic.is_exact()) {}
+  UpperEnvelope(const Contest& contest, Kernel& kernel)
+      : contest_(&contest), foresight_(kernel.foresight()), exact_(kernel.is_exact()) {}
 
   // The winners from now on, one after another; empty if there are no members. Requires ascending
   // members.

@@ -67,13 +67,13 @@ Result measure(const Scene& scene, const char* arithmetic) {
   simulator.run_until(std::nullopt);
   result.run = cpu_seconds() - built;
   result.build = built - start;
-  const StructureLedger& ledger = simulator.kernel().ledger(0);
+  const StructureLedger& ledger = simulator.ledger(0);
   result.events = ledger.processed;
   result.certificates = ledger.certificates_created;
   result.corrupt = ledger.corrupt;
   result.by_kind = ledger.by_kind;
   for (const PredicateCounters& predicate :
-       simulator.kernel().arithmetic().counters().by_predicate) {
+       simulator.arithmetic().counters().by_predicate) {
     for (std::size_t stage = 0; stage < kStages; ++stage) {
       const std::uint64_t both = predicate.signs[stage] + predicate.failures[stage];
       result.signs += both;

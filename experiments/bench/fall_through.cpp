@@ -37,7 +37,7 @@ Result run_once(const Scene& scene) {
   simulator.run_until(scene.end);
   Result result;
   result.seconds = cpu_seconds() - begin;
-  for (const PredicateCounters& p : simulator.kernel().arithmetic().counters().by_predicate) {
+  for (const PredicateCounters& p : simulator.arithmetic().counters().by_predicate) {
     for (const StageCounts* counts : {&p.signs, &p.failures, &p.looks, &p.comparisons}) {
       for (int s = 0; s < kStages; ++s) {
         const bool exact = s == static_cast<int>(Stage::kExact);

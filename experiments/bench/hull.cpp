@@ -41,7 +41,7 @@ struct Result {
 std::uint64_t signs_so_far(const Simulator& simulator) {
   std::uint64_t sum = 0;
   for (const PredicateCounters& predicate :
-       simulator.kernel().arithmetic().counters().by_predicate) {
+       simulator.arithmetic().counters().by_predicate) {
     for (const std::uint64_t count : predicate.signs) sum += count;
   }
   return sum;
@@ -76,7 +76,7 @@ Result measure(const Scene& scene, const char* arithmetic, std::uint64_t events)
   result.bytes = simulator.ledger().peak_bytes;
   result.signs = signs_so_far(simulator) - signs;
   for (std::size_t i = 0; i < simulator.structures(); ++i) {
-    const StructureLedger& ledger = simulator.kernel().ledger(static_cast<StructureId>(i));
+    const StructureLedger& ledger = simulator.ledger(static_cast<StructureId>(i));
     result.live += ledger.max_live;
     result.changed += ledger.created_per_event.total + ledger.retracted_per_event.total;
     result.per_object = std::max(result.per_object, ledger.max_per_object);

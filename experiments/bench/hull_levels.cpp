@@ -75,7 +75,7 @@ class Run {
     simulator_.run_until(std::nullopt);
     seconds_ = cpu_seconds() - start;
   }
-  const StructureLedger& ledger() { return simulator_.kernel().ledger(0); }
+  const StructureLedger& ledger() { return simulator_.ledger(0); }
   const ConvexHull2& hull() { return dynamic_cast<const ConvexHull2&>(simulator_.structure(0)); }
   double seconds() const { return seconds_; }
 

@@ -54,10 +54,10 @@ Result run_once(const Scene& scene) {
   result.seconds = cpu_seconds() - begin;
   result.events = simulator.ledger().events;
   result.bytes = simulator.ledger().peak_bytes;
-  const auto& solved = simulator.kernel().arithmetic().counters().polynomials_solved;
+  const auto& solved = simulator.arithmetic().counters().polynomials_solved;
   for (std::size_t d = 1; d < solved.size(); ++d) result.polynomials += solved[d];
   for (StructureId id = 0; id < simulator.structures(); ++id) {
-    result.roots += simulator.kernel().ledger(id).failures_found;
+    result.roots += simulator.ledger(id).failures_found;
   }
   return result;
 }

@@ -43,7 +43,7 @@ Result run_once(const Scene& scene, const char* arithmetic, Scheduling schedulin
   simulator.start();
   const double begin = cpu_seconds();
   simulator.run_until(scene.end);
-  const StructureLedger& ledger = simulator.kernel().ledger(0);
+  const StructureLedger& ledger = simulator.ledger(0);
   return {cpu_seconds() - begin, ledger.failures_found, ledger.failures_unused, ledger.windows};
 }
 

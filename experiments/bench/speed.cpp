@@ -79,13 +79,13 @@ Result run_once(const Scene& scene, const char* arithmetic, std::uint64_t max_ev
   simulator.run_until(scene.end);
   Result result;
   result.seconds = cpu_seconds() - begin;
-  const StructureLedger& ledger = simulator.kernel().ledger(asked_structure(scene));
+  const StructureLedger& ledger = simulator.ledger(asked_structure(scene));
   result.events = simulator.ledger().events;
   result.external = ledger.external;
   result.corrupt = ledger.corrupt;
   result.peak_bytes = simulator.ledger().peak_bytes;
   result.max_live = ledger.max_live;
-  for (const PredicateCounters& p : simulator.kernel().arithmetic().counters().by_predicate) {
+  for (const PredicateCounters& p : simulator.arithmetic().counters().by_predicate) {
     for (std::size_t s = 0; s < kStages; ++s) result.failures[s] += p.failures[s];
   }
   return result;

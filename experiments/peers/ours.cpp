@@ -66,8 +66,8 @@ OurRun run_ours(const Scene& scene, const std::string& structure, const std::str
   result.run_seconds = cpu_seconds() - built;
   result.build_seconds = built - begin;
   result.contact = sink.time;
-  const StructureLedger& ledger = simulator.kernel().ledger(id);
-  const ArithmeticCounters& counters = simulator.kernel().arithmetic().counters();
+  const StructureLedger& ledger = simulator.ledger(id);
+  const ArithmeticCounters& counters = simulator.arithmetic().counters();
   result.events = ledger.processed;
   result.roots = ledger.failures_found;
   for (const std::uint64_t count : counters.polynomials_solved) result.polynomials += count;

@@ -81,13 +81,13 @@ std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool(
   const GmpGuard guard(&simulator->deadline());
   simulator->start();
   RunRecord record;
-  const std::uint64_t signs_at_start = signs_of(simulator->kernel().arithmetic().counters());
+  const std::uint64_t signs_at_start = signs_of(simulator->arithmetic().counters());
   record.key = key.text();
   record.seconds_setup = cpu_seconds() - begin;
   begin = cpu_seconds();
   const RunStatus status = simulator->run_until(std::nullopt);
   record.seconds = cpu_seconds() - begin;
-  record.signs = signs_of(simulator->kernel().arithmetic().counters()) - signs_at_start;
+  record.signs = signs_of(simulator->arithmetic().counters()) - signs_at_start;
   if (status == RunStatus::kInterrupted || !go_on()) return std::nullopt;
   const StructureId id = asked_structure(scene);
   if (status == RunStatus::kDone && !simulator->audit()) {
@@ -106,15 +106,15 @@ std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool(
         record.trouble = "bound " + bound.id;
       }
     }
-    const StructureLedger& ledger = simulator->kernel().ledger(other);
+    const StructureLedger& ledger = simulator->ledger(other);
     record.max_live += ledger.max_live;
     record.max_per_object += ledger.max_per_object;
   }
-  const StructureLedger& ledger = simulator->kernel().ledger(id);
+  const StructureLedger& ledger = simulator->ledger(id);
   record.processed = simulator->ledger().events;
   record.external = ledger.external;
   record.kinds = ledger.by_kind;
-  record.solved = simulator->kernel().arithmetic().counters().polynomials_solved;
+  record.solved = simulator->arithmetic().counters().polynomials_solved;
   record.peak_bytes = simulator->ledger().peak_bytes;
   return record;
 }

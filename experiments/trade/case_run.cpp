@@ -48,10 +48,10 @@ std::string audit_at(const Simulator& simulator, const Rational& t) {
 }
 
 // Why the run is corrupt: the reason of the first corrupt structure; its readers give none.
-std::string corruption_of(const Kernel& kernel) {
+std::string corruption_of(const Simulator& simulator) {
   StructureId id = 0;
-  while (!kernel.ledger(id).corrupt) ++id;
-  return kernel.ledger(id).corruption;
+  while (!simulator.ledger(id).corrupt) ++id;
+  return simulator.ledger(id).corruption;
 }
 
 void note_wrong(TradeRun& run, const std::string& time, const std::string& what) {
@@ -64,7 +64,7 @@ void note_wrong(TradeRun& run, const std::string& time, const std::string& what)
 bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& checkpoints,
                           std::uint64_t max_events, TradeRun& run) {
   run.checkpoints = static_cast<int>(checkpoints.size()) + 1;
-  const StructureLedger& ledger = simulator.kernel().ledger(asked_structure(simulator.scene()));
+  const StructureLedger& ledger = simulator.ledger(asked_structure(simulator.scene()));
   RunStatus status = RunStatus::kDone;
   simulator.start();
   for (const Rational& t : checkpoints) {
@@ -90,7 +90,7 @@ bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& che
   run.peak_bytes = simulator.ledger().peak_bytes;
   if (ledger.corrupt) {
     run.ending = Ending::kCorrupt;
-    run.trouble = corruption_of(simulator.kernel());
+    run.trouble = corruption_of(simulator);
     run.guard_fired = run.trouble.rfind(kGuardText, 0) == 0;
   } else if (status == RunStatus::kLimit) {
     run.ending = max_events != 0 && simulator.ledger().events >= max_events ? Ending::kEndless

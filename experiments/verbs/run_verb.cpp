@@ -218,7 +218,7 @@ void run(const RunOptions& options, int& exit_code) {
     };
     simulator = make_simulator(scene, options.arithmetic, simulator_options);
     const std::string model =
-        describe_model(scene, hash) + "numbers   " + simulator->kernel().arithmetic().name() + "\n";
+        describe_model(scene, hash) + "numbers   " + simulator->arithmetic().name() + "\n";
     if (refused) {
       // It has been printed.
     } else if (json) {

@@ -116,7 +116,7 @@ void set_structures(Viewed& viewed, const Options& options, const std::string& s
   }
   for (const Request& request : viewed.scene.maintain) {
     const StructureInfo* info = find_structure_info(request.structure);
-    if (info != nullptr && info->bodies && !info->collisions) {
+    if (info != nullptr && info->bodies && !info->follows_bodies()) {
       throw InputError("--maintain", "", request.structure + " follows nothing that could be shown",
                        "maintain a structure for collisions");
     }

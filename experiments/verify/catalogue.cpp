@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/verify/catalogue.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -15,16 +16,14 @@ namespace kinex {
 namespace {
 
 bool is_group(std::string_view structure) {
-  return structure == "all" || structure == "maximum" || structure == "minimum" ||
-         structure == "convex_hull" || structure == "collision";
+  const std::vector<std::string_view> groups = structure_groups();
+  return structure == "all" ||
+         std::find(groups.begin(), groups.end(), structure) != groups.end();
 }
 
 bool is_selected(std::string_view structure, const StructureInfo& info) {
-  const std::string_view name = info.name;
-  if (structure == "all" || structure == name) return true;
-  if (structure == "collision") return info.collisions;
-  return is_group(structure) &&
-         name.substr(0, structure.size() + 1) == std::string(structure) + "_";
+  return structure == "all" || structure == info.name ||
+         (!info.group.empty() && structure == info.group);
 }
 
 // In the registry's order; those of one structure keep theirs.
@@ -62,7 +61,8 @@ void count_comparisons(std::vector<Cell>& cells) {
 
 Catalogue make_catalogue(std::string_view structure, Extent extent) {
   if (!is_group(structure) && find_structure_info(structure) == nullptr) {
-    std::string names = "all, maximum, minimum, convex_hull, collision";
+    std::string names = "all";
+    for (const std::string_view group : structure_groups()) names += ", " + std::string(group);
     for (const StructureInfo& info : structure_infos()) names += ", " + std::string(info.name);
     throw InputError("verify", "", show_text(structure) + " is not a structure",
                      "choose one of " + names);

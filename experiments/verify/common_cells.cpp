@@ -43,22 +43,24 @@ constexpr Scenes kScenes[] = {
 struct BodyScenes {
   const char* workload;
   int n, degree;
-  bool turns;  // the bodies turn against each other
 };
 
 constexpr BodyScenes kBodyScenes[] = {
-    {"polygon-random", 8, 1, true},      {"polygon-random", 8, 2, true},
-    {"polygon-random", 8, 3, true},      {"polygons-in-box", 5, 1, true},
-    {"polygon-orbit-arcs", 8, 1, false}, {"polygon-spin-orbit", 8, 1, true},
-    {"polygon-gears", 9, 1, true},       {"polygon-jitter", 8, 1, false},
-    {"polygon-kinks", 8, 1, false},      {"polygon-approach", 8, 1, false},
+    {"polygon-random", 8, 1},      {"polygon-random", 8, 2},
+    {"polygon-random", 8, 3},      {"polygons-in-box", 5, 1},
+    {"polygon-orbit-arcs", 8, 1}, {"polygon-spin-orbit", 8, 1},
+    {"polygon-gears", 9, 1},       {"polygon-jitter", 8, 1},
+    {"polygon-kinks", 8, 1},      {"polygon-approach", 8, 1},
 };
 
 void add_common_body_cells(Catalogue& catalogue, const StructureInfo& structure, Extent extent) {
   for (const BodyScenes& scenes : kBodyScenes) {
-    if (scenes.turns && structure.unturned) continue;
     const Workload* workload = find_workload(scenes.workload);
     if (workload == nullptr) continue;
+    WorkloadParameters parameters;
+    parameters.n = scenes.n;
+    parameters.degree = scenes.degree;
+    if (refusal_of(structure, generate_scene(*workload, parameters))) continue;
     Cell cell;
     cell.question = "Do the hard bounds hold?";
     cell.structure = structure.name;
@@ -95,7 +97,7 @@ void add_common_cells(Catalogue& catalogue, const StructureInfo& structure, Exte
         dimension > workload->max_dimension) {
       continue;  // for one-dimensional structures a scene in the plane adds nothing
     }
-    if (structure.linear && scenes.degree > 1) continue;
+    if (structure.linear() && scenes.degree > 1) continue;
     Cell cell;
     cell.question = "Do the hard bounds hold?";
     cell.structure = structure.name;

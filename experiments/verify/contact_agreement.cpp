@@ -103,7 +103,7 @@ StudyResult study_contacts(bool quick, const std::function<bool()>& go_on) {
         find_contacts(scene.objects[0], scene.objects[1], scene.start, scene.end);
     const std::vector<RealRoot> truth = instants_of(witness);
     for (const StructureInfo& info : structure_infos()) {
-      if (!info.collisions || (turning && info.unturned)) continue;
+      if (!info.follows_bodies() || refusal_of(info, scene)) continue;
       const std::string name(info.name);
       Tally& tally = tallies[name];
       ++tally.scenes;

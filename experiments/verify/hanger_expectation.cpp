@@ -92,7 +92,7 @@ std::uint64_t events_of(const Scene& scene, std::uint64_t seed) {
                 "maximum_hanger");
   simulator.start();
   simulator.run_until(std::nullopt);
-  return simulator.kernel().ledger(id).processed;
+  return simulator.ledger(id).processed;
 }
 
 struct Row {

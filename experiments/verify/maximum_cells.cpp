@@ -91,11 +91,11 @@ Cell new_cell(const std::string& structure, const Family& family) {
 
 void add_maximum_comparison(Catalogue& catalogue, Extent extent) {
   for (const StructureInfo& info : structure_infos()) {
-    if (info.name.substr(0, 8) != "maximum_") continue;
+    if (info.group != "maximum") continue;
     const std::string structure(info.name);
     for (const Family& family : kFamilies) {
       if (family.full_only && extent == Extent::kQuick) continue;
-      if (info.linear && family.degree > 1) continue;
+      if (info.linear() && family.degree > 1) continue;
       auto cell = std::find_if(catalogue.cells.begin(), catalogue.cells.end(), [&](const Cell& c) {
         return c.structure == structure && c.workload == family.workload && !c.mirrored &&
                c.parameters.n == family.n && c.parameters.degree == family.degree;

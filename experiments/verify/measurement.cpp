@@ -129,25 +129,24 @@ Measurement measure(const Scene& scene, std::string_view arithmetic, SimulatorOp
       make_simulator(scene, std::string(arithmetic), std::move(options));
   const GmpGuard guard(&simulator->deadline());
   simulator->start();
-  result.signs_at_start = all_signs(simulator->kernel().arithmetic().counters());
-  result.failures_at_start = all_failures(simulator->kernel().arithmetic().counters());
+  result.signs_at_start = all_signs(simulator->arithmetic().counters());
+  result.failures_at_start = all_failures(simulator->arithmetic().counters());
   const double begin = cpu_seconds();
   result.status = simulator->run_until(std::nullopt);
   result.seconds = cpu_seconds() - begin;
-  const Kernel& kernel = simulator->kernel();
-  result.numbers = kernel.arithmetic().counters();
+  result.numbers = simulator->arithmetic().counters();
   if (audit_end && result.status == RunStatus::kDone) simulator->audit();
-  result.arithmetic = kernel.arithmetic().name();
+  result.arithmetic = simulator->arithmetic().name();
   const StructureId asked = asked_structure(scene);
-  result.ledger = result.costs = kernel.ledger(asked);
+  result.ledger = result.costs = simulator->ledger(asked);
   for (StructureId id = 0; id < simulator->structures(); ++id) {
-    if (id != asked) add_costs(kernel.ledger(id), result.costs);
+    if (id != asked) add_costs(simulator->ledger(id), result.costs);
   }
   result.run = simulator->ledger();
   // Structures that read one another may use the same predicate: counted under one name.
   std::vector<PredicateCounters> counters;
   for (std::size_t id = 0; id < result.numbers.by_predicate.size(); ++id) {
-    const std::string name(kernel.arithmetic().predicate(static_cast<PredicateId>(id)).name());
+    const std::string name(simulator->arithmetic().predicate(static_cast<PredicateId>(id)).name());
     const auto known = std::find(result.predicates.begin(), result.predicates.end(), name);
     const auto place = static_cast<std::size_t>(known - result.predicates.begin());
     if (known == result.predicates.end()) {

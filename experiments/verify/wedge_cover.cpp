@@ -92,7 +92,7 @@ Outcome run(Scene& scene) {
   const auto simulator = make_simulator(scene, "exact", {});
   const bool clean = run_scene(*simulator, {}).clean(*simulator);
   const auto& structure = dynamic_cast<const SeparationHysteresis&>(simulator->structure(0));
-  return {simulator->kernel().ledger(0).processed, structure.least_displacement(), clean};
+  return {simulator->ledger(0).processed, structure.least_displacement(), clean};
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ std::uint32_t ProofRecorder::claim(const Query& query, bool of_sum) {
     made.predicate = query.predicate;
     made.arguments = std::move(arguments);
     const std::string_view name =
-        simulator_.kernel().arithmetic().predicate(query.predicate).name();
+        simulator_.arithmetic().predicate(query.predicate).name();
     for (std::size_t i = 0; i < query.arity; ++i) {
       made.features.push_back(feature(query, i, name, of_sum));
     }
@@ -127,13 +127,13 @@ std::uint32_t ProofRecorder::claim(const Query& query, bool of_sum) {
 void ProofRecorder::look(StructureId id, const Structure& structure, std::uint64_t event) {
   if (watched_.size() <= id) watched_.resize(run_.structures.size());
   Watched& watched = watched_[id];
-  const StructureLedger& ledger = simulator_.kernel().ledger(id);
+  const StructureLedger& ledger = simulator_.ledger(id);
   if (watched.created == ledger.certificates_created &&
       watched.retracted == ledger.certificates_retracted)
     return;
   watched.created = ledger.certificates_created;
   watched.retracted = ledger.certificates_retracted;
-  const EventQueue& queue = simulator_.kernel().queue();
+  const EventQueue& queue = simulator_.queue();
   std::vector<std::pair<std::uint32_t, CertificateId>> live;
   for (CertificateId c = 0; c < queue.capacity(); ++c) {
     const Certificate& certificate = queue.certificate(c);

@@ -226,7 +226,7 @@ class Recorder final : public EventSink {
     state.begun = true;
     state.first_pending = 0;
     state.changed = false;
-    if (simulator_->kernel().ledger(id).corrupt) return;
+    if (simulator_->ledger(id).corrupt) return;
     state.attribute = state.structure->attribute();
     run_.structures[id].initial = state.attribute;
     if (proofs_) proofs_->look(id, *state.structure, events_);
@@ -240,7 +240,7 @@ class Recorder final : public EventSink {
     if (!state.begun) return take_initial(id);
     const std::uint64_t first = std::exchange(state.first_pending, 0);
     const bool changed = std::exchange(state.changed, false);
-    if (simulator_->kernel().ledger(id).corrupt) return;
+    if (simulator_->ledger(id).corrupt) return;
     if (proofs_ && !full_) proofs_->look(id, *state.structure, first != 0 ? first : events_);
     if (first == 0 ? full_ : !changed) return;
     Attribute attribute = state.structure->attribute();
@@ -254,7 +254,7 @@ class Recorder final : public EventSink {
   void note_corruption() {
     if (full_) return;
     for (StructureId id = 0; id < run_.structures.size(); ++id) {
-      const StructureLedger& ledger = simulator_->kernel().ledger(id);
+      const StructureLedger& ledger = simulator_->ledger(id);
       RecordedStructure& structure = run_.structures[id];
       if (!ledger.corrupt || structure.corrupt_after) continue;
       structure.corrupt_after = events_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/kernel.h"
+#include "core/scheduler.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ struct Fixture {
   explicit Fixture(std::size_t objects = 10) {
     auto made = std::make_unique<FakeArithmetic>();
     arithmetic = made.get();
-    kernel = std::make_unique<Kernel>(std::move(made), objects);
+    kernel = std::make_unique<Scheduler>(std::move(made), objects);
     a = kernel->add_structure();
     b = kernel->add_structure();
   }
@@ -28,7 +28,7 @@ struct Fixture {
   }
 
   FakeArithmetic* arithmetic;
-  std::unique_ptr<Kernel> kernel;
+  std::unique_ptr<Scheduler> kernel;
   StructureId a = 0, b = 0;
 };
 
@@ -318,7 +318,7 @@ TEST(Kernel, ASignMayNameAnObjectTwice) {
                                   {{Rational(1)}, {Rational(2), Rational(-1)}}},
                                  Rational(0));
   for (const char* name : {"exact", "sturm", "double", "gsl", "mpfr:53"}) {
-    Kernel kernel(make_arithmetic(name, scene), scene.objects.size());
+    Scheduler kernel(make_arithmetic(name, scene), scene.objects.size());
     set_motions(scene, kernel.arithmetic());
     const PredicateId order = kernel.bind(make_predicate<Order>());
     const PredicateId nearer = kernel.bind(make_predicate<DistanceOrder>());

@@ -64,7 +64,7 @@ TEST(RunClock, WhatTheSinkTakesIsChargedApart) {
   EXPECT_GT(run.simulator.seconds_report(), 0.9 * burnt);
   EXPECT_LT(run.simulator.seconds_report(), 1.1 * burnt);
   EXPECT_LT(run.simulator.seconds_simulate(), 0.5 * burnt);
-  EXPECT_LT(run.simulator.kernel().ledger(0).seconds, 0.5 * burnt);
+  EXPECT_LT(run.simulator.ledger(0).seconds, 0.5 * burnt);
 }
 
 TEST(RunClock, WaitingIsWallTimeOnly) {
@@ -85,9 +85,9 @@ TEST(RunClock, WithoutASinkNothingIsReported) {
   EXPECT_GT(run.simulator.seconds_setup(), 0.0);
   EXPECT_GT(run.simulator.seconds_simulate(), 0.0);
   EXPECT_GT(run.simulator.seconds_audit(), 0.0);
-  EXPECT_GT(run.simulator.kernel().ledger(0).seconds, 0.0);
+  EXPECT_GT(run.simulator.ledger(0).seconds, 0.0);
   const double all = run.simulator.seconds_setup() + run.simulator.seconds_simulate();
-  EXPECT_LE(run.simulator.kernel().ledger(0).seconds, all);
+  EXPECT_LE(run.simulator.ledger(0).seconds, all);
 }
 
 // Short calls are sampled: their sum is estimated, even if their cost is periodic.

@@ -34,7 +34,7 @@ struct Fixture {
     options.audit = AuditLevel::kEvents;
     return options;
   }
-  const StructureLedger& ledger() const { return simulator.kernel().ledger(0); }
+  const StructureLedger& ledger() const { return simulator.ledger(0); }
   std::vector<ObjectId> ids() const { return list->attribute().ids; }
   void expect_clean() const { EXPECT_EQ(simulator.violations(), Calls{}); }
 

@@ -71,10 +71,10 @@ TEST(Simulator, WatchersAreToldOfEveryChange) {
   c->simulator->schedule_insertion(Rational(4), 1, path({{-1}}));
   c->simulator->run_until(std::nullopt);
   EXPECT_THAT(c->first->calls, ElementsAre("event", "event", "anew", "anew"));
-  EXPECT_EQ(c->simulator->kernel().ledger(1).by_kind.at("swap"), 4u);
-  EXPECT_EQ(c->simulator->kernel().ledger(1).failures, 0u);
-  EXPECT_EQ(c->simulator->kernel().ledger(1).external, 4u);
-  EXPECT_EQ(c->simulator->kernel().ledger(1).processed, 4u);
+  EXPECT_EQ(c->simulator->ledger(1).by_kind.at("swap"), 4u);
+  EXPECT_EQ(c->simulator->ledger(1).failures, 0u);
+  EXPECT_EQ(c->simulator->ledger(1).external, 4u);
+  EXPECT_EQ(c->simulator->ledger(1).processed, 4u);
   EXPECT_EQ(c->simulator->violations(), Calls{});
 }
 
@@ -112,7 +112,7 @@ TEST(Simulator, WhatChangedIsToldWhenTheInstantIsOver) {
   c->simulator->set_sink(&sink);
   c->simulator->run_until(std::nullopt);
   EXPECT_THAT(sink.lines, ElementsAre("settled -0 -1 -2 +2 +1 +0 !"));
-  const StructureLedger& l = c->simulator->kernel().ledger(0);
+  const StructureLedger& l = c->simulator->ledger(0);
   EXPECT_EQ(l.failures, 3u);
   EXPECT_EQ(l.internal, 3u);
   EXPECT_EQ(l.external, 1u);
@@ -136,7 +136,7 @@ TEST(Simulator, CorruptionSpreadsToWatchers) {
   const Scene scene = scene_of({path({{0, 1}}), path({{1}})}, 0, Rational(6));
   const auto c = Composition::make<Fragile>(scene, "double");
   c->simulator->run_until(std::nullopt);
-  EXPECT_TRUE(c->simulator->kernel().ledger(1).corrupt);
+  EXPECT_TRUE(c->simulator->ledger(1).corrupt);
   EXPECT_TRUE(c->first->calls.empty());
 }
 

@@ -134,7 +134,7 @@ struct StoppedRun {
     started = simulator.start();
     status = simulator.run_until(std::nullopt);
   }
-  const StructureLedger& ledger() const { return simulator.kernel().ledger(0); }
+  const StructureLedger& ledger() const { return simulator.ledger(0); }
   // The counts are those of n events.
   void expect_counts(std::uint64_t n) const {
     EXPECT_EQ(static_cast<std::uint64_t>(sink.events), n);
@@ -241,7 +241,7 @@ TEST(StoppedRun, IsStoppedInAnAudit) {
   EXPECT_EQ(simulator.run_until(std::nullopt), RunStatus::kLimit);
   EXPECT_FALSE(simulator.is_torn());
   EXPECT_EQ(simulator.reached(), Rational(10));
-  EXPECT_EQ(simulator.kernel().ledger(0).processed, 6u);
+  EXPECT_EQ(simulator.ledger(0).processed, 6u);
 }
 
 }  // namespace

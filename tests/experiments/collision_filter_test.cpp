@@ -27,7 +27,7 @@ Asked ask(int turns) {
   Asked asked;
   asked.events = simulator->ledger().events;
   for (const PredicateCounters& predicate :
-       simulator->kernel().arithmetic().counters().by_predicate) {
+       simulator->arithmetic().counters().by_predicate) {
     for (int stage = 0; stage < kStages; ++stage) {
       const auto s = static_cast<std::size_t>(stage);
       const std::uint64_t both = predicate.signs[s] + predicate.failures[s];

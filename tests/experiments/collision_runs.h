@@ -24,7 +24,7 @@ namespace kinex::test {
 inline std::vector<std::string> collision_structures(bool turning) {
   std::vector<std::string> names;
   for (const StructureInfo& info : structure_infos()) {
-    if (!info.collisions || (turning && info.name == "separation_minkowski")) continue;
+    if (!info.follows_bodies() || (turning && info.name == "separation_minkowski")) continue;
     names.emplace_back(info.name);
   }
   return names;

@@ -122,8 +122,8 @@ TEST(LogRules, KindsAreThoseOfTheStructures) {
     for (const KindRule& rule : *own_kinds(info.name)) kinds.push_back(rule.kind);
     EXPECT_EQ(simulator->event_kinds(id), common_event_kinds(std::move(kinds))) << info.name;
     if (!info.bodies) simulator->start();
-    EXPECT_EQ(simulator->structure(id).attribute().shape, info.attribute_shape()) << info.name;
-    const Arithmetic& arithmetic = simulator->kernel().arithmetic();
+    EXPECT_EQ(simulator->structure(id).attribute().shape, info.shape) << info.name;
+    const Arithmetic& arithmetic = simulator->arithmetic();
     for (PredicateId p = 0; p < arithmetic.predicates(); ++p) {
       const Predicate& predicate = arithmetic.predicate(p);
       EXPECT_EQ(arity_of(predicate.name()), static_cast<std::size_t>(predicate.arity()))

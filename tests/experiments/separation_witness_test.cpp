@@ -53,7 +53,7 @@ class Reader {
       : scene_(scene), simulator_(simulator), t_(t) {}
 
   std::map<std::pair<ObjectId, ObjectId>, Named> read() {
-    const EventQueue& queue = simulator_.kernel().queue();
+    const EventQueue& queue = simulator_.queue();
     for (CertificateId c = 0; c < queue.capacity(); ++c) {
       const Certificate& certificate = queue.certificate(c);
       if (certificate.live && (certificate.tag & BodyGrid::kTag) == 0) look_at(certificate.query);
@@ -72,7 +72,7 @@ class Reader {
   void look_at(const Query& query) {
     const DerivedObjects& derived = simulator_.kernel().derived();
     if (!derived.is_derived(query.ids[0])) return;  // boxes and discs
-    const std::string name(simulator_.kernel().arithmetic().predicate(query.predicate).name());
+    const std::string name(simulator_.arithmetic().predicate(query.predicate).name());
     if (name.rfind("side_", 0) != 0 && name.rfind("inside_", 0) != 0) return;
     const auto& bases = derived.object(query.ids[0]).bases;
     Named& named = all_[{bases[0], bases[1]}];

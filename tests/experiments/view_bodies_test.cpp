@@ -113,7 +113,7 @@ TEST(ViewBodies, ProofsAreTheLiveCertificates) {
     simulator->start();
     for (const Rational& t : times_in(scene, 30)) {
       simulator->run_until(t);
-      const EventQueue& queue = simulator->kernel().queue();
+      const EventQueue& queue = simulator->queue();
       for (StructureId id = 0; id < simulator->structures(); ++id) {
         std::multiset<std::string> live, recorded;
         for (CertificateId c = 0; c < queue.capacity(); ++c) {
@@ -121,7 +121,7 @@ TEST(ViewBodies, ProofsAreTheLiveCertificates) {
           if (!certificate.live || certificate.structure != id) continue;
           if ((certificate.tag & BodyGrid::kTag) != 0) continue;
           const Query& query = certificate.query;
-          std::string text(simulator->kernel().arithmetic().predicate(query.predicate).name());
+          std::string text(simulator->arithmetic().predicate(query.predicate).name());
           for (std::size_t i = 0; i < query.arity; ++i) {
             text += " " + simulator->object_name(query.ids[i]);
           }

@@ -117,7 +117,7 @@ std::uint64_t processed(Scene scene, const char* structure) {
   const auto simulator = make_simulator(scene, "exact", {});
   const RunOutcome outcome = run_scene(*simulator, {});
   EXPECT_TRUE(outcome.clean(*simulator)) << scene.name;
-  return simulator->kernel().ledger(0).processed;
+  return simulator->ledger(0).processed;
 }
 
 // Exact maxima of the families, known without kinex.

@@ -65,7 +65,7 @@ std::uint64_t total(const StageCounts& counts) {
 }
 
 std::uint64_t bytes(const Simulator& s) {
-  return s.kernel().bytes() + s.kernel().arithmetic().bytes() + s.structure(0).bytes();
+  return s.bytes() + s.arithmetic().bytes() + s.structure(0).bytes();
 }
 
 struct Cost {
@@ -73,7 +73,7 @@ struct Cost {
 };
 
 Cost cost_of(const Simulator& s) {
-  const ArithmeticCounters& counters = s.kernel().arithmetic().counters();
+  const ArithmeticCounters& counters = s.arithmetic().counters();
   return {s.ledger().events, total(counters.comparisons), counters.refinements,
           counters.roots_made_exact};
 }
@@ -93,9 +93,9 @@ void expect_steady_run(const Scene& scene, std::uint64_t expected) {
     if (k == 2) early = bytes(*s);
   }
   EXPECT_EQ(s->ledger().events, expected);
-  EXPECT_EQ(s->kernel().ledger(0).external, expected);
+  EXPECT_EQ(s->ledger(0).external, expected);
   EXPECT_EQ(s->violations(), std::vector<std::string>{});
-  EXPECT_GT(s->kernel().ledger(0).audit_checks, 0u);
+  EXPECT_GT(s->ledger(0).audit_checks, 0u);
   EXPECT_LE(bytes(*s), early + early / 4);
   // What an event costs in exact work, in the second tenth and in the ninth.
   const Cost &a = tenths[1], &b = tenths[8];
@@ -165,17 +165,17 @@ void expect_bounded(int updates, bool from_outside) {
     }
     if (k == updates / 10) {
       early = bytes(*s);
-      early_bits = s->kernel().arithmetic().counters().max_bits;
+      early_bits = s->arithmetic().counters().max_bits;
     }
   }
-  EXPECT_EQ(s->kernel().ledger(0).external, crossings);
+  EXPECT_EQ(s->ledger(0).external, crossings);
   EXPECT_GT(crossings, static_cast<std::uint64_t>(updates) / 100);
-  EXPECT_GE(s->kernel().ledger(0).motion_updates, static_cast<std::uint64_t>(updates) - 1);
+  EXPECT_GE(s->ledger(0).motion_updates, static_cast<std::uint64_t>(updates) - 1);
   EXPECT_EQ(s->violations(), std::vector<std::string>{});
   EXPECT_LE(bytes(*s), early + early / 4);
   // Times grow by log2(10) bits between a tenth of the run and its end.
-  EXPECT_LE(s->kernel().arithmetic().counters().max_bits, early_bits + 8);
-  EXPECT_LE(s->kernel().arithmetic().counters().max_bits, 64u);
+  EXPECT_LE(s->arithmetic().counters().max_bits, early_bits + 8);
+  EXPECT_LE(s->arithmetic().counters().max_bits, 64u);
 }
 
 TEST(LongRun, AHundredThousandPlannedUpdatesOfOneObject) { expect_bounded(100000, false); }

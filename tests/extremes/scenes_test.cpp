@@ -56,7 +56,7 @@ struct ExactRun {
     EXPECT_EQ(simulator->run_until(std::nullopt), RunStatus::kDone);
     at_end = simulator->structure(0).attribute().ids;
     EXPECT_EQ(simulator->violations(), std::vector<std::string>{});
-    EXPECT_GT(simulator->kernel().ledger(0).audit_checks, 0u);
+    EXPECT_GT(simulator->ledger(0).audit_checks, 0u);
     for (const BoundCheck& bound : simulator->bounds(0)) EXPECT_TRUE(bound.holds) << bound.id;
   }
   static SimulatorOptions options(AuditLevel audit) {
@@ -159,8 +159,8 @@ class ExtremeScene : public testing::Test {
     for (const StructureInfo& info : structure_infos()) {
       const std::string name(info.name);
       if (name == own || info.min_dimension > scene.dimension || info.bodies) continue;
-      if (!info.any_dimension() && info.min_dimension < scene.dimension) continue;
-      if (info.linear && scene.degree() > 1) continue;
+      if (!info.any_dimension && info.min_dimension < scene.dimension) continue;
+      if (info.linear() && scene.degree() > 1) continue;
       SCOPED_TRACE(name);
       scene.maintain = {{name, name, {}}};
       const ExactRun exact(scene, "exact", audit);

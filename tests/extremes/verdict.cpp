@@ -45,7 +45,7 @@ LoggedRun run_logged(const Scene& scene, const std::string& arithmetic, std::uin
   run.status = run_scene(*simulator, {}).status;
   log.finish(run.status);
   run.events = log.records();
-  run.corrupt = simulator->kernel().ledger(0).corrupt;
+  run.corrupt = simulator->ledger(0).corrupt;
   if (!run.corrupt) run.attribute = simulator->structure(0).attribute().ids;
   run.log = read_text_file(path);
   std::filesystem::remove(path);

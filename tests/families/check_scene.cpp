@@ -54,12 +54,7 @@ struct Group {
 };
 
 Group group_of(const StructureInfo& info) {
-  const std::string name(info.name);
-  if (info.collisions) return {"collisions", true};
-  for (const char* prefix : {"maximum_", "minimum_", "convex_hull_2"}) {
-    if (name.starts_with(prefix)) return {prefix, name.starts_with("convex_hull_2")};
-  }
-  return {};
+  return {std::string(info.group), info.shape != Attribute::Shape::kObject};
 }
 
 struct Seen {
@@ -120,8 +115,8 @@ class Check {
                 outcome.status == RunStatus::kDone, false};
       if (!seen.ended) ++tally_.limits;
       for (StructureId id = 0; id < simulator->structures(); ++id) {
-        seen.corrupt = seen.corrupt || simulator->kernel().ledger(id).corrupt;
-        if (arithmetic == "exact") tally_.events += simulator->kernel().ledger(id).processed;
+        seen.corrupt = seen.corrupt || simulator->ledger(id).corrupt;
+        if (arithmetic == "exact") tally_.events += simulator->ledger(id).processed;
       }
       if (seen.corrupt) ++tally_.corrupt;
       if (simulator->kernel().is_exact() && !outcome.clean(*simulator)) {

@@ -138,7 +138,7 @@ void named_twice(std::uint64_t seed, Tally& tally) {
       continue;
     }
     tally.refused += static_cast<std::uint64_t>(list.refused);
-    const StructureLedger& ledger = simulator.kernel().ledger(id);
+    const StructureLedger& ledger = simulator.ledger(id);
     tally.events += arithmetic == std::string_view("exact") ? ledger.processed : 0;
     if (list.refused != list.asked) {
       tally.problem(seen + ": " + std::to_string(list.asked - list.refused) + " of " +

@@ -68,18 +68,18 @@ TEST(Golden, TheTableCoversWhatThereIs) {
   }
   const std::vector<StructureInfo>& infos = structure_infos();
   const bool for_bodies = std::any_of(infos.begin(), infos.end(),
-                                      [](const StructureInfo& info) { return info.collisions; });
+                                      [](const StructureInfo& info) { return info.follows_bodies(); });
   for (const Workload& workload : workloads()) {
     if (workload.bodies && !for_bodies) continue;  // nothing maintains them
     EXPECT_EQ(families.count(std::string(workload.name)), 1u) << workload.name;
   }
   for (const StructureInfo& info : structure_infos()) {
-    if (info.bodies && !info.collisions) continue;  // it has no events
+    if (info.bodies && !info.follows_bodies()) continue;  // it has no events
     EXPECT_EQ(structures.count(std::string(info.name)), 1u) << info.name;
   }
   std::size_t kinds = 0;  // of keys, for each that has any
   for (const StructureInfo& info : structure_infos()) {
-    if (info.uses_key) kinds += info.linear ? 2 : 3;
+    if (info.uses_key) kinds += info.linear() ? 2 : 3;
   }
   EXPECT_EQ(keys.size(), kinds);
   for (const char* degree : {"1", "2", "3"}) EXPECT_EQ(degrees.count(degree), 1u) << degree;

@@ -45,11 +45,11 @@ Year run_year(Scene scene, const std::string& structure) {
   simulator.run_until(std::nullopt);
   EXPECT_EQ(simulator.violations(), std::vector<std::string>{}) << structure;
   for (StructureId s = 0; s < simulator.structures(); ++s) {
-    EXPECT_FALSE(simulator.kernel().ledger(s).corrupt) << structure;
+    EXPECT_FALSE(simulator.ledger(s).corrupt) << structure;
     for (const BoundCheck& b : simulator.bounds(s)) EXPECT_TRUE(b.holds) << b.id;
   }
   year.events = std::move(sink.recorder.events);
-  year.counted = simulator.kernel().ledger(id).external;
+  year.counted = simulator.ledger(id).external;
   return year;
 }
 

@@ -78,7 +78,7 @@ void run_for_a_while(Scene scene, std::uint64_t events, bool general_position) {
   EXPECT_EQ(simulator.run_until(std::nullopt), RunStatus::kLimit);
   EXPECT_TRUE(simulator.audit());
   EXPECT_EQ(simulator.violations(), std::vector<std::string>{});
-  const StructureLedger& ledger = simulator.kernel().ledger(0);
+  const StructureLedger& ledger = simulator.ledger(0);
   EXPECT_GT(ledger.audit_checks, scene.objects.size());
   EXPECT_GE(ledger.processed, events);
   EXPECT_EQ(ledger.rebuilds, 0u);

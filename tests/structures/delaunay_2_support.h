@@ -164,7 +164,7 @@ class World {
 
   Simulator& simulator() { return *simulator_; }
   Delaunay2& structure() { return *structure_; }
-  const StructureLedger& ledger() const { return simulator_->kernel().ledger(id_); }
+  const StructureLedger& ledger() const { return simulator_->ledger(id_); }
   std::uint64_t count(const std::string& kind) const {
     const auto it = ledger().by_kind.find(kind);
     return it == ledger().by_kind.end() ? 0 : it->second;

@@ -253,7 +253,7 @@ class EventReplay final : public EventSink {
       if (!replay_.rebuilds_now()) return inner_->certificate_failed(failed);
       const Attribute before = inner_->told();
       inner_->rebuild();
-      if (replay_.simulator_.kernel().ledger(id_).corrupt) return;
+      if (replay_.simulator_.ledger(id_).corrupt) return;
       const AttributeDifference change = difference_between(before, inner_->attribute());
       replay_.simulator_.kernel().count_rebuild(id_, "test", change.gone, change.came);
     }
@@ -303,7 +303,7 @@ class EventReplay final : public EventSink {
       replayed.comes_or_goes = true;
       call();
       replayed.comes_or_goes = false;
-      if (!replay_.simulator_.kernel().ledger(id_).corrupt) {
+      if (!replay_.simulator_.ledger(id_).corrupt) {
         replayed.attribute.begin(inner_->attribute(), replay_.simulator_.kernel().is_exact());
       }
     }

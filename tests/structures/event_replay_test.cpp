@@ -35,7 +35,7 @@ struct Replay {
   static Scene asking(Scene scene, const std::vector<std::string>& structures) {
     for (const std::string& name : structures) {
       const StructureInfo* info = find_structure_info(name);
-      if (info->linear && scene.degree() > 1) continue;
+      if (info->linear() && scene.degree() > 1) continue;
       scene.maintain.push_back({name, name, {}});
     }
     return scene;
@@ -54,7 +54,7 @@ struct Replay {
       }
     }
     for (StructureId id = 0; id < simulator.structures(); ++id) {
-      const StructureLedger& l = simulator.kernel().ledger(id);
+      const StructureLedger& l = simulator.ledger(id);
       EXPECT_EQ(l.processed, l.external + l.internal) << simulator.label(id);
       if (!simulator.kernel().is_exact()) continue;
       for (const BoundCheck& bound : simulator.bounds(id)) {
@@ -194,7 +194,7 @@ TEST(EventReplay, PointsThatPartWithNewMotions) {
   run.expect_clean();
   EXPECT_EQ(run.simulator.structure(delaunay).attribute().ids,
             (std::vector<ObjectId>{0, 1, 0, 2, 1, 2}));
-  EXPECT_GE(run.simulator.kernel().ledger(delaunay).external, 1u);
+  EXPECT_GE(run.simulator.ledger(delaunay).external, 1u);
   EXPECT_EQ(run.replay.counts["settled"] + run.replay.counts["rebuild"], 1u);
 }
 

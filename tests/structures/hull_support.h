@@ -104,7 +104,7 @@ inline HullStory tell(Scene scene, const std::string& structure,
   story.events = std::move(sink.recorder.events);
   story.last = simulator.structure(id).attribute().ids;
   story.violations = simulator.violations();
-  story.ledger = simulator.kernel().ledger(id);
+  story.ledger = simulator.ledger(id);
   if (story.ledger.corrupt) return story;
   for (const BoundCheck& b : simulator.bounds(id)) {
     EXPECT_TRUE(b.holds) << b.id << " " << b.observed.to_string() << " > " << b.bound.to_string();

@@ -13,7 +13,7 @@ namespace {
 
 // Failure times computed of polynomials that are not constant.
 std::uint64_t moving_polynomials(const Trial& run) {
-  const auto& solved = run.simulator.kernel().arithmetic().counters().polynomials_solved;
+  const auto& solved = run.simulator.arithmetic().counters().polynomials_solved;
   std::uint64_t sum = 0;
   for (std::size_t degree = 1; degree < solved.size(); ++degree) sum += solved[degree];
   return sum;
@@ -21,7 +21,7 @@ std::uint64_t moving_polynomials(const Trial& run) {
 
 std::uint64_t comparisons(const Trial& run) {
   std::uint64_t sum = 0;
-  for (const std::uint64_t count : run.simulator.kernel().arithmetic().counters().comparisons) {
+  for (const std::uint64_t count : run.simulator.arithmetic().counters().comparisons) {
     sum += count;
   }
   return sum;
@@ -39,7 +39,7 @@ std::vector<Trajectory> standing(std::uint64_t seed, int n, int size) {
 void expect_no_work(const Scene& scene, const std::string& structure, const Key& key = {}) {
   SCOPED_TRACE(structure + " of " + std::to_string(scene.objects.size()));
   Trial run(scene, structure, "exact", AuditLevel::kEnd, key);
-  EXPECT_EQ(run.simulator.kernel().queue().size(), 0u);
+  EXPECT_EQ(run.simulator.queue().size(), 0u);
   run.to_end().expect_clean();
   if (structure != "maximum_dual_hull") {  // there is no next winner
     EXPECT_GT(run.ledger().live, 0u);
@@ -48,7 +48,7 @@ void expect_no_work(const Scene& scene, const std::string& structure, const Key&
   EXPECT_EQ(run.simulator.ledger().max_queue, 0u);  // nothing was ever scheduled
   EXPECT_EQ(moving_polynomials(run), 0u);           // or solved
   EXPECT_EQ(comparisons(run), 0u);
-  EXPECT_EQ(run.simulator.kernel().arithmetic().counters().roots_made_exact, 0u);
+  EXPECT_EQ(run.simulator.arithmetic().counters().roots_made_exact, 0u);
 }
 
 Key distance_to(ObjectId object) {
@@ -93,16 +93,15 @@ TEST(LargeScenes, OneMovesAmongManyThatStand) {
        {"delaunay_2", "sorted_list", "maximum_tournament", "minimum_heap"}) {
     SCOPED_TRACE(structure);
     Trial run(scene, structure, "exact", AuditLevel::kEnd);
-    const Kernel& kernel = run.simulator.kernel();
-    const std::uint64_t at_start = kernel.live_certificates(0, mover);
+    const std::uint64_t at_start = run.simulator.live_certificates(0, mover);
     EXPECT_LE(moving_polynomials(run), at_start);
-    EXPECT_LE(kernel.queue().size(), at_start);
+    EXPECT_LE(run.simulator.queue().size(), at_start);
     const std::uint64_t built = run.ledger().certificates_created;
     run.to_end().expect_clean();
     const std::uint64_t renewed = run.ledger().certificates_created - built;
     EXPECT_LE(moving_polynomials(run), at_start + renewed);
     EXPECT_LE(run.simulator.ledger().max_queue, run.ledger().max_per_object);
-    EXPECT_LE(kernel.queue().size(), kernel.live_certificates(0, mover));
+    EXPECT_LE(run.simulator.queue().size(), run.simulator.live_certificates(0, mover));
     if (structure == "delaunay_2") {
       EXPECT_GT(run.ledger().processed, 300u);
       EXPECT_EQ(run.ledger().rebuilds, 0u);

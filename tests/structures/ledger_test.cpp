@@ -15,7 +15,7 @@ namespace kinex::test {
 namespace {
 
 const ArithmeticCounters& numbers(const Trial& run) {
-  return run.simulator.kernel().arithmetic().counters();
+  return run.simulator.arithmetic().counters();
 }
 
 template <class Counts>
@@ -143,7 +143,7 @@ TEST(Ledger, SumsAgree) {
       for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         SCOPED_TRACE(std::string(info.name) + " in " + arithmetic + ", seed " +
                      std::to_string(seed));
-        const int degree = info.linear ? 1 : 1 + static_cast<int>(seed % 2);
+        const int degree = info.linear() ? 1 : 1 + static_cast<int>(seed % 2);
         const Scene scene = random_flights(seed, 7, 2, degree, seed % 2 == 0);
         Trial run(scene, std::string(info.name), arithmetic, AuditLevel::kEnd);
         run.to_end();
@@ -186,7 +186,7 @@ std::uint64_t expect_external_as_logged(Scene scene, const std::string& structur
   simulator.run_until(std::nullopt);
   std::uint64_t failures = 0, beyond = 0;
   for (StructureId id = 0; id < simulator.structures(); ++id) {
-    const StructureLedger& l = simulator.kernel().ledger(id);
+    const StructureLedger& l = simulator.ledger(id);
     EXPECT_EQ(l.external, sink.counts[id]) << simulator.label(id);
     EXPECT_EQ(l.processed, l.external + l.internal) << simulator.label(id);
     EXPECT_LE(l.internal, l.failures) << simulator.label(id);
@@ -204,7 +204,7 @@ TEST(Ledger, ExternalEventsAreThoseThatTheLogMarks) {
     for (const char* arithmetic : {"exact", "double"}) {
       SCOPED_TRACE(std::string(info.name) + " in " + arithmetic);
       const std::string name(info.name);
-      const int degree = info.linear ? 1 : 2;
+      const int degree = info.linear() ? 1 : 2;
       for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         // Flight plans; many at one instant, some that last; ordinary scenes.
         for (const Scene& scene :
@@ -237,7 +237,7 @@ TEST(Ledger, AChangeThatIsReportedWhenTheInstantIsSettledIsExternal) {
       simulator.start();
       simulator.run_until(std::nullopt);
       EXPECT_EQ(simulator.violations(), std::vector<std::string>{});
-      const StructureLedger& ledger = simulator.kernel().ledger(id);
+      const StructureLedger& ledger = simulator.ledger(id);
       EXPECT_EQ(sink.counts.at(id), 1u);
       // The triangulation's edges too.
       const std::uint64_t late = hull == "convex_hull_2_delaunay" ? 2u : 1u;

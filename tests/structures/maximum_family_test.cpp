@@ -137,7 +137,7 @@ TEST(MaximumFamily, NobodyPassesThroughWhereOnlyTheLastCounts) {
         if (name.find("envelope") == std::string::npos && name.find("dual") == std::string::npos) {
           continue;
         }
-        EXPECT_EQ(run.simulator->kernel().ledger(id).processed, 1u) << name << " of " << n;
+        EXPECT_EQ(run.simulator->ledger(id).processed, 1u) << name << " of " << n;
       }
     }
   }
@@ -364,7 +364,7 @@ TEST(MaximumDualHull, StaysBalanced) {
   EXPECT_EQ(structure.hull().vertices().size(), static_cast<std::size_t>(n));
   // Signs per insertion: polylogarithmic.
   std::uint64_t signs = 0;
-  for (const PredicateCounters& p : simulator.kernel().arithmetic().counters().by_predicate) {
+  for (const PredicateCounters& p : simulator.arithmetic().counters().by_predicate) {
     for (const std::uint64_t k : p.signs) signs += k;
   }
   EXPECT_LE(signs / n, 400u);
@@ -392,7 +392,7 @@ TEST(Maximum, SomeHaveOneCertificate) {
   for (const StructureId id : run.members()) {
     const std::string& name = run.simulator->label(id);
     if (name != "maximum_envelope" && name != "maximum_dual_hull") continue;
-    const StructureLedger& ledger = run.simulator->kernel().ledger(id);
+    const StructureLedger& ledger = run.simulator->ledger(id);
     EXPECT_EQ(ledger.processed, 29u) << name;
     EXPECT_EQ(ledger.internal, 0u) << name;
     EXPECT_EQ(ledger.max_live, 1u) << name;

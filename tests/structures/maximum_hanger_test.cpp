@@ -101,7 +101,7 @@ TEST(MaximumHanger, EventsHaveTheStatedExpectation) {
       const Scene scene = same_scene ? fixed : random_lines(1000 + seed, 24);
       Hanging run(scene, seed);
       run.simulator.run_until({});
-      const double off = static_cast<double>(run.simulator.kernel().ledger(0).processed) -
+      const double off = static_cast<double>(run.simulator.ledger(0).processed) -
                          (same_scene ? expected_fixed : expected_events(scene));
       sum += off;
       squares += off * off;
@@ -130,12 +130,12 @@ TEST(MaximumHanger, ChangesKeepTheDistribution) {
     }
     for (ObjectId i = 16; i < 24; ++i) run.simulator.schedule_erasure(Rational(1), i);
     run.simulator.run_until(Rational(1));
-    const double before = static_cast<double>(run.simulator.kernel().ledger(0).processed);
+    const double before = static_cast<double>(run.simulator.ledger(0).processed);
     Scene rest = scene;
     rest.start = Rational(1);
     rest.objects.resize(16);
     run.simulator.run_until({});
-    const double off = static_cast<double>(run.simulator.kernel().ledger(0).processed) - before -
+    const double off = static_cast<double>(run.simulator.ledger(0).processed) - before -
                        expected_events(rest);
     sum += off;
     squares += off * off;
@@ -165,7 +165,7 @@ TEST(MaximumHanger, SameInputSameTree) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     Hanging run(lines, seed);
     run.simulator.run_until({});
-    counts.insert(run.simulator.kernel().ledger(0).internal);
+    counts.insert(run.simulator.ledger(0).internal);
   }
   EXPECT_GT(counts.size(), 1u);
 }

@@ -79,7 +79,7 @@ TEST(MaximumOfList, IsRightThroughFlightPlansAndTies) {
     for (const unsigned seed : {1u, 2u, 3u}) {
       SharedRun run(random_flights(seed, 24, 1, degree, seed == 3),
                     {asked("maximum_sorted_list"), asked("minimum_sorted_list")});
-      EXPECT_GT(run.simulator.kernel().ledger(1).external, 0u);
+      EXPECT_GT(run.simulator.ledger(1).external, 0u);
     }
   }
 }
@@ -96,7 +96,7 @@ TEST(MaximumOfList, AgreesWithTheTournament) {
         EXPECT_EQ(list, external_of(run.told_by(kind + "_tournament")));
         EXPECT_FALSE(list.empty());
       }
-      EXPECT_EQ(run.simulator.kernel().ledger(1).external,
+      EXPECT_EQ(run.simulator.ledger(1).external,
                 external_of(run.told_by("maximum_sorted_list")).size());
     }
   }
@@ -107,8 +107,8 @@ TEST(MaximumOfList, WorstCase) {
   std::vector<Trajectory> t;
   for (int i = 0; i < 12; ++i) t.push_back(path({{-i * i, i}}));
   SharedRun run(scene_of(t, 0, std::nullopt), {asked("maximum_sorted_list")});
-  EXPECT_EQ(run.simulator.kernel().ledger(1).external, 11u);
-  EXPECT_EQ(run.simulator.kernel().ledger(0).processed, 66u);
+  EXPECT_EQ(run.simulator.ledger(1).external, 11u);
+  EXPECT_EQ(run.simulator.ledger(0).processed, 66u);
 }
 
 TEST(MaximumOfList, OfTiesTheSmallestId) {
@@ -144,7 +144,7 @@ TEST(Plan, SharingCostsNothing) {
   SharedRun all(scene,
                 {asked("sorted_list"), asked("maximum_sorted_list"), asked("minimum_sorted_list")});
   const auto solved = [](const SharedRun& run) {
-    return run.simulator.kernel().arithmetic().counters().polynomials_solved;
+    return run.simulator.arithmetic().counters().polynomials_solved;
   };
   EXPECT_EQ(solved(list), solved(all));
 }

@@ -43,7 +43,7 @@ TEST(OuterHierarchies, BuildsAllPoliciesForEveryPolygon) {
   trial.expect_clean();
   EXPECT_TRUE(trial.sink.lines.empty());
   EXPECT_EQ(trial.ids().size(), scene.objects.size());
-  const StructureLedger& ledger = trial.simulator.kernel().ledger(0);
+  const StructureLedger& ledger = trial.simulator.ledger(0);
   EXPECT_EQ(ledger.certificates_created, 0u);
   EXPECT_GT(ledger.audit_checks, 100u);
   const auto& structure = dynamic_cast<const OuterHierarchies&>(trial.simulator.structure(0));

@@ -122,7 +122,7 @@ TEST(SeparationMixed, TurnsCloseBy) {
 
 std::int64_t signs_of(const Trial& trial) {
   std::int64_t sum = 0;
-  for (const auto& predicate : trial.simulator.kernel().arithmetic().counters().by_predicate) {
+  for (const auto& predicate : trial.simulator.arithmetic().counters().by_predicate) {
     for (const std::uint64_t count : predicate.signs) sum += static_cast<std::int64_t>(count);
   }
   return sum;

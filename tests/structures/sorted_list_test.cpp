@@ -243,7 +243,7 @@ TEST(SortedList, InsertionsSearchInLogarithmicTime) {
   Trial run(scene, kName, "exact", AuditLevel::kNone);
   const auto signs = [&run] {
     std::uint64_t sum = 0;
-    for (const auto& p : run.simulator.kernel().arithmetic().counters().by_predicate) {
+    for (const auto& p : run.simulator.arithmetic().counters().by_predicate) {
       for (const std::uint64_t s : p.signs) sum += s;
     }
     return sum;

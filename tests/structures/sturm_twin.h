@@ -69,8 +69,8 @@ inline void expect_same_in_sturm(const Simulator& exact, const Recorder& recorde
   }
   ASSERT_EQ(recorded.events.size(), twin.events.size()) << scene.name;
   EXPECT_EQ(exact.structure(0).attribute(), sturm.structure(id).attribute()) << scene.name;
-  const StructureLedger& a = exact.kernel().ledger(0);
-  const StructureLedger& b = sturm.kernel().ledger(id);
+  const StructureLedger& a = exact.ledger(0);
+  const StructureLedger& b = sturm.ledger(id);
   EXPECT_EQ(a.processed, b.processed);
   EXPECT_EQ(a.rebuilds, b.rebuilds);
   EXPECT_EQ(a.certificates_created, b.certificates_created);

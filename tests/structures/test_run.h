@@ -82,7 +82,7 @@ struct Trial {
     changes_.insert(simulator, t, object, std::move(trajectory));
   }
   void erase(const Rational& t, ObjectId object) { changes_.erase(simulator, t, object); }
-  const StructureLedger& ledger() const { return simulator.kernel().ledger(0); }
+  const StructureLedger& ledger() const { return simulator.ledger(0); }
   std::vector<ObjectId> ids() const { return simulator.structure(0).attribute().ids; }
   // Exact arithmetics: no violation, every bound holds.
   void expect_clean() const {

@@ -76,7 +76,7 @@ struct Bench {
   bool holds(const Tile& tile) { return failing(tile) == tiles->certificates(tile).count; }
 
   Scene scene;
-  Kernel kernel;
+  Scheduler kernel;
   FrameConstants constants;
   std::array<BodyFrame, 2> frames;
   PosePredicates predicates;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies that turn against each other.
-#ifndef KINEX_EXPERIMENTS_TURNING_H
-#define KINEX_EXPERIMENTS_TURNING_H
+#ifndef KINEX_CORE_TURNING_H
+#define KINEX_CORE_TURNING_H
 
 #include <optional>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/turning.h"
+#include "core/turning.h"
 
 #include <algorithm>
 #include <vector>

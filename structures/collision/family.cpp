@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Collisions of convex polygons, and the hierarchies of polygons that some of them go by.
+#include "core/show_text.h"
+#include "core/turning.h"
+#include "structures/bounding_volumes.h"
+#include "structures/closest_features.h"
+#include "structures/families.h"
+#include "structures/inner_tangents.h"
+#include "structures/outer_hierarchies.h"
+#include "structures/separation_hysteresis.h"
+#include "structures/separation_minkowski.h"
+#include "structures/separation_mixed.h"
+
+namespace kinex {
+namespace {
+
+std::optional<Refusal> refuse_turning(const Scene& scene) {
+  const auto pair = find_turning_pair(scene);
+  if (!pair) return std::nullopt;
+  const auto id_of = [&](ObjectId object) { return show_text(scene.objects[object].id); };
+  return Refusal{"is for bodies that do not turn against each other, " + id_of(pair->first) +
+                     " and " + id_of(pair->second) + " do",
+                 "maintain separation_mixed, which takes every motion"};
+}
+
+}  // namespace
+
+StructureFamily collision_family() {
+  StructureInfo base;
+  base.group = "collision";
+  base.min_dimension = 2;
+  base.bodies = true;
+  base.shape = Attribute::Shape::kEdges;
+
+  std::vector<StructureInfo> structures;
+  const auto add = [&](StructureInfo info, std::string_view name, std::string_view summary,
+                       std::unique_ptr<Structure> (*make)(const MakerInput&)) {
+    info.name = name;
+    info.summary = summary;
+    info.make = make;
+    structures.push_back(info);
+  };
+  add(base, "separation_mixed", "collisions of convex polygons, by the mixed hierarchy",
+      make_plain<SeparationMixed>);
+  StructureInfo unturned = base;
+  unturned.refuse = refuse_turning;
+  unturned.instead = "separation_mixed";
+  add(unturned, "separation_minkowski",
+      "collisions of convex polygons that do not turn, by the hierarchy of their Minkowski sum",
+      make_plain<SeparationMinkowski>);
+  add(base, "separation_hysteresis", "collisions of convex polygons, by wedges that last",
+      make_plain<SeparationHysteresis>);
+  add(base, "closest_features", "collisions of convex polygons, by the closest features",
+      make_plain<ClosestFeatures>);
+  add(base, "inner_tangents", "collisions of convex polygons, by the inner common tangents",
+      make_plain<InnerTangents>);
+  add(base, "bounding_volumes",
+      "collisions of convex polygons, by boxes, discs and closest features",
+      make_plain<BoundingVolumes>);
+  StructureInfo hierarchies = base;
+  hierarchies.group = {};
+  hierarchies.has_events = false;
+  hierarchies.shape = Attribute::Shape::kSequence;
+  add(hierarchies, "outer_hierarchy",
+      "the hierarchies of the bodies' polygons under every policy of cuts, held to their bounds",
+      make_plain<OuterHierarchies>);
+  return {"collision", std::move(structures)};
+}
+
+}  // namespace kinex

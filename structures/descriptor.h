@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// StructureInfo: all that the rest of the program knows about a structure before it is made, and
+// how it is made. Each family lists its structures in its family.cpp; the reader of scenes, the
+// help, the tables of the README and the tests go by these lists.
+#ifndef KINEX_STRUCTURES_DESCRIPTOR_H
+#define KINEX_STRUCTURES_DESCRIPTOR_H
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/kernel.h"
+#include "core/scene.h"
+#include "core/structure.h"
+
+namespace kinex {
+
+// Why a structure cannot be maintained in a scene, and what to do about it. No full stops.
+struct Refusal {
+  std::string problem, remedy;
+};
+
+// What a maker gets. `request` is valid for `scene`; `watched` is the structure that is read
+// (StructureInfo::reads), which outlives the new one, or nullptr.
+struct MakerInput {
+  const Request& request;
+  const Scene& scene;
+  Kernel& kernel;
+  StructureId id;
+  const Structure* watched;
+};
+
+struct StructureInfo {
+  std::string_view name;     // as in "maintain"
+  std::string_view summary;  // one line
+  // Structures that maintain the same attribute, and report it alike; empty: it has no like. A name
+  // that `kinex verify` takes.
+  std::string_view group = {};
+  int min_dimension = 1;        // axes that a scene must have
+  bool any_dimension = false;   // or more; otherwise a scene of more axes is refused
+  bool uses_key = false;        // it goes by a "key"
+  int largest_degree = kAnyDegree;  // of the motions and of the key that it can maintain
+  bool bodies = false;              // for rigid bodies; otherwise for points
+  bool has_events = true;           // false: it checks what does not change, and follows nothing
+  Attribute::Shape shape = Attribute::Shape::kSequence;
+  std::string_view reads = {};    // the structure, of the same key, that it watches; empty: none
+  std::string_view instead = {};  // a structure of its group that takes every scene; empty: itself
+  // What else it asks of a scene; nullptr: nothing. Called for scenes that all fields above allow.
+  std::optional<Refusal> (*refuse)(const Scene& scene) = nullptr;
+  std::unique_ptr<Structure> (*make)(const MakerInput& input) = nullptr;
+
+  static constexpr int kAnyDegree = 1 << 30;
+  bool linear() const { return largest_degree == 1; }
+  // It maintains something about bodies that changes.
+  bool follows_bodies() const { return bodies && has_events; }
+};
+
+// The structures of one subject, in the order in which they are listed to people.
+struct StructureFamily {
+  std::string_view name;  // "maximum": also the name of its folders
+  std::vector<StructureInfo> structures;
+};
+
+// Most makers: a structure of the kernel, its id and the scene.
+template <class S>
+std::unique_ptr<Structure> make_plain(const MakerInput& input) {
+  return std::make_unique<S>(input.kernel, input.id, input.scene);
+}
+
+}  // namespace kinex
+
+#endif

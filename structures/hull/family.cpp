@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Convex hulls of points.
+#include "structures/convex_hull_2.h"
+#include "structures/convex_hull_2_brute_force.h"
+#include "structures/convex_hull_2_delaunay.h"
+#include "structures/families.h"
+
+namespace kinex {
+namespace {
+
+template <ConvexHull2::Variant kVariant>
+std::unique_ptr<Structure> make_divided(const MakerInput& in) {
+  return std::make_unique<ConvexHull2>(in.kernel, in.id, in.scene, kVariant);
+}
+
+std::unique_ptr<Structure> make_of_triangulation(const MakerInput& in) {
+  return std::make_unique<ConvexHull2Delaunay>(in.kernel, in.id, in.scene,
+                                               dynamic_cast<const Delaunay2&>(*in.watched));
+}
+
+}  // namespace
+
+StructureFamily hull_family() {
+  StructureInfo base;
+  base.group = "convex_hull";
+  base.min_dimension = 2;
+  base.shape = Attribute::Shape::kCycle;
+
+  StructureInfo local = base;
+  local.name = "convex_hull_2";
+  local.summary = "the convex hull of points in the plane, by divide and conquer";
+  local.make = make_divided<ConvexHull2::Variant::kLocal>;
+
+  StructureInfo naive = base;
+  naive.name = "convex_hull_2_naive";
+  naive.summary = "the same with certificates that are not local";
+  naive.make = make_divided<ConvexHull2::Variant::kNaive>;
+
+  StructureInfo brute_force = base;
+  brute_force.name = "convex_hull_2_brute_force";
+  brute_force.summary = "the convex hull, every point against every hull edge";
+  brute_force.make = make_plain<ConvexHull2BruteForce>;
+
+  StructureInfo reader = base;
+  reader.name = "convex_hull_2_delaunay";
+  reader.summary = "the convex hull, read off the Delaunay triangulation";
+  reader.reads = "delaunay_2";
+  reader.make = make_of_triangulation;
+
+  return {"hull", {local, naive, brute_force, reader}};
+}
+
+}  // namespace kinex

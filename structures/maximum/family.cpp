@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The object with the largest key, or with the smallest.
+#include "structures/families.h"
+#include "structures/maximum_dual_hull.h"
+#include "structures/maximum_envelope.h"
+#include "structures/maximum_hanger.h"
+#include "structures/maximum_heap.h"
+#include "structures/maximum_of_list.h"
+#include "structures/maximum_tournament.h"
+
+namespace kinex {
+namespace {
+
+template <class S, Extremum kExtremum>
+std::unique_ptr<Structure> make_extremum(const MakerInput& in) {
+  return std::make_unique<S>(in.kernel, in.id, in.request.key, in.scene, kExtremum);
+}
+
+template <Extremum kExtremum>
+std::unique_ptr<Structure> make_of_list(const MakerInput& in) {
+  return std::make_unique<MaximumOfList>(in.kernel, in.id,
+                                         dynamic_cast<const SortedList&>(*in.watched), kExtremum);
+}
+
+using Maker = std::unique_ptr<Structure> (*)(const MakerInput&);
+
+// Each structure for the maximum, and its mirror image for the minimum.
+class Family {
+ public:
+  StructureInfo base() const {
+    StructureInfo info;
+    info.any_dimension = true;
+    info.uses_key = true;
+    info.shape = Attribute::Shape::kObject;
+    return info;
+  }
+  void add(StructureInfo info, std::string_view maximum, std::string_view of_largest,
+           Maker make_maximum, std::string_view minimum, std::string_view of_smallest,
+           Maker make_minimum) {
+    info.name = maximum;
+    info.summary = of_largest;
+    info.group = "maximum";
+    if (info.linear()) info.instead = "maximum_tournament";
+    info.make = make_maximum;
+    structures.push_back(info);
+    info.name = minimum;
+    info.summary = of_smallest;
+    info.group = "minimum";
+    if (info.linear()) info.instead = "minimum_tournament";
+    info.make = make_minimum;
+    structures.push_back(info);
+  }
+  template <class S>
+  void add(StructureInfo info, std::string_view maximum, std::string_view of_largest,
+           std::string_view minimum, std::string_view of_smallest) {
+    add(info, maximum, of_largest, make_extremum<S, Extremum::kMaximum>, minimum, of_smallest,
+        make_extremum<S, Extremum::kMinimum>);
+  }
+
+  std::vector<StructureInfo> structures;
+};
+
+}  // namespace
+
+StructureFamily maximum_family() {
+  Family family;
+  const StructureInfo base = family.base();
+  family.add<MaximumTournament>(
+      base, "maximum_tournament", "the object with the largest key, by a tournament tree",
+      "minimum_tournament", "the object with the smallest key, by a tournament tree");
+  family.add<MaximumHeap>(base, "maximum_heap", "the object with the largest key, by a binary heap",
+                          "minimum_heap", "the object with the smallest key, by a binary heap");
+  family.add<MaximumHanger>(
+      base, "maximum_hanger", "the object with the largest key, by a randomised hanger",
+      "minimum_hanger", "the object with the smallest key, by a randomised hanger");
+  family.add<MaximumEnvelope>(
+      base, "maximum_envelope", "the object with the largest key, by the upper envelope ahead",
+      "minimum_envelope", "the object with the smallest key, by the lower envelope ahead");
+  StructureInfo linear = base;
+  linear.largest_degree = 1;
+  family.add<MaximumDualHull>(
+      linear, "maximum_dual_hull",
+      "the object with the largest key, by the dual hull of linear motions", "minimum_dual_hull",
+      "the object with the smallest key, by the dual hull of linear motions");
+  StructureInfo reader = base;
+  reader.reads = "sorted_list";
+  family.add(reader, "maximum_sorted_list", "the object with the largest key, read off a sorted list",
+             make_of_list<Extremum::kMaximum>, "minimum_sorted_list",
+             "the object with the smallest key, read off a sorted list",
+             make_of_list<Extremum::kMinimum>);
+  return {"maximum", std::move(family.structures)};
+}
+
+}  // namespace kinex

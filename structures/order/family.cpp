@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Objects in the order of a key.
+#include "structures/families.h"
+#include "structures/sorted_list.h"
+
+namespace kinex {
+
+StructureFamily order_family() {
+  StructureInfo list{.name = "sorted_list",
+                     .summary = "objects in the order of a key, by certificates between neighbours"};
+  list.any_dimension = true;
+  list.uses_key = true;
+  list.shape = Attribute::Shape::kSequence;
+  list.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
+    return std::make_unique<SortedList>(in.kernel, in.id, in.request.key, in.scene);
+  };
+  return {"order", {list}};
+}
+
+}  // namespace kinex

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Triangulations of points.
+#include "structures/delaunay_2.h"
+#include "structures/families.h"
+
+namespace kinex {
+
+StructureFamily triangulation_family() {
+  StructureInfo delaunay{.name = "delaunay_2",
+                         .summary = "the Delaunay triangulation of points in the plane"};
+  delaunay.min_dimension = 2;
+  delaunay.shape = Attribute::Shape::kEdges;
+  delaunay.make = make_plain<Delaunay2>;
+  return {"triangulation", {delaunay}};
+}
+
+}  // namespace kinex
