@@ -13,10 +13,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/certificate.h"
+#include "core/arithmetic_counters.h"
 #include "core/instant_name.h"
-#include "core/ledger.h"
 #include "core/predicate.h"
+#include "core/query.h"
 #include "core/scene.h"
 #include "core/sign.h"
 #include "core/stop.h"

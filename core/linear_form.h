@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/certificate.h"
 #include "core/derived_objects.h"
 #include "core/motion_store.h"
+#include "core/query.h"
 #include "core/sign.h"
 
 namespace kinex {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/certificate.h"
+#include "core/query.h"
 
 namespace kinex {
 

@@ -10,7 +10,7 @@
 #ifndef KINEX_CORE_TOUCH_H
 #define KINEX_CORE_TOUCH_H
 
-#include "core/certificate.h"
+#include "core/query.h"
 #include "core/sign.h"
 
 namespace kinex {

@@ -141,7 +141,8 @@ class CollisionPairs : public Structure {
   struct Features {
     Feature of_a, of_b;
   };
-  // The features by which the bodies touch right after now, or at now; nullopt: they do not touch. Requires that the proof holds right after now.
+  // The features by which the bodies touch right after now, or at now; nullopt: they do not
+  // touch. Requires that the proof holds right after now.
   virtual std::optional<Features> touch(PairId pair, When when) = 0;
   Sign sign(const Query& query, When when) {
     return kernel_.sign(query, when);

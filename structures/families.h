@@ -5,16 +5,13 @@
 
 #include <array>
 
-#include "structures/descriptor.h"
+#include "structures/collision/family.h"
+#include "structures/hull/family.h"
+#include "structures/maximum/family.h"
+#include "structures/order/family.h"
+#include "structures/triangulation/family.h"
 
 namespace kinex {
-
-// Each in the family.cpp of its folder.
-StructureFamily order_family();
-StructureFamily maximum_family();
-StructureFamily triangulation_family();
-StructureFamily hull_family();
-StructureFamily collision_family();
 
 inline constexpr std::array kStructureFamilies{&order_family, &maximum_family,
                                                &triangulation_family, &hull_family,

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "structures/descriptor.h"
+#include "structures/parts/descriptor.h"
 
 namespace kinex {
 

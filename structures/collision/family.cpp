@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Collisions of convex polygons, and the hierarchies of polygons that some of them go by.
+#include "structures/collision/family.h"
+
 #include "core/show_text.h"
 #include "core/turning.h"
 #include "structures/bounding_volumes.h"
 #include "structures/closest_features.h"
-#include "structures/families.h"
 #include "structures/inner_tangents.h"
 #include "structures/outer_hierarchies.h"
 #include "structures/separation_hysteresis.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The object with the largest key, or with the smallest.
-#include "structures/families.h"
+#include "structures/maximum/family.h"
+
 #include "structures/maximum_dual_hull.h"
 #include "structures/maximum_envelope.h"
 #include "structures/maximum_hanger.h"

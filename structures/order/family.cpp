@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Objects in the order of a key.
-#include "structures/families.h"
+#include "structures/order/family.h"
+
 #include "structures/sorted_list.h"
 
 namespace kinex {

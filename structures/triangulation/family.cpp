@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangulations of points.
+#include "structures/triangulation/family.h"
+
 #include "structures/delaunay_2.h"
-#include "structures/families.h"
 
 namespace kinex {
 

@@ -2,8 +2,8 @@
 // StructureInfo: all that the rest of the program knows about a structure before it is made, and
 // how it is made. Each family lists its structures in its family.cpp; the reader of scenes, the
 // help, the tables of the README and the tests go by these lists.
-#ifndef KINEX_STRUCTURES_DESCRIPTOR_H
-#define KINEX_STRUCTURES_DESCRIPTOR_H
+#ifndef KINEX_STRUCTURES_PARTS_DESCRIPTOR_H
+#define KINEX_STRUCTURES_PARTS_DESCRIPTOR_H
 
 #include <memory>
 #include <optional>

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Collisions of convex polygons, and the hierarchies of polygons that some of them go by.
+#ifndef KINEX_STRUCTURES_COLLISION_FAMILY_H
+#define KINEX_STRUCTURES_COLLISION_FAMILY_H
+
+#include "structures/parts/descriptor.h"
+
+namespace kinex {
+
+StructureFamily collision_family();
+
+}  // namespace kinex
+
+#endif

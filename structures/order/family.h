@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Objects in the order of a key.
+#ifndef KINEX_STRUCTURES_ORDER_FAMILY_H
+#define KINEX_STRUCTURES_ORDER_FAMILY_H
+
+#include "structures/parts/descriptor.h"
+
+namespace kinex {
+
+StructureFamily order_family();
+
+}  // namespace kinex
+
+#endif
