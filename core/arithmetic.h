@@ -113,6 +113,10 @@ class Arithmetic {
   std::size_t predicates() const { return predicates_.size(); }
 
   const ArithmeticCounters& counters() const { return counters_; }
+  // How many failure times were asked for of certificates that may be zero at now: all that are zero,
+  // and few others. For structures that have to notice degenerate instants. Exact arithmetics only;
+  // 0 in others.
+  std::uint64_t possible_zeros() const { return possible_zeros_; }
 
  protected:
   // +1 or -1: the polynomial of `a` is that of `b` times this sign (arguments permuted, or opposite
@@ -130,6 +134,7 @@ class Arithmetic {
   const InstantName& inexact_name(InstantDetail detail, std::string decimal);
 
   ArithmeticCounters counters_;
+  std::uint64_t possible_zeros_ = 0;
   std::vector<std::shared_ptr<const Predicate>> predicates_;
   InstantName name_of_now_;
   Deadline* deadline_ = nullptr;

@@ -243,6 +243,7 @@ Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
 Outlook ExactArithmetic::look_ahead(const Query& query, double limit, FailureTime& time) {
   Outlook outlook;
   const Stage stage = find_failure(query, limit, time, outlook);
+  if (stage != Stage::kDouble) ++possible_zeros_;
   if (solved_degree_ >= 0) count_solved(solved_degree_);
   ++count(query).failures[static_cast<std::size_t>(stage)];
   return outlook;
@@ -312,6 +313,7 @@ std::optional<Outlook> ExactArithmetic::failure_in(Stage stage, const Query& que
     const auto sign = sign_over_now(p);
     if (sign == Sign::kNegative) return fails_now(time);
     if (!sign) {
+      ++possible_zeros_;
       // A root exactly at the origin shows in the coefficients.
       if (!(now_.lo == p.origin && now_.hi == p.origin) || m[0] != 0) return std::nullopt;
       int k = 0;

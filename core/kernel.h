@@ -149,6 +149,8 @@ class Kernel {
   bool failure_is_due() const {
     return !queue_.empty() && queue_.certificate(queue_.top()).outlook == Outlook::kFailsNow;
   }
+  // Counts certificates that may be zero at now (Arithmetic::possible_zeros).
+  std::uint64_t possible_zeros() const { return arithmetic_->possible_zeros(); }
   // The number of the present instant in the run, from 1.
   std::uint64_t instant_number() const { return instant_number_; }
   // A time near now that is the same in every exact arithmetic (Arithmetic::now_rounded), for

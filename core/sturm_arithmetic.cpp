@@ -272,6 +272,7 @@ Outlook SturmArithmetic::look_ahead(const Query& query, double limit, FailureTim
   }
   ++counters_.polynomials_solved[degree];
   const RationalSturm sturm(p, work_);
+  if (vanishes_at(p, now(), work_)) ++possible_zeros_;
   Outlook outlook = Outlook::kFailsNow;
   if (kinex::sign_after(p, sturm, now(), work_) == Sign::kNegative) {
     time = {-kInfinity, kInfinity, instants_.share(now_) | kBornFailing};

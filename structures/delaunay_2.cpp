@@ -93,10 +93,12 @@ void Delaunay2::flip(HalfEdge h) {
   const HalfEdge d = store_.flip(h);
   const HalfEdge e = store_.twin(d);
   set_certificate(d);  // first: the arithmetic reuses the polynomial of the failure
+  const std::uint64_t zeros = kernel_->possible_zeros();
   set_certificate(Triangulation2::next(d));
   set_certificate(Triangulation2::previous(d));
   set_certificate(Triangulation2::next(e));
   set_certificate(Triangulation2::previous(e));
+  rim_is_zero_ = kernel_->possible_zeros() != zeros;
 }
 
 // The edge's four points are identically cocircular and the smallest id is not on the edge.
@@ -189,7 +191,11 @@ void Delaunay2::certificate_failed(CertificateId failed) {
   fails_now_ = false;
   flip(h);
   if (corrupt_) return;
-  report_flip(u, v, p, q, shared || fails_now_);
+  if (rim_is_zero_ && !shared) {
+    for (const ObjectId w : {u, v, p, q}) suspect(w);
+    kernel_->settle_later(id_);
+  }
+  report_flip(u, v, p, q, shared || fails_now_ || rim_is_zero_);
   if (!ties_.empty()) settle_ties(true);
 }
 

@@ -35,7 +35,9 @@
 //
 // Degenerate instants. A certificate that fails alone is one flip. Where several fail at one
 // instant, triangles may turn over without any certificate showing it (points that meet and pass
-// through each other; all points on one line), or the hull may end up winding around twice.
+// through each other; all points on one line), or the hull may end up winding around twice. So they
+// may where one certificate fails alone and others, with two of its points, are zero without a change
+// of sign (three points that turn through one): a rim certificate is zero at such an instant.
 //   1. A flip is then made only if its edge does not exist yet and both new triangles are upright
 //      (positively oriented right after now); otherwise the edge goes without a certificate for the
 //      moment ("blocked").
@@ -207,6 +209,7 @@ class Delaunay2 final : public Structure {
 
   // The present instant.
   bool fails_now_ = false;      // a certificate was made that is negative right after now
+  bool rim_is_zero_ = false;    // of the last flip: a rim certificate may be zero at now
   EdgeChanges untold_;          // of the attribute, not reported by events
   bool comes_or_goes_ = false;  // during an insertion or erasure, which reports its changes itself
   std::vector<ObjectId> suspects_;

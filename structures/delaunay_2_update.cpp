@@ -147,7 +147,8 @@ void Delaunay2::instant_settled() {
   }
   suspects_.insert(suspects_.end(), moved_.begin(), moved_.end());
   if (mend() && !reexamine_hidden()) rebuild_because("points part at a degenerate instant");
-  for (const ObjectId v : moved_) {
+  // Ties that new motions have made, and those that could not be settled in the midst of the instant.
+  for (const ObjectId v : suspects_) {
     if (corrupt_ || on_line_ || !store_.has(v)) continue;
     store_.link(v, link_);
     for (const HalfEdge h : link_) {

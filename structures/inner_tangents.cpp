@@ -170,7 +170,7 @@ std::optional<CollisionPairs::Features> InnerTangents::touch(PairId p, When when
   for (int i = 0; i < 4; ++i) {
     const SumBoundary::Edge edge = beside(sum, at_first, true);
     if (!is_on_line(edge)) break;
-    if (sign(sum.past(edge.z, edge.edge, false, edge.vertex), now) != Sign::kNegative &&
+    if (sign(sum.past(edge.z, edge.edge, false, edge.vertex), when) != Sign::kNegative &&
         sign(sum.short_of(edge.z, edge.edge, true, edge.vertex), when) != Sign::kNegative) {
       return at(edge);
     }
