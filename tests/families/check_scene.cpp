@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/families/check_scene.h"
 
+#include <algorithm>
 #include <exception>
 #include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/refused_change.h"
 #include "core/simulator.h"
@@ -34,8 +36,16 @@ class Lines final : public EventSink {
     all += std::to_string(event.structure) + " " + std::string(kinds[event.kind]) + objects +
            (event.external ? " !\n" : "\n");
     if (!event.external || event.structure != asked_) return;
-    external += std::string(kinds[event.kind]) + objects + "\n";
-    changes += objects + "\n";
+    external_now_.push_back(std::string(kinds[event.kind]) + objects + "\n");
+    changes_now_.push_back(objects + "\n");
+  }
+  // What happens at one instant has no order that structures of one attribute would share.
+  void instant_ended() override {
+    for (const auto& [lines, text] : {std::pair(&external_now_, &external), {&changes_now_, &changes}}) {
+      std::sort(lines->begin(), lines->end());
+      for (const std::string& line : *lines) *text += line;
+      lines->clear();
+    }
   }
 
   std::string all;
@@ -43,6 +53,7 @@ class Lines final : public EventSink {
   std::string changes;   // the objects alone
 
  private:
+  std::vector<std::string> external_now_, changes_now_;  // of the instant in hand
   const Simulator* simulator_;
   StructureId asked_;
 };
