@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/time_text.h"
+#include "core/numbers/time_text.h"
 #include "experiments/input_error.h"
 #include "experiments/placed_body.h"
 #include "experiments/scene_parts.h"

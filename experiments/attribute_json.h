@@ -3,8 +3,8 @@
 #ifndef KINEX_EXPERIMENTS_ATTRIBUTE_JSON_H
 #define KINEX_EXPERIMENTS_ATTRIBUTE_JSON_H
 
-#include "core/scene.h"
-#include "core/structure.h"
+#include "core/engine/structure.h"
+#include "core/motion/scene.h"
 #include "experiments/json_writer.h"
 
 namespace kinex {

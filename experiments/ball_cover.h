@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The number of balls that cover the relative motion of two bodies, each small against the
 // separation at its centre: a bound on the events of a proof that withstands a constant fraction of
-// the separation (structures/separation_hysteresis.h), however jagged the motion.
+// the separation (structures/collision/separation_hysteresis.h), however jagged the motion.
 #ifndef KINEX_EXPERIMENTS_BALL_COVER_H
 #define KINEX_EXPERIMENTS_BALL_COVER_H
 
 #include <cstdint>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/polynomial_gcd.h"
-#include "core/real_root.h"
+#include "core/numbers/polynomial_gcd.h"
+#include "core/numbers/real_root.h"
 #include "experiments/counted.h"
 #include "experiments/input_error.h"
 #include "experiments/placed_body.h"

@@ -20,8 +20,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/real_root.h"
-#include "core/scene.h"
+#include "core/motion/scene.h"
+#include "core/numbers/real_root.h"
 #include "experiments/placed_body.h"
 
 namespace kinex {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "core/rational.h"
+#include "core/numbers/rational.h"
 #include "experiments/csv_table.h"
 #include "experiments/input_error.h"
 

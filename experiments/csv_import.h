@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 #include "experiments/csv_polygons.h"
 
 namespace kinex {

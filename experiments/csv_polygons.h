@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

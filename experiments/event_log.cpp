@@ -5,7 +5,7 @@
 #include <charconv>
 #include <optional>
 
-#include "core/number_text.h"
+#include "core/numbers/number_text.h"
 #include "experiments/json_writer.h"
 #include "experiments/scene_run.h"
 #include "experiments/scene_writer.h"

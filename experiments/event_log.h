@@ -35,7 +35,7 @@
 //     interval    ends are dyadic and no roots, and the instant is the only root in it; A = B for a
 //                 rational instant, whose polynomial is linear
 //     decimal     for readers, truncated towards zero to 12 significant digits
-//                 (core/instant_digits.h)
+//                 (core/numbers/instant_digits.h)
 //
 // Kinds of all structures:
 //   motion         the flight plan of an object changed; its consequences are reported after it
@@ -60,9 +60,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/event.h"
-#include "core/instant_name.h"
-#include "core/simulator.h"
+#include "core/engine/event.h"
+#include "core/engine/simulator.h"
+#include "core/numbers/instant_name.h"
 #include "experiments/file_io.h"
 #include "experiments/log_digest.h"
 #include "experiments/sha256.h"

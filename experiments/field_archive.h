@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/integer.h"
+#include "core/numbers/integer.h"
 
 namespace kinex {
 

@@ -11,7 +11,7 @@
 #ifndef KINEX_EXPERIMENTS_GMP_MEMORY_H
 #define KINEX_EXPERIMENTS_GMP_MEMORY_H
 
-#include "core/stop.h"
+#include "core/numbers/stop.h"
 
 namespace kinex {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/integer.h"
+#include "core/numbers/integer.h"
 #include "experiments/workloads/polygons.h"
 
 namespace kinex {

@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-#include "core/rational.h"
+#include "core/numbers/rational.h"
 
 namespace kinex {
 

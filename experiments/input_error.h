@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/show_text.h"
+#include "core/numbers/show_text.h"
 
 namespace kinex {
 

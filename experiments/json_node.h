@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/rational.h"
+#include "core/numbers/rational.h"
 #include "experiments/json_value.h"
 
 namespace kinex {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/stop.h"
+#include "core/numbers/stop.h"
 
 namespace kinex {
 

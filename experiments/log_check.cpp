@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/real_root.h"
+#include "core/numbers/real_root.h"
 #include "experiments/event_log.h"
 #include "experiments/json_writer.h"
 #include "experiments/log_digest.h"

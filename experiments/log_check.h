@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 #include "experiments/log_reader.h"
 
 namespace kinex {

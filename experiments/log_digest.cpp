@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/event.h"
-#include "core/simulator.h"
+#include "core/engine/event.h"
+#include "core/engine/simulator.h"
 #include "experiments/json_writer.h"
 
 namespace kinex {

@@ -27,8 +27,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/event.h"
-#include "core/run_clock.h"
+#include "core/engine/event.h"
+#include "core/engine/run_clock.h"
 #include "experiments/sha256.h"
 
 namespace kinex {

@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "core/instant_digits.h"
-#include "core/polynomial_gcd.h"
-#include "core/rational_root.h"
-#include "core/sturm_sequence.h"
+#include "core/numbers/instant_digits.h"
+#include "core/numbers/polynomial_gcd.h"
+#include "core/numbers/rational_root.h"
+#include "core/numbers/sturm_sequence.h"
 
 namespace kinex {
 

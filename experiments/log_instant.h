@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/real_root.h"
+#include "core/numbers/real_root.h"
 #include "experiments/log_reader.h"
 
 namespace kinex {

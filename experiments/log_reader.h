@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/instant_name.h"
-#include "core/polynomial.h"
-#include "core/rational.h"
+#include "core/numbers/instant_name.h"
+#include "core/numbers/polynomial.h"
+#include "core/numbers/rational.h"
 
 namespace kinex {
 

@@ -11,9 +11,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/predicate.h"
-#include "core/real_root.h"
-#include "core/scene.h"
+#include "core/arithmetic/predicate.h"
+#include "core/motion/scene.h"
+#include "core/numbers/real_root.h"
 #include "experiments/log_reader.h"
 #include "experiments/view/certificate_polynomial.h"
 

@@ -6,7 +6,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "core/stop.h"
+#include "core/numbers/stop.h"
 #include "experiments/event_log.h"
 #include "experiments/gmp_memory.h"
 #include "experiments/input_error.h"

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "core/scene.h"
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/polynomial.h"
+#include "core/numbers/polynomial.h"
 
 namespace kinex {
 

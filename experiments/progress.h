@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 
 namespace kinex {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 #include "experiments/json_node.h"
 
 namespace kinex {

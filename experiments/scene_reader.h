@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene.h"
-#include "core/stop.h"
+#include "core/motion/scene.h"
+#include "core/numbers/stop.h"
 
 namespace kinex {
 

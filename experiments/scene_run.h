@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 
 namespace kinex {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

@@ -4,7 +4,7 @@
 #ifndef KINEX_EXPERIMENTS_TURNED_SCENE_H
 #define KINEX_EXPERIMENTS_TURNED_SCENE_H
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

@@ -11,8 +11,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/predicate.h"
-#include "core/scene.h"
+#include "core/arithmetic/predicate.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/scene.h"
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

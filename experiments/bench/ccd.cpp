@@ -18,8 +18,8 @@
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"
-#include "predicates/contact_exact.h"
-#include "predicates/continuous_contact.h"
+#include "predicates/ccd/contact_exact.h"
+#include "predicates/ccd/continuous_contact.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 // Output: see result_table.h; options: see options.h.
 #include <cstdio>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"

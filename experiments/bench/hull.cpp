@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Questions: in how many certificates is one point at most, on every workload in the plane, against
 //   log2 n (locality)? And at which heights of the tree do the events of random motion happen?
-// Bound on locality: c per half and level, c = 24 (structures/convex_hull_2.h); the column
+// Bound on locality: c per half and level, c = 24 (structures/hull/convex_hull_2.h); the column
 //   `per_half_and_level` is the smallest sufficient c. Runs stop after 200,000 events, in
 //   degenerate families after 20,000. In the families with changes, n changes happen.
 // Second table: height 1 is above single points; `events_per_pair`: over the pairs of points that
@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
-#include "structures/convex_hull_2.h"
+#include "structures/hull/convex_hull_2.h"
 #include "structures/plan.h"
 
 namespace {

@@ -12,8 +12,8 @@
 #include <optional>
 #include <string>
 
-#include "core/event.h"
-#include "core/simulator.h"
+#include "core/engine/event.h"
+#include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"

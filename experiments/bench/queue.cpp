@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/event_queue.h"
+#include "core/engine/event_queue.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/queue_trace.h"
 #include "experiments/bench/result_table.h"

@@ -4,7 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "core/simulator.h"
+#include "core/engine/scheduler.h"
+#include "core/engine/simulator.h"
 #include "structures/registry.h"
 
 namespace kinex {
@@ -56,7 +57,7 @@ class Recorder final : public Structure {
 
   // Records the changes since the last look, except those of `except`.
   void look(CertificateId except) {
-    const EventQueue& queue = std::as_const(*kernel_).queue();
+    const EventQueue& queue = static_cast<const Scheduler*>(kernel_)->queue();
     known_.resize(queue.capacity());
     trace_->certificates = queue.capacity();
     for (CertificateId id = 0; id < known_.size(); ++id) {

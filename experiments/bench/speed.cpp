@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
 #include "experiments/cpu_clock.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/exactly.h"
+#include "core/numbers/exactly.h"
 #include "experiments/input_error.h"
 
 namespace kinex {

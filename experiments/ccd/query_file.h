@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/stop.h"
-#include "predicates/continuous_contact.h"
+#include "core/numbers/stop.h"
+#include "predicates/ccd/continuous_contact.h"
 
 namespace kinex {
 

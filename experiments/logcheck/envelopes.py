@@ -5,7 +5,7 @@ Point (p, q) is the line y = p x + q; the upper hull is the upper envelope, the 
 upside down. A node merges the chains of its children, red and blue. A corner (a, b) is where line b
 follows line a; corners of both colours have one order from left to right, and each has a contender,
 the line of the other colour there. What a node claims follows from its state alone (see the table in
-structures/convex_hull_2.h); claims() below is that table.
+structures/hull/convex_hull_2.h); claims() below is that table.
 """
 
 UPPER, LOWER = 0, 1

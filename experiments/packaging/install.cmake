@@ -3,7 +3,8 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(KINEX_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/kinex)
-install(TARGETS kinex_core kinex_predicates kinex_structures kinex_options EXPORT kinexTargets
+get_property(rooms GLOBAL PROPERTY KINEX_ROOMS)
+install(TARGETS ${rooms} kinex_options EXPORT kinexTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS kinex RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(folder core predicates structures)

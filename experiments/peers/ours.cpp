@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <string>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/peers/truth.h"
 #include "experiments/workloads/polygons.h"
-#include "structures/collision_pairs.h"
+#include "structures/collision/collision_pairs.h"
 #include "structures/registry.h"
 
 namespace kinex::peers {

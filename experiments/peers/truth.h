@@ -18,7 +18,7 @@
 #include <optional>
 #include <string>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 #include "experiments/peers/case.h"
 
 namespace kinex::peers {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/arithmetic.h"
+#include "core/arithmetic/arithmetic.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/workload.h"
 #include "experiments/workloads/families.h"

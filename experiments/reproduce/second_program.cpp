@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/stop.h"
+#include "core/numbers/stop.h"
 #include "experiments/event_log.h"
 #include "experiments/file_io.h"
 #include "experiments/gmp_memory.h"

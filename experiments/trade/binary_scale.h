@@ -3,7 +3,7 @@
 #ifndef KINEX_EXPERIMENTS_TRADE_BINARY_SCALE_H
 #define KINEX_EXPERIMENTS_TRADE_BINARY_SCALE_H
 
-#include "core/rational.h"
+#include "core/numbers/rational.h"
 
 namespace kinex {
 

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 #include "experiments/verify/catalogue.h"
 #include "experiments/workload.h"
 

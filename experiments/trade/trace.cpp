@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/arithmetic.h"
+#include "core/arithmetic/arithmetic.h"
 #include "experiments/trade/binary_scale.h"
 
 namespace kinex {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "core/event.h"
-#include "core/real_root.h"
+#include "core/engine/event.h"
+#include "core/numbers/real_root.h"
 
 namespace kinex {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/rational.h"
+#include "core/numbers/rational.h"
 
 namespace CLI {
 class App;

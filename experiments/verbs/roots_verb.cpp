@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/real_root.h"
+#include "core/numbers/real_root.h"
 #include "experiments/file_io.h"
 #include "experiments/input_error.h"
 #include "experiments/json_writer.h"

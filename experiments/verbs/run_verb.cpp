@@ -12,8 +12,8 @@
 #include <system_error>
 #include <vector>
 
-#include "core/refused_change.h"
-#include "core/stop.h"
+#include "core/engine/refused_change.h"
+#include "core/numbers/stop.h"
 #include "experiments/event_log.h"
 #include "experiments/file_io.h"
 #include "experiments/gmp_memory.h"

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/integer.h"
-#include "core/scene.h"
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
+#include "core/motion/scene.h"
+#include "core/numbers/integer.h"
 #include "experiments/workload.h"
 
 namespace kinex {

@@ -11,8 +11,8 @@
 #include <tuple>
 #include <utility>
 
+#include "structures/collision/separation_mixed.h"
 #include "structures/registry.h"
-#include "structures/separation_mixed.h"
 
 namespace kinex {
 namespace {

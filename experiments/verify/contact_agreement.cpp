@@ -20,7 +20,7 @@
 #include "experiments/scene_run.h"
 #include "experiments/verify/catalogue.h"
 #include "experiments/verify/collision_studies.h"
-#include "structures/collision_pairs.h"
+#include "structures/collision/collision_pairs.h"
 
 namespace kinex {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: does the kinetic hanger have as many events as its coins predict?
-// Source: structures/maximum_hanger.h: the sum over all crossings of q(k), k the lines above the
+// Source: structures/maximum/maximum_hanger.h: the sum over all crossings of q(k), k the lines above the
 //   crossing, O(n log n) for lines; da Fonseca, de Figueiredo, Carvalho, "Kinetic hanger" (2004).
 // Scenes: the worst cases of tournament and heap, and random motion; many seeds of the coins for
 //   each, the first scene only.
@@ -14,11 +14,11 @@
 #include <memory>
 #include <utility>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "experiments/verify/point_studies.h"
 #include "experiments/verify/statistics.h"
 #include "experiments/workload.h"
-#include "structures/maximum_hanger.h"
+#include "structures/maximum/maximum_hanger.h"
 
 namespace kinex {
 

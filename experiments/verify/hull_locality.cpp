@@ -12,10 +12,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "experiments/verify/measurement.h"
 #include "experiments/verify/point_studies.h"
-#include "structures/convex_hull_2.h"
+#include "structures/hull/convex_hull_2.h"
 
 namespace kinex {
 

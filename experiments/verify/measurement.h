@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "experiments/verify/cell.h"
 
 namespace kinex {

@@ -2,7 +2,7 @@
 // Question: how many nodes of an outer hierarchy have their apex at a distance of s or more from
 //   the polygon, and how deep are they?
 // Sources: the introduction of Erickson, Guibas, Stolfi, Zhang (1999) promises O(sqrt(D / s))
-//   vertices; constants and checks: structures/hierarchy_bounds.h, as in every run.
+//   vertices; constants and checks: structures/collision/hierarchy_bounds.h, as in every run.
 // Exactness: the table's distances are in doubles, of exact apexes.
 // Cost: a second, ten in full.
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 #include "experiments/verify/catalogue.h"
 #include "experiments/verify/collision_studies.h"
 #include "experiments/workloads/polygons.h"
-#include "structures/hierarchy_bounds.h"
+#include "structures/collision/hierarchy_bounds.h"
 
 namespace kinex {
 namespace {

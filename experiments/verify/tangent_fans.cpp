@@ -14,7 +14,7 @@
 #include "experiments/scene_run.h"
 #include "experiments/verify/collision_studies.h"
 #include "experiments/workload.h"
-#include "structures/inner_tangents.h"
+#include "structures/collision/inner_tangents.h"
 
 namespace kinex {
 namespace {

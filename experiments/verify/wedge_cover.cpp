@@ -2,7 +2,7 @@
 // Question: are the events of separation_hysteresis at most as many as balls that cover the motion,
 //   each of radius 0.103 of the separation at its centre (ball_cover.h)?
 // Sources: the property is that of Erickson, Guibas, Stolfi, Zhang (1999), introduction; metric and
-//   constant: structures/separation_hysteresis.h.
+//   constant: structures/collision/separation_hysteresis.h.
 // Parameters: B6 of collision_cells.cpp: trembling, random walks with kinks, an approach by halves;
 //   and, turning, a square whose corners pass over the edge of another one, and gears. Each with
 //   either body as the first.
@@ -22,7 +22,7 @@
 #include "experiments/scene_run.h"
 #include "experiments/verify/collision_studies.h"
 #include "experiments/workloads/polygons.h"
-#include "structures/separation_hysteresis.h"
+#include "structures/collision/separation_hysteresis.h"
 
 namespace kinex {
 namespace {

@@ -4,8 +4,8 @@
 #ifndef KINEX_EXPERIMENTS_VERIFY_WITNESS_H
 #define KINEX_EXPERIMENTS_VERIFY_WITNESS_H
 
-#include "core/integer.h"
-#include "core/scene.h"
+#include "core/motion/scene.h"
+#include "core/numbers/integer.h"
 
 namespace kinex {
 

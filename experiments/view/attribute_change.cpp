@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/check.h"
+#include "core/numbers/check.h"
 
 namespace kinex {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/structure.h"
+#include "core/engine/structure.h"
 
 namespace kinex {
 

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "core/certificate.h"
-#include "core/derived_objects.h"
-#include "core/polynomial.h"
-#include "core/predicate.h"
-#include "core/scene.h"
+#include "core/arithmetic/predicate.h"
+#include "core/engine/certificate.h"
+#include "core/motion/derived_objects.h"
+#include "core/motion/scene.h"
+#include "core/numbers/polynomial.h"
 
 namespace kinex {
 

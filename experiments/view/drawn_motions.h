@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/rational.h"
-#include "core/scene.h"
+#include "core/motion/scene.h"
+#include "core/numbers/rational.h"
 
 namespace kinex {
 

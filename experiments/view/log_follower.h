@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 #include "experiments/log_reader.h"
 #include "experiments/view/recorder.h"
 

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 #include "experiments/view/recorded_run.h"
 
 namespace kinex {

@@ -10,7 +10,7 @@
 //            the larger of |a| and |b|, and a point's [a/c/scale, b/c/scale]; null if it is none
 //   FEATURE  0 or [KIND, FIRST, LAST], kinds as in frame_feature.h: "vertex", "edge", "across",
 //            "corner", "support"
-//   TILE     0 or [KIND, X, V, OTHER], as in structures/mixed_tiles.h
+//   TILE     0 or [KIND, X, V, OTHER], as in structures/collision/mixed_tiles.h
 #ifndef KINEX_EXPERIMENTS_VIEW_PROOF_DATA_H
 #define KINEX_EXPERIMENTS_VIEW_PROOF_DATA_H
 

@@ -5,11 +5,11 @@
 #include <optional>
 #include <string_view>
 
-#include "predicates/pose_2.h"
-#include "structures/body_grid.h"
-#include "structures/collision_pairs.h"
-#include "structures/separation_minkowski.h"
-#include "structures/separation_mixed.h"
+#include "predicates/bodies/pose_2.h"
+#include "structures/collision/body_grid.h"
+#include "structures/collision/collision_pairs.h"
+#include "structures/collision/separation_minkowski.h"
+#include "structures/collision/separation_mixed.h"
 
 namespace kinex {
 

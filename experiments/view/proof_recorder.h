@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "experiments/view/recorded_run.h"
 
 namespace kinex {

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "core/rational.h"
-#include "core/scene.h"
+#include "core/motion/scene.h"
+#include "core/numbers/rational.h"
 #include "experiments/view/frame_feature.h"
-#include "structures/mixed_tiles.h"
+#include "structures/collision/mixed_tiles.h"
 
 namespace kinex {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/event.h"
-#include "core/rational.h"
+#include "core/engine/event.h"
+#include "core/numbers/rational.h"
 #include "experiments/scene_run.h"
 #include "experiments/view/attribute_change.h"
 #include "experiments/view/recorded_proof.h"

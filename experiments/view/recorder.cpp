@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/check.h"
-#include "core/refused_change.h"
-#include "core/stop.h"
+#include "core/engine/refused_change.h"
+#include "core/numbers/check.h"
+#include "core/numbers/stop.h"
 #include "experiments/gmp_memory.h"
 #include "experiments/input_error.h"
 #include "experiments/log_digest.h"

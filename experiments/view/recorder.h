@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "experiments/view/recorded_run.h"
 
 namespace kinex {

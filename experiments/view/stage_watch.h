@@ -8,8 +8,8 @@
 #include <memory>
 #include <unordered_map>
 
-#include "core/arithmetic.h"
-#include "core/touch.h"
+#include "core/arithmetic/arithmetic.h"
+#include "core/arithmetic/touch.h"
 
 namespace kinex {
 

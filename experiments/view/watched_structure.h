@@ -9,8 +9,8 @@
 #include <new>
 #include <utility>
 
-#include "core/stop.h"
-#include "core/structure.h"
+#include "core/engine/structure.h"
+#include "core/numbers/stop.h"
 
 namespace kinex {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 #include "experiments/workload.h"
 
 namespace kinex {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 #include "experiments/workload.h"
 
 namespace kinex {

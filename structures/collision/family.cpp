@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/collision/family.h"
 
-#include "core/show_text.h"
-#include "core/turning.h"
-#include "structures/bounding_volumes.h"
-#include "structures/closest_features.h"
-#include "structures/inner_tangents.h"
-#include "structures/outer_hierarchies.h"
-#include "structures/separation_hysteresis.h"
-#include "structures/separation_minkowski.h"
-#include "structures/separation_mixed.h"
+#include "core/motion/turning.h"
+#include "core/numbers/show_text.h"
+#include "structures/collision/bounding_volumes.h"
+#include "structures/collision/closest_features.h"
+#include "structures/collision/inner_tangents.h"
+#include "structures/collision/outer_hierarchies.h"
+#include "structures/collision/separation_hysteresis.h"
+#include "structures/collision/separation_minkowski.h"
+#include "structures/collision/separation_mixed.h"
 
 namespace kinex {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/hull/family.h"
 
-#include "structures/convex_hull_2.h"
-#include "structures/convex_hull_2_brute_force.h"
-#include "structures/convex_hull_2_delaunay.h"
+#include "structures/hull/convex_hull_2.h"
+#include "structures/hull/convex_hull_2_brute_force.h"
+#include "structures/hull/convex_hull_2_delaunay.h"
 
 namespace kinex {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/maximum/family.h"
 
-#include "structures/maximum_dual_hull.h"
-#include "structures/maximum_envelope.h"
-#include "structures/maximum_hanger.h"
-#include "structures/maximum_heap.h"
-#include "structures/maximum_of_list.h"
-#include "structures/maximum_tournament.h"
+#include "structures/maximum/maximum_dual_hull.h"
+#include "structures/maximum/maximum_envelope.h"
+#include "structures/maximum/maximum_hanger.h"
+#include "structures/maximum/maximum_heap.h"
+#include "structures/maximum/maximum_of_list.h"
+#include "structures/maximum/maximum_tournament.h"
 
 namespace kinex {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/order/family.h"
 
-#include "structures/sorted_list.h"
+#include "structures/order/sorted_list.h"
 
 namespace kinex {
 

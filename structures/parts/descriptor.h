@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/kernel.h"
-#include "core/scene.h"
-#include "core/structure.h"
+#include "core/engine/kernel.h"
+#include "core/engine/structure.h"
+#include "core/motion/scene.h"
 
 namespace kinex {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/triangulation/family.h"
 
-#include "structures/delaunay_2.h"
+#include "structures/triangulation/delaunay_2.h"
 
 namespace kinex {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/workload.h"
-#include "structures/separation_hysteresis.h"
+#include "structures/collision/separation_hysteresis.h"
 #include "tests/experiments/collision_runs.h"
 #include "tests/sanitized.h"
 

@@ -8,8 +8,8 @@
 
 #include "experiments/ball_cover.h"
 #include "experiments/workload.h"
-#include "structures/separation_hysteresis.h"
-#include "structures/separation_mixed.h"
+#include "structures/collision/separation_hysteresis.h"
+#include "structures/collision/separation_mixed.h"
 #include "tests/experiments/collision_runs.h"
 #include "tests/sanitized.h"
 

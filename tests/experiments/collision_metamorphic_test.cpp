@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "structures/separation_mixed.h"
+#include "structures/collision/separation_mixed.h"
 #include "tests/experiments/collision_runs.h"
 #include "tests/sanitized.h"
 

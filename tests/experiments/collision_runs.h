@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/real_root.h"
+#include "core/numbers/real_root.h"
 #include "experiments/collision_witness.h"
-#include "structures/collision_pairs.h"
+#include "structures/collision/collision_pairs.h"
 #include "tests/experiments/body_fixture.h"
 #include "tests/structures/test_run.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/real_root.h"
+#include "core/numbers/real_root.h"
 #include "experiments/scene_reader.h"
 #include "experiments/scene_run.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/refused_change.h"
+#include "core/engine/refused_change.h"
 #include "experiments/placed_body.h"
 #include "experiments/scene_reader.h"
 #include "experiments/scene_writer.h"

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "experiments/workload.h"
-#include "structures/body_grid.h"
+#include "structures/collision/body_grid.h"
 #include "tests/experiments/collision_runs.h"
 #include "tests/sanitized.h"
 

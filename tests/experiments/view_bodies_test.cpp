@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/real_root.h"
+#include "core/numbers/real_root.h"
 #include "experiments/view/page_data.h"
-#include "structures/body_grid.h"
-#include "structures/separation_mixed.h"
+#include "structures/collision/body_grid.h"
+#include "structures/collision/separation_mixed.h"
 #include "tests/experiments/view_fixture.h"
 
 namespace kinex {

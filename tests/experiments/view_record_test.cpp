@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <random>
 
-#include "core/polynomial_gcd.h"
-#include "core/real_root.h"
+#include "core/numbers/polynomial_gcd.h"
+#include "core/numbers/real_root.h"
 #include "experiments/input_error.h"
 #include "tests/experiments/view_fixture.h"
 

@@ -8,7 +8,7 @@
 
 #include "experiments/ball_cover.h"
 #include "experiments/workloads/polygons.h"
-#include "structures/separation_hysteresis.h"
+#include "structures/collision/separation_hysteresis.h"
 #include "tests/experiments/collision_runs.h"
 #include "tests/sanitized.h"
 

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "core/polynomial.h"
+#include "core/numbers/polynomial.h"
 #include "experiments/scene_reader.h"
 #include "experiments/scene_run.h"
 #include "experiments/scene_writer.h"

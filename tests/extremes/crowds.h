@@ -14,7 +14,7 @@
 
 #include <string>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 
 namespace kinex::extremes {
 

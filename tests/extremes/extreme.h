@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/polynomial.h"
-#include "core/real_root.h"
-#include "core/scene.h"
+#include "core/motion/scene.h"
+#include "core/numbers/polynomial.h"
+#include "core/numbers/real_root.h"
 
 namespace kinex::extremes {
 

@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "core/rational_sturm.h"
-#include "core/sturm_sequence.h"
+#include "core/numbers/rational_sturm.h"
+#include "core/numbers/sturm_sequence.h"
 #include "tests/extremes/extreme.h"
 
 namespace kinex::extremes {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/refused_change.h"
-#include "core/simulator.h"
+#include "core/engine/refused_change.h"
+#include "core/engine/simulator.h"
 #include "experiments/cpu_clock.h"
 #include "experiments/input_error.h"
 #include "experiments/run_report.h"

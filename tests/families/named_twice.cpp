@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/predicate_formula.h"
-#include "core/simulator.h"
-#include "tests/core/plain_list.h"
+#include "core/arithmetic/predicate_formula.h"
+#include "core/engine/simulator.h"
+#include "tests/core/engine/plain_list.h"
 #include "tests/families/family.h"
 #include "tests/families/scene_text.h"
 

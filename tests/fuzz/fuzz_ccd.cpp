@@ -3,10 +3,10 @@
 // its name is that of one root in [0, 1].
 #include <string_view>
 
-#include "core/sturm_sequence.h"
+#include "core/numbers/sturm_sequence.h"
 #include "experiments/ccd/query_file.h"
 #include "experiments/input_error.h"
-#include "predicates/contact_exact.h"
+#include "predicates/ccd/contact_exact.h"
 #include "tests/fuzz/harness.h"
 
 namespace {

@@ -2,8 +2,8 @@
 // Any bytes are polynomials or refused; isolated roots agree with Sturm's theorem.
 #include <string_view>
 
-#include "core/real_root.h"
-#include "core/sturm_sequence.h"
+#include "core/numbers/real_root.h"
+#include "core/numbers/sturm_sequence.h"
 #include "experiments/input_error.h"
 #include "experiments/polynomial_file.h"
 #include "tests/fuzz/harness.h"

@@ -11,7 +11,7 @@
 #include "experiments/scene_reader.h"
 #include "tests/program/spawn.h"
 #include "tests/shared_data.h"
-#include "tests/structures/hull_support.h"
+#include "tests/structures/hull/hull_support.h"
 
 namespace kinex::test {
 namespace {

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
 

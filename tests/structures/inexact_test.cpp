@@ -15,7 +15,7 @@ void expect_end(const Scene& scene) {
   for (const StructureInfo& info : structure_infos()) {
     if (info.bodies) continue;
     if (!info.reads.empty()) continue;  // only the structure that it reads can become corrupt
-    if (info.linear && scene.degree() > 1) continue;
+    if (info.linear() && scene.degree() > 1) continue;
     for (const char* arithmetic : kInexact) {
       SCOPED_TRACE(std::string(info.name) + " in " + arithmetic);
       Trial run(scene, std::string(info.name), arithmetic, AuditLevel::kEnd);

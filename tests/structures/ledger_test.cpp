@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "structures/plan.h"
-#include "tests/structures/hull_support.h"
+#include "tests/structures/hull/hull_support.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/real_root.h"
-#include "core/scene.h"
+#include "core/motion/scene.h"
+#include "core/numbers/real_root.h"
 #include "tests/structures/recorder.h"
 
 namespace kinex::test {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 
 namespace kinex::test {
 

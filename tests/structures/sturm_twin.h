@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "structures/registry.h"
 #include "tests/structures/recorder.h"
 

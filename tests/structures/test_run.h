@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/simulator.h"
+#include "core/engine/simulator.h"
 #include "structures/registry.h"
 #include "tests/structures/sturm_twin.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/motion/scene.h"
 
 namespace kinex::test {
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/arithmetic/arithmetic.h"
+
+#include <charconv>
+#include <stdexcept>
+#include <utility>
+
+#include "core/arithmetic/double_arithmetic.h"
+#include "core/arithmetic/exact_arithmetic.h"
+#include "core/arithmetic/gsl_arithmetic.h"
+#include "core/arithmetic/mpfr_arithmetic.h"
+#include "core/arithmetic/query_relation.h"
+#include "core/arithmetic/sturm_arithmetic.h"
+#include "core/arithmetic/touch.h"
+#include "core/numbers/rounded_instant.h"
+
+namespace kinex {
+
+double Arithmetic::now_rounded() { return rounded_down(now_approximate()); }
+
+std::string Arithmetic::polynomial_model(PredicateId) const { return name(); }
+
+void Arithmetic::visit(const Query&, const FailureTime&) {
+  throw std::logic_error(name() + " cannot look from another instant");
+}
+
+void Arithmetic::leave() { throw std::logic_error(name() + " looks from no other instant"); }
+
+PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
+  predicates_.push_back(std::move(predicate));
+  counters_.by_predicate.emplace_back();
+  const PredicateId id = static_cast<PredicateId>(predicates_.size() - 1);
+  opposite_.push_back(id);
+  plain_.push_back(id);
+  const auto fails_at_touch = [this](PredicateId p) {
+    return dynamic_cast<const FailsAtTouch*>(predicates_[p].get()) != nullptr;
+  };
+  const bool touch = fails_at_touch(id);
+  const std::string_view own = predicates_[id]->name(), wanted = predicates_[id]->opposite();
+  for (PredicateId other = id; touch && other-- > 0;) {
+    if (predicates_[other]->name() != own || fails_at_touch(other)) continue;
+    plain_[id] = other;
+    break;
+  }
+  for (PredicateId other = id; !wanted.empty() && other-- > 0;) {
+    if (opposite_[other] != other || predicates_[other]->name() != wanted) continue;
+    if (fails_at_touch(other) != touch) continue;
+    opposite_[other] = id;
+    opposite_[id] = other;
+    break;
+  }
+  bound_predicate(id);
+  return id;
+}
+
+int Arithmetic::related(const Query& a, const Query& b) const {
+  const PredicateId p = plain_[a.predicate], q = plain_[b.predicate];
+  if (p == q) {
+    Query x = a, y = b;
+    x.predicate = y.predicate = p;
+    return query_relation(x, y, predicates_[p]->alternating());
+  }
+  return opposite_[p] == q && a.ids == b.ids ? -1 : 0;
+}
+
+const InstantName& Arithmetic::inexact_name(InstantDetail detail, std::string decimal) {
+  if (name_of_now_.number == 0 || decimal != name_of_now_.decimal) ++name_of_now_.number;
+  name_of_now_.detail = detail;
+  name_of_now_.decimal = std::move(decimal);
+  return name_of_now_;
+}
+
+std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene) {
+  if (name == "exact") return std::make_unique<ExactArithmetic>(scene);
+  if (name == "sturm") return make_sturm_arithmetic(scene);
+  if (name == "double") return make_double_arithmetic(scene);
+  if (name == "gsl") return make_gsl_arithmetic(scene);
+  if (name.substr(0, 5) == "mpfr:") {
+    long bits = 0;
+    const char* last = name.data() + name.size();
+    const auto [end, error] = std::from_chars(name.data() + 5, last, bits);
+    if (error == std::errc() && end == last && bits >= 2 && bits <= 100000) {
+      return make_mpfr_arithmetic(scene, bits);
+    }
+  }
+  throw std::invalid_argument(
+      "unknown arithmetic \"" + std::string(name) +
+      "\"; choose exact, sturm, double, gsl or mpfr:P with 2 <= P <= 100000 bits");
+}
+
+}  // namespace kinex

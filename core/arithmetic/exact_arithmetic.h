@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ExactArithmetic (`exact`): every answer is exact, and nearly all come from a floating-point
+// filter.
+//
+// Stages, cheapest first. A stage may abstain but is never wrong; the ledger counts their answers.
+//   kDouble  The certificate polynomial in doubles; its sign or first root is certified in doubles.
+//              Scenes of small integers over a common denominator: plain doubles in t - origin, for
+//              an origin of few bits just before now. Shifted motions and their differences are
+//              exact; the rounding errors of the rest are bounded by the predicate's relative error
+//              times the reach of the points.
+//              Other scenes: doubles with running error bounds.
+//              Signs of linear forms (core/arithmetic/linear_form.h) are first tried without the polynomial.
+//   kWide    As kDouble, with coefficients in t computed exactly in 128-bit integers.
+//   kExact   Integers of any size, isolating intervals, gcds.
+#ifndef KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H
+#define KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/arithmetic/arithmetic.h"
+#include "core/arithmetic/linear_form.h"
+#include "core/arithmetic/motion_store.h"
+#include "core/arithmetic/root_namer.h"
+#include "core/arithmetic/root_table.h"
+#include "core/arithmetic/touch.h"
+
+namespace kinex {
+
+class ExactArithmetic final : public Arithmetic, public SignNow {
+ public:
+  explicit ExactArithmetic(const Scene& scene);
+
+  std::string name() const override { return "exact"; }
+  bool is_exact() const override { return true; }
+  void set_deadline(Deadline* deadline) override {
+    Arithmetic::set_deadline(deadline);
+    root_counters_.deadline = deadline;
+  }
+  void set_motion(ObjectId object, const Trajectory& trajectory,
+                  const std::optional<Rational>& until) override;
+  void set_now(const Rational& t) override;
+  void advance(const Query& query, FailureTime& time) override;
+  void visit(const Query& query, const FailureTime& time) override;
+  void leave() override;
+  double now_approximate() const override { return now_.lo + 0.5 * (now_.hi - now_.lo); }
+  double now_rounded() override;
+  const InstantName& name_now(InstantDetail detail) override;
+  Sign sign_after(const Query& query) override;
+  Sign sign_now(const Query& query) override;
+  Outlook failure(const Query& query, FailureTime& time) override;
+  Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;
+  Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override;
+  int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) override;
+  int compare_with_now(const Query& a, FailureTime& ta) override;
+  int compare(const Query& a, FailureTime& ta, const Rational& t) override;
+  void release(FailureTime& time) override;
+  std::optional<Rational> rational_between(const Query* query, FailureTime* time) override;
+  std::size_t bytes() const override;
+  std::string number_model() const override;
+  std::string polynomial_model(PredicateId id) const override;
+
+  // Set in FailureTime::root where [lo, hi] isolates no root of the certificate's own polynomial
+  // (it was negative when created and fails at that instant).
+  static constexpr std::uint32_t kBornFailing = 0x80000000u;
+  // Set where [lo, hi] contains the root but is not proved to isolate it.
+  static constexpr std::uint32_t kLoose = 0x40000000u;
+  static constexpr std::uint32_t kFlags = kBornFailing | kLoose;
+
+ protected:
+  void bound_predicate(PredicateId id) override;
+
+ private:
+  static constexpr int kRoomForCoefficients = 128;
+  // The polynomial of one query in the filter's form; see core/numbers/first_root.h for c and m.
+  struct Approximation {
+    double c[kRoomForCoefficients];
+    double m[kRoomForCoefficients];
+    double origin;  // the polynomial is in t - origin
+    int degree;     // trailing coefficients that are exactly zero are stripped; -1: all are zero
+  };
+  struct Now {
+    double lo = 0, hi = 0;
+    Query query;
+    bool own = false;        // now is a root of the query's polynomial, at which it became negative
+    bool isolated = false;   // ... and its only root in [lo, hi]
+    std::uint32_t root = 0;  // exact form, if made
+  };
+  struct PredicateModel {
+    bool narrow = false;  // 128-bit integers hold the polynomial of any narrow motions
+    int degree = 0;
+    int homogeneity = 0;
+    bool linear = false;     // a difference of linear motions: doubles hold the polynomial
+    double reach_error = 0;  // Predicate::reach_error divided by gamma (core/numbers/first_root.h)
+    bool touches = false;    // FailsAtTouch
+    const LinearForm* form = nullptr;  // if it is one
+  };
+
+  bool all_narrow(const Query& query) const {
+    for (std::size_t i = 0; i < query.arity; ++i) {
+      if (!motions_.is_narrow(query.ids[i])) return false;
+    }
+    return true;
+  }
+  // The polynomial in the form of one stage (kDouble or kWide); false if the stage cannot hold it.
+  bool approximate(const Query& query, Stage stage, Approximation& p) const;
+  void approximate_shifted(const Query& query, Approximation& p) const;
+  std::optional<double> shift_from_anchor(const Query& query) const;
+  void update_origin();
+  bool shift_is_exact(double origin, double step) const;
+  void wide_coefficients(const Query& query, Int128* out) const;
+  // Tries one stage after the other; returns the one that answered.
+  Stage find_failure(const Query& query, double limit, FailureTime& time, Outlook& outlook);
+  std::optional<Outlook> failure_in(Stage stage, const Query& query, double limit,
+                                    FailureTime& time);
+  std::optional<Outlook> first_failure(const Query& query, const double* c, const double* m,
+                                       int degree, double origin, double from, double limit,
+                                       FailureTime& time) const;
+  Polynomial exact_polynomial(const Query& query) const;
+  std::uint32_t now_root();
+  void begin_name(const Query& query, const Rational* value);
+  void keep_now(ObjectId object);
+  void set_name_polynomial();
+  void set_exact_name(InstantName& name);
+  RealRoot copy_of_now();
+  std::uint32_t make_root(const Query& query, const FailureTime& time);
+  std::uint32_t root_of(const Query& query, FailureTime& time);
+  // +1 / -1: query is now_.query up to a permutation of that sign; 0: neither.
+  int relation_to_now(const Query& query) const;
+  double horizon(const Query& query) const;
+  std::optional<Sign> sign_over_now(const Approximation& p) const;
+  std::optional<Sign> form_over_now(const Query& query) {
+    const LinearForm* const form = models_[query.predicate].form;
+    if (form == nullptr || motions_.model().narrow) return std::nullopt;
+    return linear_signs_.over(*form, motions_, query, now_.lo, now_.hi);
+  }
+  Sign exact_sign_after(const Query& query);
+  Outlook exact_failure(const Query& query, FailureTime& time);
+  std::optional<Outlook> linear_failure(const Query& query, const Approximation& p, int relation,
+                                        FailureTime& time);
+  std::optional<Outlook> linear_failure(const Query& query, FailureTime& time);
+  Outlook fails_now(FailureTime& time);
+  bool linear_narrow(const Query& query, Int128& c0, Int128& c1) const;
+  void shrink(FailureTime& time);
+  void merge(FailureTime& a, FailureTime& b);
+  RootCounters& tally() { return root_counters_; }
+  void update_counters();
+  PredicateCounters& count(const Query& q) { return counters_.by_predicate[q.predicate]; }
+  void count_solved(int degree) {
+    if (static_cast<std::size_t>(degree) >= counters_.polynomials_solved.size()) {
+      counters_.polynomials_solved.resize(static_cast<std::size_t>(degree) + 1);
+    }
+    ++counters_.polynomials_solved[static_cast<std::size_t>(degree)];
+  }
+
+  int solved_degree_ = -1;  // of the last polynomial; -1: zero
+  MotionStore motions_;
+  LinearSigns linear_signs_;
+  std::vector<PredicateModel> models_;
+  bool touches_ = false;       // some predicate is FailsAtTouch
+  std::vector<double> until_;  // per object; empty if no motion of the scene ends
+  std::optional<Rational> end_;
+  double end_upper_;
+  Now now_;
+  Now home_;  // where leave() goes back to
+  // The origin in use for all now_.lo in [origin_, origin_end_).
+  double origin_ = 0;
+  double origin_end_ = 0;
+  // The source of the present instant's name: the query whose root it is; arity 0: a rational.
+  struct Naming {
+    Query query;
+    Rational value;
+    double lo = 0, hi = 0;   // as it became now
+    bool isolated = false;   // it is the only root of the query's polynomial there
+    bool kept = false;       // the polynomial is that of motions no longer in force
+    std::vector<Integer> polynomial;
+  };
+  Naming naming_;
+  RootNamer namer_;
+  RootTable roots_;
+  RootCounters root_counters_;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The polynomial of a certificate for the first stages of ExactArithmetic: in doubles with error
+// bounds, and in 128-bit integers.
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/arithmetic/exact_arithmetic.h"
+#include "core/numbers/first_root.h"
+
+namespace kinex {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Within 3 * 2^-53 relative: the two halves of |value| are rounded once each and their sum once.
+double to_double(Int128 value) {
+  const bool negative = value < 0;
+  const unsigned __int128 magnitude =
+      negative ? -static_cast<unsigned __int128>(value) : static_cast<unsigned __int128>(value);
+  const double high = static_cast<double>(static_cast<std::int64_t>(magnitude >> 64));
+  const std::uint64_t low_bits = static_cast<std::uint64_t>(magnitude);
+  // Unsigned to double in two exact-enough signed halves (one rounding at their sum).
+  const double low = static_cast<double>(static_cast<std::int64_t>(low_bits >> 32)) * 0x1p32 +
+                     static_cast<double>(static_cast<std::int64_t>(low_bits & 0xffffffffu));
+  const double d = high * 0x1p64 + low;
+  return negative ? -d : d;
+}
+
+// The coefficients of p^2 for p of degree D.
+template <int D>
+void square(const double* p, double* out) {
+  for (int i = 0; i <= 2 * D; ++i) out[i] = 0;
+  for (int i = 0; i <= D; ++i) {
+    out[2 * i] += p[i] * p[i];
+    for (int j = i + 1; j <= D; ++j) out[i + j] += 2 * (p[i] * p[j]);
+  }
+}
+
+template <int D>
+void power_of(const double* p, int h, double* out) {
+  double squared[2 * D + 1];
+  square<D>(p, squared);
+  if (h == 4) return square<2 * D>(squared, out);
+  if (h == 2) {
+    for (int i = 0; i <= 2 * D; ++i) out[i] = squared[i];
+    return;
+  }
+  for (int i = 0; i <= D; ++i) out[i] = p[i];
+  for (int k = 1; k < h; ++k) {
+    double product[kMaxFixedCoefficients] = {};
+    for (int i = 0; i <= k * D; ++i) {
+      for (int j = 0; j <= D; ++j) product[i + j] += out[i] * p[j];
+    }
+    for (int i = 0; i <= (k + 1) * D; ++i) out[i] = product[i];
+  }
+}
+
+// The coefficients of (reach[0] + .. + reach[d] t^d)^h; all summands are positive, so every order
+// of summation is off by a few units only (see bound_predicate).
+void reach_power(const double* reach, int d, int h, double* out) {
+  switch (d) {
+    case 1:
+      return power_of<1>(reach, h, out);
+    case 2:
+      return power_of<2>(reach, h, out);
+    default:
+      return power_of<3>(reach, h, out);
+  }
+}
+
+}  // namespace
+
+void ExactArithmetic::wide_coefficients(const Query& query, Int128* out) const {
+  constexpr std::size_t kRoom = 3 * (kMaxFixedDegree + 1);
+  std::array<std::array<std::int64_t, kRoom>, kMaxArity> integers;
+  std::array<MotionView<std::int64_t>, kMaxArity> points;
+  const std::size_t stride = std::min(motions_.stride(), kRoom);
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    const double* from = motions_.narrow(query.ids[i]);
+    for (std::size_t k = 0; k < stride; ++k) integers[i][k] = static_cast<std::int64_t>(from[k]);
+    points[i] = integers[i].data();
+  }
+  predicates_[query.predicate]->narrow(motions_.degree(), points.data(), out);
+}
+
+void ExactArithmetic::approximate_shifted(const Query& query, Approximation& p) const {
+  const PredicateModel& model = models_[query.predicate];
+  std::array<MotionView<double>, kMaxArity> points;
+  for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
+  const int d = motions_.degree();
+  p.origin = origin_;
+  if (model.reach_error == 0) {
+    predicates_[query.predicate]->plain(d, points.data(), origin_, p.c);
+    for (int i = 0; i <= model.degree; ++i) p.m[i] = std::fabs(p.c[i]);
+    return;
+  }
+  double reach[kMaxFixedDegree + 1];
+  predicates_[query.predicate]->plain_with_reach(d, points.data(), origin_, p.c, reach);
+  double power[kMaxFixedCoefficients + 1];
+  reach_power(reach, d, model.homogeneity, power);
+  for (int i = 0; i <= model.degree; ++i) p.m[i] = std::fabs(p.c[i]) + model.reach_error * power[i];
+}
+
+// From the shared anchor of the query's motions to the origin; nullopt if not an exact double.
+std::optional<double> ExactArithmetic::shift_from_anchor(const Query& query) const {
+  if (!motions_.model().anchored) return std::nullopt;
+  const std::optional<double> anchor = motions_.shared_anchor(query.ids.data(), query.arity);
+  if (!anchor) return std::nullopt;
+  const double shift = origin_ - *anchor;
+  const double back = shift - origin_;
+  const double lost = (origin_ - (shift - back)) - (*anchor + back);
+  if (lost != 0) return std::nullopt;
+  return shift;
+}
+
+bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation& p) const {
+  const PredicateModel& model = models_[query.predicate];
+  const Predicate& predicate = *predicates_[query.predicate];
+  const int degree = model.degree;
+  p.degree = degree;
+  p.origin = 0;
+  if (all_narrow(query)) {
+    if (stage == Stage::kDouble) {
+      approximate_shifted(query, p);
+    } else {
+      if (!model.narrow) return false;
+      Int128 out[kMaxFixedCoefficients];
+      wide_coefficients(query, out);
+      for (int i = 0; i <= degree; ++i) {
+        p.c[i] = to_double(out[i]);
+        p.m[i] = std::fabs(p.c[i]);
+      }
+    }
+  } else {
+    if (stage != Stage::kDouble || degree > filter::kMaxFilterDegree) return false;
+    std::array<MotionView<Ball>, kMaxArity> points;
+    const bool shifts = predicate.shifts(motions_.degree());
+    const std::optional<double> from = shifts ? shift_from_anchor(query) : std::nullopt;
+    for (std::size_t i = 0; i < query.arity; ++i) {
+      points[i] = from ? motions_.anchored(query.ids[i]) : motions_.ball(query.ids[i]);
+    }
+    Ball out[kRoomForCoefficients];
+    predicate.ball(motions_.degree(), points.data(), from.value_or(origin_), out);
+    p.origin = shifts ? origin_ : 0;
+    // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
+    const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(0);
+    double sum = 0;
+    for (int i = 0; i <= degree; ++i) {
+      p.c[i] = out[i].value;
+      p.m[i] = std::fabs(out[i].value) + out[i].error * inverse_gamma;
+      sum += p.m[i];
+    }
+    if (!(sum < kInfinity)) return false;
+  }
+  while (p.degree >= 0 && p.m[p.degree] == 0) --p.degree;
+  return true;
+}
+
+}  // namespace kinex

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `gsl`: doubles with GSL's polynomial solvers, the usual floating-point kinetic arithmetic. No
+// guarantee, except that it never crashes, loops or returns a NaN.
+//
+// GSL's error handler aborts the process by default, and is one pointer per process: making the
+// first arithmetic of this kind turns it off (once, thread-safe), and it stays off.
+#ifndef KINEX_CORE_ARITHMETIC_GSL_ARITHMETIC_H
+#define KINEX_CORE_ARITHMETIC_GSL_ARITHMETIC_H
+
+#include <memory>
+
+#include "core/arithmetic/arithmetic.h"
+
+namespace kinex {
+
+std::unique_ptr<Arithmetic> make_gsl_arithmetic(const Scene& scene);
+
+}  // namespace kinex
+
+#endif

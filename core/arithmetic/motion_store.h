@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MotionStore: the motions in force, in the number types that a scene requires.
+#ifndef KINEX_CORE_ARITHMETIC_MOTION_STORE_H
+#define KINEX_CORE_ARITHMETIC_MOTION_STORE_H
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/arithmetic/predicate.h"
+#include "core/motion/scene.h"
+#include "core/numbers/ball.h"
+
+namespace kinex {
+
+// The number types that a scene's coefficients allow, decided once per scene.
+struct NumberModel {
+  int degree = 1;  // motion degree that polynomials are sized for (>= 1)
+  int dimension = 1;
+  bool narrow = false;            // all coefficients, times `scale`, are integers of at most 2^52
+  Integer scale = Integer(1);     // common denominator of all coefficients
+  std::vector<double> magnitude;  // largest |coefficient| * scale per power of t, rounded up
+  bool anchored = false;  // doubles about a time of their own are kept for every motion, too
+};
+NumberModel choose_number_model(const Scene& scene);
+
+// Coefficient of t^k on axis a at [a * (degree + 1) + k] of an object's numbers.
+// A motion that the model does not cover (given at run time) is kept as big integers, unless it is
+// zero. Doubles are in rows; all zero motions share the first one.
+class MotionStore {
+ public:
+  MotionStore(const NumberModel& model, std::size_t objects);
+
+  // The object may be a new one. `anchor`: a time near which the motion will be evaluated.
+  void set(ObjectId object, const Trajectory& trajectory, double anchor = 0);
+  // Doubles with error bounds are kept only from the first call on.
+  void need_balls();
+
+  int degree() const { return model_.degree; }
+  const NumberModel& model() const { return model_; }
+  bool is_narrow(ObjectId object) const { return narrow_object_[object] != 0; }
+  // Coefficients times the model's scale: integers of at most 2^52: exact, and so are
+  // differences of two. Requires is_narrow(object).
+  MotionView<double> narrow(ObjectId object) const { return &narrow_[object * stride_]; }
+  // The number of coefficients of one object.
+  std::size_t stride() const { return stride_; }
+  MotionView<Ball> ball(ObjectId object) const { return &balls_[row_[object] * stride_]; }
+  // The same in t - anchor, shifted exactly before rounding: far from t = 0 the coefficients in t
+  // cancel, these do not. Requires model().anchored.
+  MotionView<Ball> anchored(ObjectId object) const { return &anchored_[row_[object] * stride_]; }
+  // The anchor shared by all moving objects among these; nullopt if none moves, or none is shared.
+  std::optional<double> shared_anchor(const ObjectId* ids, std::size_t count) const;
+  // The exact polynomial of `predicate` over these objects, times a positive constant.
+  Polynomial exact(const Predicate& predicate, const ObjectId* ids) const;
+  std::size_t bytes() const;
+
+ private:
+  struct BigMotion {
+    Integer denominator;
+    std::vector<Integer> coefficients;  // times denominator; empty: the motion is narrow or zero
+    bool whole = true;                  // the denominator is 1
+  };
+  bool is_big(ObjectId object) const {
+    return object < big_.size() && !big_[object].coefficients.empty();
+  }
+  void grow(std::size_t objects);
+  void grow_degree(int degree);
+  void set_big(ObjectId object, const Trajectory& trajectory);
+  void make_row(ObjectId object);
+  void set_ball(ObjectId object);
+  void set_anchored(ObjectId object);
+  // Splits an anchor a / 2^e.
+  void split_anchor(double anchor);
+
+  NumberModel model_;
+  std::size_t objects_;
+  std::size_t stride_;
+  std::vector<double> narrow_;  // integers
+  std::vector<std::uint8_t> narrow_object_;
+  std::vector<std::uint32_t> row_;  // per object, of balls_ and anchored_; 0: all are zero
+  std::uint32_t rows_ = 1;
+  std::vector<Ball> balls_;
+  std::vector<Ball> anchored_;
+  std::vector<double> anchors_;  // per object; infinity: it does not move
+  std::vector<BigMotion> big_;   // per object; empty before the first one
+  bool balls_needed_ = false;
+  struct {
+    double value = 0;
+    Integer a;
+    unsigned long e = 0;
+  } anchor_;                   // the one that was split last
+  std::vector<Integer> axis_;  // being shifted
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// FormulaPredicate: adapts one formula, written once over any ring, to the Predicate interface.
+//
+// A Formula is a class with
+//   static constexpr int kArity, kDegree (in units of the motion's degree), kAlternating;
+//   static constexpr int kReference;         the argument that differences are taken from
+//   static constexpr bool kOnlyToReference;  every coordinate enters as such a difference
+//   name(), dimension();
+//   template <class Points> auto value(const Points& p) const;
+// where p(i, axis) is the polynomial of the i-th argument on that axis and value() returns a
+// polynomial in the wide ring (through widen or wide_product). The formula must
+//   (1) be homogeneous of degree kDegree in the coordinates of its arguments, and
+//   (2) use them only through differences of two arguments on one axis.
+#ifndef KINEX_CORE_ARITHMETIC_PREDICATE_FORMULA_H
+#define KINEX_CORE_ARITHMETIC_PREDICATE_FORMULA_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/arithmetic/predicate.h"
+#include "core/numbers/ring_polynomial.h"
+
+namespace kinex {
+
+template <class R, int D>
+struct FixedPoints {
+  const MotionView<R>* points;
+  FixedPolynomial<R, D> operator()(int i, int axis) const {
+    FixedPolynomial<R, D> p;
+    for (int k = 0; k <= D; ++k) p.c[k] = points[i][axis * (D + 1) + k];
+    return p;
+  }
+};
+
+template <class R>
+struct DynamicPoints {
+  const MotionView<R>* points;
+  int degree;
+  DynamicPolynomial<R> operator()(int i, int axis) const {
+    const R* first = points[i] + static_cast<std::ptrdiff_t>(axis) * (degree + 1);
+    return {std::vector<R>(first, first + degree + 1)};
+  }
+};
+
+// The same magnitudes for every argument and axis.
+template <int D>
+struct MagnitudePoints {
+  const double* magnitude;
+  FixedPolynomial<Magnitude, D> operator()(int, int) const {
+    FixedPolynomial<Magnitude, D> p;
+    for (int k = 0; k <= D; ++k) p.c[k] = Magnitude{magnitude[k], 0, 0, false}.noted();
+    return p;
+  }
+};
+
+template <int D>
+struct RoundingPoints {
+  double magnitude;
+  FixedPolynomial<RoundingBound, D> operator()(int, int) const {
+    FixedPolynomial<RoundingBound, D> p;
+    for (int k = 0; k <= D; ++k) p.c[k] = {magnitude, 0, true};
+    return p;
+  }
+};
+
+// Motions as polynomials in t - shift.
+template <class R, int D>
+struct ShiftedPoints {
+  const MotionView<R>* points;
+  R shift;
+  FixedPolynomial<R, D> operator()(int i, int axis) const {
+    FixedPolynomial<R, D> p;
+    for (int k = 0; k <= D; ++k) p.c[k] = points[i][axis * (D + 1) + k];
+    for (int k = 0; k < D; ++k) {
+      for (int j = D - 1; j >= k; --j) p.c[j] += shift * p.c[j + 1];
+    }
+    return p;
+  }
+};
+
+template <class Formula>
+class FormulaPredicate final : public Predicate {
+ public:
+  explicit FormulaPredicate(Formula formula = {}) : formula_(std::move(formula)) {}
+
+  std::string_view name() const override { return formula_.name(); }
+  int arity() const override { return Formula::kArity; }
+  int dimension() const override { return formula_.dimension(); }
+  int degree(int motion_degree) const override { return Formula::kDegree * motion_degree; }
+  int alternating() const override { return Formula::kAlternating; }
+
+  void narrow(int d, const MotionView<std::int64_t>* points, Int128* out) const override {
+    fixed<std::int64_t>(d, points, out);
+  }
+
+  bool narrow_fits(int d, const double* magnitude) const override {
+    switch (d) {
+      case 1: return magnitudes_fit(formula_.value(MagnitudePoints<1>{magnitude}));
+      case 2: return magnitudes_fit(formula_.value(MagnitudePoints<2>{magnitude}));
+      case 3: return magnitudes_fit(formula_.value(MagnitudePoints<3>{magnitude}));
+      default: return false;
+    }
+  }
+
+  void ball(int d, const MotionView<Ball>* points, double shift, Ball* out) const override {
+    const Ball s{shift, 0};
+    switch (d) {
+      case 1: return store(formula_.value(ShiftedPoints<Ball, 1>{points, s}), out);
+      case 2: return store(formula_.value(ShiftedPoints<Ball, 2>{points, s}), out);
+      case 3: return store(formula_.value(ShiftedPoints<Ball, 3>{points, s}), out);
+      default: return dynamic(d, points, out);
+    }
+  }
+
+  void plain(int d, const MotionView<double>* points, double shift, double* out) const override {
+    switch (d) {
+      case 1: return store(formula_.value(ShiftedPoints<double, 1>{points, shift}), out);
+      case 2: return store(formula_.value(ShiftedPoints<double, 2>{points, shift}), out);
+      case 3: return store(formula_.value(ShiftedPoints<double, 3>{points, shift}), out);
+      default: return dynamic(d, points, out);
+    }
+  }
+
+  void plain_with_reach(int d, const MotionView<double>* points, double shift, double* out,
+                        double* reach) const override {
+    switch (d) {
+      case 1: return reaching(ShiftedPoints<double, 1>{points, shift}, out, reach);
+      case 2: return reaching(ShiftedPoints<double, 2>{points, shift}, out, reach);
+      default: return reaching(ShiftedPoints<double, 3>{points, shift}, out, reach);
+    }
+  }
+
+  double reach_error(int d) const override {
+    // Differences are at most the reach, or twice that where they are not taken from the reference.
+    const double magnitude = Formula::kOnlyToReference ? 0.5 : 1.0;
+    switch (d) {
+      case 1: return relative_error(formula_.value(RoundingPoints<1>{magnitude}));
+      case 2: return relative_error(formula_.value(RoundingPoints<2>{magnitude}));
+      default: return relative_error(formula_.value(RoundingPoints<3>{magnitude}));
+    }
+  }
+
+  int homogeneity() const override { return Formula::kDegree; }
+
+  void multiprecision(int d, const MotionView<MpFloat>* points, MpFloat* out) const override {
+    dynamic(d, points, out);
+  }
+
+  Polynomial exact(int d, const MotionView<Integer>* points) const override {
+    return Polynomial(formula_.value(DynamicPoints<Integer>{points, d}).c);
+  }
+
+  std::vector<Rational> rational(int d, const MotionView<Rational>* points) const override {
+    return formula_.value(DynamicPoints<Rational>{points, d}).c;
+  }
+
+ private:
+  template <class R, class Out>
+  void fixed(int d, const MotionView<R>* points, Out* out) const {
+    switch (d) {
+      case 1: return store(formula_.value(FixedPoints<R, 1>{points}), out);
+      case 2: return store(formula_.value(FixedPoints<R, 2>{points}), out);
+      default: return store(formula_.value(FixedPoints<R, 3>{points}), out);
+    }
+  }
+
+  template <class R, int D>
+  static void store(const FixedPolynomial<R, D>& p, R* out) {
+    for (int i = 0; i <= D; ++i) out[i] = p.c[i];
+  }
+
+  // The motions are shifted once, for both.
+  template <int D>
+  void reaching(const ShiftedPoints<double, D>& points, double* out, double* reach) const {
+    constexpr int kMostAxes = 3;
+    constexpr int kPowers = D + 1;
+    const int axes = formula_.dimension();
+    double shifted[Formula::kArity][kMostAxes * kPowers];
+    MotionView<double> views[Formula::kArity];
+    for (int i = 0; i < Formula::kArity; ++i) {
+      views[i] = shifted[i];
+      for (int axis = 0; axis < axes; ++axis) {
+        const auto p = points(i, axis);
+        for (int k = 0; k <= D; ++k) shifted[i][axis * kPowers + k] = p.c[k];
+      }
+    }
+    for (int k = 0; k <= D; ++k) reach[k] = 0;
+    for (int axis = 0; axis < axes; ++axis) {
+      for (int i = 0; i < Formula::kArity; ++i) {
+        if (i == Formula::kReference) continue;
+        for (int k = 0; k <= D; ++k) {
+          const int at = axis * kPowers + k;
+          const double r = std::fabs(shifted[i][at] - shifted[Formula::kReference][at]);
+          reach[k] = r > reach[k] ? r : reach[k];
+        }
+      }
+    }
+    store(formula_.value(FixedPoints<double, D>{views}), out);
+  }
+
+  // With every difference bounded by the same polynomial R(t), the formula's absolute values add up
+  // to C R^homogeneity. C is the lowest coefficient for R = 1 + t + ..
+  template <int D>
+  static double relative_error(const FixedPolynomial<RoundingBound, D>& p) {
+    double roundings = 0;
+    for (const RoundingBound& c : p.c) roundings = std::max(roundings, c.roundings);
+    return roundings * 0x1p-53 * (1 + 0x1p-30) * p.c[0].magnitude;
+  }
+
+  template <class R>
+  void dynamic(int d, const MotionView<R>* points, R* out) const {
+    DynamicPolynomial<R> p = formula_.value(DynamicPoints<R>{points, d});
+    for (std::size_t i = 0; i < p.c.size(); ++i) out[i] = std::move(p.c[i]);
+  }
+
+  // Limits: 64-bit values stay below 2^62 and 128-bit ones below 2^125; the peaks are sums and
+  // products of doubles rounded to nearest, off by far less than the factor of two left.
+  template <int D>
+  static bool magnitudes_fit(const FixedPolynomial<Magnitude, D>& p) {
+    for (const Magnitude& m : p.c) {
+      if (!(m.narrow_peak < 0x1p62 && m.wide_peak < 0x1p125)) return false;
+    }
+    return true;
+  }
+
+  Formula formula_;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Query: a predicate and its arguments. What signs and failure times are asked for.
+#ifndef KINEX_CORE_ARITHMETIC_QUERY_H
+#define KINEX_CORE_ARITHMETIC_QUERY_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+
+#include "core/arithmetic/predicate.h"
+#include "core/motion/scene.h"
+
+namespace kinex {
+
+// A predicate with its arguments: names one polynomial in t under the motions in force.
+struct Query {
+  PredicateId predicate = 0;
+  std::uint8_t arity = 0;
+  std::array<ObjectId, kMaxArity> ids{};
+
+  Query() = default;
+  Query(PredicateId p, std::initializer_list<ObjectId> list) : predicate(p) {
+    for (ObjectId id : list) ids[arity++] = id;
+  }
+  // Without branches: the ids are compared in two registers.
+  friend bool operator==(const Query& a, const Query& b) {
+    std::uint32_t differ = static_cast<std::uint32_t>(a.predicate ^ b.predicate) |
+                           static_cast<std::uint32_t>(a.arity ^ b.arity);
+    for (std::size_t i = 0; i < kMaxArity; ++i) differ |= a.ids[i] ^ b.ids[i];
+    return differ == 0;
+  }
+};
+
+// True if two of the arguments are one object. Without branches but for the arity.
+inline bool repeats_an_object(const Query& q) {
+  const auto equal = [&q](std::size_t i, std::size_t j) {
+    return static_cast<unsigned>(q.ids[i] == q.ids[j]);
+  };
+  unsigned same = 0;
+  switch (q.arity) {
+    case 5:
+      same = equal(4, 0) | equal(4, 1) | equal(4, 2) | equal(4, 3);
+      [[fallthrough]];
+    case 4:
+      same |= equal(3, 0) | equal(3, 1) | equal(3, 2);
+      [[fallthrough]];
+    case 3:
+      same |= equal(2, 0) | equal(2, 1);
+      [[fallthrough]];
+    case 2:
+      same |= equal(1, 0);
+      [[fallthrough]];
+    default:
+      return same != 0;
+  }
+}
+
+// The arguments in ascending order (unused places keep their zeros at the end).
+inline std::array<ObjectId, kMaxArity> sorted_ids(const Query& query) {
+  std::array<ObjectId, kMaxArity> ids = query.ids;
+  for (std::size_t i = 1; i < query.arity; ++i) {
+    const ObjectId id = ids[i];
+    std::size_t j = i;
+    for (; j > 0 && ids[j - 1] > id; --j) ids[j] = ids[j - 1];
+    ids[j] = id;
+  }
+  return ids;
+}
+
+// A failure time as the queue keeps it: [lo, hi] contains the exact instant; `root` names the exact
+// number in the arithmetic's own table (0: not made; it is rarely needed). Never: lo = hi =
+// +infinity.
+struct FailureTime {
+  double lo = 0;
+  double hi = 0;
+  std::uint32_t root = 0;
+};
+
+}  // namespace kinex
+
+#endif

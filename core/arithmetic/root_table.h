@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// RootTable: the exact form of those instants that needed one, shared by equal instants.
+#ifndef KINEX_CORE_ARITHMETIC_ROOT_TABLE_H
+#define KINEX_CORE_ARITHMETIC_ROOT_TABLE_H
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/numbers/real_root.h"
+
+namespace kinex {
+
+// Handles are small integers, 0 is none. Reference counted; freed places are reused.
+class RootTable {
+ public:
+  std::uint32_t add(RealRoot root) {
+    if (free_.empty()) {
+      slots_.push_back({});
+      free_.push_back(static_cast<std::uint32_t>(slots_.size()));
+    }
+    const std::uint32_t handle = free_.back();
+    free_.pop_back();
+    slots_[handle - 1] = {std::make_unique<RealRoot>(std::move(root)), 1};
+    ++live_;
+    return handle;
+  }
+  std::uint32_t share(std::uint32_t handle) {
+    if (handle != 0) ++slots_[handle - 1].references;
+    return handle;
+  }
+  void release(std::uint32_t handle) {
+    if (handle == 0) return;
+    Slot& slot = slots_[handle - 1];
+    if (--slot.references == 0) {
+      slot.root.reset();
+      free_.push_back(handle);
+      --live_;
+    }
+  }
+  RealRoot& operator[](std::uint32_t handle) { return *slots_[handle - 1].root; }
+  const RealRoot& operator[](std::uint32_t handle) const { return *slots_[handle - 1].root; }
+  std::size_t live() const { return live_; }
+  std::size_t bytes() const {
+    return slots_.capacity() * sizeof(Slot) + free_.capacity() * sizeof(std::uint32_t) +
+           live_ * (sizeof(RealRoot) + 128);
+  }
+
+ private:
+  struct Slot {
+    std::unique_ptr<RealRoot> root;
+    std::uint32_t references = 0;
+  };
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> free_;
+  std::size_t live_ = 0;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `sturm`: rationals and Sturm sequences only, no filter. Doubles are only the queue's enclosures
+// of exactly known instants. The reference for `exact`: the same answers, from code that shares
+// none of its root finding (only digits are computed and written in one place).
+//
+// Failures beyond the scene's end, or beyond the motions of the objects involved, are reported as
+// never; one exactly at the end is reported. Cost of a failure time: O(d^2) rational operations for
+// the sequence and O(d^2) for each step of the search, on numbers of O(d b) bits for motions of b
+// bits.
+#ifndef KINEX_CORE_ARITHMETIC_STURM_ARITHMETIC_H
+#define KINEX_CORE_ARITHMETIC_STURM_ARITHMETIC_H
+
+#include <memory>
+
+#include "core/arithmetic/arithmetic.h"
+
+namespace kinex {
+
+std::unique_ptr<Arithmetic> make_sturm_arithmetic(const Scene& scene);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Touches: instants at which a certificate's value is zero and not negative right after. By the
+// right-hand rule they are not failures. For events at touches (two bodies graze) a certificate can
+// be made to fail there too:
+//
+//   value   \           /
+//            \         /
+//   0  -------'-._._.-'--------- t
+//                ^ touch (double root): a failure only of a FailsAtTouch
+#ifndef KINEX_CORE_ARITHMETIC_TOUCH_H
+#define KINEX_CORE_ARITHMETIC_TOUCH_H
+
+#include "core/arithmetic/query.h"
+#include "core/numbers/sign.h"
+
+namespace kinex {
+
+// A base of a Predicate: in an exact arithmetic its certificates fail at their first root after
+// now, of any multiplicity, or now if they are negative right after it. Their structure then checks
+// the sign. In an inexact arithmetic they are like all others. A predicate of the same name without
+// this base is the same polynomial.
+class FailsAtTouch {
+ public:
+  virtual ~FailsAtTouch() = default;
+};
+
+// What a sign is asked for.
+enum class When : bool {
+  kRightAfter,  // on (now, now + eps)
+  kNow,         // at now itself
+};
+
+// A base of an exact Arithmetic: the sign at now, not right after it.
+class SignNow {
+ public:
+  virtual ~SignNow() = default;
+  virtual Sign sign_now(const Query& query) = 0;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input and output of an audit.
+#ifndef KINEX_CORE_ENGINE_AUDIT_H
+#define KINEX_CORE_ENGINE_AUDIT_H
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/motion/scene.h"
+#include "core/numbers/rational.h"
+
+namespace kinex {
+
+// Exact positions of all living objects at one rational time.
+class Snapshot {
+ public:
+  Snapshot(Rational time, int dimension, std::size_t objects)
+      : time_(std::move(time)), dimension_(dimension), alive_(objects, false),
+        positions_(objects * static_cast<std::size_t>(dimension)) {}
+
+  const Rational& time() const { return time_; }
+  int dimension() const { return dimension_; }
+  bool alive(ObjectId id) const { return alive_[id]; }
+  // Requires alive(id).
+  const Rational& position(ObjectId id, int axis) const {
+    return positions_[id * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(axis)];
+  }
+  void set(ObjectId id, int axis, Rational value) {
+    alive_[id] = true;
+    positions_[id * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(axis)] =
+        std::move(value);
+  }
+
+ private:
+  Rational time_;
+  int dimension_;
+  std::vector<bool> alive_;
+  std::vector<Rational> positions_;
+};
+
+// Violations are collected, never thrown.
+struct AuditReport {
+  std::uint64_t checks = 0;
+  std::vector<std::string> violations;
+
+  // Counts one check; the message is taken only when it fails.
+  template <class Message>
+  void check(bool holds, Message&& message) {
+    ++checks;
+    if (!holds) violations.push_back(std::forward<Message>(message)());
+  }
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// EventQueue: the buckets behind the heap.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/engine/event_queue.h"
+
+namespace kinex {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Average number of entries in a bucket; the fraction of all entries that is cut into buckets at
+// once; and the number of entries sampled to find where that fraction ends.
+constexpr std::size_t kPerBucket = 4;
+constexpr double kPart = 0.75;
+constexpr std::size_t kLookedAt = 128;
+
+}  // namespace
+
+// Monotone in lo, and always computed in the same way: the order of buckets is an order of times.
+std::uint32_t EventQueue::bucket_of(double lo) const {
+  if (lo <= edge_) return poured_;
+  const double x = (lo - base_) * per_time_;
+  const double last = static_cast<double>(buckets_.size() - 1);
+  return x < last ? std::max(poured_, static_cast<std::uint32_t>(x))
+                  : static_cast<std::uint32_t>(buckets_.size() - 1);
+}
+
+void EventQueue::add(const Entry& e) {
+  const std::uint32_t bucket = bucket_of(e.lo);
+  if (bucket > poured_) return link(e, bucket);
+  heap_.emplace_back();
+  sift_up(heap_.size() - 1, e);
+  if (heap_.size() > spill_at_) spill();
+}
+
+void EventQueue::link(const Entry& e, std::uint32_t bucket) {
+  Certificate& p = certificates_[e.certificate];
+  std::uint32_t& head = buckets_[bucket];
+  p.lo = e.lo;
+  p.hi = e.hi;
+  p.next = head;
+  p.previous = kNone;
+  p.where = kFar;
+  if (head != kNone) certificates_[head].previous = e.certificate;
+  head = e.certificate;
+  ++far_;
+}
+
+void EventQueue::unlink(CertificateId id) {
+  Certificate& p = certificates_[id];
+  if (p.next != kNone) certificates_[p.next].previous = p.previous;
+  (p.previous != kNone ? certificates_[p.previous].next : buckets_[bucket_of(p.lo)]) = p.next;
+  p.where = kNotQueued;
+  --far_;
+}
+
+void EventQueue::pour() {
+  while (far_ != 0 && (heap_.empty() || !(heap_.front().hi <= edge_))) {
+    std::uint32_t bucket = poured_ + 1;
+    const auto last = static_cast<std::uint32_t>(buckets_.size() - 1);
+    while (bucket < last && buckets_[bucket] == kNone) ++bucket;
+    if (bucket == last) {
+      cut();
+    } else {
+      pour_bucket(bucket);
+    }
+  }
+}
+
+void EventQueue::pour_bucket(std::uint32_t bucket) {
+  poured_ = bucket;
+  find_edge();
+  for (std::uint32_t id = buckets_[bucket]; id != kNone;) {
+    const Certificate& p = certificates_[id];
+    heap_.emplace_back();
+    sift_up(heap_.size() - 1, Entry{p.lo, p.hi, id});
+    --far_;
+    id = p.next;
+  }
+  buckets_[bucket] = kNone;
+  prefetch(buckets_[bucket + 1]);  // it exists: the last list is never poured
+  spill_at_ = std::max(kSmall, 2 * heap_.size());
+}
+
+// The largest time of the buckets poured, or slightly less.
+void EventQueue::find_edge() {
+  const double guess = base_ + (static_cast<double>(poured_) + 1) / per_time_;
+  double edge = std::min(guess, kInfinity);
+  edge_ = -kInfinity;  // bucket_of computes
+  const std::uint32_t poured = poured_;
+  poured_ = 0;
+  for (double back = 0x1p-52; edge > base_ && bucket_of(edge) > poured; back *= 2) {
+    edge = guess - back * std::max(std::fabs(guess), 0x1p-1000);
+  }
+  poured_ = poured;
+  edge_ = edge;
+}
+
+// Cuts the entries of the last list up to some time into buckets, and pours the first.
+void EventQueue::cut() {
+  const std::uint32_t first = buckets_.back();
+  const std::size_t size = far_;  // the other lists are empty
+  const std::size_t stride = size / kLookedAt + 1;
+  std::array<double, kLookedAt> sample{};
+  std::size_t looked_at = 0, at = 0;
+  double least = kInfinity;
+  for (std::uint32_t id = first; id != kNone; id = certificates_[id].next) {
+    const double lo = certificates_[id].lo;
+    least = std::min(least, lo);
+    if (at++ % stride == 0) sample[looked_at++] = lo;
+  }
+  const auto end = sample.begin() + static_cast<std::ptrdiff_t>(looked_at);
+  const auto part =
+      sample.begin() + static_cast<std::ptrdiff_t>(kPart * static_cast<double>(looked_at));
+  std::nth_element(sample.begin(), part, end);
+  const auto count = static_cast<std::size_t>(kPart * static_cast<double>(size / kPerBucket)) + 1;
+  base_ = least;
+  per_time_ = static_cast<double>(count) / (*part - least);
+  poured_ = 0;
+  // Few entries, or times too close to be separated: all of them go into the heap.
+  const bool all = size <= kSmall || !(per_time_ < 0x1p500) || !(per_time_ > 0x1p-500);
+  buckets_.assign(all ? 2 : count + 1, kNone);
+  edge_ = kInfinity;
+  if (!all) find_edge();
+  far_ = 0;
+  for (std::uint32_t id = first, next; id != kNone; id = next) {
+    const Entry e{certificates_[id].lo, certificates_[id].hi, id};
+    next = certificates_[id].next;
+    const std::uint32_t bucket = bucket_of(e.lo);
+    if (bucket > poured_) {
+      link(e, bucket);
+    } else {
+      heap_.emplace_back();
+      sift_up(heap_.size() - 1, e);
+    }
+  }
+  spill_at_ = std::max(kSmall, 2 * heap_.size());
+}
+
+// The heap has become large: everything is cut anew.
+void EventQueue::spill() {
+  if (buckets_.empty()) buckets_.assign(2, kNone);
+  const auto last = static_cast<std::uint32_t>(buckets_.size() - 1);
+  const std::size_t heap_size = heap_.size();
+  for (std::uint32_t bucket = 0; bucket < last; ++bucket) {
+    for (std::uint32_t id = buckets_[bucket], next; id != kNone; id = next) {
+      const Certificate& p = certificates_[id];
+      next = p.next;
+      --far_;
+      link(Entry{p.lo, p.hi, id}, last);
+    }
+    buckets_[bucket] = kNone;
+  }
+  for (const Entry& e : heap_) link(e, last);
+  heap_.clear();
+  cut();
+  spill_at_ = std::max(spill_at_, heap_.size() * 2 > heap_size ? 2 * heap_size : kSmall);
+}
+
+}  // namespace kinex

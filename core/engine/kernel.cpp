@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/engine/kernel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+
+#include "core/engine/repeated_object.h"
+#include "core/numbers/check.h"
+#include "core/numbers/time_text.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// The length of the first window in lifetimes. Each further one is kGrowth times as long, and the
+// last one, of number kMostLooks, is unbounded.
+constexpr double kLifetimes = 2.5;
+constexpr double kGrowth = 4;
+// Limits have this many bits below the length of a window: enough for most certificates to have
+// different ones, few enough for differences to them to be exact.
+constexpr int kWindowBits = 16;
+// The least number of retractions for an estimate.
+constexpr std::uint64_t kSample = 64;
+
+Trajectory constant_trajectory(std::vector<Rational> coordinates) {
+  Trajectory trajectory;
+  for (Rational& c : coordinates) trajectory.coordinates.push_back({std::move(c)});
+  return trajectory;
+}
+
+// A constant has no motion that could change: its certificates are never looked up.
+bool is_constant(const DerivedObjects& derived, ObjectId id) {
+  return derived.is_derived(id) && derived.object(id).construction == nullptr;
+}
+
+// True if two of the arguments are the same object, and it is not a constant.
+bool repeats(const DerivedObjects& derived, const Query& query) {
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (query.ids[i] == query.ids[j] && !is_constant(derived, query.ids[i])) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Kernel::Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects, Scheduling scheduling)
+    : arithmetic_(std::move(arithmetic)),
+      sign_now_(dynamic_cast<SignNow*>(arithmetic_.get())),
+      queue_(*arithmetic_),
+      scheduling_(scheduling),
+      objects_(objects),
+      derived_(objects) {}
+
+PredicateId Kernel::bind(std::shared_ptr<const Predicate> predicate) {
+  return arithmetic_->bind(std::move(predicate));
+}
+
+std::string Kernel::now_text() {
+  const InstantName& now = arithmetic_->name_now(InstantDetail::kName);
+  return now.is_rational() ? time_text(now.lower) : "about " + now.decimal;
+}
+
+// ---- derived objects
+
+ObjectId Kernel::derive(std::string name, std::shared_ptr<const Construction> construction,
+                        std::span<const ObjectId> bases) {
+  const ObjectId id = derived_.add(std::move(name), std::move(construction), bases);
+  const DerivedObjects::Object& object = derived_.object(id);
+  arithmetic_->set_motion(id, object.trajectory, object.until);
+  make_room(id);
+  return id;
+}
+
+void Kernel::rederive(ObjectId derived, std::string name, std::span<const ObjectId> bases) {
+  derived_.rebase(derived, std::move(name), bases);
+  const DerivedObjects::Object& object = derived_.object(derived);
+  arithmetic_->set_motion(derived, object.trajectory, object.until);
+}
+
+ObjectId Kernel::constant(std::string name, std::vector<Rational> coordinates) {
+  const ObjectId id = derived_.add(std::move(name), constant_trajectory(std::move(coordinates)));
+  arithmetic_->set_motion(id, derived_.object(id).trajectory, std::nullopt);
+  make_room(id);
+  return id;
+}
+
+void Kernel::redefine(ObjectId constant, std::string name, std::vector<Rational> coordinates) {
+  derived_.redefine(constant, std::move(name), constant_trajectory(std::move(coordinates)));
+  arithmetic_->set_motion(constant, derived_.object(constant).trajectory, std::nullopt);
+}
+
+void Kernel::make_room(ObjectId object) {
+  if (object < objects_) return;
+  objects_ = object + std::size_t{1};
+  for (auto& live : live_per_object_) live.resize(objects_, 0u);
+  if (indexed_) index_.resize(objects_);
+}
+
+// ---- certificates
+
+// The former number of the certificate must have been released. A failure time that is not a number
+// (inexact arithmetics) counts as never.
+Outlook Kernel::schedule(CertificateId id) {
+  poll();
+  Certificate& c = queue_.certificate(id);
+  c.looks = 0;
+  FailureTime time;
+  const double limit = limit_of(c.structure, 0);
+  const Outlook outlook = limit < kInfinity ? arithmetic_->look_ahead(c.query, limit, time)
+                                            : arithmetic_->failure(c.query, time);
+  return enqueue(id, outlook, time);
+}
+
+Outlook Kernel::enqueue(CertificateId id, Outlook outlook, const FailureTime& time) {
+  const bool fails = outlook == Outlook::kFails || outlook == Outlook::kFailsNow;
+  if ((fails || outlook == Outlook::kLater) && time.lo <= time.hi) {
+    StructureLedger& ledger = *ledgers_[queue_.certificate(id).structure];
+    ++(fails ? ledger.failures_found : ledger.windows);
+    queue_.certificate(id).outlook = outlook;  // the queue reads it
+    queue_.reset(id, time);
+    return outlook;
+  }
+  if (fails) outlook = Outlook::kNever;
+  queue_.remove(id);
+  queue_.certificate(id).outlook = outlook;
+  return outlook;
+}
+
+// The end of the window that starts now, as a double of few bits: differences to it are exact.
+double Kernel::limit_of(StructureId structure, int looks) const {
+  const Window& window = windows_[structure];
+  double length = window.length;
+  if (!(length < kInfinity) || looks == kMostLooks) return kInfinity;
+  for (int i = 0; i < looks; ++i) length *= kGrowth;
+  const double now = arithmetic_->now_approximate();
+  const double limit = (now + length + window.rounder) - window.rounder;
+  return limit > now ? limit : kInfinity;
+}
+
+// The average lifetime of a certificate is the time in which as many are retracted as are alive.
+void Kernel::update_window(StructureId structure) {
+  if (scheduling_ == Scheduling::kEager) return;
+  const StructureLedger& ledger = *ledgers_[structure];
+  Window& window = windows_[structure];
+  if (window.length < kInfinity && ledger.windows == 0) {
+    // No limit was ever used (polynomials of degree 1): none from now on.
+    window.length = kInfinity;
+    window.next = std::numeric_limits<std::uint64_t>::max();
+    return;
+  }
+  const double now = arithmetic_->now_approximate();
+  const double elapsed = now - window.since;
+  const double retracted = static_cast<double>(ledger.certificates_retracted - window.retracted);
+  if (elapsed > 0 && retracted > 0) {
+    window.length = kLifetimes * elapsed * static_cast<double>(ledger.live) / retracted;
+    // The longest window ends before now + 2^13 lengths.
+    const double reach = std::fabs(now) + 0x1p13 * window.length;
+    if (window.length > 0x1p-900 && reach < 0x1p1000) {
+      const int unit = std::ilogb(window.length) - kWindowBits;
+      window.rounder = std::ldexp(1.5, 52 + std::max(unit, std::ilogb(reach) - 46));
+    } else {
+      window.length = kInfinity;
+    }
+  }
+  window.since = now;
+  window.retracted = ledger.certificates_retracted;
+  window.next = ledger.certificates_retracted + std::max(kSample, ledger.live / 4);
+}
+
+// The index from objects to certificates has one entry for each object of a certificate.
+void Kernel::refuse_repeated(StructureId structure, const Query& query) const {
+  std::vector<std::string> objects;
+  for (std::size_t i = 0; i < query.arity; ++i) objects.push_back(std::to_string(query.ids[i]));
+  throw RepeatedObject(structure, query, std::to_string(structure),
+                       arithmetic_->predicate(query.predicate).name(), objects);
+}
+
+Kernel::Created Kernel::create(StructureId structure, const Query& query, std::uint32_t tag) {
+  if (repeats_an_object(query) && repeats(derived_, query)) refuse_repeated(structure, query);
+  const CertificateId id = queue_.allocate(structure, query, tag);
+  count_created(structure, query);
+  if (indexed_) index_add(id);
+  return {id, schedule(id)};
+}
+
+void Kernel::retract(CertificateId id) {
+  const Certificate& c = queue_.certificate(id);
+  require(c.live, "a certificate was retracted twice");
+  count_retracted(c.structure, c.query);
+  count_unused(id);
+  if (indexed_) index_remove(id);
+  if (id == failing_) failing_ = kNoCertificate;
+  queue_.free(id);
+}
+
+Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag) {
+  Certificate& c = queue_.certificate(id);
+  require(c.live, "a retracted certificate was replaced");
+  if (repeats_an_object(query) && repeats(derived_, query)) refuse_repeated(c.structure, query);
+  count_replaced(c.structure, c.query, query);
+  count_unused(id);
+  if (indexed_) index_remove(id);
+  if (c.root != 0) {
+    FailureTime old = queue_.time(id);
+    arithmetic_->release(old);
+    c.root = 0;
+  }
+  c.query = query;
+  c.tag = tag;
+  if (indexed_) index_add(id);
+  if (id == failing_) failing_ = kNoCertificate;
+  return schedule(id);
+}
+
+// ---- counting
+
+void Kernel::note_live(StructureId structure, ObjectId object) {
+  StructureLedger& ledger = *ledgers_[structure];
+  if (ledger.live > ledger.max_live) ledger.max_live = ledger.live;
+  const std::uint32_t live = live_per_object_[structure][object];
+  if (live > ledger.max_per_object) ledger.max_per_object = live;
+}
+
+void Kernel::count_created(StructureId structure, const Query& query) {
+  StructureLedger& ledger = *ledgers_[structure];
+  ++ledger.certificates_created;
+  ++ledger.live;
+  std::vector<std::uint32_t>& live = live_per_object_[structure];
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    each_base(query.ids[i], [&](ObjectId object) {
+      ++live[object];
+      note_or_defer(structure, object);
+    });
+  }
+}
+
+void Kernel::count_retracted(StructureId structure, const Query& query) {
+  StructureLedger& ledger = *ledgers_[structure];
+  ++ledger.certificates_retracted;
+  --ledger.live;
+  std::vector<std::uint32_t>& live = live_per_object_[structure];
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    each_base(query.ids[i], [&live](ObjectId object) { --live[object]; });
+  }
+}
+
+// Most objects of a certificate stay and need no counting.
+void Kernel::count_replaced(StructureId structure, const Query& before, const Query& after) {
+  if (before.arity != 2 || after.arity != 2 || derived_.size() > 0) {
+    count_retracted(structure, before);
+    count_created(structure, after);
+    return;
+  }
+  StructureLedger& ledger = *ledgers_[structure];
+  ++ledger.certificates_created;
+  ++ledger.certificates_retracted;
+  std::uint32_t* live = live_per_object_[structure].data();
+  for (const std::size_t i : {0u, 1u}) {
+    const ObjectId gone = before.ids[i], come = after.ids[i];
+    if (gone != after.ids[0] && gone != after.ids[1]) --live[gone];
+    if (come != before.ids[0] && come != before.ids[1]) {
+      ++live[come];
+      note_or_defer(structure, come);
+    }
+  }
+}
+
+// ---- events
+
+void Kernel::count_external(StructureId structure) {
+  ++ledgers_[structure]->external;
+  ++ledgers_[structure]->processed;
+  if (handling_ && structure == failing_structure_) event_external_ = true;
+}
+
+void Kernel::report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
+                    bool external, std::span<const ObjectId> gone, std::span<const ObjectId> came) {
+  require(ids.size() <= kMaxArity, "an event names too many objects");
+  const bool caused = handling_ && structure == failing_structure_;
+  if (external) count_external(structure);
+  event_.structure = structure;
+  event_.kind = kind;
+  event_.external = external;
+  event_.count = static_cast<std::uint8_t>(ids.size());
+  event_.ids = {};
+  std::size_t i = 0;
+  for (const ObjectId id : ids) event_.ids[i++] = id;
+  event_.certificate = caused ? failing_query_ : Query();
+  event_.gone = gone;
+  event_.came = came;
+  if (reporter_ != nullptr) reporter_->reported(event_);
+  event_.gone = event_.came = {};
+}
+
+void Kernel::report_settled(StructureId structure, std::span<const ObjectId> gone,
+                            std::span<const ObjectId> came) {
+  if (gone.empty() && came.empty()) return;
+  count_external(structure);
+  Event event;
+  event.structure = structure;
+  event.external = true;
+  event.gone = gone;
+  event.came = came;
+  if (reporter_ != nullptr) reporter_->settled(event);
+}
+
+bool Kernel::instant_is_shared(StructureId structure) const { return shared_[structure] != 0; }
+
+void Kernel::count_rebuild(StructureId structure, const std::string& reason,
+                           std::span<const ObjectId> gone, std::span<const ObjectId> came) {
+  StructureLedger& ledger = *ledgers_[structure];
+  ++ledger.rebuilds;
+  const auto counted = ledger.rebuild_reasons.try_emplace(reason).first;
+  ++counted->second;
+  Event event;
+  event.structure = structure;
+  event.reason = counted->first;
+  event.gone = gone;
+  event.came = came;
+  event.external = event.has_difference();
+  if (event.external) count_external(structure);
+  if (reporter_ != nullptr) reporter_->rebuilt(event);
+}
+
+void Kernel::clear_structure(StructureId structure) {
+  for (std::size_t i = 0; i < queue_.capacity(); ++i) {
+    const CertificateId id = static_cast<CertificateId>(i);
+    const Certificate& c = queue_.certificate(id);
+    if (c.live && c.structure == structure) retract(id);
+  }
+}
+
+void Kernel::corrupt(StructureId structure, const std::string& what) {
+  if (arithmetic_->is_exact()) {
+    throw std::logic_error("impossible in an exact arithmetic: " + what);
+  }
+  StructureLedger& ledger = *ledgers_[structure];
+  if (!ledger.corrupt) {
+    std::array<char, 40> t{};
+    std::snprintf(t.data(), t.size(), " (at t = %.10g)", arithmetic_->now_approximate());
+    ledger.corruption = what + t.data();
+  }
+  ledger.corrupt = true;
+  clear_structure(structure);
+}
+
+// ---- the index from objects to certificates
+
+void Kernel::index_add(CertificateId id) {
+  if (index_position_.size() <= id) index_position_.resize(queue_.capacity());
+  const Query& query = queue_.certificate(id).query;
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    if (is_constant(derived_, query.ids[i])) continue;
+    std::vector<CertificateId>& list = index_[query.ids[i]];
+    index_position_[id][i] = static_cast<std::uint32_t>(list.size());
+    list.push_back(id);
+  }
+}
+
+void Kernel::index_remove(CertificateId id) {
+  const Query& query = queue_.certificate(id).query;
+  for (std::size_t i = 0; i < query.arity; ++i) {
+    const ObjectId object = query.ids[i];
+    if (is_constant(derived_, object)) continue;
+    std::vector<CertificateId>& list = index_[object];
+    const std::uint32_t place = index_position_[id][i];
+    const CertificateId last = list.back();
+    list[place] = last;
+    list.pop_back();
+    const Query& moved = queue_.certificate(last).query;
+    for (std::size_t j = 0; j < moved.arity; ++j) {
+      if (moved.ids[j] == object) index_position_[last][j] = place;
+    }
+  }
+}
+
+std::span<const CertificateId> Kernel::certificates_of(ObjectId object) {
+  if (!indexed_) {
+    indexed_ = true;
+    index_.resize(objects_);
+    for (std::size_t i = 0; i < queue_.capacity(); ++i) {
+      if (queue_.certificate(static_cast<CertificateId>(i)).live) {
+        index_add(static_cast<CertificateId>(i));
+      }
+    }
+  }
+  return index_[object];
+}
+
+}  // namespace kinex

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kernel: the services of a structure: signs, certificates, and the report of events.
+#ifndef KINEX_CORE_ENGINE_KERNEL_H
+#define KINEX_CORE_ENGINE_KERNEL_H
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/arithmetic/arithmetic.h"
+#include "core/arithmetic/foresight.h"
+#include "core/arithmetic/touch.h"
+#include "core/engine/certificate.h"
+#include "core/engine/event.h"
+#include "core/engine/event_queue.h"
+#include "core/engine/event_reporter.h"
+#include "core/engine/ledger.h"
+#include "core/motion/derived_objects.h"
+#include "core/numbers/stop.h"
+
+namespace kinex {
+
+// How far ahead failure times are searched for. Most certificates are retracted long before they
+// would fail, so it can pay to prove only that they hold for a window of a few typical lifetimes,
+// then for one four times as long, and so on (section 10 of Guibas's report):
+//
+//   created       kLater             kLater                        failure time, never, ..
+//   |--- window ---|---- 4 windows ----|------- 16 windows -------|
+//
+// The events are the same.
+enum class Scheduling : std::uint8_t {
+  kEager,  // the failure time is found at once
+  kLazy,
+};
+
+class Kernel {
+ public:
+  Kernel(const Kernel&) = delete;
+  Kernel& operator=(const Kernel&) = delete;
+
+  PredicateId bind(std::shared_ptr<const Predicate> predicate);
+
+  // Sign on (now, now + eps); kZero only if identically zero there. An object may occur twice.
+  Sign sign_after(PredicateId predicate, std::initializer_list<ObjectId> ids) {
+    poll();
+    return arithmetic_->sign_after(Query(predicate, ids));
+  }
+
+  Sign sign_after(const Query& query) {
+    poll();
+    return arithmetic_->sign_after(query);
+  }
+  // The sign right after now, or at now itself, which exact arithmetics alone can tell (in others
+  // kNow answers for right after now).
+  bool tells_sign_now() const { return sign_now_ != nullptr; }
+  Sign sign(const Query& query, When when) {
+    if (when == When::kNow && sign_now_ != nullptr) return sign_now_->sign_now(query);
+    return sign_after(query);
+  }
+  // Certificates of the query's predicate fail at touches, too (core/arithmetic/touch.h).
+  bool fails_at_touch(const Query& query) const {
+    return dynamic_cast<const FailsAtTouch*>(&arithmetic_->predicate(query.predicate)) != nullptr;
+  }
+  // How many signs of this predicate have been asked for, by anybody.
+  std::uint64_t signs_asked(PredicateId predicate) const {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t n : arithmetic_->counters().by_predicate[predicate].signs) sum += n;
+    return sum;
+  }
+  // Looks ahead, under the motions in force. Nothing else may be asked for while it is there.
+  Foresight foresight() { return Foresight(*arithmetic_); }
+
+  struct Created {
+    CertificateId id;
+    Outlook outlook;
+  };
+  // A new certificate "predicate(ids) >= 0" of `structure`; `tag` is at the structure's disposal.
+  // It is scheduled if it fails by the horizon; one that is negative right after now fails next.
+  // Throws RepeatedObject if the query names an object other than a constant twice; then nothing
+  // has changed (use a predicate of fewer arguments). O(log queue) plus one failure time.
+  Created create(StructureId structure, const Query& query, std::uint32_t tag);
+  // Withdraws a certificate. O(log queue).
+  void retract(CertificateId id);
+  // Replaces the claim of a certificate (same id; counted as one retracted and one created). Throws
+  // as create does.
+  Outlook replace(CertificateId id, const Query& query, std::uint32_t tag);
+
+  // ---- derived objects (scenes of bodies); ids beyond those of the scene -----------------------
+  // An object made by `construction` from `bases`, which must exist. `name` is for logs.
+  ObjectId derive(std::string name, std::shared_ptr<const Construction> construction,
+                  std::span<const ObjectId> bases);
+  // Gives a derived object other bases; no live certificate may contain it.
+  void rederive(ObjectId derived, std::string name, std::span<const ObjectId> bases);
+  // An object of constant coordinates, one per axis.
+  ObjectId constant(std::string name, std::vector<Rational> coordinates);
+  // Gives a constant other coordinates; no live certificate may contain it.
+  void redefine(ObjectId constant, std::string name, std::vector<Rational> coordinates);
+  const DerivedObjects& derived() const { return derived_; }
+
+  const Query& query(CertificateId id) const { return queue_.certificate(id).query; }
+  std::uint32_t tag(CertificateId id) const { return queue_.certificate(id).tag; }
+  // Prefetches the memory of a certificate that will be replaced or retracted soon.
+  void prefetch(CertificateId id) const { queue_.prefetch(id); }
+  // The tag of a certificate of `structure` that probably fails soon (EventQueue::upcoming); else
+  // kNoTag.
+  static constexpr std::uint32_t kNoTag = 0xffffffffu;
+  std::uint32_t upcoming_tag(StructureId structure, std::size_t i) const {
+    const CertificateId id = queue_.upcoming(i);
+    if (id == kNoCertificate || queue_.certificate(id).structure != structure) return kNoTag;
+    return queue_.certificate(id).tag;
+  }
+  void set_tag(CertificateId id, std::uint32_t tag) { queue_.certificate(id).tag = tag; }
+  // It belongs to this structure and is identically zero.
+  bool is_tie_of(StructureId structure, CertificateId id) const {
+    const Certificate& c = queue_.certificate(id);
+    return c.structure == structure && c.outlook == Outlook::kIdenticallyZero;
+  }
+  // All live certificates of all structures that `object`, which is no constant, is in. From the
+  // first call on an index is kept.
+  std::span<const CertificateId> certificates_of(ObjectId object);
+  Outlook outlook(CertificateId id) const { return queue_.certificate(id).outlook; }
+
+  // One event per failure that is handled; further events of the same failure (ties put in order)
+  // are logged too. `external`: the attribute changed. At most kMaxArity ids.
+  void report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
+              bool external) {
+    report(structure, kind, ids, external, {}, {});
+  }
+  // The same with the change of the attribute (Event::gone, came), if the ids do not determine it.
+  void report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
+              bool external, std::span<const ObjectId> gone, std::span<const ObjectId> came);
+  // The common event "settled": changes at this instant that no other external event has reported.
+  // Without such changes nothing is reported. See Structure::instant_over.
+  void report_settled(StructureId structure, std::span<const ObjectId> gone,
+                      std::span<const ObjectId> came);
+  // True while more than one certificate of `structure` fails at this instant, or motions changed
+  // at it, or the structure asked for it: the instant may be degenerate.
+  bool instant_is_shared(StructureId structure) const;
+  // Asks for Structure::instant_settled and instant_over at this instant, as if it were shared.
+  void settle_later(StructureId structure) { shared_[structure] = 1; }
+  // A certificate, of whatever structure, is negative right after now: more is to be repaired at
+  // this instant. (Those of one instant fail by structure, in the order of their ids.)
+  bool failure_is_due() const {
+    return !queue_.empty() && queue_.certificate(queue_.top()).outlook == Outlook::kFailsNow;
+  }
+  // Counts certificates that may be zero at now (Arithmetic::possible_zeros).
+  std::uint64_t possible_zeros() const { return arithmetic_->possible_zeros(); }
+  // The number of the present instant in the run, from 1.
+  std::uint64_t instant_number() const { return instant_number_; }
+  // A time near now that is the same in every exact arithmetic (Arithmetic::now_rounded), for
+  // choices that any time near now would serve.
+  auto coarse_now() { return arithmetic_->now_rounded(); }
+  // The present instant, for messages: short.
+  std::string now_text();
+  // The structure was rebuilt from its static algorithm at this instant, for this reason. Logged as
+  // the common event "rebuild", external if the attribute changed; the structure's watchers are
+  // notified when its present call has returned.
+  void count_rebuild(StructureId structure, const std::string& reason,
+                     std::span<const ObjectId> gone = {}, std::span<const ObjectId> came = {});
+  // An inexact arithmetic has led the structure into a state that exact answers cannot reach. The
+  // structure's certificates are retracted; it is not called again. Throws std::logic_error in an
+  // exact arithmetic, where this can only be a bug.
+  void corrupt(StructureId structure, const std::string& what);
+  bool is_exact() const { return arithmetic_->is_exact(); }
+  // For long work of a structure without signs or certificates: throws Stopped if the run has to
+  // stop (core/numbers/stop.h).
+  void poll() {
+    if (deadline_ != nullptr) deadline_->poll();
+  }
+
+ protected:
+  // Further looks at a certificate beyond its first window; the last one has no end.
+  static constexpr int kMostLooks = 6;
+
+  // Runs own a Scheduler (core/engine/scheduler.h), which is one of these.
+  Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects, Scheduling scheduling);
+  ~Kernel() = default;
+
+  // The window by the estimated lifetimes of a structure's certificates, and the next estimate.
+  struct Window {
+    double length;                // +infinity: unknown, no limit
+    double rounder;               // added and subtracted, it leaves few bits of a number
+    double since;                 // a double near the time of this estimate
+    std::uint64_t retracted = 0;  // certificates retracted by then
+    std::uint64_t next = 0;       // the number at which a new estimate is made
+  };
+  Outlook schedule(CertificateId id);
+  void clear_structure(StructureId structure);  // retracts all its certificates
+  Outlook enqueue(CertificateId id, Outlook outlook, const FailureTime& time);
+  double limit_of(StructureId structure, int looks) const;
+  void update_window(StructureId structure);
+  // Before the certificate leaves: counts a failure time that was computed but not used.
+  void count_unused(CertificateId id) {
+    const Certificate& c = queue_.certificate(id);
+    if (c.outlook == Outlook::kFails && queue_.queued(id)) ++ledgers_[c.structure]->failures_unused;
+  }
+  void make_room(ObjectId object);
+  void count_created(StructureId structure, const Query& query);
+  void count_retracted(StructureId structure, const Query& query);
+  void count_replaced(StructureId structure, const Query& before, const Query& after);
+  void count_external(StructureId structure);
+  [[noreturn]] void refuse_repeated(StructureId structure, const Query& query) const;
+  // Calls visit(object) for every object of the scene that the argument stands for: itself, or the
+  // bases that it is derived from.
+  template <class Visit>
+  void each_base(ObjectId id, const Visit& visit) const {
+    if (!derived_.is_derived(id)) return visit(id);
+    for (const ObjectId base : derived_.object(id).bases) visit(base);
+  }
+  void note_live(StructureId structure, ObjectId object);
+  // A count below the maximum cannot exceed it later without passing through here.
+  void note_or_defer(StructureId structure, ObjectId object) {
+    const StructureLedger& ledger = *ledgers_[structure];
+    if (ledger.live <= ledger.max_live &&
+        live_per_object_[structure][object] <= ledger.max_per_object) {
+      return;
+    }
+    if (deferred_) {
+      touched_.emplace_back(structure, object);
+    } else {
+      note_live(structure, object);
+    }
+  }
+  void index_add(CertificateId id);
+  void index_remove(CertificateId id);
+
+  std::unique_ptr<Arithmetic> arithmetic_;
+  SignNow* sign_now_;  // the arithmetic, if it can tell
+  Deadline* deadline_ = nullptr;
+  EventQueue queue_;
+  std::vector<std::unique_ptr<StructureLedger>> ledgers_;  // references stay valid
+  // live_per_object_[structure][object]
+  std::vector<std::vector<std::uint32_t>> live_per_object_;
+  std::vector<std::uint8_t> shared_;
+  Scheduling scheduling_;
+  std::vector<Window> windows_;
+  // index_[object]: its certificates in no particular, but reproducible, order;
+  // index_position_[certificate][i]: the place of the certificate among those of its i-th object.
+  std::vector<std::vector<CertificateId>> index_;
+  std::vector<std::array<std::uint32_t, kMaxArity>> index_position_;
+  bool indexed_ = false;
+  std::size_t objects_;  // derived ones included
+  DerivedObjects derived_;
+  EventReporter* reporter_ = nullptr;
+  std::uint64_t instant_number_ = 0;
+  Event event_;
+  // counts that have grown since begin_event or begin_change
+  bool deferred_ = false;
+  std::vector<std::pair<StructureId, ObjectId>> touched_;
+  // the failure being handled
+  CertificateId failing_ = kNoCertificate;
+  StructureId failing_structure_ = 0;
+  Query failing_query_;
+  bool handling_ = false;
+  bool event_external_ = false;
+  std::uint64_t created_before_ = 0;
+  std::uint64_t retracted_before_ = 0;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Simulator: runs structures over one scene, from instant to instant.
+//
+// An instant is the failure time of a certificate or the rational time of a flight-plan change.
+// State is always read from the right: at an instant, failures are handled until every certificate
+// is non-negative right after it. At an instant of flight-plan changes the order is:
+//
+//   motions -> failures -> erasures -> failures -> insertions -> failures
+//
+// All certificates of the objects with new motions are first scheduled anew, once. An update to
+// another position is an erasure and an insertion.
+//
+// Guard against cycling: a structure may make 1000 + 64 c + c^2 repairs at one instant, where c is
+// the largest number of certificates that it has had. No correct structure needs more:
+//   sorted list       n keys have n - 1 certificates; each pair swaps at most once: C(n,2) <= c^2
+//   Delaunay flips    never restore an edge: C(n,2) <= c^2
+//   tournament, heap  winners only grow: at most c repairs per certificate
+// When the guard fires,
+//   exact arithmetic    the structure is rebuilt; std::logic_error if it fires again at the instant
+//   inexact arithmetic  the structure is corrupt. The guard is then 1000 + 8 c + most_repairs(c);
+//                       instants closer together than 2^-40 of the run, or 2^27 ulps, count as one
+//                       (at most 2^-8 of it).
+#ifndef KINEX_CORE_ENGINE_SIMULATOR_H
+#define KINEX_CORE_ENGINE_SIMULATOR_H
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/engine/audit.h"
+#include "core/engine/bound.h"
+#include "core/engine/repeated_object.h"
+#include "core/engine/run_clock.h"
+#include "core/engine/scheduler.h"
+#include "core/engine/structure.h"
+#include "core/motion/scene.h"
+#include "core/numbers/stop.h"
+
+namespace kinex {
+
+enum class AuditLevel {
+  kNone,
+  kEnd,     // one full audit at the end of the run
+  kEvents,  // invariants and certificates after every instant, a full audit between every two
+            // instants
+};
+
+struct SimulatorOptions {
+  AuditLevel audit = AuditLevel::kEnd;
+  Scheduling scheduling = Scheduling::kLazy;
+  std::uint64_t max_events = 0;  // stop with kLimit after this many failures; 0: no limit
+  // Likewise for wall time from the simulator's construction on, set-up and audits included, idle
+  // time after the start excluded; 0: no limit.
+  double max_seconds = 0;
+  // Stop with kInterrupted before the first change of the scene at this time or later.
+  std::optional<Rational> stop_before = std::nullopt;
+  // Stops the run with kInterrupted when it is true; it outlives the simulator. See core/numbers/stop.h.
+  const std::atomic<bool>* interrupt = nullptr;
+  // Called about every 4096 failures; return false to stop with kInterrupted.
+  std::function<bool(const class Simulator&)> progress;
+};
+
+enum class RunStatus { kDone, kLimit, kInterrupted };
+
+class Simulator final : private EventReporter {
+ public:
+  // Keeps a reference to the scene, which must outlive it.
+  Simulator(const Scene& scene, std::unique_ptr<Arithmetic> arithmetic,
+            SimulatorOptions options = {});
+  ~Simulator() override;
+
+  // What structures are made with.
+  Kernel& kernel() { return kernel_; }
+  const Kernel& kernel() const { return kernel_; }
+  const Arithmetic& arithmetic() const { return kernel_.arithmetic(); }
+  const EventQueue& queue() const { return kernel_.queue(); }
+  const StructureLedger& ledger(StructureId id) const { return kernel_.ledger(id); }
+  // Of certificates and their bookkeeping; those of the arithmetic and the structures aside.
+  std::size_t bytes() const { return kernel_.bytes(); }
+  std::uint32_t live_certificates(StructureId id, ObjectId object) const {
+    return kernel_.live_certificates(id, object);
+  }
+  const Scene& scene() const { return scene_; }
+
+  // Reserves the id that a structure is constructed with; add() then takes the structure.
+  StructureId reserve() { return kernel_.add_structure(); }
+  // `watches`: ids of structures whose external events are passed to it; they must be smaller than
+  // `id` and have been added.
+  void add(StructureId id, std::unique_ptr<Structure> structure, std::string label,
+           std::vector<StructureId> watches = {});
+  std::size_t structures() const { return entries_.size(); }
+  Structure& structure(StructureId id) { return *entries_[id].structure; }
+  const SimulatorOptions& options() const { return options_; }
+  const Structure& structure(StructureId id) const { return *entries_[id].structure; }
+  // The name of an object of the scene or of a derived one.
+  const std::string& object_name(ObjectId id) const {
+    return id < scene_.objects.size() ? scene_.objects[id].id : kernel_.derived().object(id).name;
+  }
+  const std::string& label(StructureId id) const { return entries_[id].label; }
+  // All event kinds by rank, the common ones included.
+  std::vector<std::string_view> event_kinds(StructureId id) const;
+
+  // `timed`: the time of its calls is charged to RunPhase::kReport. Measuring costs more than a
+  // sink that only fills a buffer: such a sink is not timed, and charges the work on the buffer
+  // itself.
+  void set_sink(EventSink* sink, bool timed = true) {
+    sink_ = sink;
+    sink_timed_ = timed;
+  }
+
+  // Sets the motions in force right after the scene's start and builds every structure, in the
+  // order of ids. False if it was stopped: then run_until() returns why, and no attribute is known.
+  bool start();
+  // Handles all flight-plan changes and failures at instants <= t; then now = t. nullopt: up to the
+  // scene's end, or all of them if it has none (now is then a rational time after the last). Can be
+  // called again with later times.
+  //   audits      at the scene's end (or, in a scene without end, at every t), by AuditLevel
+  //   early stop  between two instants; the run can be continued
+  //   abandoned   an instant (or audit) that takes too long or runs out of memory: its events and
+  //               failures are taken back, and the run is_broken()
+  // Throws std::invalid_argument if t is before reached() or after the scene's end, RefusedChange
+  // (a std::invalid_argument) for a change that cannot be made.
+  RunStatus run_until(const std::optional<Rational>& t);
+  // The full audit at a rational time right after now; adds to the ledgers. True: no violation.
+  bool audit();
+
+  // ---- changes from outside, at a rational instant t >= the time run so far ---------------------
+  // From t on they replace the scene's own flight plan for the object. They throw
+  // std::invalid_argument if t has passed or is after the scene's end; an impossible change (an
+  // insertion of an object that is alive) throws it from run_until.
+  // A flight-plan change; if the position is not continuous at t, an erasure and an insertion.
+  void schedule_update(const Rational& t, ObjectId object, Trajectory trajectory);
+  // The object appears with this motion; it must not be alive then.
+  void schedule_insertion(const Rational& t, ObjectId object, Trajectory trajectory);
+  void schedule_erasure(const Rational& t, ObjectId object);
+
+  // The exact time the run has reached (the last t of run_until, or, inside it, the last
+  // flight-plan instant).
+  const Rational& reached() const { return reached_; }
+  // The run was stopped within an instant or audit: its reports hold, but it cannot continue.
+  bool is_broken() const { return is_broken_; }
+  // ... and the attributes are not those of any instant.
+  bool is_torn() const { return is_broken_ && in_instant_; }
+  // Memory was exhausted (kLimit).
+  bool out_of_memory() const { return out_of_memory_; }
+  // Runs while start() or run_until() does, and from the beginning to start().
+  Deadline& deadline() { return *deadline_; }
+  bool alive(ObjectId object) const { return alive_[object]; }
+  Snapshot snapshot(const Rational& t) const;
+  const RunLedger& ledger() const { return ledger_; }
+  // Hard bounds of one structure for what has been run; none if the run is_torn().
+  std::vector<BoundCheck> bounds(StructureId id) const;
+  // Violations found so far, for people (at most kMaxMessages are kept).
+  static constexpr std::size_t kMaxMessages = 100;
+  const std::vector<std::string>& violations() const { return violations_; }
+  // CPU time of the thread and wall time, by phase: run_clock.h. The event sink's time is kReport,
+  // apart from kSimulate. For work that belongs to the run but is done outside of it:
+  // RunClock::Scope scope(simulator.clock(), RunPhase::kReport).
+  Seconds seconds(RunPhase phase) const { return clock_.seconds(phase); }
+  RunClock& clock() { return clock_; }
+  // The CPU time.
+  double seconds_setup() const { return seconds(RunPhase::kSetup).cpu; }
+  double seconds_simulate() const { return seconds(RunPhase::kSimulate).cpu; }
+  double seconds_report() const { return seconds(RunPhase::kReport).cpu; }
+  double seconds_audit() const { return seconds(RunPhase::kAudit).cpu; }
+
+ private:
+  struct Entry {
+    std::unique_ptr<Structure> structure;
+    std::string label;
+    std::vector<StructureId> watchers;
+    std::vector<std::uint64_t*> kind_counts;  // by rank, into the ledger's by_kind
+    std::uint8_t first_common = 0;            // rank of CommonEvent::kMotion
+    bool abandoned = false;                   // corrupt, and the consequences are dealt with
+  };
+  struct Change {
+    enum class Kind { kUpdate, kErase, kInsert };
+    Rational t;
+    Kind kind;
+    ObjectId object;
+    const Trajectory* trajectory;  // in the scene, or given from outside; none for kErase
+    std::optional<Rational> until;
+    bool planned;                             // by the scene
+    std::shared_ptr<const Trajectory> given;  // from outside: keeps it while it is needed
+  };
+  struct Notice {
+    StructureId structure;
+    bool has_event;
+    Event event;
+  };
+  // What the present instant has added to the counts.
+  struct InstantCounts {
+    std::uint64_t failures = 0, internal = 0;  // of a structure, before
+  };
+  struct ReportedEvent {
+    StructureId structure;
+    std::uint8_t kind;
+    bool external;
+  };
+  // simulator.cpp, simulator_instant.cpp
+  void reported(const Event& event) override;
+  void settled(Event event) override;
+  void rebuilt(Event event) override;
+  void report_common(Event event, CommonEvent kind);
+  void report_change(StructureId id, CommonEvent kind, ObjectId object);
+  RepeatedObject with_names(const RepeatedObject& error) const;
+  template <class Call>
+  void guarded(StructureId id, const Call& function);
+  void call(StructureId id, const std::function<void(Structure&)>& function);
+  void abandon(StructureId id);
+  void tell_watchers();
+  void end_charge();
+  bool fails_now();
+  void mark_shared();
+  void failure_instant();
+  void handle_failure();
+  void guard_fired(StructureId id);
+  void repair();
+  void settle();
+  bool tell_what_changed();
+  void begin_instant();
+  void end_instant();
+  template <class Work>
+  bool unless_stopped(const Work& work);
+  void abandon_instant();
+  void run_to(const std::optional<Rational>& target);
+  void run_failures(const Rational* stop, bool inclusive);
+  bool stop_early();
+  void stop_between();
+  void note_peak();
+  // simulator_changes.cpp
+  void plan_changes();
+  void check_trajectory(const Trajectory& trajectory) const;
+  void queue_change(Change change);
+  const Rational* next_change() const {
+    return next_change_ < changes_.size() ? &changes_[next_change_].t : nullptr;
+  }
+  void make_changes();
+  void change_instant();
+  void put_in_force(ObjectId object, const Trajectory& trajectory,
+                    const std::optional<Rational>& until);
+  void apply_updates(const std::vector<Change>& updates);
+  void apply_erasures(const std::vector<ObjectId>& objects);
+  void apply_insertions(const std::vector<Change>& insertions);
+  // simulator_audit.cpp
+  void violation(StructureId id, const std::string& what);
+  void audit_certificates();
+  bool certificates_hold(const Snapshot& positions) const;
+  std::optional<Rational> rational_after_now();
+  std::optional<Rational> audit_time();
+  bool run_audit(bool certificates);
+
+  const Scene& scene_;
+  SimulatorOptions options_;
+  std::unique_ptr<Deadline> deadline_;
+  Scheduler kernel_;
+  std::vector<Entry> entries_;
+  EventSink* sink_ = nullptr;
+  bool sink_timed_ = true;
+  std::vector<Change> changes_;  // ascending in (t, kind, object) from next_change_ on
+  std::size_t next_change_ = 0;
+  std::vector<bool> alive_;
+  std::vector<Trajectory> trajectory_;  // in force
+  std::vector<int> pieces_;
+  int degree_ = 0;
+  bool dynamic_ = false;
+  bool started_ = false;
+  Rational reached_;
+  // the present instant
+  bool at_failure_instant_ = false;  // now is the instant of a failure (not only a rational time)
+  double now_hi_ = 0;                // now <= now_hi_
+  int order_to_now_ = 0;             // of the first failure, from the last fails_now()
+  std::vector<std::uint64_t> failures_at_instant_;
+  std::vector<InstantCounts> before_instant_;    // of structures with failures at it
+  std::vector<ReportedEvent> events_at_instant_;
+  Rational reached_before_instant_;
+  bool in_instant_ = false;
+  bool is_broken_ = false;
+  bool out_of_memory_ = false;
+  double settled_hi_ = 0;  // the last finished instant is <= settled_hi_
+  double next_lo_ = 0;     // the instant after it, a failure or a present change, is >= next_lo_
+  std::vector<std::uint64_t> repairs_;  // since the guard was last reset
+  std::vector<std::uint8_t> guard_fired_;
+  std::vector<StructureId> touched_;  // structures with failures at the instant
+  double guard_window_end_ = 0;       // inexact arithmetics
+  double span_ = 1;                   // length of the scene in time, for that window
+  std::vector<CertificateId> first_instant_;
+  std::vector<Notice> notices_;
+  RunLedger ledger_;
+  std::vector<std::string> violations_;
+  RunClock clock_;
+  std::uint64_t next_look_ = 0;  // at limits and progress
+  std::uint64_t next_peak_ = 0;  // at the bytes in use
+  RunStatus status_ = RunStatus::kDone;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Audits: all certificates right after now, and independent recomputation at a rational time.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "core/engine/simulator.h"
+#include "core/numbers/check.h"
+#include "core/numbers/real_root.h"
+#include "core/numbers/time_text.h"
+
+namespace kinex {
+namespace {
+
+// Without a known next instant, the time 2^-k after the end for these k.
+constexpr std::array<unsigned long, 14> kSteps{0,  1,   2,   4,   8,    16,   32,
+                                               64, 128, 256, 512, 1024, 2048, 4096};
+constexpr std::size_t kInexactSteps = 8;
+
+}  // namespace
+
+Snapshot Simulator::snapshot(const Rational& t) const {
+  Snapshot result(t, scene_.axes(), alive_.size());
+  for (ObjectId object = 0; object < alive_.size(); ++object) {
+    if (!alive_[object]) continue;
+    deadline_->poll();
+    for (int axis = 0; axis < scene_.axes(); ++axis) {
+      result.set(object, axis, trajectory_[object].position(axis, t));
+    }
+  }
+  return result;
+}
+
+void Simulator::violation(StructureId id, const std::string& what) {
+  ++kernel_.ledger(id).audit_violations;
+  if (violations_.size() < kMaxMessages) violations_.push_back(entries_[id].label + ": " + what);
+}
+
+void Simulator::audit_certificates() {
+  const EventQueue& queue = kernel_.queue();
+  for (std::size_t i = 0; i < queue.capacity(); ++i) {
+    const Certificate& c = queue.certificate(static_cast<CertificateId>(i));
+    if (!c.live) continue;
+    kernel_.poll();
+    ++kernel_.ledger(c.structure).audit_checks;
+    if (kernel_.arithmetic().sign_after(c.query) != Sign::kNegative) continue;
+    std::string what = "negative right after now: " +
+                       std::string(kernel_.arithmetic().predicate(c.query.predicate).name());
+    for (std::size_t k = 0; k < c.query.arity; ++k) {
+      what += (k == 0 ? "(" : ", ") + object_name(c.query.ids[k]);
+    }
+    violation(c.structure, what + ")");
+  }
+}
+
+// True if every certificate is positive at these positions (zero if it is identically zero): the
+// attributes are then unambiguous.
+bool Simulator::certificates_hold(const Snapshot& positions) const {
+  const EventQueue& queue = kernel_.queue();
+  std::array<MotionView<Rational>, kMaxArity> points;
+  std::map<ObjectId, std::vector<Rational>> derived;
+  const auto position = [&](ObjectId id) -> MotionView<Rational> {
+    if (!kernel_.derived().is_derived(id)) return &positions.position(id, 0);
+    const auto [place, is_new] = derived.try_emplace(id);
+    if (is_new) {
+      const Trajectory& trajectory = kernel_.derived().trajectory(id);
+      for (int axis = 0; axis < trajectory.dimension(); ++axis) {
+        place->second.push_back(trajectory.position(axis, positions.time()));
+      }
+    }
+    return place->second.data();
+  };
+  for (std::size_t i = 0; i < queue.capacity(); ++i) {
+    const Certificate& c = queue.certificate(static_cast<CertificateId>(i));
+    if (!c.live || c.outlook == Outlook::kIdenticallyZero) continue;
+    deadline_->poll();
+    for (std::size_t k = 0; k < c.query.arity; ++k)
+      points[k] = position(c.query.ids[k]);
+    const Predicate& predicate = kernel_.arithmetic().predicate(c.query.predicate);
+    if (predicate.rational(0, points.data()).front().sign() <= 0) return false;
+  }
+  return std::all_of(entries_.begin(), entries_.end(),
+                     [&](const Entry& entry) { return entry.structure->holds_at(positions); });
+}
+
+// A rational strictly between now and the next failure, change or end. nullopt if none is found (in
+// an exact arithmetic only just before a change).
+std::optional<Rational> Simulator::rational_after_now() {
+  Arithmetic& arithmetic = kernel_.arithmetic();
+  EventQueue& queue = kernel_.queue();
+  std::optional<Rational> result;
+  while (!queue.empty() && queue.top_is_later()) kernel_.look_further();
+  if (queue.empty()) {
+    result = arithmetic.rational_between(nullptr, nullptr);
+  } else {
+    FailureTime time = queue.time(queue.top());
+    result = arithmetic.rational_between(&kernel_.query(queue.top()), &time);
+    queue.set_time(queue.top(), time);
+  }
+  if (!result) return result;
+  const Rational* limit = next_change();
+  if (scene_.end && (limit == nullptr || *scene_.end < *limit)) limit = &*scene_.end;
+  if (limit == nullptr || *result < *limit) return result;
+  std::optional<Rational> now = reached_;
+  if (at_failure_instant_) {
+    now = Rational::from_double(now_hi_);
+    if (now && !(*now < *limit)) {
+      if (!arithmetic.is_exact()) return std::nullopt;  // it has no name
+      RealRoot instant = to_root(arithmetic.name_now(InstantDetail::kName));
+      RootCounters counters;
+      if (compare(instant, *limit, counters) >= 0) return std::nullopt;
+      while (!(instant.upper() < *limit)) instant.refine(counters);
+      now = instant.upper();
+    }
+  }
+  if (!now || !(*now < *limit)) return std::nullopt;
+  return (*now + *limit) / Rational(2);
+}
+
+// A rational time right after now at which every certificate is strict; nullopt if none of a few
+// candidates is one.
+std::optional<Rational> Simulator::audit_time() {
+  if (!at_failure_instant_ && scene_.end && *scene_.end <= reached_) {
+    // Failures after the end are not scheduled: a time before the first of them is searched for.
+    std::optional<Rational> t;
+    for (std::size_t i = 0; i < kSteps.size(); ++i) {
+      if (!kernel_.is_exact() && i == kInexactSteps) break;
+      t = reached_ + Rational(Integer(1), Integer::power_of_two(kSteps[i]));
+      if (certificates_hold(snapshot(*t))) break;
+    }
+    return t;
+  }
+  const std::optional<Rational> first = rational_after_now();
+  if (!first || certificates_hold(snapshot(*first))) return first;
+  const std::optional<Rational> now =
+      at_failure_instant_ ? Rational::from_double(now_hi_) : std::optional<Rational>(reached_);
+  if (now && *now < *first) {
+    for (const int part : {3, 5, 7, 11}) {
+      const Rational t = *now + (*first - *now) / Rational(part);
+      if (certificates_hold(snapshot(t))) return t;
+    }
+  }
+  return first;
+}
+
+bool Simulator::run_audit(bool certificates) {
+  end_charge();
+  const RunClock::Scope audit(clock_, RunPhase::kAudit);
+  const auto count = [this] {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      sum += kernel_.ledger(static_cast<StructureId>(i)).audit_violations;
+    }
+    return sum;
+  };
+  const std::uint64_t before = count();
+  if (certificates) audit_certificates();
+  const std::optional<Rational> t = audit_time();
+  std::optional<Snapshot> positions;
+  if (t) positions = snapshot(*t);
+  std::string when;
+  if (t) when = " (t = " + time_text(*t) + ")";
+  if (t && scene_.end && *scene_.end < *t) {
+    when = " (right after the scene's end, which is t = " + time_text(*scene_.end) + ")";
+  }
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const StructureId id = static_cast<StructureId>(i);
+    AuditReport report;
+    deadline_->look();
+    if (kernel_.ledger(id).corrupt) {
+      report.check(false, [&] { return "corrupt: " + kernel_.ledger(id).corruption; });
+    } else {
+      entries_[i].structure->check_invariants(report);
+      if (positions) entries_[i].structure->audit(*positions, report);
+    }
+    kernel_.ledger(id).audit_checks += report.checks;
+    for (const std::string& what : report.violations) violation(id, what + when);
+  }
+  return count() == before;
+}
+
+bool Simulator::audit() {
+  require(started_, "a run has to be started");
+  return run_audit(true);
+}
+
+}  // namespace kinex

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scene: the objects, their motions, and the structures to be maintained.
+#ifndef KINEX_CORE_MOTION_SCENE_H
+#define KINEX_CORE_MOTION_SCENE_H
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/motion.h"
+
+namespace kinex {
+
+// Objects are numbered in the scene's order; ties are resolved by this number.
+using ObjectId = std::uint32_t;
+inline constexpr ObjectId kNoObject = 0xffffffffu;
+
+// A vertex of a polygon in the frame of the body that carries it.
+using Vertex2 = std::array<Rational, 2>;
+
+// A point, or a rigid body: a convex polygon, vertices counter-clockwise. A body's motion has
+// kBodyAxes axes.
+struct SceneObject {
+  std::string id;
+  Motion motion;
+  std::vector<Vertex2> polygon = {};  // empty: a point
+};
+
+// What a 1-D structure orders.
+struct Key {
+  enum class Kind { kCoordinate, kDirection, kSquaredDistance };
+  Kind kind = Kind::kCoordinate;
+  int axis = 0;                     // kCoordinate
+  std::vector<Rational> direction;  // kDirection: one entry per axis
+  ObjectId object = kNoObject;      // kSquaredDistance: distance to this object
+  friend bool operator==(const Key&, const Key&) = default;
+};
+
+// One entry of "maintain".
+struct Request {
+  std::string structure;  // registered name, for example "delaunay_2"
+  std::string label;      // names it in summaries and logs; default: the structure's name
+  Key key;
+};
+
+// The treatment of two bodies that overlap, or touch and penetrate at once, when one of them first
+// exists: at the scene's start, when it appears, or when it jumps.
+enum class OverlappingStarts {
+  kRefused,
+  kContact,  // they begin in contact
+};
+
+struct Scene {
+  std::string name;
+  int dimension = 1;
+  Rational start;
+  std::optional<Rational> end;  // nullopt: until no event is left
+  bool jumps = false;           // pieces need not be continuous
+  OverlappingStarts overlapping_starts = OverlappingStarts::kRefused;
+  std::vector<SceneObject> objects;
+  std::vector<Request> maintain;
+
+  // Largest degree of any motion.
+  int degree() const;
+  // True if the objects are rigid bodies; either all are or none.
+  bool has_bodies() const { return !objects.empty() && !objects.front().polygon.empty(); }
+  // Coordinates of a motion: the dimension, or kBodyAxes.
+  int axes() const { return has_bodies() ? kBodyAxes : dimension; }
+  // The axes of the widest objects and the largest degree of their motions, derived objects
+  // (core/motion/derived_objects.h) included.
+  int held_axes() const;
+  int held_degree() const;
+};
+
+}  // namespace kinex
+
+#endif

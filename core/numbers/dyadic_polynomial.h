@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// DyadicPolynomial: polynomials with short dyadic coefficients, in machine integers.
+//
+// Coefficients are 128-bit integers over one power of two. Every operation first proves by bit
+// lengths that nothing overflows; where it cannot, the result is invalid, and so is everything
+// computed from it. No heap. Cost: O(size) for a sum, O(size^2) for a product.
+#ifndef KINEX_CORE_NUMBERS_DYADIC_POLYNOMIAL_H
+#define KINEX_CORE_NUMBERS_DYADIC_POLYNOMIAL_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/numbers/integer.h"
+#include "core/numbers/rational.h"
+
+namespace kinex {
+
+class DyadicPolynomial {
+ public:
+  static constexpr std::size_t kRoom = 8;  // coefficients
+
+  // Not valid unless all denominators are powers of two.
+  static DyadicPolynomial of(const std::vector<Rational>& coefficients);
+
+  bool is_valid() const { return valid_; }
+  // The power of two that unreduced fractions would have as denominator: that of a product is the
+  // product, and so is that of a sum, unless both are equal.
+  unsigned denominator_bits() const { return denominator_bits_; }
+  // At least the bit length of every coefficient times 2^shift. Requires shift >= 0 there.
+  std::size_t bits(unsigned common) const { return bits_ + (common - exponent_); }
+  // Writes the coefficients times 2^common, trailing zeros stripped, at least one. Requires
+  // is_valid() and common >= denominator_bits().
+  void write(unsigned common, std::vector<Rational>& out) const;
+
+  friend DyadicPolynomial operator+(const DyadicPolynomial& a, const DyadicPolynomial& b) {
+    return sum(a, b, false);
+  }
+  friend DyadicPolynomial operator-(const DyadicPolynomial& a, const DyadicPolynomial& b) {
+    return sum(a, b, true);
+  }
+  friend DyadicPolynomial operator*(const DyadicPolynomial& a, const DyadicPolynomial& b);
+
+ private:
+  static constexpr unsigned kMostBits = 126;
+  static DyadicPolynomial sum(const DyadicPolynomial& a, const DyadicPolynomial& b, bool minus);
+  void measure();
+
+  std::array<Int128, kRoom> c_{};
+  std::size_t size_ = 0;
+  unsigned bits_ = 0;              // the largest bit length of the coefficients
+  unsigned exponent_ = 0;          // they are over 2^exponent
+  unsigned denominator_bits_ = 0;  // >= exponent
+  bool valid_ = false;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/numbers/rational.h"
+
+#include <mpfr.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numbers/check.h"
+
+namespace kinex {
+
+namespace {
+
+constexpr mpfr_prec_t kDoubleBits = 53;
+
+// Both roundings go the same way and the grid of doubles (subnormal or not) is a part of the grid
+// of 53-bit numbers, so rounding twice is rounding once.
+double rounded_double(mpq_srcptr value, mpfr_rnd_t mode) {
+  MPFR_DECL_INIT(x, kDoubleBits);
+  mpfr_set_q(x, value, mode);
+  return mpfr_get_d(x, mode);
+}
+
+bool is_digit(char c, int base) {
+  if (c >= '0' && c <= '9') return true;
+  return base == 16 && ((c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'));
+}
+
+// Takes the longest prefix of digits off `text`.
+std::string take_digits(std::string_view& text, int base) {
+  std::size_t n = 0;
+  while (n < text.size() && is_digit(text[n], base)) ++n;
+  std::string digits(text.substr(0, n));
+  text.remove_prefix(n);
+  return digits;
+}
+
+bool take(std::string_view& text, char lower_case) {
+  if (text.empty()) return false;
+  const char c = text.front();
+  if (c != lower_case && !(c >= 'A' && c <= 'Z' && c - 'A' + 'a' == lower_case)) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+Integer from_digits(const std::string& digits, int base) {
+  Integer result;
+  mpz_set_str(result.raw(), digits.c_str(), base);
+  return result;
+}
+
+// [+-]digits up to the end of `text`, at most Rational::kMaxExponent in absolute value.
+std::optional<long> parse_exponent(std::string_view text) {
+  const bool negative = take(text, '-');
+  if (!negative) take(text, '+');
+  const std::string digits = take_digits(text, 10);
+  if (digits.empty() || !text.empty()) return std::nullopt;
+  long value = 0;
+  for (const char c : digits) {
+    value = 10 * value + (c - '0');
+    if (value > Rational::kMaxExponent) return std::nullopt;
+  }
+  return negative ? -value : value;
+}
+
+// digits[.digits][marker exponent]: mantissa * exponent_base^exponent.
+std::optional<Rational> parse_positional(std::string_view text, int base, char marker,
+                                         int exponent_base) {
+  std::string digits = take_digits(text, base);
+  std::string fraction;
+  if (take(text, '.')) fraction = take_digits(text, base);
+  digits += fraction;
+  if (digits.empty()) return std::nullopt;
+  long exponent = 0;
+  if (take(text, marker)) {
+    const std::optional<long> parsed = parse_exponent(text);
+    if (!parsed) return std::nullopt;
+    exponent = *parsed;
+  } else if (!text.empty()) {
+    return std::nullopt;
+  }
+  const long digit_weight = base == 16 ? 4 : 1;
+  exponent -= digit_weight * static_cast<long>(fraction.size());
+  const Integer scale =
+      power(Integer(exponent_base), static_cast<unsigned long>(std::labs(exponent)));
+  const Integer mantissa = from_digits(digits, base);
+  return exponent >= 0 ? Rational(mantissa * scale) : Rational(mantissa, scale);
+}
+
+std::optional<Rational> parse_unsigned(std::string_view text) {
+  if (text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X')) {
+    return parse_positional(text.substr(2), 16, 'p', 2);
+  }
+  if (text.find('/') == std::string_view::npos) return parse_positional(text, 10, 'e', 10);
+  const std::string numerator = take_digits(text, 10);
+  if (!take(text, '/')) return std::nullopt;
+  const std::string denominator = take_digits(text, 10);
+  if (numerator.empty() || denominator.empty() || !text.empty()) return std::nullopt;
+  const Integer divisor = from_digits(denominator, 10);
+  if (divisor.is_zero()) return std::nullopt;
+  return Rational(from_digits(numerator, 10), divisor);
+}
+
+}  // namespace
+
+Rational::Rational(const Integer& numerator, const Integer& denominator) : Rational() {
+  require(!denominator.is_zero(), "Rational: the denominator is zero");
+  mpz_set(mpq_numref(q_), numerator.raw());
+  mpz_set(mpq_denref(q_), denominator.raw());
+  mpq_canonicalize(q_);
+}
+
+std::optional<Rational> Rational::from_double(double value) {
+  if (!std::isfinite(value)) return std::nullopt;
+  Rational result;
+  mpq_set_d(result.q_, value);
+  return result;
+}
+
+std::optional<Rational> Rational::parse(std::string_view text) {
+  const bool negative = take(text, '-');
+  if (!negative) take(text, '+');
+  std::optional<Rational> result = parse_unsigned(text);
+  if (result && negative) mpq_neg(result->q_, result->q_);
+  return result;
+}
+
+Integer Rational::numerator() const {
+  Integer result;
+  mpz_set(result.raw(), mpq_numref(q_));
+  return result;
+}
+
+Integer Rational::denominator() const {
+  Integer result;
+  mpz_set(result.raw(), mpq_denref(q_));
+  return result;
+}
+
+bool Rational::is_dyadic() const {
+  return mpz_scan1(mpq_denref(q_), 0) + 1 == mpz_sizeinbase(mpq_denref(q_), 2);
+}
+
+double Rational::lower_double() const { return rounded_double(q_, MPFR_RNDD); }
+
+double Rational::upper_double() const { return rounded_double(q_, MPFR_RNDU); }
+
+double Rational::to_double() const { return rounded_double(q_, MPFR_RNDN); }
+
+std::string Rational::to_string() const {
+  const std::string numerator_text = numerator().to_string();
+  return is_integer() ? numerator_text : numerator_text + "/" + denominator().to_string();
+}
+
+std::string decimal(const Rational& value, int digits) {
+  require(digits >= 0, "decimal: negative number of digits");
+  Integer scaled = abs(value.numerator()) * power(Integer(10), static_cast<unsigned long>(digits));
+  scaled = floor_divide(scaled, value.denominator());
+  std::string text = scaled.to_string();
+  const auto places = static_cast<std::size_t>(digits);
+  if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
+  if (places > 0) text.insert(text.size() - places, 1, '.');
+  return value.sign() < 0 ? "-" + text : text;
+}
+
+}  // namespace kinex

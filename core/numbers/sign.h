@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sign: the answer of a predicate. "Unknown" is never a Sign: filters return std::optional<Sign>.
+#ifndef KINEX_CORE_NUMBERS_SIGN_H
+#define KINEX_CORE_NUMBERS_SIGN_H
+
+namespace kinex {
+
+enum class Sign : signed char { kNegative = -1, kZero = 0, kPositive = 1 };
+
+constexpr Sign to_sign(int value) {
+  return value > 0 ? Sign::kPositive : value < 0 ? Sign::kNegative : Sign::kZero;
+}
+constexpr int to_int(Sign s) { return static_cast<int>(s); }
+constexpr Sign operator-(Sign s) { return to_sign(-to_int(s)); }
+constexpr Sign operator*(Sign a, Sign b) { return to_sign(to_int(a) * to_int(b)); }
+
+}  // namespace kinex
+
+#endif

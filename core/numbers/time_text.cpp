@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/numbers/time_text.h"
+
+#include <gmp.h>
+
+#include <array>
+
+namespace kinex {
+namespace {
+
+constexpr std::size_t kMostCharacters = 20;
+
+// Also for numbers beyond the range of doubles.
+std::string short_decimal(const Rational& t) {
+  mpf_t number;
+  mpf_init2(number, 128);
+  mpf_set_q(number, t.raw());
+  std::array<char, 64> text{};
+  gmp_snprintf(text.data(), text.size(), "%.10Fg", number);
+  mpf_clear(number);
+  return text.data();
+}
+
+}  // namespace
+
+std::string time_text(const Rational& t) {
+  std::string exact = t.to_string();
+  if (exact.size() > kMostCharacters) return "about " + short_decimal(t);
+  if (t.is_integer()) return exact;
+  return exact + " (" + short_decimal(t) + ")";
+}
+
+}  // namespace kinex

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A time for messages: exact if that is short.
+#ifndef KINEX_CORE_NUMBERS_TIME_TEXT_H
+#define KINEX_CORE_NUMBERS_TIME_TEXT_H
+
+#include <string>
+
+#include "core/numbers/rational.h"
+
+namespace kinex {
+
+//   "7"                                integers       (at most 20 characters)
+//   "3/2 (1.5)", "1/3 (0.3333333333)"  fractions      (at most 20 characters)
+//   "about 0.3333333333"               other numbers  (ten significant digits, maybe an exponent)
+std::string time_text(const Rational& t);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Rooms: the folders of the second level, a static library each.
+include_guard(GLOBAL)
+
+# The library kinex_FOLDER_ROOM of FOLDER/ROOM/*.cpp, linked to what follows (PUBLIC .. PRIVATE ..).
+function(kinex_room folder room)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/${room}/*.cpp)
+  set(target kinex_${folder}_${room})
+  add_library(${target} STATIC ${sources})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/kinex>)
+  target_link_libraries(${target} ${ARGN} PRIVATE $<BUILD_INTERFACE:kinex_warnings>)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder}_${room})
+  set_property(GLOBAL APPEND PROPERTY KINEX_ROOMS ${target})
+endfunction()
+
+# kinex::FOLDER: these rooms together.
+function(kinex_house folder)
+  add_library(kinex_${folder} INTERFACE)
+  add_library(kinex::${folder} ALIAS kinex_${folder})
+  target_link_libraries(kinex_${folder} INTERFACE ${ARGN})
+  set_target_properties(kinex_${folder} PROPERTIES EXPORT_NAME ${folder})
+  set_property(GLOBAL APPEND PROPERTY KINEX_ROOMS kinex_${folder})
+endfunction()

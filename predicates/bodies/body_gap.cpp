@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// discs_apart(a, b, reach) = (x_b - x_a)^2 + (y_b - y_a)^2 - reach^2  homogeneous of degree 2
+// x_gap(a, b, reach)       = x_b - x_a - reach                        homogeneous of degree 1
+#include "predicates/bodies/body_gap.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "predicates/bodies/wide_predicate.h"
+
+namespace kinex {
+namespace {
+
+template <class R>
+const R* axis_of(const MotionView<R>* points, int i, int axis, std::size_t powers) {
+  return points[i] + static_cast<std::size_t>(axis) * powers;
+}
+
+struct DiscsApart {
+  static constexpr int kArity = 3;
+  static constexpr int kHomogeneity = 2;
+  static constexpr int kDimension = 2;
+  bool negated;
+
+  std::string_view name() const { return negated ? "discs_overlap" : "discs_apart"; }
+  std::string_view opposite() const { return negated ? "discs_apart" : "discs_overlap"; }
+  int degree(int motion_degree) const { return 2 * motion_degree; }
+
+  template <class R>
+  void value(int d, const MotionView<R>* points, R* out, const R& zero) const {
+    const std::size_t powers = static_cast<std::size_t>(d) + 1;
+    for (std::size_t k = 0; k < 2 * powers - 1; ++k) out[k] = zero;
+    std::vector<R> difference(powers, zero);
+    for (int axis = 0; axis < 2; ++axis) {
+      const R* a = axis_of<R>(points, 0, axis, powers);
+      const R* b = axis_of<R>(points, 1, axis, powers);
+      for (R& coefficient : difference) coefficient = zero;
+      std::size_t used = 0;
+      for (std::size_t k = 0; k < powers; ++k) {
+        if (is_exactly_zero(a[k]) && is_exactly_zero(b[k])) continue;
+        difference[k] = negated ? a[k] - b[k] : b[k] - a[k];
+        used = k + 1;
+      }
+      for (std::size_t i = 0; i < used; ++i) {
+        for (std::size_t j = 0; j < used; ++j) {
+          const R product = difference[i] * difference[j];
+          if (negated) {
+            out[i + j] -= product;
+          } else {
+            out[i + j] += product;
+          }
+        }
+      }
+      std::fill_n(difference.begin(), used, zero);
+    }
+    const R& reach = points[2][0];
+    if (negated) {
+      out[0] += reach * reach;
+    } else {
+      out[0] -= reach * reach;
+    }
+  }
+};
+
+struct AxisGap {
+  static constexpr int kArity = 3;
+  static constexpr int kHomogeneity = 1;
+  static constexpr int kDimension = 2;
+  int axis;
+
+  std::string_view name() const { return axis == 0 ? "x_gap" : "y_gap"; }
+  int degree(int motion_degree) const { return motion_degree; }
+
+  template <class R>
+  void value(int d, const MotionView<R>* points, R* out, const R& zero) const {
+    const std::size_t powers = static_cast<std::size_t>(d) + 1;
+    const R* a = axis_of<R>(points, 0, axis, powers);
+    const R* b = axis_of<R>(points, 1, axis, powers);
+    for (std::size_t k = 0; k < powers; ++k) {
+      out[k] = is_exactly_zero(a[k]) && is_exactly_zero(b[k]) ? zero : b[k] - a[k];
+    }
+    out[0] -= points[2][0];
+  }
+};
+
+struct BeyondLine {
+  static constexpr int kArity = 2;
+  static constexpr int kHomogeneity = 1;
+  static constexpr int kDimension = 2;
+  int axis;
+  bool negated;
+
+  std::string_view name() const {
+    if (negated) return axis == 0 ? "x_short_of" : "y_short_of";
+    return axis == 0 ? "x_beyond" : "y_beyond";
+  }
+  std::string_view opposite() const { return BeyondLine{axis, !negated}.name(); }
+  int degree(int motion_degree) const { return motion_degree; }
+
+  template <class R>
+  void value(int d, const MotionView<R>* points, R* out, const R& zero) const {
+    const std::size_t powers = static_cast<std::size_t>(d) + 1;
+    const R* a = axis_of<R>(points, 0, axis, powers);
+    for (std::size_t k = 0; k < powers; ++k) {
+      out[k] = negated && !is_exactly_zero(a[k]) ? zero - a[k] : a[k];
+    }
+    if (negated) {
+      out[0] += points[1][0];
+    } else {
+      out[0] -= points[1][0];
+    }
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const Predicate> make_beyond_line(int axis, bool negated) {
+  return std::make_shared<WidePredicate<BeyondLine>>(BeyondLine{axis, negated});
+}
+
+std::shared_ptr<const Predicate> make_discs_apart(bool negated) {
+  return std::make_shared<WidePredicate<DiscsApart>>(DiscsApart{negated});
+}
+
+std::shared_ptr<const Predicate> make_axis_gap(int axis) {
+  return std::make_shared<WidePredicate<AxisGap>>(AxisGap{axis});
+}
+
+}  // namespace kinex

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// along_a(pose, (m, h) of A, a, b)  = N e.(t - a - R b),     e = m turned by +90 degrees,
+// along_b(pose, (g, h) of B', a, b) = N (R e).(t - a - R b), e = g turned by +90 degrees,
+// both times the weights of a and b.
+// Degree 1 in the pose and in each constant; see predicates/bodies/pose_2.h. Identities:
+//   (1) against_a = -along_a, against_b = -along_b
+//   (2) reversing the normal changes the sign
+//   (3) h does not enter
+#include "predicates/bodies/pose_form.h"
+
+namespace kinex {
+namespace {
+
+struct AlongA {
+  static constexpr bool kOfA = true;
+  static constexpr int kArity = 4;
+  static constexpr std::array<int, 5> kAxes{0, 1, 4, 5, 6};
+
+  std::string_view name() const { return "along_a"; }
+
+  template <class R>
+  std::array<R, 5> factors(const Constant<R>* constants) const {
+    const Constant<R>& m = constants[0];
+    const Constant<R>& a = constants[1];
+    const Constant<R>& b = constants[2];
+    const R ex = minus(m[1]);
+    const R& ey = m[0];
+    const R weight = a[2] * b[2];
+    return {weight * ex, weight * ey, minus(b[2] * (ex * a[0] + ey * a[1])),
+            minus(a[2] * (ex * b[0] + ey * b[1])), minus(a[2] * (b[0] * ey - b[1] * ex))};
+  }
+};
+
+struct AlongB {
+  static constexpr bool kOfA = false;
+  static constexpr int kArity = 4;
+  static constexpr std::array<int, 5> kAxes{2, 3, 4, 5, 6};
+
+  std::string_view name() const { return "along_b"; }
+
+  template <class R>
+  std::array<R, 5> factors(const Constant<R>* constants) const {
+    const Constant<R>& g = constants[0];
+    const Constant<R>& a = constants[1];
+    const Constant<R>& b = constants[2];
+    const R ex = minus(g[1]);
+    const R& ey = g[0];
+    const R weight = a[2] * b[2];
+    return {weight * ex, weight * ey, minus(a[2] * (ex * b[0] + ey * b[1])),
+            minus(b[2] * (ex * a[0] + ey * a[1])), minus(b[2] * (ex * a[1] - ey * a[0]))};
+  }
+};
+
+template <class Along>
+struct AlongTouch : Along {
+  static constexpr bool kFailsAtTouch = true;
+  bool reversed;
+
+  explicit AlongTouch(bool is_reversed) : reversed(is_reversed) {}
+  std::string_view name() const {
+    if (!reversed) return Along::name();
+    return Along::kOfA ? "against_a" : "against_b";
+  }
+
+  template <class R>
+  std::array<R, 5> factors(const Constant<R>* constants) const {
+    std::array<R, 5> all = Along::factors(constants);
+    if (reversed) {
+      for (R& factor : all) factor = minus(factor);
+    }
+    return all;
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const Predicate> make_pose_along_touch(Frame frame, bool reversed) {
+  if (frame == Frame::kA) return make_pose_form(AlongTouch<AlongA>(reversed));
+  return make_pose_form(AlongTouch<AlongB>(reversed));
+}
+
+std::shared_ptr<const Predicate> make_pose_along(Frame frame) {
+  if (frame == Frame::kA) return make_pose_form(AlongA{});
+  return make_pose_form(AlongB{});
+}
+
+}  // namespace kinex

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// normal_order(pose, (m, .) of A, (g, .) of B') = (W g) x m = c (g x m) - s (g.m).
+// Degree 1 in the pose and in each line; see predicates/bodies/pose_2.h. Identities:
+//   (1) normal_order_reversed = -normal_order
+//   (2) reversing one of m, g changes the sign; reversing both keeps it
+//   (3) zero iff m and W g are parallel
+#include "predicates/bodies/pose_form.h"
+
+namespace kinex {
+namespace {
+
+struct NormalOrder {
+  static constexpr int kArity = 3;
+  static constexpr std::array<int, 2> kAxes{5, 6};
+  bool reversed;
+
+  std::string_view name() const { return reversed ? "normal_order_reversed" : "normal_order"; }
+  std::string_view opposite() const { return reversed ? "normal_order" : "normal_order_reversed"; }
+
+  template <class R>
+  std::array<R, 2> factors(const Constant<R>* constants) const {
+    const Constant<R>& m = constants[0];
+    const Constant<R>& g = constants[1];
+    const R cross = g[0] * m[1] - g[1] * m[0];
+    const R dot = g[0] * m[0] + g[1] * m[1];
+    if (!reversed) return {cross, minus(dot)};
+    return {minus(cross), dot};
+  }
+};
+
+struct OrderTouch : NormalOrder {
+  static constexpr bool kFailsAtTouch = true;
+  std::string_view opposite() const = delete;
+};
+
+}  // namespace
+
+std::shared_ptr<const Predicate> make_pose_order_touch(bool reversed) {
+  return make_pose_form(OrderTouch{{reversed}});
+}
+
+std::shared_ptr<const Predicate> make_pose_normal_order(bool reversed) {
+  return make_pose_form(NormalOrder{reversed});
+}
+
+}  // namespace kinex

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// coordinate_order(a, b) = x_b - x_a on one axis.
+// Degree 1 in the coordinates, d in t. Identities:
+//   (1) value(b, a) = -value(a, b)
+//   (2) value(a, a) = 0
+//   (3) value(a, b) + value(b, c) = value(a, c)
+#include <array>
+
+#include "core/arithmetic/predicate_formula.h"
+#include "predicates/predicates.h"
+
+namespace kinex {
+namespace {
+
+struct CoordinateOrder {
+  static constexpr int kArity = 2;
+  static constexpr int kDegree = 1;
+  static constexpr int kAlternating = 2;
+  static constexpr int kReference = 0;
+  static constexpr bool kOnlyToReference = true;
+
+  int axis = 0;
+
+  std::string_view name() const {
+    static constexpr std::array<std::string_view, 3> kNames{"order_x", "order_y", "order_z"};
+    return axis < 3 ? kNames[static_cast<std::size_t>(axis)] : "order";
+  }
+  int dimension() const { return axis + 1; }
+
+  template <class Points>
+  auto value(const Points& p) const {
+    return widen(p(1, axis) - p(0, axis));
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const Predicate> make_coordinate_order(int axis) {
+  return std::make_shared<FormulaPredicate<CoordinateOrder>>(CoordinateOrder{axis});
+}
+
+}  // namespace kinex

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// squared_distance_order(a, b, o) = |b - o|^2 - |a - o|^2 = (b - a).((b - o) + (a - o)).
+// The product form needs one multiplication per axis and cancels the quadratic terms exactly.
+// Degree 2 in the coordinates, 2d in t. Identities:
+//   (1) value(b, a, o) = -value(a, b, o)
+//   (2) value(a, a, o) = 0
+//   (3) value(o, b, o) >= 0
+#include <stdexcept>
+
+#include "core/arithmetic/predicate_formula.h"
+#include "predicates/predicates.h"
+
+namespace kinex {
+namespace {
+
+template <int Dimension>
+struct SquaredDistanceOrder {
+  static constexpr int kArity = 3;
+  static constexpr int kDegree = 2;
+  static constexpr int kAlternating = 2;
+  static constexpr int kReference = 2;
+  static constexpr bool kOnlyToReference = false;
+
+  std::string_view name() const { return "order_squared_distance"; }
+  int dimension() const { return Dimension; }
+
+  template <class Points>
+  auto value(const Points& p) const {
+    const auto term = [&p](int axis) {
+      const auto a = p(0, axis);
+      const auto b = p(1, axis);
+      const auto o = p(2, axis);
+      return wide_product(b - a, (b - o) + (a - o));
+    };
+    if constexpr (Dimension == 1) {
+      return term(0);
+    } else if constexpr (Dimension == 2) {
+      return term(0) + term(1);
+    } else {
+      return term(0) + term(1) + term(2);
+    }
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const Predicate> make_squared_distance_order(int dimension) {
+  switch (dimension) {
+    case 1: return std::make_shared<FormulaPredicate<SquaredDistanceOrder<1>>>();
+    case 2: return std::make_shared<FormulaPredicate<SquaredDistanceOrder<2>>>();
+    case 3: return std::make_shared<FormulaPredicate<SquaredDistanceOrder<3>>>();
+    default: throw std::invalid_argument("squared distances are offered in 1 to 3 dimensions");
+  }
+}
+
+}  // namespace kinex

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// slope_order_2(a, b, c, d) = (b - a) x (d - c): the cross product of two directions.
+// Degree 2 in the coordinates, 2d in t. Identities:
+//   (1) exchanging a and b, or c and d, changes the sign
+//   (2) exchanging the pairs changes the sign
+//   (3) zero if a = b or c = d
+//   (4) equal to orientation_2(a, b, d) if c = a
+//   (5) unchanged by a translation of one pair
+#include "core/arithmetic/predicate_formula.h"
+#include "predicates/predicates.h"
+
+namespace kinex {
+namespace {
+
+struct SlopeOrder2 {
+  static constexpr int kArity = 4;
+  static constexpr int kDegree = 2;
+  static constexpr int kAlternating = 2;
+  static constexpr int kReference = 0;
+  static constexpr bool kOnlyToReference = false;
+
+  std::string_view name() const { return "slope_order_2"; }
+  int dimension() const { return 2; }
+
+  template <class Points>
+  auto value(const Points& p) const {
+    return wide_product(p(1, 0) - p(0, 0), p(3, 1) - p(2, 1)) -
+           wide_product(p(1, 1) - p(0, 1), p(3, 0) - p(2, 0));
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const Predicate> make_slope_order_2() {
+  return std::make_shared<FormulaPredicate<SlopeOrder2>>();
+}
+
+}  // namespace kinex

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// HierarchyBounds: the hard bounds of outer hierarchies, checked on the hierarchies built in a run.
+//
+// The height s of a node is the distance of its apex from the chord between the two points where
+// its chain begins and ends. It is no less than the apex's distance from P, so bounds for heights
+// are bounds for distances. With the exterior angle a <= pi/2 between the node's lines,
+//   s <= |chord| / 2 * tan(a / 2) <= |chord| a / pi,
+// and heights never grow downwards. r: radius(); n: vertices; L <= pi D: the perimeter.
+//   antichain  Pairwise disjoint nodes of height s or more: at most sqrt(2 L / s) <=
+//              sqrt(2 pi D / s). Their chords sum to at most L, their angles to at most 2 pi;
+//              Cauchy-Schwarz.
+//   cuts       At most 2 n: every cut consumes an edge or splits a chain at a vertex.
+//   depth      kMedian: floor(log2 n) + 1, as every cut halves the chain.
+//              kCompass: floor(log2(1.1 r / s)) for a node of height s below at least one cut.
+//              Below i cuts a / 2 <= 2^-i, and tan x <= 1.093 x there.
+//              kDudley: floor(log4(5.5 r / s)). The range of a root is at most 5.42 r long; where
+//              it has length x, |chord|^2 + |m - m'|^2 <= x^2 for the two vectors m, m' >= r from P
+//              to the range's ends, sin(a / 2) <= |m - m'| / (2 r), so s <= x^2 / (8 r cos(a / 2)).
+//              kBalancedDudley: 2 min(floor(log2 n) + 1, floor(log4(5.5 r / s))): at least every
+//              other cut above a node is Dudley's, and after two levels the chain is halved.
+//
+// Heights are computed from exact integers and rounded at the end, with exponents of their own:
+// relative error below 1e-12 at any scale and however small they are beside the radius;
+// comparisons allow for 1e-9. Cost: O(n log n), a few integer products a node.
+#ifndef KINEX_STRUCTURES_COLLISION_HIERARCHY_BOUNDS_H
+#define KINEX_STRUCTURES_COLLISION_HIERARCHY_BOUNDS_H
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/engine/bound.h"
+#include "structures/collision/outer_hierarchy.h"
+
+namespace kinex {
+
+// m 2^e with 1 <= m < 2, or 0: a double that neither overflows nor underflows.
+struct Magnitude {
+  double m = 0;
+  long e = 0;
+
+  bool is_zero() const { return m == 0; }
+  friend bool operator<(const Magnitude& a, const Magnitude& b) {
+    if (a.is_zero() || b.is_zero()) return !b.is_zero() && a.is_zero();
+    return a.e != b.e ? a.e < b.e : a.m < b.m;
+  }
+};
+
+// The heights of the nodes over the radius, by node; 0 for leaves.
+std::vector<Magnitude> relative_heights(const OuterHierarchy& tree);
+
+class HierarchyBounds {
+ public:
+  explicit HierarchyBounds(CutPolicy policy) : policy_(policy) {}
+
+  // Adds a hierarchy of this policy. A point has nothing to check.
+  void add(const OuterHierarchy& tree);
+  // The worst case of each: "PREFIX.antichain", "PREFIX.depth", "PREFIX.cuts"; none if nothing was
+  // added.
+  std::vector<BoundCheck> checks(const std::string& prefix) const;
+
+ private:
+  struct Worst {
+    std::int64_t bound = 0, observed = -1;  // -1: none yet
+    void note(std::int64_t limit, std::int64_t seen);
+  };
+  void look_at_depths(const OuterHierarchy& tree, const std::vector<Magnitude>& heights);
+
+  CutPolicy policy_;
+  Worst antichain_, depth_, cuts_;
+};
+
+}  // namespace kinex
+
+#endif

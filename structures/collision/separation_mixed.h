@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SeparationMixed: separation-sensitive collision detection by the mixed hierarchy, and, for
+// translation alone, by the hierarchy of the Minkowski sum itself.
+//
+// Seen from A, B is one point moving outside the Minkowski sum M of A and R B'. The proof is the
+// tile of the exterior's hierarchy that holds the point (mixed_tiles.h); far from M tiles are
+// large.
+//   separation_mixed      the mixed hierarchy, for rigid motions; never built whole
+//   separation_minkowski  the hierarchy of M (separation_minkowski.h), for bodies that do not turn
+//
+// Compactness: at most 6 certificates a pair; O(n) space for the trees.
+// Responsiveness: O(depth) signs and at most 6 new certificates an event. In numbers: a failure
+// takes at most 2 (l + 1) + 33 signs, l the larger of the levels of the old and the new tile
+// (kSignsPerLevel, kSigns), and 24 more where the bodies touch (kSignsOfTouch); the bound does not
+// apply where the point is located anew, which may happen at a contact.
+// Events, for motions of constant degree at distance sigma or more, with
+// mu = min(n, sqrt(D / sigma)):
+//   rigid motion                       O(mu^2)
+//   translation                        O(mu)
+//   separation_minkowski on a line     at most 2 per level, O(log mu)
+//
+// Source: Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for convex
+// objects (1999).
+#ifndef KINEX_STRUCTURES_COLLISION_SEPARATION_MIXED_H
+#define KINEX_STRUCTURES_COLLISION_SEPARATION_MIXED_H
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "structures/collision/collision_pairs.h"
+#include "structures/collision/hierarchy_bounds.h"
+#include "structures/collision/mixed_tiles.h"
+
+namespace kinex {
+
+class SeparationMixed : public CollisionPairs {
+ public:
+  enum Kind : std::uint8_t {
+    kSide = kFirstOwn,  // the point has crossed a side
+    kFlip,              // an order of normals failed: the two tiles about it are divided anew
+    kCell,              // the point moved between half-planes, into the boxes or out of them
+  };
+  // The bound on the signs of one failure, term by term. A descent takes at most two signs at each
+  // level of one polygon. kSigns:
+  //   1 + 2  the certificate that failed, and its tile
+  //   4      the choice between two sides that fail together
+  //   1 + 5  the neighbour; edges without length (a vertex has at most two) and the descent's end
+  //   2 + 1  at the boundary of M
+  //   9      the certificates of the new tile and of a slide
+  //   8      whether the bodies touch
+  // kSignsOfTouch: 8 to see that the proof holds, 8 for its other certificates that touch zero, 8
+  // to see whether the bodies rest; or, at a contact, a few orders of normals to find the edge of M
+  // that is ahead.
+  static constexpr std::uint64_t kSignsPerLevel = 2, kSigns = 33, kSignsOfTouch = 24;
+
+  SeparationMixed(Kernel& kernel, StructureId id, const Scene& scene,
+                  CutPolicy policy = CutPolicy::kBalancedDudley);
+
+  std::string_view name() const override { return "separation_mixed"; }
+  void certificate_failed(CertificateId failed) override;
+  std::vector<std::string_view> event_kinds() const override;
+  // Includes those of the hierarchies built (hierarchy_bounds.h).
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  std::size_t bytes() const override;
+
+  // The tile of the pair (a, b), a < b; nullopt if the pair has none.
+  std::optional<Tile> tile(ObjectId a, ObjectId b) const;
+
+ protected:
+  bool start(PairId p) override;
+  bool leave(PairId p, const SumBoundary::Edge& edge) override;
+  void fail(PairId p, std::uint32_t slot) override;
+  std::uint32_t most_certificates() const override {
+    return MixedTiles::kMost + slide_certificates();
+  }
+  std::optional<Features> touch(PairId p, When when) override;
+  // The features of the two bodies that meet.
+  virtual Features features(PairId p, const MixedTiles::Move& contact);
+  // The two hierarchies of a pair.
+  virtual std::array<BodyFrame*, 2> frames_of(PairId p);
+  virtual void add_hierarchies(HierarchyBounds& bounds) const;
+
+  void moved(PairId p) override;
+  // Additional certificates where a point stays on the line of a side of M.
+  std::uint32_t slide_certificates() const { return slides_ ? 2 : 0; }
+
+ private:
+  // Signs of this structure's predicates computed so far.
+  std::uint64_t signs_asked() const;
+  MixedTiles tiles(PairId p);
+  // The certificates of the tile and of a slide along its side; returns their number.
+  using Proof = std::array<Query, kMostCertificates>;
+  std::uint32_t prove(const MixedTiles& about, const Tile& tile, Proof& queries);
+  void enter(PairId p, const MixedTiles& about, const Tile& tile);
+
+  std::vector<Tile> tile_;  // per pair
+  bool slides_ = false;     // a point has stayed on the line of a side of M
+  // While a failure is handled: its level (nullopt if the point is located anew or there is no
+  // tile), and whether the bodies touch.
+  std::optional<int> level_;
+  bool touches_ = false;
+  // The failure that came nearest to its bound.
+  std::uint64_t most_signs_ = 0, signs_bound_ = kSigns;
+};
+
+}  // namespace kinex
+
+#endif

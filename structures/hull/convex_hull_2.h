@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ConvexHull2: the convex hull of moving points in the plane, by divide and conquer in the dual.
+//
+// The upper hull is the upper envelope of the dual lines, a convex chain; the lower hull is the
+// same upside down (HullSigns). A balanced binary tree over the points, in no geometric order,
+// holds an envelope of each half at every node; a node merges the chains of its two children, red
+// and blue, into its own, purple. A corner `ab` of a chain is where line b follows line a. In the
+// merged order of all red and blue corners, its contender is the line of the other colour there.
+//
+//     red    ---o-----------|---------o-----|----      o  a corner of this chain
+//               :           :         :     :          |  its contender on the other chain
+//     blue   ---|-----------o---------|-----o----
+//               <-----x-----><---x----><--x-->         x  between neighbours of two colours
+//               y           y         y     y          y  o against |, where it is claimed
+//
+// Certificates of a node, for motions of degree d:
+//   x     a corner is left of the next one in the merged order,    slope_order_2,    degree 2d
+//         if the two have different colours
+//   y     a corner is above (or below) its contender: where the    orientation_2,    degree 2d
+//         chains cross beside it (yl, yr), or at a tangent corner
+//         (yt)
+//   s     the slope of a line is less than that of another         coordinate_order, degree d
+//   end   the order of the slopes of the two first lines, and of   coordinate_order, degree d
+//         the two last ones
+// There is an s for each line c over which the other colour runs without crossing it; it says where
+// along the run the slope of c falls: between the two lines of one corner, the tangent (slt, srt),
+// before the run (sr) or after it (sl).
+// x proves the merged order. Where red is above blue their difference has its minima at red corners
+// whose slopes enclose that of the contender: the tangents, which y proves to be above, while sl
+// and sr prove that there are none elsewhere. Crossings are proved by y on both sides.
+//
+// Quality, for n points:
+//   compactness     O(n) certificates on random motions, O(n log n) always
+//   locality        a line has two corners, at most two crossings and one tangent per node: O(1)
+//                   certificates per node, O(log n) in all
+//   responsiveness  a failure is repaired in O(1) at its node; if it changes purple, one corner is
+//                   replaced by two or two by one, and likewise in place at every ancestor where it
+//                   shows. Insertion and erasure rebuild the chains on one path of the tree; new
+//                   motions leave the tree as it is
+// Events, linear motion: each pair of points fails s and end certificates at one instant and at one
+// node only, C(n,2); y at most 4 C(n,3) and x at most 4 C(n,4) in the two halves (four points have
+// one node at which two are red and two blue). In fact O(n^(2 + epsilon)).
+//
+// The naive variant has y at all corners and no s. Corners far from all crossings then depend on
+// their contender, and one line may be in n certificates: it is not local.
+//
+// Ties: see HullSigns. The hull is that of strict vertices; of equal points the smallest id.
+//
+// Degenerate instants. Every claim that fails is repaired by itself; new claims that are negative
+// right after now fail next. Where no repair in place is possible (four lines through one point),
+// the node and its ancestors lose their certificates and are merged anew, just after now, when
+// everything below is right (node_rebuilds() counts these).
+//
+// Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 6; Basch,
+// Guibas, Hershberger, "Data structures for mobile data" (1999). The local certificates are worked
+// out here.
+#ifndef KINEX_STRUCTURES_HULL_CONVEX_HULL_2_H
+#define KINEX_STRUCTURES_HULL_CONVEX_HULL_2_H
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/engine/kernel.h"
+#include "core/engine/structure.h"
+#include "core/motion/scene.h"
+#include "structures/hull/convex_hull_2_signs.h"
+#include "structures/hull/hull_events.h"
+#include "structures/parts/repeat_guard.h"
+
+namespace kinex {
+
+class ConvexHull2 final : public Structure {
+ public:
+  // Bound on the certificates of a point, per half and level. Observed: at most 4.1 (the benchmark
+  // hull_levels).
+  static constexpr int kPerLevel = 24;
+
+  enum class Variant { kLocal, kNaive };
+  // The kinds after those of HullEvents; all internal.
+  enum Kind : std::uint8_t {
+    kX = HullEvents::kKinds,  // two corners ab, cd: a, b, c, d
+    kYl,                      // a corner ab and its contender: a, b, c; crossing on its left
+    kYr,                      // ... on its right
+    kYb,                      // ... on both sides
+    kYt,                      // ... no crossing beside it
+    kSl,                      // a line whose slope passes that of another
+    kSr,
+    kSt,
+    kEnd,
+  };
+
+  ConvexHull2(Kernel& kernel, StructureId id, const Scene& scene, Variant variant);
+
+  std::string_view name() const override {
+    return variant_ == Variant::kNaive ? "convex_hull_2_naive" : "convex_hull_2";
+  }
+  std::vector<std::string_view> event_kinds() const override;
+  void build(std::span<const ObjectId> objects) override;
+  void rebuild() override;
+  void certificate_failed(CertificateId failed) override;
+  void insert(ObjectId object) override;
+  void erase(ObjectId object) override;
+  void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_settled() override;
+  Attribute attribute() const override;
+  Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
+  void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  std::size_t bytes() const override;
+
+  // Nodes merged anew at degenerate instants, and the reasons.
+  std::uint64_t node_rebuilds() const { return node_rebuilds_; }
+  const std::map<std::string, std::uint64_t>& node_rebuild_reasons() const {
+    return spoil_reasons_;
+  }
+  // Failures by the height of their node; 1: the nodes just above the points.
+  const std::vector<std::uint64_t>& failures_by_level() const { return by_level_; }
+
+ private:
+  using Index = std::uint32_t;
+  using Half = HullSigns::Half;
+  using Corner = HullSigns::Corner;
+  static constexpr Index kNone = 0xffffffffu;
+  static constexpr unsigned kHalves = 2;
+  // The purpose of a certificate: tag = 8 * (edge or node) + slot.
+  enum Slot : std::uint32_t { kSlotX, kSlotY, kSlotS1, kSlotS2, kSlotLeft, kSlotRight };
+  // Where the slope of a line falls in the run over it, as seen from the corner that claims it.
+  enum Claim : std::uint8_t { kNoClaim, kAfter, kBefore, kTangent };
+
+  // A line on the chain of a node, the corner at its right end, and the place of both in the merge
+  // of the parent. One cache line.
+  struct alignas(64) Edge {
+    ObjectId point = kNoObject;
+    Index node = kNone;                    // the one whose chain it is on
+    Index merge = kNone;                   // the node that merges it; none: the root, or stale
+    Index next = kNone, previous = kNone;  // on the chain
+    Index up = kNone;                      // the same line on the parent's chain
+    // The corner at its right end, if there is one: neighbours in the merged order, contender.
+    Index right = kNone, left = kNone;
+    Index contender = kNone;
+    Index claimant = kNone;  // the corner that claims where the slope of this line falls
+    std::array<CertificateId, 4> certificates{kNoCertificate, kNoCertificate, kNoCertificate,
+                                              kNoCertificate};
+    bool red = false;
+    bool above = false;          // the corner is above its contender
+    Claim claim = kNoClaim;      // about the contender
+    std::uint8_t crossings = 0;  // of this line with the other chain
+  };
+
+  // One half of a node; nodes 2t and 2t + 1 are the halves of tree node t.
+  struct Node {
+    Index first = kNone, last = kNone;  // its chain
+    Index head = kNone, tail = kNone;   // merged order of the corners of its children
+    std::array<CertificateId, 2> ends{kNoCertificate, kNoCertificate};
+    std::array<bool, 2> red{false, false};  // which colour is above at the left end, the right end
+    bool stale = false;                     // to be merged anew
+    std::uint8_t height = 0;                // of the tree node, when it was merged
+  };
+  struct TreeNode {
+    Index parent = kNone, children[2]{kNone, kNone};
+    Index leaves = 0;
+    std::uint32_t height = 0;
+  };
+
+  static Half half(Index node) { return static_cast<Half>(node & 1u); }
+  Index parent(Index node) const {
+    const Index p = tree_[node / 2].parent;
+    return p == kNone ? kNone : 2 * p + (node & 1u);
+  }
+  Index child(Index node, int which) const {
+    return 2 * tree_[node / 2].children[which] + (node & 1u);
+  }
+  bool leaf(Index node) const { return tree_[node / 2].children[0] == kNone; }
+  // The node that merges the chain of this edge.
+  Index merge_of(Index edge) const { return edges_[edge].merge; }
+  Corner corner(Index edge) const { return {edges_[edge].point, edges_[edges_[edge].next].point}; }
+  bool red_above(Index corner) const { return edges_[corner].red == edges_[corner].above; }
+  bool crosses_left(Index node, Index corner) const;
+  bool crosses_right(Index node, Index corner) const;
+  Index first_of_run(Index line) const;
+  Index last_of_run(Index line) const;
+
+  // ---- convex_hull_2_certificates.cpp: the claims, as a function of the state
+  CertificateId& certificate_of(Slot slot, Index place) {
+    return slot >= kSlotLeft ? nodes_[place].ends[slot - kSlotLeft]
+                             : edges_[place].certificates[slot];
+  }
+  Query base_query(Slot slot, Index place) const;
+  bool needs_y(Index corner) const;
+  Outlook certify(CertificateId& certificate, const Query& query, std::uint32_t tag);
+  void drop(CertificateId& certificate);
+  void drop_all(Index edge);
+  void refresh(Slot slot, Index place);
+  void resolve_tie(Slot slot, Index place, CertificateId& certificate);
+  void refresh_x(Index corner);
+  void refresh_y(Index corner);
+  void refresh_end(Index node, int end);
+  void drop_claim(Index line);
+  void set_claim(Index line, Index corner, Claim claim);
+  void refresh_claim(Index line, Index hint);
+
+  // ---- convex_hull_2_repair.cpp: failures
+  void repair(Slot slot, Index place);
+  void repair_x(Index corner);
+  void repair_y(Index corner);
+  void repair_s(Slot slot, Index corner);
+  void pass(Index node, Index e, Index f, const Query& claim);
+  void pass_half(Index node, Index e, Index f, const Query& claim);
+  void turn_end(Index node, int end);
+  void report_failure(Slot slot, Index place);
+  bool claim_holds(Slot slot, Index place) const;
+  void work_off();
+  void finish_instant();
+  void start_afresh();
+  void fetch(Index edge) const {
+    if (edge != kNone) __builtin_prefetch(edges_.data() + edge, 1);
+  }
+  void fetch_places() const;
+  void fetch_certificates() const;
+
+  // ---- convex_hull_2_chain.cpp: one line more or less on a chain
+  Index enter(Index node, Index a, Index b, ObjectId point);
+  void leave(Index node, Index edge);
+  void link(Index node, Index corner, Index left, Index right);
+  void unlink(Index node, Index corner);
+  void spoil(Index node, const char* reason);
+  void clear_merge(Index node);
+  void mend();
+
+  // ---- convex_hull_2_build.cpp: the static algorithm
+  Index allocate_edge(Index node, ObjectId point);
+  void free_edge(Index edge);
+  Index allocate_tree_node();
+  void free_chain(Index node);
+  void merge(Index node);
+  void merge_corners(Index node);
+  void merge_purple(Index node);
+  void merge_certificates(Index node);
+  Index append(Index node, ObjectId point);
+  Index build_tree(std::span<const ObjectId> objects);
+  void make_leaf(Index t, ObjectId object);
+  void construct(std::span<const ObjectId> objects);
+  void construct_anew();
+  void update_sizes(Index t);
+  void reset_hull();
+
+  // ---- convex_hull_2_update.cpp
+  void unmerge_path(Index t);
+  void merge_path(Index t);
+  Index remake(Index t);
+  void take_apart(Index t, std::vector<ObjectId>& objects);
+
+  // ---- convex_hull_2_audit.cpp
+  void check_tree(Index t, AuditReport& report) const;
+  void check_chain(Index node, AuditReport& report) const;
+  void check_merge(Index node, AuditReport& report) const;
+  void check_certificates(Index node, AuditReport& report) const;
+  static std::string named(const char* what, Index place);
+
+  // ---- convex_hull_2_bounds.cpp
+  void add_level_bounds(const BoundContext& context, std::vector<BoundCheck>& checks) const;
+
+  std::vector<ObjectId> hull_cycle() const;
+  std::vector<ObjectId> strict_chain(Index node) const;
+  void note_root_change(Index node, Index a, Index b, ObjectId point, bool enters);
+  bool settle_one_vertex();
+  void give_up(const std::string& what);
+
+  Kernel* kernel_;
+  StructureId id_;
+  Variant variant_;
+  HullSigns signs_;
+  HullEvents events_;
+
+  std::vector<Edge> edges_;
+  std::vector<Index> free_edges_;
+  std::vector<Node> nodes_;
+  std::vector<TreeNode> tree_;
+  std::vector<Index> free_tree_nodes_;
+  Index root_ = kNone;          // tree node
+  std::vector<Index> leaf_of_;  // tree node per object; kNone: not a member
+
+  // The present failure and instant.
+  bool hull_changed_ = false;
+  // Changes of the root's chains since the hull was read, and the last one.
+  std::uint32_t root_changes_ = 0;
+  struct RootChange {
+    ObjectId point = kNoObject, left = kNoObject, right = kNoObject;
+    Half half = HullSigns::kUpper;
+    bool enters = false;
+  } root_change_;
+  bool unsettled_ = false;           // a certificate was made that is negative right after now
+  std::vector<std::uint32_t> todo_;  // tags of claims that no certificate can refute
+  std::vector<Index> stale_;
+  std::vector<std::uint32_t> tied_;  // tags of claims that were tied when they were made
+  std::uint64_t spent_ = 0;          // repairs at this instant
+  RepeatGuard repeats_;
+  bool corrupt_ = false;
+
+  std::uint64_t node_rebuilds_ = 0;
+  std::map<std::string, std::uint64_t> spoil_reasons_;
+  std::vector<std::uint64_t> by_level_;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ConvexHull2BruteForce: the convex hull of moving points by comparing every point with every hull
+// edge: the baseline of the report.
+//
+// Certificates, for motions of degree d, with a hull of h vertices:
+//   turn    at each hull vertex the hull turns left                 orientation_2,    degree 2d
+//   inside  each other point is to the left of each hull edge       orientation_2,    degree 2d
+//   between a point that is identically on a hull edge is between   coordinate_order, degree d
+//           its ends (two certificates)
+//
+// Quality, for n points: (n - h) h + h certificates. Every failure is a change of the hull (ratio
+// 1). After each the static algorithm finds the hull and everything is scheduled anew. New motion
+// of a hull vertex reschedules the certificates of all other points, that of another point only its
+// own. Events, linear motion: at most 2 C(n,3).
+//
+// Ties: strict vertices only; of identically equal points the smallest id.
+//
+// Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 11.
+#ifndef KINEX_STRUCTURES_HULL_CONVEX_HULL_2_BRUTE_FORCE_H
+#define KINEX_STRUCTURES_HULL_CONVEX_HULL_2_BRUTE_FORCE_H
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/engine/kernel.h"
+#include "core/engine/structure.h"
+#include "core/motion/scene.h"
+#include "structures/hull/convex_hull_2_signs.h"
+#include "structures/hull/hull_events.h"
+#include "structures/parts/repeat_guard.h"
+
+namespace kinex {
+
+class ConvexHull2BruteForce final : public Structure {
+ public:
+  enum Kind : std::uint8_t {
+    kTurn = HullEvents::kKinds,  // a hull vertex and its neighbours: before, vertex, after
+    kInside,                     // a hull edge and a point
+    kBetween,                    // two points on one line
+  };
+
+  ConvexHull2BruteForce(Kernel& kernel, StructureId id, const Scene& scene)
+      : kernel_(&kernel),
+        id_(id),
+        signs_(kernel),
+        events_(kernel, id),
+        alive_(scene.objects.size(), false) {}
+
+  std::string_view name() const override { return "convex_hull_2_brute_force"; }
+  std::vector<std::string_view> event_kinds() const override;
+  void build(std::span<const ObjectId> objects) override;
+  void rebuild() override;
+  void certificate_failed(CertificateId failed) override;
+  void insert(ObjectId object) override;
+  void erase(ObjectId object) override;
+  void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_settled() override;
+  Attribute attribute() const override { return {Attribute::Shape::kCycle, cycle_}; }
+  Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
+  void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  std::size_t bytes() const override;
+
+ private:
+  std::vector<ObjectId> members() const;
+  void retract_all();
+  void certify_all();
+  void claim(const Query& query, Kind kind);
+  void claim_inside(ObjectId u, ObjectId v, ObjectId point);
+  void find_hull();
+
+  Kernel* kernel_;
+  StructureId id_;
+  HullSigns signs_;
+  HullEvents events_;
+  std::vector<bool> alive_;
+  std::vector<ObjectId> cycle_;
+  std::vector<CertificateId> certificates_;
+  std::size_t most_certificates_ = 0;
+  RepeatGuard repeats_;
+  bool look_again_ = false;  // motions have changed: ties may have come or gone
+};
+
+}  // namespace kinex
+
+#endif

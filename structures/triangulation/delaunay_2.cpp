@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/triangulation/delaunay_2.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "predicates/predicates.h"
+
+namespace kinex {
+
+Delaunay2::Delaunay2(Kernel& kernel, StructureId id, const Scene& scene)
+    : kernel_(&kernel),
+      id_(id),
+      order_{kernel.bind(make_coordinate_order(0)), kernel.bind(make_coordinate_order(1))},
+      orientation_(kernel.bind(make_orientation_2())),
+      in_circle_(kernel.bind(make_in_circle_2())),
+      store_(scene.objects.size()),
+      present_(scene.objects.size(), false),
+      representative_(scene.objects.size(), kNoObject) {}
+
+std::vector<std::string_view> Delaunay2::event_kinds() const {
+  return common_event_kinds({"flip", "enter", "leave", "pass", "blocked", "reinsert"});
+}
+
+void Delaunay2::give_up(const std::string& what) {
+  if (corrupt_) return;
+  corrupt_ = true;
+  kernel_->corrupt(id_, what);
+}
+
+bool Delaunay2::upright(ObjectId a, ObjectId b, ObjectId c) const {
+  const ObjectId infinity = store_.infinity();
+  if (a == infinity || b == infinity || c == infinity) return true;
+  return turn(a, b, c) == Sign::kPositive;
+}
+
+bool Delaunay2::upright(Triangle t) const {
+  return upright(store_.origin(3 * t), store_.origin(3 * t + 1), store_.origin(3 * t + 2));
+}
+
+// ---- certificates
+
+Query Delaunay2::query_of(HalfEdge h) const {
+  const HalfEdge g = store_.twin(h);
+  const ObjectId u = store_.origin(h), v = store_.origin(g);
+  const ObjectId p = store_.apex(h), q = store_.apex(g);
+  const ObjectId infinity = store_.infinity();
+  if (std::max(std::max(u, v), std::max(p, q)) < infinity) return Query(in_circle_, {v, u, p, q});
+  if (p == infinity) return Query(orientation_, {v, u, q});
+  if (q == infinity) return Query(orientation_, {u, v, p});
+  if (u == infinity) return Query(orientation_, {p, v, q});
+  return Query(orientation_, {q, u, p});
+}
+
+void Delaunay2::set_certificate(HalfEdge h) {
+  if (corrupt_) return;
+  const Query query = query_of(h);
+  if (!kernel_->is_exact() && repeats_an_object(query)) {
+    return give_up("two triangles on the same three points");
+  }
+  const CertificateId label = store_.label(h);
+  Outlook outlook;
+  if (label == kNoCertificate) {
+    const Kernel::Created created = kernel_->create(id_, query, h);
+    store_.set_label(h, created.id);
+    outlook = created.outlook;
+  } else {
+    outlook = kernel_->replace(label, query, h);
+  }
+  if (outlook == Outlook::kIdenticallyZero) ties_.push_back(h);
+  fails_now_ = fails_now_ || outlook == Outlook::kFailsNow;
+}
+
+void Delaunay2::drop_certificate(HalfEdge h) {
+  const CertificateId label = store_.label(h);
+  if (label == kNoCertificate) return;
+  if (!corrupt_) kernel_->retract(label);
+  store_.set_label(h, kNoCertificate);
+}
+
+// ---- flips
+
+// False if the edge between the opposite vertices exists already (seen from an end of degree
+// three).
+bool Delaunay2::flippable(HalfEdge h) const {
+  const HalfEdge g = store_.twin(h);
+  const ObjectId p = store_.apex(h), q = store_.apex(g);
+  return p != q && store_.apex(store_.twin(Triangulation2::previous(h))) != q &&
+         store_.apex(store_.twin(Triangulation2::next(h))) != q;
+}
+
+void Delaunay2::flip(HalfEdge h) {
+  const HalfEdge d = store_.flip(h);
+  const HalfEdge e = store_.twin(d);
+  set_certificate(d);  // first: the arithmetic reuses the polynomial of the failure
+  const std::uint64_t zeros = kernel_->possible_zeros();
+  set_certificate(Triangulation2::next(d));
+  set_certificate(Triangulation2::previous(d));
+  set_certificate(Triangulation2::next(e));
+  set_certificate(Triangulation2::previous(e));
+  rim_is_zero_ = kernel_->possible_zeros() != zeros;
+}
+
+// The edge's four points are identically cocircular and the smallest id is not on the edge.
+bool Delaunay2::wants_other_diagonal(HalfEdge h) const {
+  const CertificateId label = store_.label(h);
+  if (label == kNoCertificate || kernel_->outlook(label) != Outlook::kIdenticallyZero) return false;
+  const HalfEdge g = store_.twin(h);
+  const ObjectId u = store_.origin(h), v = store_.origin(g);
+  const ObjectId p = store_.apex(h), q = store_.apex(g);
+  if (std::max(std::max(u, v), std::max(p, q)) >= store_.infinity()) return false;
+  return std::min(p, q) < std::min(u, v);
+}
+
+// Turns identically cocircular points into fans. Each flip raises the degree of the smallest of its
+// four points, and no later flip lowers it, so k cocircular points need O(k^2) flips.
+void Delaunay2::settle_ties(bool report) {
+  std::uint64_t left = 64 + 4 * static_cast<std::uint64_t>(store_.triangles()) * store_.triangles();
+  while (!ties_.empty() && !corrupt_) {
+    const HalfEdge h = ties_.back();
+    ties_.pop_back();
+    if (!store_.live(Triangulation2::triangle(h)) || !wants_other_diagonal(h)) continue;
+    const HalfEdge g = store_.twin(h);
+    const ObjectId u = store_.origin(h), v = store_.origin(g);
+    const ObjectId p = store_.apex(h), q = store_.apex(g);
+    if (!flippable(h) || !upright(p, u, q) || !upright(q, v, p)) {
+      for (const ObjectId w : {u, v, p, q}) suspect(w);  // flat or turned over: see instant_settled
+      continue;
+    }
+    if (left-- == 0) return give_up("cocircular points without end");
+    flip(h);
+    ++tie_flips_;
+    if (report) report_flip(u, v, p, q, true);
+  }
+}
+
+// The edge u v has been replaced by p q. During a degenerate instant an edge may exist twice, and
+// other changes may not be reported yet: this one is then reported with them.
+void Delaunay2::report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q, bool degenerate) {
+  const ObjectId infinity = store_.infinity();
+  const bool goes = u != infinity && v != infinity, comes = p != infinity && q != infinity;
+  const bool later = untold_.size() > 0 || (degenerate && goes && edges_between(u, v) > 0) ||
+                     (degenerate && comes && edges_between(p, q) > 1);
+  if (later) {
+    if (goes) untold_.gone(u, v);
+    if (comes) untold_.came(p, q);
+    kernel_->settle_later(id_);
+  }
+  const std::array<ObjectId, 2> old{std::min(u, v), std::max(u, v)};
+  const std::array<ObjectId, 2> fresh{std::min(p, q), std::max(p, q)};
+  if (!goes) {
+    kernel_->report(id_, kLeave, {old[0], fresh[0], fresh[1]}, !later);
+  } else if (!comes) {
+    kernel_->report(id_, kEnter, {fresh[0], old[0], old[1]}, !later);
+  } else {
+    kernel_->report(id_, kFlip, {old[0], old[1], fresh[0], fresh[1]}, !later);
+  }
+}
+
+int Delaunay2::edges_between(ObjectId a, ObjectId b) const {
+  int edges = 0;
+  const HalfEdge first = store_.out(a);
+  HalfEdge h = first;
+  do {
+    edges += store_.target(h) == b ? 1 : 0;
+    h = store_.around(h);
+  } while (h != first);
+  return edges;
+}
+
+void Delaunay2::certificate_failed(CertificateId failed) {
+  if (corrupt_) return;
+  const HalfEdge h = kernel_->tag(failed);
+  if (on_line_) return pass(h);
+  const bool shared = kernel_->instant_is_shared(id_);
+  const HalfEdge g = store_.twin(h);
+  const ObjectId u = store_.origin(h), v = store_.origin(g);
+  const ObjectId p = store_.apex(h), q = store_.apex(g);
+  if (!flippable(h)) return blocked(h, shared);
+  if (shared) {
+    if (has_last_quad_) suspects_.insert(suspects_.end(), last_quad_.begin(), last_quad_.end());
+    has_last_quad_ = false;
+    for (const ObjectId w : {u, v, p, q}) suspect(w);
+    const bool there = store_.adjacent(std::min(p, q), std::max(p, q));
+    if (there || !upright(p, u, q) || !upright(q, v, p)) return blocked(h, true);
+  } else {
+    last_quad_ = {u, v, p, q};
+    has_last_quad_ = true;
+    retries_ = repairs_ = 0;
+  }
+  fails_now_ = false;
+  flip(h);
+  if (corrupt_) return;
+  if (rim_is_zero_ && !shared) {
+    for (const ObjectId w : {u, v, p, q}) suspect(w);
+    kernel_->settle_later(id_);
+  }
+  report_flip(u, v, p, q, shared || fails_now_ || rim_is_zero_);
+  if (!ties_.empty()) settle_ties(true);
+}
+
+// A failure that no flip can repair. At a degenerate instant the edge goes without a certificate
+// until the instant is settled.
+void Delaunay2::blocked(HalfEdge h, bool shared) {
+  if (!shared && !kernel_->is_exact()) return give_up("a flip to an edge that is there already");
+  const HalfEdge g = store_.twin(h);
+  std::array<ObjectId, 4> ids{store_.origin(h), store_.origin(g), store_.apex(h), store_.apex(g)};
+  std::sort(ids.begin(), ids.end());
+  for (const ObjectId v : ids) suspect(v);
+  store_.set_label(h, kNoCertificate);
+  blocked_ = true;
+  if (ids[3] == store_.infinity()) {
+    kernel_->report(id_, kBlocked, {ids[0], ids[1], ids[2]}, false);
+  } else {
+    kernel_->report(id_, kBlocked, {ids[0], ids[1], ids[2], ids[3]}, false);
+  }
+  if (!shared) rebuild_because("a flip to an edge that is there already");
+}
+
+// On a line: the points at `place` and place + 1 change places.
+void Delaunay2::pass(std::uint32_t place) {
+  const bool later = untold_.size() > 0;  // reported with earlier changes
+  const Attribute before = later ? attribute() : Attribute{};
+  std::swap(line_[place], line_[place + 1]);
+  if (later) untold_.add(difference_between(before, attribute()));
+  const std::size_t first = place == 0 ? 0 : place - 1;
+  const std::size_t last = std::min<std::size_t>(place + 1, line_certificates_.size() - 1);
+  const PredicateId order = order_[line_axis_];
+  kernel_->replace(line_certificates_[place], Query(order, {line_[place], line_[place + 1]}),
+                   place);
+  for (std::size_t i = first; i <= last; ++i) {
+    if (i == place) continue;
+    kernel_->replace(line_certificates_[i], Query(order, {line_[i], line_[i + 1]}),
+                     static_cast<std::uint32_t>(i));
+  }
+  kernel_->report(
+      id_, kPass,
+      {std::min(line_[place], line_[place + 1]), std::max(line_[place], line_[place + 1])},
+      line_.size() > 2 && !later);
+}
+
+// ---- the attribute
+
+// Sorted by counting, since viewers read it after every event: O(n), and a sort of the few larger
+// neighbours of each vertex. Each edge is once a half-edge from its smaller to its larger end.
+Attribute Delaunay2::attribute() const {
+  Attribute result;
+  result.shape = Attribute::Shape::kEdges;
+  if (on_line_) {
+    std::vector<std::pair<ObjectId, ObjectId>> edges;
+    for (std::size_t i = 0; i + 1 < line_.size(); ++i) {
+      edges.emplace_back(std::minmax(line_[i], line_[i + 1]));
+    }
+    std::sort(edges.begin(), edges.end());
+    for (const auto& [a, b] : edges) result.ids.insert(result.ids.end(), {a, b});
+    return result;
+  }
+  const ObjectId infinity = store_.infinity();
+  const auto for_edges = [&](const auto& take) {
+    for (Triangulation2::Triangle t = 0; t < store_.triangle_capacity(); ++t) {
+      if (!store_.live(t)) continue;
+      const ObjectId a = store_.origin(3 * t), b = store_.origin(3 * t + 1);
+      const ObjectId c = store_.origin(3 * t + 2);
+      if (a < b && b != infinity) take(a, b);
+      if (b < c && c != infinity) take(b, c);
+      if (c < a && a != infinity) take(c, a);
+    }
+  };
+  std::vector<std::uint32_t> place(infinity + std::size_t{2}, 0);
+  for_edges([&](ObjectId a, ObjectId) { ++place[a + 2]; });
+  for (std::size_t v = 2; v < place.size(); ++v) place[v] += place[v - 1];
+  std::vector<ObjectId> larger(place.back());
+  for_edges([&](ObjectId a, ObjectId b) { larger[place[a + 1]++] = b; });
+  result.ids.resize(2 * larger.size());
+  for (ObjectId v = 0; v < infinity; ++v) {  // place[v] .. place[v + 1] now belong to v
+    const auto first = larger.begin() + place[v], last = larger.begin() + place[v + 1];
+    if (last - first > 1) std::sort(first, last);
+    for (std::uint32_t i = place[v]; i < place[v + 1]; ++i) {
+      result.ids[2 * i] = v;
+      result.ids[2 * i + 1] = larger[i];
+    }
+  }
+  return result;
+}
+
+std::vector<ObjectId> Delaunay2::hull() const {
+  if (on_line_) return line_;
+  std::vector<ObjectId> hull;
+  const HalfEdge first = store_.out(store_.infinity());
+  HalfEdge h = first;
+  do {  // counter-clockwise around infinity is clockwise around the hull
+    hull.push_back(store_.target(h));
+    h = store_.around(h);
+  } while (h != first);
+  std::reverse(hull.begin(), hull.end());
+  std::rotate(hull.begin(), std::min_element(hull.begin(), hull.end()), hull.end());
+  return hull;
+}
+
+std::size_t Delaunay2::bytes() const {
+  const std::size_t words =
+      representative_.capacity() + line_.capacity() + line_certificates_.capacity() +
+      suspects_.capacity() + moved_.capacity() + ties_.capacity() + mark_.capacity() +
+      cavity_.capacity() + filled_.capacity() + rim_.capacity() + link_.capacity();
+  return sizeof(*this) + store_.bytes() + untold_.bytes() + present_.capacity() / 8 +
+         words * sizeof(std::uint32_t);
+}
+
+}  // namespace kinex

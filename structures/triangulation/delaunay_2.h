@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Delaunay2: the Delaunay triangulation of moving points in the plane.
+//
+// Certificates. The triangulation is closed to a sphere by a vertex at infinity, so hull changes
+// are flips like all others. One certificate per edge uv with opposite vertices p and q, for
+// motions of degree d:
+//   all four finite    q is not inside the circle through u, v, p    in_circle_2,   degree 4d
+//   p or q infinite    the other one is inside the hull edge uv      orientation_2, degree 2d
+//   u or v infinite    the hull turns left at the other end          orientation_2, degree 2d
+// Locally Delaunay everywhere is globally Delaunay (Delaunay 1934).
+//
+//          p                  p
+//        1/ \4              1/|\4        The certificate of uv fails: uv is flipped to pq. The
+//        /   \              / | \        four rim edges 1 .. 4 stay, but one opposite vertex of
+//       u-----v    --->    u  |  v       each has changed: 5 certificates are renewed.
+//        \   /              \ | /
+//        2\ /3              2\|/3
+//          q                  q
+//
+// Quality, for n points:
+//   compactness     3n - 3 certificates, exactly
+//   locality        not local: a point is in as many certificates as it has neighbours and link
+//                   edges, up to 2(n - 1) and more
+//   responsiveness  one flip, 5 certificates
+//   efficiency      every event is external (ratio 1)
+// Events, linear motion: each in_circle_2 changes sign at most 4 times and each orientation_2
+// twice, so at most 4 C(n,4) + 2 C(n,3); growth O(n^3 2^alpha(n)) (Guibas, Mitchell, Roos 1991).
+//
+// Ties. The triangulation right after an instant depends on the points' motions and ids alone.
+//   identically cocircular   the diagonal that contains the smallest id of the four (so k
+//                            cocircular points are a fan from the smallest id)
+//   identically collinear    points on a hull edge are hull vertices
+//   identically equal        the smallest id is the vertex; the others are hidden behind it
+//   all identically on one line, or fewer than three points: a chain along the line, see line_
+//
+// Degenerate instants. A certificate that fails alone is one flip. Where several fail at one
+// instant, triangles may turn over without any certificate showing it (points that meet and pass
+// through each other; all points on one line), or the hull may end up winding around twice. So they
+// may where one certificate fails alone and others, with two of its points, are zero without a change
+// of sign (three points that turn through one): a rim certificate is zero at such an instant.
+//   1. A flip is then made only if its edge does not exist yet and both new triangles are upright
+//      (positively oriented right after now); otherwise the edge goes without a certificate for the
+//      moment ("blocked").
+//   2. When the instant is settled, the triangles around all points that took part and the number
+//      of turns of the hull are checked. All triangles upright, left turns along the hull and one
+//      turn in all make a triangulation: otherwise the angles do not add up.
+//   3. Points of triangles that have turned over are taken out and put in again. Where that is not
+//      enough, or not possible, everything is built anew, with a reason in the ledger.
+//
+// What is reported. An external event of the kinds "flip", "enter" and "leave" removes one edge, or
+// adds one, or both, as its ids say; "pass" exchanges its two points in every edge. Other changes
+// of edges, when points are taken out and put in again, are reported by one "settled" at the end of
+// the instant, net, or by the "rebuild"; flips in between are then internal. (So are flips to an
+// edge that exists already, or from one that exists twice.) Edges are collected where they change:
+// a degenerate instant costs no more than its repair.
+//
+// Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Guibas,
+// Mitchell, Roos, "Voronoi diagrams of moving points in the plane" (1991); insertion: Bowyer
+// (1981), Watson (1981); deletion by ears: Devillers (1999).
+#ifndef KINEX_STRUCTURES_TRIANGULATION_DELAUNAY_2_H
+#define KINEX_STRUCTURES_TRIANGULATION_DELAUNAY_2_H
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/engine/kernel.h"
+#include "core/engine/structure.h"
+#include "core/motion/scene.h"
+#include "structures/parts/edge_changes.h"
+#include "structures/triangulation/triangulation_2.h"
+
+namespace kinex {
+
+class Delaunay2 final : public Structure {
+ public:
+  // Events. Edges are written smaller id first. The first three are external (see above), and so is
+  // kPass if there are more than two points; the others are internal.
+  enum Kind : std::uint8_t {
+    kFlip,      // removed edge, added edge
+    kEnter,     // a point becomes a hull vertex: the point, the hull edge that it splits (and ends)
+    kLeave,     // a point stops being a hull vertex: the point, the new hull edge (and edge)
+    kPass,      // on a line: two neighbours change places
+    kBlocked,   // at a degenerate instant: no flip repairs it yet; the certificate's points
+    kReinsert,  // when the instant is settled: a point was taken out and put in again
+  };
+
+  Delaunay2(Kernel& kernel, StructureId id, const Scene& scene);
+
+  std::string_view name() const override { return "delaunay_2"; }
+  std::vector<std::string_view> event_kinds() const override;
+  void build(std::span<const ObjectId> objects) override;
+  void rebuild() override;
+  void certificate_failed(CertificateId failed) override;
+  void insert(ObjectId object) override;
+  void erase(ObjectId object) override;
+  void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_settled() override;
+  void instant_over() override;
+  Attribute attribute() const override;
+  Attribute told() const override { return untold_.undone(attribute()); }
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  // The common limit is already many times the flips of a lattice sheared through the square one.
+  std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
+  void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  std::size_t bytes() const override;
+
+  // Hull vertices counter-clockwise from the smallest id; on a line, the chain.
+  std::vector<ObjectId> hull() const;
+  // The vertex for `object`: itself, or the one it is hidden behind.
+  ObjectId representative(ObjectId object) const { return representative_[object]; }
+  bool on_line() const { return on_line_; }
+  // Points taken out and put in again at degenerate instants.
+  std::uint64_t reinsertions() const { return reinsertions_; }
+
+ private:
+  using HalfEdge = Triangulation2::HalfEdge;
+  using Triangle = Triangulation2::Triangle;
+  static constexpr std::uint32_t kNone = Triangulation2::kNone;
+
+  // ---- delaunay_2.cpp: certificates and flips
+  Query query_of(HalfEdge h) const;
+  void set_certificate(HalfEdge h);
+  void drop_certificate(HalfEdge h);
+  bool flippable(HalfEdge h) const;
+  void flip(HalfEdge h);
+  void settle_ties(bool report);
+  void report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q, bool degenerate);
+  int edges_between(ObjectId a, ObjectId b) const;
+  bool wants_other_diagonal(HalfEdge h) const;
+  void pass(std::uint32_t place);
+  void blocked(HalfEdge h, bool shared);
+  Sign turn(ObjectId a, ObjectId b, ObjectId c) const {
+    return kernel_->sign_after(orientation_, {a, b, c});
+  }
+  // A ghost, or positively oriented right after now.
+  bool upright(ObjectId a, ObjectId b, ObjectId c) const;
+  bool upright(Triangle t) const;
+  void give_up(const std::string& what);
+
+  // ---- delaunay_2_build.cpp: the static algorithm
+  void construct();
+  void rebuild_because(const std::string& reason);
+  void remake_line(const std::string& reason);
+  void note_edges(const std::vector<Triangle>& cavity, std::uint32_t inside);
+  void retract_all();
+  std::vector<std::uint32_t> ranks(const std::vector<ObjectId>& objects, PredicateId order) const;
+  void build_line();
+  void build_plane(const std::vector<ObjectId>& order);
+
+  // ---- delaunay_2_points.cpp: one point more or less
+  enum class Insertion { kVertex, kHidden, kFailed };
+  struct Place {
+    Triangle triangle = kNone;   // a triangle in conflict with the point, or
+    ObjectId equal = kNoObject;  // the vertex that is equal to it
+  };
+  bool identical(ObjectId a, ObjectId b) const;
+  bool strictly_between(ObjectId d, ObjectId a, ObjectId b) const;
+  bool conflict(ObjectId a, ObjectId b, ObjectId c, ObjectId d) const;
+  bool conflict(Triangle t, ObjectId d) const;
+  Place locate(ObjectId d, HalfEdge hint) const;
+  // `careful`: the triangulation may be invalid elsewhere; certificates are kept up to date, too.
+  Insertion add_point(ObjectId d, HalfEdge hint, bool careful);
+  void hide(ObjectId object, ObjectId behind);
+  bool remove_vertex(ObjectId v);
+  bool plan_ears();
+  bool is_ear(std::uint32_t corner);
+  bool ears_fit();
+
+  // ---- delaunay_2_update.cpp: changes from outside and degenerate instants
+  void suspect(ObjectId v) {
+    if (v != store_.infinity()) suspects_.push_back(v);
+  }
+  void reveal(ObjectId object);
+  void put_in_anywhere(ObjectId object);
+  void take_out_anywhere(ObjectId object);
+  bool put_in(ObjectId object);
+  bool take_out(ObjectId vertex);
+  bool reexamine_hidden();
+  bool collect_turned(std::vector<Triangle>& turned);
+  bool mend();
+  bool hull_turns_once() const;
+  void restore_certificates();
+
+  Kernel* kernel_;
+  StructureId id_;
+  PredicateId order_[2];
+  PredicateId orientation_;
+  PredicateId in_circle_;
+
+  Triangulation2 store_;
+  std::vector<bool> present_;                         // alive, vertex or hidden
+  std::vector<ObjectId> representative_;              // kNoObject: not present
+  std::map<ObjectId, std::vector<ObjectId>> hidden_;  // behind a vertex, ascending
+  HalfEdge hint_ = kNone;                             // where the last point went
+
+  // All points on one line right after now, in order along it. Certificates: neighbours in the
+  // order of coordinate line_axis_ (x, or y if all x are identically equal); tag: place of the
+  // first.
+  bool on_line_ = true;
+  int line_axis_ = 0;
+  std::vector<ObjectId> line_;
+  std::vector<CertificateId> line_certificates_;
+
+  // The present instant.
+  bool fails_now_ = false;      // a certificate was made that is negative right after now
+  bool rim_is_zero_ = false;    // of the last flip: a rim certificate may be zero at now
+  EdgeChanges untold_;          // of the attribute, not reported by events
+  bool comes_or_goes_ = false;  // during an insertion or erasure, which reports its changes itself
+  std::vector<ObjectId> suspects_;
+  std::vector<ObjectId> moved_;
+  std::array<ObjectId, 4> last_quad_{};
+  bool has_last_quad_ = false;
+  bool blocked_ = false;  // a flip was impossible: an edge is without certificate
+  int retries_ = 0;       // of impossible flips
+  static constexpr int kMostRetries = 2;
+  std::vector<HalfEdge> ties_;  // edges to be compared with the rule for cocircular points
+
+  // Inexact arithmetics: repairs since the last ordinary flip, and the limit.
+  int repairs_ = 0;
+  static constexpr int kMostRepairs = 64;
+  bool corrupt_ = false;
+  bool certify_ = true;  // false while the static algorithm runs: certificates come at its end
+  std::uint64_t tie_flips_ = 0;
+  std::uint64_t reinsertions_ = 0;
+  bool mended_ = false;  // at this instant points were taken out and put in again
+
+  // scratch
+  std::vector<std::uint32_t> mark_;  // per triangle
+  std::uint32_t epoch_ = 0;
+  std::vector<Triangle> cavity_, filled_;
+  std::vector<HalfEdge> rim_, link_;
+  std::vector<ObjectId> corners_;
+  std::vector<std::uint32_t> corner_next_, corner_previous_, witness_;
+  std::vector<bool> ghost_beyond_;
+  std::vector<Triangulation2::Ear> ears_;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Delaunay2: bounds, invariants, and the audit against CGAL's exact triangulation. No other file of
+// this structure includes CGAL.
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Lazy_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "structures/triangulation/delaunay_2.h"
+
+namespace kinex {
+namespace {
+
+using Exact = CGAL::Lazy_kernel<CGAL::Simple_cartesian<CGAL::Gmpq>>;
+using Point = Exact::Point_2;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<ObjectId, Exact>;
+using Witness =
+    CGAL::Delaunay_triangulation_2<Exact, CGAL::Triangulation_data_structure_2<VertexBase>>;
+using Edge = std::pair<ObjectId, ObjectId>;
+
+Point point_of(const Snapshot& snapshot, ObjectId id) {
+  return Point(Exact::FT(CGAL::Gmpq(snapshot.position(id, 0).raw())),
+               Exact::FT(CGAL::Gmpq(snapshot.position(id, 1).raw())));
+}
+
+Edge edge_of(ObjectId a, ObjectId b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::string named(const char* what, std::initializer_list<ObjectId> ids) {
+  std::string text = what;
+  for (const ObjectId id : ids) text += " " + std::to_string(id);
+  return text;
+}
+
+Integer binomial(const Integer& n, int k) {
+  Integer product = 1;
+  for (int i = 0; i < k; ++i) {
+    if ((n - Integer(i)).sign() <= 0) return 0;
+    product = product * (n - Integer(i));
+    product.divide_exactly(Integer(i + 1));
+  }
+  return product;
+}
+
+}  // namespace
+
+std::vector<BoundCheck> Delaunay2::bounds(const BoundContext& context) const {
+  std::vector<BoundCheck> checks;
+  const StructureLedger& ledger = *context.ledger;
+  if (corrupt_) return checks;
+  if (!on_line_) {
+    BoundCheck check;
+    check.id = "delaunay_2.certificates";
+    check.source =
+        "Euler's formula: one certificate per edge of the closed triangulation, 3(n + 1) - 6";
+    check.bound = Integer(3) * Integer(static_cast<std::int64_t>(store_.vertices())) - Integer(3);
+    check.observed = Integer(static_cast<std::int64_t>(ledger.live));
+    check.holds = check.bound == check.observed;
+    checks.push_back(std::move(check));
+  }
+  const Integer all(static_cast<std::int64_t>(context.objects()));
+  checks.push_back(at_most("delaunay_2.compactness",
+                           "at any time one certificate per edge at most, 3(n + 1) - 6",
+                           Integer(3) * (all.is_zero() ? Integer(1) : all) - Integer(3),
+                           Integer(static_cast<std::int64_t>(ledger.max_live))));
+  // The theorems count flips in general position; degenerate instants may fail more certificates.
+  const auto blocked = ledger.by_kind.find("blocked");
+  const bool degenerate =
+      (blocked != ledger.by_kind.end() && blocked->second != 0) || reinsertions_ != 0;
+  if (!context.plain() || ledger.rebuilds != 0 || degenerate) return checks;
+  const Integer n(static_cast<std::int64_t>(context.objects()));
+  const Integer d(context.degree);
+  const auto events = static_cast<std::int64_t>(ledger.failures);
+  if (!on_line_) {
+    checks.push_back(at_most("delaunay_2.events",
+                             "each in_circle_2 changes sign 4d times, each orientation_2 2d times: "
+                             "4d C(n,4) + 2d C(n,3)",
+                             Integer(4) * d * binomial(n, 4) + Integer(2) * d * binomial(n, 3),
+                             Integer(events)));
+    if (tie_flips_ == 0) {
+      checks.push_back(at_most("delaunay_2.responsiveness", "a flip renews 5 certificates",
+                               Integer(5),
+                               Integer(static_cast<std::int64_t>(ledger.created_per_event.max))));
+    }
+  } else {
+    checks.push_back(at_most("delaunay_2.passes", "d C(n,2): two points on a line meet d times",
+                             d * binomial(n, 2), Integer(events)));
+  }
+  return checks;
+}
+
+void Delaunay2::check_invariants(AuditReport& report) const {
+  std::size_t vertices = 0;
+  for (ObjectId id = 0; id < present_.size(); ++id) {
+    if (!present_[id]) {
+      report.check(representative_[id] == kNoObject && !store_.has(id),
+                   [&] { return "object " + std::to_string(id) + " is gone but still known"; });
+      continue;
+    }
+    const ObjectId vertex = representative_[id];
+    if (vertex == id) {
+      ++vertices;
+      continue;
+    }
+    const auto it = hidden_.find(vertex);
+    report.check(vertex < id && representative_[vertex] == vertex && it != hidden_.end() &&
+                     std::binary_search(it->second.begin(), it->second.end(), id),
+                 [&] { return "object " + std::to_string(id) + " is hidden behind no vertex"; });
+  }
+  if (on_line_) {
+    report.check(line_.size() == vertices && store_.vertices() == 0 &&
+                     line_certificates_.size() + 1 == std::max<std::size_t>(1, vertices),
+                 [] { return std::string("the chain does not hold every vertex"); });
+    for (std::size_t i = 0; i < line_certificates_.size(); ++i) {
+      const Query query(order_[line_axis_], {line_[i], line_[i + 1]});
+      report.check(
+          kernel_->query(line_certificates_[i]) == query &&
+              kernel_->tag(line_certificates_[i]) == i,
+          [&] { return "place " + std::to_string(i) + " of the chain has another certificate"; });
+    }
+    return;
+  }
+  report.check(line_.empty() && store_.vertices() == vertices,
+               [] { return std::string("the triangulation does not hold every vertex"); });
+  const std::string defect = store_.defect();
+  report.check(defect.empty(), [&] { return defect; });
+  for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
+    if (!store_.live(Triangulation2::triangle(h)) || h > store_.twin(h)) continue;
+    const CertificateId label = store_.label(h);
+    bool good = label != kNoCertificate;
+    if (good) {
+      const std::uint32_t tag = kernel_->tag(label);
+      good = (tag == h || tag == store_.twin(h)) && kernel_->query(label) == query_of(tag);
+    }
+    report.check(good, [&] {
+      return "edge " + std::to_string(store_.origin(h)) + " " + std::to_string(store_.target(h)) +
+             " has no certificate or another edge's";
+    });
+    report.check(!wants_other_diagonal(h), [&] {
+      return "cocircular points: edge " + std::to_string(store_.origin(h)) + " " +
+             std::to_string(store_.target(h)) + " does not hold the smallest id";
+    });
+  }
+}
+
+void Delaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {
+  std::vector<Point> points(present_.size());
+  std::vector<std::pair<Point, ObjectId>> input;
+  for (ObjectId id = 0; id < present_.size(); ++id) {
+    report.check(present_[id] == snapshot.alive(id), [&] { return named("alive or not:", {id}); });
+    if (!present_[id] || !snapshot.alive(id)) continue;
+    points[id] = point_of(snapshot, id);
+    if (representative_[id] == id) {
+      input.emplace_back(points[id], id);
+    } else {
+      report.check(points[id] == point_of(snapshot, representative_[id]), [&] {
+        return named("hidden but not equal:", {id, representative_[id]});
+      });
+    }
+  }
+  Witness witness(input.begin(), input.end());
+  // Points may touch and turn back, or three be on one line, without any event: at such an instant
+  // triangles may be flat, and edges are not compared.
+  bool flat = witness.number_of_vertices() != input.size();
+  const Attribute edges = attribute();
+  std::vector<Edge> ours;
+  for (std::size_t i = 0; i < edges.ids.size(); i += 2)
+    ours.emplace_back(edges.ids[i], edges.ids[i + 1]);
+
+  std::set<Edge> theirs;
+  for (auto e = witness.finite_edges_begin(); e != witness.finite_edges_end(); ++e) {
+    theirs.insert(edge_of(e->first->vertex(Witness::cw(e->second))->info(),
+                          e->first->vertex(Witness::ccw(e->second))->info()));
+  }
+  if (on_line_) {
+    report.check(witness.dimension() < 2, [&] { return named("not on one line:", {}); });
+    if (flat) return;
+    report.check(std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end()),
+                 [&] { return named("the chain's edges differ from the witness", {}); });
+    return;
+  }
+
+  std::size_t faces = 0;
+  for (Triangle t = 0; t < store_.triangle_capacity(); ++t) {
+    if (!store_.live(t) || store_.ghost(t)) continue;
+    ++faces;
+    const ObjectId a = store_.origin(3 * t), b = store_.origin(3 * t + 1),
+                   c = store_.origin(3 * t + 2);
+    const auto turned = CGAL::orientation(points[a], points[b], points[c]);
+    flat = flat || turned == CGAL::COLLINEAR;
+    report.check(turned != CGAL::RIGHT_TURN, [&] {
+      return named("clockwise triangle", {a, b, c});
+    });
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+      const ObjectId d = store_.apex(store_.twin(h));
+      if (d == store_.infinity() || h > store_.twin(h)) continue;
+      const auto side = CGAL::side_of_oriented_circle(points[a], points[b], points[c], points[d]);
+      report.check(turned == CGAL::COLLINEAR || side != CGAL::ON_POSITIVE_SIDE, [&] {
+        return named("inside the circle: points", {a, b, c, d});
+      });
+      if (side == CGAL::ON_ORIENTED_BOUNDARY) {  // the witness may have the other diagonal
+        theirs.erase(edge_of(store_.apex(h), d));
+        theirs.insert(edge_of(store_.origin(h), store_.target(h)));
+      }
+    }
+  }
+  if (flat) return;
+  report.check(faces == witness.number_of_faces(),
+               [&] { return named("the number of triangles differs from the witness", {}); });
+  for (const Edge& e : ours) {
+    report.check(theirs.count(e) != 0, [&] {
+      return named("an edge that the witness does not have:", {e.first, e.second});
+    });
+  }
+  std::vector<ObjectId> corners;
+  auto around = witness.incident_vertices(witness.infinite_vertex());
+  const auto first = around;
+  do corners.push_back(around->info());
+  while (--around != first);  // counter-clockwise around infinity is clockwise around the hull
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  const auto listed = [](const std::vector<ObjectId>& ids) {
+    std::string text;
+    for (const ObjectId id : ids) text += " " + std::to_string(id);
+    return text;
+  };
+  report.check(corners == hull(), [&] {
+    return named("the hull differs from the witness:", {}) + ":" + listed(hull()) + " instead of" +
+           listed(corners);
+  });
+}
+
+}  // namespace kinex

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The include graph of the project's rooms, the folders of the second level, has no cycle, and is
+the one that is drawn.
+
+usage: include_graph.py SOURCE_FOLDER [--draw]
+
+A file that lies directly in a folder of the first level belongs to that folder's hall (core, predicates,
+..). --draw writes experiments/pictures/rooms.dot, and rooms.svg by graphviz; without it the former must be
+what would be written.
+"""
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+
+FOLDERS = ("core", "predicates", "structures")
+PICTURE = "experiments/pictures/rooms"  # .dot and .svg
+
+
+def room_of(path):
+    return "/".join(path.split("/")[:-1][:2])
+
+
+def include_graph(source):
+    """{room: rooms that its files include}, itself left out."""
+    graph = {}
+    for folder in FOLDERS:
+        for file in sorted((source / folder).rglob("*")):
+            if file.suffix not in (".h", ".cpp"):
+                continue
+            room = room_of(file.relative_to(source).as_posix())
+            rooms = graph.setdefault(room, set())
+            for included in re.findall(r'(?m)^#include "([^"]+/[^"]+)"', file.read_text()):
+                if (source / included).exists() and room_of(included) != room:
+                    rooms.add(room_of(included))
+    return graph
+
+
+def find_cycle(graph):
+    """[room, .., the same room] or None."""
+    done, path = set(), []
+
+    def visit(room):
+        if room in path:
+            return path[path.index(room):] + [room]
+        if room in done:
+            return None
+        path.append(room)
+        for other in sorted(graph.get(room, ())):
+            cycle = visit(other)
+            if cycle:
+                return cycle
+        path.pop()
+        done.add(room)
+        return None
+
+    for room in sorted(graph):
+        cycle = visit(room)
+        if cycle:
+            return cycle
+    return None
+
+
+def without_shortcuts(graph):
+    """The same order with fewest edges: an edge that a longer way stands for is left out."""
+    reach = {}
+
+    def reachable(room):
+        if room not in reach:
+            reach[room] = set()
+            for other in graph.get(room, ()):
+                reach[room] |= {other} | reachable(other)
+        return reach[room]
+
+    return {room: {a for a in below if not any(a in reachable(b) for b in below if b != a)}
+            for room, below in graph.items()}
+
+
+def text_of(graph):
+    """The graph for `dot`: every room above all that it includes."""
+    lines = ["digraph rooms {", '  graph [rankdir="TB"];',
+             '  node [shape="box", style="rounded,filled", fillcolor="#f4f4f0", fontname="sans"];',
+             '  edge [color="#777777"];']
+    lines += [f'  "{room}";' for room in sorted(graph)]
+    for room, below in sorted(without_shortcuts(graph).items()):
+        lines += [f'  "{room}" -> "{other}";' for other in sorted(below)]
+    return "\n".join(lines + ["}"]) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("source", type=pathlib.Path)
+    parser.add_argument("--draw", action="store_true")
+    options = parser.parse_args()
+    assert find_cycle({"a": {"b"}, "b": {"c"}, "c": {"a"}}) == ["a", "b", "c", "a"]
+    assert find_cycle({"a": {"b", "c"}, "b": {"c"}}) is None
+    graph = include_graph(options.source)
+    cycle = find_cycle(graph)
+    if cycle:
+        sys.exit("the rooms include each other in a circle: " + " -> ".join(cycle))
+    drawn = options.source / (PICTURE + ".dot")
+    if options.draw:
+        drawn.write_text(text_of(graph))
+        subprocess.run(["dot", "-Tsvg", "-o", drawn.with_suffix(".svg"), drawn], check=True)
+    elif not drawn.exists() or drawn.read_text() != text_of(graph):
+        sys.exit(f"{PICTURE}.dot is not the graph of today: draw it again with --draw, and look at it")
+    print(f"{len(graph)} rooms, no circle")
+
+
+if __name__ == "__main__":
+    main()
