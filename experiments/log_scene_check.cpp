@@ -38,9 +38,9 @@ LogSceneCheck::LogSceneCheck(const LogHeader& header, const Scene& scene, const 
       complain("a run of the scene would not have these structures");
     }
     for (const PlannedStructure& planned : plan_structures(maintaining)) {
-      if (find_structure_info(planned.request.structure)->uses_key) {
-        keys_.emplace(planned.request.label, planned.request.key);
-      }
+      const StructureInfo& info = *find_structure_info(planned.request.structure);
+      if (info.uses_key) keys_.emplace(planned.request.label, planned.request.key);
+      if (info.fails_at_touch) touching_.insert(planned.request.label);
     }
   } catch (const InputError& error) {
     complain("a run of the scene cannot have these structures: " + error.problem());
@@ -108,7 +108,8 @@ std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& 
   if (!fresh && sign_at(polynomial, instant, counters_) != Sign::kZero) {
     return "its certificate does not vanish at that time";
   }
-  if (sign_after(polynomial, instant, counters_) != Sign::kNegative) {
+  const bool may_touch = !fresh && touching_.count(record.structure) == 1;
+  if (!may_touch && sign_after(polynomial, instant, counters_) != Sign::kNegative) {
     return "its certificate is not negative right after that time";
   }
   return "";

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -45,6 +46,7 @@ class LogSceneCheck {
   const Scene& scene_;
   std::unordered_map<std::string, ObjectId> objects_;
   std::map<std::string, Key> keys_;  // by label, of structures that have one
+  std::set<std::string> touching_;   // labels of structures whose certificates fail at touches, too
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const Predicate>> predicates_;
   MotionsInForce motions_;
   // Objects that appeared at the time of the last record: a certificate of theirs can be negative

@@ -36,6 +36,9 @@ std::shared_ptr<const Predicate> make_squared_distance_order(int dimension);
 //   (1) positive iff a, b, c turn counter-clockwise   (2) degree 2 in the coordinates
 //   (3) alternating in all three
 std::shared_ptr<const Predicate> make_orientation_2();
+// The same polynomial under the same name, for certificates that fail at touches, too
+// (core/arithmetic/touch.h).
+std::shared_ptr<const Predicate> make_orientation_2_touch();
 
 // slope_order_2(a, b, c, d) = (b - a) x (d - c).
 //   (1) positive iff the direction from c to d is counter-clockwise, by less than half a turn, of

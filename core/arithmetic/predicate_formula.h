@@ -83,7 +83,7 @@ struct ShiftedPoints {
 };
 
 template <class Formula>
-class FormulaPredicate final : public Predicate {
+class FormulaPredicate : public Predicate {
  public:
   explicit FormulaPredicate(Formula formula = {}) : formula_(std::move(formula)) {}
 

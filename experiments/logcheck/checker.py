@@ -16,6 +16,9 @@ from roots import Instant, compare
 from scene import BadInput
 from world import World
 
+# Structures whose certificates of a predicate fail where they touch zero, too: vertices of a hull that meet
+# and part again leave every turn to the left.
+TOUCHING = {"convex_hull_2_brute_force": "orientation_2"}
 # After these a structure may hold certificates that were born negative, not by passing through zero.
 UNSETTLING = ("blocked", "reinsert", "settled", "rebuild")
 
@@ -124,7 +127,10 @@ class Checker:
         if query is None:
             return
         sign = self.world.sign_after(query, x)
-        if sign >= 0:
+        touch = sign > 0 and r.structure.name in TOUCHING and r.predicate == TOUCHING[r.structure.name]
+        if touch and not self.world.vanishes(query, x):
+            raise Wrong("the certificate does not touch zero at the instant: no failure")
+        if sign >= 0 and not touch:
             raise Wrong("the certificate is %s right after the instant, not negative: no failure"
                         % ("positive" if sign else "zero identically"))
         replay = self.replays[r.structure.index]

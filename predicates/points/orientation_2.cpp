@@ -5,6 +5,7 @@
 //   (2) zero if two arguments are equal
 //   (3) unchanged by a common translation
 #include "core/arithmetic/predicate_formula.h"
+#include "core/arithmetic/touch.h"
 #include "predicates/predicates.h"
 
 namespace kinex {
@@ -28,10 +29,16 @@ struct Orientation2 {
   }
 };
 
+class TouchingOrientation2 final : public FormulaPredicate<Orientation2>, public FailsAtTouch {};
+
 }  // namespace
 
 std::shared_ptr<const Predicate> make_orientation_2() {
   return std::make_shared<FormulaPredicate<Orientation2>>();
+}
+
+std::shared_ptr<const Predicate> make_orientation_2_touch() {
+  return std::make_shared<TouchingOrientation2>();
 }
 
 }  // namespace kinex

@@ -12,19 +12,19 @@ namespace {
 constexpr double kRoom = 1 + 1e-9;
 
 // m is finite, not negative.
-Magnitude magnitude(double m, long e) {
+ScaledNumber magnitude(double m, long e) {
   if (m == 0) return {};
   const int exponent = std::ilogb(m);
   return {std::ldexp(m, -exponent), e + exponent};
 }
 
 // m 2^e; 0 or infinity where a double ends.
-double to_double(const Magnitude& value) {
+double to_double(const ScaledNumber& value) {
   return std::ldexp(value.m, static_cast<int>(std::clamp(value.e, -3000L, 3000L)));
 }
 
 // |value|, rounded towards zero.
-Magnitude magnitude(const Integer& value) {
+ScaledNumber magnitude(const Integer& value) {
   constexpr std::size_t kEnough = 64;
   const std::size_t bits = value.bit_length();
   const std::size_t dropped = bits > 8 * kEnough ? bits - kEnough : 0;
@@ -32,22 +32,22 @@ Magnitude magnitude(const Integer& value) {
 }
 
 // b is not 0.
-Magnitude quotient(const Magnitude& a, const Magnitude& b) {
+ScaledNumber quotient(const ScaledNumber& a, const ScaledNumber& b) {
   return magnitude(a.m / b.m, a.e - b.e);
 }
 
 // |a / b|; b is not 0.
-Magnitude quotient(const Integer& a, const Integer& b) {
+ScaledNumber quotient(const Integer& a, const Integer& b) {
   return quotient(magnitude(a), magnitude(b));
 }
 
-Magnitude hypot(const Magnitude& x, const Magnitude& y) {
+ScaledNumber hypot(const ScaledNumber& x, const ScaledNumber& y) {
   if (x < y) return hypot(y, x);
   return magnitude(std::hypot(x.m, to_double({y.m, y.e - x.e})), x.e);
 }
 
 // floor(log2(factor / value)); value is not 0.
-long floor_of_logarithm(double factor, const Magnitude& value) {
+long floor_of_logarithm(double factor, const ScaledNumber& value) {
   return quotient(magnitude(factor, 0), value).e;
 }
 
@@ -63,7 +63,7 @@ Difference difference(const FramePoint& from, const FramePoint& to) {
   return {to.x * from.w - from.x * to.w, to.y * from.w - from.y * to.w, to.w * from.w};
 }
 
-Magnitude length(const Difference& d, const Rational& unit) {
+ScaledNumber length(const Difference& d, const Rational& unit) {
   const Integer p = unit.numerator(), q = unit.denominator(), w = d.w * p;
   return hypot(quotient(d.x * q, w), quotient(d.y * q, w));
 }
@@ -109,8 +109,8 @@ std::string_view depth_source(CutPolicy policy) {
 
 }  // namespace
 
-std::vector<Magnitude> relative_heights(const OuterHierarchy& tree) {
-  std::vector<Magnitude> heights(tree.nodes().size());
+std::vector<ScaledNumber> relative_heights(const OuterHierarchy& tree) {
+  std::vector<ScaledNumber> heights(tree.nodes().size());
   const std::vector<FramePoint>& vertices = tree.polygon().vertices;
   const Integer p = tree.radius().numerator(), q = tree.radius().denominator();
   for (std::size_t v = 0; v < heights.size(); ++v) {
@@ -122,8 +122,8 @@ std::vector<Magnitude> relative_heights(const OuterHierarchy& tree) {
     Integer cross = to_first.x * to_last.y;
     cross.subtract_product(to_first.y, to_last.x);
     // Twice the triangle's area over r^2, and the chord over r.
-    const Magnitude area = quotient(cross * q * q, to_first.w * to_last.w * p * p);
-    const Magnitude chord = length(difference(first, last), tree.radius());
+    const ScaledNumber area = quotient(cross * q * q, to_first.w * to_last.w * p * p);
+    const ScaledNumber chord = length(difference(first, last), tree.radius());
     if (!chord.is_zero()) heights[v] = quotient(area, chord);
     // Enforced against rounding: heights never grow downwards.
     if (node.parent != OuterHierarchy::kNone) {
@@ -147,7 +147,7 @@ void HierarchyBounds::Worst::note(std::int64_t limit, std::int64_t seen) {
 
 void HierarchyBounds::add(const OuterHierarchy& tree) {
   if (tree.is_point()) return;
-  const std::vector<Magnitude> heights = relative_heights(tree);
+  const std::vector<ScaledNumber> heights = relative_heights(tree);
   const std::size_t n = tree.polygon().size();
   cuts_.note(static_cast<std::int64_t>(2 * n), static_cast<std::int64_t>(tree.edges().size() - 4));
   look_at_depths(tree, heights);
@@ -159,7 +159,7 @@ void HierarchyBounds::add(const OuterHierarchy& tree) {
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return heights[b] < heights[a]; });
-  const Magnitude twice_perimeter = magnitude(2 * relative_perimeter(tree), 0);
+  const ScaledNumber twice_perimeter = magnitude(2 * relative_perimeter(tree), 0);
   std::vector<std::uint8_t> is_end(heights.size(), 0);
   std::int64_t ends = 0;
   for (const std::uint32_t v : order) {
@@ -176,7 +176,7 @@ void HierarchyBounds::add(const OuterHierarchy& tree) {
 }
 
 void HierarchyBounds::look_at_depths(const OuterHierarchy& tree,
-                                     const std::vector<Magnitude>& heights) {
+                                     const std::vector<ScaledNumber>& heights) {
   const int halvings = binary_logarithm(tree.polygon().size()) + 1;
   if (policy_ == CutPolicy::kMedian) {
     depth_.note(halvings, tree.depth());

@@ -36,19 +36,19 @@
 namespace kinex {
 
 // m 2^e with 1 <= m < 2, or 0: a double that neither overflows nor underflows.
-struct Magnitude {
+struct ScaledNumber {
   double m = 0;
   long e = 0;
 
   bool is_zero() const { return m == 0; }
-  friend bool operator<(const Magnitude& a, const Magnitude& b) {
+  friend bool operator<(const ScaledNumber& a, const ScaledNumber& b) {
     if (a.is_zero() || b.is_zero()) return !b.is_zero() && a.is_zero();
     return a.e != b.e ? a.e < b.e : a.m < b.m;
   }
 };
 
 // The heights of the nodes over the radius, by node; 0 for leaves.
-std::vector<Magnitude> relative_heights(const OuterHierarchy& tree);
+std::vector<ScaledNumber> relative_heights(const OuterHierarchy& tree);
 
 class HierarchyBounds {
  public:
@@ -65,7 +65,7 @@ class HierarchyBounds {
     std::int64_t bound = 0, observed = -1;  // -1: none yet
     void note(std::int64_t limit, std::int64_t seen);
   };
-  void look_at_depths(const OuterHierarchy& tree, const std::vector<Magnitude>& heights);
+  void look_at_depths(const OuterHierarchy& tree, const std::vector<ScaledNumber>& heights);
 
   CutPolicy policy_;
   Worst antichain_, depth_, cuts_;

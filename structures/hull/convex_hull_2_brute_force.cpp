@@ -51,7 +51,7 @@ void ConvexHull2BruteForce::certify_all() {
   std::vector<bool> vertex(alive_.size(), false);
   for (const ObjectId id : cycle_) vertex[id] = true;
   for (std::size_t i = 0; i < h && h > 2; ++i) {
-    claim(signs_.left_turn(cycle_[i], cycle_[(i + 1) % h], cycle_[(i + 2) % h]), kTurn);
+    claim(Query(touch_turn_, {cycle_[i], cycle_[(i + 1) % h], cycle_[(i + 2) % h]}), kTurn);
   }
   for (ObjectId id = 0; id < alive_.size() && h > 1; ++id) {
     if (!alive_[id] || vertex[id]) continue;

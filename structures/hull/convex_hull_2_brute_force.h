@@ -13,6 +13,9 @@
 // of a hull vertex reschedules the certificates of all other points, that of another point only its
 // own. Events, linear motion: at most 2 C(n,3).
 //
+// Turns fail at touches, too (core/arithmetic/touch.h): hull vertices that meet and part again can
+// leave every turn to the left, and a hull that winds around twice. Such a failure may change nothing.
+//
 // Ties: strict vertices only; of identically equal points the smallest id.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 11.
@@ -26,6 +29,7 @@
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
 #include "core/motion/scene.h"
+#include "predicates/predicates.h"
 #include "structures/hull/convex_hull_2_signs.h"
 #include "structures/hull/hull_events.h"
 #include "structures/parts/repeat_guard.h"
@@ -45,6 +49,7 @@ class ConvexHull2BruteForce final : public Structure {
         id_(id),
         signs_(kernel),
         events_(kernel, id),
+        touch_turn_(kernel.bind(make_orientation_2_touch())),
         alive_(scene.objects.size(), false) {}
 
   std::string_view name() const override { return "convex_hull_2_brute_force"; }
@@ -76,6 +81,7 @@ class ConvexHull2BruteForce final : public Structure {
   StructureId id_;
   HullSigns signs_;
   HullEvents events_;
+  PredicateId touch_turn_;
   std::vector<bool> alive_;
   std::vector<ObjectId> cycle_;
   std::vector<CertificateId> certificates_;

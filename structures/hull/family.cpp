@@ -39,6 +39,7 @@ StructureFamily hull_family() {
   StructureInfo brute_force = base;
   brute_force.name = "convex_hull_2_brute_force";
   brute_force.summary = "the convex hull, every point against every hull edge";
+  brute_force.fails_at_touch = true;
   brute_force.make = make_plain<ConvexHull2BruteForce>;
 
   StructureInfo reader = base;

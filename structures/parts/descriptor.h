@@ -43,6 +43,7 @@ struct StructureInfo {
   bool uses_key = false;        // it goes by a "key"
   int largest_degree = kAnyDegree;  // of the motions and of the key that it can maintain
   bool bodies = false;              // for rigid bodies; otherwise for points
+  bool fails_at_touch = false;      // some of its certificates do (core/arithmetic/touch.h)
   bool has_events = true;           // false: it checks what does not change, and follows nothing
   Attribute::Shape shape = Attribute::Shape::kSequence;
   std::string_view reads = {};    // the structure, of the same key, that it watches; empty: none

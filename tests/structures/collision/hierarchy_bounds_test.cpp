@@ -63,14 +63,14 @@ Rational squared_height(const OuterHierarchy& tree, const OuterHierarchy::Node& 
   return area * area / squared_way(a, b) / (tree.radius() * tree.radius());
 }
 
-Rational exact(const Magnitude& value) {
+Rational exact(const ScaledNumber& value) {
   const Rational scale(Integer::power_of_two(static_cast<unsigned long>(std::abs(value.e))));
   const Rational m = *Rational::from_double(value.m);
   return value.e < 0 ? m / scale : m * scale;
 }
 
 void expect_heights(const OuterHierarchy& tree) {
-  const std::vector<Magnitude> heights = relative_heights(tree);
+  const std::vector<ScaledNumber> heights = relative_heights(tree);
   for (std::size_t v = 0; v < heights.size(); ++v) {
     const OuterHierarchy::Node& node = tree.nodes()[v];
     if (node.count == 0) {
