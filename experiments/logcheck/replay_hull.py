@@ -172,6 +172,22 @@ class HullBruteForce(Hull):
         super().start(x)
         self.failed = []
 
+    def claims(self, x):
+        super().claims(x)
+        self.touches(x)
+
+    def after_motion(self, objects, x):
+        super().after_motion(objects, x)
+        self.touches(x)
+
+    def touches(self, x):
+        """Turns fail at touches, too: hull vertices that meet and part leave no other trace."""
+        for turn in triples(self.cycle):
+            claim = self.proof.claims.get(turn)
+            if claim is not None:
+                self.proof.judge(claim, x)
+                claim[1] = self.world.first_touch(claim[0], x)
+
     def internal(self, r, x):
         self.require(not self.failed, "%s: the second failure of one instant", r.short())
         query = self.query(r)
@@ -196,13 +212,19 @@ class HullBruteForce(Hull):
             return
         if bool(failing) != bool(failed):
             raise Wrong("%s: at %r %s" % (self.label, x, "a certificate fails, and no event says so" if failing
-                                         else "no certificate fails, but an event says so"))
+                                          else "no certificate fails, but an event says so"))
         if failing and self.world.scene.dimension == 2:
-            corners = set(before)
-            first = min((self.checker.rank[q[0]], sorted(q[1]), normal_form(*q)) for q in failing
+            corners, turns = set(before), triples(before)
+
+            def place(query):  # turns have a predicate of their own, behind the other one
+                return (self.checker.rank[query[0]], query[0] == "orientation_2" and query[1] in turns,
+                        sorted(query[1]))
+
+            first = min(place(q) for q in failing
                         if not (q[0] == "orientation_2" and set(q[1]) <= corners and len(before) > 3
-                                and q[1] not in triples(before)))
-            if failed[0][:2] != first[:2]:
+                                and q[1] not in turns))
+            rank, ids, _, record = failed[0]
+            if (rank, record.kind == "reflex", ids) != first:
                 raise Wrong("%s: of several failures at %r the first in order comes first" % (self.label, x))
 
 

@@ -281,12 +281,14 @@ def all_roots(p, window):
 
 
 class SignChanges:
-    """Where a polynomial changes its sign inside of a window: its roots of odd multiplicity."""
+    """Where a polynomial changes its sign inside of a window: its roots of odd multiplicity; and where it
+    only touches zero: the others."""
 
-    __slots__ = ("sign", "roots", "p")
+    __slots__ = ("sign", "roots", "touches", "p")
 
     def __init__(self, p, window):
         self.p = p
+        self.touches = []
         if not p:
             self.sign, self.roots = 0, []
             return
@@ -312,12 +314,12 @@ class SignChanges:
             return
         roots = []
         for factor, multiplicity in poly.square_free_parts(p):
-            if multiplicity % 2:
-                for r in isolate_square_free(factor, a, b, k):
-                    place = len(roots)
-                    while place and compare(r, roots[place - 1]) < 0:
-                        place -= 1
-                    roots.insert(place, r)
+            into = roots if multiplicity % 2 else self.touches
+            for r in isolate_square_free(factor, a, b, k):
+                place = len(into)
+                while place and compare(r, into[place - 1]) < 0:
+                    place -= 1
+                into.insert(place, r)
         self.roots = roots
 
     def after(self, x):

@@ -58,10 +58,19 @@ class World:
             return x
         return changes.roots[i] if i < len(changes.roots) else None
 
+    def first_touch(self, query, x):
+        """Where the value, which is not negative right after x, is zero first after x; None: nowhere."""
+        changes, _ = self.changes(*query)
+        touch = next((r for r in changes.touches if compare(x, r) < 0), None)
+        negative = self.first_negative(query, x)
+        if touch is None or (negative is not None and compare(negative, touch) < 0):
+            return negative
+        return touch
+
     def vanishes(self, query, x):
         """The value is zero at x, by whatever multiplicity."""
         changes, _ = self.changes(*query)
-        if any(compare(r, x) == 0 for r in changes.roots):
+        if any(compare(r, x) == 0 for r in changes.roots + changes.touches):
             return True
         return not changes.p or vanishes_at(changes.p, x)
 
