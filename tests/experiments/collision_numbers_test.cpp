@@ -108,6 +108,7 @@ Scene moved_scene(Scene scene, Draw& draw) {
 Scene disturbed_scene(Scene scene, Draw& draw) {
   SceneObject& object = scene.objects[static_cast<std::size_t>(draw.below(2))];
   std::vector<Coefficients> all = object.motion.pieces[0].trajectory.coordinates;
+  Rational small;
   switch (draw.below(5)) {
     case 0:  // a term that tells late
       all[1].resize(4);
@@ -119,8 +120,9 @@ Scene disturbed_scene(Scene scene, Draw& draw) {
       all[0][1] = draw.extreme();
       break;
     case 2:  // a body that is very small
+      small = power_of_ten(-300 - draw.below(100));
       for (Vertex2& v : object.polygon) {
-        for (Rational& c : v) c *= power_of_ten(-300 - draw.below(100));
+        for (Rational& c : v) c *= small;
       }
       break;
     case 3:  // a rotor of another size
