@@ -11,6 +11,17 @@
 #include <string_view>
 #include <utility>
 
+#ifndef __has_feature
+#define __has_feature(x) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+// What GMP and MPFR keep for themselves in a function that Stopped leaves is lost, once a run.
+extern "C" const char* __lsan_default_suppressions();
+const char* __lsan_default_suppressions() {
+  return "leak:__gmp_tmp_reentrant_alloc\nleak:mpfr_allocate_func\nleak:libmpfr\nleak:libgmp\n";
+}
+#endif
+
 namespace kinex {
 namespace {
 
