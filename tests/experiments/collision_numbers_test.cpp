@@ -180,7 +180,7 @@ TEST(CollisionNumbers, AreRightBeyondTheDoubles) {
 }
 
 TEST(SlowCollisionNumbers, AreRightBeyondTheDoubles) {
-  EXPECT_GT(check_seeds(1000, 400), 10u);
+  EXPECT_GT(check_seeds(1000, 20), 6u);  // some take a minute, mostly in `sturm`
 }
 
 // ---- the cases that were found
