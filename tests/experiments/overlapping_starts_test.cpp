@@ -105,7 +105,7 @@ TEST(OverlappingStarts, AtTheStart) {
     EXPECT_EQ(told(trial, CollisionPairs::kSeparation), Lines{"a b @ 2 !"}) << name;
     EXPECT_EQ(trial.ledger().external, 2u) << name;
   }
-  // Equal and at rest for ever; one inside the other, turning; they come back.
+  // Equal and at rest for all time; one inside the other, turning; they come back.
   EXPECT_EQ(check(pair_of(kRest, kRest, 2)), Lines{"a b @ 0 !"});
   EXPECT_EQ(check(pair_of(kRest, {{0}, {0}, {1}, {0, 1}}, 2)), Lines{"a b @ 0 !"});
   EXPECT_EQ(check(pair_of(kRest, {{0, 4, -1}, {0}, {1}, {0}}, 6)), Lines{"a b @ 0 !"});

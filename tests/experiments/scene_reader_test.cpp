@@ -278,7 +278,7 @@ TEST(SceneReader, AtMost255StructuresFitOneRun) {
   EXPECT_INPUT_ERROR(parse(scene_with(256, "sorted_list")),
                      "/maintain/255: more than 255 structures in one run");
   EXPECT_INPUT_ERROR(parse(scene_with(100000, "sorted_list")), "/maintain/255: more than 255");
-  // They read a triangulation that nobody asked for.
+  // They read a triangulation that was not requested.
   EXPECT_INPUT_ERROR(parse(scene_with(255, "convex_hull_2_delaunay")),
                      "/maintain/254: more than 255 structures in one run");
   EXPECT_EQ(parse(scene_with(254, "convex_hull_2_delaunay")).maintain.size(), 254u);

@@ -211,7 +211,7 @@ TEST_F(Output, FullDiskKeepsWholeLines) {
   EXPECT_EQ(read_file(log + ".partial"), kept);
 }
 
-// What a killed run has left is told, and in nobody's way.
+// Leftovers of a killed run are reported, and do no harm.
 TEST_F(Output, LeftoversAreTold) {
   const std::string log = scratch_.file("run.log"), left = log + ".partial-4194303";
   write_file(left, "{}\n");
