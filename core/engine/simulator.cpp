@@ -233,8 +233,7 @@ bool Simulator::stop_early() {
 
 // now := a rational time before the next instant, so that the run can be continued.
 void Simulator::stop_between() {
-  std::optional<Rational> t = rational_after_now();
-  if (!t && !kernel_.is_exact()) t = Rational::from_double(kernel_.arithmetic().now_approximate());
+  std::optional<Rational> t = time_between();
   if (!t || *t < reached_) return;
   kernel_.arithmetic().set_now(*t);
   now_hi_ = t->upper_double();

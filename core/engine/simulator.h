@@ -227,6 +227,7 @@ class Simulator final : private EventReporter {
   template <class Work>
   bool unless_stopped(const Work& work);
   void abandon_instant();
+  void remember_between();
   void run_to(const std::optional<Rational>& target);
   void run_failures(const Rational* stop, bool inclusive);
   bool stop_early();
@@ -251,6 +252,7 @@ class Simulator final : private EventReporter {
   void audit_certificates();
   bool certificates_hold(const Snapshot& positions) const;
   std::optional<Rational> rational_after_now();
+  std::optional<Rational> time_between();
   std::optional<Rational> audit_time();
   bool run_audit(bool certificates);
 
@@ -278,6 +280,7 @@ class Simulator final : private EventReporter {
   std::vector<InstantCounts> before_instant_;    // of structures with failures at it
   std::vector<ReportedEvent> events_at_instant_;
   Rational reached_before_instant_;
+  std::optional<Rational> between_;  // see remember_between()
   bool in_instant_ = false;
   bool is_broken_ = false;
   bool out_of_memory_ = false;

@@ -118,6 +118,13 @@ std::optional<Rational> Simulator::rational_after_now() {
   return (*now + *limit) / Rational(2);
 }
 
+// The same; in an inexact arithmetic now itself if no such rational is found.
+std::optional<Rational> Simulator::time_between() {
+  std::optional<Rational> t = rational_after_now();
+  if (!t && !kernel_.is_exact()) t = Rational::from_double(kernel_.arithmetic().now_approximate());
+  return t;
+}
+
 // A rational time right after now at which every certificate is strict; nullopt if none of a few
 // candidates is one.
 std::optional<Rational> Simulator::audit_time() {

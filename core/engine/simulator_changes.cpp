@@ -123,9 +123,10 @@ void Simulator::make_changes() {
 
 void Simulator::change_instant() {
   const Rational t = *next_change();
+  next_lo_ = t.lower_double();
+  remember_between();
   at_failure_instant_ = false;
   begin_instant();
-  next_lo_ = t.lower_double();
   kernel_.arithmetic().set_now(t);
   reached_ = Rational(t);
   now_hi_ = t.upper_double();

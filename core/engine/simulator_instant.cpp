@@ -219,6 +219,7 @@ void Simulator::mark_shared() {
 
 // Requires the first failure to be after now.
 void Simulator::failure_instant() {
+  remember_between();
   at_failure_instant_ = true;
   begin_instant();
   mark_shared();
@@ -300,11 +301,29 @@ void Simulator::abandon_instant() {
     if (sink_ != nullptr) sink_->instant_abandoned();
   }
   // Nothing happens between the last instant and the present one.
-  if (!started_ || !(settled_hi_ < next_lo_)) return;
-  std::optional<Rational> t = Rational::from_double(settled_hi_);
-  if (!t || *t < reached_ || (scene_.end && *scene_.end < *t)) return;
-  if (next_change() != nullptr && *next_change() <= *t) return;
-  reached_ = *std::move(t);
+  if (!started_) return;
+  std::optional<Rational> t = std::move(between_);
+  const Rational* const change = next_change();
+  const bool plain = settled_hi_ < next_lo_ &&
+                     (change == nullptr || settled_hi_ < change->lower_double()) &&
+                     (!scene_.end || settled_hi_ <= scene_.end->lower_double());
+  if (plain) {
+    t = Rational::from_double(settled_hi_);
+  } else if (!in_instant_ && !out_of_memory_) {
+    try {
+      t = time_between();
+    } catch (const Stopped&) {
+      return;
+    }
+  }
+  if (t && !(*t < reached_)) reached_ = *std::move(t);
+}
+
+// If the enclosures of the last instant and of the next one overlap, finds a time between them while
+// the arithmetic still stands at the last one: abandon_instant() may need it.
+void Simulator::remember_between() {
+  between_.reset();
+  if (!(settled_hi_ < next_lo_)) between_ = time_between();
 }
 
 void Simulator::end_instant() {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -138,10 +139,10 @@ class StoppedRuns : public testing::Test {
   ~StoppedRuns() override { std::filesystem::remove(path_); }
 
   // Checks what a run leaves that is stopped in this call.
-  Left run(const Scene& scene, std::uint64_t call) {
+  Left run(const Scene& scene, std::string_view arithmetic, std::uint64_t call) {
     SimulatorOptions options;
     options.audit = AuditLevel::kEvents;
-    auto late = std::make_unique<LateArithmetic>(make_arithmetic("exact", scene));
+    auto late = std::make_unique<LateArithmetic>(make_arithmetic(arithmetic, scene));
     LateArithmetic& lateness = *late;
     const auto simulator = std::make_unique<Simulator>(scene, std::move(late), options);
     add_structures(*simulator, scene);
@@ -169,20 +170,20 @@ class StoppedRuns : public testing::Test {
   }
 
   // All k for one structure. False if it does not take the scene.
-  bool check(const char* text, const StructureInfo& info) {
+  bool check(const char* text, const StructureInfo& info, std::string_view arithmetic) {
     Scene scene = parse_scene(text, "scene");
     try {
       set_maintain(scene, {std::string(info.name)});
     } catch (const InputError&) {
       return false;
     }
-    SCOPED_TRACE(std::string(info.name));
-    const Left whole = run(scene, 0);
+    SCOPED_TRACE(std::string(info.name) + " in " + std::string(arithmetic));
+    const Left whole = run(scene, arithmetic, 0);
     EXPECT_EQ(whole.status, RunStatus::kDone);
     const std::uint64_t rate = test::kSanitized ? 3 : 12;
     for (std::uint64_t k = 1;; k += 1 + k / rate) {
       SCOPED_TRACE("call " + std::to_string(k));
-      const Left left = run(scene, k);
+      const Left left = run(scene, arithmetic, k);
       if (left.status == RunStatus::kDone) break;
       EXPECT_EQ(left.status, RunStatus::kLimit);
       // What it says is how the whole run begins.
@@ -225,14 +226,16 @@ TEST_F(StoppedRuns, LeaveWhatIsReadableAndTrue) {
   int taken = 0;
   for (const char* scene : {kPoints, kBodies}) {
     for (const StructureInfo& info : structure_infos()) {
-      taken += check(scene, info) ? 1 : 0;
-      if (HasFailure()) return;
+      for (const char* arithmetic : {"exact", "sturm"}) {
+        taken += check(scene, info, arithmetic) ? 1 : 0;
+        if (HasFailure()) return;
+      }
     }
   }
-  EXPECT_GE(taken, 20);
-  EXPECT_GT(torn_, 200u);
-  EXPECT_GT(whole_, 80u);
-  EXPECT_GT(judged_, 80u);
+  EXPECT_GE(taken, 40);
+  EXPECT_GT(torn_, 400u);
+  EXPECT_GT(whole_, 160u);
+  EXPECT_GT(judged_, 160u);
 }
 
 }  // namespace
