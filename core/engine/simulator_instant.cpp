@@ -319,8 +319,8 @@ void Simulator::abandon_instant() {
   if (t && !(*t < reached_)) reached_ = *std::move(t);
 }
 
-// If the enclosures of the last instant and of the next one overlap, finds a time between them while
-// the arithmetic still stands at the last one: abandon_instant() may need it.
+// If the enclosures of the last instant and of the next one overlap, finds a time between them
+// while the arithmetic still stands at the last one: abandon_instant() may need it.
 void Simulator::remember_between() {
   between_.reset();
   if (!(settled_hi_ < next_lo_)) between_ = time_between();
