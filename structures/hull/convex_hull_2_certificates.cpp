@@ -130,6 +130,11 @@ void ConvexHull2::resolve_tie(Slot slot, Index place, CertificateId& certificate
     tied_.erase(std::unique(tied_.begin(), tied_.end()), tied_.end());
   }
   tied_.push_back(8 * place + slot);
+  if (slot != kSlotX) {
+    // A point may from now on lie on a line with its neighbours, with nothing to repair.
+    hull_changed_ = true;
+    root_changes_ += 2;
+  }
   bool holds = true;
   if (slot == kSlotX) {
     holds = signs_.corners_tie(corner(place), corner(edges_[place].right));
