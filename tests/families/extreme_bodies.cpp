@@ -77,7 +77,9 @@ void extreme_bodies(std::uint64_t seed, Tally& tally) {
   if (random.chance(30)) end = number(3, extreme(random));
   if (random.chance(10)) end.clear();
   SceneCheck what;
-  what.arithmetics = {"sturm", "double", "gsl", "mpfr:100"};
+  what.arithmetics = {"double", "gsl", "mpfr:100"};
+  // The reference takes a second for a scene and more: beyond the first hundred it has every 200th.
+  if (seed <= 100 || seed % 200 == 0) what.arithmetics.insert(what.arithmetics.begin(), "sturm");
   check_scene(scene_text(2, start, end, objects), what, tally);
 }
 
