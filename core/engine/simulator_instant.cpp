@@ -296,7 +296,7 @@ void Simulator::abandon_instant() {
       ledger.failures = before_instant_[id].failures;
       ledger_.events -= failures_at_instant_[id];
     }
-    --ledger_.instants;
+    if (ledger_.instants > 0) --ledger_.instants;  // the start is not counted
     if (!at_failure_instant_) reached_ = std::move(reached_before_instant_);
     if (sink_ != nullptr) sink_->instant_abandoned();
   }

@@ -156,6 +156,7 @@ class StoppedRuns : public testing::Test {
     log.finish(outcome.status);
 
     EXPECT_TRUE(outcome.clean(*simulator));
+    EXPECT_LT(simulator->ledger().instants, 1000u);
     for (const std::string& failure : failures_of(*simulator, outcome)) ADD_FAILURE() << failure;
     const std::string text = read_text_file(path_);
     const LogVerdict verdict = check_log(text, "log", &scene, hash);
