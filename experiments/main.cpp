@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "core/numbers/stop.h"
-#include "experiments/event_log.h"
-#include "experiments/gmp_memory.h"
-#include "experiments/input_error.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/gmp_memory.h"
 #include "experiments/verbs/verbs.h"
 
 namespace {

@@ -32,6 +32,13 @@ std::vector<Integer> primitive_direction(const std::vector<Rational>& direction)
 //   (3) alternating in a, b
 std::shared_ptr<const Predicate> make_squared_distance_order(int dimension);
 
+// pair_distance_order(a, b, c, d) = |d - c|^2 - |b - a|^2 in `dimension` axes, 1 to 3.
+//   (1) positive iff a and b are closer to each other than c and d
+//   (2) degree 2 in the coordinates
+//   (3) exchanging a and b, or c and d, changes nothing; exchanging the pairs changes the sign
+// Of pairs that share an object: squared_distance_order.
+std::shared_ptr<const Predicate> make_pair_distance_order(int dimension);
+
 // orientation_2(a, b, c) = (b - a) x (c - a), twice the signed area of the triangle.
 //   (1) positive iff a, b, c turn counter-clockwise   (2) degree 2 in the coordinates
 //   (3) alternating in all three

@@ -6,16 +6,19 @@
 #include <array>
 
 #include "structures/collision/family.h"
+#include "structures/extent/family.h"
 #include "structures/hull/family.h"
 #include "structures/maximum/family.h"
 #include "structures/order/family.h"
+#include "structures/proximity/family.h"
 #include "structures/triangulation/family.h"
 
 namespace kinex {
 
 inline constexpr std::array kStructureFamilies{&order_family, &maximum_family,
                                                &triangulation_family, &hull_family,
-                                               &collision_family};
+                                               &collision_family, &extent_family,
+                                               &proximity_family};
 
 }  // namespace kinex
 

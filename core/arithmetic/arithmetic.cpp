@@ -26,7 +26,26 @@ void Arithmetic::visit(const Query&, const FailureTime&) {
 
 void Arithmetic::leave() { throw std::logic_error(name() + " looks from no other instant"); }
 
+namespace {
+
+void check_fits(const Predicate& predicate, const NumberNeeds& needs) {
+  const auto refuse = [&predicate](const std::string& problem) {
+    throw std::logic_error("predicate " + std::string(predicate.name()) + " " + problem);
+  };
+  if (predicate.arity() < 1 || predicate.arity() > kMaxArity) {
+    refuse("takes " + std::to_string(predicate.arity()) + " objects, from 1 to " +
+           std::to_string(kMaxArity) + " can be");
+  }
+  if (needs.axes > 0 && predicate.dimension() > needs.axes) {
+    refuse("reads " + std::to_string(predicate.dimension()) + " axes, objects have " +
+           std::to_string(needs.axes) + ": its structure has to declare what it derives");
+  }
+}
+
+}  // namespace
+
 PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
+  check_fits(*predicate, needs_);
   predicates_.push_back(std::move(predicate));
   counters_.by_predicate.emplace_back();
   const PredicateId id = static_cast<PredicateId>(predicates_.size() - 1);
@@ -56,9 +75,7 @@ PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
 int Arithmetic::related(const Query& a, const Query& b) const {
   const PredicateId p = plain_[a.predicate], q = plain_[b.predicate];
   if (p == q) {
-    Query x = a, y = b;
-    x.predicate = y.predicate = p;
-    return query_relation(x, y, predicates_[p]->alternating());
+    return query_relation(a, b, predicates_[p]->alternating());
   }
   return opposite_[p] == q && a.ids == b.ids ? -1 : 0;
 }
@@ -71,16 +88,21 @@ const InstantName& Arithmetic::inexact_name(InstantDetail detail, std::string de
 }
 
 std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene) {
-  if (name == "exact") return std::make_unique<ExactArithmetic>(scene);
-  if (name == "sturm") return make_sturm_arithmetic(scene);
-  if (name == "double") return make_double_arithmetic(scene);
-  if (name == "gsl") return make_gsl_arithmetic(scene);
+  return make_arithmetic(name, scene, needs_of_objects(scene));
+}
+
+std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene,
+                                            const NumberNeeds& needs) {
+  if (name == "exact") return std::make_unique<ExactArithmetic>(scene, needs);
+  if (name == "sturm") return make_sturm_arithmetic(scene, needs);
+  if (name == "double") return make_double_arithmetic(scene, needs);
+  if (name == "gsl") return make_gsl_arithmetic(scene, needs);
   if (name.substr(0, 5) == "mpfr:") {
     long bits = 0;
     const char* last = name.data() + name.size();
     const auto [end, error] = std::from_chars(name.data() + 5, last, bits);
     if (error == std::errc() && end == last && bits >= 2 && bits <= 100000) {
-      return make_mpfr_arithmetic(scene, bits);
+      return make_mpfr_arithmetic(scene, needs, bits);
     }
   }
   throw std::invalid_argument(

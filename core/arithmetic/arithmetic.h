@@ -11,9 +11,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/arithmetic/arithmetic_counters.h"
+#include "core/arithmetic/number_needs.h"
 #include "core/arithmetic/predicate.h"
 #include "core/arithmetic/query.h"
 #include "core/motion/scene.h"
@@ -34,7 +36,11 @@ enum class Outlook : std::uint8_t {
 
 class Arithmetic {
  public:
+  explicit Arithmetic(NumberNeeds needs = {}) : needs_(std::move(needs)) {}
   virtual ~Arithmetic() = default;
+
+  // What it was made for.
+  const NumberNeeds& needs() const { return needs_; }
 
   virtual std::string name() const = 0;
   // True if every answer is exact (`exact`, `sturm`).
@@ -42,7 +48,9 @@ class Arithmetic {
   // Bits of an inexact arithmetic's numbers.
   virtual long precision() const { return 53; }
 
-  // Registers a predicate; the arithmetic keeps the pointer for its own life.
+  // Registers a predicate; the arithmetic keeps the pointer for its own life. Throws std::logic_error,
+  // with the predicate's name and the numbers, for one that takes more objects or reads more axes than
+  // the arithmetic was made for, whose structure has not declared its needs.
   PredicateId bind(std::shared_ptr<const Predicate> predicate);
   const Predicate& predicate(PredicateId id) const { return *predicates_[id]; }
 
@@ -61,6 +69,11 @@ class Arithmetic {
   virtual void leave();
   // A double near now, for people and progress.
   virtual double now_approximate() const = 0;
+  // now as the number that an inexact arithmetic holds; nullopt where that is not finite. (In an
+  // exact one now has a name, not a number: name_now.)
+  virtual std::optional<Rational> now_value() const {
+    return Rational::from_double(now_approximate());
+  }
   // now, rounded down to 40 significant bits: the same in every exact arithmetic, for structures
   // whose choices may depend on it.
   virtual double now_rounded();
@@ -133,6 +146,7 @@ class Arithmetic {
   // The name of an instant that is known only as a decimal.
   const InstantName& inexact_name(InstantDetail detail, std::string decimal);
 
+  NumberNeeds needs_;
   ArithmeticCounters counters_;
   std::uint64_t possible_zeros_ = 0;
   std::vector<std::shared_ptr<const Predicate>> predicates_;
@@ -144,8 +158,12 @@ class Arithmetic {
   std::vector<PredicateId> plain_;     // the same polynomial without FailsAtTouch (core/arithmetic/touch.h)
 };
 
-// "exact", "sturm", "double", "gsl", "mpfr:P" (2 <= P <= 100000). `scene` decides what is built:
-// degree, number types, horizon. Any other name throws std::invalid_argument, with the choices.
+// "exact", "sturm", "double", "gsl", "mpfr:P" (2 <= P <= 100000). `needs` and the scene's coefficients
+// decide what is built: axes, degree, number types; the scene's end is the horizon. Any other name
+// throws std::invalid_argument, with the choices.
+std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene,
+                                            const NumberNeeds& needs);
+// For structures that derive no objects. Others: structures/plan.h.
 std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene);
 
 }  // namespace kinex

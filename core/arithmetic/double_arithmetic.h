@@ -10,7 +10,8 @@
 
 namespace kinex {
 
-std::unique_ptr<Arithmetic> make_double_arithmetic(const Scene& scene);
+std::unique_ptr<Arithmetic> make_double_arithmetic(const Scene& scene,
+                                                  const NumberNeeds& needs);
 
 }  // namespace kinex
 

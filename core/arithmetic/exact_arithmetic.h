@@ -30,7 +30,7 @@ namespace kinex {
 
 class ExactArithmetic final : public Arithmetic, public SignNow {
  public:
-  explicit ExactArithmetic(const Scene& scene);
+  ExactArithmetic(const Scene& scene, const NumberNeeds& needs);
 
   std::string name() const override { return "exact"; }
   bool is_exact() const override { return true; }
@@ -88,16 +88,20 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     std::uint32_t root = 0;  // exact form, if made
   };
   struct PredicateModel {
-    bool narrow = false;  // 128-bit integers hold the polynomial of any narrow motions
+    bool fixed = false;   // arrays of fixed size hold the polynomial of any narrow motions
+    bool narrow = false;  // ... and 128-bit integers its coefficients
     int degree = 0;
     int homogeneity = 0;
+    std::size_t reads = 0;  // coefficients of one argument
     bool linear = false;     // a difference of linear motions: doubles hold the polynomial
     double reach_error = 0;  // Predicate::reach_error divided by gamma (core/numbers/first_root.h)
     bool touches = false;    // FailsAtTouch
     const LinearForm* form = nullptr;  // if it is one
   };
 
+  // True if the polynomial is made from machine integers, in arrays of fixed size.
   bool all_narrow(const Query& query) const {
+    if (!models_[query.predicate].fixed) return false;
     for (std::size_t i = 0; i < query.arity; ++i) {
       if (!motions_.is_narrow(query.ids[i])) return false;
     }

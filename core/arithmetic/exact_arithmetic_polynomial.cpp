@@ -48,7 +48,8 @@ void power_of(const double* p, int h, double* out) {
   }
   for (int i = 0; i <= D; ++i) out[i] = p[i];
   for (int k = 1; k < h; ++k) {
-    double product[kMaxFixedCoefficients] = {};
+    double product[kMaxFixedCoefficients];
+    for (int i = 0; i <= (k + 1) * D; ++i) product[i] = 0;
     for (int i = 0; i <= k * D; ++i) {
       for (int j = 0; j <= D; ++j) product[i + j] += out[i] * p[j];
     }
@@ -72,22 +73,25 @@ void reach_power(const double* reach, int d, int h, double* out) {
 }  // namespace
 
 void ExactArithmetic::wide_coefficients(const Query& query, Int128* out) const {
-  constexpr std::size_t kRoom = 3 * (kMaxFixedDegree + 1);
+  constexpr std::size_t kRoom = kMaxFixedAxes * (kMaxFixedDegree + 1);
   std::array<std::array<std::int64_t, kRoom>, kMaxArity> integers;
-  std::array<MotionView<std::int64_t>, kMaxArity> points;
-  const std::size_t stride = std::min(motions_.stride(), kRoom);
+  std::array<MotionView<std::int64_t>, kMaxViews> points;
+  const std::size_t reads = models_[query.predicate].reads;
   for (std::size_t i = 0; i < query.arity; ++i) {
     const double* from = motions_.narrow(query.ids[i]);
-    for (std::size_t k = 0; k < stride; ++k) integers[i][k] = static_cast<std::int64_t>(from[k]);
+    for (std::size_t k = 0; k < reads; ++k) integers[i][k] = static_cast<std::int64_t>(from[k]);
     points[i] = integers[i].data();
   }
+  const auto unit = static_cast<std::int64_t>(motions_.unit());
+  points[query.arity] = &unit;
   predicates_[query.predicate]->narrow(motions_.degree(), points.data(), out);
 }
 
 void ExactArithmetic::approximate_shifted(const Query& query, Approximation& p) const {
   const PredicateModel& model = models_[query.predicate];
-  std::array<MotionView<double>, kMaxArity> points;
+  std::array<MotionView<double>, kMaxViews> points;
   for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
+  points[query.arity] = &motions_.unit();
   const int d = motions_.degree();
   p.origin = origin_;
   if (model.reach_error == 0) {
@@ -134,12 +138,13 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
     }
   } else {
     if (stage != Stage::kDouble || degree > filter::kMaxFilterDegree) return false;
-    std::array<MotionView<Ball>, kMaxArity> points;
+    std::array<MotionView<Ball>, kMaxViews> points;
     const bool shifts = predicate.shifts(motions_.degree());
     const std::optional<double> from = shifts ? shift_from_anchor(query) : std::nullopt;
     for (std::size_t i = 0; i < query.arity; ++i) {
       points[i] = from ? motions_.anchored(query.ids[i]) : motions_.ball(query.ids[i]);
     }
+    points[query.arity] = &motions_.unit_ball();
     Ball out[kRoomForCoefficients];
     predicate.ball(motions_.degree(), points.data(), from.value_or(origin_), out);
     p.origin = shifts ? origin_ : 0;

@@ -11,7 +11,6 @@
 
 #include "core/arithmetic/motion_store.h"
 #include "core/arithmetic/query.h"
-#include "core/motion/derived_objects.h"
 #include "core/numbers/sign.h"
 
 namespace kinex {
@@ -48,7 +47,7 @@ class LinearSigns {
   bool anchored_ = false;
   Ball time_;                // holds [lo, hi], from the object's anchor if it has one
   std::uint32_t known_ = 0;  // bits
-  std::array<Ball, kMostDerivedAxes> value_;
+  std::array<Ball, kMostAxes> value_;
 };
 
 }  // namespace kinex

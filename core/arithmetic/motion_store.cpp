@@ -52,13 +52,14 @@ bool is_zero(const Trajectory& trajectory) {
 
 }  // namespace
 
-NumberModel choose_number_model(const Scene& scene) {
+NumberModel choose_number_model(const Scene& scene, const NumberNeeds& needs) {
   NumberModel model;
-  model.dimension = scene.held_axes();
-  model.degree = std::max(1, scene.held_degree());
+  model.axes = std::max(1, needs.axes);
+  model.degree = std::max(1, needs.degree);
   const std::size_t powers = static_cast<std::size_t>(model.degree) + 1;
-  const auto each = [&scene](auto&& visit) {
+  const auto each = [&](auto&& visit) {
     for (const SceneObject& object : scene.objects) {
+      if (needs.weights && object.weight && !visit(0, *object.weight)) return false;
       for (const MotionPiece& piece : object.motion.pieces) {
         for (const auto& axis : piece.trajectory.coordinates) {
           for (std::size_t k = 0; k < axis.size(); ++k) {
@@ -69,7 +70,7 @@ NumberModel choose_number_model(const Scene& scene) {
     }
     return true;
   };
-  bool narrow = model.degree <= kMaxFixedDegree && !scene.has_bodies();
+  bool narrow = model.degree <= kMaxFixedDegree && !needs.anchored;
   narrow = narrow && each([&model](std::size_t, const Rational& c) {
              if (c.is_integer()) return true;
              const Integer d = c.denominator();
@@ -90,7 +91,7 @@ NumberModel choose_number_model(const Scene& scene) {
     });
   }
   model.narrow = narrow;
-  model.anchored = scene.has_bodies();
+  model.anchored = needs.anchored;
   if (!narrow) {
     model.scale = Integer(1);
     model.magnitude.clear();
@@ -101,8 +102,11 @@ NumberModel choose_number_model(const Scene& scene) {
 MotionStore::MotionStore(const NumberModel& model, std::size_t objects)
     : model_(model),
       objects_(objects),
-      stride_(static_cast<std::size_t>(model.dimension) *
+      stride_(static_cast<std::size_t>(model.axes) *
               static_cast<std::size_t>(model.degree + 1)) {
+  unit_ball_ = enclose_whole(model_.scale, 0);
+  if (model_.scale.bit_length() <= 53) unit_ball_.error = 0;
+  unit_ = unit_ball_.value;
   if (model_.narrow) narrow_.assign(objects_ * stride_, 0);
   narrow_object_.assign(objects_, 0);
   if (!model_.narrow) need_balls();
@@ -219,7 +223,7 @@ std::optional<double> MotionStore::shared_anchor(const ObjectId* ids, std::size_
 void MotionStore::grow_degree(int degree) {
   const std::size_t old_powers = static_cast<std::size_t>(model_.degree) + 1;
   const std::size_t powers = static_cast<std::size_t>(degree) + 1;
-  const std::size_t axes = static_cast<std::size_t>(model_.dimension);
+  const std::size_t axes = static_cast<std::size_t>(model_.axes);
   const std::size_t stride = axes * powers;
   const auto spread = [&](const auto& from, auto& to) {
     for (std::size_t a = 0; a < axes; ++a) {
@@ -334,7 +338,8 @@ Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) c
     common = lcm(common, is_big(ids[i]) ? big_[ids[i]].denominator : model_.scale);
   }
   std::vector<Integer> coefficients(static_cast<std::size_t>(arity) * stride_);
-  std::array<MotionView<Integer>, kMaxArity> points{};
+  std::array<MotionView<Integer>, kMaxViews> points{};
+  points[static_cast<std::size_t>(arity)] = &common;
   for (int i = 0; i < arity; ++i) {
     Integer* out = &coefficients[static_cast<std::size_t>(i) * stride_];
     points[static_cast<std::size_t>(i)] = out;

@@ -11,7 +11,8 @@
 namespace kinex {
 
 // 2 <= bits <= 100000.
-std::unique_ptr<Arithmetic> make_mpfr_arithmetic(const Scene& scene, long bits);
+std::unique_ptr<Arithmetic> make_mpfr_arithmetic(const Scene& scene, const NumberNeeds& needs,
+                                                 long bits);
 
 }  // namespace kinex
 

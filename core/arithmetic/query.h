@@ -10,6 +10,7 @@
 
 #include "core/arithmetic/predicate.h"
 #include "core/motion/scene.h"
+#include "core/numbers/check.h"
 
 namespace kinex {
 
@@ -20,10 +21,12 @@ struct Query {
   std::array<ObjectId, kMaxArity> ids{};
 
   Query() = default;
+  // Requires at most kMaxArity ids.
   Query(PredicateId p, std::initializer_list<ObjectId> list) : predicate(p) {
+    require(list.size() <= kMaxArity, "a query names too many objects");
     for (ObjectId id : list) ids[arity++] = id;
   }
-  // Without branches: the ids are compared in two registers.
+  // Without branches: the ids are compared in registers.
   friend bool operator==(const Query& a, const Query& b) {
     std::uint32_t differ = static_cast<std::uint32_t>(a.predicate ^ b.predicate) |
                            static_cast<std::uint32_t>(a.arity ^ b.arity);
@@ -32,11 +35,14 @@ struct Query {
   }
 };
 
-// True if two of the arguments are one object. Without branches but for the arity.
+// True if two of the arguments are one object. Up to five arguments without branches but for the
+// arity.
+bool repeats_an_object_of_many(const Query& q);
 inline bool repeats_an_object(const Query& q) {
   const auto equal = [&q](std::size_t i, std::size_t j) {
     return static_cast<unsigned>(q.ids[i] == q.ids[j]);
   };
+  if (q.arity > 5) [[unlikely]] return repeats_an_object_of_many(q);
   unsigned same = 0;
   switch (q.arity) {
     case 5:

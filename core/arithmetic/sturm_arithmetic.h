@@ -16,7 +16,8 @@
 
 namespace kinex {
 
-std::unique_ptr<Arithmetic> make_sturm_arithmetic(const Scene& scene);
+std::unique_ptr<Arithmetic> make_sturm_arithmetic(const Scene& scene,
+                                                  const NumberNeeds& needs);
 
 }  // namespace kinex
 

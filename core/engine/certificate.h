@@ -12,6 +12,8 @@ namespace kinex {
 using CertificateId = std::uint32_t;
 inline constexpr CertificateId kNoCertificate = 0xffffffffu;
 using StructureId = std::uint8_t;
+// A part of a structure (Kernel::add_part), from 0.
+using PartId = std::uint8_t;
 
 }  // namespace kinex
 

@@ -266,7 +266,6 @@ class Simulator final : private EventReporter {
   std::vector<Change> changes_;  // ascending in (t, kind, object) from next_change_ on
   std::size_t next_change_ = 0;
   std::vector<bool> alive_;
-  std::vector<Trajectory> trajectory_;  // in force
   std::vector<int> pieces_;
   int degree_ = 0;
   bool dynamic_ = false;

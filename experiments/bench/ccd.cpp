@@ -17,7 +17,7 @@
 
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
+#include "experiments/lab/cpu_clock.h"
 #include "predicates/ccd/contact_exact.h"
 #include "predicates/ccd/continuous_contact.h"
 

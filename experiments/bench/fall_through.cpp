@@ -13,8 +13,8 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace {
@@ -30,7 +30,7 @@ struct Result {
 Result run_once(const Scene& scene) {
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
-  Simulator simulator(scene, make_arithmetic("exact", scene), options);
+  Simulator simulator(scene, planned_arithmetic("exact", scene), options);
   add_structures(simulator, scene);
   const double begin = cpu_seconds();
   simulator.start();

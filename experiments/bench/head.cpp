@@ -8,8 +8,8 @@
 #include <string>
 
 #include "experiments/bench/ratios.h"
-#include "experiments/file_io.h"
-#include "experiments/verify/machine.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/lab/machine.h"
 
 int main(int argc, char** argv) {
   using namespace kinex;

@@ -16,8 +16,8 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace {
@@ -62,7 +62,7 @@ Result measure(const Scene& scene, const char* arithmetic, std::uint64_t events)
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   options.max_events = events;
-  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  Simulator simulator(scene, planned_arithmetic(arithmetic, scene), options);
   add_structures(simulator, scene);
   Result result;
   const double start = cpu_seconds();

@@ -16,8 +16,8 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/hull/convex_hull_2.h"
 #include "structures/plan.h"
 
@@ -68,7 +68,7 @@ int levels_of(std::size_t n) {
 class Run {
  public:
   Run(const Scene& scene, std::uint64_t events)
-      : simulator_(scene, make_arithmetic("exact", scene), limits(events)) {
+      : simulator_(scene, planned_arithmetic("exact", scene), limits(events)) {
     add_structures(simulator_, scene);
     const double start = cpu_seconds();
     simulator_.start();

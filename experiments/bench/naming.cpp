@@ -16,10 +16,10 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/event_log.h"
-#include "experiments/file_io.h"
-#include "experiments/workload.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace {
@@ -56,7 +56,7 @@ class Namer final : public EventSink {
 double run_once(const Scene& scene, Asked asked, std::uint64_t& instants) {
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
-  Simulator simulator(scene, make_arithmetic("exact", scene), options);
+  Simulator simulator(scene, planned_arithmetic("exact", scene), options);
   add_structures(simulator, scene);
   Namer namer(asked);
   std::optional<OutputFile> file;

@@ -15,8 +15,8 @@
 #include "experiments/bench/options.h"
 #include "experiments/bench/queue_trace.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 
 namespace {
 

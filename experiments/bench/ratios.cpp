@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <utility>
 
-#include "experiments/input_error.h"
-#include "experiments/json_value.h"
-#include "experiments/workload.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/json_value.h"
+#include "experiments/lab/workload.h"
 
 namespace kinex {
 

@@ -14,8 +14,8 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace {
@@ -38,7 +38,7 @@ Result run_once(const Scene& scene, const char* arithmetic, Scheduling schedulin
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   options.scheduling = scheduling;
-  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  Simulator simulator(scene, planned_arithmetic(arithmetic, scene), options);
   add_structures(simulator, scene);
   simulator.start();
   const double begin = cpu_seconds();

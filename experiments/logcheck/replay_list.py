@@ -23,7 +23,7 @@ class SortedList(Replay):
         return list(self.order)
 
     def claims(self, first, last, x):
-        """Renews those of the places first .. last."""
+        """Makes the claims of the places first .. last anew."""
         for i in range(max(first, 0), min(last, len(self.order) - 2) + 1):
             self.proof.put(i, self.key.claim(self.order[i], self.order[i + 1]), x)
 
@@ -59,7 +59,7 @@ class SortedList(Replay):
         self.checker.touch(self)
 
     def rebuild(self, r, x):
-        """Built anew: the difference tells the whole list before and after."""
+        """A rebuild: the difference is the whole list before and after."""
         fresh = sorted_by(self.world, self.key, self.members, x)
         self.checker.check_change(self, r, self.order, fresh)
         self.replace(fresh, x)

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "experiments/families/collision/polygons.h"
 #include "experiments/peers/case.h"
-#include "experiments/workloads/polygons.h"
 
 namespace kinex::peers {
 

@@ -59,7 +59,7 @@ class Sweep {
   std::vector<Curve> curves_;
 };
 
-// Those of the compared methods that look at all instants.
+// The compared methods that consider all instants, not samples.
 std::vector<PeerMethod> continuous_methods() {
   std::vector<PeerMethod> methods;
   for (const PeerMethod& method : peer_methods()) {

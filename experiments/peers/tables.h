@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "experiments/bench/options.h"
+#include "experiments/lab/gnuplot.h"
 #include "experiments/peers/judge.h"
-#include "experiments/verify/gnuplot.h"
 
 namespace kinex::peers {
 

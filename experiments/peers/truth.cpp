@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/collision_witness.h"
+#include "experiments/families/collision/contact_witness.h"
 
 namespace kinex::peers {
 
@@ -100,8 +100,7 @@ std::optional<double> first_overlap(const Scene& scene, bool turns, bool& by_wit
   return contact;
 }
 
-// Of bodies that never overlap. The witness is asked only if a body that is larger by next to
-// nothing would.
+// For bodies that never overlap: the exact witness runs only if slightly enlarged bodies do.
 bool touches(const PeerCase& question) {
   const Rational larger = Rational(1) + Rational(1, Integer::power_of_two(60));
   if (!run_ours(scene_of(question, larger), "separation_mixed", "exact").contact) return false;

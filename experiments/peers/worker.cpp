@@ -15,7 +15,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "experiments/cpu_clock.h"
+#include "experiments/lab/cpu_clock.h"
 
 namespace kinex::peers {
 
@@ -23,10 +23,10 @@ namespace {
 
 constexpr int kMostRounds = 2000;
 
-// In the child: answers from question `first` on, one after the other, into the pipe.
+// In the child: writes the answers to the questions from `first` on to the pipe, one by one.
 int answer_into(int pipe, const PeerMethod& method, const std::vector<PeerCase>& questions,
                 std::size_t first, const WorkerLimits& limits) {
-  // What libraries print is no part of the answer.
+  // The output of the libraries is discarded.
   const int nowhere = open("/dev/null", O_WRONLY);
   if (nowhere >= 0) {
     dup2(nowhere, STDOUT_FILENO);
@@ -66,7 +66,7 @@ int answer_into(int pipe, const PeerMethod& method, const std::vector<PeerCase>&
   return 0;
 }
 
-// True if an answer came; else `ended` tells whether the child has.
+// True if an answer was read; otherwise `ended` says whether the child has ended.
 bool receive(int pipe, double seconds, PeerAnswer& answer, bool& ended) {
   char* to = reinterpret_cast<char*>(&answer);
   std::size_t left = sizeof answer;

@@ -3,33 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "experiments/json_writer.h"
+#include "experiments/formats/json_writer.h"
 
 namespace kinex {
-
-std::string verdict_name(ClaimVerdict verdict) {
-  switch (verdict) {
-    case ClaimVerdict::kConfirmed:
-      return "confirmed";
-    case ClaimVerdict::kRefuted:
-      return "refuted";
-    case ClaimVerdict::kOpen:
-      return "open";
-  }
-  return "";
-}
-
-ClaimVerdict claim_verdict(IntervalSays says) {
-  switch (says) {
-    case IntervalSays::kConfirmed:
-      return ClaimVerdict::kConfirmed;
-    case IntervalSays::kRefuted:
-      return ClaimVerdict::kRefuted;
-    case IntervalSays::kOpen:
-      break;
-  }
-  return ClaimVerdict::kOpen;
-}
 
 namespace {
 
@@ -46,7 +22,7 @@ void write_claim(JsonWriter& json, const PaperClaim& claim) {
   field("expected", claim.expected);
   field("tolerance", claim.tolerance);
   field("observed", claim.observed);
-  field("verdict", verdict_name(claim.verdict));
+  field("verdict", std::string(claim_word(claim.verdict)));
   json.line(4).key("assumptions").begin_array();
   for (const std::string& assumption : claim.assumptions) json.string(assumption);
   json.end_array().line(4).key("checked_by");
@@ -88,7 +64,7 @@ std::string paper_readme(const Paper& paper, const std::vector<ReproducedPart>& 
       text += fmt::format(
           "- **{}** ({}, {}): {} **{}**.\n  - expected: {}; tolerance: {}\n"
           "  - observed: {}\n  - reproduce: `{}`\n",
-          claim.id, claim.place, claim.kind, claim.statement, verdict_name(claim.verdict),
+          claim.id, claim.place, claim.kind, claim.statement, claim_word(claim.verdict),
           claim.expected, claim.tolerance, claim.observed, claim.command);
       for (const std::string& assumption : claim.assumptions) {
         text += "  - assumed: " + assumption + "\n";

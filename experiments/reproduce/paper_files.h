@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/reproduce/part.h"
-#include "experiments/verify/machine.h"
+#include "experiments/lab/machine.h"
+#include "experiments/lab/part.h"
 
 namespace kinex {
 

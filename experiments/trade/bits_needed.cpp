@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "experiments/trade/binary_scale.h"
+#include "experiments/lab/binary_scale.h"
 
 namespace kinex {
 

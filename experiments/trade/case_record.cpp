@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/field_archive.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/field_archive.h"
 
 namespace kinex {
 

@@ -7,11 +7,11 @@
 #include <memory>
 #include <utility>
 
-#include "experiments/cpu_clock.h"
-#include "experiments/gmp_memory.h"
-#include "experiments/scene_run.h"
-#include "experiments/scene_writer.h"
-#include "experiments/trade/binary_scale.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/binary_scale.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/gmp_memory.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/trade/checkpoints.h"
 #include "experiments/trade/trace.h"
 #include "structures/plan.h"
@@ -137,7 +137,7 @@ std::optional<TradeRun> compared_run(Exact& exact, EventNames& names, const std:
   const std::uint64_t budget =
       bits == 0 ? 0 : options.events_factor * exact.trace.size() + options.events_more;
   ExactRecorder exact_recorder(names);
-  InexactRecorder inexact_recorder(names, bits);
+  InexactRecorder inexact_recorder(names);
   try {
     SimulatorOptions simulating = simulator_options(options, budget);
     simulating.audit = AuditLevel::kEnd;

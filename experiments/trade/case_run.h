@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/finished_work.h"
+#include "experiments/lab/finished_work.h"
 #include "experiments/trade/bits_needed.h"
 #include "experiments/trade/cases.h"
 #include "experiments/trade/deviation.h"

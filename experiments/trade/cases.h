@@ -4,7 +4,7 @@
 // Question: what does a less exact arithmetic trade for its speed?
 // Workloads, for every structure:
 //   uniform-square       motions of degree 1, 2 and 3: ordinary scenes
-//   the structure's worst case
+//   the structure's worst case, at sizes that its family gives (lab/trade_plan.h)
 //   grid                 integer velocities: simultaneous events
 //   near-one-point       all events within 2^-59: nearly degenerate
 // Expected: `exact` and `sturm` agree and are valid everywhere; of the others only that they end.
@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "core/motion/scene.h"
-#include "experiments/verify/catalogue.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cell.h"
+#include "experiments/lab/workload.h"
 
 namespace kinex {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/trade/database.h"
 
+#include "experiments/lab/facts_tables.h"
+#include "experiments/lab/judge.h"
+#include "experiments/lab/sqlite.h"
 #include "experiments/trade/standings.h"
-#include "experiments/verify/facts_tables.h"
-#include "experiments/verify/judge.h"
-#include "experiments/verify/sqlite.h"
 
 namespace kinex {
 
@@ -122,10 +122,10 @@ class Writer {
     run_.run();
   }
 
-  void write(const BitsGrowth& growth, const char* quantity, const std::optional<PowerFit>& fit) {
+  void write(const BitsGrowth& growth, const char* quantity, const std::optional<Fit>& fit) {
     if (!fit) return;
     growth_.text(growth.structure).text(growth.family).text(quantity);
-    for (const double value : {fit->exponent, fit->lower, fit->upper, fit->factor}) {
+    for (const double value : {fit->b, fit->lower, fit->upper, fit->a}) {
       growth_.text(number_text(value, kDigits));
     }
     growth_.run();

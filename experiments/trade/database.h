@@ -13,8 +13,8 @@
 
 #include <string>
 
+#include "experiments/lab/machine.h"
 #include "experiments/trade/runner.h"
-#include "experiments/verify/machine.h"
 
 namespace kinex {
 

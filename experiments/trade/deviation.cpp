@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "experiments/trade/binary_scale.h"
+#include "experiments/lab/binary_scale.h"
 
 namespace kinex {
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "experiments/lab/html.h"
 #include "experiments/trade/runner.h"
-#include "experiments/verify/html.h"
 
 namespace kinex {
 

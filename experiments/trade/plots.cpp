@@ -266,13 +266,13 @@ Figure bits_figure(const TradeResult& result, const std::string& structure) {
     data += bits_block(name, family);
     const Look& style = look(colour++);
     plot += fmt::format("{}{:.10g}*log(x)/log(2)+{:.10g} with lines lw 1.5 lc rgb '{}' notitle",
-                        plot.empty() ? "plot " : ", \\\n  ", growth.most->exponent,
-                        std::log2(growth.most->factor), style.colour);
+                        plot.empty() ? "plot " : ", \\\n  ", growth.most->b,
+                        std::log2(growth.most->a), style.colour);
     plot += fmt::format(
         ", \\\n  ${} using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title {}", name,
         style.symbol, style.colour,
         quoted(fmt::format("{}: {:.2f} bits a doubling, 95% in [{:.2f}, {:.2f}]", growth.family,
-                           growth.most->exponent, growth.most->lower, growth.most->upper)));
+                           growth.most->b, growth.most->lower, growth.most->upper)));
     plot += fmt::format(
         ", \\\n  ${0} using 1:4 with linespoints dt 3 pt {1} ps 0.4 lw 1.3 lc rgb '{2}' notitle",
         name, style.symbol, style.colour);

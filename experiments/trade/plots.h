@@ -6,8 +6,8 @@
 
 #include <vector>
 
+#include "experiments/lab/gnuplot.h"
 #include "experiments/trade/runner.h"
-#include "experiments/verify/gnuplot.h"
 
 namespace kinex {
 

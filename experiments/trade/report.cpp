@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "experiments/counted.h"
+#include "experiments/formats/counted.h"
 #include "experiments/trade/standings.h"
 
 namespace kinex {
@@ -91,10 +91,9 @@ std::string case_heading(const CaseResult& one) {
                      counted(one.bits.instants, "instant", "instants"), bits_sentence(one.bits));
 }
 
-std::string growth_text(const PowerFit& fit) {
-  return fmt::format("bits = {:.2f} log2(n) {} {:.1f}, slope 95 % in [{:.2f}, {:.2f}]",
-                     fit.exponent, fit.factor < 1 ? "-" : "+", std::fabs(std::log2(fit.factor)),
-                     fit.lower, fit.upper);
+std::string growth_text(const Fit& fit) {
+  return fmt::format("bits = {:.2f} log2(n) {} {:.1f}, slope 95 % in [{:.2f}, {:.2f}]", fit.b,
+                     fit.a < 1 ? "-" : "+", std::fabs(std::log2(fit.a)), fit.lower, fit.upper);
 }
 
 std::string table_of(const CaseResult& one) {
@@ -129,7 +128,7 @@ std::string table_row(const BitsResult& one) {
 std::string table_row(const BitsGrowth& growth) {
   std::string text =
       fmt::format("{:<18} {:<26} {}", growth.structure, growth.family, growth_text(*growth.most));
-  if (growth.percentile_99) text += fmt::format("; 99 %: {:.2f}", growth.percentile_99->exponent);
+  if (growth.percentile_99) text += fmt::format("; 99 %: {:.2f}", growth.percentile_99->b);
   return text + "\n";
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trade as JSON lines.
-#include "experiments/json_writer.h"
+#include "experiments/formats/json_writer.h"
 #include "experiments/trade/report.h"
 #include "experiments/trade/standings.h"
 
@@ -61,14 +61,14 @@ void write_mean(JsonWriter& json, const RunningMean& mean) {
   json.key("smallest").real(mean.smallest()).key("largest").real(mean.largest()).end_object();
 }
 
-void write_fit(JsonWriter& json, const std::optional<PowerFit>& fit) {
+void write_fit(JsonWriter& json, const std::optional<Fit>& fit) {
   if (!fit) {
     json.null();
     return;
   }
-  json.begin_object().key("bits_per_doubling").real(fit->exponent);
+  json.begin_object().key("bits_per_doubling").real(fit->b);
   json.key("interval_95").begin_array().real(fit->lower).real(fit->upper).end_array();
-  json.key("factor").real(fit->factor).key("chi_square");
+  json.key("factor").real(fit->a).key("chi_square");
   if (fit->weighted) {
     json.real(fit->chi_square);
   } else {

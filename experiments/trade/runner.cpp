@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/lab/run_in_order.h"
 #include "experiments/trade/case_record.h"
-#include "experiments/verify/run_in_order.h"
 
 namespace kinex {
 
@@ -51,8 +51,8 @@ std::optional<Result> find_or_run(FinishedWork* finished, const std::string& key
   return result;
 }
 
-std::optional<PowerFit> fit(const std::vector<const BitsResult*>& family,
-                            RunningMean BitsResult::*bits) {
+std::optional<Fit> fit(const std::vector<const BitsResult*>& family,
+                       RunningMean BitsResult::*bits) {
   std::vector<FitPoint> points;
   for (const BitsResult* size : family) {
     const RunningMean& mean = size->*bits;

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/lab/fit.h"
+#include "experiments/lab/statistics.h"
 #include "experiments/trade/case_run.h"
-#include "experiments/verify/statistics.h"
 
 namespace kinex {
 
@@ -24,7 +25,7 @@ struct BitsResult {
 // The smallest gap shrinks like n^-exponent: bits grow by `exponent` with every doubling of n.
 struct BitsGrowth {
   std::string structure, family;
-  std::optional<PowerFit> most, percentile_99;  // of 2^bits over n
+  std::optional<Fit> most, percentile_99;  // of 2^bits over n
 };
 
 struct TradeResult {

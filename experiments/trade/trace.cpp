@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/arithmetic/arithmetic.h"
-#include "experiments/trade/binary_scale.h"
 
 namespace kinex {
 
@@ -32,15 +31,7 @@ void ExactRecorder::event(const Event& event, Arithmetic& arithmetic) {
 
 void InexactRecorder::event(const Event& event, Arithmetic& arithmetic) {
   trace.names.push_back(names_.number(event));
-  const std::string& text = arithmetic.name_now(InstantDetail::kInterval).decimal;
-  if (!trace.times.empty() && text == last_) {
-    trace.times.push_back(trace.times.back());
-    return;
-  }
-  last_ = text;
-  std::optional<Rational> time = Rational::parse(text);
-  if (time) time = round_to_bits(*time, bits_);
-  trace.times.push_back(std::move(time));
+  trace.times.push_back(arithmetic.now_value());
 }
 
 bool equal(ExactTrace& a, ExactTrace& b) {

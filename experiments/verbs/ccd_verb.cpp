@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex ccd: continuous collision detection, exactly.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "experiments/ccd/answers.h"
-#include "experiments/file_io.h"
-#include "experiments/gmp_memory.h"
-#include "experiments/input_error.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/query_answers.h"
+#include "experiments/lab/gmp_memory.h"
+#include "experiments/lab/progress.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -26,40 +24,6 @@ struct Options {
   std::string kind;
   bool json = false;
   bool tally = false;
-};
-
-// The number of queries done, on standard error, only if that is a terminal.
-class QueryProgress {
- public:
-  QueryProgress() : terminal_(::isatty(STDERR_FILENO) != 0) {}
-  ~QueryProgress() { wipe(); }
-  QueryProgress(const QueryProgress&) = delete;
-  QueryProgress& operator=(const QueryProgress&) = delete;
-
-  void show(std::size_t done, std::size_t all) {
-    if (!terminal_ || done % kEvery != 0) return;
-    const Clock::time_point now = Clock::now();
-    if (now - last_ < std::chrono::milliseconds(250)) return;
-    last_ = now;
-    shown_ = true;
-    const double seconds = std::chrono::duration<double>(now - began_).count();
-    const auto finished = static_cast<double>(done);
-    std::fprintf(stderr, "\r\033[K%zu of %zu queries, %.3g/s, %.0f s left", done, all,
-                 finished / seconds, seconds * static_cast<double>(all - done) / finished);
-    std::fflush(stderr);
-  }
-  void wipe() {
-    if (shown_) std::fputs("\r\033[K", stderr);
-    shown_ = false;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t kEvery = 64;
-  bool terminal_;
-  bool shown_ = false;
-  Clock::time_point began_ = Clock::now();
-  Clock::time_point last_ = began_;
 };
 
 ContactKind kind_of(const Options& options, const std::string& file) {
@@ -91,7 +55,8 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
   }
   ContactCounters counters;
   counters.roots.deadline = &deadline;
-  QueryProgress progress;
+  constexpr std::size_t kEvery = 64;  // queries: the clock is not read at each
+  Progress progress;
   std::string text;
   for (const FileQuery& one : queries.queries) {
     if (interrupt.interrupted()) break;
@@ -117,7 +82,10 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
       print(text);
       text.clear();
     }
-    progress.show(tally.queries, queries.queries.size());
+    if (tally.queries % kEvery != 0) continue;
+    progress.show([&](double seconds) {
+      return progress_text(tally.queries, queries.queries.size(), seconds);
+    });
   }
   deadline.pause();
   text += options.json ? tally_json(tally, file, kind, queries.has_truth)

@@ -8,14 +8,14 @@
 #include <string>
 #include <system_error>
 
-#include "experiments/counted.h"
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/json_writer.h"
-#include "experiments/log_check.h"
-#include "experiments/model_text.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/formats/log_check.h"
+#include "experiments/formats/model_text.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 

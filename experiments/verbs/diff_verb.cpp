@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/counted.h"
-#include "experiments/file_io.h"
-#include "experiments/json_writer.h"
-#include "experiments/log_diff.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/formats/log_diff.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "experiments/input_error.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/workload.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
-#include "experiments/workload.h"
 
 namespace kinex {
 

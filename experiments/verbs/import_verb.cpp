@@ -8,12 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "experiments/counted.h"
-#include "experiments/csv_import.h"
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/csv_import.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/family.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 
@@ -40,11 +41,6 @@ OverlappingStarts overlapping_starts(const ImportVerbOptions& options) {
                    "write refused or contact");
 }
 
-const char* usual_structure(const Scene& scene) {
-  if (scene.has_bodies()) return "separation_mixed";
-  return scene.dimension == 2 ? "delaunay_2" : "sorted_list";
-}
-
 void import_file(const ImportVerbOptions& options) {
   keep_input("--output", options.output, options.file);
   ImportOptions import_options;
@@ -64,7 +60,7 @@ void import_file(const ImportVerbOptions& options) {
   scene.name = name_option(
       options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
   std::vector<std::string> maintain = options.maintain;
-  if (maintain.empty()) maintain = {usual_structure(scene)};
+  if (maintain.empty()) maintain = {usual_structure(scene.has_bodies(), scene.dimension)};
   set_maintain(scene, maintain);
   write_result(options.output, options.force, write_scene(scene));
   std::fprintf(stderr, "kinex: %s, %s\n", counted(report.rows, "row", "rows").c_str(),

@@ -10,9 +10,9 @@
 #include <optional>
 #include <system_error>
 
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/utf8.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/utf8.h"
 
 namespace kinex {
 

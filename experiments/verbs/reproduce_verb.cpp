@@ -7,14 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/reproduce/claim_check.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/claim_check.h"
+#include "experiments/lab/progress.h"
 #include "experiments/reproduce/paper_files.h"
+#include "experiments/reproduce/papers.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
-#include "experiments/verify/cell_progress.h"
 
 namespace kinex {
 
@@ -75,13 +76,16 @@ ReproducedPart run_part(const PaperPart& part, const Options& options, RecordSto
   const std::vector<SeriesPoint> points = part.points(options.quick);
   std::vector<double> costs;
   for (const SeriesPoint& point : points) costs.push_back(point.cost);
-  CellProgress progress(std::move(costs));
+  Progress progress;
+  PiecesDone pieces(std::move(costs));
   SeriesOptions running;
   running.jobs = options.jobs;
   running.go_on = [&] { return !interrupt.interrupted(); };
   running.interrupt = &interrupt.flag();
-  running.on_run = [&](std::size_t i, const std::string& what) { progress.show(i, what); };
-  running.on_point = [&](std::size_t i, const SeriesResult&) { progress.finished(i); };
+  running.on_run = [&](std::size_t i, const std::string& what) {
+    progress.show([&](double seconds) { return pieces.text(i, what, seconds); });
+  };
+  running.on_point = [&](std::size_t i, const SeriesResult&) { pieces.finished(i); };
   SeriesRun run = run_series(points, store, running);
   progress.wipe();
   ReproducedPart done;
@@ -93,15 +97,16 @@ ReproducedPart run_part(const PaperPart& part, const Options& options, RecordSto
   done.troubles = std::move(run.troubles);
   if (done.interrupted) {
     for (PaperClaim& claim : done.report.claims) {
-      claim.verdict = ClaimVerdict::kOpen;
+      claim.verdict = Verdict::kOpen;
       claim.observed += "; interrupted: not all runs were made";
     }
   }
   const SecondProgram program(options.logcheck, running.go_on, running.interrupt);
-  CellProgress checking(std::vector<double>{1});
-  for (std::string& refusal : check_claims(
-           done.report.claims, program, store,
-           [&](const RunKey& small) { checking.show(0, program.name() + ", " + small.text()); })) {
+  Progress checking;
+  for (std::string& refusal :
+       check_claims(done.report.claims, program, store, [&](const RunKey& small) {
+         checking.show([&](double) { return program.name() + ", " + small.text(); });
+       })) {
     done.troubles.push_back(std::move(refusal));
   }
   checking.wipe();
@@ -114,7 +119,7 @@ void tell(const ReproducedPart& done) {
                      "\n" + done.report.tables + "\n";
   for (const std::string& trouble : done.troubles) text += "FAILED  " + trouble + "\n";
   for (const PaperClaim& claim : done.report.claims) {
-    text += verdict_name(claim.verdict) + "  " + claim.id + ": " + claim.statement +
+    text += std::string(claim_word(claim.verdict)) + "  " + claim.id + ": " + claim.statement +
             "\n           expected " + claim.expected + "\n           observed " + claim.observed +
             "\n           checked by a second program: " + claim.checked_by.text() + "\n";
   }
@@ -153,7 +158,7 @@ void reproduce(Options options, int& exit_code) {
     interrupted = interrupted || one.interrupted;
     failed = failed || !one.troubles.empty();
     for (const PaperClaim& claim : one.report.claims) {
-      refuted = refuted || claim.verdict == ClaimVerdict::kRefuted;
+      refuted = refuted || claim.verdict == Verdict::kRefuted;
     }
     if (interrupted) break;
   }

@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "experiments/counted.h"
-#include "experiments/file_io.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
 
 namespace kinex {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/finished_work.h"
+#include "experiments/lab/finished_work.h"
 
 namespace kinex {
 

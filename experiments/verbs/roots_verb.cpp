@@ -5,10 +5,10 @@
 #include <string>
 
 #include "core/numbers/real_root.h"
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/json_writer.h"
-#include "experiments/polynomial_file.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/formats/polynomial_file.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 

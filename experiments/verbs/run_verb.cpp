@@ -14,17 +14,17 @@
 
 #include "core/engine/refused_change.h"
 #include "core/numbers/stop.h"
-#include "experiments/event_log.h"
-#include "experiments/file_io.h"
-#include "experiments/gmp_memory.h"
-#include "experiments/input_error.h"
-#include "experiments/model_text.h"
-#include "experiments/progress.h"
-#include "experiments/run_report.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_run.h"
-#include "experiments/scene_writer.h"
-#include "experiments/summary.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/model_text.h"
+#include "experiments/formats/run_report.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/formats/summary.h"
+#include "experiments/lab/gmp_memory.h"
+#include "experiments/lab/progress.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -213,7 +213,7 @@ void run(const RunOptions& options, int& exit_code) {
     Progress progress;
     simulator_options.interrupt = &interrupt.flag();
     simulator_options.progress = [&](const Simulator& running) {
-      progress.show(running);
+      progress.show([&](double seconds) { return progress_text(running, seconds); });
       return true;
     };
     simulator = make_simulator(scene, options.arithmetic, simulator_options);

@@ -12,9 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/scene_run.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/progress.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/trade/database.h"
 #include "experiments/trade/markdown.h"
 #include "experiments/trade/page.h"
@@ -24,7 +25,6 @@
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/resumed_work.h"
 #include "experiments/verbs/verbs.h"
-#include "experiments/verify/cell_progress.h"
 
 namespace kinex {
 
@@ -92,7 +92,8 @@ TradeResult run(const TradeCatalogue& catalogue, const Options& options, Finishe
   std::vector<double> costs;
   for (const TradeCase& one : catalogue.cases) costs.push_back(one.cost);
   for (const BitsCase& one : catalogue.bits) costs.push_back(one.cost);
-  CellProgress progress(std::move(costs));
+  Progress progress;
+  PiecesDone pieces(std::move(costs));
   TradeOptions running;
   running.jobs = options.jobs;
   running.max_seconds = options.max_seconds;
@@ -106,8 +107,10 @@ TradeResult run(const TradeCatalogue& catalogue, const Options& options, Finishe
     print(text);
   };
   TradeWatch watch;
-  watch.on_work = [&](std::size_t index, const std::string& what) { progress.show(index, what); };
-  watch.on_finished = [&](std::size_t index) { progress.finished(index); };
+  watch.on_work = [&](std::size_t index, const std::string& what) {
+    progress.show([&](double seconds) { return pieces.text(index, what, seconds); });
+  };
+  watch.on_finished = [&](std::size_t index) { pieces.finished(index); };
   watch.on_case = [&](const CaseResult& one) {
     show(options.json ? json_row(one) : table_of(one));
   };

@@ -13,6 +13,7 @@ void add_verbs(CLI::App& app, int& exit_code) {
   add_verify_verb(app, exit_code);
   add_trade_verb(app, exit_code);
   add_reproduce_verb(app, exit_code);
+  add_sweep_verb(app, exit_code);
   add_view_verb(app, exit_code);
   add_ccd_verb(app, exit_code);
 }

@@ -27,6 +27,7 @@ void add_roots_verb(CLI::App& app, int& exit_code);
 void add_verify_verb(CLI::App& app, int& exit_code);
 void add_trade_verb(CLI::App& app, int& exit_code);
 void add_reproduce_verb(CLI::App& app, int& exit_code);
+void add_sweep_verb(CLI::App& app, int& exit_code);
 void add_view_verb(CLI::App& app, int& exit_code);
 void add_ccd_verb(CLI::App& app, int& exit_code);
 

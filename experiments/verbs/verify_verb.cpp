@@ -11,18 +11,20 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/file_io.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/lab/measures.h"
+#include "experiments/lab/progress.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/resumed_work.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verify/catalogue.h"
-#include "experiments/verify/cell_progress.h"
 #include "experiments/verify/database.h"
-#include "experiments/verify/measures.h"
 #include "experiments/verify/page.h"
 #include "experiments/verify/plots.h"
 #include "experiments/verify/report_text.h"
+#include "experiments/verify/tables.h"
+#include "structures/registry.h"
 
 namespace kinex {
 
@@ -51,8 +53,8 @@ std::string command_of(const Options& options) {
 }
 
 int exit_code_of(const VerifyResult& result) {
-  if (result.verdict() == Verdict::kFail) return kExitFailed;
-  if (result.interrupted || result.verdict() != Verdict::kPass) return kExitGaveUp;
+  if (result.verdict() == Verdict::kRefuted) return kExitFailed;
+  if (result.interrupted || result.verdict() != Verdict::kConfirmed) return kExitGaveUp;
   return kExitFine;
 }
 
@@ -75,7 +77,8 @@ void verify(const Options& options, int& exit_code) {
   {
     std::vector<double> costs;
     for (const Cell& cell : catalogue.cells) costs.push_back(cell.cost);
-    CellProgress progress(std::move(costs));
+    Progress progress;
+    PiecesDone pieces(std::move(costs));
     VerifyOptions running;
     running.jobs = options.jobs;
     if (options.seeds) running.seeds = *options.seeds;
@@ -88,10 +91,10 @@ void verify(const Options& options, int& exit_code) {
       std::string what = cell.structure + ", " + cell.workload_text() +
                          ", n = " + std::to_string(cell.parameters.n);
       if (cell.random) what += ", scene " + std::to_string(seed + 1);
-      progress.show(index, what);
+      progress.show([&](double seconds) { return pieces.text(index, what, seconds); });
     };
     running.on_cell = [&](std::size_t index, const CellResult& cell) {
-      progress.finished(index);
+      pieces.finished(index);
       progress.wipe();
       print(options.json ? json_row(cell) : table_row(cell, bounds));
     };
@@ -106,8 +109,8 @@ void verify(const Options& options, int& exit_code) {
   }
   if (!options.json) {
     print(closing_line(result));
-    for (const MeasuresTable& table : measures_tables(result.cells)) print(measures_text(table));
-    for (const StudyResult& study : result.studies) print(measures_text(study_table(study)));
+    for (const Table& table : measures_tables(result.cells)) print(markdown(table));
+    for (const StudyResult& study : result.studies) print(markdown(study.table));
   }
 
   PageFacts facts;
@@ -137,10 +140,10 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand(
       "verify", "The bound-verification experiments: writes verify.sqlite and verify.html");
-  verb->add_option(
-      "STRUCTURE", options->structure,
-      "A structure; maximum, minimum, convex_hull or collision: all structures for it; "
-      "or all (default)");
+  std::string groups;
+  for (const std::string_view group : structure_groups()) groups += std::string(group) + ", ";
+  verb->add_option("STRUCTURE", options->structure,
+                   "A structure; " + groups + "each all structures for it; or all (default)");
   verb->add_flag("--quick", options->quick, "Smaller sizes: a few minutes on one core");
   verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
   verb->add_flag("--force", options->force, "Replace results that exist");

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "experiments/counted.h"
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/log_reader.h"
-#include "experiments/progress.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/log_reader.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/progress.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -114,13 +114,6 @@ void set_structures(Viewed& viewed, const Options& options, const std::string& s
   } else if (log) {
     maintain_as_logged(viewed.scene, *log, first->file);
   }
-  for (const Request& request : viewed.scene.maintain) {
-    const StructureInfo* info = find_structure_info(request.structure);
-    if (info != nullptr && info->bodies && !info->follows_bodies()) {
-      throw InputError("--maintain", "", request.structure + " follows nothing that could be shown",
-                       "maintain a structure for collisions");
-    }
-  }
   if (viewed.scene.maintain.empty()) {
     throw InputError(scene_file, "/maintain", "nothing is to be maintained",
                      "fill \"maintain\" in the scene, or give --maintain");
@@ -186,7 +179,7 @@ std::string record(const Viewed& viewed, const Wanted& wanted, const Options& op
   Progress progress;
   how.interrupt = &interrupt.flag();
   how.progress = [&](const Simulator& running) {
-    progress.show(running);
+    progress.show([&](double seconds) { return progress_text(running, seconds); });
     return true;
   };
   try {

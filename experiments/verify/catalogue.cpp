@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/input_error.h"
-#include "experiments/verify/collision_studies.h"
-#include "experiments/verify/point_studies.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/family.h"
+#include "structures/registry.h"
 
 namespace kinex {
 
@@ -17,8 +17,7 @@ namespace {
 
 bool is_group(std::string_view structure) {
   const std::vector<std::string_view> groups = structure_groups();
-  return structure == "all" ||
-         std::find(groups.begin(), groups.end(), structure) != groups.end();
+  return structure == "all" || std::find(groups.begin(), groups.end(), structure) != groups.end();
 }
 
 bool is_selected(std::string_view structure, const StructureInfo& info) {
@@ -68,32 +67,20 @@ Catalogue make_catalogue(std::string_view structure, Extent extent) {
                      "choose one of " + names);
   }
   Catalogue catalogue;
-  add_worst_cases(catalogue, extent);
-  add_random_motion(catalogue, extent);
-  for (const StructureInfo& info : structure_infos()) add_common_cells(catalogue, info, extent);
-  add_maximum_comparison(catalogue, extent);
-  add_collision_cells(catalogue, extent);
-  const bool quick = extent == Extent::kQuick;
-  const auto asked = [&](std::string_view group, std::string_view one) {
-    return structure == "all" || structure == group || structure == one;
-  };
-  if (asked("maximum", "maximum_hanger")) {
-    catalogue.studies.push_back({"maximum_hanger", study_hanger, quick});
+  for (const FamilyExperiments& family : experiment_families()) {
+    if (family.add_cells != nullptr) family.add_cells(catalogue, extent);
   }
-  if (asked("convex_hull", "convex_hull_2")) {
-    catalogue.studies.push_back({"convex_hull_2", study_hull_locality, quick});
+  for (const StructureInfo& info : structure_infos()) {
+    for (const FamilyExperiments& family : experiment_families()) {
+      if (family.add_common_cells != nullptr) family.add_common_cells(catalogue, info, extent);
+    }
   }
-  if (asked("collision", "collision")) {
-    catalogue.studies.push_back({"contacts", study_contacts, quick});
-  }
-  if (asked("collision", "outer_hierarchy")) {
-    catalogue.studies.push_back({"outer_hierarchy", study_outer_hierarchies, quick});
-  }
-  if (asked("collision", "inner_tangents")) {
-    catalogue.studies.push_back({"inner_tangents", study_tangents, quick});
-  }
-  if (asked("collision", "separation_hysteresis")) {
-    catalogue.studies.push_back({"wedge_cover", study_wedge_cover, quick});
+  for (const FamilyExperiments& family : experiment_families()) {
+    if (family.add_comparisons != nullptr) family.add_comparisons(catalogue, extent);
+    for (const FamilyStudy& study : family.studies) {
+      if (structure != "all" && structure != study.group && structure != study.structure) continue;
+      catalogue.studies.push_back({std::string(study.name), study.run, extent == Extent::kQuick});
+    }
   }
   select(catalogue.cells, structure);
   count_comparisons(catalogue.cells);

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/json_writer.h"
-#include "experiments/scene_run.h"
-#include "experiments/verify/facts_tables.h"
-#include "experiments/verify/sqlite.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/lab/facts_tables.h"
+#include "experiments/lab/scene_run.h"
+#include "experiments/lab/sqlite.h"
 
 namespace kinex {
 
@@ -78,7 +78,7 @@ class Writer {
   void write(const CellResult& cell) {
     cell_.text(cell.cell.structure).text(cell.cell.workload).text(cell.cell.family);
     cell_.text(parameters_json(cell)).text(cell.cell.question);
-    cell_.text(verdict_name(cell.verdict()));
+    cell_.text(check_word(cell.verdict()));
     if (cell.contest && cell.contest->ratio) {
       cell_.text(number_text(*cell.contest->ratio, 4));
     } else {
@@ -95,7 +95,7 @@ class Writer {
       } else {
         claim_.null();
       }
-      claim_.text(check.expected).text(check.observed).text(verdict_name(check.verdict));
+      claim_.text(check.expected).text(check.observed).text(check_word(check.verdict));
       claim_.text(check.source).run();
     }
   }
@@ -103,7 +103,7 @@ class Writer {
   void write(const StudyResult& study) {
     for (const Check& check : study.checks) {
       study_.text(study.name).text(check.claim).text(check.expected).text(check.observed);
-      study_.text(verdict_name(check.verdict)).text(check.source).run();
+      study_.text(check_word(check.verdict)).text(check.source).run();
     }
   }
 
@@ -111,7 +111,7 @@ class Writer {
     growth_.text(growth.claim.claim).text(growth.claim.structure).text(growth.claim.family);
     growth_.text(growth.claim.quantity).count(growth.points.size()).text(growth.check.expected);
     if (growth.fit) {
-      for (const double value : {growth.fit->exponent, growth.fit->lower, growth.fit->upper}) {
+      for (const double value : {growth.fit->b, growth.fit->lower, growth.fit->upper}) {
         growth_.text(number_text(value, 8));
       }
       if (growth.fit->weighted) {
@@ -123,7 +123,7 @@ class Writer {
     } else {
       for (int i = 0; i < 5; ++i) growth_.null();
     }
-    growth_.text(verdict_name(growth.check.verdict)).text(growth.check.source).run();
+    growth_.text(check_word(growth.check.verdict)).text(growth.check.source).run();
   }
 
  private:

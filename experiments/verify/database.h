@@ -17,7 +17,7 @@
 
 #include <string>
 
-#include "experiments/verify/machine.h"
+#include "experiments/lab/machine.h"
 #include "experiments/verify/runner.h"
 
 namespace kinex {

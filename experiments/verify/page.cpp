@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "experiments/verify/html.h"
-#include "experiments/verify/measures.h"
+#include "experiments/lab/html.h"
+#include "experiments/lab/measures.h"
 #include "experiments/verify/report_text.h"
+#include "experiments/verify/tables.h"
 
 namespace kinex {
 
@@ -26,7 +27,7 @@ std::string checks_table(const CellResult& cell) {
     text += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
         escape(check.claim), escape(check.quantity), escape(check.expected), escape(check.observed),
-        verdict_span(verdict_name(check.verdict)), escape(check.source));
+        verdict_span(check_word(check.verdict)), escape(check.source));
   }
   return text + "</table>";
 }
@@ -42,9 +43,9 @@ std::string summary_part(const VerifyResult& result) {
   }
   std::string text = "<div class=\"verdicts\">";
   for (const Verdict verdict :
-       {Verdict::kPass, Verdict::kFail, Verdict::kInconclusive, Verdict::kGaveUp}) {
+       {Verdict::kConfirmed, Verdict::kRefuted, Verdict::kOpen, Verdict::kGaveUp}) {
     text += fmt::format("<div><b>{}</b>{}</div>", counts[static_cast<std::size_t>(verdict)],
-                        verdict_span(verdict_name(verdict)));
+                        verdict_span(check_word(verdict)));
   }
   // Its lines, a paragraph each.
   const std::string lines = escape(closing_line(result));
@@ -62,7 +63,7 @@ std::string summary_part(const VerifyResult& result) {
 std::string trouble_part(const VerifyResult& result) {
   std::string text;
   for (const CellResult& cell : result.cells) {
-    if (cell.verdict() == Verdict::kPass) continue;
+    if (cell.verdict() == Verdict::kConfirmed) continue;
     const CellRow row = cell_row(cell);
     text +=
         fmt::format("<h3>{} &middot; {} &middot; n = {} &middot; {}</h3>\n", escape(row.structure),
@@ -91,7 +92,7 @@ std::string fits_part(const VerifyResult& result) {
         growth.fit && growth.fit->weighted
             ? fmt::format("{:.2f} / {}", growth.fit->chi_square, growth.fit->degrees)
             : "-",
-        verdict_span(verdict_name(growth.check.verdict)), escape(growth.check.source));
+        verdict_span(check_word(growth.check.verdict)), escape(growth.check.source));
   }
   return text +
          "</table>\n<p class=\"facts\">Intervals: 95 %, Student's t; widened where the points "
@@ -101,7 +102,7 @@ std::string fits_part(const VerifyResult& result) {
 
 std::string measures_part(const VerifyResult& result) {
   std::string text;
-  for (const MeasuresTable& table : measures_tables(result.cells)) {
+  for (const Table& table : measures_tables(result.cells)) {
     text += "<h2>" + escape(table.title) + "</h2>\n<p class=\"facts\">" + escape(table.note) +
             "</p>\n<table><tr>";
     for (const std::string& cell : table.header) text += "<th>" + escape(cell) + "</th>";
@@ -124,11 +125,11 @@ std::string measures_part(const VerifyResult& result) {
 std::string studies_part(const VerifyResult& result) {
   std::string text;
   for (const StudyResult& study : result.studies) {
-    text += "<h2>" + escape(study.title) + " &middot; " +
-            verdict_span(verdict_name(study.verdict())) + "</h2>\n<table><tr>";
-    for (const std::string& cell : study.header) text += "<th>" + escape(cell) + "</th>";
+    text += "<h2>" + escape(study.table.title) + " &middot; " +
+            verdict_span(check_word(study.verdict())) + "</h2>\n<table><tr>";
+    for (const std::string& cell : study.table.header) text += "<th>" + escape(cell) + "</th>";
     text += "</tr>\n";
-    for (const auto& row : study.rows) {
+    for (const auto& row : study.table.rows) {
       text += "<tr>";
       for (const std::string& cell : row) text += "<td>" + escape(cell) + "</td>";
       text += "</tr>\n";
@@ -137,7 +138,7 @@ std::string studies_part(const VerifyResult& result) {
     for (const Check& check : study.checks) {
       text += escape(check.claim + ": expected " + check.expected + ", observed " + check.observed +
                      " (" + check.source + ")") +
-              " " + verdict_span(verdict_name(check.verdict)) + "<br>\n";
+              " " + verdict_span(check_word(check.verdict)) + "<br>\n";
     }
     text += "</p>\n";
   }

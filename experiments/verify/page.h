@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "experiments/verify/html.h"
+#include "experiments/lab/html.h"
 #include "experiments/verify/runner.h"
 
 namespace kinex {

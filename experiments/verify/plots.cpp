@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "experiments/verify/collision_story.h"
+#include "experiments/lab/family.h"
 
 namespace kinex {
 
@@ -55,7 +55,7 @@ std::vector<Family> families_of(const std::vector<CellResult>& cells,
   for (const CellResult& cell : cells) {
     if (cell.cell.structure != structure || cell.trials.empty()) continue;
     const RunningMean mean = mean_of(cell.trials, "processed");
-    if (cell.cell.variable != Variable::kObjects) continue;  // see collision_story.h
+    if (cell.cell.variable != Variable::kObjects) continue;  // its family draws it
     if (!(mean.mean() > 0)) continue;  // cannot be drawn on a logarithmic axis
     const Measurement& run = cell.trials.front().measurement;
     auto found = std::find_if(families.begin(), families.end(), [&](const Family& family) {
@@ -104,8 +104,8 @@ std::vector<Point> bound_curve(const Family& family) {
 }
 
 std::string fit_title(const GrowthResult& growth) {
-  return fmt::format("fit n^{{{:.3f}}}, 95% in [{:.3f}, {:.3f}]", growth.fit->exponent,
-                     growth.fit->lower, growth.fit->upper);
+  return fmt::format("fit n^{{{:.3f}}}, 95% in [{:.3f}, {:.3f}]", growth.fit->b, growth.fit->lower,
+                     growth.fit->upper);
 }
 
 Figure counts_figure(const VerifyResult& result, const std::string& structure) {
@@ -152,8 +152,8 @@ Figure counts_figure(const VerifyResult& result, const std::string& structure) {
       if (growth.claim.structure != structure || growth.claim.family != family.name) continue;
       if (!growth.fit) continue;
       add(fmt::format("[{:.6g}:{:.6g}] {:.17g}*x**{:.17g} with lines lw 1.5 lc rgb '{}' title '{}'",
-                      growth.points.front().n, growth.points.back().n, growth.fit->factor,
-                      growth.fit->exponent, look(i).colour, fit_title(growth)));
+                      growth.points.front().n, growth.points.back().n, growth.fit->a, growth.fit->b,
+                      look(i).colour, fit_title(growth)));
     }
     add(fmt::format(
         "$family{} using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title {}", i,
@@ -201,7 +201,7 @@ Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
   figure.title = growth.claim.structure + ": residuals of the fit, " + growth.claim.family;
   figure.caption = fmt::format(
       "Expected {}, fitted {}: {}. {} A trend in the residuals is a departure from a pure power.",
-      growth.check.expected, growth.check.observed, verdict_name(growth.check.verdict),
+      growth.check.expected, growth.check.observed, check_word(growth.check.verdict),
       growth.fit->weighted
           ? fmt::format("chi^2 = {:.1f} on {} degrees of freedom. Bars: two standard errors.",
                         growth.fit->chi_square, growth.fit->degrees)
@@ -220,8 +220,8 @@ Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
   if (!references.empty()) figure.script += data_block("reference", references);
   // With the exponents at the ends of the interval, through the centre of the fit.
   const double centre = growth.fit->centre;
-  const double below = growth.fit->lower - growth.fit->exponent;
-  const double above = growth.fit->upper - growth.fit->exponent;
+  const double below = growth.fit->lower - growth.fit->b;
+  const double above = growth.fit->upper - growth.fit->b;
   figure.script += fmt::format(
       "plot '+' using 1:(100*(($1/{0:.17g})**{1:.17g}-1)):(100*(($1/{0:.17g})**{2:.17g}-1)) "
       "with filledcurves fc rgb '#dcdcdc' title '95% interval of the exponent', \\\n"
@@ -249,7 +249,10 @@ std::vector<Figure> verify_figures(const VerifyResult& result) {
     }
   }
   std::vector<Figure> figures;
-  for (Figure& figure : collision_figures(result.cells)) figures.push_back(std::move(figure));
+  for (const FamilyExperiments& family : experiment_families()) {
+    if (family.figures == nullptr) continue;
+    for (Figure& figure : family.figures(result.cells)) figures.push_back(std::move(figure));
+  }
   for (const std::string& structure : structures) {
     Figure figure = counts_figure(result, structure);
     if (!figure.script.empty()) figures.push_back(std::move(figure));

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "experiments/verify/gnuplot.h"
+#include "experiments/lab/gnuplot.h"
 #include "experiments/verify/runner.h"
 
 namespace kinex {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results as JSON lines.
-#include "experiments/json_writer.h"
-#include "experiments/verify/measures.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/lab/measures.h"
 #include "experiments/verify/report_text.h"
 
 namespace kinex {
@@ -12,7 +12,7 @@ void write_check(JsonWriter& json, const Check& check) {
   json.begin_object().key("claim").string(check.claim).key("kind").string(check.kind);
   if (!check.quantity.empty()) json.key("quantity").string(check.quantity);
   json.key("expected").string(check.expected).key("observed").string(check.observed);
-  json.key("verdict").string(verdict_name(check.verdict)).key("source").string(check.source);
+  json.key("verdict").string(check_word(check.verdict)).key("source").string(check.source);
   if (check.seeds_needed > 0) json.key("seeds_needed").number(check.seeds_needed);
   json.end_object();
 }
@@ -92,17 +92,17 @@ std::string json_row(const StudyResult& study) {
   std::string text;
   JsonWriter json(text);
   json.begin_object().key("row").string("study").key("study").string(study.name);
-  json.key("title").string(study.title).key("header").begin_array();
-  for (const std::string& cell : study.header) json.string(cell);
+  json.key("title").string(study.table.title).key("header").begin_array();
+  for (const std::string& cell : study.table.header) json.string(cell);
   json.end_array().key("rows").begin_array();
-  for (const auto& row : study.rows) {
+  for (const auto& row : study.table.rows) {
     json.begin_array();
     for (const std::string& cell : row) json.string(cell);
     json.end_array();
   }
   json.end_array().key("checks").begin_array();
   for (const Check& check : study.checks) write_check(json, check);
-  json.end_array().key("verdict").string(verdict_name(study.verdict())).end_object();
+  json.end_array().key("verdict").string(check_word(study.verdict())).end_object();
   return text + "\n";
 }
 
@@ -114,11 +114,11 @@ std::string json_row(const GrowthResult& growth) {
   write_check(json, growth.check);
   json.key("fit");
   if (growth.fit) {
-    const PowerFit& fit = *growth.fit;
-    json.begin_object().key("exponent").real(fit.exponent);
-    json.key("standard_error").real(fit.exponent_error);
+    const Fit& fit = *growth.fit;
+    json.begin_object().key("exponent").real(fit.b);
+    json.key("standard_error").real(fit.b_error);
     json.key("interval_95").begin_array().real(fit.lower).real(fit.upper).end_array();
-    json.key("factor").real(fit.factor).key("chi_square");
+    json.key("factor").real(fit.a).key("chi_square");
     if (fit.weighted) {
       json.real(fit.chi_square);
     } else {
@@ -136,7 +136,7 @@ std::string json_row(const GrowthResult& growth) {
     if (growth.fit) json.key("residual").real(growth.fit->residuals[i]);
     json.end_object();
   }
-  json.end_array().key("verdict").string(verdict_name(growth.check.verdict)).end_object();
+  json.end_array().key("verdict").string(check_word(growth.check.verdict)).end_object();
   return text + "\n";
 }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "experiments/counted.h"
-#include "structures/registry.h"
+#include "experiments/formats/counted.h"
+#include "experiments/lab/family.h"
 
 namespace kinex {
 
@@ -34,7 +34,7 @@ std::string ratio_text(const CellResult& cell) {
 
 // Failures are explained in full; a bound that holds needs no words.
 std::string explain(const Check& check) {
-  return fmt::format("  {} {} {}: expected {}, observed {}{}\n", verdict_name(check.verdict),
+  return fmt::format("  {} {} {}: expected {}, observed {}{}\n", check_word(check.verdict),
                      check.claim, check.quantity, check.expected, check.observed,
                      check.source.empty() ? "" : " (" + check.source + ")");
 }
@@ -47,11 +47,11 @@ CellRow cell_row(const CellResult& cell) {
   row.workload = cell.cell.workload_text();
   row.n = std::to_string(cell.cell.parameters.n);
   row.runs = std::to_string(cell.trials.size());
-  row.verdict = verdict_name(cell.verdict());
+  row.verdict = check_word(cell.verdict());
   row.ratio = ratio_text(cell);
   row.bound = row.expected = row.observed = row.external = row.internal = "-";
   std::size_t good = 0;
-  for (const Check& check : cell.checks) good += check.verdict == Verdict::kPass ? 1 : 0;
+  for (const Check& check : cell.checks) good += check.verdict == Verdict::kConfirmed ? 1 : 0;
   row.checks = fmt::format("{}/{}", good, cell.checks.size());
   if (cell.trials.empty()) return row;
   if (cell.cell.variable == Variable::kObjects) {
@@ -72,8 +72,9 @@ CellRow cell_row(const CellResult& cell) {
 
 bool shows_bounds(const std::vector<Cell>& cells) {
   return std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
-    const StructureInfo* info = find_structure_info(cell.structure);
-    return info == nullptr || !info->bodies || info->name == "separation_minkowski";
+    const FamilyExperiments* family = experiments_on(cell.structure);
+    return family == nullptr || family->bounds_events == nullptr ||
+           family->bounds_events(cell.structure);
   });
 }
 
@@ -97,7 +98,7 @@ std::string table_header(bool bounds) {
 std::string table_row(const CellResult& cell, bool bounds) {
   std::string text = row_text(cell_row(cell), bounds);
   for (const Check& check : cell.checks) {
-    if (check.verdict != Verdict::kPass) text += explain(check);
+    if (check.verdict != Verdict::kConfirmed) text += explain(check);
   }
   for (const std::string& file : cell.kept) text += "  kept: " + file + "\n";
   return text;
@@ -106,14 +107,14 @@ std::string table_row(const CellResult& cell, bool bounds) {
 std::string table_row(const GrowthResult& growth) {
   return fmt::format("{:<18} {:<30} expected {}, fitted {}  {}\n", growth.claim.structure,
                      "growth, " + growth.claim.family, growth.check.expected, growth.check.observed,
-                     verdict_name(growth.check.verdict));
+                     check_word(growth.check.verdict));
 }
 
 std::string table_row(const StudyResult& study) {
   std::string text;
   for (const Check& check : study.checks) {
     text += fmt::format("{:<18} {:<30} expected {}, observed {}  {}\n", study.name, check.claim,
-                        check.expected, check.observed, verdict_name(check.verdict));
+                        check.expected, check.observed, check_word(check.verdict));
   }
   return text;
 }
@@ -162,9 +163,9 @@ std::string closing_line(const VerifyResult& result) {
                        counted(result.studies.size(), "study", "studies"));
   }
   for (const Verdict verdict :
-       {Verdict::kPass, Verdict::kInconclusive, Verdict::kGaveUp, Verdict::kFail}) {
-    text += fmt::format("{} {} {}", verdict == Verdict::kPass ? "" : ",",
-                        by_verdict[static_cast<std::size_t>(verdict)], verdict_name(verdict));
+       {Verdict::kConfirmed, Verdict::kOpen, Verdict::kGaveUp, Verdict::kRefuted}) {
+    text += fmt::format("{} {} {}", verdict == Verdict::kConfirmed ? "" : ",",
+                        by_verdict[static_cast<std::size_t>(verdict)], check_word(verdict));
   }
   text += fmt::format("; {}, {}, {}\n", counted(checks, "check", "checks"),
                       counted(runs, "run", "runs"),

@@ -21,8 +21,7 @@ struct CellRow {
 };
 CellRow cell_row(const CellResult& cell);
 
-// True if some of these cells may have a hard bound on their events. Of the structures for bodies
-// only the one with a law for straight lines has one.
+// True if some of these cells may have a hard bound on their events.
 bool shows_bounds(const std::vector<Cell>& cells);
 // `bounds`: with a column of bounds.
 std::string table_header(bool bounds = true);

@@ -7,10 +7,10 @@
 #include <set>
 #include <utility>
 
-#include "experiments/file_io.h"
-#include "experiments/scene_writer.h"
-#include "experiments/verify/cell_record.h"
-#include "experiments/verify/run_in_order.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/cell_record.h"
+#include "experiments/lab/run_in_order.h"
 
 namespace kinex {
 
@@ -64,7 +64,7 @@ Trial run_trial(const Cell& cell, int k, const VerifyOptions& options,
 void keep_failures(CellResult& result, const VerifyOptions& options) {
   std::set<std::size_t> kept;
   for (const Check& check : result.checks) {
-    if (check.verdict != Verdict::kFail || !check.trial) continue;
+    if (check.verdict != Verdict::kRefuted || !check.trial) continue;
     if (!kept.insert(*check.trial).second || options.keep_folder.empty()) continue;
     result.kept.push_back(
         keep_scene(result.cell, static_cast<int>(*check.trial), options.keep_folder));
@@ -135,7 +135,7 @@ std::optional<CellResult> run_cell(const Cell& cell, const VerifyOptions& option
     } catch (const std::exception& error) {
       if (!options.go_on()) return std::nullopt;
       result.checks.push_back({"error", "run", "", "runs to the end", error.what(), "",
-                               Verdict::kFail, static_cast<std::size_t>(k)});
+                               Verdict::kRefuted, static_cast<std::size_t>(k)});
       break;
     }
     if (result.trials.back().measurement.status == RunStatus::kInterrupted) return std::nullopt;
@@ -148,7 +148,7 @@ std::optional<CellResult> run_cell(const Cell& cell, const VerifyOptions& option
 }
 
 Verdict VerifyResult::verdict() const {
-  Verdict worst = Verdict::kPass;
+  Verdict worst = Verdict::kConfirmed;
   for (const CellResult& cell : cells) worst = std::max(worst, cell.verdict());
   for (const GrowthResult& growth : growths) worst = std::max(worst, growth.check.verdict);
   for (const StudyResult& study : studies) worst = std::max(worst, study.verdict());

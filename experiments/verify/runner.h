@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/finished_work.h"
-#include "experiments/verify/judge.h"
+#include "experiments/lab/finished_work.h"
+#include "experiments/lab/judge.h"
 
 namespace kinex {
 

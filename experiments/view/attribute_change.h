@@ -14,8 +14,8 @@ namespace kinex {
 
 struct AttributeChange {
   std::uint64_t event = 0;  // the number of the event that made it, from 1; 0: before any
-  // Sequences, cycles and objects: at place `at` the ids `removed` are replaced by `added`. Edges:
-  // both are pairs, flattened and sorted; `at` is 0.
+  // Sequences, cycles and objects: at place `at` the ids `removed` are replaced by `added`. Sets of
+  // tuples: both are tuples, flattened and sorted; `at` is 0.
   std::size_t at = 0;
   std::vector<ObjectId> removed, added;
 

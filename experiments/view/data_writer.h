@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/json_writer.h"
+#include "experiments/formats/json_writer.h"
 
 namespace kinex {
 

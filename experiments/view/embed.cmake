@@ -21,6 +21,7 @@ file(WRITE ${OUTPUT}.new "#include <string_view>\n\nnamespace kinex {\n")
 embed(kViewFrame page.html)
 embed(kViewStyle style.css)
 embed(kViewScript data.js replay.js motion.js picture.js plane.js diagram.js window.js panel.js
-  bodies.js proofs.js chart.js arena.js lanes.js proof_panel.js main.js start.js)
+  proof.js figures.js axis.js tree.js bodies.js pairs.js chart.js arena.js lanes.js certificates.js
+  pair_panel.js main.js start.js)
 file(APPEND ${OUTPUT}.new "}  // namespace kinex\n")
 file(RENAME ${OUTPUT}.new ${OUTPUT})

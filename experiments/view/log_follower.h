@@ -8,19 +8,10 @@
 #include <string_view>
 
 #include "core/motion/scene.h"
-#include "experiments/log_reader.h"
+#include "experiments/formats/log_scene.h"
 #include "experiments/view/recorder.h"
 
 namespace kinex {
-
-// Throws InputError if the log is of a scene with another hash.
-void require_same_scene(const LogHeader& header, const std::string& file, const std::string& hash);
-// True if the scene maintains the log's structures, with the same labels and keys.
-bool maintains_as_logged(const Scene& scene, const LogHeader& header);
-// Makes it so. Throws InputError that names the log.
-void maintain_as_logged(Scene& scene, const LogHeader& header, const std::string& file);
-// "a, b": the labels.
-std::string structures_of(const LogHeader& header);
 
 class LogFollower {
  public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/view/page.h"
 
-#include "experiments/verify/html.h"
+#include "experiments/lab/html.h"
 
 namespace kinex {
 

@@ -4,7 +4,7 @@
 // The attribute is read from the structure after every call that may change it: after a failure is
 // repaired, an object inserted, and so on. A change is attributed to the first event that the
 // structure reported during the call; later events of the same repair (ties put in order) have
-// none. Likewise for the proofs of pairs of bodies.
+// none. Likewise for the proofs.
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDER_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDER_H
 
@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "core/engine/simulator.h"
+#include "experiments/view/proof_recorder.h"
 #include "experiments/view/recorded_run.h"
 
 namespace kinex {
@@ -30,13 +31,14 @@ struct SeenEvent {
   std::span<const std::string_view> ids;         // names
   std::span<const std::string_view> gone, came;  // likewise: of the event's difference
   const Event& event;
-  const InstantText& instant;
+  const InstantName& instant;
 };
 
 struct RecordOptions {
   std::string arithmetic = "exact";
   std::optional<Rational> from;                 // default: the scene's start
   std::uint64_t max_events = ~std::uint64_t{};  // recorded; the run stops soon after
+  std::uint64_t most_visits = ProofRecorder::kMostVisits;
   // Called for every event, recorded or not; false: the run ends at this event.
   std::function<bool(const SeenEvent&)> observe;
   std::function<bool(const Simulator&)> progress;  // as in SimulatorOptions

@@ -19,7 +19,8 @@ Stage highest(const StageCounts& before, const StageCounts& after) {
 
 }  // namespace
 
-StageWatch::StageWatch(std::unique_ptr<Arithmetic> arithmetic) : inner_(std::move(arithmetic)) {}
+StageWatch::StageWatch(std::unique_ptr<Arithmetic> arithmetic)
+    : Arithmetic(arithmetic->needs()), inner_(std::move(arithmetic)) {}
 
 namespace {
 

@@ -38,6 +38,7 @@ class StageWatch : public Arithmetic {
   void visit(const Query& query, const FailureTime& time) override { inner_->visit(query, time); }
   void leave() override { inner_->leave(); }
   double now_approximate() const override { return inner_->now_approximate(); }
+  std::optional<Rational> now_value() const override { return inner_->now_value(); }
   double now_rounded() override { return inner_->now_rounded(); }
   const InstantName& name_now(InstantDetail detail) override { return inner_->name_now(detail); }
   Sign sign_after(const Query& query) override { return inner_->sign_after(query); }

@@ -54,6 +54,7 @@ class WatchedStructure final : public Structure {
   }
   Attribute attribute() const override { return structure_->attribute(); }
   Attribute told() const override { return structure_->told(); }
+  void visit_proof(ProofVisitor& visitor) const override { structure_->visit_proof(visitor); }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override {
     return structure_->bounds(context);
   }

@@ -31,6 +31,7 @@
 
 #include <memory>
 
+#include "core/arithmetic/number_needs.h"
 #include "core/arithmetic/predicate.h"
 #include "core/motion/derived_objects.h"
 
@@ -40,6 +41,9 @@ inline constexpr int kPoseAxes = 7;
 
 // The pose of the second base as seen from the first.
 std::shared_ptr<const Construction> make_pose_2();
+// What the poses of a scene of bodies need: their largest degree is that of the positions plus twice
+// that of the rotors of two bodies. O(coefficients).
+DerivedKind pose_2_kind(const Scene& scene);
 // The same rationals without the short way through machine integers, for tests.
 std::shared_ptr<const Construction> make_long_pose_2();
 

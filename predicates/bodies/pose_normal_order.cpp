@@ -12,9 +12,21 @@ namespace {
 struct NormalOrder {
   static constexpr int kArity = 3;
   static constexpr std::array<int, 2> kAxes{5, 6};
+  static constexpr std::array<ArgumentRole, 3> kRoles{
+      {{"pose", ArgumentRole::Kind::kPose},
+       {"line of the first", ArgumentRole::Kind::kFrameLine, 0},
+       {"line of the second", ArgumentRole::Kind::kFrameLine, 1}}};
   bool reversed;
 
   std::string_view name() const { return reversed ? "normal_order_reversed" : "normal_order"; }
+  ClaimForm form() const {
+    return {ClaimFigure::kNormals,
+            reversed ? -1 : 1,
+            kRoles,
+            reversed ? "the normal of {1} is not counter-clockwise of that of {2}"
+                     : "the normal of {1} is not clockwise of that of {2}",
+            {}};
+  }
   std::string_view opposite() const { return reversed ? "normal_order" : "normal_order_reversed"; }
 
   template <class R>

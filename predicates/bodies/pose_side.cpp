@@ -10,12 +10,31 @@
 namespace kinex {
 namespace {
 
+constexpr std::array<ArgumentRole, 3> kLineOfFirst{
+    {{"pose", ArgumentRole::Kind::kPose},
+     {"line of the first", ArgumentRole::Kind::kFrameLine, 0},
+     {"point of the second", ArgumentRole::Kind::kFramePoint, 1}}};
+constexpr std::array<ArgumentRole, 3> kLineOfSecond{
+    {{"pose", ArgumentRole::Kind::kPose},
+     {"line of the second", ArgumentRole::Kind::kFrameLine, 1},
+     {"point of the first", ArgumentRole::Kind::kFramePoint, 0}}};
+
+ClaimForm half_plane(std::span<const ArgumentRole> roles, bool inward) {
+  return {ClaimFigure::kHalfPlane,
+          inward ? -1 : 1,
+          roles,
+          inward ? "the second body, seen from the first, is not beyond the line {1} moved by {2}"
+                 : "the second body, seen from the first, is not within the line {1} moved by {2}",
+          {}};
+}
+
 struct SideA {
   static constexpr int kArity = 3;
   static constexpr std::array<int, 5> kAxes{0, 1, 4, 5, 6};
   bool inward;
 
   std::string_view name() const { return inward ? "inside_a" : "side_a"; }
+  ClaimForm form() const { return half_plane(kLineOfFirst, inward); }
   std::string_view opposite() const { return inward ? "side_a" : "inside_a"; }
 
   // N t.m - N h - (c (m.b) + s (b x m))
@@ -36,6 +55,7 @@ struct SideB {
   bool inward;
 
   std::string_view name() const { return inward ? "inside_b" : "side_b"; }
+  ClaimForm form() const { return half_plane(kLineOfSecond, inward); }
   std::string_view opposite() const { return inward ? "side_b" : "inside_b"; }
 
   // N R^T t.g - N h - (c (g.a) + s (g x a))

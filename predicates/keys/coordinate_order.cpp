@@ -18,6 +18,7 @@ struct CoordinateOrder {
   static constexpr int kAlternating = 2;
   static constexpr int kReference = 0;
   static constexpr bool kOnlyToReference = true;
+  static constexpr std::array<ArgumentRole, 2> kRoles{{{"before"}, {"after"}}};
 
   int axis = 0;
 
@@ -26,6 +27,12 @@ struct CoordinateOrder {
     return axis < 3 ? kNames[static_cast<std::size_t>(axis)] : "order";
   }
   int dimension() const { return axis + 1; }
+  ClaimForm form() const {
+    ClaimForm form{ClaimFigure::kOrder, 1, kRoles, "{0} is not beyond {1} on the axis", {}};
+    form.direction.resize(static_cast<std::size_t>(axis) + 1);
+    form.direction.back() = Integer(1);
+    return form;
+  }
 
   template <class Points>
   auto value(const Points& p) const {

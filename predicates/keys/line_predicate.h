@@ -50,7 +50,8 @@ struct LineKey {
   }
 };
 
-// A Formula has kArity, kAlternating, kHomogeneity, name(), value(points, key) in the wide ring.
+// A Formula has kArity, kAlternating, kHomogeneity, kRoles, kSays, name(), and
+// value(points, key) in the wide ring.
 template <class Formula>
 class LinePredicate final : public Predicate {
  public:
@@ -62,11 +63,14 @@ class LinePredicate final : public Predicate {
   int degree(int) const override { return 0; }
   int alternating() const override { return Formula::kAlternating; }
   int homogeneity() const override { return Formula::kHomogeneity; }
+  ClaimForm form() const override {
+    return {ClaimFigure::kNone, 1, Formula::kRoles, Formula::kSays, {}};
+  }
 
   void narrow(int d, const MotionView<std::int64_t>* points, Int128* out) const override {
     fixed<std::int64_t>(d, points, out);
   }
-  bool narrow_fits(int d, const double* magnitude) const override {
+  bool narrow_fits(int d, const double* magnitude, double) const override {
     switch (d) {
       case 1:
         return fits(Formula::value(MagnitudePoints<1>{magnitude}, key_));

@@ -4,6 +4,8 @@
 //   (1) odd permutations of a, b, c change the sign, even ones do not
 //   (2) zero if two arguments are equal
 //   (3) unchanged by a common translation
+#include <array>
+
 #include "core/arithmetic/predicate_formula.h"
 #include "core/arithmetic/touch.h"
 #include "predicates/predicates.h"
@@ -17,9 +19,14 @@ struct Orientation2 {
   static constexpr int kAlternating = 3;
   static constexpr int kReference = 0;
   static constexpr bool kOnlyToReference = true;
+  static constexpr std::array<ArgumentRole, 3> kRoles{{{"from"}, {"to"}, {"left of it"}}};
 
   std::string_view name() const { return "orientation_2"; }
   int dimension() const { return 2; }
+  ClaimForm form() const {
+    return {
+        ClaimFigure::kTurn, 1, kRoles, "{2} is not to the right of the line from {0} to {1}", {}};
+  }
 
   template <class Points>
   auto value(const Points& p) const {

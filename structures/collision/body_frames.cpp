@@ -130,20 +130,21 @@ BodyFrame& BodyFrames::frame(ObjectId body, bool negated) {
   return *known;
 }
 
-std::uint32_t BodyFrames::place(ObjectId body, bool negated, std::uint32_t i) {
+std::uint32_t BodyFrames::place(ObjectId body, bool negated, std::uint32_t i) const {
   auto& [like, all] = *different_.try_emplace(body).first;
   std::vector<std::uint32_t>& places = all[negated ? 1 : 0];
   if (places.empty()) find_places(like, negated, places);
   return places[i];
 }
 
-void BodyFrames::find_places(ObjectId body, bool negated, std::vector<std::uint32_t>& places) {
+void BodyFrames::find_places(ObjectId body, bool negated,
+                             std::vector<std::uint32_t>& places) const {
   std::map<FramePoint, std::uint32_t> of_point;
   std::uint32_t next = 0;
   for (const Vertex2& v : scene_.objects[body].polygon) {
     of_point.try_emplace(negated ? frame_point(-v[0], -v[1]) : frame_point(v[0], v[1]), next++);
   }
-  for (const FramePoint& p : frame(body, negated).hierarchy().polygon().vertices) {
+  for (const FramePoint& p : frame_polygon(scene_.objects[body].polygon, negated).vertices) {
     places.push_back(of_point.at(p));
   }
 }

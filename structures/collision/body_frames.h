@@ -75,7 +75,7 @@ class BodyFrames {
   // for.
   BodyFrame& frame(ObjectId body, bool negated);
   // The place of vertex i of that frame in the scene's list (the frame's list begins elsewhere).
-  std::uint32_t place(ObjectId body, bool negated, std::uint32_t i);
+  std::uint32_t place(ObjectId body, bool negated, std::uint32_t i) const;
   FrameConstants& constants() { return constants_; }
   CutPolicy policy() const { return policy_; }
   // Calls visit(hierarchy) for those built so far, each once.
@@ -86,7 +86,7 @@ class BodyFrames {
   std::size_t bytes() const;
 
  private:
-  void find_places(ObjectId body, bool negated, std::vector<std::uint32_t>& places);
+  void find_places(ObjectId body, bool negated, std::vector<std::uint32_t>& places) const;
 
   const Scene& scene_;
   CutPolicy policy_;
@@ -100,7 +100,8 @@ class BodyFrames {
     }
   };
   // The bodies whose lists of vertices were new, with the places of theirs.
-  std::map<ObjectId, std::array<std::vector<std::uint32_t>, 2>, ByPolygon> different_;
+  // (A cache: the places are found when they are first asked for.)
+  mutable std::map<ObjectId, std::array<std::vector<std::uint32_t>, 2>, ByPolygon> different_;
 };
 
 }  // namespace kinex

@@ -29,6 +29,7 @@
 #include <vector>
 
 #include "core/engine/kernel.h"
+#include "core/engine/proof.h"
 #include "core/motion/scene.h"
 
 namespace kinex {
@@ -38,11 +39,11 @@ class BodyGrid {
   // The tags of its certificates have this bit.
   static constexpr std::uint32_t kTag = 0x80000000u;
 
-  // A width of cells for bodies of at most this diameter: at least the diameter, and large enough
+  // A width of cells for bodies of at most this radius: at least twice that, and large enough
   // that the ends of all flight plans lie within some 64 + n cells of the origin, so that a fast or
   // distant body costs no more than that. nullopt for a scene without an end, in which bodies would
   // cross cells for all time.
-  static std::optional<Rational> width_for(const Scene& scene, const Rational& diameter);
+  static std::optional<Rational> width_for(const Scene& scene, const Rational& largest_radius);
 
   // Cells of width `width` > 0 for bodies numbered below `bodies`.
   BodyGrid(Kernel& kernel, StructureId id, Rational width, std::size_t bodies);
@@ -55,6 +56,8 @@ class BodyGrid {
   // Valid until the next call.
   std::span<const ObjectId> near(ObjectId body);
   bool are_near(ObjectId a, ObjectId b) const;
+  // The cell of each body as a group of a proof.
+  void visit_proof(ProofVisitor& visitor) const;
   std::size_t bytes() const;
 
  private:

@@ -29,6 +29,7 @@ class BoundingVolumes final : public ClosestFeatures {
   std::size_t bytes() const override;
 
  protected:
+  Roles describe(PairId p, ProofGroup& group) const override;
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
   std::optional<Features> touch(PairId p, When when) override;

@@ -45,6 +45,7 @@ class ClosestFeatures : public CollisionPairs {
   std::size_t bytes() const override;
 
  protected:
+  Roles describe(PairId p, ProofGroup& group) const override;
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
   std::optional<Features> touch(PairId p, When when) override;

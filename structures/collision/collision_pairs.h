@@ -84,6 +84,7 @@ class CollisionPairs : public Structure {
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
   Attribute attribute() const override;
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
@@ -141,6 +142,18 @@ class CollisionPairs : public Structure {
   struct Features {
     Feature of_a, of_b;
   };
+  // The state of a proof of disjointness, for visit_proof: fills in kind, text and marks of the
+  // group, and returns the role of each certificate, by slot.
+  using Roles = std::array<std::string_view, kMostCertificates>;
+  virtual Roles describe(PairId p, ProofGroup& group) const = 0;
+  // A proof of one certificate on volumes.
+  Roles describe_volumes(PairId p, ProofGroup& group) const;
+  PolygonFeature polygon_feature(PairId p, std::uint8_t z, const Feature& feature) const;
+  // "a.v3", "a.e3".
+  std::string feature_name(const PolygonFeature& feature) const;
+  const std::string& body_name(PairId p, std::uint8_t z) const {
+    return scene_.objects[z == 0 ? pairs_[p].a : pairs_[p].b].id;
+  }
   // The features by which the bodies touch right after now, or at now; nullopt: they do not
   // touch. Requires that the proof holds right after now.
   virtual std::optional<Features> touch(PairId pair, When when) = 0;
@@ -193,6 +206,7 @@ class CollisionPairs : public Structure {
   Features features_at(PairId p, const SumBoundary::Edge& edge);
   void follow_overlap(PairId p, const std::optional<SumBoundary::Edge>& ahead);
   bool follow_discs_within(PairId p);
+  Roles describe_overlap(PairId p, ProofGroup& group) const;
   void fail_in_contact(PairId p, std::uint32_t slot);
   bool is_stuck(PairId p);
   void start_anew(PairId p);

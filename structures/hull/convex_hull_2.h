@@ -109,6 +109,7 @@ class ConvexHull2 final : public Structure {
   void instant_settled() override;
   Attribute attribute() const override;
   Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;
@@ -263,6 +264,10 @@ class ConvexHull2 final : public Structure {
   void check_merge(Index node, AuditReport& report) const;
   void check_certificates(Index node, AuditReport& report) const;
   static std::string named(const char* what, Index place);
+
+  // ---- convex_hull_2_proof.cpp
+  std::string_view role_of(Slot slot, Index place) const;
+  void visit_merge(Index node, ProofVisitor& visitor) const;
 
   // ---- convex_hull_2_bounds.cpp
   void add_level_bounds(const BoundContext& context, std::vector<BoundCheck>& checks) const;

@@ -63,6 +63,7 @@ class ConvexHull2BruteForce final : public Structure {
   void instant_settled() override;
   Attribute attribute() const override { return {Attribute::Shape::kCycle, cycle_}; }
   Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;

@@ -59,6 +59,7 @@ class MaximumEnvelope final : public Structure {
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
   Attribute attribute() const override;
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;

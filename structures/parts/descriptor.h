@@ -5,12 +5,14 @@
 #ifndef KINEX_STRUCTURES_PARTS_DESCRIPTOR_H
 #define KINEX_STRUCTURES_PARTS_DESCRIPTOR_H
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/arithmetic/number_needs.h"
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
 #include "core/motion/scene.h"
@@ -32,22 +34,36 @@ struct MakerInput {
   const Structure* watched;
 };
 
+// Does an event of a kind change the attribute?
+enum class Effect { kNever, kSometimes, kAlways };
+
+struct KindRule {
+  std::string_view kind;
+  Effect effect;
+};
+
 struct StructureInfo {
   std::string_view name;     // as in "maintain"
   std::string_view summary;  // one line
   // Structures that maintain the same attribute, and report it alike; empty: it has no like. A name
   // that `kinex verify` takes.
   std::string_view group = {};
-  int min_dimension = 1;        // axes that a scene must have
-  bool any_dimension = false;   // or more; otherwise a scene of more axes is refused
-  bool uses_key = false;        // it goes by a "key"
+  int min_dimension = 1;            // axes that a scene must have
+  bool any_dimension = false;       // or more; otherwise a scene of more axes is refused
+  bool uses_key = false;            // it goes by a "key"
   int largest_degree = kAnyDegree;  // of the motions and of the key that it can maintain
   bool bodies = false;              // for rigid bodies; otherwise for points
   bool fails_at_touch = false;      // some of its certificates do (core/arithmetic/touch.h)
   bool has_events = true;           // false: it checks what does not change, and follows nothing
   Attribute::Shape shape = Attribute::Shape::kSequence;
+  std::uint8_t width = 2;         // of the tuples of a set
+  // The kinds of its events by rank (Structure::event_kinds), without those of all structures.
+  std::vector<KindRule> kinds = {};
   std::string_view reads = {};    // the structure, of the same key, that it watches; empty: none
   std::string_view instead = {};  // a structure of its group that takes every scene; empty: itself
+  bool weights = false;             // it reads the weights of points
+  // Adds the objects that it derives in the scene; nullptr: it derives none.
+  void (*derives)(const Scene& scene, NumberNeeds& needs) = nullptr;
   // What else it asks of a scene; nullptr: nothing. Called for scenes that all fields above allow.
   std::optional<Refusal> (*refuse)(const Scene& scene) = nullptr;
   std::unique_ptr<Structure> (*make)(const MakerInput& input) = nullptr;

@@ -245,7 +245,7 @@ void Delaunay2::pass(std::uint32_t place) {
 // neighbours of each vertex. Each edge is once a half-edge from its smaller to its larger end.
 Attribute Delaunay2::attribute() const {
   Attribute result;
-  result.shape = Attribute::Shape::kEdges;
+  result.shape = Attribute::Shape::kTuples;
   if (on_line_) {
     std::vector<std::pair<ObjectId, ObjectId>> edges;
     for (std::size_t i = 0; i + 1 < line_.size(); ++i) {

@@ -103,6 +103,7 @@ class Delaunay2 final : public Structure {
   void instant_over() override;
   Attribute attribute() const override;
   Attribute told() const override { return untold_.undone(attribute()); }
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   // The common limit is already many times the flips of a lattice sheared through the square one.
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
@@ -110,9 +111,12 @@ class Delaunay2 final : public Structure {
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
+  StructureId id() const { return id_; }
+  // Of the scene, present or not.
+  std::size_t objects() const { return representative_.size(); }
   // Hull vertices counter-clockwise from the smallest id; on a line, the chain.
   std::vector<ObjectId> hull() const;
-  // The vertex for `object`: itself, or the one it is hidden behind.
+  // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
   ObjectId representative(ObjectId object) const { return representative_[object]; }
   bool on_line() const { return on_line_; }
   // Points taken out and put in again at degenerate instants.

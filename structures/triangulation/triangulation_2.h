@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "core/motion/scene.h"
+#include "core/numbers/big_array.h"
 
 namespace kinex {
 
@@ -120,14 +121,14 @@ class Triangulation2 {
   }
 
   ObjectId infinity_;
-  std::vector<Record> half_edges_;
+  BigArray<Record> half_edges_;
   std::vector<HalfEdge> out_;
   std::vector<Triangle> free_;
   std::size_t vertices_ = 0;
   // scratch
   std::vector<std::uint32_t> triangle_mark_;
   std::vector<std::uint32_t> vertex_mark_;
-  std::vector<Triangle> vertex_triangle_;
+  BigArray<Triangle> vertex_triangle_;
   std::uint32_t epoch_ = 0;
   std::vector<Side> sides_;
   std::vector<Triangle> slots_;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/motion/scene.h"
-#include "experiments/placed_body.h"
+#include "experiments/formats/placed_body.h"
 
 namespace kinex {
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/input_error.h"
+#include "experiments/formats/input_error.h"
 
 #define EXPECT_INPUT_ERROR(statement, fragment)                           \
   try {                                                                   \

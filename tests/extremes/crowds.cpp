@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/workload.h"
+#include "experiments/lab/workload.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::extremes {

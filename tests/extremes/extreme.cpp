@@ -4,10 +4,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "experiments/file_io.h"
-#include "experiments/json_value.h"
-#include "experiments/polynomial_file.h"
-#include "experiments/scene_reader.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/json_value.h"
+#include "experiments/formats/polynomial_file.h"
+#include "experiments/formats/scene_reader.h"
 #include "tests/extremes/crowds.h"
 
 namespace kinex::extremes {

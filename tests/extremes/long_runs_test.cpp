@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/scene_run.h"
+#include "experiments/lab/scene_run.h"
 #include "tests/extremes/crowds.h"
 #include "tests/extremes/extreme.h"
 #include "tests/extremes/verdict.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/scene_run.h"
+#include "experiments/lab/scene_run.h"
 #include "structures/registry.h"
 #include "tests/extremes/extreme.h"
 #include "tests/structures/recorder.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/file_io.h"
+#include "experiments/formats/file_io.h"
 #include "tests/extremes/extreme.h"
 #include "tests/extremes/verdict.h"
 

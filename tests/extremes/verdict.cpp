@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "experiments/event_log.h"
-#include "experiments/file_io.h"
-#include "experiments/log_diff.h"
-#include "experiments/scene_run.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/log_diff.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/scene_run.h"
 
 namespace kinex::extremes {
 

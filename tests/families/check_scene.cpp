@@ -11,11 +11,11 @@
 
 #include "core/engine/refused_change.h"
 #include "core/engine/simulator.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/input_error.h"
-#include "experiments/run_report.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_run.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/run_report.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/scene_run.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
 

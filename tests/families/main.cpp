@@ -10,7 +10,7 @@
 #include <exception>
 #include <string>
 
-#include "experiments/cpu_clock.h"
+#include "experiments/lab/cpu_clock.h"
 #include "tests/families/family.h"
 
 namespace {

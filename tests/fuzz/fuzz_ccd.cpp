@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "core/numbers/sturm_sequence.h"
-#include "experiments/ccd/query_file.h"
-#include "experiments/input_error.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/query_file.h"
 #include "predicates/ccd/contact_exact.h"
 #include "tests/fuzz/harness.h"
 

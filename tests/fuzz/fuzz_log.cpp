@@ -2,9 +2,9 @@
 // Any bytes are an event log, true or not, or refused with InputError; a log equals itself.
 #include <string_view>
 
-#include "experiments/input_error.h"
-#include "experiments/log_check.h"
-#include "experiments/log_diff.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/log_check.h"
+#include "experiments/formats/log_diff.h"
 #include "tests/fuzz/harness.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

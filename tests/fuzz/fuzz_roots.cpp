@@ -4,8 +4,8 @@
 
 #include "core/numbers/real_root.h"
 #include "core/numbers/sturm_sequence.h"
-#include "experiments/input_error.h"
-#include "experiments/polynomial_file.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/polynomial_file.h"
 #include "tests/fuzz/harness.h"
 
 namespace {

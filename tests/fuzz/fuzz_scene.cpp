@@ -2,10 +2,10 @@
 // Any bytes are a valid scene or refused with InputError; a scene survives writing and reading.
 #include <string_view>
 
-#include "experiments/input_error.h"
-#include "experiments/model_text.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/model_text.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
 #include "tests/fuzz/harness.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "experiments/csv_import.h"
-#include "experiments/input_error.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/csv_import.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
 #include "tests/fuzz/harness.h"
 
 namespace {

@@ -11,13 +11,13 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "experiments/event_log.h"
-#include "experiments/file_io.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_run.h"
-#include "experiments/scene_writer.h"
-#include "experiments/sha256.h"
-#include "experiments/workload.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/formats/sha256.h"
+#include "experiments/lab/scene_run.h"
+#include "experiments/lab/workload.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::golden {

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "experiments/workload.h"
+#include "experiments/lab/workload.h"
 #include "structures/registry.h"
 #include "tests/golden/golden_scene.h"
 

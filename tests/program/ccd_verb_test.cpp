@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "experiments/json_value.h"
+#include "experiments/formats/json_value.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <set>
 
-#include "experiments/file_io.h"
-#include "experiments/json_value.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/json_value.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "experiments/json_value.h"
+#include "experiments/formats/json_value.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/json_value.h"
+#include "experiments/formats/json_value.h"
 #include "tests/program/spawn.h"
 #include "tests/shared_data.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/scene_reader.h"
+#include "experiments/formats/scene_reader.h"
 #include "tests/program/spawn.h"
 #include "tests/shared_data.h"
 #include "tests/structures/hull/hull_support.h"

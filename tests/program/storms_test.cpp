@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/json_value.h"
+#include "experiments/formats/json_value.h"
 #include "tests/program/spawn.h"
 #include "tests/program/storm_witness.h"
 #include "tests/shared_data.h"

@@ -210,7 +210,19 @@ TEST(Kernel, TheIndexFollowsAllChanges) {
     std::map<CertificateId, Query> live;
     const auto query = [&] {
       const ObjectId a = below(8), b = (a + 1 + below(3)) % 8, c = (a + 4 + below(4)) % 8;
-      return below(2) == 0 ? Query(0, {a, b}) : Query(0, {c, a, b});
+      switch (below(4)) {
+        case 0: {  // kept outside of the certificate
+          Query q(0, {});
+          const unsigned first = below(8);
+          q.arity = static_cast<std::uint8_t>(6 + below(3));
+          for (ObjectId i = 0; i < q.arity; ++i) q.ids[i] = (first + 3 * i) % 8;
+          return q;
+        }
+        case 1:
+          return Query(0, {a, b});
+        default:
+          return Query(0, {c, a, b});
+      }
     };
     for (int step = 0; step < 4000; ++step) {
       const unsigned what = below(3);
@@ -238,6 +250,7 @@ TEST(Kernel, TheIndexFollowsAllChanges) {
         }
       }
       ASSERT_EQ(found, wanted);
+      for (const auto& [id, q] : live) ASSERT_EQ(f.kernel->query(id), q);
       ASSERT_EQ(f.kernel->live_certificates(f.a, object), wanted.size());
     }
   }

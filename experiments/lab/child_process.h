@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ChildProcess: another program at work beside this one, whose output is read while it runs, and
+// whose CPU time and memory are its own.
+#ifndef KINEX_EXPERIMENTS_LAB_CHILD_PROCESS_H
+#define KINEX_EXPERIMENTS_LAB_CHILD_PROCESS_H
+
+#include <sys/types.h>
+
+#include <array>
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace kinex {
+
+struct ChildEnd {
+  int code = 0;       // exit code; 0 if it was ended by a signal
+  int signal = 0;     // 0: it exited
+  double cpu_s = 0;   // user and system
+  double wall_s = 0;  // from its start
+  long peak_kb = 0;   // largest resident memory; 0 if it was no larger than that of this program
+};
+
+// Standard input is empty; standard output and standard error are kept. It has a process group of
+// its own, so a Ctrl-C does not reach it, and the default actions of all signals that this program
+// handles. The destructor kills it.
+class ChildProcess {
+ public:
+  // `program`: a path. Throws InputError if it cannot be started.
+  ChildProcess(const std::string& program, const std::vector<std::string>& arguments);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  // File descriptors that become readable when there is something for read(); -1: closed.
+  const std::array<int, 2>& descriptors() const { return descriptors_; }
+  // Takes what is there, and does not wait. False when both outputs are closed: it has ended.
+  bool read();
+  // Waits until it has ended. Once.
+  ChildEnd wait();
+
+  const std::string& out() const { return texts_[0]; }
+  const std::string& err() const { return texts_[1]; }
+
+ private:
+  pid_t child_ = 0;  // 0: waited for
+  std::array<int, 2> descriptors_{-1, -1};
+  std::array<std::string, 2> texts_;
+  long own_peak_kb_ = 0;  // of this program when it started the child, which inherits the number
+  std::chrono::steady_clock::time_point began_;
+};
+
+// Limits of this process; 0: none. A child sets its own, first of all.
+struct ProcessLimits {
+  int seconds = 0;  // CPU time; then SIGXCPU, a second later SIGKILL
+  // Of 2^20 bytes: address space (RLIMIT_AS). Not in builds with AddressSanitizer, which reserves
+  // more than any machine has.
+  int megabytes = 0;
+};
+// Throws InputError for a limit above the one in force here (ulimit -H): a child could not set it.
+void check_limits(const ProcessLimits& limits);
+// Also: no core files, and the process dies with `parent` (0: with nobody). Throws InputError if a
+// limit cannot be set.
+void limit_this_process(const ProcessLimits& limits, pid_t parent);
+
+// The largest resident memory of this program, without that of the program that started it; 0 where
+// the system does not say.
+long own_peak_kb();
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Verdicts: a false expectation, a broken bound and a failed audit must all be seen, and what the
+// runs do not decide is left open.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "experiments/lab/judge.h"
+#include "tests/experiments/verify/cells.h"
+
+namespace kinex {
+namespace {
+
+using test::constructed_family;
+using test::expects;
+using test::random_cell;
+using test::run;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(Judge, MeansAreComparedInStandardErrors) {
+  Cell cell = random_cell(16, 30);
+  cell.expectations = {expects(ExpectationKind::kMean, "processed")};
+  Expectation& expectation = cell.expectations.front();
+  const std::vector<Trial> trials = run(cell).trials;
+  const RunningMean mean = mean_of(trials, "processed");
+  const auto verdict = [&](double errors) {
+    expectation.reference = mean.mean() + errors * mean.standard_error();
+    return judge(cell, trials).front().verdict;
+  };
+  EXPECT_EQ(verdict(1.99), Verdict::kConfirmed);
+  EXPECT_EQ(verdict(-2.01), Verdict::kRefuted);
+  expectation.comparisons = 6;
+  EXPECT_EQ(verdict(-2.01), Verdict::kConfirmed);
+  EXPECT_EQ(verdict(2.7), Verdict::kRefuted);
+  cell.precise = {{"processed", 1e-6}};
+  EXPECT_EQ(verdict(1), Verdict::kOpen);
+  EXPECT_EQ(verdict(3), Verdict::kRefuted);
+}
+
+// Of one scene there is no spread: neither a PASS nor a FAIL, however far off it is.
+TEST(Judge, FewerScenesThanItTakesSayNothing) {
+  Cell cell = random_cell(16, 8);
+  cell.max_seeds = 400;
+  cell.precise = {{"processed", 0.05}};
+  cell.expectations = {expects(ExpectationKind::kMean, "processed")};
+  const CellResult all = run(cell);
+  for (const double reference : {mean_of(all.trials, "processed").mean(), 1e6}) {
+    cell.expectations.front().reference = reference;
+    for (const std::size_t seeds : {1, 2, 3, 5, 7}) {
+      const std::vector<Trial> few(all.trials.begin(),
+                                   all.trials.begin() + static_cast<std::ptrdiff_t>(seeds));
+      const Check check = judge(cell, few).front();
+      EXPECT_EQ(check.verdict, Verdict::kOpen) << seeds;
+      EXPECT_GE(check.seeds_needed, 8) << seeds;
+      EXPECT_THAT(check.observed, Not(HasSubstr("inf")));
+      EXPECT_THAT(check.observed, HasSubstr("about " + std::to_string(check.seeds_needed)));
+    }
+  }
+  EXPECT_EQ(judge(cell, all.trials).front().verdict, Verdict::kRefuted);
+  EXPECT_EQ(judge(cell, all.trials).front().seeds_needed, 0);
+}
+
+TEST(Judge, SeesABrokenBoundInAnyTrial) {
+  Cell cell = random_cell(8, 3);
+  std::vector<Trial> trials = run(cell).trials;
+  ASSERT_FALSE(trials[1].measurement.bounds.empty());
+  BoundCheck& bound = trials[1].measurement.bounds.front();
+  bound.observed = bound.bound + Integer(1);
+  bound.holds = false;
+  bool seen = false;
+  for (const Check& check : judge(cell, trials)) {
+    if (check.verdict == Verdict::kConfirmed) continue;
+    seen = true;
+    EXPECT_EQ(check.claim, bound.id);
+    EXPECT_EQ(check.kind, "bound");
+    EXPECT_EQ(check.trial, 1u);
+  }
+  EXPECT_TRUE(seen);
+}
+
+TEST(Judge, MissesABoundThatIsNotChecked) {
+  Cell cell = random_cell(8, 2);
+  std::vector<Trial> trials = run(cell).trials;
+  const auto verdict = [&] {
+    Verdict worst = Verdict::kConfirmed;
+    for (const Check& check : judge(cell, trials)) worst = std::max(worst, check.verdict);
+    return worst;
+  };
+  cell.bounded = true;
+  EXPECT_EQ(verdict(), Verdict::kConfirmed);
+  trials[1].measurement.bounds.clear();
+  EXPECT_EQ(verdict(), Verdict::kRefuted);
+  cell.bounded = false;
+  EXPECT_EQ(verdict(), Verdict::kConfirmed);
+}
+
+TEST(Judge, SeesAFailedAudit) {
+  Cell cell = random_cell(8, 2);
+  std::vector<Trial> trials = run(cell).trials;
+  trials[1].measurement.costs.audit_violations = 1;
+  trials[1].measurement.violations = {"a is not before b"};
+  const std::vector<Check> checks = judge(cell, trials);
+  EXPECT_EQ(checks.back().claim, "audit");
+  EXPECT_EQ(checks.back().verdict, Verdict::kRefuted);
+  EXPECT_EQ(checks.back().source, "a is not before b");
+}
+
+template <class Count>
+Check judge_as_logarithm(const Count& count, int sizes = 10) {
+  std::vector<CellResult> cells;
+  for (int k = 0; k < sizes; ++k) {
+    const double x = std::floor(3 * std::pow(2, 0.7 * k));
+    CellResult cell;
+    cell.cell.structure = "sorted_list";
+    cell.cell.family = "constructed";
+    for (const int departure : {-1, 0, 1}) {
+      Trial trial;
+      trial.measurement.objects = static_cast<std::size_t>(x);
+      trial.measurement.costs.processed =
+          static_cast<std::uint64_t>(std::llround(10 * count(x)) + 3 * departure);
+      cell.trials.push_back(trial);
+    }
+    cells.push_back(cell);
+  }
+  GrowthClaim claim{"test.log", "sorted_list", "constructed", "processed", 1, 0.35, 0.1, ""};
+  claim.at_most = claim.logarithm = true;
+  return judge_growth(claim, cells).check;
+}
+
+// A line, a root, and a line that a large offset hides from the power are no logarithms.
+TEST(JudgeGrowth, TellsALogarithmFromALine) {
+  const auto verdict = [](const auto& count) { return judge_as_logarithm(count).verdict; };
+  EXPECT_EQ(verdict([](double x) { return 4 + 2 * std::log2(x); }), Verdict::kConfirmed);
+  EXPECT_EQ(verdict([](double x) { return 30 + std::log2(x); }), Verdict::kConfirmed);
+  EXPECT_EQ(verdict([](double) { return 12.0; }), Verdict::kConfirmed);
+  EXPECT_EQ(verdict([](double x) { return x; }), Verdict::kRefuted);
+  EXPECT_EQ(verdict([](double x) { return 20 + 0.1 * x; }), Verdict::kRefuted);
+  EXPECT_EQ(verdict([](double x) { return 100 + 0.3 * x; }), Verdict::kRefuted);
+  EXPECT_EQ(verdict([](double x) { return 3 * std::sqrt(x); }), Verdict::kRefuted);
+  EXPECT_EQ(verdict([](double x) { return 10 + 2 * std::sqrt(x); }), Verdict::kRefuted);
+  EXPECT_EQ(judge_as_logarithm([](double x) { return std::log2(x); }, 5).verdict, Verdict::kOpen);
+}
+
+TEST(JudgeGrowth, AcceptsTheExponentWithinTheTolerance) {
+  GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 1.5, 0.03, ""};
+  EXPECT_EQ(judge_growth(claim, constructed_family(1.5)).check.verdict, Verdict::kConfirmed);
+  EXPECT_EQ(judge_growth(claim, constructed_family(1.52)).check.verdict, Verdict::kConfirmed);
+  EXPECT_EQ(judge_growth(claim, constructed_family(1.54)).check.verdict, Verdict::kRefuted);
+  EXPECT_EQ(judge_growth(claim, constructed_family(1.46)).check.verdict, Verdict::kRefuted);
+  claim.smallest = 300;
+  EXPECT_EQ(judge_growth(claim, constructed_family(1.5)).check.verdict, Verdict::kOpen);
+  claim.smallest = 1;
+  claim.tolerance = 1e-5;
+  claim.exponent = judge_growth(claim, constructed_family(1.5)).fit->b;
+  EXPECT_EQ(judge_growth(claim, constructed_family(1.5)).check.verdict, Verdict::kOpen);
+}
+
+// The interval decides, not the exponent: fewer data widen it, and never confirm more.
+TEST(JudgeGrowth, AWideIntervalConfirmsNothing) {
+  const auto family = [](double scatter, double exponent) {
+    std::vector<CellResult> cells = constructed_family(exponent);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const double factor = 1 + (i % 2 == 0 ? scatter : -scatter);
+      for (Trial& trial : cells[i].trials) {
+        std::uint64_t& count = trial.measurement.costs.processed;
+        count = static_cast<std::uint64_t>(static_cast<double>(count) * factor);
+      }
+    }
+    return cells;
+  };
+  GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 1.5, 0.03, ""};
+  for (const bool at_most : {false, true}) {
+    claim.at_most = at_most;
+    const auto verdict = [&](double scatter, double exponent) {
+      return judge_growth(claim, family(scatter, exponent)).check.verdict;
+    };
+    EXPECT_EQ(verdict(0.001, 1.5), Verdict::kConfirmed);
+    EXPECT_EQ(verdict(0.1, 1.5), Verdict::kOpen);
+    EXPECT_EQ(verdict(0.1, 1.6), Verdict::kOpen);  // off, but it may be chance
+    EXPECT_EQ(verdict(0.1, 3), Verdict::kRefuted);
+    EXPECT_EQ(verdict(0.001, 1), at_most ? Verdict::kConfirmed : Verdict::kRefuted);
+  }
+}
+
+TEST(JudgeGrowth, WantsTheScenesThatACellNeeds) {
+  GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 1.5, 0.03, ""};
+  for (const double exponent : {1.5, 3.0}) {
+    std::vector<CellResult> cells = constructed_family(exponent);
+    cells[2].cell.min_seeds = 8;
+    const Check check = judge_growth(claim, cells).check;
+    EXPECT_EQ(check.verdict, Verdict::kOpen);
+    EXPECT_EQ(check.seeds_needed, 8);
+    for (CellResult& cell : cells) cell.trials.resize(1);
+    cells[2].cell.min_seeds = 1;
+    // Exact counts: three sizes may lie on a power by chance.
+    cells.resize(3);
+    EXPECT_EQ(judge_growth(claim, cells).check.verdict,
+              exponent == 1.5 ? Verdict::kOpen : Verdict::kRefuted);
+  }
+}
+
+}  // namespace
+}  // namespace kinex
