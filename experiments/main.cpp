@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "core/numbers/stop.h"
-#include "experiments/event_log.h"
-#include "experiments/gmp_memory.h"
-#include "experiments/input_error.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/gmp_memory.h"
 #include "experiments/verbs/verbs.h"
 
 namespace {
@@ -35,7 +35,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 fine; 1 a claim, bound or audit failed; 2 bad input or usage; 3 gave up at a "
       "stated limit.",
       "kinex");
-  app.set_version_flag("--version", kinex::build_name());
+  app.set_version_flag("--version", kinex::formats::build_name());
   app.require_subcommand(1);
   app.footer(
       "Example: a scene, its run, and how floating point differs (kinex VERB --help has more)\n"
@@ -43,15 +43,15 @@ int run(int argc, char** argv) {
       "  kinex run square.json --events exact.jsonl\n"
       "  kinex run square.json --arithmetic double --events double.jsonl\n"
       "  kinex diff exact.jsonl double.jsonl");
-  int exit_code = kinex::kExitFine;
-  kinex::add_verbs(app, exit_code);
+  int exit_code = kinex::verbs::kExitFine;
+  kinex::verbs::add_verbs(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ConversionError& error) {
     std::fprintf(stderr, "kinex: %s\n", conversion_problem(app, error.what()).c_str());
-    return kinex::kExitBadInput;
+    return kinex::verbs::kExitBadInput;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kinex::kExitFine : kinex::kExitBadInput;
+    return app.exit(error) == 0 ? kinex::verbs::kExitFine : kinex::verbs::kExitBadInput;
   }
   return exit_code;
 }
@@ -59,26 +59,26 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  kinex::install_gmp_memory();
-  const kinex::GmpGuard guard;
+  kinex::lab::install_gmp_memory();
+  const kinex::lab::GmpGuard guard;
   try {
     return run(argc, argv);
-  } catch (const kinex::InputError& error) {
+  } catch (const kinex::formats::InputError& error) {
     std::fprintf(stderr, "kinex: %s\n", error.what());
-    return kinex::kExitBadInput;
+    return kinex::verbs::kExitBadInput;
   } catch (const kinex::Stopped&) {
     std::fprintf(stderr, "kinex: stopped before there was anything to write\n");
-    return kinex::kExitGaveUp;
+    return kinex::verbs::kExitGaveUp;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "kinex: gave up: there is not enough memory\n");
-    return kinex::kExitGaveUp;
+    return kinex::verbs::kExitGaveUp;
   } catch (const std::invalid_argument& error) {
     // A run detects errors that no reader can, such as bodies that turn against each other.
     std::fprintf(stderr, "kinex: %s\n", error.what());
-    return kinex::kExitBadInput;
+    return kinex::verbs::kExitBadInput;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "kinex: internal error: %s; please report it with the input\n",
                  error.what());
-    return kinex::kExitFailed;
+    return kinex::verbs::kExitFailed;
   }
 }

@@ -55,6 +55,21 @@ std::vector<PlannedStructure> plan_structures(const Scene& scene) {
   return plan;
 }
 
+NumberNeeds plan_numbers(const Scene& scene) {
+  NumberNeeds needs = needs_of_objects(scene);
+  for (const PlannedStructure& planned : plan_structures(scene)) {
+    const StructureInfo* info = find_structure_info(planned.request.structure);
+    if (info == nullptr) continue;
+    if (info->weights) needs.add_weights(scene);
+    if (info->derives != nullptr) info->derives(scene, needs);
+  }
+  return needs;
+}
+
+std::unique_ptr<Arithmetic> planned_arithmetic(std::string_view name, const Scene& scene) {
+  return make_arithmetic(name, scene, plan_numbers(scene));
+}
+
 StructureId asked_structure(const Scene& scene) {
   const std::vector<PlannedStructure> plan = plan_structures(scene);
   const std::string& label = scene.maintain.at(0).label;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plan of a run: which structures are built for a scene's requests, and which are shared.
+// The plan of a run: which structures are built for a scene's requests, which are shared, and what
+// numbers they need.
 #ifndef KINEX_STRUCTURES_PLAN_H
 #define KINEX_STRUCTURES_PLAN_H
 
 #include <limits>
+#include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/engine/simulator.h"
@@ -28,6 +31,10 @@ std::vector<PlannedStructure> plan_structures(const Scene& scene);
 // The place of the first structure of "maintain", which comes after what it reads. Requires a scene
 // with a request.
 StructureId asked_structure(const Scene& scene);
+// What the plan's structures need beside the scene's own objects: the sum of what they declare.
+NumberNeeds plan_numbers(const Scene& scene);
+// The arithmetic of this name for the plan (core/arithmetic/arithmetic.h).
+std::unique_ptr<Arithmetic> planned_arithmetic(std::string_view name, const Scene& scene);
 // Adds the plan to a simulator that has no structures yet.
 void add_structures(Simulator& simulator, const Scene& scene);
 

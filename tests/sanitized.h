@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether this is built with AddressSanitizer, under which everything takes many times as long:
-// large tests are smaller there. They run at full size in the ordinary build.
+// Whether the build uses AddressSanitizer, which slows everything down many times: large tests are
+// smaller there, and run at full size in the ordinary build.
 #ifndef KINEX_TESTS_SANITIZED_H
 #define KINEX_TESTS_SANITIZED_H
 

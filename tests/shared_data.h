@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real data that some tests read: too large for the sources, so a test without it is skipped.
+// Real data that some tests read. They are too large for the sources; a test is skipped if its data
+// are missing.
 #ifndef KINEX_TESTS_SHARED_DATA_H
 #define KINEX_TESTS_SHARED_DATA_H
 

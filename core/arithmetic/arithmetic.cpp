@@ -2,6 +2,7 @@
 #include "core/arithmetic/arithmetic.h"
 
 #include <charconv>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -18,6 +19,12 @@ namespace kinex {
 
 double Arithmetic::now_rounded() { return rounded_down(now_approximate()); }
 
+Outlook Arithmetic::look_ahead_in_group(std::size_t, const Query& query, double limit,
+                                        FailureTime& time) {
+  return limit < std::numeric_limits<double>::infinity() ? look_ahead(query, limit, time)
+                                                         : failure(query, time);
+}
+
 std::string Arithmetic::polynomial_model(PredicateId) const { return name(); }
 
 void Arithmetic::visit(const Query&, const FailureTime&) {
@@ -26,7 +33,26 @@ void Arithmetic::visit(const Query&, const FailureTime&) {
 
 void Arithmetic::leave() { throw std::logic_error(name() + " looks from no other instant"); }
 
+namespace {
+
+void check_fits(const Predicate& predicate, const NumberNeeds& needs) {
+  const auto refuse = [&predicate](const std::string& problem) {
+    throw std::logic_error("predicate " + std::string(predicate.name()) + " " + problem);
+  };
+  if (predicate.arity() < 1 || predicate.arity() > kMaxArity) {
+    refuse("takes " + std::to_string(predicate.arity()) + " objects, from 1 to " +
+           std::to_string(kMaxArity) + " can be");
+  }
+  if (needs.axes > 0 && predicate.dimension() > needs.axes) {
+    refuse("reads " + std::to_string(predicate.dimension()) + " axes, objects have " +
+           std::to_string(needs.axes) + ": its structure has to declare what it derives");
+  }
+}
+
+}  // namespace
+
 PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
+  check_fits(*predicate, needs_);
   predicates_.push_back(std::move(predicate));
   counters_.by_predicate.emplace_back();
   const PredicateId id = static_cast<PredicateId>(predicates_.size() - 1);
@@ -56,9 +82,9 @@ PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
 int Arithmetic::related(const Query& a, const Query& b) const {
   const PredicateId p = plain_[a.predicate], q = plain_[b.predicate];
   if (p == q) {
-    Query x = a, y = b;
-    x.predicate = y.predicate = p;
-    return query_relation(x, y, predicates_[p]->alternating());
+    const int relation = query_relation(a, b, predicates_[p]->alternating());
+    if (relation != 0 || !predicates_[p]->alternates_in_halves()) return relation;
+    return has_halves_exchanged(a, b) ? -1 : 0;
   }
   return opposite_[p] == q && a.ids == b.ids ? -1 : 0;
 }
@@ -71,16 +97,21 @@ const InstantName& Arithmetic::inexact_name(InstantDetail detail, std::string de
 }
 
 std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene) {
-  if (name == "exact") return std::make_unique<ExactArithmetic>(scene);
-  if (name == "sturm") return make_sturm_arithmetic(scene);
-  if (name == "double") return make_double_arithmetic(scene);
-  if (name == "gsl") return make_gsl_arithmetic(scene);
+  return make_arithmetic(name, scene, needs_of_objects(scene));
+}
+
+std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene,
+                                            const NumberNeeds& needs) {
+  if (name == "exact") return std::make_unique<ExactArithmetic>(scene, needs);
+  if (name == "sturm") return make_sturm_arithmetic(scene, needs);
+  if (name == "double") return make_double_arithmetic(scene, needs);
+  if (name == "gsl") return make_gsl_arithmetic(scene, needs);
   if (name.substr(0, 5) == "mpfr:") {
     long bits = 0;
     const char* last = name.data() + name.size();
     const auto [end, error] = std::from_chars(name.data() + 5, last, bits);
     if (error == std::errc() && end == last && bits >= 2 && bits <= 100000) {
-      return make_mpfr_arithmetic(scene, bits);
+      return make_mpfr_arithmetic(scene, needs, bits);
     }
   }
   throw std::invalid_argument(

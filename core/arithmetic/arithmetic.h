@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arithmetic: every number of a run lives behind this interface.
+// Arithmetic: the interface behind which all numbers of a run are kept.
 //
 // An arithmetic owns the motions in force, the present instant "now", and the exact form of failure
 // times. Statements about now are about the open interval just after it (the right-hand rule).
@@ -9,11 +9,14 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/arithmetic/arithmetic_counters.h"
+#include "core/arithmetic/number_needs.h"
 #include "core/arithmetic/predicate.h"
 #include "core/arithmetic/query.h"
 #include "core/motion/scene.h"
@@ -34,15 +37,22 @@ enum class Outlook : std::uint8_t {
 
 class Arithmetic {
  public:
+  explicit Arithmetic(NumberNeeds needs = {}) : needs_(std::move(needs)) {}
   virtual ~Arithmetic() = default;
+
+  // The needs that it was made for.
+  const NumberNeeds& needs() const { return needs_; }
 
   virtual std::string name() const = 0;
   // True if every answer is exact (`exact`, `sturm`).
   virtual bool is_exact() const = 0;
-  // Bits of an inexact arithmetic's numbers.
+  // The number of bits of an inexact arithmetic's significands.
   virtual long precision() const { return 53; }
 
-  // Registers a predicate; the arithmetic keeps the pointer for its own life.
+  // Registers a predicate. The arithmetic keeps the pointer as long as it lives. Throws
+  // std::logic_error, with the predicate's name and the numbers, if the predicate takes more than
+  // kMaxArity objects or reads more axes than the arithmetic was made for: its structure has not
+  // declared its needs.
   PredicateId bind(std::shared_ptr<const Predicate> predicate);
   const Predicate& predicate(PredicateId id) const { return *predicates_[id]; }
 
@@ -59,8 +69,13 @@ class Arithmetic {
   // Meanwhile only signs and failure times may be queried. `time` keeps its number. See Foresight.
   virtual void visit(const Query& query, const FailureTime& time);
   virtual void leave();
-  // A double near now, for people and progress.
+  // A double near now, for progress reports and messages.
   virtual double now_approximate() const = 0;
+  // now as the number that an inexact arithmetic holds; nullopt where that is not finite. (In an
+  // exact one now has a name, not a number: name_now.)
+  virtual std::optional<Rational> now_value() const {
+    return Rational::from_double(now_approximate());
+  }
   // now, rounded down to 40 significant bits: the same in every exact arithmetic, for structures
   // whose choices may depend on it.
   virtual double now_rounded();
@@ -90,6 +105,17 @@ class Arithmetic {
     static_cast<void>(from);
     return look_ahead(query, limit, time);
   }
+  // The failure times of these queries are asked for next, in this order, by one
+  // look_ahead_in_group() each with the same limit (at most kMostInGroup; motions and now do not change
+  // meanwhile). An arithmetic may work them out together. Answers and counters are the same as one by
+  // one, by failure() if there is no limit, else by look_ahead().
+  static constexpr std::size_t kMostInGroup = 4;
+  virtual void begin_group(std::span<const Query> group, double limit) {
+    static_cast<void>(group), static_cast<void>(limit);
+  }
+  // `query` is the i-th of the group.
+  virtual Outlook look_ahead_in_group(std::size_t i, const Query& query, double limit,
+                                      FailureTime& time);
   // Order of two failure times: -1, 0, +1. May refine both (enclosures only ever shrink).
   virtual int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) = 0;
   // Order of a failure time and now.
@@ -113,9 +139,9 @@ class Arithmetic {
   std::size_t predicates() const { return predicates_.size(); }
 
   const ArithmeticCounters& counters() const { return counters_; }
-  // How many failure times were asked for of certificates that may be zero at now: all that are zero,
-  // and few others. For structures that have to notice degenerate instants. Exact arithmetics only;
-  // 0 in others.
+  // The number of failure times requested so far of certificates that may be zero at now: it counts
+  // all that are zero, and few others. A structure notices a degenerate instant by its growth.
+  // Exact arithmetics only; 0 in others.
   std::uint64_t possible_zeros() const { return possible_zeros_; }
 
  protected:
@@ -133,6 +159,7 @@ class Arithmetic {
   // The name of an instant that is known only as a decimal.
   const InstantName& inexact_name(InstantDetail detail, std::string decimal);
 
+  NumberNeeds needs_;
   ArithmeticCounters counters_;
   std::uint64_t possible_zeros_ = 0;
   std::vector<std::shared_ptr<const Predicate>> predicates_;
@@ -141,11 +168,16 @@ class Arithmetic {
 
  private:
   std::vector<PredicateId> opposite_;  // of every predicate; itself: none
-  std::vector<PredicateId> plain_;     // the same polynomial without FailsAtTouch (core/arithmetic/touch.h)
+  std::vector<PredicateId> plain_;     // the same polynomial without FailsAtTouch (touch.h)
 };
 
-// "exact", "sturm", "double", "gsl", "mpfr:P" (2 <= P <= 100000). `scene` decides what is built:
-// degree, number types, horizon. Any other name throws std::invalid_argument, with the choices.
+// "exact", "sturm", "double", "gsl", "mpfr:P" (2 <= P <= 100000). `needs` and the scene's
+// coefficients decide on axes, degree and number types; the scene's end is the horizon. Throws
+// std::invalid_argument, with the choices, for any other name.
+std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene,
+                                            const NumberNeeds& needs);
+// The same for structures that derive no objects and read no weights. For others, see
+// structures/plan.h.
 std::unique_ptr<Arithmetic> make_arithmetic(std::string_view name, const Scene& scene);
 
 }  // namespace kinex

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an arithmetic was asked, and which of its stages answered.
+// Counts of the queries to an arithmetic, by the stage that answered them.
 #ifndef KINEX_CORE_ARITHMETIC_ARITHMETIC_COUNTERS_H
 #define KINEX_CORE_ARITHMETIC_ARITHMETIC_COUNTERS_H
 

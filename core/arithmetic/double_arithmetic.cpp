@@ -7,19 +7,29 @@
 #include <cstdio>
 #include <limits>
 
+#include "core/arithmetic/mpfr_first_root.h"
 #include "core/numbers/first_root.h"
 
 namespace kinex {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kOne = 1;
 constexpr int kRoom = filter::kMaxFilterDegree + 1;
+
+// The coefficients of a certificate polynomial; beyond the filter's degrees they are on the heap.
+struct Coefficients {
+  std::array<double, kRoom> room;
+  std::vector<double> more;
+  const double* c = room.data();
+};
 
 class DoubleArithmetic final : public Arithmetic {
  public:
-  explicit DoubleArithmetic(const Scene& scene)
-      : degree_(std::max(1, scene.held_degree())),
-        dimension_(scene.held_axes()),
+  DoubleArithmetic(const Scene& scene, const NumberNeeds& needs)
+      : Arithmetic(needs),
+        degree_(std::max(1, needs.degree)),
+        dimension_(needs.axes),
         stride_(static_cast<std::size_t>(dimension_) * static_cast<std::size_t>(degree_ + 1)),
         coefficients_(scene.objects.size() * stride_, 0.0),
         end_(scene.end ? scene.end->to_double() : kInfinity),
@@ -85,8 +95,9 @@ class DoubleArithmetic final : public Arithmetic {
     // The failed certificate is negative now, wherever its root was rounded to.
     const int relation = own_ ? related(query, query_) : 0;
     if (relation != 0) return relation > 0 ? Sign::kNegative : Sign::kPositive;
-    std::array<double, kRoom> c;
-    const int degree = polynomial(query, c);
+    Coefficients room;
+    const int degree = polynomial(query, room);
+    const double* c = room.c;
     return degree < 0 ? Sign::kZero : sign_at_now(c, degree);
   }
 
@@ -97,8 +108,9 @@ class DoubleArithmetic final : public Arithmetic {
   Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override {
     time = {kInfinity, kInfinity, 0};
     ++counters_.by_predicate[query.predicate].looks[static_cast<int>(Stage::kDouble)];
-    std::array<double, kRoom> c;
-    const int degree = polynomial(query, c);
+    Coefficients room;
+    const int degree = polynomial(query, room);
+    const double* c = room.c;
     if (degree < 2) return Outlook::kNever;  // not from look_ahead
     return first_failure(query, c, degree, from, limit, time);
   }
@@ -106,8 +118,9 @@ class DoubleArithmetic final : public Arithmetic {
   Outlook look_ahead(const Query& query, double limit, FailureTime& time) override {
     time = {kInfinity, kInfinity, 0};
     ++counters_.by_predicate[query.predicate].failures[static_cast<int>(Stage::kDouble)];
-    std::array<double, kRoom> c;
-    const int degree = polynomial(query, c);
+    Coefficients room;
+    const int degree = polynomial(query, room);
+    const double* c = room.c;
     if (degree < 0) return Outlook::kIdenticallyZero;
     if (static_cast<std::size_t>(degree) >= counters_.polynomials_solved.size()) {
       counters_.polynomials_solved.resize(static_cast<std::size_t>(degree) + 1);
@@ -180,12 +193,13 @@ class DoubleArithmetic final : public Arithmetic {
     stride_ = axes * powers;
   }
 
-  Outlook first_failure(const Query& query, const std::array<double, kRoom>& c, int degree,
+  Outlook first_failure(const Query& query, const double* c, int degree,
                         double from, double limit, FailureTime& time) const {
     const double end = horizon(query);
+    if (degree > filter::kMaxFilterDegree) return first_failure_of_many(c, degree, from, end, time);
     const double until = std::min(end, limit);
     filter::Enclosure enclosure;
-    if (filter::first_sign_change<false>(c.data(), nullptr, degree, 0.0, from, until, enclosure) !=
+    if (filter::first_sign_change<false>(c, nullptr, degree, 0.0, from, until, enclosure) !=
             filter::Search::kFound ||
         !(enclosure.lo <= until)) {
       if (!(limit < end)) return Outlook::kNever;
@@ -197,25 +211,45 @@ class DoubleArithmetic final : public Arithmetic {
     return Outlook::kFails;
   }
 
-  // The degree after exact zeros are stripped; -1 for zero, and for degrees beyond the filter's.
-  int polynomial(const Query& query, std::array<double, kRoom>& c) const {
+  // The same search in MPFR's numbers of this precision, which takes any degree.
+  Outlook first_failure_of_many(const double* c, int degree, double from, double end,
+                                FailureTime& time) const {
+    std::vector<MpFloat> many;
+    for (int i = 0; i <= degree; ++i) many.emplace_back(53, c[i]);
+    std::optional<MpFloat> until;
+    if (end < kInfinity) until.emplace(53, end);
+    const auto found = mpfr_first_sign_change(many, MpFloat(53, from), until);
+    if (!found || !found->is_finite()) return Outlook::kNever;
+    const double t = std::max(found->to_double(), now_);
+    if (!(t <= end)) return Outlook::kNever;
+    time = {t, t, 0};
+    return Outlook::kFails;
+  }
+
+  // The degree after exact zeros are stripped; -1 for zero.
+  int polynomial(const Query& query, Coefficients& room) const {
     const Predicate& predicate = *predicates_[query.predicate];
     int degree = predicate.degree(degree_);
-    if (degree >= kRoom) return -1;
-    std::array<MotionView<double>, kMaxArity> points;
+    double* c = room.room.data();
+    if (degree >= kRoom) {
+      room.more.resize(static_cast<std::size_t>(degree) + 1);
+      room.c = c = room.more.data();
+    }
+    std::array<MotionView<double>, kMaxViews> points;
     for (std::size_t i = 0; i < query.arity; ++i)
       points[i] = &coefficients_[query.ids[i] * stride_];
-    predicate.plain(degree_, points.data(), 0.0, c.data());
-    while (degree >= 0 && c[static_cast<std::size_t>(degree)] == 0) --degree;
+    points[query.arity] = &kOne;
+    predicate.plain(degree_, points.data(), 0.0, c);
+    while (degree >= 0 && c[degree] == 0) --degree;
     return degree;
   }
 
-  Sign sign_at_now(const std::array<double, kRoom>& c, int degree) const {
-    double v = c[static_cast<std::size_t>(degree)];
+  Sign sign_at_now(const double* c, int degree) const {
+    double v = c[degree];
     double slope = 0;
     for (int i = degree - 1; i >= 0; --i) {
       slope = slope * now_ + v;
-      v = v * now_ + c[static_cast<std::size_t>(i)];
+      v = v * now_ + c[i];
     }
     if (v == 0) v = slope;
     return v > 0 ? Sign::kPositive : v < 0 ? Sign::kNegative : Sign::kZero;
@@ -247,8 +281,9 @@ class DoubleArithmetic final : public Arithmetic {
 
 }  // namespace
 
-std::unique_ptr<Arithmetic> make_double_arithmetic(const Scene& scene) {
-  return std::make_unique<DoubleArithmetic>(scene);
+std::unique_ptr<Arithmetic> make_double_arithmetic(const Scene& scene,
+                                                  const NumberNeeds& needs) {
+  return std::make_unique<DoubleArithmetic>(scene, needs);
 }
 
 }  // namespace kinex

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `double`: the filter's algorithms in plain IEEE doubles, with no error accounting: the best
-// floating-point kinetic arithmetic we can write, and so a fair rival of `exact`. No guarantee.
+// `double`: the filter's algorithms in plain IEEE doubles, with no error accounting. It is the best
+// floating-point kinetic arithmetic that we can write, and so a fair rival of `exact`. No
+// guarantee.
 #ifndef KINEX_CORE_ARITHMETIC_DOUBLE_ARITHMETIC_H
 #define KINEX_CORE_ARITHMETIC_DOUBLE_ARITHMETIC_H
 
@@ -10,7 +11,8 @@
 
 namespace kinex {
 
-std::unique_ptr<Arithmetic> make_double_arithmetic(const Scene& scene);
+std::unique_ptr<Arithmetic> make_double_arithmetic(const Scene& scene,
+                                                  const NumberNeeds& needs);
 
 }  // namespace kinex
 

@@ -16,8 +16,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-ExactArithmetic::ExactArithmetic(const Scene& scene)
-    : motions_(choose_number_model(scene), scene.objects.size()),
+ExactArithmetic::ExactArithmetic(const Scene& scene, const NumberNeeds& needs)
+    : Arithmetic(needs),
+      motions_(choose_number_model(scene, needs), scene.objects.size()),
       end_(scene.end),
       end_upper_(scene.end ? scene.end->upper_double() : kInfinity) {
   bool ends = false;
@@ -34,12 +35,18 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   const NumberModel& numbers = motions_.model();
   model.degree = p.degree(numbers.degree);
   model.homogeneity = p.homogeneity();
-  if (numbers.narrow) {
-    model.narrow = p.narrow_fits(numbers.degree, numbers.magnitude.data());
+  model.reads = static_cast<std::size_t>(p.dimension()) * static_cast<std::size_t>(numbers.degree + 1);
+  model.fixed = numbers.degree <= kMaxFixedDegree && model.degree < kMaxFixedCoefficients &&
+                model.homogeneity * numbers.degree < kMaxFixedCoefficients &&
+                p.dimension() <= kMaxFixedAxes && (!p.has_unit() || motions_.unit_is_narrow());
+  if (!model.fixed) motions_.need_balls();
+  if (numbers.narrow && model.fixed) {
+    model.narrow = p.narrow_fits(numbers.degree, numbers.magnitude.data(), motions_.unit());
     // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
     model.reach_error = p.reach_error(numbers.degree) * (1 + 0x1p-20) / filter::gamma(0);
     model.linear = model.degree == 1 && numbers.degree == 1 && model.reach_error == 0;
   }
+  model.in_lanes = model.reach_error > 0 && filter::has_lanes(model.degree);
   model.touches = dynamic_cast<const FailsAtTouch*>(&p) != nullptr;
   model.form = dynamic_cast<const LinearForm*>(&p);
   touches_ = touches_ || model.touches;
@@ -101,7 +108,7 @@ void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
   motions_.set(object, trajectory, origin_);
   if (motions_.degree() != before) {
     for (std::size_t i = 0; i < models_.size(); ++i) {
-      models_[i].narrow = models_[i].linear = false;
+      models_[i].fixed = models_[i].narrow = models_[i].linear = models_[i].in_lanes = false;
       models_[i].degree = predicates_[i]->degree(motions_.degree());
     }
   }
@@ -125,6 +132,8 @@ double ExactArithmetic::horizon(const Query& query) const {
 
 int ExactArithmetic::relation_to_now(const Query& query) const {
   if (!now_.own) return 0;
+  // Nearly all others differ in the sum of their arguments.
+  if (sum_of_ids(query) != sum_of_ids(now_.query)) return 0;
   // At a touch nothing has become negative. Roots that the filter isolates are not touches.
   if (touches_ && models_[now_.query.predicate].touches && !now_.isolated) return 0;
   return related(query, now_.query);
@@ -145,7 +154,8 @@ std::optional<Sign> ExactArithmetic::sign_over_now(const Approximation& p) const
   if (d == 0) slope = 0;
   if (!(magnitude >= 0x1p-300 && magnitude <= 0x1p900 && std::fabs(bound) <= 0x1p200))
     return std::nullopt;
-  if (d > 3 && !(bound <= std::exp2(600.0 / d))) return std::nullopt;
+  // Most bounds are below the limit of the largest degree, which needs no power.
+  if (d > 3 && !(bound <= filter::kLeastTimeLimit) && !(bound <= std::exp2(600.0 / d))) return std::nullopt;
   // The value moves by at most slope * width between now.lo and now.hi.
   const double error = filter::gamma(d) * magnitude + slope * (now_.hi - now_.lo) * (1 + 0x1p-20);
   if (value > error) return Sign::kPositive;
@@ -214,8 +224,9 @@ std::optional<Outlook> ExactArithmetic::linear_failure(const Query& query, Failu
   solved_degree_ = 1;
   if (relation < 0) return Outlook::kNever;  // its only root is now
   if (relation > 0) return fails_now(time);
-  std::array<MotionView<double>, kMaxArity> points;
+  std::array<MotionView<double>, kMaxViews> points;
   for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
+  points[query.arity] = &motions_.unit();
   double c[2];
   predicates_[query.predicate]->plain(1, points.data(), 0, c);
   if (c[1] == 0) {

@@ -9,7 +9,9 @@
 //              exact; the rounding errors of the rest are bounded by the predicate's relative error
 //              times the reach of the points.
 //              Other scenes: doubles with running error bounds.
-//              Signs of linear forms (core/arithmetic/linear_form.h) are first tried without the polynomial.
+//              Signs of linear forms (linear_form.h) are first tried without the polynomial.
+//              Groups of queries: the polynomials and the filter's first step of all side by side
+//              (exact_arithmetic_group.cpp), with the same bits.
 //   kWide    As kDouble, with coefficients in t computed exactly in 128-bit integers.
 //   kExact   Integers of any size, isolating intervals, gcds.
 #ifndef KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H
@@ -17,6 +19,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/arithmetic/arithmetic.h"
@@ -25,12 +28,14 @@
 #include "core/arithmetic/root_namer.h"
 #include "core/arithmetic/root_table.h"
 #include "core/arithmetic/touch.h"
+#include "core/numbers/first_root_lanes.h"
+#include "core/numbers/lanes.h"
 
 namespace kinex {
 
 class ExactArithmetic final : public Arithmetic, public SignNow {
  public:
-  explicit ExactArithmetic(const Scene& scene);
+  ExactArithmetic(const Scene& scene, const NumberNeeds& needs);
 
   std::string name() const override { return "exact"; }
   bool is_exact() const override { return true; }
@@ -52,6 +57,9 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   Outlook failure(const Query& query, FailureTime& time) override;
   Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;
   Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override;
+  void begin_group(std::span<const Query> group, double limit) override;
+  Outlook look_ahead_in_group(std::size_t i, const Query& query, double limit,
+                              FailureTime& time) override;
   int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) override;
   int compare_with_now(const Query& a, FailureTime& ta) override;
   int compare(const Query& a, FailureTime& ta, const Rational& t) override;
@@ -60,6 +68,10 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   std::size_t bytes() const override;
   std::string number_model() const override;
   std::string polynomial_model(PredicateId id) const override;
+
+  // The vector instructions that groups are evaluated with: the best of the machine, unless a test
+  // wants others (which the machine must have).
+  void set_vectors(Vectors vectors) { vectors_ = vectors; }
 
   // Set in FailureTime::root where [lo, hi] isolates no root of the certificate's own polynomial
   // (it was negative when created and fails at that instant).
@@ -88,16 +100,33 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     std::uint32_t root = 0;  // exact form, if made
   };
   struct PredicateModel {
-    bool narrow = false;  // 128-bit integers hold the polynomial of any narrow motions
+    bool fixed = false;   // arrays of fixed size hold the polynomial of any narrow motions
+    bool narrow = false;  // ... and 128-bit integers its coefficients
     int degree = 0;
     int homogeneity = 0;
+    std::size_t reads = 0;  // coefficients of one argument
     bool linear = false;     // a difference of linear motions: doubles hold the polynomial
     double reach_error = 0;  // Predicate::reach_error divided by gamma (core/numbers/first_root.h)
     bool touches = false;    // FailsAtTouch
+    bool in_lanes = false;   // groups of its queries are evaluated side by side
     const LinearForm* form = nullptr;  // if it is one
   };
 
+  // The queries of begin_group, one in a lane. Only what the filter's first step answers, or can be
+  // continued from, is known; the others are asked for as if there were no group.
+  struct Group {
+    std::uint32_t known = 0;  // a bit for each
+    int degree = 0;
+    double now_lo = 0, now_hi = 0, origin = 0;
+    std::array<double, kLanes> horizon, node_end;
+    Lanes c[filter::kMaxLaneDegree + 1], m[filter::kMaxLaneDegree + 1];
+    filter::LaneNodes nodes;
+  };
+
+  // True if the polynomial is made from machine integers, in arrays of fixed size.
   bool all_narrow(const Query& query) const {
+    if (!models_[query.predicate].fixed) return false;
+    if (motions_.all_narrow()) return true;
     for (std::size_t i = 0; i < query.arity; ++i) {
       if (!motions_.is_narrow(query.ids[i])) return false;
     }
@@ -144,6 +173,8 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   bool linear_narrow(const Query& query, Int128& c0, Int128& c1) const;
   void shrink(FailureTime& time);
   void merge(FailureTime& a, FailureTime& b);
+  bool fits_lanes(std::span<const Query> group) const;
+  bool set_horizons(std::span<const Query> group, double limit, Lanes& lengths);
   RootCounters& tally() { return root_counters_; }
   void update_counters();
   PredicateCounters& count(const Query& q) { return counters_.by_predicate[q.predicate]; }
@@ -154,6 +185,8 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     ++counters_.polynomials_solved[static_cast<std::size_t>(degree)];
   }
 
+  Vectors vectors_ = best_vectors();
+  Group group_;
   int solved_degree_ = -1;  // of the last polynomial; -1: zero
   MotionStore motions_;
   LinearSigns linear_signs_;

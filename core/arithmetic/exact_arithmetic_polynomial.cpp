@@ -3,9 +3,12 @@
 // bounds, and in 128-bit integers.
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <new>
 
 #include "core/arithmetic/exact_arithmetic.h"
+#include "core/arithmetic/reach_power.h"
 #include "core/numbers/first_root.h"
 
 namespace kinex {
@@ -27,67 +30,28 @@ double to_double(Int128 value) {
   return negative ? -d : d;
 }
 
-// The coefficients of p^2 for p of degree D.
-template <int D>
-void square(const double* p, double* out) {
-  for (int i = 0; i <= 2 * D; ++i) out[i] = 0;
-  for (int i = 0; i <= D; ++i) {
-    out[2 * i] += p[i] * p[i];
-    for (int j = i + 1; j <= D; ++j) out[i + j] += 2 * (p[i] * p[j]);
-  }
-}
-
-template <int D>
-void power_of(const double* p, int h, double* out) {
-  double squared[2 * D + 1];
-  square<D>(p, squared);
-  if (h == 4) return square<2 * D>(squared, out);
-  if (h == 2) {
-    for (int i = 0; i <= 2 * D; ++i) out[i] = squared[i];
-    return;
-  }
-  for (int i = 0; i <= D; ++i) out[i] = p[i];
-  for (int k = 1; k < h; ++k) {
-    double product[kMaxFixedCoefficients] = {};
-    for (int i = 0; i <= k * D; ++i) {
-      for (int j = 0; j <= D; ++j) product[i + j] += out[i] * p[j];
-    }
-    for (int i = 0; i <= (k + 1) * D; ++i) out[i] = product[i];
-  }
-}
-
-// The coefficients of (reach[0] + .. + reach[d] t^d)^h; all summands are positive, so every order
-// of summation is off by a few units only (see bound_predicate).
-void reach_power(const double* reach, int d, int h, double* out) {
-  switch (d) {
-    case 1:
-      return power_of<1>(reach, h, out);
-    case 2:
-      return power_of<2>(reach, h, out);
-    default:
-      return power_of<3>(reach, h, out);
-  }
-}
-
 }  // namespace
 
 void ExactArithmetic::wide_coefficients(const Query& query, Int128* out) const {
-  constexpr std::size_t kRoom = 3 * (kMaxFixedDegree + 1);
+  constexpr std::size_t kRoom = kMaxFixedAxes * (kMaxFixedDegree + 1);
   std::array<std::array<std::int64_t, kRoom>, kMaxArity> integers;
-  std::array<MotionView<std::int64_t>, kMaxArity> points;
-  const std::size_t stride = std::min(motions_.stride(), kRoom);
+  std::array<MotionView<std::int64_t>, kMaxViews> points;
+  const std::size_t reads = models_[query.predicate].reads;
   for (std::size_t i = 0; i < query.arity; ++i) {
     const double* from = motions_.narrow(query.ids[i]);
-    for (std::size_t k = 0; k < stride; ++k) integers[i][k] = static_cast<std::int64_t>(from[k]);
+    for (std::size_t k = 0; k < reads; ++k) integers[i][k] = static_cast<std::int64_t>(from[k]);
     points[i] = integers[i].data();
   }
+  const auto unit = static_cast<std::int64_t>(motions_.unit());
+  points[query.arity] = &unit;
   predicates_[query.predicate]->narrow(motions_.degree(), points.data(), out);
 }
 
 void ExactArithmetic::approximate_shifted(const Query& query, Approximation& p) const {
   const PredicateModel& model = models_[query.predicate];
-  std::array<MotionView<double>, kMaxArity> points;
+  std::array<MotionView<double>, kMaxViews> points;
   for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
+  points[query.arity] = &motions_.unit();
   const int d = motions_.degree();
   p.origin = origin_;
   if (model.reach_error == 0) {
@@ -134,13 +98,16 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
     }
   } else {
     if (stage != Stage::kDouble || degree > filter::kMaxFilterDegree) return false;
-    std::array<MotionView<Ball>, kMaxArity> points;
+    std::array<MotionView<Ball>, kMaxViews> points;
     const bool shifts = predicate.shifts(motions_.degree());
     const std::optional<double> from = shifts ? shift_from_anchor(query) : std::nullopt;
     for (std::size_t i = 0; i < query.arity; ++i) {
       points[i] = from ? motions_.anchored(query.ids[i]) : motions_.ball(query.ids[i]);
     }
-    Ball out[kRoomForCoefficients];
+    points[query.arity] = &motions_.unit_ball();
+    // Of the room no more than the coefficients is set to zero.
+    alignas(Ball) std::byte room[kRoomForCoefficients * sizeof(Ball)];
+    Ball* const out = new (room) Ball[static_cast<std::size_t>(degree) + 1];
     predicate.ball(motions_.degree(), points.data(), from.value_or(origin_), out);
     p.origin = shifts ? origin_ : 0;
     // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.

@@ -170,7 +170,8 @@ Outlook ExactArithmetic::exact_failure(const Query& query, FailureTime& time) {
 // c0 + c1 t in machine integers of at most 63 bits, so that cross products fit.
 bool ExactArithmetic::linear_narrow(const Query& query, Int128& c0, Int128& c1) const {
   const PredicateModel& model = models_[query.predicate];
-  if (!model.narrow || model.degree != 1 || !all_narrow(query)) return false;
+  if (!model.narrow || model.degree != 1 || model.homogeneity != 1) return false;
+  if (!all_narrow(query)) return false;
   Int128 out[kMaxFixedCoefficients];
   wide_coefficients(query, out);
   c0 = out[0];

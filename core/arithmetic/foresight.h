@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Foresight: queries at future instants: which signs hold right after one, and what fails next. For
-// algorithms that compute ahead of time what a structure will meet. The motions are those in force;
+// Foresight: queries at future instants: the signs right after one, and the next failure after it.
+// For algorithms that compute the events of a structure in advance. The motions are those in force;
 // future flight plans are not known.
 #ifndef KINEX_CORE_ARITHMETIC_FORESIGHT_H
 #define KINEX_CORE_ARITHMETIC_FORESIGHT_H

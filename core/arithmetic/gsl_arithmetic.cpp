@@ -14,6 +14,7 @@
 namespace kinex {
 namespace {
 
+constexpr double kOne = 1;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A computed root counts as real if its imaginary part is at most this fraction of its real part.
 // GSL's roots are eigenvalues: those of a double root come out about 2^-26 apart, on the real axis
@@ -46,9 +47,10 @@ double horner(const std::vector<double>& c, double t) {
 
 class GslArithmetic final : public Arithmetic {
  public:
-  explicit GslArithmetic(const Scene& scene)
-      : degree_(std::max(1, scene.held_degree())),
-        axes_(static_cast<std::size_t>(std::max(1, scene.held_axes()))),
+  GslArithmetic(const Scene& scene, const NumberNeeds& needs)
+      : Arithmetic(needs),
+        degree_(std::max(1, needs.degree)),
+        axes_(static_cast<std::size_t>(std::max(1, needs.axes))),
         coefficients_(scene.objects.size() * stride(), 0.0),
         until_(scene.objects.size(), kInfinity),
         end_(scene.end ? scene.end->to_double() : kInfinity),
@@ -186,10 +188,11 @@ class GslArithmetic final : public Arithmetic {
   // c_ := the query's polynomial, leading zeros stripped.
   void evaluate(const Query& query) {
     const Predicate& predicate = *predicates_[query.predicate];
-    std::array<MotionView<double>, kMaxArity> points{};
+    std::array<MotionView<double>, kMaxViews> points{};
     for (std::size_t i = 0; i < query.arity; ++i) {
       points[i] = &coefficients_[query.ids[i] * stride()];
     }
+    points[query.arity] = &kOne;
     c_.assign(static_cast<std::size_t>(predicate.degree(degree_)) + 1, 0.0);
     predicate.plain(degree_, points.data(), 0.0, c_.data());
     while (!c_.empty() && c_.back() == 0) c_.pop_back();
@@ -295,8 +298,9 @@ class GslArithmetic final : public Arithmetic {
 
 }  // namespace
 
-std::unique_ptr<Arithmetic> make_gsl_arithmetic(const Scene& scene) {
-  return std::make_unique<GslArithmetic>(scene);
+std::unique_ptr<Arithmetic> make_gsl_arithmetic(const Scene& scene,
+                                                  const NumberNeeds& needs) {
+  return std::make_unique<GslArithmetic>(scene, needs);
 }
 
 }  // namespace kinex

@@ -13,7 +13,8 @@
 
 namespace kinex {
 
-std::unique_ptr<Arithmetic> make_gsl_arithmetic(const Scene& scene);
+std::unique_ptr<Arithmetic> make_gsl_arithmetic(const Scene& scene,
+                                                  const NumberNeeds& needs);
 
 }  // namespace kinex
 

@@ -39,7 +39,8 @@ std::optional<Sign> LinearSigns::over(const LinearForm& form, const MotionStore&
   if (object != object_ || lo != lo_ || hi != hi_) begin(motions, object, lo, hi);
   const std::uint32_t missing = form.axes() & ~known_;
   if (missing != 0) evaluate(motions, missing);
-  std::array<MotionView<Ball>, kMaxArity> points{};
+  std::array<MotionView<Ball>, kMaxViews> points;
+  points[0] = nullptr;
   for (std::size_t i = 1; i < query.arity; ++i) points[i] = motions.ball(query.ids[i]);
   const Ball value = form.value(motions.degree(), points.data(), value_.data());
   if (value.value > value.error) return Sign::kPositive;

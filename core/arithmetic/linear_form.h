@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LinearForm: predicates that are linear in the axes of their first argument, all others being
-// constants: forms in a pose (predicates/bodies/pose_form.h). A structure needs many of their signs in one
-// pose at one instant; the axes of the pose are evaluated once.
+// LinearForm: a predicate that is linear in the axes of its first argument and whose other
+// arguments are constants, such as a form in a pose (predicates/bodies/pose_form.h). A structure
+// needs many of their signs in one pose at one instant; the axes of the pose are evaluated once.
 #ifndef KINEX_CORE_ARITHMETIC_LINEAR_FORM_H
 #define KINEX_CORE_ARITHMETIC_LINEAR_FORM_H
 
@@ -11,7 +11,6 @@
 
 #include "core/arithmetic/motion_store.h"
 #include "core/arithmetic/query.h"
-#include "core/motion/derived_objects.h"
 #include "core/numbers/sign.h"
 
 namespace kinex {
@@ -20,7 +19,7 @@ namespace kinex {
 class LinearForm {
  public:
   virtual ~LinearForm() = default;
-  // The axes of the first argument that it reads, as bits.
+  // The axes of the first argument that it reads: bit a for axis a.
   virtual std::uint32_t axes() const = 0;
   // The value where the first argument's axes have these values.
   virtual Ball value(int motion_degree, const MotionView<Ball>* points, const Ball* axes) const = 0;
@@ -34,7 +33,7 @@ class LinearSigns {
   // not machine integers.
   std::optional<Sign> over(const LinearForm& form, const MotionStore& motions, const Query& query,
                            double lo, double hi);
-  // The motion of this object changes.
+  // Call when the motion of this object changes.
   void forget(ObjectId object) {
     if (object == object_) object_ = kNoObject;
   }
@@ -48,7 +47,7 @@ class LinearSigns {
   bool anchored_ = false;
   Ball time_;                // holds [lo, hi], from the object's anchor if it has one
   std::uint32_t known_ = 0;  // bits
-  std::array<Ball, kMostDerivedAxes> value_;
+  std::array<Ball, kMostAxes> value_;
 };
 
 }  // namespace kinex

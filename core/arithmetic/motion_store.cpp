@@ -52,13 +52,14 @@ bool is_zero(const Trajectory& trajectory) {
 
 }  // namespace
 
-NumberModel choose_number_model(const Scene& scene) {
+NumberModel choose_number_model(const Scene& scene, const NumberNeeds& needs) {
   NumberModel model;
-  model.dimension = scene.held_axes();
-  model.degree = std::max(1, scene.held_degree());
+  model.axes = std::max(1, needs.axes);
+  model.degree = std::max(1, needs.degree);
   const std::size_t powers = static_cast<std::size_t>(model.degree) + 1;
-  const auto each = [&scene](auto&& visit) {
+  const auto each = [&](auto&& visit) {
     for (const SceneObject& object : scene.objects) {
+      if (needs.weights && object.weight && !visit(0, *object.weight)) return false;
       for (const MotionPiece& piece : object.motion.pieces) {
         for (const auto& axis : piece.trajectory.coordinates) {
           for (std::size_t k = 0; k < axis.size(); ++k) {
@@ -69,7 +70,7 @@ NumberModel choose_number_model(const Scene& scene) {
     }
     return true;
   };
-  bool narrow = model.degree <= kMaxFixedDegree && !scene.has_bodies();
+  bool narrow = model.degree <= kMaxFixedDegree && !needs.anchored;
   narrow = narrow && each([&model](std::size_t, const Rational& c) {
              if (c.is_integer()) return true;
              const Integer d = c.denominator();
@@ -90,7 +91,7 @@ NumberModel choose_number_model(const Scene& scene) {
     });
   }
   model.narrow = narrow;
-  model.anchored = scene.has_bodies();
+  model.anchored = needs.anchored;
   if (!narrow) {
     model.scale = Integer(1);
     model.magnitude.clear();
@@ -101,8 +102,11 @@ NumberModel choose_number_model(const Scene& scene) {
 MotionStore::MotionStore(const NumberModel& model, std::size_t objects)
     : model_(model),
       objects_(objects),
-      stride_(static_cast<std::size_t>(model.dimension) *
+      stride_(static_cast<std::size_t>(model.axes) *
               static_cast<std::size_t>(model.degree + 1)) {
+  unit_ball_ = enclose_whole(model_.scale, 0);
+  if (model_.scale.bit_length() <= 53) unit_ball_.error = 0;
+  unit_ = unit_ball_.value;
   if (model_.narrow) narrow_.assign(objects_ * stride_, 0);
   narrow_object_.assign(objects_, 0);
   if (!model_.narrow) need_balls();
@@ -129,7 +133,7 @@ void MotionStore::make_row(ObjectId object) {
 }
 
 void MotionStore::set_ball(ObjectId object) {
-  if (narrow_object_[object]) {
+  if (is_narrow(object)) {
     make_row(object);
     Ball* out = &balls_[row_[object] * stride_];
     const double* in = &narrow_[object * stride_];
@@ -219,7 +223,7 @@ std::optional<double> MotionStore::shared_anchor(const ObjectId* ids, std::size_
 void MotionStore::grow_degree(int degree) {
   const std::size_t old_powers = static_cast<std::size_t>(model_.degree) + 1;
   const std::size_t powers = static_cast<std::size_t>(degree) + 1;
-  const std::size_t axes = static_cast<std::size_t>(model_.dimension);
+  const std::size_t axes = static_cast<std::size_t>(model_.axes);
   const std::size_t stride = axes * powers;
   const auto spread = [&](const auto& from, auto& to) {
     for (std::size_t a = 0; a < axes; ++a) {
@@ -229,13 +233,14 @@ void MotionStore::grow_degree(int degree) {
   // Above the fixed degrees nothing is narrow any more.
   big_.resize(objects_);
   for (ObjectId i = 0; i < objects_; ++i) {
-    if (narrow_object_[i]) {
+    if (is_narrow(i)) {
       BigMotion big{model_.scale, std::vector<Integer>(stride_), model_.scale == Integer(1)};
       for (std::size_t k = 0; k < stride_; ++k) {
         big.coefficients[k] = Integer(static_cast<std::int64_t>(narrow_[i * stride_ + k]));
       }
       big_[i] = std::move(big);
-      narrow_object_[i] = 0;
+      narrow_object_[i] = kWide;
+      ++wide_;
     }
   }
   for (BigMotion& big : big_) {
@@ -285,7 +290,9 @@ void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anch
       }
     }
   }
-  narrow_object_[object] = narrow ? 1 : 0;
+  if (narrow_object_[object] == kWide) --wide_;
+  narrow_object_[object] = narrow ? kNarrow : kWide;
+  if (!narrow) ++wide_;
   if (narrow || is_zero(trajectory)) {
     if (is_big(object)) big_[object] = BigMotion{};
   } else {
@@ -334,7 +341,8 @@ Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) c
     common = lcm(common, is_big(ids[i]) ? big_[ids[i]].denominator : model_.scale);
   }
   std::vector<Integer> coefficients(static_cast<std::size_t>(arity) * stride_);
-  std::array<MotionView<Integer>, kMaxArity> points{};
+  std::array<MotionView<Integer>, kMaxViews> points{};
+  points[static_cast<std::size_t>(arity)] = &common;
   for (int i = 0; i < arity; ++i) {
     Integer* out = &coefficients[static_cast<std::size_t>(i) * stride_];
     points[static_cast<std::size_t>(i)] = out;
@@ -344,7 +352,7 @@ Polynomial MotionStore::exact(const Predicate& predicate, const ObjectId* ids) c
     for (std::size_t k = 0; k < stride_; ++k) {
       if (is_big) {
         out[k] = big_[ids[i]].coefficients[k];
-      } else if (narrow_object_[ids[i]]) {
+      } else if (is_narrow(ids[i])) {
         out[k] = Integer(static_cast<std::int64_t>(narrow_[ids[i] * stride_ + k]));
       }
       out[k] *= factor;

@@ -7,22 +7,24 @@
 #include <optional>
 #include <vector>
 
+#include "core/arithmetic/number_needs.h"
 #include "core/arithmetic/predicate.h"
 #include "core/motion/scene.h"
 #include "core/numbers/ball.h"
+#include "core/numbers/big_array.h"
 
 namespace kinex {
 
 // The number types that a scene's coefficients allow, decided once per scene.
 struct NumberModel {
   int degree = 1;  // motion degree that polynomials are sized for (>= 1)
-  int dimension = 1;
+  int axes = 1;
   bool narrow = false;            // all coefficients, times `scale`, are integers of at most 2^52
   Integer scale = Integer(1);     // common denominator of all coefficients
   std::vector<double> magnitude;  // largest |coefficient| * scale per power of t, rounded up
   bool anchored = false;  // doubles about a time of their own are kept for every motion, too
 };
-NumberModel choose_number_model(const Scene& scene);
+NumberModel choose_number_model(const Scene& scene, const NumberNeeds& needs);
 
 // Coefficient of t^k on axis a at [a * (degree + 1) + k] of an object's numbers.
 // A motion that the model does not cover (given at run time) is kept as big integers, unless it is
@@ -38,10 +40,18 @@ class MotionStore {
 
   int degree() const { return model_.degree; }
   const NumberModel& model() const { return model_; }
-  bool is_narrow(ObjectId object) const { return narrow_object_[object] != 0; }
+  bool is_narrow(ObjectId object) const { return narrow_object_[object] == kNarrow; }
+  // Every object that has a motion is narrow.
+  bool all_narrow() const { return wide_ == 0 && model_.narrow; }
   // Coefficients times the model's scale: integers of at most 2^52: exact, and so are
   // differences of two. Requires is_narrow(object).
   MotionView<double> narrow(ObjectId object) const { return &narrow_[object * stride_]; }
+  // The unit of predicates (Predicate::has_unit): the model's scale, as a double and as a ball. It
+  // is narrow, an integer of at most 2^52, if doubles hold it and its differences to coordinates
+  // exactly.
+  bool unit_is_narrow() const { return unit_ <= 0x1p52; }
+  const double& unit() const { return unit_; }
+  const Ball& unit_ball() const { return unit_ball_; }
   // The number of coefficients of one object.
   std::size_t stride() const { return stride_; }
   MotionView<Ball> ball(ObjectId object) const { return &balls_[row_[object] * stride_]; }
@@ -75,14 +85,18 @@ class MotionStore {
   NumberModel model_;
   std::size_t objects_;
   std::size_t stride_;
-  std::vector<double> narrow_;  // integers
-  std::vector<std::uint8_t> narrow_object_;
-  std::vector<std::uint32_t> row_;  // per object, of balls_ and anchored_; 0: all are zero
+  BigArray<double> narrow_;  // integers
+  enum : std::uint8_t { kUnset, kNarrow, kWide };
+  std::vector<std::uint8_t> narrow_object_;  // per object, one of these
+  std::size_t wide_ = 0;                     // objects that are kWide
+  BigArray<std::uint32_t> row_;  // per object, of balls_ and anchored_; 0: all are zero
   std::uint32_t rows_ = 1;
-  std::vector<Ball> balls_;
-  std::vector<Ball> anchored_;
-  std::vector<double> anchors_;  // per object; infinity: it does not move
+  BigArray<Ball> balls_;
+  BigArray<Ball> anchored_;
+  BigArray<double> anchors_;  // per object; infinity: it does not move
   std::vector<BigMotion> big_;   // per object; empty before the first one
+  double unit_ = 1;  // rounded, if it is not narrow
+  Ball unit_ball_{1, 0};
   bool balls_needed_ = false;
   struct {
     double value = 0;

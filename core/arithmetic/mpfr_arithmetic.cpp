@@ -16,13 +16,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class MpfrArithmetic final : public Arithmetic {
  public:
-  MpfrArithmetic(const Scene& scene, long bits)
-      : bits_(bits),
-        degree_(std::max(1, scene.held_degree())),
-        dimension_(static_cast<std::size_t>(scene.held_axes())),
+  MpfrArithmetic(const Scene& scene, const NumberNeeds& needs, long bits)
+      : Arithmetic(needs),
+        bits_(bits),
+        degree_(std::max(1, needs.degree)),
+        dimension_(static_cast<std::size_t>(std::max(1, needs.axes))),
         stride_(dimension_ * static_cast<std::size_t>(degree_ + 1)),
         coefficients_(scene.objects.size() * stride_, MpFloat(bits)),
         until_(scene.objects.size()),
+        one_(bits, 1.0),
         now_(bits, scene.start) {
     if (scene.end) end_ = MpFloat(bits, *scene.end);
   }
@@ -77,6 +79,12 @@ class MpfrArithmetic final : public Arithmetic {
     query_ = query_at_home_;
   }
   double now_approximate() const override { return now_.to_double(); }
+  std::optional<Rational> now_value() const override {
+    if (!now_.is_finite()) return std::nullopt;
+    Rational value;
+    mpfr_get_q(value.raw(), now_.raw());
+    return value;
+  }
   const InstantName& name_now(InstantDetail detail) override {
     // Enough digits to distinguish two neighbours of this precision.
     const int digits = static_cast<int>(static_cast<double>(bits_) * 0.30103) + 2;
@@ -110,11 +118,8 @@ class MpfrArithmetic final : public Arithmetic {
     const int relation = own_ ? related(query, query_) : 0;
     if (relation < 0) {
       if (degree == 1) return Outlook::kNever;
-      // Its root at now is known: start a few units after it.
-      MpFloat step = now_;
-      mpfr_abs(step.raw(), step.raw(), MPFR_RNDN);
-      mpfr_mul_2si(step.raw(), step.raw(), 4 - bits_, MPFR_RNDN);
-      from = now_ + step;
+      // Its root at now is known: start where rounding cannot show it again.
+      from = now_ + mpfr_root_doubt(c, now_);
       mpfr_nextabove(from.raw());
     } else if (relation > 0 || sign_at_now(c) == Sign::kNegative) {
       time = {now_.lower_double(), now_.upper_double(), kNow};
@@ -211,9 +216,10 @@ class MpfrArithmetic final : public Arithmetic {
   // Exact leading zeros are stripped; empty for the zero polynomial.
   std::vector<MpFloat> polynomial(const Query& query) const {
     const Predicate& predicate = *predicates_[query.predicate];
-    std::array<MotionView<MpFloat>, kMaxArity> points;
+    std::array<MotionView<MpFloat>, kMaxViews> points;
     for (std::size_t i = 0; i < query.arity; ++i)
       points[i] = &coefficients_[query.ids[i] * stride_];
+    points[query.arity] = &one_;
     std::vector<MpFloat> c(static_cast<std::size_t>(predicate.degree(degree_)) + 1, MpFloat(bits_));
     predicate.multiprecision(degree_, points.data(), c.data());
     while (!c.empty() && c.back().sign() == 0) c.pop_back();
@@ -241,6 +247,7 @@ class MpfrArithmetic final : public Arithmetic {
   std::vector<MpFloat> coefficients_;
   std::vector<std::optional<MpFloat>> until_;
   std::optional<MpFloat> end_;
+  MpFloat one_;
   MpFloat now_;
   bool own_ = false;  // now is a failure time found for query_
   Query query_;
@@ -253,8 +260,9 @@ class MpfrArithmetic final : public Arithmetic {
 
 }  // namespace
 
-std::unique_ptr<Arithmetic> make_mpfr_arithmetic(const Scene& scene, long bits) {
-  return std::make_unique<MpfrArithmetic>(scene, bits);
+std::unique_ptr<Arithmetic> make_mpfr_arithmetic(const Scene& scene, const NumberNeeds& needs,
+                                                 long bits) {
+  return std::make_unique<MpfrArithmetic>(scene, needs, bits);
 }
 
 }  // namespace kinex

@@ -100,6 +100,22 @@ MpFloat mpfr_slope(const std::vector<MpFloat>& c, const MpFloat& t) {
   return v;
 }
 
+MpFloat mpfr_root_doubt(const std::vector<MpFloat>& c, const MpFloat& t) {
+  const long bits = t.precision();
+  const auto scaled = [](MpFloat x, long exponent) {
+    mpfr_abs(x.raw(), x.raw(), MPFR_RNDN);
+    mpfr_mul_2si(x.raw(), x.raw(), exponent, MPFR_RNDN);
+    return x;
+  };
+  const MpFloat least = scaled(t, 4 - bits), most = scaled(t, -bits / 2);
+  const MpFloat size = scaled(t, 0);
+  MpFloat sum(bits, 0.0);
+  for (std::size_t i = c.size(); i-- > 0;) sum = sum * size + scaled(c[i], 0);
+  const MpFloat doubt = scaled(sum / mpfr_slope(c, t), 4 - bits);
+  if (!doubt.is_finite() || compare(doubt, most) > 0) return compare(least, most) > 0 ? least : most;
+  return compare(doubt, least) < 0 ? least : doubt;
+}
+
 std::optional<MpFloat> mpfr_first_sign_change(const std::vector<MpFloat>& c, const MpFloat& a,
                                               const std::optional<MpFloat>& until) {
   const std::optional<MpFloat> b = until ? until : root_bound(c);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First sign change of a polynomial in MPFR numbers: the Bernstein bisection of core/numbers/first_root.h
-// with no error accounting, for any precision and degree.
+// First sign change of a polynomial in MPFR numbers: the Bernstein bisection of
+// core/numbers/first_root.h with no error accounting, for any precision and degree.
 #ifndef KINEX_CORE_ARITHMETIC_MPFR_FIRST_ROOT_H
 #define KINEX_CORE_ARITHMETIC_MPFR_FIRST_ROOT_H
 
@@ -19,6 +19,11 @@ std::optional<MpFloat> mpfr_first_sign_change(const std::vector<MpFloat>& c, con
 // The value and the first derivative at t.
 MpFloat mpfr_value(const std::vector<MpFloat>& c, const MpFloat& t);
 MpFloat mpfr_slope(const std::vector<MpFloat>& c, const MpFloat& t);
+
+// How far from t a root that is rounded to t may seem to lie: what rounding may change of the value
+// there, by the slope. At least 16 units in the last place of t, and at most half of its digits: next
+// to a multiple root the slope says nothing. 0 for t = 0.
+MpFloat mpfr_root_doubt(const std::vector<MpFloat>& c, const MpFloat& t);
 
 }  // namespace kinex
 

@@ -9,8 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/arithmetic/claim_form.h"
 #include "core/numbers/ball.h"
 #include "core/numbers/integer.h"
+#include "core/numbers/lanes.h"
 #include "core/numbers/mp_float.h"
 #include "core/numbers/polynomial.h"
 
@@ -19,11 +21,17 @@ namespace kinex {
 using PredicateId = std::uint16_t;
 
 // No predicate takes more objects than this.
-inline constexpr int kMaxArity = 5;
+inline constexpr int kMaxArity = 8;
 // The motion degrees that have fixed-size polynomials; higher ones use dynamic sizes.
 inline constexpr int kMaxFixedDegree = 3;
-// Room for the coefficients of a certificate polynomial of fixed size: degree 5 * 3 plus one.
-inline constexpr int kMaxFixedCoefficients = 16;
+// Room for the coefficients of a certificate polynomial of fixed size: degree 8 * 3 plus one. A
+// predicate is checked against it when it is bound; one that does not fit uses dynamic sizes.
+inline constexpr int kMaxFixedCoefficients = 25;
+// The axes of objects that predicates of fixed size read.
+inline constexpr int kMaxFixedAxes = 8;
+// The largest number of views passed to a predicate: one for each argument, and one for the unit
+// (Predicate::has_unit).
+inline constexpr int kMaxViews = kMaxArity + 1;
 
 // The motion of one object in ring R: the coefficient of t^k on axis a is entry
 // a * (motion_degree + 1) + k.
@@ -43,18 +51,30 @@ class Predicate {
   // Permuting the first `alternating()` arguments multiplies the value by the permutation's sign;
   // the roots stay the same. 0 or 1: no identity.
   virtual int alternating() const = 0;
+  // Exchanging the first half of the arguments with the second one, in order, multiplies the value
+  // by -1; the roots stay the same.
+  virtual bool alternates_in_halves() const { return false; }
+
+  // An arithmetic may keep coordinates times a common factor s. A formula whose terms have
+  // different degrees in the coordinates multiplies the lower ones by powers of the unit, which is
+  // s itself. So it is homogeneous, and its sign does not depend on s. If true, points[arity()] is
+  // a view of one number, the unit; it is 1 where coordinates are kept without a factor.
+  virtual bool has_unit() const { return false; }
 
   // The name of the predicate with the negated value over the same arguments; empty: none.
   virtual std::string_view opposite() const { return {}; }
 
+  // What the claim says, with the role of every argument. Default: nothing is known.
+  virtual ClaimForm form() const { return {}; }
+
   // The value as a polynomial in t, low degree first, degree(motion_degree) + 1 coefficients.
-  // points[i] is the motion of the i-th argument.
+  // points[i] is the motion of the i-th argument; points[arity()] the unit, if has_unit().
   //
   // Exact machine integers; requires narrow_fits(); motion_degree <= kMaxFixedDegree.
   virtual void narrow(int motion_degree, const MotionView<std::int64_t>* points, Int128* out) const = 0;
-  // True if `narrow` cannot overflow for motions whose coefficient of t^k is at most magnitude[k]
-  // in absolute value on every axis (the predicate's own constants included).
-  virtual bool narrow_fits(int motion_degree, const double* magnitude) const = 0;
+  // True if `narrow` cannot overflow (the predicate's own constants included) for motions whose
+  // coefficient of t^k is at most magnitude[k] in absolute value on every axis, and for this unit.
+  virtual bool narrow_fits(int motion_degree, const double* magnitude, double unit) const = 0;
   // Doubles with proven error bounds, as a polynomial in t - shift (in t unless shifts()).
   virtual void ball(int motion_degree, const MotionView<Ball>* points, double shift,
                     Ball* out) const = 0;
@@ -66,15 +86,26 @@ class Predicate {
   virtual void plain(int motion_degree, const MotionView<double>* points, double shift,
                      double* out) const = 0;
   // As `plain`, and reach[k] = the largest |difference| from the reference argument in the
-  // coefficient of (t - shift)^k, over the other arguments and all axes.
+  // coefficient of (t - shift)^k, over the other arguments and all axes. On axes that enter by
+  // value (weights) it is the largest |coefficient|, over all arguments; the unit counts in
+  // reach[0].
   // motion_degree <= kMaxFixedDegree.
   virtual void plain_with_reach(int motion_degree, const MotionView<double>* points, double shift,
                                 double* out, double* reach) const = 0;
+  // As `plain_with_reach` for kLanes queries side by side: points[i * kLanes + j] is the motion of the
+  // i-th argument of query j. Every lane holds bit for bit the numbers of `plain_with_reach`. False,
+  // with nothing written: the predicate has no such form. Requires a machine with `vectors`.
+  virtual bool plain_lanes(int motion_degree, const MotionView<double>* points, double shift,
+                           Vectors vectors, Lanes* out, Lanes* reach) const {
+    static_cast<void>(motion_degree), static_cast<void>(points), static_cast<void>(shift);
+    static_cast<void>(vectors), static_cast<void>(out), static_cast<void>(reach);
+    return false;
+  }
   // If the shifted motions and their differences are exact in doubles, then coefficient k of
   // plain_with_reach is off by at most this number times coefficient k of
   // (reach[0] + reach[1] t + ..)^homogeneity() (underflow aside). motion_degree <= kMaxFixedDegree.
   virtual double reach_error(int motion_degree) const = 0;
-  // The formula's degree in the coordinates.
+  // The formula's degree in the coordinates and the unit.
   virtual int homogeneity() const = 0;
   // MPFR numbers of the points' precision.
   virtual void multiprecision(int motion_degree, const MotionView<MpFloat>* points,

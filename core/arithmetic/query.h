@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Query: a predicate and its arguments. What signs and failure times are asked for.
+// Query: a predicate and its arguments. Signs and failure times are computed for queries.
 #ifndef KINEX_CORE_ARITHMETIC_QUERY_H
 #define KINEX_CORE_ARITHMETIC_QUERY_H
 
@@ -10,6 +10,7 @@
 
 #include "core/arithmetic/predicate.h"
 #include "core/motion/scene.h"
+#include "core/numbers/check.h"
 
 namespace kinex {
 
@@ -20,10 +21,12 @@ struct Query {
   std::array<ObjectId, kMaxArity> ids{};
 
   Query() = default;
+  // Requires at most kMaxArity ids.
   Query(PredicateId p, std::initializer_list<ObjectId> list) : predicate(p) {
+    require(list.size() <= kMaxArity, "a query names too many objects");
     for (ObjectId id : list) ids[arity++] = id;
   }
-  // Without branches: the ids are compared in two registers.
+  // Branch-free: the ids are compared in registers.
   friend bool operator==(const Query& a, const Query& b) {
     std::uint32_t differ = static_cast<std::uint32_t>(a.predicate ^ b.predicate) |
                            static_cast<std::uint32_t>(a.arity ^ b.arity);
@@ -32,11 +35,21 @@ struct Query {
   }
 };
 
-// True if two of the arguments are one object. Without branches but for the arity.
+// The sum of the arguments: permutations have the same. A quick test, in registers.
+inline ObjectId sum_of_ids(const Query& q) {
+  ObjectId sum = 0;
+  for (const ObjectId id : q.ids) sum += id;  // unused places are zero
+  return sum;
+}
+
+// True if two of the arguments are the same object. For up to five arguments the only branch is
+// that on the arity; repeats_an_object_of_many is the case of more.
+bool repeats_an_object_of_many(const Query& q);
 inline bool repeats_an_object(const Query& q) {
   const auto equal = [&q](std::size_t i, std::size_t j) {
     return static_cast<unsigned>(q.ids[i] == q.ids[j]);
   };
+  if (q.arity > 5) [[unlikely]] return repeats_an_object_of_many(q);
   unsigned same = 0;
   switch (q.arity) {
     case 5:
@@ -56,7 +69,7 @@ inline bool repeats_an_object(const Query& q) {
   }
 }
 
-// The arguments in ascending order (unused places keep their zeros at the end).
+// The arguments in ascending order; unused places stay zero, at the end.
 inline std::array<ObjectId, kMaxArity> sorted_ids(const Query& query) {
   std::array<ObjectId, kMaxArity> ids = query.ids;
   for (std::size_t i = 1; i < query.arity; ++i) {
@@ -68,9 +81,9 @@ inline std::array<ObjectId, kMaxArity> sorted_ids(const Query& query) {
   return ids;
 }
 
-// A failure time as the queue keeps it: [lo, hi] contains the exact instant; `root` names the exact
-// number in the arithmetic's own table (0: not made; it is rarely needed). Never: lo = hi =
-// +infinity.
+// A failure time in the form of the queue. [lo, hi] contains the exact instant. `root` is a handle
+// of the exact number in the arithmetic's table (root_table.h); 0: none has been made, the usual
+// case. A certificate that never fails has lo = hi = +infinity.
 struct FailureTime {
   double lo = 0;
   double hi = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RootNamer: the exact name (RootName in core/numbers/real_root.h) of a root that is already enclosed in
-// doubles, without isolating it again.
+// RootNamer: the exact name (RootName in core/numbers/real_root.h) of a root that is already
+// enclosed in doubles, without isolating it again.
 //
 // A filtered Sturm sequence proves that the polynomial is square-free, counts the roots below, and
 // finds the coarsest cell that isolates the root. Roots modulo small primes prove that it is

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RootTable: the exact form of those instants that needed one, shared by equal instants.
+// RootTable: the exact numbers of those failure times that needed one. Equal instants share an
+// entry.
 #ifndef KINEX_CORE_ARITHMETIC_ROOT_TABLE_H
 #define KINEX_CORE_ARITHMETIC_ROOT_TABLE_H
 
@@ -12,9 +13,11 @@
 
 namespace kinex {
 
-// Handles are small integers, 0 is none. Reference counted; freed places are reused.
+// Handles are small integers; 0 is none. Entries are reference counted, freed ones are reused.
+// Every function is O(1) (add: amortised).
 class RootTable {
  public:
+  // A new entry with one reference.
   std::uint32_t add(RealRoot root) {
     if (free_.empty()) {
       slots_.push_back({});
@@ -26,10 +29,12 @@ class RootTable {
     ++live_;
     return handle;
   }
+  // One more reference; returns the handle.
   std::uint32_t share(std::uint32_t handle) {
     if (handle != 0) ++slots_[handle - 1].references;
     return handle;
   }
+  // One reference less; the last one frees the entry.
   void release(std::uint32_t handle) {
     if (handle == 0) return;
     Slot& slot = slots_[handle - 1];
@@ -39,6 +44,7 @@ class RootTable {
       --live_;
     }
   }
+  // Requires a live handle. The reference stays valid until the entry is freed.
   RealRoot& operator[](std::uint32_t handle) { return *slots_[handle - 1].root; }
   const RealRoot& operator[](std::uint32_t handle) const { return *slots_[handle - 1].root; }
   std::size_t live() const { return live_; }

@@ -65,9 +65,10 @@ class InstantPool {
 
 class SturmArithmetic final : public Arithmetic, public SignNow {
  public:
-  explicit SturmArithmetic(const Scene& scene)
-      : degree_(std::max(1, scene.held_degree())),
-        axes_(static_cast<std::size_t>(std::max(1, scene.held_axes()))),
+  SturmArithmetic(const Scene& scene, const NumberNeeds& needs)
+      : Arithmetic(needs),
+        degree_(std::max(1, needs.degree)),
+        axes_(static_cast<std::size_t>(std::max(1, needs.axes))),
         coefficients_(scene.objects.size() * stride()),
         until_(scene.objects.size()),
         end_(scene.end),
@@ -196,10 +197,12 @@ void SturmArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
 }
 
 RationalPolynomial SturmArithmetic::polynomial(const Query& query) const {
-  std::array<MotionView<Rational>, kMaxArity> points{};
+  const Rational one(1);
+  std::array<MotionView<Rational>, kMaxViews> points{};
   for (std::size_t i = 0; i < query.arity; ++i) {
     points[i] = &coefficients_[query.ids[i] * stride()];
   }
+  points[query.arity] = &one;
   return RationalPolynomial(predicates_[query.predicate]->rational(degree_, points.data()));
 }
 
@@ -397,8 +400,9 @@ const InstantName& SturmArithmetic::name_now(InstantDetail detail) {
 
 }  // namespace
 
-std::unique_ptr<Arithmetic> make_sturm_arithmetic(const Scene& scene) {
-  return std::make_unique<SturmArithmetic>(scene);
+std::unique_ptr<Arithmetic> make_sturm_arithmetic(const Scene& scene,
+                                                  const NumberNeeds& needs) {
+  return std::make_unique<SturmArithmetic>(scene, needs);
 }
 
 }  // namespace kinex

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `sturm`: rationals and Sturm sequences only, no filter. Doubles are only the queue's enclosures
-// of exactly known instants. The reference for `exact`: the same answers, from code that shares
-// none of its root finding (only digits are computed and written in one place).
+// `sturm`: rationals and Sturm sequences, no filter. Doubles occur only as the queue's enclosures
+// of exactly known instants. It is the reference for `exact`: the same answers, from code that
+// shares none of its root finding. Only the digits of instants are computed in a common place.
 //
 // Failures beyond the scene's end, or beyond the motions of the objects involved, are reported as
 // never; one exactly at the end is reported. Cost of a failure time: O(d^2) rational operations for
@@ -16,7 +16,8 @@
 
 namespace kinex {
 
-std::unique_ptr<Arithmetic> make_sturm_arithmetic(const Scene& scene);
+std::unique_ptr<Arithmetic> make_sturm_arithmetic(const Scene& scene,
+                                                  const NumberNeeds& needs);
 
 }  // namespace kinex
 

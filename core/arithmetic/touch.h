@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Touches: instants at which a certificate's value is zero and not negative right after. By the
-// right-hand rule they are not failures. For events at touches (two bodies graze) a certificate can
-// be made to fail there too:
+// right-hand rule (arithmetic.h) they are not failures. For events at touches, such as two bodies
+// that graze, a certificate can be made to fail there too:
 //
 //   value   \           /
 //            \         /
@@ -15,22 +15,22 @@
 
 namespace kinex {
 
-// A base of a Predicate: in an exact arithmetic its certificates fail at their first root after
-// now, of any multiplicity, or now if they are negative right after it. Their structure then checks
-// the sign. In an inexact arithmetic they are like all others. A predicate of the same name without
-// this base is the same polynomial.
+// A second base class of a Predicate. In an exact arithmetic its certificates fail at their first
+// root after now, of any multiplicity, or at now if they are negative right after it. The structure
+// then checks the sign. In an inexact arithmetic they fail like all others. The predicate of the
+// same name without this base has the same polynomial.
 class FailsAtTouch {
  public:
   virtual ~FailsAtTouch() = default;
 };
 
-// What a sign is asked for.
+// The place at which a sign is requested.
 enum class When : bool {
   kRightAfter,  // on (now, now + eps)
   kNow,         // at now itself
 };
 
-// A base of an exact Arithmetic: the sign at now, not right after it.
+// A second base class of every exact Arithmetic: the sign at now itself, not right after it.
 class SignNow {
  public:
   virtual ~SignNow() = default;

@@ -13,7 +13,8 @@
 
 namespace kinex {
 
-// Exact positions of all living objects at one rational time.
+// Exact positions of all living objects at one rational time. In runs that read weights the weight
+// is the last axis.
 class Snapshot {
  public:
   Snapshot(Rational time, int dimension, std::size_t objects)
@@ -22,6 +23,8 @@ class Snapshot {
 
   const Rational& time() const { return time_; }
   int dimension() const { return dimension_; }
+  // The number of the scene's objects, alive or not.
+  std::size_t objects() const { return alive_.size(); }
   bool alive(ObjectId id) const { return alive_[id]; }
   // Requires alive(id).
   const Rational& position(ObjectId id, int axis) const {

@@ -3,6 +3,7 @@
 #ifndef KINEX_CORE_ENGINE_BOUND_H
 #define KINEX_CORE_ENGINE_BOUND_H
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct BoundContext {
   // No flight-plan change, insertion or erasure: the bounds of the static theorems apply.
   bool plain() const;
 };
+
+// A count of a ledger, as an integer.
+inline Integer counted(std::uint64_t k) { return Integer(static_cast<std::int64_t>(k)); }
 
 struct BoundCheck {
   std::string id;      // stable name, for example "sorted_list.swaps"

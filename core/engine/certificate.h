@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificate: (predicate, a few object ids), one elementary claim of a structure's proof.
+// The ids of certificates, structures and parts. A certificate is one elementary claim of a
+// structure's proof, a Query; class Certificate is in event_queue.h.
 #ifndef KINEX_CORE_ENGINE_CERTIFICATE_H
 #define KINEX_CORE_ENGINE_CERTIFICATE_H
 
@@ -12,6 +13,8 @@ namespace kinex {
 using CertificateId = std::uint32_t;
 inline constexpr CertificateId kNoCertificate = 0xffffffffu;
 using StructureId = std::uint8_t;
+// A part of a structure (Kernel::add_part), numbered from 0; 0 for a structure without parts.
+using PartId = std::uint8_t;
 
 }  // namespace kinex
 

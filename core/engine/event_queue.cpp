@@ -8,7 +8,8 @@
 
 namespace kinex {
 
-CertificateId EventQueue::allocate(StructureId structure, const Query& query, std::uint32_t tag) {
+CertificateId EventQueue::allocate(StructureId structure, const Query& query, std::uint32_t tag,
+                                   PartId part) {
   CertificateId id;
   if (free_.empty()) {
     require(certificates_.size() < kNoCertificate, "more certificates than ids");
@@ -25,9 +26,10 @@ CertificateId EventQueue::allocate(StructureId structure, const Query& query, st
   }
   Certificate& c = certificates_[id];
   c = Certificate{};
-  c.query = query;
+  set_query(id, query);
   c.structure = structure;
   c.live = true;
+  c.part = part;
   c.tag = tag;
   ++live_;
   return id;
@@ -35,9 +37,41 @@ CertificateId EventQueue::allocate(StructureId structure, const Query& query, st
 
 void EventQueue::free(CertificateId id) {
   remove(id);
+  if (certificates_[id].stored.is_long()) set_long_query(certificates_[id].stored, Query());
   certificates_[id].live = false;
   free_.push_back(id);
   --live_;
+}
+
+Query EventQueue::long_query(const StoredQuery& stored) const {
+  Query query;
+  query.predicate = stored.predicate;
+  query.arity = stored.arity;
+  query.ids = long_ids_[stored.ids[0]];
+  return query;
+}
+
+// Takes a row for a query that needs one, gives it back for one that does not.
+void EventQueue::set_long_query(StoredQuery& stored, const Query& query) {
+  const bool was_long = stored.is_long(), is_long = query.arity > StoredQuery::kIds;
+  std::uint32_t row = stored.ids[0];
+  if (was_long && !is_long) free_long_ids_.push_back(row);
+  if (is_long && !was_long) {
+    if (free_long_ids_.empty()) {
+      row = static_cast<std::uint32_t>(long_ids_.size());
+      long_ids_.emplace_back();
+    } else {
+      row = free_long_ids_.back();
+      free_long_ids_.pop_back();
+    }
+  }
+  stored = StoredQuery{query.predicate, query.arity, {}};
+  if (is_long) {
+    long_ids_[row] = query.ids;
+    stored.ids[0] = row;
+  } else {
+    std::copy_n(query.ids.begin(), StoredQuery::kIds, stored.ids.begin());
+  }
 }
 
 void EventQueue::push(CertificateId id, const FailureTime& time) {
@@ -47,15 +81,12 @@ void EventQueue::push(CertificateId id, const FailureTime& time) {
   prepare();
 }
 
-void EventQueue::reset(CertificateId id, const FailureTime& time) {
+void EventQueue::reset_near(CertificateId id, const FailureTime& time) {
   const std::uint32_t where = certificates_[id].where;
   if (where == kNotQueued) return push(id, time);
   certificates_[id].root = time.root;
   const Entry e{time.lo, time.hi, id};
-  if (where == kFar) {
-    unlink(id);
-    add(e);
-  } else if (bucket_of(e.lo) <= poured_) {
+  if (bucket_of(e.lo) <= poured_) {
     settle(where, e);
   } else {
     take_out(where);
@@ -151,7 +182,7 @@ std::size_t EventQueue::least_child(std::size_t first, std::size_t end) {
 int EventQueue::compare_to_limit(Entry& e, double limit) {
   Certificate& c = certificates_[e.certificate];
   FailureTime t{e.lo, e.hi, c.root};
-  const int order = arithmetic_->compare(c.query, t, exactly(limit));
+  const int order = arithmetic_->compare(query(c), t, exactly(limit));
   e.lo = t.lo;
   e.hi = t.hi;
   c.root = t.root;
@@ -169,7 +200,7 @@ int EventQueue::compare_times(Entry& a, Entry& b) {
   if (later_b) return compare_to_limit(a, b.lo);
   FailureTime ta{a.lo, a.hi, ca.root};
   FailureTime tb{b.lo, b.hi, cb.root};
-  const int order = arithmetic_->compare(ca.query, ta, cb.query, tb);
+  const int order = arithmetic_->compare(query(ca), ta, query(cb), tb);
   a.lo = ta.lo;
   a.hi = ta.hi;
   ca.root = ta.root;
@@ -191,10 +222,11 @@ bool EventQueue::ties_before(CertificateId a, CertificateId b) const {
   if (ca.outlook == Outlook::kLater)
     return a < b;  // not events: any deterministic order
   if (ca.structure != cb.structure) return ca.structure < cb.structure;
-  if (ca.query.predicate != cb.query.predicate) return ca.query.predicate < cb.query.predicate;
-  const auto sa = sorted_ids(ca.query), sb = sorted_ids(cb.query);
+  const Query qa = query(ca), qb = query(cb);
+  if (qa.predicate != qb.predicate) return qa.predicate < qb.predicate;
+  const auto sa = sorted_ids(qa), sb = sorted_ids(qb);
   if (sa != sb) return sa < sb;
-  if (ca.query.ids != cb.query.ids) return ca.query.ids < cb.query.ids;
+  if (qa.ids != qb.ids) return qa.ids < qb.ids;
   return a < b;
 }
 
@@ -257,7 +289,9 @@ void EventQueue::collect_first_instant(std::vector<CertificateId>& out) {
 
 std::size_t EventQueue::bytes() const {
   return certificates_.capacity() * sizeof(Certificate) + heap_.capacity() * sizeof(Entry) +
-         buckets_.capacity() * sizeof(std::uint32_t) + free_.capacity() * sizeof(CertificateId);
+         buckets_.capacity() * sizeof(std::uint32_t) + free_.capacity() * sizeof(CertificateId) +
+         long_ids_.capacity() * sizeof(long_ids_[0]) +
+         free_long_ids_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace kinex

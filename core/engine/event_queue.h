@@ -3,15 +3,29 @@
 #ifndef KINEX_CORE_ENGINE_EVENT_QUEUE_H
 #define KINEX_CORE_ENGINE_EVENT_QUEUE_H
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
 #include "core/arithmetic/arithmetic.h"
 #include "core/engine/certificate.h"
+#include "core/numbers/big_array.h"
 
 namespace kinex {
+
+// A query as stored in a certificate: the first bytes of a Query. With more than kIds arguments,
+// ids[0] is a row of a side table (EventQueue::query).
+struct StoredQuery {
+  static constexpr std::size_t kIds = 5;
+  PredicateId predicate = 0;
+  std::uint8_t arity = 0;
+  std::array<ObjectId, kIds> ids{};
+  bool is_long() const { return arity > kIds; }
+};
 
 // One cache line each: a retraction or a replacement touches one line.
 struct alignas(64) Certificate {
@@ -20,11 +34,12 @@ struct alignas(64) Certificate {
   static constexpr std::uint32_t kFar = 0xfffffffeu;
 
   double lo = 0, hi = 0;  // owned by the queue: the key, while it waits in a list
-  Query query;
+  StoredQuery stored;
   StructureId structure = 0;
   Outlook outlook = Outlook::kNever;
-  bool live = false;
-  std::uint8_t looks = 0;  // how often a kLater was extended
+  bool live : 1 = false;
+  std::uint8_t looks : 7 = 0;  // how often a kLater was extended
+  PartId part = 0;
   std::uint32_t tag = 0;
   std::uint32_t root = 0;  // FailureTime::root
   // Owned by the queue: neighbours in a list; place in the heap, kFar (in a list) or kNotQueued.
@@ -57,11 +72,39 @@ class EventQueue {
  public:
   explicit EventQueue(Arithmetic& arithmetic) : arithmetic_(&arithmetic), spill_at_(kSmall) {}
 
-  CertificateId allocate(StructureId structure, const Query& query, std::uint32_t tag);
+  CertificateId allocate(StructureId structure, const Query& query, std::uint32_t tag,
+                         PartId part = 0);
   // The certificate leaves the heap, its number is released, and its id may be used again.
   void free(CertificateId id);
   Certificate& certificate(CertificateId id) { return certificates_[id]; }
   const Certificate& certificate(CertificateId id) const { return certificates_[id]; }
+  // The claim of a live certificate.
+  Query query(CertificateId id) const { return query(certificates_[id]); }
+  Query query(const Certificate& c) const {
+    if (c.stored.is_long()) [[unlikely]] return long_query(c.stored);
+    static_assert(offsetof(Query, arity) == offsetof(StoredQuery, arity) &&
+                  offsetof(Query, ids) == offsetof(StoredQuery, ids));
+    Query query;
+    std::memcpy(static_cast<void*>(&query), &c.stored, sizeof(StoredQuery));
+    return query;
+  }
+  // query(id) == query, without making a query.
+  bool claims(CertificateId id, const Query& query) const {
+    const StoredQuery& stored = certificates_[id].stored;
+    if (stored.is_long()) [[unlikely]] return long_query(stored) == query;
+    std::uint32_t differ = static_cast<std::uint32_t>(stored.predicate ^ query.predicate) |
+                           static_cast<std::uint32_t>(stored.arity ^ query.arity);
+    for (std::size_t i = 0; i < StoredQuery::kIds; ++i) differ |= stored.ids[i] ^ query.ids[i];
+    return differ == 0;
+  }
+  // Gives a live certificate another claim.
+  void set_query(CertificateId id, const Query& query) {
+    StoredQuery& stored = certificates_[id].stored;
+    if (std::max(stored.arity, query.arity) > StoredQuery::kIds) [[unlikely]] {
+      return set_long_query(stored, query);
+    }
+    std::memcpy(static_cast<void*>(&stored), &query, sizeof(StoredQuery));
+  }
   // One past the largest id ever used; ids in between may be free (live == false).
   std::size_t capacity() const { return certificates_.size(); }
   std::size_t live() const { return live_; }
@@ -138,12 +181,17 @@ class EventQueue {
     certificates_[e.certificate].where = static_cast<std::uint32_t>(i);
   }
   void take_out(std::size_t i);
+  Query long_query(const StoredQuery& stored) const;
+  void set_long_query(StoredQuery& stored, const Query& query);
 
-  // ---- event_queue_buckets.cpp
+  // ---- below
   std::uint32_t bucket_of(double lo) const;
   void add(const Entry& e);
   void link(const Entry& e, std::uint32_t bucket);
   void unlink(CertificateId id);
+  void reset_near(CertificateId id, const FailureTime& time);
+  // ---- event_queue_buckets.cpp
+  void add_near(const Entry& e);
   // Pours buckets into the heap until its first entry is the first of all.
   void prepare() {
     if (far_ != 0 && (heap_.empty() || !(heap_.front().hi <= edge_))) pour();
@@ -155,11 +203,14 @@ class EventQueue {
   void find_edge();
 
   Arithmetic* arithmetic_;
-  std::vector<Certificate> certificates_;
+  BigArray<Certificate> certificates_;
   std::vector<CertificateId> free_;
-  std::vector<Entry> heap_;
+  // The arguments of certificates with more than StoredQuery::kIds of them, and rows not in use.
+  std::vector<std::array<ObjectId, kMaxArity>> long_ids_;
+  std::vector<std::uint32_t> free_long_ids_;
+  BigArray<Entry> heap_;
   // Buckets 0 .. poured_ are in the heap; all other entries have buckets beyond, and lo > edge_.
-  std::vector<std::uint32_t> buckets_;  // heads of lists; the last one takes everything later
+  BigArray<std::uint32_t> buckets_;  // heads of lists; the last one takes everything later
   std::uint32_t poured_ = 0;
   double base_ = 0, per_time_ = 0;  // bucket = (lo - base) * per_time
   double edge_ = std::numeric_limits<double>::infinity();
@@ -168,6 +219,52 @@ class EventQueue {
   std::size_t live_ = 0;
   std::size_t max_size_ = 0;
 };
+
+// ---- the lists, put into their callers
+
+// Monotone in lo, and always computed in the same way: the order of buckets is an order of times.
+inline std::uint32_t EventQueue::bucket_of(double lo) const {
+  if (lo <= edge_) return poured_;
+  const double x = (lo - base_) * per_time_;
+  const double last = static_cast<double>(buckets_.size() - 1);
+  return x < last ? std::max(poured_, static_cast<std::uint32_t>(x))
+                  : static_cast<std::uint32_t>(buckets_.size() - 1);
+}
+
+inline void EventQueue::link(const Entry& e, std::uint32_t bucket) {
+  Certificate& p = certificates_[e.certificate];
+  std::uint32_t& head = buckets_[bucket];
+  p.lo = e.lo;
+  p.hi = e.hi;
+  p.next = head;
+  p.previous = kNone;
+  p.where = kFar;
+  if (head != kNone) certificates_[head].previous = e.certificate;
+  head = e.certificate;
+  ++far_;
+}
+
+inline void EventQueue::unlink(CertificateId id) {
+  Certificate& p = certificates_[id];
+  if (p.next != kNone) certificates_[p.next].previous = p.previous;
+  (p.previous != kNone ? certificates_[p.previous].next : buckets_[bucket_of(p.lo)]) = p.next;
+  p.where = kNotQueued;
+  --far_;
+}
+
+inline void EventQueue::add(const Entry& e) {
+  const std::uint32_t bucket = bucket_of(e.lo);
+  if (bucket > poured_) return link(e, bucket);
+  add_near(e);
+}
+
+inline void EventQueue::reset(CertificateId id, const FailureTime& time) {
+  if (certificates_[id].where != kFar) return reset_near(id, time);
+  certificates_[id].root = time.root;
+  unlink(id);
+  add(Entry{time.lo, time.hi, id});
+  prepare();
+}
 
 }  // namespace kinex
 

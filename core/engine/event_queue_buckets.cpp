@@ -18,42 +18,10 @@ constexpr std::size_t kLookedAt = 128;
 
 }  // namespace
 
-// Monotone in lo, and always computed in the same way: the order of buckets is an order of times.
-std::uint32_t EventQueue::bucket_of(double lo) const {
-  if (lo <= edge_) return poured_;
-  const double x = (lo - base_) * per_time_;
-  const double last = static_cast<double>(buckets_.size() - 1);
-  return x < last ? std::max(poured_, static_cast<std::uint32_t>(x))
-                  : static_cast<std::uint32_t>(buckets_.size() - 1);
-}
-
-void EventQueue::add(const Entry& e) {
-  const std::uint32_t bucket = bucket_of(e.lo);
-  if (bucket > poured_) return link(e, bucket);
+void EventQueue::add_near(const Entry& e) {
   heap_.emplace_back();
   sift_up(heap_.size() - 1, e);
   if (heap_.size() > spill_at_) spill();
-}
-
-void EventQueue::link(const Entry& e, std::uint32_t bucket) {
-  Certificate& p = certificates_[e.certificate];
-  std::uint32_t& head = buckets_[bucket];
-  p.lo = e.lo;
-  p.hi = e.hi;
-  p.next = head;
-  p.previous = kNone;
-  p.where = kFar;
-  if (head != kNone) certificates_[head].previous = e.certificate;
-  head = e.certificate;
-  ++far_;
-}
-
-void EventQueue::unlink(CertificateId id) {
-  Certificate& p = certificates_[id];
-  if (p.next != kNone) certificates_[p.next].previous = p.previous;
-  (p.previous != kNone ? certificates_[p.previous].next : buckets_[bucket_of(p.lo)]) = p.next;
-  p.where = kNotQueued;
-  --far_;
 }
 
 void EventQueue::pour() {

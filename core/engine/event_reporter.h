@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// EventReporter: the interface through which a Kernel passes events on to the simulator.
 #ifndef KINEX_CORE_ENGINE_EVENT_REPORTER_H
 #define KINEX_CORE_ENGINE_EVENT_REPORTER_H
 
@@ -6,12 +7,12 @@
 
 namespace kinex {
 
-// Receives what structures report.
+// Receives the events that structures report, one call each, in the order of the reports.
 class EventReporter {
  public:
   virtual ~EventReporter() = default;
   virtual void reported(const Event& event) = 0;
-  // The common events: `event` has all but its kind.
+  // The common events "settled" and "rebuild" (structure.h): `event` has all but its kind.
   virtual void settled(Event) {}
   virtual void rebuilt(Event) {}
 };

@@ -33,16 +33,12 @@ Trajectory constant_trajectory(std::vector<Rational> coordinates) {
   return trajectory;
 }
 
-// A constant has no motion that could change: its certificates are never looked up.
-bool is_constant(const DerivedObjects& derived, ObjectId id) {
-  return derived.is_derived(id) && derived.object(id).construction == nullptr;
-}
-
-// True if two of the arguments are the same object, and it is not a constant.
+// True if two of the arguments are the same object, and it is not a constant (no motion could change
+// that, so its certificates are never looked up).
 bool repeats(const DerivedObjects& derived, const Query& query) {
   for (std::size_t i = 0; i < query.arity; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (query.ids[i] == query.ids[j] && !is_constant(derived, query.ids[i])) return true;
+      if (query.ids[i] == query.ids[j] && !derived.is_constant(query.ids[i])) return true;
     }
   }
   return false;
@@ -69,31 +65,55 @@ std::string Kernel::now_text() {
 
 // ---- derived objects
 
+void Kernel::hold(const DerivedObjects::Object& object, ObjectId id) {
+  const int most = arithmetic_->needs().axes, axes = object.trajectory.dimension();
+  if (most > 0 && axes > most) {
+    throw std::logic_error("the derived object " + object.name + " has " + std::to_string(axes) +
+                           " axes, the numbers of this run are made for " + std::to_string(most) +
+                           ": its structure has to declare what it derives");
+  }
+  arithmetic_->set_motion(id, object.trajectory, object.until);
+}
+
+void Kernel::renew_dependents(ObjectId object) {
+  for (const ObjectId id : derived_.all_dependents(object)) hold(derived_.renew(id), id);
+}
+
 ObjectId Kernel::derive(std::string name, std::shared_ptr<const Construction> construction,
                         std::span<const ObjectId> bases) {
   const ObjectId id = derived_.add(std::move(name), std::move(construction), bases);
-  const DerivedObjects::Object& object = derived_.object(id);
-  arithmetic_->set_motion(id, object.trajectory, object.until);
+  hold(derived_.object(id), id);
   make_room(id);
   return id;
 }
 
 void Kernel::rederive(ObjectId derived, std::string name, std::span<const ObjectId> bases) {
   derived_.rebase(derived, std::move(name), bases);
-  const DerivedObjects::Object& object = derived_.object(derived);
-  arithmetic_->set_motion(derived, object.trajectory, object.until);
+  hold(derived_.object(derived), derived);
+  renew_dependents(derived);
 }
 
 ObjectId Kernel::constant(std::string name, std::vector<Rational> coordinates) {
-  const ObjectId id = derived_.add(std::move(name), constant_trajectory(std::move(coordinates)));
-  arithmetic_->set_motion(id, derived_.object(id).trajectory, std::nullopt);
+  return add_constant(std::move(name), std::move(coordinates), std::nullopt);
+}
+
+ObjectId Kernel::feature(std::string name, const PolygonFeature& feature) {
+  return add_constant(std::move(name), {Rational()}, feature);
+}
+
+ObjectId Kernel::add_constant(std::string name, std::vector<Rational> coordinates,
+                              const std::optional<PolygonFeature>& feature) {
+  const ObjectId id =
+      derived_.add(std::move(name), constant_trajectory(std::move(coordinates)), feature);
+  hold(derived_.object(id), id);
   make_room(id);
   return id;
 }
 
 void Kernel::redefine(ObjectId constant, std::string name, std::vector<Rational> coordinates) {
   derived_.redefine(constant, std::move(name), constant_trajectory(std::move(coordinates)));
-  arithmetic_->set_motion(constant, derived_.object(constant).trajectory, std::nullopt);
+  hold(derived_.object(constant), constant);
+  renew_dependents(constant);
 }
 
 void Kernel::make_room(ObjectId object) {
@@ -107,14 +127,14 @@ void Kernel::make_room(ObjectId object) {
 
 // The former number of the certificate must have been released. A failure time that is not a number
 // (inexact arithmetics) counts as never.
-Outlook Kernel::schedule(CertificateId id) {
+Outlook Kernel::schedule(CertificateId id, const Query& query) {
   poll();
   Certificate& c = queue_.certificate(id);
   c.looks = 0;
   FailureTime time;
   const double limit = limit_of(c.structure, 0);
-  const Outlook outlook = limit < kInfinity ? arithmetic_->look_ahead(c.query, limit, time)
-                                            : arithmetic_->failure(c.query, time);
+  const Outlook outlook = limit < kInfinity ? arithmetic_->look_ahead(query, limit, time)
+                                            : arithmetic_->failure(query, time);
   return enqueue(id, outlook, time);
 }
 
@@ -182,29 +202,43 @@ void Kernel::refuse_repeated(StructureId structure, const Query& query) const {
                        arithmetic_->predicate(query.predicate).name(), objects);
 }
 
-Kernel::Created Kernel::create(StructureId structure, const Query& query, std::uint32_t tag) {
+Kernel::NewPart Kernel::add_part(StructureId structure, std::string name) {
+  std::deque<PartLedger>& parts = ledgers_[structure]->parts;
+  if (parts.size() >= std::numeric_limits<PartId>::max()) {
+    throw std::invalid_argument("a structure of more than 255 parts");
+  }
+  parts.push_back({.name = std::move(name)});
+  return {static_cast<PartId>(parts.size() - 1), parts.back()};
+}
+
+Kernel::Created Kernel::create(StructureId structure, const Query& query, std::uint32_t tag,
+                               PartId part) {
   if (repeats_an_object(query) && repeats(derived_, query)) refuse_repeated(structure, query);
-  const CertificateId id = queue_.allocate(structure, query, tag);
+  const CertificateId id = queue_.allocate(structure, query, tag, part);
   count_created(structure, query);
   if (indexed_) index_add(id);
-  return {id, schedule(id)};
+  return {id, schedule(id, query)};
 }
 
 void Kernel::retract(CertificateId id) {
   const Certificate& c = queue_.certificate(id);
   require(c.live, "a certificate was retracted twice");
-  count_retracted(c.structure, c.query);
+  count_retracted(c);
   count_unused(id);
   if (indexed_) index_remove(id);
   if (id == failing_) failing_ = kNoCertificate;
   queue_.free(id);
 }
 
-Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag) {
-  Certificate& c = queue_.certificate(id);
+inline void Kernel::check_replacement(CertificateId id, const Query& query) const {
+  const Certificate& c = queue_.certificate(id);
   require(c.live, "a retracted certificate was replaced");
   if (repeats_an_object(query) && repeats(derived_, query)) refuse_repeated(c.structure, query);
-  count_replaced(c.structure, c.query, query);
+}
+
+// It has been counted already.
+inline void Kernel::exchange(CertificateId id, const Query& query, std::uint32_t tag) {
+  Certificate& c = queue_.certificate(id);
   count_unused(id);
   if (indexed_) index_remove(id);
   if (c.root != 0) {
@@ -212,63 +246,36 @@ Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag)
     arithmetic_->release(old);
     c.root = 0;
   }
-  c.query = query;
+  queue_.set_query(id, query);
   c.tag = tag;
   if (indexed_) index_add(id);
   if (id == failing_) failing_ = kNoCertificate;
-  return schedule(id);
 }
 
-// ---- counting
-
-void Kernel::note_live(StructureId structure, ObjectId object) {
-  StructureLedger& ledger = *ledgers_[structure];
-  if (ledger.live > ledger.max_live) ledger.max_live = ledger.live;
-  const std::uint32_t live = live_per_object_[structure][object];
-  if (live > ledger.max_per_object) ledger.max_per_object = live;
+Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag) {
+  check_replacement(id, query);
+  count_replaced(queue_.certificate(id), query);
+  exchange(id, query, tag);
+  return schedule(id, query);
 }
 
-void Kernel::count_created(StructureId structure, const Query& query) {
-  StructureLedger& ledger = *ledgers_[structure];
-  ++ledger.certificates_created;
-  ++ledger.live;
-  std::vector<std::uint32_t>& live = live_per_object_[structure];
-  for (std::size_t i = 0; i < query.arity; ++i) {
-    each_base(query.ids[i], [&](ObjectId object) {
-      ++live[object];
-      note_or_defer(structure, object);
-    });
-  }
-}
-
-void Kernel::count_retracted(StructureId structure, const Query& query) {
-  StructureLedger& ledger = *ledgers_[structure];
-  ++ledger.certificates_retracted;
-  --ledger.live;
-  std::vector<std::uint32_t>& live = live_per_object_[structure];
-  for (std::size_t i = 0; i < query.arity; ++i) {
-    each_base(query.ids[i], [&live](ObjectId object) { --live[object]; });
-  }
-}
-
-// Most objects of a certificate stay and need no counting.
-void Kernel::count_replaced(StructureId structure, const Query& before, const Query& after) {
-  if (before.arity != 2 || after.arity != 2 || derived_.size() > 0) {
-    count_retracted(structure, before);
-    count_created(structure, after);
-    return;
-  }
-  StructureLedger& ledger = *ledgers_[structure];
-  ++ledger.certificates_created;
-  ++ledger.certificates_retracted;
-  std::uint32_t* live = live_per_object_[structure].data();
-  for (const std::size_t i : {0u, 1u}) {
-    const ObjectId gone = before.ids[i], come = after.ids[i];
-    if (gone != after.ids[0] && gone != after.ids[1]) --live[gone];
-    if (come != before.ids[0] && come != before.ids[1]) {
-      ++live[come];
-      note_or_defer(structure, come);
+void Kernel::replace(Group& group) {
+  const double limit = limit_of(queue_.certificate(group.ids[0]).structure, 0);
+  arithmetic_->begin_group({group.queries.data(), group.size}, limit);
+  const bool counted = count_together(group);
+  for (std::size_t i = 0; i < group.size; ++i) {
+    const CertificateId id = group.ids[i];
+    const Query& query = group.queries[i];
+    if (!counted) {
+      check_replacement(id, query);
+      count_replaced(queue_.certificate(id), query);
     }
+    exchange(id, query, group.tags[i]);
+    poll();
+    queue_.certificate(id).looks = 0;
+    FailureTime time;
+    const Outlook outlook = arithmetic_->look_ahead_in_group(i, query, limit, time);
+    group.outlooks[i] = enqueue(id, outlook, time);
   }
 }
 
@@ -353,30 +360,47 @@ void Kernel::corrupt(StructureId structure, const std::string& what) {
 
 // ---- the index from objects to certificates
 
+// For all certificates, and for queries of so many arguments.
+void Kernel::make_room_in_index(std::size_t arity) {
+  if (arity > index_arity_) {
+    std::vector<std::uint32_t> wider(queue_.capacity() * arity);
+    if (index_arity_ > 0) {
+      for (std::size_t i = 0; i < index_places_.size(); ++i) {
+        wider[i / index_arity_ * arity + i % index_arity_] = index_places_[i];
+      }
+    }
+    index_places_ = std::move(wider);
+    index_arity_ = arity;
+  }
+  index_places_.resize(queue_.capacity() * index_arity_);
+}
+
 void Kernel::index_add(CertificateId id) {
-  if (index_position_.size() <= id) index_position_.resize(queue_.capacity());
-  const Query& query = queue_.certificate(id).query;
+  const Query query = queue_.query(id);
+  if (query.arity > index_arity_ || index_places_.size() <= id * index_arity_) {
+    make_room_in_index(query.arity);
+  }
   for (std::size_t i = 0; i < query.arity; ++i) {
-    if (is_constant(derived_, query.ids[i])) continue;
+    if (derived_.is_constant(query.ids[i])) continue;
     std::vector<CertificateId>& list = index_[query.ids[i]];
-    index_position_[id][i] = static_cast<std::uint32_t>(list.size());
+    place_in_index(id, i) = static_cast<std::uint32_t>(list.size());
     list.push_back(id);
   }
 }
 
 void Kernel::index_remove(CertificateId id) {
-  const Query& query = queue_.certificate(id).query;
+  const Query query = queue_.query(id);
   for (std::size_t i = 0; i < query.arity; ++i) {
     const ObjectId object = query.ids[i];
-    if (is_constant(derived_, object)) continue;
+    if (derived_.is_constant(object)) continue;
     std::vector<CertificateId>& list = index_[object];
-    const std::uint32_t place = index_position_[id][i];
+    const std::uint32_t place = place_in_index(id, i);
     const CertificateId last = list.back();
     list[place] = last;
     list.pop_back();
-    const Query& moved = queue_.certificate(last).query;
+    const Query moved = queue_.query(last);
     for (std::size_t j = 0; j < moved.arity; ++j) {
-      if (moved.ids[j] == object) index_position_[last][j] = place;
+      if (moved.ids[j] == object) place_in_index(last, j) = place;
     }
   }
 }

@@ -56,8 +56,8 @@ class Kernel {
     poll();
     return arithmetic_->sign_after(query);
   }
-  // The sign right after now, or at now itself, which exact arithmetics alone can tell (in others
-  // kNow answers for right after now).
+  // The sign right after now, or at now itself. Only exact arithmetics have the sign at now; in
+  // others kNow is the sign right after now.
   bool tells_sign_now() const { return sign_now_ != nullptr; }
   Sign sign(const Query& query, When when) {
     if (when == When::kNow && sign_now_ != nullptr) return sign_now_->sign_now(query);
@@ -67,44 +67,79 @@ class Kernel {
   bool fails_at_touch(const Query& query) const {
     return dynamic_cast<const FailsAtTouch*>(&arithmetic_->predicate(query.predicate)) != nullptr;
   }
-  // How many signs of this predicate have been asked for, by anybody.
+  // The number of signs of this predicate computed so far, for all callers together.
   std::uint64_t signs_asked(PredicateId predicate) const {
     std::uint64_t sum = 0;
     for (const std::uint64_t n : arithmetic_->counters().by_predicate[predicate].signs) sum += n;
     return sum;
   }
-  // Looks ahead, under the motions in force. Nothing else may be asked for while it is there.
+  // Queries at future instants, under the motions in force. No other query while the object lives.
   Foresight foresight() { return Foresight(*arithmetic_); }
+
+  // A part of a structure has tags of its own, and a line in the structure's ledger that it keeps
+  // itself. The reference stays valid. Throws std::invalid_argument for more than 255 parts.
+  struct NewPart {
+    PartId id;
+    PartLedger& line;
+  };
+  NewPart add_part(StructureId structure, std::string name);
 
   struct Created {
     CertificateId id;
     Outlook outlook;
   };
-  // A new certificate "predicate(ids) >= 0" of `structure`; `tag` is at the structure's disposal.
+  // A new certificate "predicate(ids) >= 0" of `structure`; `tag` is at the disposal of its part.
   // It is scheduled if it fails by the horizon; one that is negative right after now fails next.
   // Throws RepeatedObject if the query names an object other than a constant twice; then nothing
   // has changed (use a predicate of fewer arguments). O(log queue) plus one failure time.
-  Created create(StructureId structure, const Query& query, std::uint32_t tag);
+  Created create(StructureId structure, const Query& query, std::uint32_t tag, PartId part = 0);
   // Withdraws a certificate. O(log queue).
   void retract(CertificateId id);
   // Replaces the claim of a certificate (same id; counted as one retracted and one created). Throws
   // as create does.
   Outlook replace(CertificateId id, const Query& query, std::uint32_t tag);
 
-  // ---- derived objects (scenes of bodies); ids beyond those of the scene -----------------------
-  // An object made by `construction` from `bases`, which must exist. `name` is for logs.
+  // Certificates of one structure that are replaced together.
+  struct Group {
+    static constexpr std::size_t kMost = Arithmetic::kMostInGroup;
+    std::size_t size = 0;
+    std::array<CertificateId, kMost> ids;
+    std::array<Query, kMost> queries;
+    std::array<std::uint32_t, kMost> tags;
+    std::array<Outlook, kMost> outlooks;  // of those that have been replaced
+  };
+  // The same as replace() for one after the other, in less time: the arithmetic sees all of them at
+  // once. Requires at least one certificate.
+  void replace(Group& group);
+
+  // ---- derived objects; ids beyond those of the scene ------------------------------------------
+  // An object made by `construction` from `bases`, which must exist and may be derived, too. `name`
+  // is for logs. Its kind must be among the needs that the arithmetic was made for (NumberNeeds):
+  // throws std::logic_error if it has more axes than any of them.
   ObjectId derive(std::string name, std::shared_ptr<const Construction> construction,
                   std::span<const ObjectId> bases);
-  // Gives a derived object other bases; no live certificate may contain it.
+  // Gives a derived object other bases; no live certificate may contain it, or one derived from it.
   void rederive(ObjectId derived, std::string name, std::span<const ObjectId> bases);
   // An object of constant coordinates, one per axis.
   ObjectId constant(std::string name, std::vector<Rational> coordinates);
-  // Gives a constant other coordinates; no live certificate may contain it.
+  // A constant that is only a name, for events.
+  ObjectId named(std::string name) { return constant(std::move(name), {Rational()}); }
+  // An object that stands for a feature of a polygon in events and is in no certificate.
+  ObjectId feature(std::string name, const PolygonFeature& feature);
+  // Gives a constant other coordinates; no live certificate may contain it, or one derived from it.
   void redefine(ObjectId constant, std::string name, std::vector<Rational> coordinates);
   const DerivedObjects& derived() const { return derived_; }
+  // The degree in t of the motion in force, on the axes [first, last): 0 if they do not change.
+  int motion_degree(ObjectId object, int first, int last) const {
+    return derived_.trajectory(object).degree_of_axes(first, last);
+  }
 
-  const Query& query(CertificateId id) const { return queue_.certificate(id).query; }
+  Query query(CertificateId id) const { return queue_.query(id); }
+  // query(id) == query, for less than a copy.
+  bool claims(CertificateId id, const Query& query) const { return queue_.claims(id, query); }
   std::uint32_t tag(CertificateId id) const { return queue_.certificate(id).tag; }
+  StructureId structure_of(CertificateId id) const { return queue_.certificate(id).structure; }
+  PartId part(CertificateId id) const { return queue_.certificate(id).part; }
   // Prefetches the memory of a certificate that will be replaced or retracted soon.
   void prefetch(CertificateId id) const { queue_.prefetch(id); }
   // The tag of a certificate of `structure` that probably fails soon (EventQueue::upcoming); else
@@ -116,13 +151,13 @@ class Kernel {
     return queue_.certificate(id).tag;
   }
   void set_tag(CertificateId id, std::uint32_t tag) { queue_.certificate(id).tag = tag; }
-  // It belongs to this structure and is identically zero.
+  // True if the certificate belongs to this structure and is identically zero.
   bool is_tie_of(StructureId structure, CertificateId id) const {
     const Certificate& c = queue_.certificate(id);
     return c.structure == structure && c.outlook == Outlook::kIdenticallyZero;
   }
-  // All live certificates of all structures that `object`, which is no constant, is in. From the
-  // first call on an index is kept.
+  // All live certificates, of any structure, with `object` as an argument. Requires that it is no
+  // constant. The first call builds an index, which is kept up to date from then on.
   std::span<const CertificateId> certificates_of(ObjectId object);
   Outlook outlook(CertificateId id) const { return queue_.certificate(id).outlook; }
 
@@ -190,7 +225,10 @@ class Kernel {
     std::uint64_t retracted = 0;  // certificates retracted by then
     std::uint64_t next = 0;       // the number at which a new estimate is made
   };
-  Outlook schedule(CertificateId id);
+  Outlook schedule(CertificateId id, const Query& query);
+  // The certificate claims something else from now on, and is to be scheduled. Throws as create does.
+  void check_replacement(CertificateId id, const Query& query) const;
+  void exchange(CertificateId id, const Query& query, std::uint32_t tag);
   void clear_structure(StructureId structure);  // retracts all its certificates
   Outlook enqueue(CertificateId id, Outlook outlook, const FailureTime& time);
   double limit_of(StructureId structure, int looks) const;
@@ -200,27 +238,34 @@ class Kernel {
     const Certificate& c = queue_.certificate(id);
     if (c.outlook == Outlook::kFails && queue_.queued(id)) ++ledgers_[c.structure]->failures_unused;
   }
+  ObjectId add_constant(std::string name, std::vector<Rational> coordinates,
+                        const std::optional<PolygonFeature>& feature);
   void make_room(ObjectId object);
+  // The arithmetic gets the motion of a derived object, or of all those that depend on one.
+  void hold(const DerivedObjects::Object& object, ObjectId id);
+  void renew_dependents(ObjectId object);
   void count_created(StructureId structure, const Query& query);
-  void count_retracted(StructureId structure, const Query& query);
-  void count_replaced(StructureId structure, const Query& before, const Query& after);
+  void count_retracted(const Certificate& certificate);
+  void count_replaced(const Certificate& before, const Query& after);
+  bool count_together(const Group& group);
   void count_external(StructureId structure);
   [[noreturn]] void refuse_repeated(StructureId structure, const Query& query) const;
-  // Calls visit(object) for every object of the scene that the argument stands for: itself, or the
-  // bases that it is derived from.
+  // Calls visit(object) once for every object of the scene that the arguments stand for: the
+  // arguments themselves, or the objects that they are derived from.
   template <class Visit>
-  void each_base(ObjectId id, const Visit& visit) const {
-    if (!derived_.is_derived(id)) return visit(id);
-    for (const ObjectId base : derived_.object(id).bases) visit(base);
-  }
-  void note_live(StructureId structure, ObjectId object);
-  // A count below the maximum cannot exceed it later without passing through here.
-  void note_or_defer(StructureId structure, ObjectId object) {
-    const StructureLedger& ledger = *ledgers_[structure];
-    if (ledger.live <= ledger.max_live &&
-        live_per_object_[structure][object] <= ledger.max_per_object) {
-      return;
+  void each_object(const Query& query, const Visit& visit) {
+    if (derived_.size() == 0) {
+      for (std::size_t i = 0; i < query.arity; ++i) visit(query.ids[i]);
+    } else {
+      for (const ObjectId object : objects_of(query)) visit(object);
     }
+  }
+  // Likewise, ascending; valid until the next call, or until an object is derived.
+  std::span<const ObjectId> objects_of(const Query& query);
+  void note_live(StructureId structure, ObjectId object);
+  // A count below the maximum cannot exceed it later without passing through here. For every object
+  // whose count has grown, if it or that of the structure is beyond its maximum.
+  void note_or_defer(StructureId structure, ObjectId object) {
     if (deferred_) {
       touched_.emplace_back(structure, object);
     } else {
@@ -228,6 +273,10 @@ class Kernel {
     }
   }
   void index_add(CertificateId id);
+  void make_room_in_index(std::size_t arity);
+  std::uint32_t& place_in_index(CertificateId id, std::size_t i) {
+    return index_places_[id * index_arity_ + i];
+  }
   void index_remove(CertificateId id);
 
   std::unique_ptr<Arithmetic> arithmetic_;
@@ -241,12 +290,14 @@ class Kernel {
   Scheduling scheduling_;
   std::vector<Window> windows_;
   // index_[object]: its certificates in no particular, but reproducible, order;
-  // index_position_[certificate][i]: the place of the certificate among those of its i-th object.
+  // place_in_index(certificate, i): the place of the certificate among those of its i-th object.
   std::vector<std::vector<CertificateId>> index_;
-  std::vector<std::array<std::uint32_t, kMaxArity>> index_position_;
+  std::vector<std::uint32_t> index_places_;
+  std::size_t index_arity_ = 0;  // room for so many places of each certificate
   bool indexed_ = false;
   std::size_t objects_;  // derived ones included
   DerivedObjects derived_;
+  std::vector<ObjectId> objects_of_query_;
   EventReporter* reporter_ = nullptr;
   std::uint64_t instant_number_ = 0;
   Event event_;

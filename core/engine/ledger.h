@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <string>
 
@@ -25,6 +26,17 @@ struct ChangeStatistics {
     if (k > max) max = k;
     ++histogram[k < kBins ? k : kBins - 1];
   }
+};
+
+// The line of one part of a structure. Unlike those of the whole structure, the largest number of
+// live certificates is taken at every moment, also in the middle of a repair.
+struct PartLedger {
+  std::string name;
+  std::uint64_t failures = 0;
+  std::uint64_t created = 0;
+  std::uint64_t retracted = 0;
+  std::uint64_t live = 0;
+  std::uint64_t max_live = 0;
 };
 
 struct StructureLedger {
@@ -59,6 +71,8 @@ struct StructureLedger {
   std::uint64_t windows = 0;
   ChangeStatistics created_per_event;
   ChangeStatistics retracted_per_event;
+  // Of a structure made of parts (structures/parts/slots.h); they add up to the counts above.
+  std::deque<PartLedger> parts;
   std::uint64_t audit_checks = 0;
   std::uint64_t audit_violations = 0;
   bool corrupt = false;  // an inexact arithmetic led to an impossible state

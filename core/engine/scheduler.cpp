@@ -26,10 +26,7 @@ void Scheduler::set_motion(ObjectId object, const Trajectory& trajectory,
                         const std::optional<Rational>& until) {
   arithmetic_->set_motion(object, trajectory, until);
   derived_.set_motion(object, trajectory, until);
-  for (const ObjectId id : derived_.dependents(object)) {
-    const DerivedObjects::Object& renewed = derived_.renew(id);
-    arithmetic_->set_motion(id, renewed.trajectory, renewed.until);
-  }
+  if (derived_.size() > 0) renew_dependents(object);
 }
 
 void Scheduler::look_further() {
@@ -41,7 +38,7 @@ void Scheduler::look_further() {
   if (c.looks < kMostLooks) ++c.looks;
   double limit = limit_of(c.structure, c.looks);
   if (!(limit > from)) limit = kInfinity;
-  enqueue(id, arithmetic_->look_further(c.query, from, limit, time), time);
+  enqueue(id, arithmetic_->look_further(queue_.query(c), from, limit, time), time);
 }
 
 void Scheduler::end_change() {
@@ -54,7 +51,7 @@ void Scheduler::begin_event(StructureId structure, CertificateId failed) {
   const StructureLedger& ledger = *ledgers_[structure];
   failing_ = failed;
   failing_structure_ = structure;
-  failing_query_ = queue_.certificate(failed).query;
+  failing_query_ = queue_.query(failed);
   handling_ = true;
   deferred_ = true;
   event_external_ = false;
@@ -83,7 +80,7 @@ std::size_t Scheduler::bytes() const {
   std::size_t total = queue_.bytes() + derived_.bytes() +
                       ledgers_.size() * sizeof(StructureLedger) +
                       touched_.capacity() * sizeof(touched_[0]) +
-                      index_position_.capacity() * sizeof(index_position_[0]) +
+                      index_places_.capacity() * sizeof(index_places_[0]) +
                       index_.capacity() * sizeof(index_[0]);
   for (const auto& live : live_per_object_) total += live.capacity() * sizeof(std::uint32_t);
   for (const auto& list : index_) total += list.capacity() * sizeof(CertificateId);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scheduler: what the simulator may do with certificates, beside what structures may (core/engine/kernel.h):
+// Scheduler: the services of the simulator, beyond those of structures (core/engine/kernel.h):
 // motions, the queue and its arithmetic, ledgers, the beginning and the end of events. Structures
 // never see it.
 #ifndef KINEX_CORE_ENGINE_SCHEDULER_H
@@ -22,7 +22,8 @@ class Scheduler final : public Kernel {
             Scheduling scheduling = Scheduling::kLazy)
       : Kernel(std::move(arithmetic), objects, scheduling) {}
 
-  // The motion of an object of the scene from now on, and of those derived from it.
+  // Sets the motion of an object of the scene from now on, its weight included (Scene::weighted),
+  // and the motions of the objects derived from it.
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until);
   // It outlives the kernel.
@@ -30,8 +31,6 @@ class Scheduler final : public Kernel {
     deadline_ = deadline;
     arithmetic_->set_deadline(deadline);
   }
-  // Before the first motion is set: objects will be derived.
-  void keep_motions() { derived_.keep_motions(); }
   // The first in the queue is the end of a window: looks further.
   void look_further();
   Arithmetic& arithmetic() { return *arithmetic_; }
@@ -54,14 +53,14 @@ class Scheduler final : public Kernel {
   // ... and asks for its failure time again afterwards.
   void reschedule(CertificateId id) {
     queue_.remove(id);
-    schedule(id);
+    schedule(id, queue_.query(id));
   }
   // The number of live certificates of `structure` that `object` is in. O(1).
   std::uint32_t live_certificates(StructureId structure, ObjectId object) const {
     return live_per_object_[structure][object];
   }
   void set_instant_shared(StructureId structure, bool shared) { shared_[structure] = shared; }
-  // Another instant than before is in hand.
+  // A new instant begins.
   void count_instant() { ++instant_number_; }
   using Kernel::clear_structure;
   // Events are passed on to this function; see Simulator.

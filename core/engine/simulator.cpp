@@ -26,12 +26,10 @@ Simulator::Simulator(const Scene& scene, std::unique_ptr<Arithmetic> arithmetic,
       deadline_(std::make_unique<Deadline>(options_.max_seconds, options_.interrupt)),
       kernel_(std::move(arithmetic), scene.objects.size(), options_.scheduling),
       alive_(scene.objects.size(), false),
-      trajectory_(scene.objects.size()),
       pieces_(scene.objects.size(), 0),
       degree_(scene.degree()),
       reached_(scene.start) {
   kernel_.set_deadline(deadline_.get());
-  if (scene.has_bodies()) kernel_.keep_motions();
   for (const SceneObject& object : scene.objects) {
     for (const MotionPiece& piece : object.motion.pieces) check_trajectory(piece.trajectory);
   }

@@ -58,7 +58,7 @@ struct SimulatorOptions {
   double max_seconds = 0;
   // Stop with kInterrupted before the first change of the scene at this time or later.
   std::optional<Rational> stop_before = std::nullopt;
-  // Stops the run with kInterrupted when it is true; it outlives the simulator. See core/numbers/stop.h.
+  // Stops the run with kInterrupted when it is true. It must outlive the simulator. See stop.h.
   const std::atomic<bool>* interrupt = nullptr;
   // Called about every 4096 failures; return false to stop with kInterrupted.
   std::function<bool(const class Simulator&)> progress;
@@ -73,13 +73,14 @@ class Simulator final : private EventReporter {
             SimulatorOptions options = {});
   ~Simulator() override;
 
-  // What structures are made with.
+  // The kernel that structures are constructed with.
   Kernel& kernel() { return kernel_; }
   const Kernel& kernel() const { return kernel_; }
   const Arithmetic& arithmetic() const { return kernel_.arithmetic(); }
   const EventQueue& queue() const { return kernel_.queue(); }
   const StructureLedger& ledger(StructureId id) const { return kernel_.ledger(id); }
-  // Of certificates and their bookkeeping; those of the arithmetic and the structures aside.
+  // Bytes of certificates and their bookkeeping, without those of the arithmetic and the
+  // structures.
   std::size_t bytes() const { return kernel_.bytes(); }
   std::uint32_t live_certificates(StructureId id, ObjectId object) const {
     return kernel_.live_certificates(id, object);
@@ -266,7 +267,6 @@ class Simulator final : private EventReporter {
   std::vector<Change> changes_;  // ascending in (t, kind, object) from next_change_ on
   std::size_t next_change_ = 0;
   std::vector<bool> alive_;
-  std::vector<Trajectory> trajectory_;  // in force
   std::vector<int> pieces_;
   int degree_ = 0;
   bool dynamic_ = false;

@@ -21,12 +21,14 @@ constexpr std::size_t kInexactSteps = 8;
 }  // namespace
 
 Snapshot Simulator::snapshot(const Rational& t) const {
-  Snapshot result(t, scene_.axes(), alive_.size());
+  const int axes = scene_.axes() + (kernel_.arithmetic().needs().weights ? 1 : 0);
+  Snapshot result(t, axes, alive_.size());
   for (ObjectId object = 0; object < alive_.size(); ++object) {
     if (!alive_[object]) continue;
     deadline_->poll();
-    for (int axis = 0; axis < scene_.axes(); ++axis) {
-      result.set(object, axis, trajectory_[object].position(axis, t));
+    const Trajectory& motion = kernel_.derived().trajectory(object);
+    for (int axis = 0; axis < axes; ++axis) {
+      result.set(object, axis, axis < motion.dimension() ? motion.position(axis, t) : Rational());
     }
   }
   return result;
@@ -44,11 +46,12 @@ void Simulator::audit_certificates() {
     if (!c.live) continue;
     kernel_.poll();
     ++kernel_.ledger(c.structure).audit_checks;
-    if (kernel_.arithmetic().sign_after(c.query) != Sign::kNegative) continue;
+    const Query query = queue.query(c);
+    if (kernel_.arithmetic().sign_after(query) != Sign::kNegative) continue;
     std::string what = "negative right after now: " +
-                       std::string(kernel_.arithmetic().predicate(c.query.predicate).name());
-    for (std::size_t k = 0; k < c.query.arity; ++k) {
-      what += (k == 0 ? "(" : ", ") + object_name(c.query.ids[k]);
+                       std::string(kernel_.arithmetic().predicate(query.predicate).name());
+    for (std::size_t k = 0; k < query.arity; ++k) {
+      what += (k == 0 ? "(" : ", ") + object_name(query.ids[k]);
     }
     violation(c.structure, what + ")");
   }
@@ -58,7 +61,8 @@ void Simulator::audit_certificates() {
 // attributes are then unambiguous.
 bool Simulator::certificates_hold(const Snapshot& positions) const {
   const EventQueue& queue = kernel_.queue();
-  std::array<MotionView<Rational>, kMaxArity> points;
+  const Rational unit(1);
+  std::array<MotionView<Rational>, kMaxViews> points;
   std::map<ObjectId, std::vector<Rational>> derived;
   const auto position = [&](ObjectId id) -> MotionView<Rational> {
     if (!kernel_.derived().is_derived(id)) return &positions.position(id, 0);
@@ -68,6 +72,8 @@ bool Simulator::certificates_hold(const Snapshot& positions) const {
       for (int axis = 0; axis < trajectory.dimension(); ++axis) {
         place->second.push_back(trajectory.position(axis, positions.time()));
       }
+      const int most = std::max(kernel_.arithmetic().needs().axes, trajectory.dimension());
+      place->second.resize(static_cast<std::size_t>(most));
     }
     return place->second.data();
   };
@@ -75,9 +81,11 @@ bool Simulator::certificates_hold(const Snapshot& positions) const {
     const Certificate& c = queue.certificate(static_cast<CertificateId>(i));
     if (!c.live || c.outlook == Outlook::kIdenticallyZero) continue;
     deadline_->poll();
-    for (std::size_t k = 0; k < c.query.arity; ++k)
-      points[k] = position(c.query.ids[k]);
-    const Predicate& predicate = kernel_.arithmetic().predicate(c.query.predicate);
+    const Query query = queue.query(c);
+    for (std::size_t k = 0; k < query.arity; ++k)
+      points[k] = position(query.ids[k]);
+    points[query.arity] = &unit;
+    const Predicate& predicate = kernel_.arithmetic().predicate(query.predicate);
     if (predicate.rational(0, points.data()).front().sign() <= 0) return false;
   }
   return std::all_of(entries_.begin(), entries_.end(),
@@ -95,7 +103,8 @@ std::optional<Rational> Simulator::rational_after_now() {
     result = arithmetic.rational_between(nullptr, nullptr);
   } else {
     FailureTime time = queue.time(queue.top());
-    result = arithmetic.rational_between(&kernel_.query(queue.top()), &time);
+    const Query first = kernel_.query(queue.top());
+    result = arithmetic.rational_between(&first, &time);
     queue.set_time(queue.top(), time);
   }
   if (!result) return result;

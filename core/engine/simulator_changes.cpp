@@ -26,8 +26,11 @@ void Simulator::check_trajectory(const Trajectory& trajectory) const {
 
 void Simulator::put_in_force(ObjectId object, const Trajectory& trajectory,
                              const std::optional<Rational>& until) {
-  kernel_.set_motion(object, trajectory, until);
-  trajectory_[object] = trajectory;
+  if (kernel_.arithmetic().needs().weights && scene_.objects[object].weight) {
+    kernel_.set_motion(object, scene_.weighted(object, trajectory), until);
+  } else {
+    kernel_.set_motion(object, trajectory, until);
+  }
   ++pieces_[object];
 }
 
@@ -163,7 +166,7 @@ void Simulator::change_instant() {
   const std::vector<ObjectId> gone = erasures;
   const auto leaves = [&](const Change& update) {
     if (std::binary_search(gone.begin(), gone.end(), update.object)) return true;
-    if (trajectory_[update.object].meets(*update.trajectory, t)) return false;
+    if (update.trajectory->meets(kernel_.derived().trajectory(update.object), t)) return false;
     erasures.push_back(update.object);  // it jumps
     insertions.push_back(update);
     return true;
@@ -198,7 +201,7 @@ void Simulator::apply_updates(const std::vector<Change>& updates) {
     objects.push_back(update.object);
     const auto certificates = kernel_.certificates_of(update.object);
     affected.insert(affected.end(), certificates.begin(), certificates.end());
-    for (const ObjectId derived : kernel_.derived().dependents(update.object)) {
+    for (const ObjectId derived : kernel_.derived().all_dependents(update.object)) {
       const auto more = kernel_.certificates_of(derived);
       affected.insert(affected.end(), more.begin(), more.end());
     }

@@ -2,24 +2,30 @@
 #include "core/engine/structure.h"
 
 #include <algorithm>
-#include <utility>
+#include <span>
 
 namespace kinex {
 namespace {
 
-// The pairs of `from` that are not in `in`; both ascending.
-std::vector<ObjectId> missing_pairs(const std::vector<ObjectId>& from,
-                                    const std::vector<ObjectId>& in) {
+// The tuples of `from` that are not in `in`; both ascending.
+std::vector<ObjectId> missing_tuples(const std::vector<ObjectId>& from,
+                                     const std::vector<ObjectId>& in, std::size_t width) {
   std::vector<ObjectId> result;
+  const auto tuple = [width](const std::vector<ObjectId>& ids, std::size_t i) {
+    return std::span<const ObjectId>(ids).subspan(i, width);
+  };
+  const auto before = [](std::span<const ObjectId> a, std::span<const ObjectId> b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
   std::size_t k = 0;
-  for (std::size_t i = 0; i + 1 < from.size(); i += 2) {
-    const std::pair<ObjectId, ObjectId> pair{from[i], from[i + 1]};
-    while (k + 1 < in.size() && std::pair<ObjectId, ObjectId>{in[k], in[k + 1]} < pair) k += 2;
-    if (k + 1 < in.size() && std::pair<ObjectId, ObjectId>{in[k], in[k + 1]} == pair) {
-      k += 2;
+  for (std::size_t i = 0; i + width <= from.size(); i += width) {
+    const std::span<const ObjectId> one = tuple(from, i);
+    while (k + width <= in.size() && before(tuple(in, k), one)) k += width;
+    if (k + width <= in.size() && !before(one, tuple(in, k))) {
+      k += width;
       continue;
     }
-    result.insert(result.end(), {pair.first, pair.second});
+    result.insert(result.end(), one.begin(), one.end());
   }
   return result;
 }
@@ -35,8 +41,9 @@ std::vector<std::string_view> common_event_kinds(std::vector<std::string_view> o
 
 AttributeDifference difference_between(const Attribute& before, const Attribute& after) {
   if (before == after) return {};
-  if (before.shape == Attribute::Shape::kEdges) {
-    return {missing_pairs(before.ids, after.ids), missing_pairs(after.ids, before.ids)};
+  if (before.shape == Attribute::Shape::kTuples) {
+    return {missing_tuples(before.ids, after.ids, before.width),
+            missing_tuples(after.ids, before.ids, before.width)};
   }
   return {before.ids, after.ids};
 }

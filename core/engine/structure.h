@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Structure: a kinetic data structure. Pure combinatorics: it gets signs and certificates from a
-// Kernel and never sees a coordinate, a polynomial or a time.
+// Structure: the interface of a kinetic data structure. It is purely combinatorial: it gets signs
+// and certificates from a Kernel and never sees a coordinate, a polynomial or a time.
 #ifndef KINEX_CORE_ENGINE_STRUCTURE_H
 #define KINEX_CORE_ENGINE_STRUCTURE_H
 
@@ -16,6 +16,7 @@
 #include "core/engine/bound.h"
 #include "core/engine/certificate.h"
 #include "core/engine/event.h"
+#include "core/engine/proof.h"
 
 namespace kinex {
 
@@ -24,11 +25,13 @@ struct Attribute {
   enum class Shape {
     kSequence,  // ids in order
     kObject,    // one id (none if there is no object)
-    kEdges,     // id pairs, flattened; smaller id first in a pair, pairs sorted
+    kTuples,    // a set of tuples of `width` ids, flattened: edges, triangles, tetrahedra; ids
+                // ascend in a tuple, tuples ascend
     kCycle,     // ids counter-clockwise, starting at the smallest id
   };
   Shape shape = Shape::kSequence;
   std::vector<ObjectId> ids;
+  std::uint8_t width = 2;  // kTuples
   friend bool operator==(const Attribute&, const Attribute&) = default;
 };
 
@@ -96,6 +99,9 @@ class Structure {
   // The attribute as reported by external events so far. Within an instant it differs from
   // attribute() for a structure that reports changes when the instant is over.
   virtual Attribute told() const { return attribute(); }
+  // Shows the proof: every live certificate once, in groups. Called between two calls of the
+  // structure. Default: it has no certificates of its own.
+  virtual void visit_proof(ProofVisitor& visitor) const { static_cast<void>(visitor); }
   virtual std::vector<BoundCheck> bounds(const BoundContext& context) const = 0;
   // Inexact arithmetics: the number of repairs at one instant, beyond 1000 + 8 c for c
   // certificates, after which the structure is considered to be cycling. Default: c^2, as in an

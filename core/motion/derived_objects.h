@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DerivedObjects: objects that a structure needs and the scene does not have: a tangent line, a
-// vertex in its body's frame, one body as seen from another.
+// DerivedObjects: the motions in force, and the derived objects: those that a structure needs
+// beside the scene's, such as a tangent line, a vertex in its body's frame, one body as seen from
+// another, or a strip between three points.
 //
-// A structure requests one by a construction over ids (Kernel::derive) or by exact constants
-// (Kernel::constant) and gets an id beyond those of the scene. When the motion of an object
-// changes, those derived from it follow, and their certificates are scheduled anew.
+// A structure requests a derived object by a construction over ids (Kernel::derive) or by exact
+// constants (Kernel::constant). Its id lies beyond those of the scene. Its bases may be derived
+// objects. When the motion of an object changes, the motions of all objects derived from it change
+// too, and their certificates are scheduled anew.
+//
+//   scene      a     b     c          ids below `objects`
+//               \   / \   /
+//   derived      m     n     7        each with its bases; 7: a constant, without bases
+//                 \   /
+//   nested         s                  stands for a, b and c
 #ifndef KINEX_CORE_MOTION_DERIVED_OBJECTS_H
 #define KINEX_CORE_MOTION_DERIVED_OBJECTS_H
 
@@ -20,10 +28,17 @@
 
 namespace kinex {
 
-// The axes of the widest derived object, a pose (predicates/bodies/pose_2.h).
-inline constexpr int kMostDerivedAxes = 7;
+// A vertex of a polygon, or the edge from it to the next one, by its place in the scene's list.
+struct PolygonFeature {
+  ObjectId body = kNoObject;
+  bool edge = false;
+  std::uint32_t place = 0;
+  friend bool operator==(const PolygonFeature&, const PolygonFeature&) = default;
+};
 
-// The motion of a derived object as a function of the motions of its bases. Exact.
+// The motion of a derived object as a function of the motions of its bases. Exact. Every result has
+// the same number of axes; its degree is at most that declared in the structure's needs
+// (core/arithmetic/number_needs.h).
 class Construction {
  public:
   virtual ~Construction() = default;
@@ -34,53 +49,62 @@ class Construction {
 class DerivedObjects {
  public:
   // The scene's objects have the ids below `objects`.
-  explicit DerivedObjects(std::size_t objects) : first_(static_cast<ObjectId>(objects)) {}
+  explicit DerivedObjects(std::size_t objects)
+      : first_(static_cast<ObjectId>(objects)), motions_(objects) {}
 
   struct Object {
     std::string name;
     std::shared_ptr<const Construction> construction;  // nullptr: a constant
     std::vector<ObjectId> bases;
+    // The scene's objects that it depends on, ascending, each once.
+    std::vector<ObjectId> stands_for;
     Trajectory trajectory;
-    std::optional<Rational> until;
+    std::optional<Rational> until;  // the earliest end of their flight plans
+    std::optional<PolygonFeature> feature;  // the feature that the object stands for in events
   };
 
-  // The motions of the scene's objects are remembered from now on.
-  void keep_motions() { keeps_ = true; }
-  bool keeps_motions() const { return keeps_; }
+  // Sets the motion of an object of the scene. Objects derived from it have to be renewed.
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until);
   // The bases must have motions. The new object's trajectory is made at once.
   ObjectId add(std::string name, std::shared_ptr<const Construction> construction,
                std::span<const ObjectId> bases);
-  ObjectId add(std::string name, Trajectory constant);
-  // Makes the object into another constant.
+  ObjectId add(std::string name, Trajectory constant,
+               const std::optional<PolygonFeature>& feature = std::nullopt);
+  // Replaces a constant by another one. Objects derived from it have to be renewed.
   void redefine(ObjectId id, std::string name, Trajectory constant);
-  // Makes the object into that of other bases, by the same construction.
+  // Gives the object other bases, under the same construction. Objects derived from it have to be
+  // renewed. Throws std::logic_error if it would be derived from itself.
   void rebase(ObjectId id, std::string name, std::span<const ObjectId> bases);
-  // Makes the trajectory from the bases' present ones.
+  // Computes the trajectory from the present trajectories of the bases.
   const Object& renew(ObjectId id);
   bool is_derived(ObjectId id) const { return id >= first_; }
+  // No motion of the scene changes it.
+  bool is_constant(ObjectId id) const { return is_derived(id) && object(id).stands_for.empty(); }
+  // Requires is_derived(id).
   const Object& object(ObjectId id) const { return derived_[id - first_]; }
   const Trajectory& trajectory(ObjectId id) const {
-    return is_derived(id) ? object(id).trajectory : motions_[id].trajectory;
+    return is_derived(id) ? object(id).trajectory : motions_[id];
   }
-  // The objects derived from `object`, in the order of their ids.
+  // The objects that have `object` as a base, ascending.
   std::span<const ObjectId> dependents(ObjectId object) const;
+  // All objects that depend on `object`, each after its bases: the order of renewal. O(1) for none.
+  std::vector<ObjectId> all_dependents(ObjectId object) const;
+  // The number of derived objects.
   std::size_t size() const { return derived_.size(); }
   std::size_t bytes() const;
 
  private:
-  struct Known {
-    Trajectory trajectory;
-    std::optional<Rational> until;
-    std::vector<ObjectId> dependents;
-  };
-  Known& known(ObjectId object);
+  std::vector<ObjectId>& dependents_of(ObjectId object);
+  void set_stands_for(Object& object) const;
+  const std::optional<Rational>* until_of(ObjectId object) const;
 
   ObjectId first_;
-  bool keeps_ = false;
-  std::vector<Known> motions_;  // of the scene's objects
+  std::vector<Trajectory> motions_;             // of the scene's objects
+  std::vector<std::optional<Rational>> until_;  // likewise; empty if no flight plan ends
+  std::vector<std::vector<ObjectId>> dependents_;  // by object; may be shorter than the objects
   std::vector<Object> derived_;
+  bool nested_ = false;  // some derived object has been a base
 };
 
 }  // namespace kinex

@@ -3,7 +3,26 @@
 
 #include <algorithm>
 
+#include "core/numbers/short_rational.h"
+
 namespace kinex {
+
+namespace {
+
+// Whether a(t) = b(t); nullopt unless both are linear and all numbers are short.
+std::optional<bool> meet_in_words(const std::vector<Rational>& a, const std::vector<Rational>& b,
+                                  const ShortRational& t) {
+  if (a.size() > 2 || b.size() > 2) return std::nullopt;
+  const auto coefficient = [](const std::vector<Rational>& axis, std::size_t k) {
+    return k < axis.size() ? shortened(axis[k]) : ShortRational{};
+  };
+  const auto a0 = coefficient(a, 0), a1 = coefficient(a, 1);
+  const auto b0 = coefficient(b, 0), b1 = coefficient(b, 1);
+  if (!a0 || !a1 || !b0 || !b1) return std::nullopt;
+  return equal_lines(*a0, *a1, *b0, *b1, t);
+}
+
+}  // namespace
 
 int Trajectory::degree() const { return degree_of_axes(0, dimension()); }
 
@@ -42,7 +61,13 @@ bool Trajectory::meets(const Trajectory& other, const Rational& t) const {
   if (body && position(2, t) * other.position(3, t) != position(3, t) * other.position(2, t)) {
     return false;
   }
+  const std::optional<ShortRational> words = shortened(t);
   for (int axis = 0; axis < (body ? 2 : dimension()); ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const auto meet =
+        words ? meet_in_words(coordinates[a], other.coordinates[a], *words) : std::nullopt;
+    if (meet && !*meet) return false;
+    if (meet) continue;
     if (position(axis, t) != other.position(axis, t)) return false;
   }
   return true;

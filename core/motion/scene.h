@@ -26,6 +26,7 @@ struct SceneObject {
   std::string id;
   Motion motion;
   std::vector<Vertex2> polygon = {};  // empty: a point
+  std::optional<Rational> weight = {};  // of a point; none: 0
 };
 
 // What a 1-D structure orders.
@@ -68,10 +69,11 @@ struct Scene {
   bool has_bodies() const { return !objects.empty() && !objects.front().polygon.empty(); }
   // Coordinates of a motion: the dimension, or kBodyAxes.
   int axes() const { return has_bodies() ? kBodyAxes : dimension; }
-  // The axes of the widest objects and the largest degree of their motions, derived objects
-  // (core/motion/derived_objects.h) included.
-  int held_axes() const;
-  int held_degree() const;
+  // True if an object has a weight.
+  bool has_weights() const;
+  // The motion with the object's weight, if it has one, as a last axis: the axes that predicates
+  // read in runs that read weights (core/arithmetic/number_needs.h).
+  Trajectory weighted(ObjectId object, const Trajectory& motion) const;
 };
 
 }  // namespace kinex

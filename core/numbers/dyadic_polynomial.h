@@ -2,7 +2,7 @@
 // DyadicPolynomial: polynomials with short dyadic coefficients, in machine integers.
 //
 // Coefficients are 128-bit integers over one power of two. Every operation first proves by bit
-// lengths that nothing overflows; where it cannot, the result is invalid, and so is everything
+// lengths that nothing overflows. If it cannot, the result is invalid, and so is everything
 // computed from it. No heap. Cost: O(size) for a sum, O(size^2) for a product.
 #ifndef KINEX_CORE_NUMBERS_DYADIC_POLYNOMIAL_H
 #define KINEX_CORE_NUMBERS_DYADIC_POLYNOMIAL_H
@@ -20,14 +20,16 @@ class DyadicPolynomial {
  public:
   static constexpr std::size_t kRoom = 8;  // coefficients
 
-  // Not valid unless all denominators are powers of two.
+  // Valid iff there are 1 to kRoom coefficients, all denominators are powers of two, and all
+  // numerators and denominators fit 64-bit signed integers. Low degree first.
   static DyadicPolynomial of(const std::vector<Rational>& coefficients);
 
   bool is_valid() const { return valid_; }
-  // The power of two that unreduced fractions would have as denominator: that of a product is the
-  // product, and so is that of a sum, unless both are equal.
+  // log2 of the denominator that unreduced fractions would have. For a product it is the sum of
+  // both; for a sum, too, unless both are equal. At least the exponent of the stored coefficients.
   unsigned denominator_bits() const { return denominator_bits_; }
-  // At least the bit length of every coefficient times 2^shift. Requires shift >= 0 there.
+  // An upper bound on the bit lengths of the coefficients times 2^common. Requires common >=
+  // denominator_bits().
   std::size_t bits(unsigned common) const { return bits_ + (common - exponent_); }
   // Writes the coefficients times 2^common, trailing zeros stripped, at least one. Requires
   // is_valid() and common >= denominator_bits().
@@ -49,7 +51,7 @@ class DyadicPolynomial {
   std::array<Int128, kRoom> c_{};
   std::size_t size_ = 0;
   unsigned bits_ = 0;              // the largest bit length of the coefficients
-  unsigned exponent_ = 0;          // they are over 2^exponent
+  unsigned exponent_ = 0;          // coefficient i is c_[i] / 2^exponent_
   unsigned denominator_bits_ = 0;  // >= exponent
   bool valid_ = false;
 };

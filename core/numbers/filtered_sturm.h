@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FilteredSturm: the Sturm sequence of a polynomial in doubles with proved error bounds.
 //
-// Source: Sturm's theorem, as in core/numbers/sturm_sequence.h. Every answer is a proof; where doubles
-// cannot decide, there is no answer. A sequence that could be made proves that the polynomial is
-// square-free: its last element is a constant that is certainly not zero.
+// Source: Sturm's theorem, as in core/numbers/sturm_sequence.h. Every answer is a proof; where
+// doubles cannot decide, there is no answer. A sequence that could be made proves that the
+// polynomial is square-free: its last element is a constant that is certainly not zero.
 //
 // Error model:
 //   (1) The exact coefficients of every element, up to a positive constant, differ from the values
@@ -32,7 +32,8 @@ class FilteredSturm {
   // The sequence of p(2^scale x), a polynomial in x; false: it could not be made with certainty.
   bool make(const std::vector<Integer>& p, long scale);
 
-  // Sign changes along the sequence at x, at most 2^32 in absolute value.
+  // The number of sign changes along the sequence at x; nullopt if a sign is not certain, or if
+  // |x| > 2^32.
   std::optional<int> variations(double x) const;
   int variations_at_minus_infinity() const { return at_minus_infinity_; }
 

@@ -28,8 +28,9 @@
 //       of m(T).
 //   (4) Underflow adds at most 2^-1074 per operation, times T^d 2^d: negligible, because
 //       2^-300 <= m(T) <= 2^900 and T <= 2^(600/d) are checked, and d <= kMaxFilterDegree.
-// Time. The polynomial is in s = t - origin. origin is a double and a multiple of a power of two
-// not below the units of the times involved, so t - origin is exact for all doubles t involved.
+// Time. The polynomial is in s = t - origin. The origin is a double, and a multiple of a power of
+// two that is no smaller than the units in the last place of the times involved. So t - origin is
+// exact for every double t involved.
 //
 // Source: Bernstein bisection as in Mehlhorn and Sagraloff's surveys of real root isolation; the
 // bounds are derived here.
@@ -46,7 +47,10 @@
 namespace kinex::filter {
 
 inline constexpr int kMaxFilterDegree = 100;
-// Bisection steps before the filter gives up; generic certificates need 1 to 3.
+// 2^(600 / d) for the largest degree d.
+inline constexpr double kLeastTimeLimit = 0x1p6;
+static_assert(600 / kMaxFilterDegree == 6);
+// Nodes visited before the filter gives up; generic certificates need 1 to 3.
 inline constexpr int kMaxNodes = 96;
 
 enum class Search { kNone, kFound, kUnknown };
@@ -84,6 +88,13 @@ template <int D, bool kCertify>
 class FirstRoot {
  public:
   static constexpr int kRoom = D >= 0 ? D + 1 : kMaxFilterDegree + 1;
+  // 2^floor(600 / D).
+  static constexpr double time_limit() {
+    double p = 1;
+    for (int i = 0; i < (D > 0 ? 600 / D : 600); ++i) p *= 2;
+    return p;
+  }
+  static constexpr double kTimeLimit = time_limit();
 
   // c, m: degree + 1 entries; m is not read without kCertify.
   FirstRoot(const double* c, const double* m, int degree, double origin)
@@ -97,15 +108,28 @@ class FirstRoot {
   //   kUnknown  not decided
   // Requires: positive right after a; b - a finite. A root slightly beyond b may be found as well.
   Search operator()(double a, double b, Enclosure& out) const {
+    const double end = first_end(a, b);
+    std::array<double, kRoom> bernstein;
+    const double error = expand(a, length_of(a, end), bernstein);
+    return from_first_node(a, end, bernstein, error, out);
+  }
+
+  // The first node is [a, first_end(a, b)]. A node is taken slightly too long.
+  static double first_end(double a, double b) {
+    // Slightly beyond b, so that a root exactly at b is not at the end of the interval.
+    return a + (b - a) * (1 + 0x1p-7);
+  }
+  static double length_of(double x, double y) { return next_up(y - x); }
+
+  // The same, of which the first node's coefficients and their error are known. Changes `bernstein`.
+  Search from_first_node(double a, double end, std::array<double, kRoom>& bernstein, double error,
+                         Enclosure& out) const {
     std::array<double, kMaxNodes + 1> pending;  // right ends of nodes still to be visited
     int top = 0;
-    // Slightly beyond b, so that a root exactly at b is not at the end of the interval.
     double x = a;
-    double y = a + (b - a) * (1 + 0x1p-7);
-    std::array<double, kRoom> bernstein;
-    for (int nodes = 0; nodes < kMaxNodes; ++nodes) {
-      const double length = next_up(y - x);
-      const double error = expand(x, length, bernstein);
+    double y = end;
+    double length = length_of(x, y);
+    for (int nodes = 0;;) {
       if (!(error >= 0)) return kCertify ? Search::kUnknown : Search::kNone;
       int plus = 0, minus = 0;
       const int variations = classify(bernstein, error, plus, minus);
@@ -113,21 +137,23 @@ class FirstRoot {
         if (top == 0) return Search::kNone;
         x = y;
         y = pending[static_cast<std::size_t>(--top)];
-        continue;
-      }
-      if (variations == 1) {
+      } else if (variations == 1) {
         const double bp = bernstein[static_cast<std::size_t>(plus)];
         const double bm = bernstein[static_cast<std::size_t>(minus)];
         const double fraction = (plus + (minus - plus) * (bp / (bp - bm))) / d();
         // x + length may have been rounded up by half a unit: stay strictly inside the node.
-        const double end = x + length > x ? next_down(x + length) : x + length;
-        return refine(x, end, x + length * fraction, out);
+        const double last = x + length > x ? next_down(x + length) : x + length;
+        return refine(x, last, x + length * fraction, out);
+      } else {
+        // Not at the middle, where the roots of simple inputs lie.
+        const double middle = x + (y - x) * (31.0 / 64);
+        if (!(middle > x && middle < y) || y - x < 0x1p-48 * std::fabs(x)) break;
+        pending[static_cast<std::size_t>(top++)] = y;
+        y = middle;
       }
-      // Not at the middle, where the roots of simple inputs lie.
-      const double middle = x + (y - x) * (31.0 / 64);
-      if (!(middle > x && middle < y) || y - x < 0x1p-48 * std::fabs(x)) break;
-      pending[static_cast<std::size_t>(top++)] = y;
-      y = middle;
+      if (++nodes == kMaxNodes) break;
+      length = length_of(x, y);
+      error = expand(x, length, bernstein);
     }
     return kCertify ? Search::kUnknown : Search::kNone;
   }
@@ -149,18 +175,15 @@ class FirstRoot {
  private:
   int d() const { return D >= 0 ? D : degree_; }
 
-  bool in_range(double magnitude, double bound) const {
-    const double limit = D >= 0 ? kTimeLimit : std::exp2(600.0 / d());
-    return magnitude >= 0x1p-300 && magnitude <= 0x1p900 && bound <= limit;
+  // Most bounds are below the limit of the largest degree, which needs no power.
+  bool is_near(double bound) const {
+    if constexpr (D >= 0) return bound <= kTimeLimit;
+    return bound <= kLeastTimeLimit || bound <= std::exp2(600.0 / d());
   }
 
-  // 2^floor(600 / D).
-  static constexpr double time_limit() {
-    double p = 1;
-    for (int i = 0; i < (D > 0 ? 600 / D : 600); ++i) p *= 2;
-    return p;
+  bool in_range(double magnitude, double bound) const {
+    return magnitude >= 0x1p-300 && magnitude <= 0x1p900 && is_near(bound);
   }
-  static constexpr double kTimeLimit = time_limit();
 
   // Bernstein coefficients on [x, x + length]; returns a bound on their errors, negative if none.
   double expand(double x, double length, std::array<double, kRoom>& b) const {
@@ -264,7 +287,7 @@ class FirstRoot {
       out = {origin_ + (t - width), origin_ + (t + width)};
       const double lo = out.lo - origin_;
       const double hi = out.hi - origin_;
-      // The differences must be exact (they are, unless the root is absurdly far away).
+      // The differences must be exact. They are, unless the root is extremely far from the origin.
       if (out.lo - lo != origin_ || out.hi - hi != origin_) return Search::kUnknown;
       if (!(lo >= x && hi <= y)) return Search::kUnknown;
       if (value(lo) > error && value(hi) < -error) return Search::kFound;
@@ -278,12 +301,13 @@ class FirstRoot {
   double origin_;
 };
 
-// A bound beyond which there is no real root (Fujiwara): a power of two; +infinity if the sign of
-// the leading coefficient is not certain. The errors are those implied by m (see above); none if m
-// is null.
+// A bound on the absolute values of all real roots (Fujiwara): a power of two; +infinity if the
+// sign of the leading coefficient is not certain. The coefficients' errors are those implied by m
+// (see the error model); none if m is null.
 double root_bound(const double* c, const double* m, int degree);
 
-// Dispatches on the degree. Requires degree >= 2; a, b are t - origin, b may be +infinity.
+// FirstRoot for a degree known at run time. Requires degree >= 2; a, b are t - origin, b may be
+// +infinity.
 template <bool kCertify>
 Search first_sign_change(const double* c, const double* m, int degree, double origin, double a,
                          double b, Enclosure& out);

@@ -52,7 +52,7 @@ namespace digits {
 
 Integer floor_of(const Rational& value);
 Rational power_of(int base, long exponent);
-// The largest e with base^e <= value, or one less or more. Requires value > 0.
+// The largest e with base^e <= value, off by at most one. Requires value > 0.
 long estimate_exponent(int base, const Rational& value);
 
 // floor(|t| scale).

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// InstantName: an instant as data, for logs, pages and comparisons. Text is made by the writer.
+// InstantName: an instant as data, for logs, pages and comparisons. Text is made only where it is
+// written: by to_text(), or by the writer of a log.
 #ifndef KINEX_CORE_NUMBERS_INSTANT_NAME_H
 #define KINEX_CORE_NUMBERS_INSTANT_NAME_H
 
@@ -19,7 +20,7 @@ enum class InstantDetail : std::uint8_t {
   kName,      // its exact name: polynomial, root, isolating interval; and its decimal
 };
 
-// An inexact arithmetic fills in only the decimal.
+// The name of one instant, in one detail. An inexact arithmetic fills in only the decimal.
 struct InstantName {
   // Distinct for every instant (and detail) that an arithmetic names: text made from this name may
   // be reused while the number is the same. 0: nothing has been named.
@@ -34,7 +35,7 @@ struct InstantName {
   bool is_rational() const { return detail == InstantDetail::kName && exact && lower == upper; }
 };
 
-// The same as text.
+// An InstantName as text: numbers as "p" or "p/q".
 struct InstantText {
   bool exact = false;
   std::vector<std::string> polynomial;  // low degree first (exact only)

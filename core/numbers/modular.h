@@ -52,14 +52,14 @@ class PrimeField {
   std::uint64_t r2_;                // 2^128 mod p
 };
 
-// The i-th prime of a fixed descending sequence that starts with 2^61 - 1.
+// A fixed descending sequence of primes that starts with 2^61 - 1; each next() returns one more.
 class PrimeSequence {
  public:
   std::uint64_t next();
 
  private:
   std::uint64_t last_ = 0;
-  std::size_t taken_ = 0;  // of the table; after it, primes are searched for
+  std::size_t taken_ = 0;  // entries of a table; beyond it, primes are searched for
 };
 
 using Residues = std::vector<std::uint64_t>;  // low degree first, no leading zeros

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/numbers/check.h"
+#include "core/numbers/short_rational.h"
 
 namespace kinex {
 
@@ -119,6 +120,11 @@ std::optional<Rational> Rational::from_double(double value) {
 }
 
 std::optional<Rational> Rational::parse(std::string_view text) {
+  if (const auto words = parse_short(text)) {
+    std::optional<Rational> result(std::in_place);
+    assign(*result, *words);
+    return result;
+  }
   const bool negative = take(text, '-');
   if (!negative) take(text, '+');
   std::optional<Rational> result = parse_unsigned(text);

@@ -37,7 +37,7 @@ class Rational {
   //   [+-]digits/digits               "1/3"   (denominator not zero)
   //   decimal, optional exponent      "0.1" = 1/10, "1e-300", ".5", "2."
   //   hexadecimal binary64            "0x1.8p+3" = 12
-  // Exponents beyond kMaxExponent in absolute value are refused (they would only eat memory).
+  // Exponents beyond kMaxExponent in absolute value are refused: the numbers would exhaust memory.
   static constexpr long kMaxExponent = 100000;
   static std::optional<Rational> parse(std::string_view text);
 

@@ -121,8 +121,10 @@ constexpr auto operator-(const FixedPolynomial<R, D>& a, const FixedPolynomial<R
   return r;
 }
 
+// Forced inline: a call would cost more than the work, and GCC does not inline it by itself.
 template <class R, int A, int B>
-constexpr auto operator*(const FixedPolynomial<R, A>& a, const FixedPolynomial<R, B>& b) {
+[[gnu::always_inline]] constexpr auto operator*(const FixedPolynomial<R, A>& a,
+                                                const FixedPolynomial<R, B>& b) {
   FixedPolynomial<R, A + B> r;
   for (int k = 0; k <= A + B; ++k) {
     const int first = k > B ? k - B : 0;
@@ -214,10 +216,14 @@ class FormulaConstant {
   double in(const double&) const { return approximate_; }
   Ball in(const Ball&) const {
     // to_double truncates: off by less than one unit in the last place of 53 bits.
-    return {approximate_, exact_.bit_length() <= 53 ? 0.0 : 2 * Ball::kUnit * (approximate_ < 0 ? -approximate_ : approximate_)};
+    return {approximate_,
+            exact_.bit_length() <= 53
+                ? 0.0
+                : 2 * Ball::kUnit * (approximate_ < 0 ? -approximate_ : approximate_)};
   }
   Magnitude in(const Magnitude&) const {
-    const double bound = fits_ ? (approximate_ < 0 ? -approximate_ : approximate_) * (1 + 0x1p-40) : 0x1p200;
+    const double bound =
+        fits_ ? (approximate_ < 0 ? -approximate_ : approximate_) * (1 + 0x1p-40) : 0x1p200;
     return Magnitude{bound, 0, 0, false}.noted();
   }
   RoundingBound in(const RoundingBound&) const {

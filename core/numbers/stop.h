@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Deadline: when a run has to stop. All code that may take long polls it.
+// Deadline: the time at which a run has to stop. All code that may take long polls it.
 //
-// A run must stop when its time is up, or when a flag is raised (by a signal, for example). It then
-// stops after the present instant: due() is true. If that instant takes longer than kGrace, or no
-// instant is being processed (structures are being built, an audit is made), look() throws Stopped.
+// A run must stop when its time is up, or when a flag is raised (by a signal, for example). From
+// then on due() is true, and the run stops after the present instant. If that instant takes longer
+// than kGrace, or no instant is being processed (structures are being built, an audit is made),
+// look() throws Stopped.
 #ifndef KINEX_CORE_NUMBERS_STOP_H
 #define KINEX_CORE_NUMBERS_STOP_H
 
@@ -42,7 +43,7 @@ class Deadline {
     if (is_due_ || (++asked_ & kSeldom) != 0) return is_due_;
     return note_due();
   }
-  // Likewise; throws Stopped if the run should have stopped by now.
+  // For frequent calls: throws Stopped if the run is due and kGrace has passed.
   void poll() {
     if (running_ && (++asked_ & kSeldom) == 0) look();
   }
@@ -71,7 +72,7 @@ class Deadline {
   Clock::time_point due_since_;
 };
 
-// For work that may have no deadline.
+// deadline->look(), for work that may have no deadline (null).
 inline void look(Deadline* deadline) {
   if (deadline != nullptr) deadline->look();
 }

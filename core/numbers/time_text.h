@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A time for messages: exact if that is short.
+// Times in messages: exact if the exact text is short.
 #ifndef KINEX_CORE_NUMBERS_TIME_TEXT_H
 #define KINEX_CORE_NUMBERS_TIME_TEXT_H
 

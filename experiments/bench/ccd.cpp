@@ -17,7 +17,7 @@
 
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
+#include "experiments/lab/cpu_clock.h"
 #include "predicates/ccd/contact_exact.h"
 #include "predicates/ccd/continuous_contact.h"
 
@@ -97,9 +97,9 @@ template <class Ask>
 double best_of(int rounds, const std::vector<ContactQuery>& queries, const Ask& ask) {
   double best = 0;
   for (int round = 0; round < rounds; ++round) {
-    const double begin = cpu_seconds();
+    const double begin = lab::cpu_seconds();
     for (const ContactQuery& query : queries) ask(query);
-    const double seconds = cpu_seconds() - begin;
+    const double seconds = lab::cpu_seconds() - begin;
     if (round == 0 || seconds < best) best = seconds;
   }
   return best * 1e6 / static_cast<double>(queries.size());

@@ -18,8 +18,8 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace {
@@ -43,14 +43,14 @@ struct Result {
 };
 
 Scene scene_of(const Case& one) {
-  WorkloadParameters parameters;
+  lab::WorkloadParameters parameters;
   parameters.n = one.n;
   parameters.m = one.m;
   parameters.turns = one.turns;
   if (one.inverse_separation > 0) {
     parameters.separation = Rational(Integer(1), Integer(one.inverse_separation));
   }
-  Scene scene = generate_scene(*find_workload(one.workload), parameters);
+  Scene scene = lab::generate_scene(*lab::find_workload(one.workload), parameters);
   scene.maintain = {{one.structure, one.structure, {}}};
   return scene;
 }
@@ -58,14 +58,14 @@ Scene scene_of(const Case& one) {
 Result measure(const Scene& scene, const char* arithmetic) {
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
-  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  Simulator simulator(scene, planned_arithmetic(arithmetic, scene), options);
   add_structures(simulator, scene);
   Result result;
-  const double start = cpu_seconds();
+  const double start = lab::cpu_seconds();
   simulator.start();
-  const double built = cpu_seconds();
+  const double built = lab::cpu_seconds();
   simulator.run_until(std::nullopt);
-  result.run = cpu_seconds() - built;
+  result.run = lab::cpu_seconds() - built;
   result.build = built - start;
   const StructureLedger& ledger = simulator.ledger(0);
   result.events = ledger.processed;
@@ -191,11 +191,11 @@ Boxes measure_boxes(const BenchOptions& options) {
   for (const int inverse : {16, 4}) {
     const Rational radius(Integer(1), Integer(inverse));
     for (const int n : options.smoke ? std::vector<int>{8} : std::vector<int>{100, 1000, 10000}) {
-      WorkloadParameters parameters;
+      lab::WorkloadParameters parameters;
       parameters.n = n;
       parameters.m = 8;
       parameters.separation = Rational(Integer(3), Integer(4)) - Rational(2) * radius;
-      Scene scene = generate_scene(*find_workload("polygons-in-box"), parameters);
+      Scene scene = lab::generate_scene(*lab::find_workload("polygons-in-box"), parameters);
       scene.maintain = {{"separation_mixed", "separation_mixed", {}}};
       Result result = measure(scene, "exact");
       // Quadratic in n: not for the largest.

@@ -13,8 +13,8 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace {
@@ -30,13 +30,13 @@ struct Result {
 Result run_once(const Scene& scene) {
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
-  Simulator simulator(scene, make_arithmetic("exact", scene), options);
+  Simulator simulator(scene, planned_arithmetic("exact", scene), options);
   add_structures(simulator, scene);
-  const double begin = cpu_seconds();
+  const double begin = lab::cpu_seconds();
   simulator.start();
   simulator.run_until(scene.end);
   Result result;
-  result.seconds = cpu_seconds() - begin;
+  result.seconds = lab::cpu_seconds() - begin;
   for (const PredicateCounters& p : simulator.arithmetic().counters().by_predicate) {
     for (const StageCounts* counts : {&p.signs, &p.failures, &p.looks, &p.comparisons}) {
       for (int s = 0; s < kStages; ++s) {
@@ -50,10 +50,10 @@ Result run_once(const Scene& scene) {
 }
 
 Result best_of(const char* workload, const char* structure, int degree, int n, int rounds) {
-  WorkloadParameters parameters;
+  lab::WorkloadParameters parameters;
   parameters.n = n;
   parameters.degree = degree;
-  Scene scene = generate_scene(*find_workload(workload), parameters);
+  Scene scene = lab::generate_scene(*lab::find_workload(workload), parameters);
   scene.maintain = {{structure, structure, {}}};
   Result best = run_once(scene);
   for (int round = 1; round < rounds; ++round) {

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "experiments/bench/ratios.h"
-#include "experiments/file_io.h"
-#include "experiments/verify/machine.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/lab/machine.h"
 
 int main(int argc, char** argv) {
   using namespace kinex;
@@ -19,9 +19,9 @@ int main(int argc, char** argv) {
   }
   try {
     const std::string text = "# Benchmarks\n\nMade by " +
-                             provenance(argv[1], build_facts(), machine_facts()) +
+                             lab::provenance(argv[1], lab::build_facts(), lab::machine_facts()) +
                              ". One core; CPU seconds; ratios within one process.\n" +
-                             ratios_text(exact_over_double(read_text_file(argv[2]), argv[2]));
+                             ratios_text(exact_over_double(formats::read_text_file(argv[2]), argv[2]));
     std::fwrite(text.data(), 1, text.size(), stdout);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", argv[0], error.what());

@@ -16,8 +16,8 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace {
@@ -48,12 +48,12 @@ std::uint64_t signs_so_far(const Simulator& simulator) {
 }
 
 Scene scene_of(const Contest& contest) {
-  WorkloadParameters parameters;
+  lab::WorkloadParameters parameters;
   parameters.n = contest.n;
   parameters.seed = 1;
   parameters.degree = 1;
   parameters.dimension = 2;
-  Scene scene = generate_scene(*find_workload("uniform-square"), parameters);
+  Scene scene = lab::generate_scene(*lab::find_workload("uniform-square"), parameters);
   scene.maintain = {{contest.structure, contest.structure, {}}};
   return scene;
 }
@@ -62,16 +62,16 @@ Result measure(const Scene& scene, const char* arithmetic, std::uint64_t events)
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   options.max_events = events;
-  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  Simulator simulator(scene, planned_arithmetic(arithmetic, scene), options);
   add_structures(simulator, scene);
   Result result;
-  const double start = cpu_seconds();
+  const double start = lab::cpu_seconds();
   simulator.start();
   const std::uint64_t signs = signs_so_far(simulator);
-  const double built = cpu_seconds();
+  const double built = lab::cpu_seconds();
   simulator.run_until(std::nullopt);
   result.build = built - start;
-  result.run = cpu_seconds() - built;
+  result.run = lab::cpu_seconds() - built;
   result.events = simulator.ledger().events;
   result.bytes = simulator.ledger().peak_bytes;
   result.signs = signs_so_far(simulator) - signs;

@@ -16,8 +16,8 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/hull/convex_hull_2.h"
 #include "structures/plan.h"
 
@@ -47,14 +47,14 @@ constexpr Family kFamilies[] = {
     {"expanding-circle", 1, 100000, true},  {"rotating-circle", 1, 100000, true}};
 
 Scene scene_of(const Family& family, int n) {
-  const Workload& workload = *find_workload(family.workload);
-  WorkloadParameters parameters;
+  const lab::Workload& workload = *lab::find_workload(family.workload);
+  lab::WorkloadParameters parameters;
   const bool two_kinds = workload.takes_m && !workload.random;
   parameters.n = two_kinds ? n / 2 : n;
   parameters.seed = 1;
   parameters.degree = family.degree;
   parameters.dimension = 2;
-  Scene scene = generate_scene(workload, parameters);
+  Scene scene = lab::generate_scene(workload, parameters);
   scene.maintain = {{"convex_hull_2", "convex_hull_2", {}}};
   return scene;
 }
@@ -68,12 +68,12 @@ int levels_of(std::size_t n) {
 class Run {
  public:
   Run(const Scene& scene, std::uint64_t events)
-      : simulator_(scene, make_arithmetic("exact", scene), limits(events)) {
+      : simulator_(scene, planned_arithmetic("exact", scene), limits(events)) {
     add_structures(simulator_, scene);
-    const double start = cpu_seconds();
+    const double start = lab::cpu_seconds();
     simulator_.start();
     simulator_.run_until(std::nullopt);
-    seconds_ = cpu_seconds() - start;
+    seconds_ = lab::cpu_seconds() - start;
   }
   const StructureLedger& ledger() { return simulator_.ledger(0); }
   const ConvexHull2& hull() { return dynamic_cast<const ConvexHull2&>(simulator_.structure(0)); }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: what does it cost to report a run: to name an instant exactly where doubles already
-//   enclose it, to make the digest, to write the log?
+// Question: what is the cost of reporting a run: of naming an instant exactly where doubles already
+//   enclose it, of making the digest, of writing the log?
 // Workload: uniform-square. For each structure and degree, alternating: runs without a sink; with a
-//   sink that requests nothing of the instants, an interval, a name, and the name in words; with the
+//   sink that requests no name of the instant, an interval, a name, and the name as text; with the
 //   digest and with the whole log (to the null device), as `kinex run` has them for --summary and
 //   --events; the best of each; thread CPU time.
-// Counted: microseconds an instant beyond the sink that requests nothing; ratios of whole runs.
+// Counted: microseconds per instant beyond the sink that requests no name; ratios of whole runs.
 // Output: see result_table.h; options: see options.h.
 #include <algorithm>
 #include <array>
@@ -16,10 +16,10 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/event_log.h"
-#include "experiments/file_io.h"
-#include "experiments/workload.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace {
@@ -56,11 +56,11 @@ class Namer final : public EventSink {
 double run_once(const Scene& scene, Asked asked, std::uint64_t& instants) {
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
-  Simulator simulator(scene, make_arithmetic("exact", scene), options);
+  Simulator simulator(scene, planned_arithmetic("exact", scene), options);
   add_structures(simulator, scene);
   Namer namer(asked);
-  std::optional<OutputFile> file;
-  std::optional<EventLog> log;
+  std::optional<formats::OutputFile> file;
+  std::optional<formats::EventLog> log;
   if (asked == kDigest || asked == kLog) {
     if (asked == kLog) file.emplace("/dev/null", true);
     log.emplace(simulator, "", file ? &*file : nullptr);
@@ -70,19 +70,19 @@ double run_once(const Scene& scene, Asked asked, std::uint64_t& instants) {
     simulator.set_sink(&namer);
   }
   simulator.start();
-  const double begin = cpu_seconds();
+  const double begin = lab::cpu_seconds();
   const RunStatus status = simulator.run_until(scene.end);
   if (log) log->finish(status);
   instants = std::max(instants, namer.instants);
-  return cpu_seconds() - begin;
+  return lab::cpu_seconds() - begin;
 }
 
 // `least_seconds`: of all runs of one way together.
 void run_contest(const Contest& contest, int rounds, double least_seconds, ResultTable& table) {
-  WorkloadParameters parameters;
+  lab::WorkloadParameters parameters;
   parameters.n = contest.n;
   parameters.degree = contest.degree;
-  Scene scene = generate_scene(*find_workload("uniform-square"), parameters);
+  Scene scene = lab::generate_scene(*lab::find_workload("uniform-square"), parameters);
   scene.maintain = {{contest.structure, contest.structure, {}}};
   std::array<double, kWays> seconds{};
   std::uint64_t instants = 0;

@@ -15,8 +15,8 @@
 #include "experiments/bench/options.h"
 #include "experiments/bench/queue_trace.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 
 namespace {
 
@@ -112,7 +112,7 @@ template <class Queue>
 Result replay(const QueueTrace& trace) {
   Queue queue(trace.certificates);
   Result result;
-  const double begin = cpu_seconds();
+  const double begin = lab::cpu_seconds();
   for (const QueueOperation& o : trace.operations) {
     switch (o.kind) {
       case Kind::kPush:
@@ -134,7 +134,7 @@ Result replay(const QueueTrace& trace) {
         break;
     }
   }
-  result.seconds = cpu_seconds() - begin;
+  result.seconds = lab::cpu_seconds() - begin;
   return result;
 }
 
@@ -156,11 +156,11 @@ void run_contest(const Contest& contest, std::uint64_t events, int rounds, Resul
       {"boost pairing", replay<BoostQueue<PairingHeap>>},
       {"kinex buckets", replay<BucketQueue>},
   };
-  WorkloadParameters parameters;
+  lab::WorkloadParameters parameters;
   parameters.n = contest.n;
   parameters.degree = contest.degree;
   const QueueTrace trace = record_queue(
-      generate_scene(*find_workload("uniform-square"), parameters), contest.structure, events);
+      lab::generate_scene(*lab::find_workload("uniform-square"), parameters), contest.structure, events);
   Result best[std::size(kCandidates)];
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < std::size(kCandidates); ++i) {

@@ -6,6 +6,7 @@
 
 #include "core/engine/scheduler.h"
 #include "core/engine/simulator.h"
+#include "structures/plan.h"
 #include "structures/registry.h"
 
 namespace kinex {
@@ -89,7 +90,7 @@ QueueTrace record_queue(const Scene& scene, const char* structure, std::uint64_t
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   options.max_events = events;
-  Simulator simulator(scene, make_arithmetic("exact", scene), options);
+  Simulator simulator(scene, planned_arithmetic("exact", scene), options);
   const Request request{structure, structure, {}};
   const StructureId id = simulator.reserve();
   simulator.add(id,

@@ -14,7 +14,7 @@ namespace kinex {
 struct QueueOperation {
   enum class Kind : std::uint8_t { kPush, kReset, kRemove, kPop };
   Kind kind;
-  std::uint32_t id;  // of the certificate; kPop: of the one that the run handled
+  std::uint32_t id;  // of the certificate; kPop: of the certificate that the run handled
   double lo, hi;     // kPush, kReset: the enclosure of the failure time
 };
 

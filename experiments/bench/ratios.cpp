@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <utility>
 
-#include "experiments/input_error.h"
-#include "experiments/json_value.h"
-#include "experiments/workload.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/json_document.h"
+#include "experiments/lab/workload.h"
 
 namespace kinex {
 
@@ -22,7 +22,7 @@ const std::vector<std::string>& kinds() {
 }
 
 std::size_t kind_of(const Ratio& ratio) {
-  const Workload* workload = find_workload(ratio.scene);
+  const lab::Workload* workload = lab::find_workload(ratio.scene);
   if (workload != nullptr && workload->bodies) return 2;
   return ratio.scene.rfind("uniform-", 0) == 0 || ratio.scene == "gaussian" ? 0 : 1;
 }
@@ -54,10 +54,11 @@ std::vector<Ratio> exact_over_double(std::string_view lines, const std::string& 
   std::vector<Ratio> ratios;
   std::size_t begin = 0, number = 1;
   for (std::size_t end; (end = lines.find('\n', begin)) != lines.npos; begin = end + 1, ++number) {
-    const JsonValue row = parse_json(lines.substr(begin, end - begin), file, number);
+    const formats::JsonDocument row_document = formats::parse_json(lines.substr(begin, end - begin), file, number);
+    const formats::JsonValue& row = *row_document;
     const auto text = [&](const char* key) {
-      const JsonValue* found = row.find(key);
-      return found == nullptr ? std::string() : found->text;
+      const formats::JsonValue* found = row.find(key);
+      return found == nullptr ? std::string() : std::string(found->text());
     };
     if (text("bench") != "speed" || text("arithmetic") != "exact" || text("first") != "double") {
       continue;

@@ -5,6 +5,7 @@
 //   shared  one, two, three attributes of one scene: the sum of their single costs, and less where
 //           a structure is shared
 //   padded  a scene of degree 1 written with coefficients 0 up to degree 3 runs as fast as without
+//   unread  weights that no structure reads cost neither time nor memory
 // Workload: uniform-square. Rounds are interleaved; the best of each counts; thread CPU time.
 // Output: see result_table.h; options: see options.h.
 #include <algorithm>
@@ -16,8 +17,8 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace {
@@ -25,11 +26,11 @@ namespace {
 using namespace kinex;
 
 Scene uniform_square(int n, int dimension, std::uint64_t seed) {
-  WorkloadParameters parameters;
+  lab::WorkloadParameters parameters;
   parameters.n = n;
   parameters.dimension = dimension;
   parameters.seed = seed;
-  return generate_scene(*find_workload("uniform-square"), parameters);
+  return lab::generate_scene(*lab::find_workload("uniform-square"), parameters);
 }
 
 struct Result {
@@ -43,15 +44,15 @@ struct Result {
 Result run_once(const Scene& scene) {
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
-  const double before = cpu_seconds();
-  Simulator simulator(scene, make_arithmetic("exact", scene), options);
+  const double before = lab::cpu_seconds();
+  Simulator simulator(scene, planned_arithmetic("exact", scene), options);
   add_structures(simulator, scene);
   simulator.start();
-  const double begin = cpu_seconds();
+  const double begin = lab::cpu_seconds();
   simulator.run_until(scene.end);
   Result result;
   result.setup = begin - before;
-  result.seconds = cpu_seconds() - begin;
+  result.seconds = lab::cpu_seconds() - begin;
   result.events = simulator.ledger().events;
   result.bytes = simulator.ledger().peak_bytes;
   const auto& solved = simulator.arithmetic().counters().polynomials_solved;
@@ -180,6 +181,30 @@ void padded(const BenchOptions& options) {
   }
 }
 
+Scene with_weights(Scene scene) {
+  std::int64_t weight = 0;
+  for (SceneObject& object : scene.objects) object.weight = Rational(++weight * 1000003);
+  return scene;
+}
+
+void unread(const BenchOptions& options) {
+  const bool smoke = options.smoke;
+  ResultTable table(options, "requires_unread", "unread: weights that no structure reads.",
+                    {{"structure", ResultTable::kText, 12},
+                     {"n", 0, 7},
+                     {"seconds", 4},
+                     {"weighted_over_plain", 4},
+                     {"more_bytes", 0}});
+  for (const char* structure : {"sorted_list", "delaunay_2"}) {
+    const bool list = std::strcmp(structure, "sorted_list") == 0;
+    Scene scene = uniform_square(smoke ? 30 : 1500, list ? 1 : 2, 1);
+    ask_for(scene, {structure});
+    const std::vector<Result> results = run_all({scene, with_weights(scene)}, smoke ? 1 : 7);
+    table.row({structure, scene.objects.size(), results[0].seconds,
+               results[1].seconds / results[0].seconds, results[1].bytes - results[0].bytes});
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -188,5 +213,6 @@ int main(int argc, char** argv) {
   moving(*options);
   shared(*options);
   padded(*options);
+  unread(*options);
   return 0;
 }

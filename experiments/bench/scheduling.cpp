@@ -14,8 +14,8 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace {
@@ -38,20 +38,20 @@ Result run_once(const Scene& scene, const char* arithmetic, Scheduling schedulin
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   options.scheduling = scheduling;
-  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  Simulator simulator(scene, planned_arithmetic(arithmetic, scene), options);
   add_structures(simulator, scene);
   simulator.start();
-  const double begin = cpu_seconds();
+  const double begin = lab::cpu_seconds();
   simulator.run_until(scene.end);
   const StructureLedger& ledger = simulator.ledger(0);
-  return {cpu_seconds() - begin, ledger.failures_found, ledger.failures_unused, ledger.windows};
+  return {lab::cpu_seconds() - begin, ledger.failures_found, ledger.failures_unused, ledger.windows};
 }
 
 void run_contest(const Contest& contest, int rounds, ResultTable& table) {
-  WorkloadParameters parameters;
+  lab::WorkloadParameters parameters;
   parameters.n = contest.n;
   parameters.degree = contest.degree;
-  Scene scene = generate_scene(*find_workload("uniform-square"), parameters);
+  Scene scene = lab::generate_scene(*lab::find_workload("uniform-square"), parameters);
   scene.maintain = {{contest.structure, contest.structure, {}}};
   Result eager, lazy;
   for (int round = 0; round < rounds; ++round) {

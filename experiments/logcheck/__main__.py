@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""kinex-logcheck: checks an event log of kinex with a program that has no line in common with it."""
+"""kinex-logcheck: checks an event log of kinex; a program that shares no line of code with kinex."""
 
 import argparse
 import json

@@ -6,9 +6,9 @@ w^2 over N = p^2 + q^2. Seen from A's frame, times N = N_A N_B > 0, vertex y of 
 
     P = N_B W_A^T (c_B - c_A) + W y - N x0,     W the multiplication by (conj(w_A) w_B)^2,
 
-and it is outside of the edge from x0 along u, seen from A, where P x u > 0. Two bodies can change from
-apart to touching to overlapping only where a vertex is on an edge: at a root of one of these
-polynomials, of whatever multiplicity. Between two of them the bodies are compared at a rational time.
+and it is outside the edge from x0 along u, seen from A, where P x u > 0. Two bodies change between apart,
+touching and overlapping only where a vertex is on an edge: at a root, of any multiplicity, of one of these
+polynomials. Between two roots the bodies are compared at a rational time.
 """
 
 from fractions import Fraction
@@ -302,7 +302,7 @@ class Story:
                     pair.after = pair.roots(self.world.window)
                     pair.state = self.state_after(pair, x)
                     if pair.state == OVERLAPPING:
-                        # One of the two is new: this is no contact.
+                        # One of the two is new: this is not a contact.
                         self.events.append((x, "overlap", (a, b), None))
 
     def state_after(self, pair, x):
@@ -322,7 +322,7 @@ class Story:
                 self.pass_instant(pair, x, Touch(pair, self.world.window))
 
     def turn(self, pair, x, old):
-        """The end of flight plans, or of the run: before it by the old ones, after it by the new ones."""
+        """The end of flight plans, or of the run: the old ones hold before it, the new ones after it."""
         changed = any(self.world.piece[o] is not old[o] for o in (pair.a, pair.b))
         if changed:
             pair.read()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Level 5: small scenes by brute force.
 
-All instants at which anything can change are found: every root of every predicate over every tuple of
-objects, whatever a structure's proof may hold. At a rational point of every gap between two of them the
-attribute is computed from scratch, from positions, and compared with what the log's events make it.
+The instants at which anything can change are all found: every root of every predicate over every tuple of
+objects, whether or not it is in a structure's proof. At a rational time between two consecutive instants the
+attribute is computed from positions and compared with the attribute that the log's events lead to.
 """
 
 from fractions import Fraction
@@ -105,6 +105,24 @@ def delaunay_of(positions):
     return sorted(edges)
 
 
+def box_of(positions):
+    members = sorted(positions)
+    result = []
+    for axis in range(len(positions[members[0]]) if members else 0):
+        for extreme in (min, max):
+            result.append(extreme(members, key=lambda o: positions[o][axis]))
+    return result
+
+
+def squared_distance(positions, pair):
+    return sum((a - b) ** 2 for a, b in zip(positions[pair[0]], positions[pair[1]]))
+
+
+def closest_of(positions):
+    pairs = list(combinations(sorted(positions), 2))
+    return [min(pairs, key=lambda pair: squared_distance(positions, pair))] if pairs else []
+
+
 def attribute_of(structure, key, positions):
     name = structure.name
     if name == "sorted_list":
@@ -121,21 +139,35 @@ def attribute_of(structure, key, positions):
         return hull_of(positions)
     if name == "delaunay_2":
         return delaunay_of(positions)
+    if name == "bounding_box":
+        return box_of(positions)
+    if name == "closest_pair_delaunay":
+        return closest_of(positions)
     return None
 
 
 # ---- instants
 
 
-def queries_of(structure, key, members):
-    """What the attribute depends on."""
-    from predicates import Key
+def queries_of(structure, key, members, dimension):
+    """The polynomials that the attribute depends on."""
+    from predicates import Key, axis_order, distance_query
 
     name = structure.name
     if name == "sorted_list" or name.startswith(("maximum_", "minimum_")):
         k = Key(key)
         for a, b in combinations(sorted(members - {k.reference}), 2):
             yield k.claim(a, b)
+        return
+    if name == "bounding_box":
+        for pair in combinations(sorted(members), 2):
+            for axis in range(dimension):
+                yield (axis_order(axis), pair)
+        return
+    if name == "closest_pair_delaunay":
+        pairs = list(combinations(sorted(members), 2))
+        for front, back in combinations(pairs, 2):
+            yield distance_query(front, back)
         return
     for pair in combinations(sorted(members), 2):
         yield ("order_x", pair)
@@ -209,7 +241,7 @@ def check_small(checker, end):
         if until is None or (end is not None and compare(until, end) > 0):
             until, t = end, None
         instants = [begin]
-        for query in {q for i in followed for q in queries_of(structures[i], keys[i], world.alive)}:
+        for query in {q for i in followed for q in queries_of(structures[i], keys[i], world.alive, scene.dimension)}:
             p = world.changes(*query)[0].p
             if p not in roots:
                 roots[p] = all_roots(p, world.window)

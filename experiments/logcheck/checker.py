@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Levels 1 to 4: goes through a log instant by instant, with the scene.
+"""Levels 1 to 4: reads a log instant by instant, with the scene.
 
-At one instant the order is: flight plans (all structures), failures, then object by object what goes,
-failures, then object by object what comes, failures. Right after it every claim holds.
+The order at one instant: flight plans (all structures), failures; the objects that disappear, one by one, and
+failures; the objects that appear, one by one, and failures. Every claim holds right after the instant.
 """
 
 import json
@@ -19,7 +19,7 @@ from world import World
 # Structures whose certificates of a predicate fail where they touch zero, too: vertices of a hull that meet
 # and part again leave every turn to the left.
 TOUCHING = {"convex_hull_2_brute_force": "orientation_2"}
-# After these a structure may hold certificates that were born negative, not by passing through zero.
+# After these, certificates of a structure may be negative since they were made, without passing through zero.
 UNSETTLING = ("blocked", "reinsert", "settled", "rebuild")
 
 
@@ -69,7 +69,7 @@ class Checker:
                 self.undone[level] = reason
 
     def note_partly(self, label, what):
-        """Something that a replay does not follow."""
+        """Something that no replay covers."""
         self.partly.setdefault(label, what)
 
     def check_scene(self):
@@ -323,8 +323,8 @@ class Checker:
         self.touched[replay.structure.index] = replay
 
     def failed(self, replay, query, made, x):
-        """A live claim of the replay fails: of those that fail at one instant and were all there, the
-        first in order comes first."""
+        """A live claim of the replay fails. Of the claims that fail at one instant and were made before it,
+        the first in order fails first."""
         if not self.on[3]:
             return
         predicate, ids = query

@@ -12,7 +12,7 @@ UPPER, LOWER = 0, 1
 
 
 class Tied(Exception):
-    """A sign is zero for ever; the rule that would resolve it is not written here."""
+    """A sign is identically zero, and the rule that resolves it is not implemented here."""
 
 
 class TreeNode:
@@ -67,7 +67,7 @@ class Tree:
         return node
 
     def insert(self, point):
-        """The leaf with the fewest others above it becomes a node over its point and the new one."""
+        """The shallowest leaf becomes a node over its point and the new one."""
         if self.root is None:
             self.root = self.build([point])
             return
@@ -101,7 +101,7 @@ class Tree:
             above.children[above.children[1] is old] = new
 
     def balance(self, t):
-        """No child has more than three quarters of the leaves, and a few: else it is built anew."""
+        """A node is rebuilt when a child has more than three quarters of its leaves, and a few."""
         while t is not None:
             a, b = (c.leaves for c in t.children)
             t.leaves = a + b
@@ -149,7 +149,7 @@ class Tree:
 
     @staticmethod
     def purple(chains, ends, corners):
-        """What is above from left to right, and how often each line is crossed."""
+        """The upper chain from left to right, and the number of crossings of each line."""
         at = {True: 0, False: 0}
         red_shows = ends[0]
         chain = [chains[red_shows][0]]
@@ -169,7 +169,7 @@ class Tree:
         return chain, crossings
 
     def claims(self, half, chains, ends, corners, crossings, x):
-        """(place, (query, kind, ids)) of everything that one half of a node claims."""
+        """(place, (query, kind, ids)) of all claims of one half of a node."""
         red, blue = chains[True], chains[False]
         for end, (r, b) in enumerate(((red[0], blue[0]), (red[-1], blue[-1]))):
             pair = (r, b) if ends[end] == (end == 0) else (b, r)

@@ -14,7 +14,7 @@ LEAST_PLAIN, MOST_PLAIN = -5, 11  # powers of ten that are written with a point
 
 
 def read_instant(time, level):
-    """The instant that a record of instants by name is at. At level 1 every word of it is checked."""
+    """The instant of a record in a log with names. Level 1 checks every part of it."""
     p = tuple(int(c) for c in time["polynomial"])
     a, b = (rational(end) for end in time["interval"])
     root = time["root"]

@@ -16,7 +16,7 @@ HEX = re.compile(r"[0-9a-f]{64}\Z")
 
 
 class Wrong(Exception):
-    """The log is wrong: where, and what."""
+    """An error in the log: its place and what is wrong."""
 
     def __init__(self, what, line=None):
         super().__init__(what)
@@ -240,7 +240,7 @@ class Log:
                 "the seal is broken: the file is not as it was written")
 
     def digest(self):
-        """Of what happened and in which order; not of when."""
+        """The digest covers the events and their order, not their times."""
         def array(items):
             return "[" + ",".join(items) + "]"
 

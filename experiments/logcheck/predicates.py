@@ -45,6 +45,12 @@ def order_squared_distance(points):
     return subtract(squared_distance(points[1], points[2]), squared_distance(points[0], points[2]))
 
 
+def order_pair_distance(points):
+    """The first two are closer to each other than the other two."""
+    a, b, c, d = points
+    return subtract(squared_distance(c, d), squared_distance(a, b))
+
+
 def cross(u, v):
     return subtract(multiply(u[0], v[1]), multiply(u[1], v[0]))
 
@@ -82,6 +88,7 @@ FORMULAS = {
     "order_y": (order(1), 2, 2),
     "order_z": (order(2), 2, 2),
     "order_squared_distance": (order_squared_distance, 3, 2),
+    "order_pair_distance": (order_pair_distance, 4, 0),
     "orientation_2": (orientation_2, 3, 3),
     "slope_order_2": (slope_order_2, 4, 0),
     "in_circle_2": (in_circle_2, 4, 4),
@@ -90,13 +97,27 @@ FORMULAS = {
 LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2}
 
 
+def axis_order(axis):
+    """The name of the order on an axis, as logs write it."""
+    return "order_" + "xyz"[axis]
+
+
+def distance_query(front, back):
+    """The first pair is at most as far apart as the second; they may share an object, not both."""
+    for u, v in (front, front[::-1]):
+        for w, z in (back, back[::-1]):
+            if u == w:
+                return ("order_squared_distance", (v, z, u))
+    return ("order_pair_distance", (*front, *back))
+
+
 class Key:
-    """What a one-dimensional structure orders by."""
+    """The key of a one-dimensional structure."""
 
     def __init__(self, key):
         self.reference = key[1] if key[0] == "distance" else None
         if key[0] == "axis":
-            self.predicate = "order_" + "xyz"[key[1]]
+            self.predicate = axis_order(key[1])
         elif key[0] == "direction":
             self.predicate = ("order_direction", tuple(key[1]))
         else:
@@ -104,7 +125,7 @@ class Key:
 
     @property
     def name(self):
-        """As logs write it."""
+        """In the form of a log."""
         return self.predicate if isinstance(self.predicate, str) else self.predicate[0]
 
     def claim(self, a, b):
@@ -120,8 +141,14 @@ def formula_of(predicate):
 
 
 def normal_form(predicate, ids):
-    """The ids of a query in the order in which its polynomial is kept, and the sign that this costs."""
-    alternating = formula_of(predicate)[2] if isinstance(predicate, tuple) else FORMULAS[predicate][2]
+    """The ids of a query in the order in which its polynomial is stored, and the sign of that permutation."""
+    alternating = formula_of(predicate)[2]
+    if predicate == "order_pair_distance":
+        # Either pair in ascending order, the smaller pair first.
+        first, second = tuple(sorted(ids[:2])), tuple(sorted(ids[2:]))
+        if second < first:
+            return second + first, -1
+        return first + second, 1
     if alternating == 0:
         # (b - a) x (d - c), each pair in ascending order, the smaller pair first.
         a, b, c, d = ids

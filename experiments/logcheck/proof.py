@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A proof of the checker's own: claims "value >= 0" with the time of their lives (level 4)."""
+"""The checker's own proof (level 4): claims "value >= 0", each with the time during which it must hold."""
 
 import json
 
@@ -8,9 +8,9 @@ from roots import compare
 
 
 class Proof:
-    """Claims by place (an edge, a node, a pair of neighbours). When one goes, it must not have failed
-    before that instant: what it says was true from the moment it was made, or from the end of the
-    instant at which it was made, to the end of its life."""
+    """Claims by place (an edge, a node, a pair of neighbours). A claim that is removed must not have failed
+    before that instant: it holds from the moment, or from the end of the instant, at which it was made
+    until it is removed."""
 
     def __init__(self, world, label, on=True):
         self.world, self.label, self.on = world, label, on
@@ -48,7 +48,7 @@ class Proof:
         return predicate + json.dumps([self.world.scene.ids[i] for i in query[1]], ensure_ascii=False)
 
     def before_motion(self, objects, x):
-        """These objects are about to move otherwise: their claims so far are judged."""
+        """The motions of these objects are about to change: their claims are checked up to now."""
         self.touched = [c for c in self.claims.values() if not objects.isdisjoint(c[0][1])]
         for claim in self.touched:
             self.judge(claim, x)
@@ -62,7 +62,7 @@ class Proof:
         return [place for place, c in self.claims.items() if c[1] is not None and compare(c[1], x) <= 0]
 
     def finish(self, end):
-        """The run holds up to `end`, what happens at it included; None: for ever."""
+        """The claims hold up to and including `end`; None: for all time."""
         if not self.on:
             return
         for claim in self.claims.values():

@@ -5,7 +5,7 @@ from log import Wrong
 
 
 class Replay:
-    """One structure's state, moved on by the records of its log. Subclasses keep `attribute`."""
+    """The state of one structure, advanced by the records of its log. Subclasses keep `attribute`."""
 
     def __init__(self, checker, structure):
         self.checker, self.structure = checker, structure
@@ -29,7 +29,7 @@ class Replay:
         raise NotImplementedError
 
     def settle(self, x):
-        """Everything that happens at x has been told: the attribute is right from now on."""
+        """All records of the instant x have been read: the attribute is that right after x."""
 
     def before_motion(self, objects, x):
         for proof in self.proofs:

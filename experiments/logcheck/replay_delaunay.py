@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """delaunay_2: edges are flipped; a point enters or leaves the hull (a flip with infinity).
 
-The proof is one claim per edge, and one per bounded triangle: that it is upright. At an instant at
-which a flip was impossible ("blocked"), or points were taken out and put in again, the triangulation
-is made anew right after the instant, and the log's edges must be its edges.
+The proof has one claim per edge, and one per bounded triangle, that it is positively oriented. At an instant
+with a flip that was impossible ("blocked"), or with points taken out and put in again, the triangulation is
+computed from scratch right after the instant, and must have the edges of the log.
 """
 
 from log import Wrong
@@ -92,7 +92,7 @@ class Delaunay(Replay):
         self.require(self.t is not None, "%s: all points are on one line", r.short())
         u, v, p, q = self.quad(r)
         if not r.external:
-            # Told with what has changed before, at the end of the instant.
+            # Reported together with earlier changes, at the end of the instant.
             self.require(self.loose or (min(p, q), max(p, q)) in self.edges, "%s is external", r.short())
             self.loose = True
             return
@@ -122,7 +122,7 @@ class Delaunay(Replay):
                                for i in sorted((u, v))) + "]"
 
     def quad(self, r):
-        """The edge that goes and the one that comes."""
+        """The edge that is removed and the one that is added."""
         size = 4 if r.kind == "flip" else 3
         self.require(len(r.ids) == size and len(set(r.ids)) == size, "%s names %d objects", r.short(), size)
         self.require(r.ids[-2] < r.ids[-1] and (size == 3 or r.ids[0] < r.ids[1]),
@@ -146,7 +146,7 @@ class Delaunay(Replay):
             self.claim(a, b, x)
 
     def edge_change(self, r, u, v, p, q):
-        """What the record says of the attribute."""
+        """The change of the attribute that the record reports."""
         if r.kind in ("flip", "enter"):
             edge = (min(u, v), max(u, v))
             self.require(edge in self.edges, "%s: there is no edge %s", r.short(), self.edge_name(u, v))
@@ -177,8 +177,8 @@ class Delaunay(Replay):
                      "" if self.edges != before else "not ", "change" if self.edges != before else "stay")
 
     def disturbed(self, r, x):
-        """A flip that was impossible, or a point that was taken out and put in again: what has become of
-        the triangulation shows when the instant is over."""
+        """A flip that was impossible, or a point that was taken out and put in again: the triangulation is
+        unknown until the instant is over."""
         if r.kind == "blocked":
             self.require(len(r.ids) in (3, 4) and list(r.ids) == sorted(set(r.ids)),
                          "%s names three or four objects, in order", r.short())
@@ -193,7 +193,7 @@ class Delaunay(Replay):
         self.loose = True
 
     def block(self, r, query, x):
-        """The first of an instant: the triangulation is still known, and with it the edge."""
+        """The first one at an instant: the triangulation, and so the edge, is still known."""
         for place, claim in self.proof.claims.items():
             if len(place) == 2 and claim[0][0] == query[0] and normal_form(*claim[0]) == normal_form(*query):
                 return self.checker.failed(self, query, claim[2], x)
@@ -268,8 +268,8 @@ class Delaunay(Replay):
         return False
 
     def check_all(self, x):
-        """After several events at one instant: every claim holds, every triangle is upright, the hull goes
-        round once, and points on one circle have their fans."""
+        """After several events at one instant: every claim holds, every triangle is positively oriented, the
+        hull turns once, and cocircular points are triangulated as fans."""
         for place in self.proof.failing(x):
             raise Wrong("%s: right after %r %s is negative" % (
                 self.label, x, self.proof.tell(self.proof.claims[place][0])))
@@ -277,7 +277,7 @@ class Delaunay(Replay):
             return
         for place, claim in self.proof.claims.items():
             if len(place) == 3 and self.world.is_zero(claim[0]):
-                raise Wrong("%s: the triangle %s is flat for ever" % (self.label, self.names(place)))
+                raise Wrong("%s: the triangle %s is identically flat" % (self.label, self.names(place)))
             if len(place) == 2 and wants_other_diagonal(self.world, self.t, *place):
                 raise Wrong("%s: of four points on one circle the edge %s does not have the smallest id" % (
                     self.label, self.edge_name(*place)))

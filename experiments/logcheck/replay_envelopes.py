@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """convex_hull_2 and convex_hull_2_naive: their internal events, failures inside the tree of envelopes.
 
-What a node claims follows from its state, so that after an instant the nodes at which something failed,
-and those above whose children's chains have changed, are merged from scratch. If all that fails at an
-instant is one thing (the claims of one node that the slopes of the same two lines are in order are one,
-in both halves: one repair serves them all), exactly one record says so. If several things fail at one
-instant each has a record, but for those that another repair may have taken away, one of the same half,
-in the same node or below it, that has two points in common with it, or is one of three and more (a node
-may then have been merged anew); and there may be records of claims that were only made at the instant.
+The claims of a node are a function of its state. After an instant, the nodes with a failure and those above
+whose children's chains have changed are merged from scratch. Claims of one node, in both halves, about the
+slopes of the same two lines count as one failure, since one repair serves them all. If there is one failure
+at an instant, it has exactly one record. If there are several, each has a record, with two exceptions: a
+repair of the same half, in the same node or below, with two points in common may have removed a failure; and
+with three or more failures a node may have been merged anew. There may also be records of claims that were
+made at the instant itself.
 """
 
 from envelopes import Tied, Tree
@@ -23,7 +23,7 @@ class Envelopes(Hull):
         self.inside = Proof(self.world, self.label, checker.on[4])
         self.proofs = [self.proof, self.inside]
         self.records, self.tied = [], False
-        self.doubts = []  # what is wrong unless a sign turns out to be zero for ever
+        self.doubts = []  # what is wrong, unless a sign is identically zero
         self.moved = False
 
     def start(self, x):
@@ -65,10 +65,10 @@ class Envelopes(Hull):
         return {(t, half) + place: claim[0] for half in (0, 1) for place, claim in t.claimed[half].items()}
 
     def give_up(self):
-        """From here on only the changes of the hull are followed."""
+        """From now on only changes of the hull are checked."""
         if not self.tied:
             self.tied = True
-            self.checker.note_partly(self.label, "internal events, as some signs are zero for ever")
+            self.checker.note_partly(self.label, "internal events, as some signs are identically zero")
         self.proofs = [self.proof]
 
     def internal(self, r, x):
@@ -123,7 +123,7 @@ class Envelopes(Hull):
         if self.rebuilt:
             self.rebuilt = False
             return self.merge_all(x)
-        # What fails, as it was claimed; then the nodes are merged anew, which may show ties.
+        # The failures, as they were claimed; then the nodes are merged anew, which may reveal ties.
         failing = [(p, p[0].claimed[p[1]][p[2:]]) for p in self.inside.failing(x)]
         nodes = {place[0] for place, _ in failing}
         if self.moved:
@@ -134,7 +134,7 @@ class Envelopes(Hull):
             self.match(records, failing, x)
 
     def renew(self, nodes, x):
-        """Merges these nodes, and those above whose children's chains have changed."""
+        """Merges these nodes, and every node above them whose children's chains have changed."""
         try:
             for t in self.tree.nodes():
                 if t not in nodes:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""maximum_heap, maximum_hanger, maximum_tournament: where their objects stand.
+"""maximum_heap, maximum_hanger, maximum_tournament: the places of their objects.
 
-A heap is an array; objects come at its end and rise. A hanger is a heap-ordered binary tree whose
-sides are drawn by coins: the 64-bit sequence of Steele, Lea and Flood from the seed "kinetics". A
-tournament lies in an array, the winner of node v being one of those of 2v and 2v + 1, the leaves
-n .. 2n - 1 the objects in the scene's order.
+A heap is an array; an object is appended and sifted up. A hanger is a heap-ordered binary tree; coins
+choose the sides (the 64-bit generator of Steele, Lea and Flood, seed "kinetics"). A tournament is an
+array: the winner at node v is one of the winners at 2v and 2v + 1; the leaves n .. 2n - 1 are the
+objects in the scene's order.
 """
 
 from log import Wrong
@@ -12,7 +12,7 @@ from replay_maximum import Tree
 
 
 class HeapOrdered(Tree):
-    """Parents win against their children; parent and child change places."""
+    """A parent is at least as good as its children; a failure exchanges a parent and a child."""
 
     def repair(self, child, query, x):
         up, down = self.object_at(child), self.object_at(self.parent(child))
@@ -157,7 +157,8 @@ class Hanger(HeapOrdered):
         self.node[o] = node
 
     def hang(self, o, x):
-        """The better one stays, the other one goes on, to a random side, until there is room."""
+        """The better object stays; the loser descends to a random child and becomes a leaf at the first empty
+        slot."""
         parent, side, node = None, 0, self.root
         while node is not None:
             if self.beats(o, node.object, x):
@@ -251,7 +252,7 @@ class Tournament(Tree):
             self.set_node(v, b, a, x)
 
     def flip(self, v, x):
-        """The other one wins at v, and upwards to where it loses."""
+        """The loser becomes the winner at v, and at the nodes above up to where it loses."""
         old, fresh = self.node[v], self.loser(v)
         self.set_node(v, fresh, old, x)
         while v > 1 and old != self.node[v]:

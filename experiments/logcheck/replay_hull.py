@@ -1,52 +1,36 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """convex_hull_2 and its three siblings: strict vertices counter-clockwise from the smallest id.
 
-All four tell the same changes, when the instant is over: who leaves, who enters, each in the order of
-ids, and where the order of those that stay is another one, the first place where it is ("turn"). The
-proof: every point is to the left of every hull edge, or on it between its ends for ever.
+All four report the same changes at the end of an instant: the points that leave, the points that enter, both
+in the order of ids, and, if the remaining points have another order, the first place at which it differs
+("turn"). The proof: every point is to the left of every hull edge, or identically on it between its ends.
 """
 
 from log import Wrong
 from predicates import normal_form
 from proof import Proof
-from replay import Replay
+from replay_members import OfMembers
 from static import hull, rotated
 
 OWN = ("leave", "enter", "turn")
 
 
-class Hull(Replay):
+class Hull(OfMembers):
     bound = ["order_x", "order_y", "orientation_2", "slope_order_2"]
 
     def __init__(self, checker, structure):
         super().__init__(checker, structure)
         self.proof = Proof(self.world, self.label, checker.on[4])
         self.proofs = [self.proof]
-        self.events, self.look = [], False
+        self.events = []
 
     @property
     def attribute(self):
         return list(self.cycle)
 
-    def start(self, x):
-        self.members = set(self.world.alive)
-        self.begin(x)
-
     def begin(self, x):
         self.cycle = hull(self.world, self.members, x)
         self.claims(x)
-
-    def insert(self, o, x):
-        self.members.add(o)
-        self.begin(x)
-
-    def erase(self, o, x):
-        self.members.discard(o)
-        self.begin(x)
-
-    def after_motion(self, objects, x):
-        super().after_motion(objects, x)
-        self.look = True
 
     def claims(self, x):
         wanted = {}
@@ -133,9 +117,9 @@ class Hull(Replay):
 
 
 def changes(old, new):
-    """The events that tell the change of a hull: (kind, ids, gone, came). Who leaves and who enters, each
-    in the order of ids; an entering point between its two neighbours on the cycle that there is by then.
-    If that does not give the new cycle, a turn says where those that stay part ways, and both cycles."""
+    """The events that report a change of the hull: (kind, ids, gone, came). Points that leave and points that
+    enter, both in the order of ids; an entering point with its two neighbours on the present cycle. If the
+    result is not the new cycle, a turn names the first place at which the two differ, and has both cycles."""
     events = []
     cycle = [o for o in old if o in new]
     events += [("leave", (o,), None, None) for o in sorted(set(old) - set(new))]
@@ -159,12 +143,12 @@ def changes(old, new):
 
 
 class HullOfDelaunay(Hull):
-    """Read off a triangulation: it has no events but changes of the hull, and no certificates."""
+    """Read off a triangulation: its only events are changes of the hull, and it has no certificates."""
 
 
 class HullBruteForce(Hull):
-    """Its certificates: the hull turns left at each vertex, and each other point is to the left of each
-    edge. One failure changes the hull, and everything is made anew: one internal event an instant."""
+    """Certificates: the hull turns left at each vertex, and every other point is to the left of each edge. A
+    failure changes the hull, and all certificates are made anew: one internal event an instant."""
 
     KINDS = {"reflex": 3, "outside": 3, "between": 2}
 
@@ -216,7 +200,7 @@ class HullBruteForce(Hull):
         if failing and self.world.scene.dimension == 2:
             corners, turns = set(before), triples(before)
 
-            def place(query):  # turns have a predicate of their own, behind the other one
+            def place(query):  # turns have a predicate of their own, declared after the other one
                 return (self.checker.rank[query[0]], query[0] == "orientation_2" and query[1] in turns,
                         sorted(query[1]))
 

@@ -23,7 +23,7 @@ class SortedList(Replay):
         return list(self.order)
 
     def claims(self, first, last, x):
-        """Renews those of the places first .. last."""
+        """Makes the claims of the places first .. last anew."""
         for i in range(max(first, 0), min(last, len(self.order) - 2) + 1):
             self.proof.put(i, self.key.claim(self.order[i], self.order[i + 1]), x)
 
@@ -48,7 +48,7 @@ class SortedList(Replay):
             self.require(self.query(r) == claim, "%s is not a failure of the order of the two", r.short())
             self.checker.failed(self, claim, self.proof.claims[i][2], x)
         else:
-            self.require(self.world.is_zero(claim), "%s: the two keys are not equal for ever", r.short())
+            self.require(self.world.is_zero(claim), "%s: the two keys are not identically equal", r.short())
             self.require(b < a, "%s: the two stand in the order of their ids", r.short())
         self.proof.step += 1
         self.order[i], self.order[i + 1] = b, a
@@ -59,7 +59,7 @@ class SortedList(Replay):
         self.checker.touch(self)
 
     def rebuild(self, r, x):
-        """Built anew: the difference tells the whole list before and after."""
+        """A rebuild: the difference is the whole list before and after."""
         fresh = sorted_by(self.world, self.key, self.members, x)
         self.checker.check_change(self, r, self.order, fresh)
         self.replace(fresh, x)
@@ -92,5 +92,5 @@ class SortedList(Replay):
         for i in range(len(self.order) - 1):
             a, b = self.order[i], self.order[i + 1]
             if b < a and self.world.is_zero(self.key.claim(a, b)):
-                self.require(False, "%s: %s, whose keys are equal for ever, do not stand in the order of "
+                self.require(False, "%s: %s, whose keys are identically equal, are not in the order of "
                              "their ids", self.label, self.names((a, b)))

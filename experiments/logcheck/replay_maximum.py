@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """maximum_* and minimum_*: the object with the largest, or smallest, key; of equal ones the smallest.
 
-All six tell the same changes: if the winner right after an instant is another one than right before
-it, one external event says so. What happens inside a heap, a tree or a tournament is internal; these
-are kept here as well, so that their internal events are followed one by one.
+All six report the same changes: if the winners right before and right after an instant differ, there is one
+external event. Changes inside a heap, a tree or a tournament are internal; these structures are replayed here
+too, so that every internal event is checked.
 """
 
 from log import Wrong
 from predicates import Key
 from proof import Proof
-from replay import Replay
+from replay_members import OfMembers
 from roots import compare
 
 
-class Maximum(Replay):
-    """The winner that has been told, and the proof that it is the best: against every other object."""
+class Maximum(OfMembers):
+    """The winner as reported so far, and a proof that it is the best: a claim against every other object."""
 
-    ties = False  # may tell a change of the winner as a tie
+    ties = False  # may report a change of the winner as a tie
 
     def __init__(self, checker, structure):
         super().__init__(checker, structure)
@@ -25,7 +25,7 @@ class Maximum(Replay):
         self.bound = [self.key.predicate]
         self.proof = Proof(self.world, self.label, checker.on[4])
         self.proofs = [self.proof]
-        self.changed = 0  # times that the winner was told to change since the instant was settled
+        self.changed = 0  # changes of the winner reported since the instant was settled
         self.told = None
         self.look = True
 
@@ -47,29 +47,16 @@ class Maximum(Replay):
                 winner = o
         return winner
 
-    def start(self, x):
-        self.members = {o for o in self.world.alive if o != self.key.reference}
-        self.begin(x)
+    def everyone(self):
+        return {o for o in self.world.alive if o != self.key.reference}
 
     def begin(self, x):
         self.told = self.best(x)
         self.changed = 0
         self.look = True
 
-    def insert(self, o, x):
-        self.members.add(o)
-        self.begin(x)
-
-    def erase(self, o, x):
-        self.members.discard(o)
-        self.begin(x)
-
-    def after_motion(self, objects, x):
-        super().after_motion(objects, x)
-        self.look = True
-
     def tell(self, r):
-        """The record tells another winner."""
+        """The record reports another winner."""
         old, fresh = r.ids
         self.require(old == self.told and old != fresh, "%s: the winner so far was %s", r.short(),
                      self.names(self.attribute))
@@ -95,11 +82,11 @@ class Maximum(Replay):
         self.event(r, x)
 
     def event(self, r, x):
-        """Those that have no events but changes of the winner."""
+        """Structures whose only events are changes of the winner."""
         self.require(r.external, "%s is external", r.short())
         claim = self.claim(r.ids[0], r.ids[1])
         if r.kind == "tie":
-            self.require(self.world.is_zero(claim), "%s: the two keys are not equal for ever", r.short())
+            self.require(self.world.is_zero(claim), "%s: the two keys are not identically equal", r.short())
             self.require(r.predicate is None, "%s is no failure", r.short())
         elif self.certain:
             self.require(self.query(r) == claim, "%s is not a failure of the order of the two", r.short())
@@ -132,7 +119,7 @@ class Maximum(Replay):
                 raise Wrong("%s: the winner right after %r is said to be %s, but %s is better" % (
                     self.label, x, self.names([winner]), self.names([o])))
             if o < winner and self.world.is_zero(claim):
-                raise Wrong("%s: the winner is said to be %s, but the key of %s is equal for ever" % (
+                raise Wrong("%s: the winner is said to be %s, but the key of %s is identically equal" % (
                     self.label, self.names([winner]), self.names([o])))
 
 
@@ -143,7 +130,7 @@ class OfList(Maximum):
 
 
 class Tree(Maximum):
-    """With a proof of its own, whose failures are internal events unless they say all."""
+    """Structures with a proof of their own; its failures are internal events, unless one reports the change."""
 
     ties = True
 
@@ -185,7 +172,7 @@ class Tree(Maximum):
         self.tell(r)
 
     def told_by(self, r, query):
-        """A replace that tells what the failure just repaired, of the same certificate, has led to."""
+        """A replace that reports the outcome of the failure just repaired, with the same certificate."""
         return r.kind == "replace" and query == self.finished and self.place_of(query) is None
 
     finished = None
@@ -211,5 +198,5 @@ class Tree(Maximum):
     def check_ties(self):
         for query, first, second in self.pairs():
             if second < first and self.world.is_zero(query):
-                raise Wrong("%s: the keys of %s are equal for ever, and the larger one wins" % (
+                raise Wrong("%s: the keys of %s are identically equal, and the larger id wins" % (
                     self.label, self.names((first, second))))

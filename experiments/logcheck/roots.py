@@ -3,8 +3,8 @@
 Akritas 1976), and instants: real algebraic numbers that can be compared.
 
 An irrational instant is a square-free polynomial and an open interval with dyadic ends, at which the
-polynomial has opposite signs and inside of which it has no other root. A comparison refines the two
-intervals by bisection; that two instants are equal is found by a greatest common divisor.
+polynomial has opposite signs and inside which it has no other root. A comparison refines the two intervals
+by bisection; equality is decided by a greatest common divisor.
 """
 
 from fractions import Fraction
@@ -14,7 +14,7 @@ import polynomials as poly
 
 
 class GaveUp(Exception):
-    """A limit of this program; not a mistake in the log."""
+    """A limit of this program, not an error in the log."""
 
 
 MOST_BITS = 200000  # of an interval's ends
@@ -119,7 +119,7 @@ def compare(x, y):
 
 
 def compare_root(x, value):
-    """An irrational number with a rational one."""
+    """Compares an irrational number with a rational one."""
     n, d = value
     if n << x.k <= x.a * d:
         return 1
@@ -189,7 +189,7 @@ def roots_of_unit(q):
 
 
 class DyadicRoot(Exception):
-    """A bisection met a root."""
+    """A bisection point is a root."""
 
 
 def isolate_square_free(p, a, b, k):
@@ -281,8 +281,8 @@ def all_roots(p, window):
 
 
 class SignChanges:
-    """Where a polynomial changes its sign inside of a window: its roots of odd multiplicity; and where it
-    only touches zero: the others."""
+    """The sign changes of a polynomial in a window, at its roots of odd multiplicity, and its touches of zero,
+    at the others."""
 
     __slots__ = ("sign", "roots", "touches", "p")
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes: objects, flight plans, what is maintained, and the hash that logs name.
 
-Numbers are exact: what is written is what is read. The hash of a scene is the SHA-256 of its
-canonical text (canonical_text below), in which only what has a meaning stands: so it does not depend
-on how the file is laid out.
+Numbers are read exactly as they are written. The hash of a scene is the SHA-256 of its canonical text
+(canonical_text below), which has everything that has a meaning and nothing else: it does not depend on the
+layout of the file.
 """
 
 import hashlib
@@ -18,7 +18,7 @@ DECIMAL = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE]([+-]?\d+))?(?:/\d+)?\
 
 
 class BadInput(Exception):
-    """A file that cannot be read as what it is said to be."""
+    """A file that cannot be read as what its name or its place in the command line says."""
 
 
 def exact(value, place):
@@ -189,8 +189,8 @@ class Scene:
     # ---- flight plans
 
     def plan(self):
-        """[(t, rank, object, piece)] by t, rank and object: rank 0 another flight plan, 1 the object
-        goes, 2 it comes. `first` holds the pieces in force right after the start."""
+        """[(t, rank, object, piece)] by t, rank and object; rank 0: a new flight plan, 1: the object
+        disappears, 2: it appears. `first` has the pieces in force right after the start."""
         self.first = {}
         changes = []
         for number, o in enumerate(self.objects):

@@ -5,7 +5,7 @@ from functools import cmp_to_key
 
 
 def before(world, key, a, b, x):
-    """a stands before b right after x; equal keys: by number."""
+    """a precedes b right after x; equal keys: by number."""
     sign = world.sign_after(key.claim(a, b), x)
     return sign > 0 or (sign == 0 and a < b)
 
@@ -35,7 +35,7 @@ def along(world, a, b, x):
 
 
 def lexicographic(world, members, x):
-    """The points from left to right, of equal ones only that with the smallest number."""
+    """The points from left to right; of equal points only the one with the smallest number."""
     order = sorted(sorted(members), key=cmp_to_key(lambda a, b: -along(world, a, b, x)))
     return [o for i, o in enumerate(order) if i == 0 or along(world, order[i - 1], o, x) != 0]
 

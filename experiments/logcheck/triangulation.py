@@ -2,9 +2,9 @@
 """Triangulations by their edges, and the Delaunay triangulation from scratch.
 
 Each directed edge has the vertex to its left. The plane is closed by a vertex at infinity, whose
-number is above all others, so that hull edges have two sides like all edges. Ties: of four points on
-one circle for ever the diagonal has the smallest number; points on a hull edge are hull vertices; of
-equal points the smallest number is the vertex.
+number is above all others, so that hull edges have two sides like all edges. Ties: of four identically
+cocircular points the diagonal contains the smallest number; points on a hull edge are hull vertices; of equal
+points the smallest number is the vertex.
 """
 
 from static import lexicographic, turn
@@ -22,7 +22,7 @@ class Triangulation:
             self.apex[edge] = apex
 
     def flip(self, u, v):
-        """Edge uv gives way to the other diagonal of its two triangles, which are upright."""
+        """Replaces edge uv by the other diagonal of its two triangles, which are positively oriented."""
         p, q = self.apex[u, v], self.apex[v, u]
         for edge in ((u, v), (v, u), (v, p), (p, u), (u, q), (q, v)):
             del self.apex[edge]
@@ -56,7 +56,7 @@ class Triangulation:
 
 
 def edge_query(t, u, v):
-    """What the edge says: value >= 0."""
+    """The claim of the edge: value >= 0."""
     p, q = t.apex[u, v], t.apex[v, u]
     infinity = t.infinity
     if max(u, v, p, q) < infinity:
@@ -71,7 +71,7 @@ def edge_query(t, u, v):
 
 
 def wants_other_diagonal(world, t, u, v):
-    """On one circle for ever, and the smallest number is not on the edge."""
+    """The four points are identically cocircular, and the smallest number is not on the edge."""
     p, q = t.apex[u, v], t.apex[v, u]
     return max(u, v, p, q) < t.infinity and min(p, q) < min(u, v) and world.is_zero(edge_query(t, u, v))
 

@@ -13,6 +13,9 @@ foreach(folder core predicates structures)
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/experiments/schemas ${PROJECT_SOURCE_DIR}/experiments/scenes
   DESTINATION ${CMAKE_INSTALL_DATADIR}/kinex OPTIONAL)
+# Sweeps: example plans, and scripts for machines of many nodes.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/experiments/sweep/plans ${PROJECT_SOURCE_DIR}/experiments/cluster
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/kinex USE_SOURCE_PERMISSIONS)
 # The second program that checks logs: a folder of Python, and a script that starts it.
 file(GLOB logcheck ${PROJECT_SOURCE_DIR}/experiments/logcheck/*.py)
 install(FILES ${logcheck} ${PROJECT_SOURCE_DIR}/experiments/logcheck/README.md

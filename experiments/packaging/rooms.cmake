@@ -2,16 +2,20 @@
 # Rooms: the folders of the second level, a static library each.
 include_guard(GLOBAL)
 
-# The library kinex_FOLDER_ROOM of FOLDER/ROOM/*.cpp, linked to what follows (PUBLIC .. PRIVATE ..).
+# The library kinex_FOLDER_ROOM of FOLDER/ROOM/*.cpp, linked to what follows (PUBLIC .. PRIVATE ..). A room
+# in a room, as families/hull, is kinex_FOLDER_families_hull. Those of experiments/ are the program's alone.
 function(kinex_room folder room)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/${room}/*.cpp)
-  set(target kinex_${folder}_${room})
+  string(REPLACE "/" "_" name ${room})
+  set(target kinex_${folder}_${name})
   add_library(${target} STATIC ${sources})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/kinex>)
   target_link_libraries(${target} ${ARGN} PRIVATE $<BUILD_INTERFACE:kinex_warnings>)
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder}_${room})
-  set_property(GLOBAL APPEND PROPERTY KINEX_ROOMS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder}_${name})
+  if(NOT folder STREQUAL experiments)
+    set_property(GLOBAL APPEND PROPERTY KINEX_ROOMS ${target})
+  endif()
 endfunction()
 
 # kinex::FOLDER: these rooms together.
@@ -20,5 +24,7 @@ function(kinex_house folder)
   add_library(kinex::${folder} ALIAS kinex_${folder})
   target_link_libraries(kinex_${folder} INTERFACE ${ARGN})
   set_target_properties(kinex_${folder} PROPERTIES EXPORT_NAME ${folder})
-  set_property(GLOBAL APPEND PROPERTY KINEX_ROOMS kinex_${folder})
+  if(NOT folder STREQUAL experiments)
+    set_property(GLOBAL APPEND PROPERTY KINEX_ROOMS kinex_${folder})
+  endif()
 endfunction()

@@ -42,7 +42,7 @@ Standing standing_of(const PeerMethod& method, const Family& family) {
 
 std::string exponent(int k) { return "1e-" + std::to_string(k); }
 
-// How the truths were checked, in words.
+// The checks of the true answers, in words.
 std::string checked(const Family& family) {
   int witness = 0, structure = 0, overlaps = 0, touches = 0, unknown = 0;
   for (const PeerQuestion& question : family.questions) {
@@ -95,7 +95,7 @@ void families_table(const BenchOptions& options, const std::vector<PeerMethod>& 
   }
 }
 
-// A column for each gap: what is wrong with the answers.
+// A column for each gap: the errors of the answers.
 void gaps_table(const BenchOptions& options, PeerQuestions& questions,
                 const std::vector<PeerMethod>& methods, bool apart, const std::vector<int>& powers,
                 const std::vector<int>& sizes) {

@@ -9,7 +9,7 @@ namespace kinex::peers {
 
 namespace {
 
-// Through memory: g++ 12 with -O3 leaves the rounding out where it does two at once.
+// Stored and loaded: g++ 12 with -O3 omits the rounding where it vectorises two operations.
 double nearest_float(double x) {
   const volatile float rounded = static_cast<float>(x);
   return static_cast<double>(rounded);

@@ -21,20 +21,20 @@ struct PeerCase {
   // Poses at equal distances in the time [0, 1]. In between centres and angles are linear in time.
   std::vector<PeerFrame> frames;
 
-  // In single precision: the nearest floats.
+  // With all numbers rounded to the nearest floats.
   PeerCase as_float() const;
   PeerFrame at(double time) const;
   // The largest turn of a body between two frames.
   double largest_turn() const;
   bool turns() const { return largest_turn() > 0; }
-  // Both turn alike and their centres rest: whether they meet does not depend on the pace.
+  // Both turn equally and their centres rest: whether they meet does not depend on the speed.
   bool turns_alike() const;
   int vertices() const { return static_cast<int>(a.size() + b.size()); }
 };
 
-// Of the vertices, from the origin of the frame.
+// The largest distance of a vertex from the origin of the frame.
 double outer_radius(const PeerShape& shape);
-// Of a disc around the origin that is inside.
+// The radius of a disc about the origin that lies in the polygon.
 double inner_radius(const PeerShape& shape);
 // The distance of the polygons in these poses; if they overlap, minus the depth. In doubles.
 double signed_distance(const PeerCase& question, const PeerFrame& frame);
@@ -44,13 +44,13 @@ double signed_distance(const PeerCase& question, const PeerFrame& frame);
 PeerShape regular_shape(int n);
 // B passes A on a straight line, vertex above vertex, `gap` above it; below 0: it overlaps it.
 PeerCase line_case(int n, double gap);
-// Both turn once alike, so that B goes round A at the distance `gap`; quarter turns.
+// Both turn once, equally, so that B orbits A at the distance `gap`, in quarter turns.
 PeerCase orbit_case(int n, double gap);
 // B crosses A's upper part and turns by six radians, in `frames` equal steps.
 PeerCase spin_case(int n, int steps);
 // Random polygons of at most n vertices in random motion; they may meet.
 PeerCase random_case(int n, int seed);
-// B slides along A and touches it all the time, without overlap.
+// B slides along A in contact with it, without overlap.
 PeerCase touch_case(int n);
 // Reported failures, one step each (corpus.cpp).
 std::vector<PeerCase> corpus_cases();

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "experiments/families/collision/polygons.h"
 #include "experiments/peers/case.h"
-#include "experiments/workloads/polygons.h"
 
 namespace kinex::peers {
 
@@ -61,7 +61,7 @@ double bottom(const PeerShape& shape) {
 
 PeerShape regular_shape(int n) {
   PeerShape shape;
-  for (const Vertex2& v : regular_polygon(n, 1)) {
+  for (const Vertex2& v : families::regular_polygon(n, 1)) {
     shape.push_back({v[0].to_double(), v[1].to_double()});
   }
   return shape;

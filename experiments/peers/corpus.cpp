@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Failures reported to the libraries' authors, or observed, as queries.
+// Failures as queries: reported to the libraries' authors, or observed.
 #include <numbers>
 
 #include "experiments/peers/case.h"

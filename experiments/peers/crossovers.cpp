@@ -59,7 +59,7 @@ class Sweep {
   std::vector<Curve> curves_;
 };
 
-// Those of the compared methods that look at all instants.
+// The compared methods that consider all instants, not samples.
 std::vector<PeerMethod> continuous_methods() {
   std::vector<PeerMethod> methods;
   for (const PeerMethod& method : peer_methods()) {
@@ -74,7 +74,7 @@ std::vector<PeerMethod> continuous_methods() {
 
 }  // namespace
 
-std::vector<Figure> crossover_tables(const BenchOptions& options, PeerQuestions& questions) {
+std::vector<lab::Figure> crossover_tables(const BenchOptions& options, PeerQuestions& questions) {
   const bool quick = options.smoke;
   const double measure = quick ? 0.001 : 0.01;
   const int rounds = quick ? 1 : 5;

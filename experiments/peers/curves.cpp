@@ -5,9 +5,9 @@
 
 namespace kinex::peers {
 
-Figure figure_of(const std::string& title, const std::string& caption, const std::string& x_label,
+lab::Figure figure_of(const std::string& title, const std::string& caption, const std::string& x_label,
                  const std::string& y_label, const std::vector<Curve>& curves) {
-  Figure figure;
+  lab::Figure figure;
   figure.title = title;
   figure.caption = caption;
   std::string plot;
@@ -16,7 +16,7 @@ Figure figure_of(const std::string& title, const std::string& caption, const std
       "set logscale xy\nset grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\n"
       "set tics nomirror\nset format y '10^{%L}'\nset format x '%g'\nset rmargin 4\n"
       "set key outside below center horizontal Left reverse samplen 2.5 maxcols 3 width 2\n";
-  script += "set xlabel " + quoted(x_label) + " offset 0,0.5\nset ylabel " + quoted(y_label) + "\n";
+  script += "set xlabel " + lab::quoted(x_label) + " offset 0,0.5\nset ylabel " + lab::quoted(y_label) + "\n";
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (curves[i].points.empty()) continue;
     const std::string block = "$c" + std::to_string(i);
@@ -27,10 +27,10 @@ Figure figure_of(const std::string& title, const std::string& caption, const std
       script += line;
     }
     script += "EOD\n";
-    const Look& style = look(i);
+    const lab::Look& style = lab::look(i);
     plot += (plot.empty() ? "plot " : ", \\\n  ") + block +
             " using 1:2 with linespoints lw 1.5 pt " + std::to_string(style.symbol) +
-            " ps 0.7 lc rgb '" + style.colour + "' title " + quoted(curves[i].name);
+            " ps 0.7 lc rgb '" + style.colour + "' title " + lab::quoted(curves[i].name);
   }
   script += plot + "\n";
   return figure;

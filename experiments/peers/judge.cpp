@@ -8,7 +8,7 @@ namespace kinex::peers {
 
 namespace {
 
-// Of coordinates up to 4, a few times: no answer is held against its number format.
+// A few units in the last place of coordinates up to 4: rounding of the number format is no error.
 constexpr double kRounding = 1e-14, kSingleRounding = 1e-6;
 
 // The part of `late` that the truth's own uncertainty does not explain.

@@ -17,7 +17,7 @@ struct PeerQuestion {
   PeerCase exact, single;
   Truth truth, truth_single;
 };
-// Truths are found once.
+// Each true answer is computed once.
 class PeerQuestions {
  public:
   const PeerQuestion& of(const PeerCase& one);
@@ -28,19 +28,19 @@ class PeerQuestions {
 
 enum class Outcome {
   kRight,
-  kMissed,     // they overlap, and it says that they never do: a false negative
+  kMissed,     // they overlap, and the answer is that they never do: a false negative
   kAlarm,      // they never overlap, and it reports a contact at a gap beyond its tolerance
                // (and the rounding of its numbers)
   kTolerated,  // the same within its documented tolerance, or at a mere touch
   kUnknown,    // the truth is not known
-  kNone,       // no answer: the verdict says why
+  kNone,       // no answer; the verdict gives the reason
 };
 
 struct Judgement {
   Outcome outcome = Outcome::kNone;
   Verdict verdict = Verdict::kUnsupported;
-  // Of a reported contact: how far apart the bodies are there, or minus how deep they overlap; and
-  // the time, after the true one.
+  // Of a reported contact: the distance of the bodies there, or minus the depth of their overlap;
+  // and the delay after the true time.
   double gap = 0, late = 0;
 };
 

@@ -45,7 +45,7 @@ void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* out) {
       best = &p;
     }
   }
-  if (best == nullptr) best = &prism.shape->front();  // a direction that is no number
+  if (best == nullptr) best = &prism.shape->front();  // the direction is NaN
   ccdVec3Set(out, prism.x + prism.cos * (*best)[0] - prism.sin * (*best)[1],
              prism.y + prism.sin * (*best)[0] + prism.cos * (*best)[1],
              dz < 0 ? -prism.half : prism.half);

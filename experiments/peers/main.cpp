@@ -47,8 +47,8 @@ std::optional<Options> read_options(int argc, char** argv) {
   return options;
 }
 
-void write_plots(const Options& options, const std::vector<Figure>& figures) {
-  const Drawings drawings = draw(figures);
+void write_plots(const Options& options, const std::vector<lab::Figure>& figures) {
+  const lab::Drawings drawings = lab::draw(figures);
   if (!drawings.problem.empty()) std::fprintf(stderr, "%s\n", drawings.problem.c_str());
   std::ofstream markdown;
   if (!options.bench.markdown.empty()) markdown.open(options.bench.markdown, std::ios::app);
@@ -70,8 +70,8 @@ int main(int argc, char** argv) {
     answer_tables(options->bench, questions);
     distance_table(options->bench);
     cost_table(options->bench, questions);
-    std::vector<Figure> figures = sample_tables(options->bench, questions);
-    for (Figure& figure : crossover_tables(options->bench, questions)) {
+    std::vector<lab::Figure> figures = sample_tables(options->bench, questions);
+    for (lab::Figure& figure : crossover_tables(options->bench, questions)) {
       figures.push_back(std::move(figure));
     }
     if (!options->plots.empty()) write_plots(*options, figures);

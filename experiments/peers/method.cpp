@@ -22,7 +22,7 @@ PeerAnswer by_steps(Peer& peer, const PeerMethod& method, const PeerCase& questi
   return answer;
 }
 
-// How fast a point of one body can come nearer to one of the other, in the time from frame i on.
+// A bound on the speed at which two points of the bodies approach each other after frame i.
 double speed_bound(const PeerCase& question, std::size_t i) {
   const PeerFrame& from = question.frames[i];
   const PeerFrame& to = question.frames[i + 1];
@@ -137,9 +137,9 @@ std::vector<PeerMethod> peer_methods() {
   using Kind = PeerMethod::Kind;
   constexpr int kSteps = 64;
   std::vector<PeerMethod> all;
-  // Bullet clamps a turn at 45 degrees: it is given parts below that.
+  // Bullet clamps a turn at 45 degrees: larger turns are divided.
   constexpr double kBulletTurn = 0.78;
-  // FCL's tolerance is one of time, 1e-4 of the step: 0.002 at a speed of 20.
+  // FCL's tolerance is in time, 1e-4 of the step: a distance of 0.002 at a speed of 20.
   all.push_back({"box2d toi", "box2d", Kind::kCast, 0, 0, 0, 0.00625, true, 1e9, "most: may miss"});
   all.push_back({"bullet cast", "bullet", Kind::kCast, 0, 0, 0, 0.001, true, kBulletTurn,
                  "all, up to rounding"});

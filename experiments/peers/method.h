@@ -26,7 +26,7 @@ struct PeerMethod {
   double tolerance = 0;        // a contact may be reported at a gap of this size: documented
   bool single = false;         // works on floats
   double most_turn = 3;        // kCast: longer turns are cut into parts below this
-  const char* certifies = "";  // which instants it looks at
+  const char* certifies = "";  // the instants that its answer covers: "samples", ..
 };
 
 struct PeerAnswer {
@@ -46,10 +46,10 @@ PeerMethod advance_method(const std::string& module, double stop);
 bool has_module(const std::string& module);
 std::string module_path(const std::string& module);
 
-// Asks once. The peer has loaded the shapes.
+// Runs the method once. Requires that the peer has loaded the shapes.
 PeerAnswer ask(Peer& peer, const PeerMethod& method, const PeerCase& question);
 
-// Conservative advancement gives up after so many steps.
+// The largest number of steps of conservative advancement.
 inline constexpr std::uint64_t kMostAdvances = 200000;
 
 }  // namespace kinex::peers

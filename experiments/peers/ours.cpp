@@ -3,10 +3,11 @@
 #include <string>
 
 #include "core/engine/simulator.h"
-#include "experiments/cpu_clock.h"
+#include "experiments/families/collision/polygons.h"
+#include "experiments/lab/cpu_clock.h"
 #include "experiments/peers/truth.h"
-#include "experiments/workloads/polygons.h"
 #include "structures/collision/collision_pairs.h"
+#include "structures/plan.h"
 #include "structures/registry.h"
 
 namespace kinex::peers {
@@ -16,8 +17,7 @@ namespace {
 class FirstContact final : public EventSink {
  public:
   void event(const Event& event, Arithmetic& arithmetic) override {
-    if (event.kind == CollisionPairs::kContact && !time)
-      time = std::stod(arithmetic.describe_now().approximate);
+    if (event.kind == CollisionPairs::kContact && !time) time = arithmetic.now_approximate();
   }
   std::optional<double> time;
 };
@@ -37,9 +37,9 @@ Scene orbit_scene(const PeerCase& orbit) {
     }
     return result;
   };
-  const std::vector<RotorPiece> turn = half_turns(2, 1);
-  add_turning_body(scene, "a", polygon(orbit.a), 0, 0, turn);
-  add_turning_body(scene, "b", polygon(orbit.b), *Rational::from_double(orbit.frames[0].b.x), 0,
+  const std::vector<families::RotorPiece> turn = families::half_turns(2, 1);
+  families::add_turning_body(scene, "a", polygon(orbit.a), 0, 0, turn);
+  families::add_turning_body(scene, "b", polygon(orbit.b), *Rational::from_double(orbit.frames[0].b.x), 0,
                    turn);
   return scene;
 }
@@ -47,23 +47,25 @@ Scene orbit_scene(const PeerCase& orbit) {
 OurRun run_ours(const Scene& scene, const std::string& structure, const std::string& arithmetic,
                 int looks) {
   OurRun result;
-  const double begin = cpu_seconds();
+  Scene asked = scene;
+  asked.maintain = {{structure, structure, {}}};
+  const double begin = lab::cpu_seconds();
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
-  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  Simulator simulator(scene, planned_arithmetic(arithmetic, asked), options);
   const StructureId id = simulator.reserve();
   simulator.add(id, make_structure({structure, structure, {}}, scene, simulator.kernel(), id),
                 structure);
   FirstContact sink;
   simulator.set_sink(&sink);
   simulator.start();
-  // Overlaps that are there from the start are no events.
+  // Bodies that overlap at the start report no contact.
   if (!simulator.structure(id).attribute().ids.empty()) sink.time = scene.start.to_double();
-  const double built = cpu_seconds();
+  const double built = lab::cpu_seconds();
   for (int i = 1; i <= looks && !sink.time; ++i) {
     simulator.run_until(scene.start + (*scene.end - scene.start) * Rational(i) / Rational(looks));
   }
-  result.run_seconds = cpu_seconds() - built;
+  result.run_seconds = lab::cpu_seconds() - built;
   result.build_seconds = built - begin;
   result.contact = sink.time;
   const StructureLedger& ledger = simulator.ledger(id);

@@ -23,7 +23,7 @@ struct PeerPose {
 enum class Verdict : std::uint8_t {
   kMiss,
   kHit,
-  kFailed,       // the library says so, or it or its caller gave up at a limit
+  kFailed,       // the library reports failure, or it or its caller gave up at a limit
   kNotANumber,   // a time, distance or direction that is none
   kNoEnd,        // stopped from outside
   kCrash,        // died
@@ -53,7 +53,7 @@ class Peer {
   // The library's own continuous test, from one pose to the other.
   virtual Cast cast(int variant, const PeerPose& a0, const PeerPose& a1, const PeerPose& b0,
                     const PeerPose& b1) = 0;
-  // The next question is about a new motion: what was kept to start from is dropped.
+  // The next query is about a new motion: drops cached starting points.
   virtual void forget() {}
 
   PeerWork work;

@@ -33,7 +33,7 @@ Family overlaps(PeerQuestions& questions, std::string name, const std::vector<Pe
 
 }  // namespace
 
-std::vector<Figure> sample_tables(const BenchOptions& options, PeerQuestions& questions) {
+std::vector<lab::Figure> sample_tables(const BenchOptions& options, PeerQuestions& questions) {
   const bool quick = options.smoke;
   std::vector<Family> families;
   std::vector<PeerCase> cases;

@@ -7,21 +7,21 @@
 #include <vector>
 
 #include "experiments/bench/options.h"
+#include "experiments/lab/gnuplot.h"
 #include "experiments/peers/judge.h"
-#include "experiments/verify/gnuplot.h"
 
 namespace kinex::peers {
 
 // answers.cpp: right answers, by family, by gap, and on reported failures
 void answer_tables(const BenchOptions& options, PeerQuestions& questions);
-// distances.cpp: how far off the distances are that all else is built on
+// distances.cpp: the errors of the distances on which all other answers are built
 void distance_table(const BenchOptions& options);
 // costs.cpp: work and time of single queries
 void cost_table(const BenchOptions& options, PeerQuestions& questions);
-// samples.cpp: fixed steps, and how many of them find every overlap of a family
-std::vector<Figure> sample_tables(const BenchOptions& options, PeerQuestions& questions);
+// samples.cpp: fixed steps, and the number of steps that finds every overlap of a family
+std::vector<lab::Figure> sample_tables(const BenchOptions& options, PeerQuestions& questions);
 // crossovers.cpp: time against separation, vertices and looks on the way
-std::vector<Figure> crossover_tables(const BenchOptions& options, PeerQuestions& questions);
+std::vector<lab::Figure> crossover_tables(const BenchOptions& options, PeerQuestions& questions);
 
 // ---- shared (curves.cpp)
 
@@ -30,7 +30,7 @@ struct Curve {
   std::vector<std::array<double, 2>> points;
 };
 // On logarithmic axes; curves without points are left out.
-Figure figure_of(const std::string& title, const std::string& caption, const std::string& x_label,
+lab::Figure figure_of(const std::string& title, const std::string& caption, const std::string& x_label,
                  const std::string& y_label, const std::vector<Curve>& curves);
 
 }  // namespace kinex::peers

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/collision_witness.h"
+#include "experiments/families/collision/contact_witness.h"
 
 namespace kinex::peers {
 
@@ -85,7 +85,7 @@ std::optional<double> first_overlap(const Scene& scene, bool turns, bool& by_wit
       a.polygon.size() * b.polygon.size() * b.motion.pieces.size() <= kWitnessWork[turns ? 1 : 0];
   std::optional<double> other;
   if (by_witness) {
-    const CollisionWitness witness = find_contacts(a, b, scene.start, scene.end);
+    const families::CollisionWitness witness = families::find_contacts(a, b, scene.start, scene.end);
     if (witness.penetration() != nullptr) {
       other = nearly(witness.penetration()->instant);
     }
@@ -100,13 +100,12 @@ std::optional<double> first_overlap(const Scene& scene, bool turns, bool& by_wit
   return contact;
 }
 
-// Of bodies that never overlap. The witness is asked only if a body that is larger by next to
-// nothing would.
+// For bodies that never overlap: the exact witness runs only if slightly enlarged bodies do.
 bool touches(const PeerCase& question) {
   const Rational larger = Rational(1) + Rational(1, Integer::power_of_two(60));
   if (!run_ours(scene_of(question, larger), "separation_mixed", "exact").contact) return false;
   const Scene scene = scene_of(question);
-  return !find_contacts(scene.objects[0], scene.objects[1], scene.start, scene.end).grazes.empty();
+  return !families::find_contacts(scene.objects[0], scene.objects[1], scene.start, scene.end).grazes.empty();
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 // 0.0042 d^3 at most. Body B, made larger or smaller by more than that can move any point, encloses
 // the truth (unless only the pace of the turn matters, which decides no answer): if the larger one
 // stays clear the bodies do, if the smaller one overlaps so do they, and the first time is between
-// the two. What is left is unknown.
+// the two. All other cases are unknown.
 //
-// separation_mixed answers, in `exact`. It is checked against the witness, which shares nothing
-// with it but polynomials and their roots, or, where that would take minutes, against
+// The answer comes from separation_mixed in `exact`. It is checked against the witness, which
+// shares only polynomials and their roots with it, or, where that would take minutes, against
 // separation_hysteresis (separation_minkowski without turns).
 #ifndef KINEX_EXPERIMENTS_PEERS_TRUTH_H
 #define KINEX_EXPERIMENTS_PEERS_TRUTH_H
@@ -39,13 +39,13 @@ Scene orbit_scene(const PeerCase& orbit);
 // Throws std::logic_error if the structure and its check disagree.
 Truth find_truth(const PeerCase& question);
 
-// What a run of one structure costs, and what it says.
+// The cost and the answer of a run of one structure.
 struct OurRun {
   std::optional<double> contact;
   double build_seconds = 0, run_seconds = 0;
   std::uint64_t events = 0, polynomials = 0, roots = 0, signs = 0;
 };
-// `looks`: the run is stopped and asked so many times on the way.
+// `looks`: the number of times at which the run is stopped and queried.
 OurRun run_ours(const Scene& scene, const std::string& structure, const std::string& arithmetic,
                 int looks = 1);
 

@@ -15,7 +15,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "experiments/cpu_clock.h"
+#include "experiments/lab/cpu_clock.h"
 
 namespace kinex::peers {
 
@@ -23,10 +23,10 @@ namespace {
 
 constexpr int kMostRounds = 2000;
 
-// In the child: answers from question `first` on, one after the other, into the pipe.
+// In the child: writes the answers to the questions from `first` on to the pipe, one by one.
 int answer_into(int pipe, const PeerMethod& method, const std::vector<PeerCase>& questions,
                 std::size_t first, const WorkerLimits& limits) {
-  // What libraries print is no part of the answer.
+  // The output of the libraries is discarded.
   const int nowhere = open("/dev/null", O_WRONLY);
   if (nowhere >= 0) {
     dup2(nowhere, STDOUT_FILENO);
@@ -42,18 +42,18 @@ int answer_into(int pipe, const PeerMethod& method, const std::vector<PeerCase>&
   for (std::size_t i = first; i < questions.size(); ++i) {
     const PeerCase question = method.single ? questions[i].as_float() : questions[i];
     PeerAnswer answer;
-    double begin = cpu_seconds();
+    double begin = lab::cpu_seconds();
     if (peer->load(question.a, question.b)) {
-      const double load_seconds = cpu_seconds() - begin;
+      const double load_seconds = lab::cpu_seconds() - begin;
       answer = ask(*peer, method, question);
       answer.load_seconds = load_seconds;
       if (limits.measure_seconds > 0) {
         std::vector<double> rounds;
         double spent = 0;
         while (spent < limits.measure_seconds && rounds.size() < kMostRounds) {
-          begin = cpu_seconds();
+          begin = lab::cpu_seconds();
           ask(*peer, method, question);
-          rounds.push_back(cpu_seconds() - begin);
+          rounds.push_back(lab::cpu_seconds() - begin);
           spent += rounds.back();
         }
         std::nth_element(rounds.begin(), rounds.begin() + static_cast<long>(rounds.size() / 2),
@@ -66,7 +66,7 @@ int answer_into(int pipe, const PeerMethod& method, const std::vector<PeerCase>&
   return 0;
 }
 
-// True if an answer came; else `ended` tells whether the child has.
+// True if an answer was read; otherwise `ended` says whether the child has ended.
 bool receive(int pipe, double seconds, PeerAnswer& answer, bool& ended) {
   char* to = reinterpret_cast<char*>(&answer);
   std::size_t left = sizeof answer;

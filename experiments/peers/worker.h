@@ -11,10 +11,10 @@ namespace kinex::peers {
 
 struct WorkerLimits {
   double seconds = 5;          // of wall time for one question
-  double measure_seconds = 0;  // go on asking for so long to measure the time; 0: not measured
+  double measure_seconds = 0;  // the query is repeated for this time to measure it; 0: once
 };
 
-// One answer a question. Float methods are given the nearest floats. Throws std::runtime_error if
+// One answer per question. Float methods get the nearest floats. Throws std::runtime_error if
 // no process can be started or the module cannot be loaded.
 std::vector<PeerAnswer> ask_all(const PeerMethod& method, const std::vector<PeerCase>& questions,
                                 const WorkerLimits& limits = {});

@@ -3,37 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "experiments/json_writer.h"
+#include "experiments/formats/json_writer.h"
 
-namespace kinex {
-
-std::string verdict_name(ClaimVerdict verdict) {
-  switch (verdict) {
-    case ClaimVerdict::kConfirmed:
-      return "confirmed";
-    case ClaimVerdict::kRefuted:
-      return "refuted";
-    case ClaimVerdict::kOpen:
-      return "open";
-  }
-  return "";
-}
-
-ClaimVerdict claim_verdict(IntervalSays says) {
-  switch (says) {
-    case IntervalSays::kConfirmed:
-      return ClaimVerdict::kConfirmed;
-    case IntervalSays::kRefuted:
-      return ClaimVerdict::kRefuted;
-    case IntervalSays::kOpen:
-      break;
-  }
-  return ClaimVerdict::kOpen;
-}
+namespace kinex::reproduce {
 
 namespace {
 
-void write_claim(JsonWriter& json, const PaperClaim& claim) {
+void write_claim(formats::JsonWriter& json, const lab::PaperClaim& claim) {
   json.line(2).begin_object();
   const auto field = [&](const char* name, const std::string& text) {
     json.line(4).key(name).string(text);
@@ -46,36 +22,36 @@ void write_claim(JsonWriter& json, const PaperClaim& claim) {
   field("expected", claim.expected);
   field("tolerance", claim.tolerance);
   field("observed", claim.observed);
-  field("verdict", verdict_name(claim.verdict));
+  field("verdict", std::string(lab::claim_word(claim.verdict)));
   json.line(4).key("assumptions").begin_array();
   for (const std::string& assumption : claim.assumptions) json.string(assumption);
   json.end_array().line(4).key("checked_by");
-  write_checked_by(json, claim.checked_by);
+  lab::write_checked_by(json, claim.checked_by);
   json.line(2).end_object();
 }
 
 std::string made_by(const ReproductionFacts& facts) {
-  return provenance(facts.command, facts.build, facts.machine);
+  return lab::provenance(facts.command, facts.build, facts.machine);
 }
 
 }  // namespace
 
-std::string claims_json(const Paper& paper, const std::vector<ReproducedPart>& parts,
+std::string claims_json(const lab::Paper& paper, const std::vector<ReproducedPart>& parts,
                         const ReproductionFacts& facts) {
   std::string text;
-  JsonWriter json(text);
+  formats::JsonWriter json(text);
   json.begin_object().line(0).key("paper").string(paper.name);
   json.line(0).key("title").string(paper.title);
   json.line(0).key("made_by").string(made_by(facts));
   json.line(0).key("claims").begin_array();
   for (const ReproducedPart& part : parts) {
-    for (const PaperClaim& claim : part.report.claims) write_claim(json, claim);
+    for (const lab::PaperClaim& claim : part.report.claims) write_claim(json, claim);
   }
   json.line(0).end_array().line(0).end_object();
   return text + "\n";
 }
 
-std::string paper_readme(const Paper& paper, const std::vector<ReproducedPart>& parts,
+std::string paper_readme(const lab::Paper& paper, const std::vector<ReproducedPart>& parts,
                          const ReproductionFacts& facts, bool drawn) {
   std::string text = fmt::format("# {}\n\nMade by {}. All runs are exact and audited.\n",
                                  paper.title, made_by(facts));
@@ -84,11 +60,11 @@ std::string paper_readme(const Paper& paper, const std::vector<ReproducedPart>& 
     if (part.interrupted)
       text += "Interrupted: what follows is of the runs that were finished.\n\n";
     for (const std::string& trouble : part.troubles) text += "**Failed:** " + trouble + "\n\n";
-    for (const PaperClaim& claim : part.report.claims) {
+    for (const lab::PaperClaim& claim : part.report.claims) {
       text += fmt::format(
           "- **{}** ({}, {}): {} **{}**.\n  - expected: {}; tolerance: {}\n"
           "  - observed: {}\n  - reproduce: `{}`\n",
-          claim.id, claim.place, claim.kind, claim.statement, verdict_name(claim.verdict),
+          claim.id, claim.place, claim.kind, claim.statement, lab::claim_word(claim.verdict),
           claim.expected, claim.tolerance, claim.observed, claim.command);
       for (const std::string& assumption : claim.assumptions) {
         text += "  - assumed: " + assumption + "\n";
@@ -105,4 +81,4 @@ std::string paper_readme(const Paper& paper, const std::vector<ReproducedPart>& 
   return text;
 }
 
-}  // namespace kinex
+}  // namespace kinex::reproduce

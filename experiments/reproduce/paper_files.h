@@ -6,30 +6,30 @@
 #include <string>
 #include <vector>
 
-#include "experiments/reproduce/part.h"
-#include "experiments/verify/machine.h"
+#include "experiments/lab/machine.h"
+#include "experiments/lab/part.h"
 
-namespace kinex {
+namespace kinex::reproduce {
 
 struct ReproducedPart {
-  const PaperPart* part;
-  PartReport report;
+  const lab::PaperPart* part;
+  lab::PartReport report;
   bool interrupted = false;
   std::vector<std::string> troubles;  // audits and bounds that failed
 };
 
 struct ReproductionFacts {
   std::string command;
-  BuildFacts build;
-  MachineFacts machine;
+  lab::BuildFacts build;
+  lab::MachineFacts machine;
 };
 
-std::string claims_json(const Paper& paper, const std::vector<ReproducedPart>& parts,
+std::string claims_json(const lab::Paper& paper, const std::vector<ReproducedPart>& parts,
                         const ReproductionFacts& facts);
 // `drawn`: the figures are there as SVG files.
-std::string paper_readme(const Paper& paper, const std::vector<ReproducedPart>& parts,
+std::string paper_readme(const lab::Paper& paper, const std::vector<ReproducedPart>& parts,
                          const ReproductionFacts& facts, bool drawn);
 
-}  // namespace kinex
+}  // namespace kinex::reproduce
 
 #endif

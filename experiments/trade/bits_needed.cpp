@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "experiments/trade/binary_scale.h"
+#include "experiments/lab/binary_scale.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
@@ -34,9 +34,9 @@ long bits_between(RealRoot& a, RealRoot& b, RootCounters& counters) {
     const Range size{std::max(size_a.lower, size_b.lower), std::max(size_a.upper, size_b.upper)};
     if (gap.lower.sign() > 0 && size.lower.sign() > 0) {
       const Rational least = size.lower / gap.upper, most = size.upper / gap.lower;
-      const long bits = ceil_log2(most);
-      const bool decided = ceil_log2(least) == bits;
-      if (decided || (most - least) * power_of_two(kSure) <= least) return std::max(1L, bits + 1);
+      const long bits = lab::ceil_log2(most);
+      const bool decided = lab::ceil_log2(least) == bits;
+      if (decided || (most - least) * lab::power_of_two(kSure) <= least) return std::max(1L, bits + 1);
     }
     a.refine(counters);
     b.refine(counters);
@@ -67,4 +67,4 @@ BitsNeeded bits_needed(ExactTrace& exact, const Rational& end) {
   return result;
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

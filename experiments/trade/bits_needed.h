@@ -8,7 +8,7 @@
 
 #include "experiments/trade/trace.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 // For two consecutive distinct instants a < b: the significant bits of a number that separate them,
 // ceil(log2(max(|a|, |b|) / (b - a))) + 1, at least 1. With that many bits the rounded times are at
@@ -22,13 +22,13 @@ struct BitsNeeded {
 };
 
 // Exact, from refined instants; a ratio within 2^-64 of a power of two counts as the larger one.
-// `end`: of the scene, at or after the last instant, which a run has to tell from it. May refine
-// the instants.
+// `end`: the scene's end, at or after the last instant; a run must separate the two. May refine the
+// instants.
 BitsNeeded bits_needed(ExactTrace& exact, const Rational& end);
 
 // For one pair; requires a < b.
 long bits_between(RealRoot& a, RealRoot& b, RootCounters& counters);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The state that an interrupted `kinex trade` resumes from: finished cases and bits as text, and
-// back.
+// Finished cases and bits as text, and back: what a record of them holds.
 #ifndef KINEX_EXPERIMENTS_TRADE_CASE_RECORD_H
 #define KINEX_EXPERIMENTS_TRADE_CASE_RECORD_H
 
 #include <optional>
-#include <string>
 
+#include "experiments/lab/field_archive.h"
 #include "experiments/trade/runner.h"
 
-namespace kinex {
+namespace kinex::trade {
 
-// Identifies a case by everything but the program that decides its results.
-std::string case_key(const TradeCase& which, const TradeOptions& options);
-std::string bits_key(const BitsCase& which);
+lab::Fields case_fields_of(const CaseResult& result);
+lab::Fields bits_fields_of(const BitsResult& result);
+// nullopt if the texts are not of such a result. `which`: what was run.
+std::optional<CaseResult> case_of(const lab::Fields& fields, const TradeCase& which);
+std::optional<BitsResult> bits_of(const lab::Fields& fields, const BitsCase& which);
 
-std::string case_record(const CaseResult& result);
-std::string bits_record(const BitsResult& result);
-// nullopt if the text is no such record. `which`: the one of the key.
-std::optional<CaseResult> read_case_record(const std::string& record, const TradeCase& which);
-std::optional<BitsResult> read_bits_record(const std::string& record, const BitsCase& which);
-
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

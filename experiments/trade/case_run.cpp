@@ -7,16 +7,16 @@
 #include <memory>
 #include <utility>
 
-#include "experiments/cpu_clock.h"
-#include "experiments/gmp_memory.h"
-#include "experiments/scene_run.h"
-#include "experiments/scene_writer.h"
-#include "experiments/trade/binary_scale.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/binary_scale.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/gmp_memory.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/trade/checkpoints.h"
 #include "experiments/trade/trace.h"
 #include "structures/plan.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
@@ -110,10 +110,10 @@ struct Exact {
 Exact exact_run(Scene scene, EventNames& names, const TradeOptions& options) {
   Exact exact;
   exact.scene = std::move(scene);
-  const auto simulator = make_simulator(exact.scene, "exact", simulator_options(options, 0));
+  const auto simulator = lab::make_simulator(exact.scene, "exact", simulator_options(options, 0));
   ExactRecorder recorder(names);
   simulator->set_sink(&recorder);
-  const GmpGuard guard(&simulator->deadline());
+  const lab::GmpGuard guard(&simulator->deadline());
   simulator->start();
   exact.status = simulator->run_until(std::nullopt);
   exact.trace = std::move(recorder.trace);
@@ -137,12 +137,12 @@ std::optional<TradeRun> compared_run(Exact& exact, EventNames& names, const std:
   const std::uint64_t budget =
       bits == 0 ? 0 : options.events_factor * exact.trace.size() + options.events_more;
   ExactRecorder exact_recorder(names);
-  InexactRecorder inexact_recorder(names, bits);
+  InexactRecorder inexact_recorder(names);
   try {
     SimulatorOptions simulating = simulator_options(options, budget);
     simulating.audit = AuditLevel::kEnd;
-    const auto simulator = make_simulator(exact.scene, arithmetic, std::move(simulating));
-    const GmpGuard guard(&simulator->deadline());
+    const auto simulator = lab::make_simulator(exact.scene, arithmetic, std::move(simulating));
+    const lab::GmpGuard guard(&simulator->deadline());
     simulator->set_sink(bits == 0 ? static_cast<EventSink*>(&exact_recorder) : &inexact_recorder);
     if (!run_with_checkpoints(*simulator, exact.checkpoints, budget, run)) return std::nullopt;
   } catch (const Stopped&) {
@@ -174,12 +174,12 @@ bool measure_times(const Scene& scene, std::vector<TradeRun>& runs, const TradeO
       TradeRun& run = runs[i];
       const double enough = round < 2 ? kOnceIsEnough : kLongEnough;
       if (run.ending != Ending::kEnded || total[i] > enough) continue;
-      const double begin = cpu_seconds();
-      const auto simulator = make_simulator(scene, run.arithmetic, simulator_options(options, 0));
-      const GmpGuard guard(&simulator->deadline());
+      const double begin = lab::cpu_seconds();
+      const auto simulator = lab::make_simulator(scene, run.arithmetic, simulator_options(options, 0));
+      const lab::GmpGuard guard(&simulator->deadline());
       simulator->start();
       const RunStatus status = simulator->run_until(std::nullopt);
-      const double seconds = cpu_seconds() - begin;
+      const double seconds = lab::cpu_seconds() - begin;
       if (status == RunStatus::kInterrupted || !options.go_on()) return false;
       run.seconds = run.seconds ? std::min(*run.seconds, seconds) : seconds;
       total[i] += seconds;
@@ -275,7 +275,7 @@ std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& o
   };
   Scene scene = which.scene();
   result.scene_name = scene.name;
-  result.scene_hash = scene_hash(scene);
+  result.scene_hash = formats::scene_hash(scene);
   result.objects = scene.objects.size();
   EventNames names;
   Exact exact;
@@ -314,4 +314,4 @@ std::optional<BitsNeeded> bits_of_scene(const Scene& scene, const TradeOptions& 
   return bits_needed(exact.trace, *exact.scene.end);
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

@@ -12,19 +12,19 @@
 #include <string>
 #include <vector>
 
-#include "experiments/finished_work.h"
+#include "experiments/sweep/journal.h"
 #include "experiments/trade/bits_needed.h"
 #include "experiments/trade/cases.h"
 #include "experiments/trade/deviation.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 enum class Ending {
   kEnded,    // the run reached the end of its scene
   kCorrupt,  // the structure became corrupt and detected it
   kEndless,  // stopped after many more events than the exact run has
   kGaveUp,   // stopped at the limit of time
-  kThrew,    // a bug: no arithmetic may do that
+  kThrew,    // the run threw an exception: a bug
 };
 std::string_view ending_name(Ending ending);  // "ended", "corrupt", ..
 
@@ -41,7 +41,7 @@ struct TradeRun {
   std::string trouble;       // the reason of corruption, or the exception
   bool guard_fired = false;  // corrupt because a guard detected endless repairs or rebuilds
   std::uint64_t events = 0;
-  std::optional<double> seconds;  // CPU time of the whole run, best of the rounds, without audits
+  std::optional<double> seconds;  // CPU time of the whole run without audits, best of the rounds
   std::uint64_t peak_bytes = 0;   // motions, certificates, queue and structure, from the ledger
   Deviation deviation;
   bool differs = false;  // of an exact arithmetic: its events are not those of `exact`
@@ -84,7 +84,7 @@ struct TradeOptions {
   // An inexact run is endless after events_factor times the exact run's events, plus events_more.
   std::uint64_t events_factor = 4;
   std::uint64_t events_more = 10000;
-  FinishedWork* finished = nullptr;  // its pieces are not run again; new ones are added
+  sweep::Journal* journal = nullptr;  // its cells are not run again; new records are added
   std::function<bool()> go_on = [] { return true; };  // called from all threads
   const std::atomic<bool>* interrupt = nullptr;       // as in SimulatorOptions
 };
@@ -97,6 +97,6 @@ std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& o
 // run gave up.
 std::optional<BitsNeeded> bits_of_scene(const Scene& scene, const TradeOptions& options);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

@@ -7,84 +7,35 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/input_error.h"
-#include "experiments/scene_reader.h"
-#include "structures/registry.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/lab/family.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
 constexpr long kDoubleBits = 53;
 
-// The cases of one structure. Sizes: quick, full.
-struct Plan {
-  std::string_view structure;
-  int dimension;
-  int uniform[2];
-  const char* worst;  // family
-  int worst_n[2];
-  int grid[2];
-  int near[2];
-  std::vector<int> bits[2];  // sizes
-};
-
-const std::vector<Plan>& plans() {
-  static const std::vector<Plan> kPlans{
-      {"sorted_list",
-       1,
-       {24, 64},
-       "sort-worst",
-       {24, 64},
-       {25, 64},
-       {16, 48},
-       {{8, 16, 32, 64}, {8, 16, 32, 64, 128, 256}}},
-      {"maximum_tournament",
-       1,
-       {64, 256},
-       "tournament-worst",
-       {32, 128},
-       {64, 256},
-       {32, 128},
-       {{16, 64, 256, 1024}, {16, 64, 256, 1024, 4096}}},
-      {"maximum_heap",
-       1,
-       {64, 256},
-       "heap-worst",
-       {31, 127},
-       {64, 256},
-       {32, 128},
-       {{16, 64, 256, 1024}, {16, 64, 256, 1024, 4096}}},
-      {"delaunay_2",
-       2,
-       {12, 32},
-       "hull-worst",
-       {4, 8},
-       {16, 36},
-       {8, 16},
-       {{8, 16, 32, 64}, {8, 16, 32, 64, 128, 256}}},
-      {"convex_hull_2",
-       2,
-       {24, 64},
-       "hull-worst",
-       {4, 8},
-       {16, 36},
-       {12, 24},
-       {{8, 16, 32, 64}, {8, 16, 32, 64, 128, 256}}},
-  };
-  return kPlans;
+// Of all families.
+std::vector<lab::TradePlan> plans() {
+  std::vector<lab::TradePlan> all;
+  for (const lab::FamilyExperiments& family : lab::experiment_families()) {
+    all.insert(all.end(), family.trade.begin(), family.trade.end());
+  }
+  return all;
 }
 
-WorkloadParameters parameters_of(const std::string& workload, int n, int degree, int dimension) {
-  WorkloadParameters parameters;
+lab::WorkloadParameters parameters_of(const std::string& workload, int n, int degree, int dimension) {
+  lab::WorkloadParameters parameters;
   parameters.n = n;
   parameters.degree = degree;
-  const int own = find_workload(workload)->default_dimension;
+  const int own = lab::find_workload(workload)->default_dimension;
   parameters.dimension = dimension == own ? 0 : dimension;
   return parameters;
 }
 
-void add_case(TradeCatalogue& catalogue, const Plan& plan, const std::string& workload, int n,
+void add_case(TradeCatalogue& catalogue, const lab::TradePlan& plan, const std::string& workload, int n,
               int degree, double cost) {
   TradeCase one;
   one.structure = plan.structure;
@@ -95,12 +46,12 @@ void add_case(TradeCatalogue& catalogue, const Plan& plan, const std::string& wo
   catalogue.cases.push_back(std::move(one));
 }
 
-void add_plan(TradeCatalogue& catalogue, const Plan& plan, Extent extent) {
-  const std::size_t size = extent == Extent::kQuick ? 0 : 1;
+void add_plan(TradeCatalogue& catalogue, const lab::TradePlan& plan, lab::Extent extent) {
+  const std::size_t size = extent == lab::Extent::kQuick ? 0 : 1;
   for (const int degree : {1, 2, 3}) {
     add_case(catalogue, plan, "uniform-square", plan.uniform[size], degree, degree);
   }
-  add_case(catalogue, plan, plan.worst, plan.worst_n[size], 1, 1);
+  add_case(catalogue, plan, std::string(plan.worst), plan.worst_n[size], 1, 1);
   add_case(catalogue, plan, "grid", plan.grid[size], 1, 1);
   add_case(catalogue, plan, "near-one-point", plan.near[size], 1, 1);
   for (const int degree : {1, 2, 3}) {
@@ -118,9 +69,9 @@ void add_plan(TradeCatalogue& catalogue, const Plan& plan, Extent extent) {
 }
 
 void add_file(TradeCatalogue& catalogue, const std::string& file) {
-  const Scene scene = read_scene(file);
+  const Scene scene = formats::read_scene(file);
   if (scene.maintain.empty()) {
-    throw InputError(file, "/maintain", "nothing is to be maintained",
+    throw formats::InputError(file, "/maintain", "nothing is to be maintained",
                      "fill \"maintain\" in the scene");
   }
   for (const Request& request : scene.maintain) {
@@ -145,19 +96,14 @@ bool is_file(const std::string& name) {
 
 Scene TradeCase::scene() const {
   if (given != nullptr) return *given;
-  Scene result = generate_scene(*find_workload(workload), parameters);
-  Request request;
-  request.structure = structure;
-  request.label = structure;
-  result.maintain = {std::move(request)};
-  return result;
+  return lab::generate_scene(workload, parameters, structure);
 }
 
-TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, Extent extent) {
+TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, lab::Extent extent) {
   TradeCatalogue catalogue;
   for (const std::string& name : what.empty() ? std::vector<std::string>{"all"} : what) {
     bool known = false;
-    for (const Plan& plan : plans()) {
+    for (const lab::TradePlan& plan : plans()) {
       if (name != "all" && name != plan.structure) continue;
       known = true;
       add_plan(catalogue, plan, extent);
@@ -165,8 +111,8 @@ TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, Extent
     if (known) continue;
     if (!is_file(name)) {
       std::string names = "all";
-      for (const Plan& plan : plans()) names += ", " + std::string(plan.structure);
-      throw InputError("trade", "", show_text(name) + " is neither a file nor a structure here",
+      for (const lab::TradePlan& plan : plans()) names += ", " + std::string(plan.structure);
+      throw formats::InputError("trade", "", show_text(name) + " is neither a file nor a structure here",
                        "name a scene, or choose one of " + names);
     }
     add_file(catalogue, name);
@@ -187,4 +133,4 @@ long bits_of_arithmetic(std::string_view name) {
   return kDoubleBits;
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

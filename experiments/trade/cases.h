@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cases: the scenes on which arithmetics are compared, and those whose bits are counted over n.
 //
-// Question: what does a less exact arithmetic trade for its speed?
+// Question: how much correctness does a less exact arithmetic trade for its speed?
 // Workloads, for every structure:
 //   uniform-square       motions of degree 1, 2 and 3: ordinary scenes
-//   the structure's worst case
+//   the structure's worst case, at sizes that its family gives (lab/trade_plan.h)
 //   grid                 integer velocities: simultaneous events
 //   near-one-point       all events within 2^-59: nearly degenerate
-// Expected: `exact` and `sturm` agree and are valid everywhere; of the others only that they end.
+// Expected: `exact` and `sturm` agree and are valid everywhere; the others end.
 #ifndef KINEX_EXPERIMENTS_TRADE_CASES_H
 #define KINEX_EXPERIMENTS_TRADE_CASES_H
 
@@ -17,16 +17,16 @@
 #include <vector>
 
 #include "core/motion/scene.h"
-#include "experiments/verify/catalogue.h"
-#include "experiments/workload.h"
+#include "experiments/lab/cell.h"
+#include "experiments/lab/workload.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 struct TradeCase {
   std::string structure;               // registered name, or a scene's label for it
   std::string name;                    // of the workload with its parameters, or of the scene
   std::string workload;                // empty: `given`
-  WorkloadParameters parameters;       // of the workload
+  lab::WorkloadParameters parameters;       // of the workload
   std::shared_ptr<const Scene> given;  // maintains one structure
   double cost = 0.1;                   // expected seconds, for progress
 
@@ -37,7 +37,7 @@ struct TradeCase {
 // Scenes of one size of a family, for which only the exact run is made.
 struct BitsCase {
   std::string structure, workload;
-  WorkloadParameters parameters;  // seeds from 1
+  lab::WorkloadParameters parameters;  // seeds from 1
   int seeds = 1;
   std::string family;  // "uniform-square, degree 2"
   double cost = 0.1;
@@ -50,13 +50,13 @@ struct TradeCatalogue {
 
 // `what`: names of structures, "all", or files of scenes, mixed; empty means "all". Every structure
 // that a scene maintains is a case. Throws InputError.
-TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, Extent extent);
+TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, lab::Extent extent);
 
 // exact, sturm, double, gsl, mpfr:24, 53, 64, 100, 200, 400.
 const std::vector<std::string>& trade_arithmetics();
 // Bits of the numbers of an inexact arithmetic; 0 for an exact one.
 long bits_of_arithmetic(std::string_view name);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::vector<Rational> checkpoints_of(ExactTrace& exact, const Rational& start,
   return result;
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

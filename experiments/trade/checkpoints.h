@@ -7,7 +7,7 @@
 
 #include "experiments/trade/trace.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 // Up to ten rational times inside (start, end), ascending. None is an instant of the trace, and
 // each lies well inside the gap between two instants, so that a run whose times are nearly right is
@@ -18,6 +18,6 @@ namespace kinex {
 // Requires start < end, and no instant beyond them. May refine the instants.
 std::vector<Rational> checkpoints_of(ExactTrace& exact, const Rational& start, const Rational& end);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

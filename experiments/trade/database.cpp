@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/trade/database.h"
 
+#include "experiments/lab/facts_tables.h"
+#include "experiments/lab/judge.h"
+#include "experiments/lab/sqlite.h"
 #include "experiments/trade/standings.h"
-#include "experiments/verify/facts_tables.h"
-#include "experiments/verify/judge.h"
-#include "experiments/verify/sqlite.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
@@ -37,7 +37,7 @@ CREATE TABLE bits_growth(structure TEXT NOT NULL, family TEXT NOT NULL, quantity
 
 class Writer {
  public:
-  explicit Writer(Database& database)
+  explicit Writer(lab::Database& database)
       : case_(database,
               "INSERT INTO trade_case VALUES(NULL, 1, 1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
               "?)"),
@@ -68,7 +68,7 @@ class Writer {
     for (const double value :
          {one.instants.mean(), one.most.mean(), one.most.standard_error(), one.most.largest(),
           one.percentile_99.mean(), one.percentile_99.standard_error()}) {
-      bits_.text(number_text(value, kDigits));
+      bits_.text(lab::number_text(value, kDigits));
     }
     bits_.run();
   }
@@ -79,16 +79,16 @@ class Writer {
   }
 
  private:
-  static void maybe(Statement& statement, const std::string& text) {
+  static void maybe(lab::Statement& statement, const std::string& text) {
     if (text.empty()) {
       statement.null();
     } else {
       statement.text(text);
     }
   }
-  static void maybe(Statement& statement, const std::optional<double>& value) {
+  static void maybe(lab::Statement& statement, const std::optional<double>& value) {
     if (value) {
-      statement.text(number_text(*value, kDigits));
+      statement.text(lab::number_text(*value, kDigits));
     } else {
       statement.null();
     }
@@ -115,31 +115,31 @@ class Writer {
     } else {
       run_.null().null();
     }
-    run_.real(deviation.error).text(number_text(deviation.error_ulps, kDigits));
+    run_.real(deviation.error).text(lab::number_text(deviation.error_ulps, kDigits));
     run_.integer(run.checkpoints).integer(run.valid).integer(run.valid_at_end ? 1 : 0);
     maybe(run_, run.first_wrong);
     maybe(run_, run.violation);
     run_.run();
   }
 
-  void write(const BitsGrowth& growth, const char* quantity, const std::optional<PowerFit>& fit) {
+  void write(const BitsGrowth& growth, const char* quantity, const std::optional<lab::Fit>& fit) {
     if (!fit) return;
     growth_.text(growth.structure).text(growth.family).text(quantity);
-    for (const double value : {fit->exponent, fit->lower, fit->upper, fit->factor}) {
-      growth_.text(number_text(value, kDigits));
+    for (const double value : {fit->b, fit->lower, fit->upper, fit->a}) {
+      growth_.text(lab::number_text(value, kDigits));
     }
     growth_.run();
   }
 
-  Statement case_, run_, bits_, growth_;
+  lab::Statement case_, run_, bits_, growth_;
 };
 
 }  // namespace
 
-std::string trade_database(const TradeResult& result, const BuildFacts& build,
-                           const MachineFacts& machine) {
-  Database database;
-  write_facts(database, build, machine);
+std::string trade_database(const TradeResult& result, const lab::BuildFacts& build,
+                           const lab::MachineFacts& machine) {
+  lab::Database database;
+  lab::write_facts(database, build, machine);
   database.execute(kSchema);
   database.execute("BEGIN");
   {
@@ -152,4 +152,4 @@ std::string trade_database(const TradeResult& result, const BuildFacts& build,
   return database.serialise();
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

@@ -13,15 +13,15 @@
 
 #include <string>
 
+#include "experiments/lab/machine.h"
 #include "experiments/trade/runner.h"
-#include "experiments/verify/machine.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 // The bytes of the database file.
-std::string trade_database(const TradeResult& result, const BuildFacts& build,
-                           const MachineFacts& machine);
+std::string trade_database(const TradeResult& result, const lab::BuildFacts& build,
+                           const lab::MachineFacts& machine);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

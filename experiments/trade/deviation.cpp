@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "experiments/trade/binary_scale.h"
+#include "experiments/lab/binary_scale.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
@@ -107,11 +107,11 @@ void find_first(ExactTrace& exact, const InexactTrace& inexact, Deviation& resul
 // ulp_of(root), for a root that is not 0 in an interval that does not hold 0.
 Rational ulp_of_root(RealRoot& root, RootCounters& counters) {
   const Rational lower = root.lower(), upper = root.upper();
-  const Rational small = ulp_of(lower), large = ulp_of(upper);
+  const Rational small = lab::ulp_of(lower), large = lab::ulp_of(upper);
   if (small == large) return small;
   // A power of two lies inside the interval: on which side of it is the root?
   const bool positive = lower.sign() > 0;
-  const Rational power = power_of_two(floor_log2(absolute(positive ? upper : lower)));
+  const Rational power = lab::power_of_two(lab::floor_log2(lab::absolute(positive ? upper : lower)));
   const int side = compare(root, positive ? power : -power, counters);
   return side == 0 || (side > 0) == positive ? std::max(small, large) : std::min(small, large);
 }
@@ -120,14 +120,14 @@ Rational ulp_of_root(RealRoot& root, RootCounters& counters) {
 void add_error(RealRoot& root, const Rational& time, RootCounters& counters, Deviation& result) {
   if (compare(root, time, counters) == 0) return;
   if (compare(root, Rational(0), counters) == 0) {
-    result.error = std::max(result.error, absolute(time).upper_double());
+    result.error = std::max(result.error, lab::absolute(time).upper_double());
     return;
   }
   for (;; root.refine(counters)) {
     const Rational lower = root.lower(), upper = root.upper();
     if (lower.sign() != upper.sign()) continue;
-    const Rational largest = std::max(absolute(time - lower), absolute(time - upper));
-    if ((upper - lower) * power_of_two(kErrorBits) > largest) continue;
+    const Rational largest = std::max(lab::absolute(time - lower), lab::absolute(time - upper));
+    if ((upper - lower) * lab::power_of_two(kErrorBits) > largest) continue;
     result.error = std::max(result.error, largest.upper_double());
     const Rational ulps = largest / ulp_of_root(root, counters);
     result.error_ulps = std::max(result.error_ulps, ulps.upper_double());
@@ -191,4 +191,4 @@ Deviation deviation_of(ExactTrace& exact, const InexactTrace& inexact) {
   return result;
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

@@ -11,7 +11,7 @@
 
 #include "experiments/trade/trace.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 inline constexpr std::size_t kUnmatched = static_cast<std::size_t>(-1);
 
@@ -45,6 +45,6 @@ Deviation deviation_of(ExactTrace& exact, const InexactTrace& inexact);
 // For each exact event the matching inexact one, or kUnmatched.
 std::vector<std::size_t> match_events(const ExactTrace& exact, const InexactTrace& inexact);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

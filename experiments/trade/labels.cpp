@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
@@ -71,4 +71,4 @@ LabelPlacer::Label LabelPlacer::place(const std::string& text, double x, double 
   return best;
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace kinex {
+namespace kinex::trade {
 
 // All in pixels, y upwards.
 class LabelPlacer {
@@ -35,6 +35,6 @@ class LabelPlacer {
   std::vector<Box> taken_;
 };
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

@@ -5,16 +5,16 @@
 
 #include <string>
 
+#include "experiments/lab/html.h"
 #include "experiments/trade/runner.h"
-#include "experiments/verify/html.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 // A section for each structure: scenes over arithmetics, in one table each for standings, errors of
 // event times, and time and memory; then the bits. Everything but times is the same on every
 // machine; what depends on the machine is marked.
-std::string trade_markdown(const TradeResult& result, const PageFacts& facts);
+std::string trade_markdown(const TradeResult& result, const lab::PageFacts& facts);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

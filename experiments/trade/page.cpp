@@ -6,7 +6,7 @@
 #include "experiments/trade/report.h"
 #include "experiments/trade/standings.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
@@ -15,7 +15,7 @@ constexpr const char* kClasses[] = {"PASS", "INCONCLUSIVE", "FAIL"};
 
 std::string standing_span(Standing standing, const std::string& text) {
   return fmt::format("<span class=\"v {}\" style=\"white-space: normal\">{}</span>",
-                     kClasses[static_cast<std::size_t>(standing)], escape(text));
+                     kClasses[static_cast<std::size_t>(standing)], lab::escape(text));
 }
 
 std::string faults_part(const TradeResult& result) {
@@ -24,7 +24,7 @@ std::string faults_part(const TradeResult& result) {
     text += "<p><b>Interrupted:</b> only what was finished is here.</p>\n";
   }
   for (const std::string& fault : result.faults()) {
-    text += "<p class=\"v FAIL\">" + escape(fault) + "</p>\n";
+    text += "<p class=\"v FAIL\">" + lab::escape(fault) + "</p>\n";
   }
   return text;
 }
@@ -36,7 +36,7 @@ std::string standings_part(const TradeResult& result) {
       "<th class=\"r\">wrong</th></tr>\n",
       result.cases.size());
   for (const ArithmeticStandings& one : standings_of(result)) {
-    text += "<tr><td>" + escape(one.arithmetic) + "</td>";
+    text += "<tr><td>" + lab::escape(one.arithmetic) + "</td>";
     for (std::size_t i = 0; i < one.cases.size(); ++i) {
       text += fmt::format("<td class=\"r\">{}</td>",
                           one.cases[i] == 0 ? std::string("-")
@@ -54,7 +54,7 @@ std::string standings_part(const TradeResult& result) {
 }
 
 std::string case_part(const CaseResult& one) {
-  std::string text = "<h3>" + escape(case_heading(one)) + "</h3>\n";
+  std::string text = "<h3>" + lab::escape(case_heading(one)) + "</h3>\n";
   if (one.runs.empty()) return text;
   text +=
       "<table><tr><th>arithmetic</th><th class=\"r\">time / double</th><th class=\"r\">memory / "
@@ -68,8 +68,8 @@ std::string case_part(const CaseResult& one) {
         "<tr><td>{}</td><td class=\"r\">{}</td><td class=\"r\">{}</td><td class=\"r\">{}</td><td "
         "class=\"r\">{}</td><td class=\"r\">{}</td><td>{}</td><td class=\"r\">{}</td><td "
         "class=\"r\">{}</td><td class=\"r\">{}</td><td title=\"{}\">{}</td></tr>\n",
-        escape(row.arithmetic), row.time, row.memory, row.missed, row.invented, row.inversions,
-        escape(row.first), row.error, row.ulps, row.state, escape(run.violation),
+        lab::escape(row.arithmetic), row.time, row.memory, row.missed, row.invented, row.inversions,
+        lab::escape(row.first), row.error, row.ulps, row.state, lab::escape(run.violation),
         standing_span(run.standing(), row.standing));
   }
   return text + "</table>\n";
@@ -96,28 +96,28 @@ std::string bits_part(const TradeResult& result) {
       "of a scene</th><th>of 99 % of the pairs</th></tr>\n";
   for (const BitsGrowth& growth : result.growths) {
     text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        escape(growth.structure), escape(growth.family),
-                        escape(growth_text(*growth.most)),
-                        growth.percentile_99 ? escape(growth_text(*growth.percentile_99)) : "-");
+                        lab::escape(growth.structure), lab::escape(growth.family),
+                        lab::escape(growth_text(*growth.most)),
+                        growth.percentile_99 ? lab::escape(growth_text(*growth.percentile_99)) : "-");
   }
   return text + "</table>\n";
 }
 
 }  // namespace
 
-std::string trade_page(const TradeResult& result, const std::vector<Figure>& figures,
-                       const Drawings& drawings, const PageFacts& facts) {
-  std::string page = html_head("kinex trade");
+std::string trade_page(const TradeResult& result, const std::vector<lab::Figure>& figures,
+                       const lab::Drawings& drawings, const lab::PageFacts& facts) {
+  std::string page = lab::html_head("kinex trade");
   page +=
       "<p class=\"facts\">What is gained and what is lost when a run is not exact? Every run is "
       "compared with the exact one, event by event, and its states are audited exactly.</p>\n";
   page += faults_part(result);
   page += standings_part(result);
-  page += plots_part(figures, drawings);
+  page += lab::plots_part(figures, drawings);
   page += bits_part(result);
   page += cases_part(result);
-  page += facts_part(facts);
+  page += lab::facts_part(facts);
   return page + "</body></html>\n";
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

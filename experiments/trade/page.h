@@ -5,16 +5,16 @@
 
 #include <string>
 
+#include "experiments/lab/html.h"
 #include "experiments/trade/runner.h"
-#include "experiments/verify/html.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 // How often each arithmetic was right, faults of exact ones, the figures, the bits, and a table for
 // every scene. If plots could not be drawn the page gives the reason.
-std::string trade_page(const TradeResult& result, const std::vector<Figure>& figures,
-                       const Drawings& drawings, const PageFacts& facts);
+std::string trade_page(const TradeResult& result, const std::vector<lab::Figure>& figures,
+                       const lab::Drawings& drawings, const lab::PageFacts& facts);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

@@ -12,7 +12,7 @@
 #include "experiments/trade/report.h"
 #include "experiments/trade/standings.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
@@ -128,16 +128,16 @@ std::string error_tics(const Decades& decades) {
 std::string legend() {
   constexpr const char* kEntry = "set label {} at screen {},{} left point {} offset 1.1,-0.35\n";
   std::string text =
-      fmt::format(kEntry, quoted("median"), kMedianPlace, kLegendHeight, kMedianStyle);
+      fmt::format(kEntry, lab::quoted("median"), kMedianPlace, kLegendHeight, kMedianStyle);
   for (const StandingLook& one : kStandingLooks) {
-    text += fmt::format(kEntry, quoted(one.title), one.place, kLegendHeight, one.style);
+    text += fmt::format(kEntry, lab::quoted(one.title), one.place, kLegendHeight, one.style);
   }
   return text;
 }
 
-Figure plane_figure(const TradeResult& result, const std::string& structure) {
+lab::Figure plane_figure(const TradeResult& result, const std::string& structure) {
   const std::vector<Cluster> clusters = clusters_of(result, structure);
-  Figure figure;
+  lab::Figure figure;
   if (clusters.size() < 2) return figure;
   figure.width = kPlaneWidth;
   figure.height = kPlaneHeight;
@@ -201,7 +201,7 @@ Figure plane_figure(const TradeResult& result, const std::string& structure) {
         fmt::format("{} {}/{}", cluster.arithmetic, cluster.valid, cluster.cases);
     const LabelPlacer::Label label =
         placer.place(text, pixel_x(cluster.x), pixel_y(height_of(cluster.ulps)));
-    script += fmt::format("set label {} at screen {:.5f},{:.5f} {} front\n", quoted(text),
+    script += fmt::format("set label {} at screen {:.5f},{:.5f} {} front\n", lab::quoted(text),
                           label.x / kPlaneWidth, label.y / kPlaneHeight, label.align);
     if (label.far) {
       script += fmt::format(
@@ -238,8 +238,8 @@ std::string bits_block(const std::string& name, const std::vector<const BitsResu
   return text + "EOD\n";
 }
 
-Figure bits_figure(const TradeResult& result, const std::string& structure) {
-  Figure figure;
+lab::Figure bits_figure(const TradeResult& result, const std::string& structure) {
+  lab::Figure figure;
   figure.title = structure + ": bits needed to tell its instants apart";
   figure.caption =
       "The significant bits that a number needs to tell two neighbouring instants of a run apart: "
@@ -264,15 +264,15 @@ Figure bits_figure(const TradeResult& result, const std::string& structure) {
     }
     const std::string name = "family" + std::to_string(colour);
     data += bits_block(name, family);
-    const Look& style = look(colour++);
+    const lab::Look& style = lab::look(colour++);
     plot += fmt::format("{}{:.10g}*log(x)/log(2)+{:.10g} with lines lw 1.5 lc rgb '{}' notitle",
-                        plot.empty() ? "plot " : ", \\\n  ", growth.most->exponent,
-                        std::log2(growth.most->factor), style.colour);
+                        plot.empty() ? "plot " : ", \\\n  ", growth.most->b,
+                        std::log2(growth.most->a), style.colour);
     plot += fmt::format(
         ", \\\n  ${} using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title {}", name,
         style.symbol, style.colour,
-        quoted(fmt::format("{}: {:.2f} bits a doubling, 95% in [{:.2f}, {:.2f}]", growth.family,
-                           growth.most->exponent, growth.most->lower, growth.most->upper)));
+        lab::quoted(fmt::format("{}: {:.2f} bits a doubling, 95% in [{:.2f}, {:.2f}]", growth.family,
+                           growth.most->b, growth.most->lower, growth.most->upper)));
     plot += fmt::format(
         ", \\\n  ${0} using 1:4 with linespoints dt 3 pt {1} ps 0.4 lw 1.3 lc rgb '{2}' notitle",
         name, style.symbol, style.colour);
@@ -299,16 +299,16 @@ Figure bits_figure(const TradeResult& result, const std::string& structure) {
 
 }  // namespace
 
-std::vector<Figure> trade_figures(const TradeResult& result) {
-  std::vector<Figure> figures;
+std::vector<lab::Figure> trade_figures(const TradeResult& result) {
+  std::vector<lab::Figure> figures;
   const std::vector<std::string> structures = structures_of(result);
   for (const auto make : {plane_figure, bits_figure}) {
     for (const std::string& structure : structures) {
-      Figure figure = make(result, structure);
+      lab::Figure figure = make(result, structure);
       if (!figure.script.empty()) figures.push_back(std::move(figure));
     }
   }
   return figures;
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

@@ -6,13 +6,13 @@
 
 #include <vector>
 
+#include "experiments/lab/gnuplot.h"
 #include "experiments/trade/runner.h"
-#include "experiments/verify/gnuplot.h"
 
-namespace kinex {
+namespace kinex::trade {
 
-std::vector<Figure> trade_figures(const TradeResult& result);
+std::vector<lab::Figure> trade_figures(const TradeResult& result);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "experiments/counted.h"
+#include "experiments/formats/counted.h"
 #include "experiments/trade/standings.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
@@ -87,14 +87,13 @@ std::string case_heading(const CaseResult& one) {
   const std::string what =
       fmt::format("{}, {}, n = {}", one.which.structure, one.which.name, one.objects);
   if (!one.problem.empty()) return what + ": " + one.problem;
-  return fmt::format("{}: {} at {}; {}", what, counted(one.events, "log record", "log records"),
-                     counted(one.bits.instants, "instant", "instants"), bits_sentence(one.bits));
+  return fmt::format("{}: {} at {}; {}", what, formats::counted(one.events, "log record", "log records"),
+                     formats::counted(one.bits.instants, "instant", "instants"), bits_sentence(one.bits));
 }
 
-std::string growth_text(const PowerFit& fit) {
-  return fmt::format("bits = {:.2f} log2(n) {} {:.1f}, slope 95 % in [{:.2f}, {:.2f}]",
-                     fit.exponent, fit.factor < 1 ? "-" : "+", std::fabs(std::log2(fit.factor)),
-                     fit.lower, fit.upper);
+std::string growth_text(const lab::Fit& fit) {
+  return fmt::format("bits = {:.2f} log2(n) {} {:.1f}, slope 95 % in [{:.2f}, {:.2f}]", fit.b,
+                     fit.a < 1 ? "-" : "+", std::fabs(std::log2(fit.a)), fit.lower, fit.upper);
 }
 
 std::string table_of(const CaseResult& one) {
@@ -118,7 +117,7 @@ std::string bits_header() {
 }
 
 std::string table_row(const BitsResult& one) {
-  const auto mean = [](const RunningMean& m) {
+  const auto mean = [](const lab::RunningMean& m) {
     return m.count() == 0 ? "-" : fmt::format("{:.1f} +- {:.1f}", m.mean(), m.standard_error());
   };
   return fmt::format("{:<18} {:<26} {:>6} {:>6} {:>10.0f} {:>12} {:>12}\n", one.which.structure,
@@ -129,7 +128,7 @@ std::string table_row(const BitsResult& one) {
 std::string table_row(const BitsGrowth& growth) {
   std::string text =
       fmt::format("{:<18} {:<26} {}", growth.structure, growth.family, growth_text(*growth.most));
-  if (growth.percentile_99) text += fmt::format("; 99 %: {:.2f}", growth.percentile_99->exponent);
+  if (growth.percentile_99) text += fmt::format("; 99 %: {:.2f}", growth.percentile_99->b);
   return text + "\n";
 }
 
@@ -144,4 +143,4 @@ std::string closing_lines(const TradeResult& result) {
   return text;
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

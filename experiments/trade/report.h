@@ -8,7 +8,7 @@
 
 #include "experiments/trade/runner.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 // The columns of a run's row, as text; "-": does not apply.
 struct TradeRow {
@@ -31,7 +31,7 @@ std::string case_heading(const CaseResult& one);
 // "needs 71 bits (99 %: 40)"; "-" without pairs of instants.
 std::string bits_sentence(const BitsNeeded& bits);
 // "bits = 3.9 log2(n) + 12.1, 95 % in [3.6, 4.2]"
-std::string growth_text(const PowerFit& fit);
+std::string growth_text(const lab::Fit& fit);
 
 // A heading, the table's header, a row for each arithmetic, an empty line.
 std::string table_of(const CaseResult& one);
@@ -46,6 +46,6 @@ std::string json_row(const CaseResult& one);
 std::string json_row(const BitsResult& one);
 std::string json_row(const BitsGrowth& growth);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trade as JSON lines.
-#include "experiments/json_writer.h"
+#include "experiments/formats/json_writer.h"
 #include "experiments/trade/report.h"
 #include "experiments/trade/standings.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
-void maybe_real(JsonWriter& json, const std::optional<double>& value) {
+void maybe_real(formats::JsonWriter& json, const std::optional<double>& value) {
   if (value) {
     json.real(*value);
   } else {
@@ -16,7 +16,7 @@ void maybe_real(JsonWriter& json, const std::optional<double>& value) {
   }
 }
 
-void maybe_text(JsonWriter& json, const std::string& text) {
+void maybe_text(formats::JsonWriter& json, const std::string& text) {
   if (text.empty()) {
     json.null();
   } else {
@@ -24,7 +24,7 @@ void maybe_text(JsonWriter& json, const std::string& text) {
   }
 }
 
-void write_run(JsonWriter& json, const CaseResult& one, const TradeRun& run) {
+void write_run(formats::JsonWriter& json, const CaseResult& one, const TradeRun& run) {
   const Deviation& deviation = run.deviation;
   json.begin_object().key("arithmetic").string(run.arithmetic);
   json.key("standing").string(standing_name(run.standing()));
@@ -55,20 +55,20 @@ void write_run(JsonWriter& json, const CaseResult& one, const TradeRun& run) {
   json.end_object();
 }
 
-void write_mean(JsonWriter& json, const RunningMean& mean) {
+void write_mean(formats::JsonWriter& json, const lab::RunningMean& mean) {
   json.begin_object().key("mean").real(mean.mean());
   json.key("standard_error").real(mean.standard_error());
   json.key("smallest").real(mean.smallest()).key("largest").real(mean.largest()).end_object();
 }
 
-void write_fit(JsonWriter& json, const std::optional<PowerFit>& fit) {
+void write_fit(formats::JsonWriter& json, const std::optional<lab::Fit>& fit) {
   if (!fit) {
     json.null();
     return;
   }
-  json.begin_object().key("bits_per_doubling").real(fit->exponent);
+  json.begin_object().key("bits_per_doubling").real(fit->b);
   json.key("interval_95").begin_array().real(fit->lower).real(fit->upper).end_array();
-  json.key("factor").real(fit->factor).key("chi_square");
+  json.key("factor").real(fit->a).key("chi_square");
   if (fit->weighted) {
     json.real(fit->chi_square);
   } else {
@@ -81,7 +81,7 @@ void write_fit(JsonWriter& json, const std::optional<PowerFit>& fit) {
 
 std::string json_row(const CaseResult& one) {
   std::string text;
-  JsonWriter json(text);
+  formats::JsonWriter json(text);
   json.begin_object().key("row").string("case").key("structure").string(one.which.structure);
   json.key("name").string(one.which.name).key("workload");
   maybe_text(json, one.which.workload);
@@ -107,7 +107,7 @@ std::string json_row(const CaseResult& one) {
 
 std::string json_row(const BitsResult& one) {
   std::string text;
-  JsonWriter json(text);
+  formats::JsonWriter json(text);
   json.begin_object().key("row").string("bits").key("structure").string(one.which.structure);
   json.key("family").string(one.which.family).key("n").number(one.which.parameters.n);
   json.key("scenes").number(one.which.seeds).key("instants");
@@ -122,7 +122,7 @@ std::string json_row(const BitsResult& one) {
 
 std::string json_row(const BitsGrowth& growth) {
   std::string text;
-  JsonWriter json(text);
+  formats::JsonWriter json(text);
   json.begin_object().key("row").string("growth").key("structure").string(growth.structure);
   json.key("family").string(growth.family).key("most");
   write_fit(json, growth.most);
@@ -132,4 +132,4 @@ std::string json_row(const BitsGrowth& growth) {
   return text + "\n";
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

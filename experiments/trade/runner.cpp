@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/trade/runner.h"
 
+#include <chrono>
 #include <cmath>
 #include <utility>
 
-#include "experiments/trade/case_record.h"
-#include "experiments/verify/run_in_order.h"
+#include "experiments/lab/run_in_order.h"
+#include "experiments/trade/planned.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 namespace {
 
@@ -16,6 +17,40 @@ constexpr double kMostBits = 1000;
 std::string describe(const TradeCase& which) {
   return which.structure + ", " + which.name + ", n = " + std::to_string(which.parameters.n);
 }
+
+// As `run`, except that a cell of the journal is not run again.
+template <class Result, class Which, class Run>
+std::optional<Result> find_or_run(const sweep::Cell& key, const Which& which,
+                                  const TradeOptions& options, const Run& run) {
+  if (options.journal != nullptr) {
+    if (const sweep::Record* record = options.journal->find(key.key)) {
+      return result_of(*record, which);
+    }
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  std::optional<Result> result = run();
+  if (result && options.journal != nullptr) {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    options.journal->add(sweep::record_of(key, report_of(*result), seconds.count()));
+  }
+  return result;
+}
+
+std::optional<lab::Fit> fit(const std::vector<const BitsResult*>& family,
+                       lab::RunningMean BitsResult::*bits) {
+  std::vector<lab::FitPoint> points;
+  for (const BitsResult* size : family) {
+    const lab::RunningMean& mean = size->*bits;
+    if (mean.count() == 0) continue;
+    if (mean.mean() > kMostBits) return std::nullopt;
+    const double value = std::exp2(mean.mean());
+    points.push_back({static_cast<double>(size->which.parameters.n), value,
+                      value * std::log(2.0) * mean.standard_error()});
+  }
+  return lab::fit_power(points);
+}
+
+}  // namespace
 
 std::optional<BitsResult> run_bits(const BitsCase& which, const TradeOptions& options) {
   BitsResult result;
@@ -36,36 +71,6 @@ std::optional<BitsResult> run_bits(const BitsCase& which, const TradeOptions& op
   }
   return result;
 }
-
-// As `run`, except that finished work is not run again.
-template <class Result, class Run, class Read, class Record>
-std::optional<Result> find_or_run(FinishedWork* finished, const std::string& key, const Read& read,
-                                  const Record& record, const Run& run) {
-  if (finished != nullptr) {
-    if (const std::optional<std::string> found = finished->find(key)) {
-      if (std::optional<Result> result = read(*found)) return result;
-    }
-  }
-  std::optional<Result> result = run();
-  if (result && finished != nullptr) finished->add(key, record(*result));
-  return result;
-}
-
-std::optional<PowerFit> fit(const std::vector<const BitsResult*>& family,
-                            RunningMean BitsResult::*bits) {
-  std::vector<FitPoint> points;
-  for (const BitsResult* size : family) {
-    const RunningMean& mean = size->*bits;
-    if (mean.count() == 0) continue;
-    if (mean.mean() > kMostBits) return std::nullopt;
-    const double value = std::exp2(mean.mean());
-    points.push_back({static_cast<double>(size->which.parameters.n), value,
-                      value * std::log(2.0) * mean.standard_error()});
-  }
-  return fit_power(points);
-}
-
-}  // namespace
 
 bool TradeResult::gave_up() const {
   for (const CaseResult& one : cases) {
@@ -108,18 +113,15 @@ TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& optio
                       const TradeWatch& watch) {
   const std::size_t count = catalogue.cases.size();
   TradeResult result;
-  auto cases = run_in_order<CaseResult>(
+  auto cases = lab::run_in_order<CaseResult>(
       count, options.jobs,
       [&](std::size_t i) {
         const TradeCase& which = catalogue.cases[i];
-        return find_or_run<CaseResult>(
-            options.finished, case_key(which, options),
-            [&](const std::string& record) { return read_case_record(record, which); }, case_record,
-            [&] {
-              return run_case(which, options, [&](const std::string& arithmetic) {
-                if (watch.on_work) watch.on_work(i, describe(which) + ": " + arithmetic);
-              });
-            });
+        return find_or_run<CaseResult>(planned(which, options), which, options, [&] {
+          return run_case(which, options, [&](const std::string& arithmetic) {
+            if (watch.on_work) watch.on_work(i, describe(which) + ": " + arithmetic);
+          });
+        });
       },
       [&](std::size_t i, const CaseResult& one) {
         if (watch.on_finished) watch.on_finished(i);
@@ -128,7 +130,7 @@ TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& optio
   result.cases = std::move(cases.finished);
   result.interrupted = cases.interrupted;
   if (result.interrupted) return result;
-  auto bits = run_in_order<BitsResult>(
+  auto bits = lab::run_in_order<BitsResult>(
       catalogue.bits.size(), options.jobs,
       [&](std::size_t i) {
         const BitsCase& which = catalogue.bits[i];
@@ -136,10 +138,8 @@ TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& optio
           watch.on_work(count + i, which.structure + ", bits, " + which.family +
                                        ", n = " + std::to_string(which.parameters.n));
         }
-        return find_or_run<BitsResult>(
-            options.finished, bits_key(which),
-            [&](const std::string& record) { return read_bits_record(record, which); }, bits_record,
-            [&] { return run_bits(which, options); });
+        return find_or_run<BitsResult>(planned(which, options), which, options,
+                                       [&] { return run_bits(which, options); });
       },
       [&](std::size_t i, const BitsResult& one) {
         if (watch.on_finished) watch.on_finished(count + i);
@@ -151,4 +151,4 @@ TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& optio
   return result;
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

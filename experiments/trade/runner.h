@@ -9,22 +9,23 @@
 #include <string>
 #include <vector>
 
+#include "experiments/lab/fit.h"
+#include "experiments/lab/statistics.h"
 #include "experiments/trade/case_run.h"
-#include "experiments/verify/statistics.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 // The scenes of one size of a family.
 struct BitsResult {
   BitsCase which;
-  RunningMean most, percentile_99;  // bits needed, over the scenes
-  RunningMean instants;             // distinct ones
+  lab::RunningMean most, percentile_99;  // bits needed, over the scenes
+  lab::RunningMean instants;             // distinct ones
 };
 
 // The smallest gap shrinks like n^-exponent: bits grow by `exponent` with every doubling of n.
 struct BitsGrowth {
   std::string structure, family;
-  std::optional<PowerFit> most, percentile_99;  // of 2^bits over n
+  std::optional<lab::Fit> most, percentile_99;  // of 2^bits over n
 };
 
 struct TradeResult {
@@ -44,6 +45,9 @@ struct TradeWatch {
   std::function<void(const BitsResult&)> on_bits;
 };
 
+// All scenes of one size; nullopt if go_on returns false or a run gave up.
+std::optional<BitsResult> run_bits(const BitsCase& which, const TradeOptions& options);
+
 // Results do not depend on the number of jobs, times aside.
 TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& options,
                       const TradeWatch& watch);
@@ -52,6 +56,6 @@ TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& optio
 // 1000 bits have no fit.
 std::vector<BitsGrowth> fit_bits(const std::vector<BitsResult>& bits);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace kinex {
+namespace kinex::trade {
 
 std::string_view standing_name(Standing standing) {
   switch (standing) {
@@ -44,4 +44,4 @@ std::vector<std::string> structures_of(const TradeResult& result) {
   return names;
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

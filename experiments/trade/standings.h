@@ -9,7 +9,7 @@
 
 #include "experiments/trade/runner.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 std::string_view standing_name(Standing standing);  // "same", "valid", "wrong"
 
@@ -23,6 +23,6 @@ std::vector<ArithmeticStandings> standings_of(const TradeResult& result);
 // Structures in the order of the cases, without repetitions.
 std::vector<std::string> structures_of(const TradeResult& result);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

@@ -4,9 +4,8 @@
 #include <utility>
 
 #include "core/arithmetic/arithmetic.h"
-#include "experiments/trade/binary_scale.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 std::uint32_t EventNames::number(const Event& event) {
   Name name{};
@@ -32,15 +31,7 @@ void ExactRecorder::event(const Event& event, Arithmetic& arithmetic) {
 
 void InexactRecorder::event(const Event& event, Arithmetic& arithmetic) {
   trace.names.push_back(names_.number(event));
-  const std::string& text = arithmetic.name_now(InstantDetail::kInterval).decimal;
-  if (!trace.times.empty() && text == last_) {
-    trace.times.push_back(trace.times.back());
-    return;
-  }
-  last_ = text;
-  std::optional<Rational> time = Rational::parse(text);
-  if (time) time = round_to_bits(*time, bits_);
-  trace.times.push_back(std::move(time));
+  trace.times.push_back(arithmetic.now_value());
 }
 
 bool equal(ExactTrace& a, ExactTrace& b) {
@@ -52,4 +43,4 @@ bool equal(ExactTrace& a, ExactTrace& b) {
   return true;
 }
 
-}  // namespace kinex
+}  // namespace kinex::trade

@@ -15,7 +15,7 @@
 #include "core/engine/event.h"
 #include "core/numbers/real_root.h"
 
-namespace kinex {
+namespace kinex::trade {
 
 // One number for each (kind, ids), the same in all runs that share the table.
 class EventNames {
@@ -45,7 +45,7 @@ struct InexactTrace {
   std::size_t size() const { return names.size(); }
 };
 
-// Both take the name of now at every event.
+// The first takes the name of now at every event, the second its number.
 class ExactRecorder final : public EventSink {
  public:
   explicit ExactRecorder(EventNames& names) : names_(names) {}
@@ -60,20 +60,17 @@ class ExactRecorder final : public EventSink {
 
 class InexactRecorder final : public EventSink {
  public:
-  // `bits`: the precision of the arithmetic, to which its decimals are rounded.
-  InexactRecorder(EventNames& names, long bits) : names_(names), bits_(bits) {}
+  explicit InexactRecorder(EventNames& names) : names_(names) {}
   void event(const Event& event, Arithmetic& arithmetic) override;
   InexactTrace trace;
 
  private:
   EventNames& names_;
-  long bits_;
-  std::string last_;
 };
 
 // True if events, order and instants are exactly the same. May refine the instants.
 bool equal(ExactTrace& a, ExactTrace& b);
 
-}  // namespace kinex
+}  // namespace kinex::trade
 
 #endif

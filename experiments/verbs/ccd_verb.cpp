@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex ccd: continuous collision detection, exactly.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "experiments/ccd/answers.h"
-#include "experiments/file_io.h"
-#include "experiments/gmp_memory.h"
-#include "experiments/input_error.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/query_answers.h"
+#include "experiments/lab/gmp_memory.h"
+#include "experiments/lab/progress.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
@@ -28,74 +26,41 @@ struct Options {
   bool tally = false;
 };
 
-// The number of queries done, on standard error, only if that is a terminal.
-class QueryProgress {
- public:
-  QueryProgress() : terminal_(::isatty(STDERR_FILENO) != 0) {}
-  ~QueryProgress() { wipe(); }
-  QueryProgress(const QueryProgress&) = delete;
-  QueryProgress& operator=(const QueryProgress&) = delete;
-
-  void show(std::size_t done, std::size_t all) {
-    if (!terminal_ || done % kEvery != 0) return;
-    const Clock::time_point now = Clock::now();
-    if (now - last_ < std::chrono::milliseconds(250)) return;
-    last_ = now;
-    shown_ = true;
-    const double seconds = std::chrono::duration<double>(now - began_).count();
-    const auto finished = static_cast<double>(done);
-    std::fprintf(stderr, "\r\033[K%zu of %zu queries, %.3g/s, %.0f s left", done, all,
-                 finished / seconds, seconds * static_cast<double>(all - done) / finished);
-    std::fflush(stderr);
-  }
-  void wipe() {
-    if (shown_) std::fputs("\r\033[K", stderr);
-    shown_ = false;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t kEvery = 64;
-  bool terminal_;
-  bool shown_ = false;
-  Clock::time_point began_ = Clock::now();
-  Clock::time_point last_ = began_;
-};
-
 ContactKind kind_of(const Options& options, const std::string& file) {
   if (!options.kind.empty()) {
-    const std::optional<ContactKind> kind = find_contact_kind(options.kind);
+    const std::optional<ContactKind> kind = formats::find_contact_kind(options.kind);
     if (kind) return *kind;
-    throw InputError("--kind", "", show_text(options.kind) + " is not a kind of query",
+    throw formats::InputError("--kind", "", show_text(options.kind) + " is not a kind of query",
                      "write vertex-face or edge-edge");
   }
-  const std::optional<ContactKind> kind = contact_kind_of_path(file);
+  const std::optional<ContactKind> kind = formats::contact_kind_of_path(file);
   if (kind) return *kind;
-  throw InputError(file, "",
+  throw formats::InputError(file, "",
                    "its name does not tell whether the queries are vertex-face or edge-edge",
                    "give --kind vertex-face or --kind edge-edge");
 }
 
 // Returns false if it was interrupted.
 bool answer_file(const Options& options, const std::string& file, const InterruptGuard& interrupt,
-                 ContactTally& tally) {
+                 formats::ContactTally& tally) {
   constexpr std::size_t kFlush = 1 << 16;
   const ContactKind kind = kind_of(options, file);
   Deadline deadline(0, &interrupt.flag());
-  const GmpGuard guard(&deadline);
-  QueryFile queries;
+  const lab::GmpGuard guard(&deadline);
+  formats::QueryFile queries;
   try {
-    queries = parse_queries(read_text_file(file), file, kind, &deadline);
+    queries = formats::parse_queries(formats::read_text_file(file), file, kind, &deadline);
   } catch (const Stopped&) {
     return false;
   }
   ContactCounters counters;
   counters.roots.deadline = &deadline;
-  QueryProgress progress;
+  constexpr std::size_t kEvery = 64;  // queries: the clock is not read at each
+  lab::Progress progress;
   std::string text;
-  for (const FileQuery& one : queries.queries) {
+  for (const formats::FileQuery& one : queries.queries) {
     if (interrupt.interrupted()) break;
-    ContactAnswer answer;
+    formats::ContactAnswer answer;
     answer.number = tally.queries + 1;
     answer.line = one.line;
     if (queries.has_truth) answer.truth = one.truth;
@@ -105,8 +70,8 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
       } else {
         answer.time = first_contact(one.query, counters);
         answer.contact = answer.time.has_value();
-        text += options.json ? answer_json(answer, counters.roots)
-                             : answer_text(answer, counters.roots);
+        text += options.json ? formats::answer_json(answer, counters.roots)
+                             : formats::answer_text(answer, counters.roots);
       }
     } catch (const Stopped&) {
       break;
@@ -117,11 +82,14 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
       print(text);
       text.clear();
     }
-    progress.show(tally.queries, queries.queries.size());
+    if (tally.queries % kEvery != 0) continue;
+    progress.show([&](double seconds) {
+      return lab::progress_text(tally.queries, queries.queries.size(), seconds);
+    });
   }
   deadline.pause();
-  text += options.json ? tally_json(tally, file, kind, queries.has_truth)
-                       : tally_text(tally, file, kind, queries.has_truth);
+  text += options.json ? formats::tally_json(tally, file, kind, queries.has_truth)
+                       : formats::tally_text(tally, file, kind, queries.has_truth);
   progress.wipe();
   print(text);
   return tally.queries == queries.queries.size();
@@ -132,7 +100,7 @@ void answer_files(const Options& options, int& exit_code) {
   InterruptGuard interrupt;
   bool differs = false;
   for (const std::string& file : options.files) {
-    ContactTally tally;
+    formats::ContactTally tally;
     const bool finished = answer_file(options, file, interrupt, tally);
     differs = differs || tally.differs();
     if (finished) continue;
@@ -157,18 +125,18 @@ void add_ccd_verb(CLI::App& app, int& exit_code) {
           "they move linearly; - reads standard input")
       ->required();
   verb->add_option("--kind", options->kind,
-                   "vertex-face or edge-edge (what the name of the file or its folder says)");
+                   "vertex-face or edge-edge (default: from the name of the file or its folder)");
   verb->add_flag("--tally", options->tally,
-                 "Only how many contacts there are, and how many answers differ");
-  verb->add_flag("--json", options->json, "One JSON object a query, and one a file");
+                 "Print only the numbers of contacts and of answers that differ");
+  verb->add_flag("--json", options->json, "Print one JSON object per query, and one per file");
   verb->footer(
-      "Touching is contact, at t = 0 and t = 1 too; a triangle or an edge may be degenerate.\n"
+      "Touching is contact, also at t = 0 and t = 1; a triangle or an edge may be degenerate.\n"
       "A first time that is not rational is printed as the root of a polynomial.\n"
       "Exit codes: 1 an answer differs from the truth column; 3 interrupted.\n"
-      "Example: answers, and what differs from the files' truth columns\n"
+      "Example: answers, and differences from the files' truth columns\n"
       "  kinex ccd spikes/edge-edge/data_0_0.csv spikes/vertex-face/data_0_0.csv --tally\n"
       "  kinex ccd queries.csv --kind vertex-face --json");
   verb->callback([options, &exit_code] { answer_files(*options, exit_code); });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

@@ -8,18 +8,18 @@
 #include <string>
 #include <system_error>
 
-#include "experiments/counted.h"
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/json_writer.h"
-#include "experiments/log_check.h"
-#include "experiments/model_text.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/formats/log_check.h"
+#include "experiments/formats/model_text.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
@@ -28,7 +28,7 @@ struct CheckOptions {
   bool json = false;
 };
 
-std::string levels_text(const LogVerdict& verdict) {
+std::string levels_text(const formats::LogVerdict& verdict) {
   std::string text = "levels 0, 1";
   if (verdict.with_scene) text += ", 2";
   text += ": format, names, counts, digest, seal";
@@ -37,13 +37,13 @@ std::string levels_text(const LogVerdict& verdict) {
   } else if (verdict.header.has_names()) {
     text += "; every instant's root, the order of instants";
   } else if (verdict.header.has_intervals()) {
-    text += "; the order of instants as far as their intervals tell";
+    text += "; the order of instants as far as their intervals decide";
   } else {
     text += "; the log has no instants";
   }
   if (verdict.with_scene) {
     text += "; the scene, and the polynomials of " +
-            counted(verdict.certificates, "certificate", "certificates");
+            formats::counted(verdict.certificates, "certificate", "certificates");
     if (verdict.unchecked != 0) text += " (not of " + std::to_string(verdict.unchecked) + ")";
   }
   return text + "\n          " +
@@ -51,14 +51,14 @@ std::string levels_text(const LogVerdict& verdict) {
          "kinex-logcheck replays the events\n";
 }
 
-std::string log_text(const LogVerdict& verdict) {
+std::string log_text(const formats::LogVerdict& verdict) {
   std::string text = "log       " + verdict.header.scene + ", " + verdict.header.arithmetic + ", " +
                      verdict.header.build + "\n";
   text += "scene     " + verdict.header.scene_hash + "\n";
-  text += "records   " + counted(verdict.records, "log record", "log records") + ", " +
+  text += "records   " + formats::counted(verdict.records, "log record", "log records") + ", " +
           std::to_string(verdict.external) + " external";
   if (verdict.header.has_names()) {
-    text += ", at " + counted(verdict.instants, "instant", "instants");
+    text += ", at " + formats::counted(verdict.instants, "instant", "instants");
   }
   text += "\ndigest    " + verdict.digest + "\n";
   text += "run       " + (verdict.status.empty() ? "cut off" : verdict.status) + "\n";
@@ -66,9 +66,9 @@ std::string log_text(const LogVerdict& verdict) {
   return text;
 }
 
-std::string log_json(const LogVerdict& verdict) {
+std::string log_json(const formats::LogVerdict& verdict) {
   std::string text;
-  JsonWriter json(text);
+  formats::JsonWriter json(text);
   json.begin_object().key("kind").string("log").key("valid").boolean(verdict.problems.empty());
   json.key("scene").string(verdict.header.scene).key("hash").string(verdict.header.scene_hash);
   json.key("arithmetic").string(verdict.header.arithmetic);
@@ -92,15 +92,15 @@ std::string log_json(const LogVerdict& verdict) {
 
 std::string scene_json(const Scene& scene) {
   std::string text;
-  JsonWriter json(text);
+  formats::JsonWriter json(text);
   json.begin_object().key("kind").string("scene").key("valid").boolean(true);
-  json.key("scene").string(scene.name).key("hash").string(scene_hash(scene));
+  json.key("scene").string(scene.name).key("hash").string(formats::scene_hash(scene));
   json.key("dimension").number(scene.dimension).key("degree").number(scene.degree());
   json.key("objects").number(static_cast<std::uint64_t>(scene.objects.size())).end_object();
   return text + "\n";
 }
 
-void report_log(const LogVerdict& verdict, const std::string& path, bool json, int& exit_code) {
+void report_log(const formats::LogVerdict& verdict, const std::string& path, bool json, int& exit_code) {
   print(json ? log_json(verdict) : log_text(verdict));
   for (const std::string& problem : verdict.problems) {
     std::fprintf(stderr, "kinex: %s: %s\n", path.c_str(), problem.c_str());
@@ -110,51 +110,51 @@ void report_log(const LogVerdict& verdict, const std::string& path, bool json, i
 
 // The file beside the log with the name of its scene, if that is the scene.
 std::optional<Scene> scene_beside(const std::string& text, const std::string& path) {
-  const LogHeader header = LogReader(text, path).header();
+  const formats::LogHeader header = formats::LogReader(text, path).header();
   if (path == "-" || header.scene.find('/') != std::string::npos) return std::nullopt;
   const std::filesystem::path file =
       std::filesystem::path(path).parent_path() / (header.scene + ".json");
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
   try {
-    Scene scene = read_scene(file.string());
-    if (scene_hash(scene) == header.scene_hash) return scene;
-  } catch (const InputError&) {
+    Scene scene = formats::read_scene(file.string());
+    if (formats::scene_hash(scene) == header.scene_hash) return scene;
+  } catch (const formats::InputError&) {
   }
   return std::nullopt;
 }
 
 void check(const CheckOptions& options, int& exit_code) {
-  const std::string text = read_text_file(options.file);
-  if (looks_like_log(text)) {
+  const std::string text = formats::read_text_file(options.file);
+  if (formats::looks_like_log(text)) {
     std::optional<Scene> scene;
     if (options.scene.empty()) {
       scene = scene_beside(text, options.file);
     } else {
-      scene = read_scene(options.scene);
+      scene = formats::read_scene(options.scene);
     }
-    const LogVerdict verdict = scene ? check_log(text, options.file, &*scene, scene_hash(*scene))
-                                     : check_log(text, options.file);
+    const formats::LogVerdict verdict = scene ? formats::check_log(text, options.file, &*scene, formats::scene_hash(*scene))
+                                     : formats::check_log(text, options.file);
     report_log(verdict, options.file, options.json, exit_code);
     return;
   }
   if (!options.scene.empty()) {
-    throw InputError("--scene", "", show_text(options.file) + " is no event log",
+    throw formats::InputError("--scene", "", show_text(options.file) + " is no event log",
                      "leave it out, or give an event log first");
   }
-  const Scene scene = parse_scene(text, options.file);
-  print(options.json ? scene_json(scene) : describe_model(scene, scene_hash(scene)) + "valid\n");
+  const Scene scene = formats::parse_scene(text, options.file);
+  print(options.json ? scene_json(scene) : formats::describe_model(scene, formats::scene_hash(scene)) + "valid\n");
 }
 
 }  // namespace
 
 void add_check_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* verb = app.add_subcommand("check", "Validates a scene, or re-verifies an event log");
+  CLI::App* verb = app.add_subcommand("check", "Validates a scene, or verifies an event log again");
   verb->add_option("FILE", options->file, "A scene or an event log, - reads standard input")
       ->required();
   verb->add_option("--scene", options->scene,
-                   "The scene of the log (default: NAME.json beside the log, if that is it)");
+                   "The scene of the log (default: NAME.json next to the log, if its hash agrees)");
   verb->add_flag("--json", options->json, "Print one JSON object instead");
   verb->footer(
       "Of a log it checks every member, the digest and the seal (level 0) and, by Sturm's "
@@ -166,4 +166,4 @@ void add_check_verb(CLI::App& app, int& exit_code) {
   verb->callback([options, &exit_code] { check(*options, exit_code); });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/counted.h"
-#include "experiments/file_io.h"
-#include "experiments/json_writer.h"
-#include "experiments/log_diff.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/formats/log_diff.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
@@ -34,19 +34,19 @@ std::string listed(const std::vector<std::string>& labels) {
   return text;
 }
 
-std::string_view instants_text(InstantsCompared compared) {
+std::string_view instants_text(formats::InstantsCompared compared) {
   switch (compared) {
-    case InstantsCompared::kExactly:
+    case formats::InstantsCompared::kExactly:
       return "instants compared exactly";
-    case InstantsCompared::kIntervals:
-      return "instants compared as far as the intervals of both logs tell";
-    case InstantsCompared::kNot:
+    case formats::InstantsCompared::kIntervals:
+      return "instants compared as far as the intervals of both logs decide";
+    case formats::InstantsCompared::kNot:
       return "instants not compared";
   }
   return "";
 }
 
-std::string plain_text(const LogDifference& difference, const DiffOptions& options) {
+std::string plain_text(const formats::LogDifference& difference, const DiffOptions& options) {
   std::string text;
   if (difference.other_scenes) text += "the logs are of different scenes\n";
   for (const auto& [file, only] :
@@ -55,7 +55,7 @@ std::string plain_text(const LogDifference& difference, const DiffOptions& optio
   }
   const std::string how = "; " + std::string(instants_text(difference.instants)) + "\n";
   if (difference.equal()) {
-    return text + "equal: " + counted(difference.events_a, "event", "events") + how;
+    return text + "equal: " + formats::counted(difference.events_a, "event", "events") + how;
   }
   if (difference.first != 0) {
     text += "first difference at event " + std::to_string(difference.first) + "\n";
@@ -63,39 +63,39 @@ std::string plain_text(const LogDifference& difference, const DiffOptions& optio
     text += place(options.b, difference.line_b, difference.text_b);
   }
   text += std::to_string(difference.events_a) + " and " +
-          counted(difference.events_b, "event", "events") + ": " +
+          formats::counted(difference.events_b, "event", "events") + ": " +
           std::to_string(difference.missing) + " missing, " + std::to_string(difference.invented) +
           " invented, " + std::to_string(difference.out_of_order) + " out of order, " +
           std::to_string(difference.other_effects) + " with another effect, " +
           std::to_string(difference.other_instants) + " at another instant" + how;
   if (difference.other_records != 0) {
-    text += counted(difference.other_records, "record of a change is", "records of changes are") +
+    text += formats::counted(difference.other_records, "record of a change is", "records of changes are") +
             " in one log only\n";
   }
   return text;
 }
 
-void write_labels(JsonWriter& json, const std::vector<std::string>& labels) {
+void write_labels(formats::JsonWriter& json, const std::vector<std::string>& labels) {
   json.begin_array();
   for (const std::string& label : labels) json.string(label);
   json.end_array();
 }
 
-std::string_view compared_name(InstantsCompared compared) {
+std::string_view compared_name(formats::InstantsCompared compared) {
   switch (compared) {
-    case InstantsCompared::kExactly:
+    case formats::InstantsCompared::kExactly:
       return "exactly";
-    case InstantsCompared::kIntervals:
+    case formats::InstantsCompared::kIntervals:
       return "intervals";
-    case InstantsCompared::kNot:
+    case formats::InstantsCompared::kNot:
       return "not";
   }
   return "";
 }
 
-std::string json_text(const LogDifference& difference) {
+std::string json_text(const formats::LogDifference& difference) {
   std::string text;
-  JsonWriter json(text);
+  formats::JsonWriter json(text);
   json.begin_object().key("equal").boolean(difference.equal());
   json.key("same_scene").boolean(!difference.other_scenes);
   json.key("only_in").begin_array();
@@ -114,9 +114,9 @@ std::string json_text(const LogDifference& difference) {
 }
 
 void diff(const DiffOptions& options, int& exit_code) {
-  const std::string a = read_text_file(options.a);
-  const std::string b = read_text_file(options.b);
-  const LogDifference difference = diff_logs(a, options.a, b, options.b);
+  const std::string a = formats::read_text_file(options.a);
+  const std::string b = formats::read_text_file(options.b);
+  const formats::LogDifference difference = formats::diff_logs(a, options.a, b, options.b);
   print(options.json ? json_text(difference) : plain_text(difference, options));
   if (!difference.equal()) exit_code = kExitFailed;
 }
@@ -136,4 +136,4 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
   verb->callback([options, &exit_code] { diff(*options, exit_code); });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

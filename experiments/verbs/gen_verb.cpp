@@ -7,20 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "experiments/input_error.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/workload.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
-#include "experiments/workload.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
 struct GenOptions {
   std::string workload;
-  WorkloadParameters parameters;
+  lab::WorkloadParameters parameters;
   std::string seed;
   std::optional<int> m, dimension, turns;
   std::string separation;
@@ -32,7 +32,7 @@ struct GenOptions {
 
 std::string listed() {
   std::string text;
-  for (const Workload& workload : workloads()) {
+  for (const lab::Workload& workload : lab::workloads()) {
     std::string line = "  " + std::string(workload.name);
     line.resize(std::max<std::size_t>(line.size() + 1, 26), ' ');
     text += line + std::string(workload.summary) + "\n";
@@ -41,11 +41,11 @@ std::string listed() {
 }
 
 // In WorkloadParameters 0 means the default; --m 0 does not.
-WorkloadParameters parameters_of(const GenOptions& options, const Workload& workload) {
-  WorkloadParameters parameters = options.parameters;
+lab::WorkloadParameters parameters_of(const GenOptions& options, const lab::Workload& workload) {
+  lab::WorkloadParameters parameters = options.parameters;
   if (!options.seed.empty()) parameters.seed = seed_option("--seed", options.seed);
   if (options.m) {
-    if (workload.takes_m) check_range("--m", *options.m, workload.min_m, kMaxWorkloadSize);
+    if (workload.takes_m) check_range("--m", *options.m, workload.min_m, lab::kMaxWorkloadSize);
     parameters.m = *options.m == 0 ? 1 : *options.m;  // refused where the family takes none
   }
   if (options.dimension) {
@@ -57,7 +57,7 @@ WorkloadParameters parameters_of(const GenOptions& options, const Workload& work
   }
   if (options.turns) {
     if (workload.takes_turns) {
-      check_range("--turns", *options.turns, workload.min_turns, kMaxWorkloadTurns);
+      check_range("--turns", *options.turns, workload.min_turns, lab::kMaxWorkloadTurns);
     }
     parameters.turns = std::max(0, *options.turns);  // refused where the family takes none
   }
@@ -65,11 +65,11 @@ WorkloadParameters parameters_of(const GenOptions& options, const Workload& work
 }
 
 // Polygons of extreme sizes may degenerate in the doubles with which some families place vertices.
-void check_bodies(const Scene& scene, const Workload& workload) {
+void check_bodies(const Scene& scene, const lab::Workload& workload) {
   try {
-    parse_scene(write_scene(scene), "the scene");
-  } catch (const InputError& error) {
-    throw InputError("gen", "",
+    formats::parse_scene(formats::write_scene(scene), "the scene");
+  } catch (const formats::InputError& error) {
+    throw formats::InputError("gen", "",
                      std::string(workload.name) + " cannot be made of these sizes: " + error.what(),
                      "choose sizes and --separation nearer to 1");
   }
@@ -80,23 +80,23 @@ void generate(const GenOptions& options) {
     print(listed());
     return;
   }
-  const Workload* workload = find_workload(options.workload);
+  const lab::Workload* workload = lab::find_workload(options.workload);
   if (workload == nullptr) {
-    throw InputError("gen", "", show_text(options.workload) + " is not a workload",
+    throw formats::InputError("gen", "", show_text(options.workload) + " is not a workload",
                      "known are:\n" + listed());
   }
-  Scene scene = generate_scene(*workload, parameters_of(options, *workload));
+  Scene scene = lab::generate_scene(*workload, parameters_of(options, *workload));
   if (!options.name.empty()) scene.name = name_option(options.name);
-  if (!options.maintain.empty()) set_maintain(scene, options.maintain);
+  if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);
   if (scene.has_bodies()) check_bodies(scene, *workload);
-  write_result(options.output, options.force, write_scene(scene));
+  write_result(options.output, options.force, formats::write_scene(scene));
 }
 
 }  // namespace
 
 void add_gen_verb(CLI::App& app, int&) {
   auto options = std::make_shared<GenOptions>();
-  CLI::App* verb = app.add_subcommand("gen", "Writes a scene of a named family");
+  CLI::App* verb = app.add_subcommand("gen", "Writes a scene of a named workload");
   verb->add_option("WORKLOAD", options->workload, "The family");
   verb->add_flag("--list", options->list, "List the families and stop");
   verb->add_option("--n", options->parameters.n, "Objects (100)");
@@ -104,8 +104,8 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_option("--seed", options->seed, "Seed of the random families (1)");
   verb->add_option("--degree", options->parameters.degree, "Degree of the motion (1)");
   verb->add_option("--dimension", options->dimension, "Axes, 1 to 3");
-  verb->add_option("--separation", options->separation, "Distance that two bodies keep");
-  verb->add_option("--turns", options->turns, "Rounds of a body about another (1)");
+  verb->add_option("--separation", options->separation, "Distance between two bodies");
+  verb->add_option("--turns", options->turns, "Full turns of one body around another (1)");
   add_maintain_option(*verb, options->maintain, "What to maintain");
   verb->add_option("--name", options->name, "Name of the scene");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
@@ -118,4 +118,4 @@ void add_gen_verb(CLI::App& app, int&) {
   });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

@@ -8,16 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "experiments/counted.h"
-#include "experiments/csv_import.h"
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/csv_import.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/family.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
@@ -32,47 +33,42 @@ OverlappingStarts overlapping_starts(const ImportVerbOptions& options) {
   if (!options.overlapping_starts) return OverlappingStarts::kRefused;
   const std::string option = "--overlapping-starts";
   if (!options.polygons) {
-    throw InputError(option, "", "points do not overlap", "give --polygons too, or leave it out");
+    throw formats::InputError(option, "", "points do not overlap", "give --polygons too, or leave it out");
   }
   if (*options.overlapping_starts == "refused") return OverlappingStarts::kRefused;
   if (*options.overlapping_starts == "contact") return OverlappingStarts::kContact;
-  throw InputError(option, "", show_text(*options.overlapping_starts) + " is no choice",
+  throw formats::InputError(option, "", show_text(*options.overlapping_starts) + " is no choice",
                    "write refused or contact");
-}
-
-const char* usual_structure(const Scene& scene) {
-  if (scene.has_bodies()) return "separation_mixed";
-  return scene.dimension == 2 ? "delaunay_2" : "sorted_list";
 }
 
 void import_file(const ImportVerbOptions& options) {
   keep_input("--output", options.output, options.file);
-  ImportOptions import_options;
+  formats::ImportOptions import_options;
   if (!options.start.empty()) import_options.start = rational_option("--start", options.start);
   if (!options.end.empty()) import_options.end = rational_option("--end", options.end);
   import_options.fixed = options.fixed;
   if (options.polygons) {
     keep_input("--output", options.output, *options.polygons);
-    import_options.polygons = parse_polygons(read_text_file(*options.polygons), *options.polygons);
+    import_options.polygons = formats::parse_polygons(formats::read_text_file(*options.polygons), *options.polygons);
   }
   import_options.overlapping_starts = overlapping_starts(options);
   if (options.heading) import_options.heading = {*options.heading, false};
   if (options.bearing) import_options.heading = {*options.bearing, true};
-  const std::string text = read_text_file(options.file);
-  ImportReport report = import_csv(text, options.file, import_options);
+  const std::string text = formats::read_text_file(options.file);
+  formats::ImportReport report = formats::import_csv(text, options.file, import_options);
   Scene& scene = report.scene;
   scene.name = name_option(
       options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
   std::vector<std::string> maintain = options.maintain;
-  if (maintain.empty()) maintain = {usual_structure(scene)};
-  set_maintain(scene, maintain);
-  write_result(options.output, options.force, write_scene(scene));
-  std::fprintf(stderr, "kinex: %s, %s\n", counted(report.rows, "row", "rows").c_str(),
-               counted(scene.objects.size(), "object", "objects").c_str());
+  if (maintain.empty()) maintain = {lab::usual_structure(scene.has_bodies(), scene.dimension)};
+  formats::set_maintain(scene, maintain);
+  write_result(options.output, options.force, formats::write_scene(scene));
+  std::fprintf(stderr, "kinex: %s, %s\n", formats::counted(report.rows, "row", "rows").c_str(),
+               formats::counted(scene.objects.size(), "object", "objects").c_str());
   if (report.single_fixes > 0) {
     std::fprintf(
         stderr, "kinex: %s left out\n",
-        counted(report.single_fixes, "trace of a single fix was", "traces of a single fix were")
+        formats::counted(report.single_fixes, "trace of a single fix was", "traces of a single fix were")
             .c_str());
   }
   if (report.repeated_fixes > 0) {
@@ -84,27 +80,27 @@ void import_file(const ImportVerbOptions& options) {
 
 void add_import_verb(CLI::App& app, int&) {
   auto options = std::make_shared<ImportVerbOptions>();
-  CLI::App* verb = app.add_subcommand("import", "Makes a scene of a CSV file");
+  CLI::App* verb = app.add_subcommand("import", "Makes a scene from a CSV file");
   verb->add_option("FILE", options->file,
-                   "Columns id,t,x,y[,z] (traces, linear between fixes; one fix alone is left out) "
+                   "Columns id,t,x,y[,z] (traces, linear between fixes; a single fix is left out) "
                    "or id,x,y[,z],vx,vy[,vz] (linear)")
       ->required();
   verb->add_option("--start", options->start, "Start of the scene (first fix; 0 for velocities)");
   verb->add_option("--end", options->end, "End of the scene (last fix; none for velocities)");
   add_maintain_option(*verb, options->maintain, "What to maintain");
   verb->add_option("--fixed", options->fixed,
-                   "Add an object that stands still: ID,X[,Y[,Z]]; can be given several times")
+                   "Add an object at rest: ID,X[,Y[,Z]]; can be given several times")
       ->allow_extra_args(false);
   verb->add_option("--polygons", options->polygons,
-                   "Make the objects rigid bodies: a CSV file with the columns id,x,y, a row for "
-                   "each vertex, counter-clockwise, convex; id * is for all that have no other");
+                   "Make the objects rigid bodies: a CSV file with the columns id,x,y, one row per "
+                   "vertex, counter-clockwise, convex; id * is for all objects without another");
   CLI::Option* heading =
       verb->add_option("--heading", options->heading,
                        "Column of the bodies' headings: degrees counter-clockwise from the x axis, "
                        "to 1.1e-10 degrees, multiples of 90 exactly; between two fixes they turn "
                        "the short way round, with velocities not at all");
   verb->add_option("--bearing", options->bearing,
-                   "The same, as on a compass: degrees clockwise from the y axis (north)")
+                   "The same as compass bearings: degrees clockwise from the y axis (north)")
       ->excludes(heading);
   verb->add_option(
       "--overlapping-starts", options->overlapping_starts,
@@ -122,4 +118,4 @@ void add_import_verb(CLI::App& app, int&) {
   verb->callback([options] { import_file(*options); });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

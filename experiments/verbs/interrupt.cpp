@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::function<bool()> InterruptGuard::go_on_a_while() const {
 
 const std::atomic<bool>& InterruptGuard::flag() const { return interrupt_seen; }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

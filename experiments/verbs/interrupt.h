@@ -2,10 +2,10 @@
 // InterruptGuard: while it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP sets a flag instead
 // of ending the program, and writing to a pipe whose reader has gone fails as any other write does.
 //
-// The verbs that run something (run, verify, reproduce, trade, view, ccd) have one from where there
-// is something to keep. Those that only read (check, diff, roots), those that write one file when
-// they are done (gen, import), and run and view as long as they read their scene leave signals
-// alone: the program ends at once.
+// The verbs that run something (run, verify, reproduce, trade, view, ccd) create one as soon as
+// there are results to keep. All others do not handle signals, and the program ends at once: verbs
+// that only read (check, diff, roots), verbs that write one file at their end (gen, import), and
+// run and view while they read their scene.
 #ifndef KINEX_EXPERIMENTS_VERBS_INTERRUPT_H
 #define KINEX_EXPERIMENTS_VERBS_INTERRUPT_H
 
@@ -14,9 +14,10 @@
 #include <csignal>
 #include <functional>
 
-namespace kinex {
+namespace kinex::verbs {
 
-// One at a time: a signal's handler has no owner. A second signal of the kind ends the program.
+// Only one may exist at a time: signal handlers are global. A second signal of the same kind ends
+// the program.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -26,8 +27,8 @@ class InterruptGuard {
   bool interrupted() const { return flag().load(std::memory_order_relaxed); }
   // The flag itself, for SimulatorOptions::interrupt.
   const std::atomic<bool>& flag() const;
-  // For what is made of finished work, such as plots, that may be left out: after an interruption
-  // it returns false half a second after its first call.
+  // A `go_on` for optional work on finished results, such as plots: after an interruption it
+  // returns false half a second after its first call.
   std::function<bool()> go_on_a_while() const;
 
  private:
@@ -35,6 +36,6 @@ class InterruptGuard {
   std::array<struct sigaction, kSignals.size()> before_;
 };
 
-}  // namespace kinex
+}  // namespace kinex::verbs
 
 #endif

@@ -10,16 +10,16 @@
 #include <optional>
 #include <system_error>
 
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/utf8.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/utf8.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 Rational rational_option(const char* option, const std::string& text) {
   std::optional<Rational> value = Rational::parse(text);
   if (!value) {
-    throw InputError(option, "", show_text(text) + " is not a number",
+    throw formats::InputError(option, "", show_text(text) + " is not a number",
                      "write an integer, a fraction 1/3 or a decimal");
   }
   return *std::move(value);
@@ -30,19 +30,19 @@ std::uint64_t seed_option(const char* option, const std::string& text) {
   const char* const end = text.data() + text.size();
   const std::from_chars_result read = std::from_chars(text.data(), end, value);
   if (read.ec == std::errc() && read.ptr == end) return value;
-  throw InputError(option, "", show_text(text) + " is not a seed",
+  throw formats::InputError(option, "", show_text(text) + " is not a seed",
                    "write an integer from 0 to 18446744073709551615");
 }
 
 void check_range(const char* option, int value, int low, int high) {
   if (value >= low && value <= high) return;
-  throw InputError(option, "", std::to_string(value) + " is out of range",
+  throw formats::InputError(option, "", std::to_string(value) + " is out of range",
                    "write a number from " + std::to_string(low) + " to " + std::to_string(high));
 }
 
 const std::string& name_option(const std::string& text) {
-  if (is_utf8(text)) return text;
-  throw InputError("--name", "", show_text(text) + " is not UTF-8", "give a name in UTF-8");
+  if (formats::is_utf8(text)) return text;
+  throw formats::InputError("--name", "", show_text(text) + " is not UTF-8", "give a name in UTF-8");
 }
 
 void write_result(const std::string& path, bool force, const std::string& text) {
@@ -50,7 +50,7 @@ void write_result(const std::string& path, bool force, const std::string& text) 
     print(text);
     return;
   }
-  OutputFile file(path, force);
+  formats::OutputFile file(path, force);
   file.write(text);
   file.commit();
 }
@@ -61,16 +61,16 @@ void keep_input(const char* option, const std::string& output, const std::string
   const auto kept = std::filesystem::weakly_canonical(input, error);
   if (error || std::filesystem::weakly_canonical(output, error) != kept || error) return;
   if (!std::filesystem::is_regular_file(kept, error)) return;
-  throw InputError(option, "", show_text(output) + " is the input itself",
+  throw formats::InputError(option, "", show_text(output) + " is the input itself",
                    "give the output another name");
 }
 
 void print(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0) {
-    throw InputError("standard output", "",
+    throw formats::InputError("standard output", "",
                      std::string("cannot be written: ") + std::strerror(errno),
-                     "check where it is redirected to");
+                     "check the target of its redirection");
   }
 }
 
@@ -81,4 +81,4 @@ void add_maintain_option(CLI::App& verb, std::vector<std::string>& entries, cons
       ->allow_extra_args(false);
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

@@ -13,7 +13,7 @@ namespace CLI {
 class App;
 }
 
-namespace kinex {
+namespace kinex::verbs {
 
 // An exact number as in a scene. Throws InputError that names the option.
 Rational rational_option(const char* option, const std::string& text);
@@ -40,6 +40,6 @@ void print(const std::string& text);
 // Adds --maintain, as set_maintain reads it. The option can be given several times.
 void add_maintain_option(CLI::App& verb, std::vector<std::string>& entries, const char* what);
 
-}  // namespace kinex
+}  // namespace kinex::verbs
 
 #endif

@@ -7,16 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/reproduce/claim_check.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/claim_check.h"
+#include "experiments/lab/progress.h"
 #include "experiments/reproduce/paper_files.h"
+#include "experiments/reproduce/papers.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
-#include "experiments/verify/cell_progress.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
@@ -34,30 +35,30 @@ struct Options {
   bool json = false;
 };
 
-const Paper& paper_named(const std::string& name) {
+const lab::Paper& paper_named(const std::string& name) {
   std::string names;
-  for (const Paper& paper : papers()) {
+  for (const lab::Paper& paper : reproduce::papers()) {
     if (paper.name == name) return paper;
     names += (names.empty() ? "" : ", ") + std::string(paper.name);
   }
-  throw InputError("PAPER", "", "\"" + name + "\": there is no such paper", "write " + names);
+  throw formats::InputError("PAPER", "", "\"" + name + "\": there is no such paper", "write " + names);
 }
 
-std::vector<const PaperPart*> parts_named(const Paper& paper,
+std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
                                           const std::vector<std::string>& names) {
-  std::vector<const PaperPart*> parts;
+  std::vector<const lab::PaperPart*> parts;
   std::string known;
-  for (const PaperPart& part : paper.parts) {
+  for (const lab::PaperPart& part : paper.parts) {
     known += (known.empty() ? "" : ", ") + std::string(part.name);
     if (names.empty()) parts.push_back(&part);
   }
   for (const std::string& name : names) {
     const std::size_t before = parts.size();
-    for (const PaperPart& part : paper.parts) {
+    for (const lab::PaperPart& part : paper.parts) {
       if (part.name == name) parts.push_back(&part);
     }
     if (parts.size() == before) {
-      throw InputError("PART", "", "\"" + name + "\": the paper has no such part",
+      throw formats::InputError("PART", "", "\"" + name + "\": the paper has no such part",
                        "write " + known + ", or nothing for all of them");
     }
   }
@@ -70,21 +71,24 @@ std::string command_of(const Options& options, std::string_view part) {
   return command + (options.quick ? " --quick" : "");
 }
 
-ReproducedPart run_part(const PaperPart& part, const Options& options, RecordStore& store,
+reproduce::ReproducedPart run_part(const lab::PaperPart& part, const Options& options, lab::RecordStore& store,
                         const InterruptGuard& interrupt) {
-  const std::vector<SeriesPoint> points = part.points(options.quick);
+  const std::vector<lab::SeriesPoint> points = part.points(options.quick);
   std::vector<double> costs;
-  for (const SeriesPoint& point : points) costs.push_back(point.cost);
-  CellProgress progress(std::move(costs));
-  SeriesOptions running;
+  for (const lab::SeriesPoint& point : points) costs.push_back(point.cost);
+  lab::Progress progress;
+  lab::PiecesDone pieces(std::move(costs));
+  lab::SeriesOptions running;
   running.jobs = options.jobs;
   running.go_on = [&] { return !interrupt.interrupted(); };
   running.interrupt = &interrupt.flag();
-  running.on_run = [&](std::size_t i, const std::string& what) { progress.show(i, what); };
-  running.on_point = [&](std::size_t i, const SeriesResult&) { progress.finished(i); };
-  SeriesRun run = run_series(points, store, running);
+  running.on_run = [&](std::size_t i, const std::string& what) {
+    progress.show([&](double seconds) { return pieces.text(i, what, seconds); });
+  };
+  running.on_point = [&](std::size_t i, const lab::SeriesResult&) { pieces.finished(i); };
+  lab::SeriesRun run = lab::run_series(points, store, running);
   progress.wipe();
-  ReproducedPart done;
+  reproduce::ReproducedPart done;
   done.part = &part;
   const std::string command = command_of(options, part.name);
   done.report = part.study == nullptr ? part.report(run.results, command)
@@ -92,16 +96,17 @@ ReproducedPart run_part(const PaperPart& part, const Options& options, RecordSto
   done.interrupted = run.interrupted || (part.study != nullptr && interrupt.interrupted());
   done.troubles = std::move(run.troubles);
   if (done.interrupted) {
-    for (PaperClaim& claim : done.report.claims) {
-      claim.verdict = ClaimVerdict::kOpen;
+    for (lab::PaperClaim& claim : done.report.claims) {
+      claim.verdict = lab::Verdict::kOpen;
       claim.observed += "; interrupted: not all runs were made";
     }
   }
-  const SecondProgram program(options.logcheck, running.go_on, running.interrupt);
-  CellProgress checking(std::vector<double>{1});
-  for (std::string& refusal : check_claims(
-           done.report.claims, program, store,
-           [&](const RunKey& small) { checking.show(0, program.name() + ", " + small.text()); })) {
+  const lab::SecondProgram program(options.logcheck, running.go_on, running.interrupt);
+  lab::Progress checking;
+  for (std::string& refusal :
+       lab::check_claims(done.report.claims, program, store, [&](const lab::RunKey& small) {
+         checking.show([&](double) { return program.name() + ", " + small.text(); });
+       })) {
     done.troubles.push_back(std::move(refusal));
   }
   checking.wipe();
@@ -109,12 +114,12 @@ ReproducedPart run_part(const PaperPart& part, const Options& options, RecordSto
   return done;
 }
 
-void tell(const ReproducedPart& done) {
+void tell(const reproduce::ReproducedPart& done) {
   std::string text = "== " + std::string(done.part->name) + ": " + std::string(done.part->summary) +
                      "\n" + done.report.tables + "\n";
   for (const std::string& trouble : done.troubles) text += "FAILED  " + trouble + "\n";
-  for (const PaperClaim& claim : done.report.claims) {
-    text += verdict_name(claim.verdict) + "  " + claim.id + ": " + claim.statement +
+  for (const lab::PaperClaim& claim : done.report.claims) {
+    text += std::string(lab::claim_word(claim.verdict)) + "  " + claim.id + ": " + claim.statement +
             "\n           expected " + claim.expected + "\n           observed " + claim.observed +
             "\n           checked by a second program: " + claim.checked_by.text() + "\n";
   }
@@ -123,65 +128,65 @@ void tell(const ReproducedPart& done) {
 
 void reproduce(Options options, int& exit_code) {
   check_range("--jobs", options.jobs, 1, kMostJobs);
-  const Paper& paper = paper_named(options.paper);
-  const std::vector<const PaperPart*> parts = parts_named(paper, options.parts);
+  const lab::Paper& paper = paper_named(options.paper);
+  const std::vector<const lab::PaperPart*> parts = parts_named(paper, options.parts);
   if (options.folder.empty()) options.folder = options.paper + (options.quick ? "-quick" : "");
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);  // errors are reported below
   const std::string claims_path = options.folder + "/claims.json";
   const std::string readme_path = options.folder + "/README.md";
   for (const std::string& path : {claims_path, readme_path}) {
-    const OutputFile probe(path,
+    const formats::OutputFile probe(path,
                            options.force);  // leaves nothing behind when the program is killed
   }
-  ReproductionFacts facts;
-  facts.build = build_facts();
-  facts.machine = machine_facts();
+  reproduce::ReproductionFacts facts;
+  facts.build = lab::build_facts();
+  facts.machine = lab::machine_facts();
   facts.command = command_of(options, "");
   for (const std::string& name : options.parts) facts.command += " " + name;
-  RecordStore store(options.folder + "/runs.jsonl", program_identity(), options.fresh);
+  lab::RecordStore store(options.folder + "/runs.jsonl", lab::program_identity(), options.fresh);
 
   InterruptGuard interrupt;
-  std::vector<ReproducedPart> done;
-  std::vector<Figure> figures;
+  std::vector<reproduce::ReproducedPart> done;
+  std::vector<lab::Figure> figures;
   bool interrupted = false, failed = false, refuted = false;
-  for (const PaperPart* part : parts) {
+  for (const lab::PaperPart* part : parts) {
     done.push_back(run_part(*part, options, store, interrupt));
-    const ReproducedPart& one = done.back();
+    const reproduce::ReproducedPart& one = done.back();
     if (!options.json) tell(one);
     figures.insert(figures.end(), one.report.figures.begin(), one.report.figures.end());
     interrupted = interrupted || one.interrupted;
     failed = failed || !one.troubles.empty();
-    for (const PaperClaim& claim : one.report.claims) {
-      refuted = refuted || claim.verdict == ClaimVerdict::kRefuted;
+    for (const lab::PaperClaim& claim : one.report.claims) {
+      refuted = refuted || claim.verdict == lab::Verdict::kRefuted;
     }
     if (interrupted) break;
   }
-  const Drawings drawings = draw(figures, "gnuplot", interrupt.go_on_a_while());
+  const lab::Drawings drawings = lab::draw(figures, "gnuplot", interrupt.go_on_a_while());
   std::size_t drawn = 0;
-  for (const ReproducedPart& one : done) {
+  for (const reproduce::ReproducedPart& one : done) {
     for (const std::string& name : one.report.figure_names) {
       const std::size_t i = drawn++;
       if (i >= drawings.svg.size() || drawings.svg[i].empty()) continue;
-      OutputFile picture(options.folder + "/" + name + ".svg", options.force);
+      formats::OutputFile picture(options.folder + "/" + name + ".svg", options.force);
       picture.write(drawings.svg[i]);
       picture.commit();
     }
   }
-  const std::string json = claims_json(paper, done, facts);
+  const std::string json = reproduce::claims_json(paper, done, facts);
   if (options.json) print(json);
-  OutputFile claims(claims_path, options.force);
+  formats::OutputFile claims(claims_path, options.force);
   claims.write(json);
   claims.commit();
-  OutputFile readme(readme_path, options.force);
-  readme.write(paper_readme(paper, done, facts, drawings.problem.empty()));
+  formats::OutputFile readme(readme_path, options.force);
+  readme.write(reproduce::paper_readme(paper, done, facts, drawings.problem.empty()));
   readme.commit();
   if (!drawings.problem.empty()) {
     std::fprintf(stderr, "kinex: no figures: %s\n", drawings.problem.c_str());
   }
   std::fprintf(
       stderr, "kinex: claims.json and README.md are in %s%s\n", options.folder.c_str(),
-      interrupted ? "; interrupted: the same command with --force goes on from there" : "");
+      interrupted ? "; interrupted: the same command with --force resumes" : "");
   if (failed || refuted) {
     exit_code = kExitFailed;
   } else if (interrupted) {
@@ -194,7 +199,7 @@ void reproduce(Options options, int& exit_code) {
 void add_reproduce_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand(
-      "reproduce", "Runs a paper's experiments again: claims with their verdicts, and figures");
+      "reproduce", "Repeats a paper's experiments: claims with their verdicts, and figures");
   verb->add_option("PAPER", options->paper, "kds-report-1998 or separation-sensitive-1999")
       ->required();
   verb->add_option("PART", options->parts,
@@ -202,8 +207,8 @@ void add_reproduce_verb(CLI::App& app, int& exit_code) {
   verb->add_flag("--quick", options->quick, "Smaller sizes: minutes");
   verb->add_option("-o,--output", options->folder, "Write into this folder (PAPER, PAPER-quick)");
   verb->add_flag("--force", options->force, "Replace results that exist");
-  verb->add_flag("--fresh", options->fresh, "Run again what runs.jsonl in the folder holds");
-  verb->add_option("--jobs", options->jobs, "Runs at a time (1: more disturb the times)");
+  verb->add_flag("--fresh", options->fresh, "Repeat the runs that are in runs.jsonl of the folder");
+  verb->add_option("--jobs", options->jobs, "Simultaneous runs (1; more disturb the times)");
   verb->add_option(
       "--logcheck", options->logcheck,
       "The second program, which checks one small run of every claim (kinex-logcheck)");
@@ -218,4 +223,4 @@ void add_reproduce_verb(CLI::App& app, int& exit_code) {
   verb->callback([options, &exit_code] { reproduce(*options, exit_code); });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

@@ -3,28 +3,29 @@
 
 #include <cstdio>
 
-#include "experiments/counted.h"
-#include "experiments/file_io.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
-ResultFile::ResultFile(std::string path, bool force, FinishedWork& finished)
-    : path_(std::move(path)), force_(force || finished.is_own_output(path_)), finished_(finished) {
-  const OutputFile probe(path_, force_);  // leaves nothing behind when the program is killed
+ResultFile::ResultFile(std::string path, bool force, sweep::Journal& journal)
+    : path_(std::move(path)), force_(force || journal.is_own_output(path_)), journal_(journal) {
+  const formats::OutputFile probe(path_, force_);  // leaves nothing behind when the program is killed
 }
 
 void ResultFile::write(std::string_view text) const {
-  finished_.note_output(path_, text);
-  OutputFile file(path_, force_);
+  journal_.note_output(path_, text);
+  formats::OutputFile file(path_, force_);
   file.write(text);
   file.commit();
 }
 
-void tell_what_is_found(const FinishedWork& finished, const char* one, const char* many) {
-  if (finished.found() == 0) return;
+void tell_what_is_found(const sweep::Journal& journal, const char* one, const char* many) {
+  if (!journal.runs() || journal.found() == 0) return;
   std::fprintf(
       stderr, "kinex: going on: %s finished already; --fresh runs them again\n",
-      (counted(finished.found(), one, many) + (finished.found() == 1 ? " is" : " are")).c_str());
+      (formats::counted(journal.found(), one, many) + (journal.found() == 1 ? " is" : " are"))
+          .c_str());
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

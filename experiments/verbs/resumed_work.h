@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Common parts of verbs that resume after an interruption (finished_work.h).
+// Common parts of verbs that resume after an interruption (sweep/journal.h).
 #ifndef KINEX_EXPERIMENTS_VERBS_RESUMED_WORK_H
 #define KINEX_EXPERIMENTS_VERBS_RESUMED_WORK_H
 
@@ -7,27 +7,27 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/finished_work.h"
+#include "experiments/sweep/journal.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
-// A file of results. What an interrupted run wrote is replaced without --force by the run that goes
-// on. Throws InputError as soon as it is made, if the file cannot be written.
+// A file of results. A resumed run replaces the output of the interrupted one without --force. The
+// constructor throws InputError if the file cannot be written.
 class ResultFile {
  public:
-  ResultFile(std::string path, bool force, FinishedWork& finished);
+  ResultFile(std::string path, bool force, sweep::Journal& journal);
   void write(std::string_view text) const;
   const std::string& path() const { return path_; }
 
  private:
   std::string path_;
   bool force_;
-  FinishedWork& finished_;
+  sweep::Journal& journal_;
 };
 
 // On stderr, if there are any: "12 experiments are finished already".
-void tell_what_is_found(const FinishedWork& finished, const char* one, const char* many);
+void tell_what_is_found(const sweep::Journal& journal, const char* one, const char* many);
 
-}  // namespace kinex
+}  // namespace kinex::verbs
 
 #endif

@@ -5,14 +5,14 @@
 #include <string>
 
 #include "core/numbers/real_root.h"
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/json_writer.h"
-#include "experiments/polynomial_file.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/formats/polynomial_file.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
@@ -27,7 +27,7 @@ struct RootsOptions {
 std::string json_line(int degree, std::vector<RootWithMultiplicity>& roots, int digits,
                       RootCounters& counters) {
   std::string text;
-  JsonWriter json(text);
+  formats::JsonWriter json(text);
   json.begin_object().key("degree").number(degree).key("roots").begin_array();
   for (auto& [root, multiplicity] : roots) {
     // The interval as it was isolated: the decimal below narrows it.
@@ -41,7 +41,7 @@ std::string json_line(int degree, std::vector<RootWithMultiplicity>& roots, int 
   return text + "\n";
 }
 
-std::string plain_lines(const PolynomialLine& entry, std::vector<RootWithMultiplicity>& roots,
+std::string plain_lines(const formats::PolynomialLine& entry, std::vector<RootWithMultiplicity>& roots,
                         int digits, RootCounters& counters) {
   std::string text = "line " + std::to_string(entry.line) + ": degree " +
                      std::to_string(entry.polynomial.degree()) + ", " +
@@ -60,11 +60,11 @@ std::string plain_lines(const PolynomialLine& entry, std::vector<RootWithMultipl
 
 void find_roots(const RootsOptions& options) {
   if (options.digits < 0 || options.digits > kMaxDigits) {
-    throw InputError("--digits", "", std::to_string(options.digits) + " digits",
+    throw formats::InputError("--digits", "", std::to_string(options.digits) + " digits",
                      "write a number from 0 to " + std::to_string(kMaxDigits));
   }
-  const std::string text = read_text_file(options.file);
-  for (const PolynomialLine& entry : parse_polynomials(text, options.file)) {
+  const std::string text = formats::read_text_file(options.file);
+  for (const formats::PolynomialLine& entry : formats::parse_polynomials(text, options.file)) {
     RootCounters counters;
     std::vector<RootWithMultiplicity> roots = isolate_real_roots(entry.polynomial, counters);
     print(options.json ? json_line(entry.polynomial.degree(), roots, options.digits, counters)
@@ -78,7 +78,7 @@ void add_roots_verb(CLI::App& app, int&) {
   auto options = std::make_shared<RootsOptions>();
   CLI::App* verb = app.add_subcommand("roots", "Real roots of polynomials, exactly");
   verb->add_option("FILE", options->file,
-                   "One polynomial a line: degree c0 c1 .. cd, integers, fractions or decimals, "
+                   "One polynomial per line: degree c0 c1 .. cd, integers, fractions or decimals, "
                    "degree up to 400; # begins a comment; - reads standard input")
       ->required();
   verb->add_option("--digits", options->digits, "Digits after the decimal point (20)");
@@ -87,4 +87,4 @@ void add_roots_verb(CLI::App& app, int&) {
   verb->callback([options] { find_roots(*options); });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

@@ -14,22 +14,22 @@
 
 #include "core/engine/refused_change.h"
 #include "core/numbers/stop.h"
-#include "experiments/event_log.h"
-#include "experiments/file_io.h"
-#include "experiments/gmp_memory.h"
-#include "experiments/input_error.h"
-#include "experiments/model_text.h"
-#include "experiments/progress.h"
-#include "experiments/run_report.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_run.h"
-#include "experiments/scene_writer.h"
-#include "experiments/summary.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/model_text.h"
+#include "experiments/formats/run_report.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/formats/summary.h"
+#include "experiments/lab/gmp_memory.h"
+#include "experiments/lab/progress.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
@@ -54,22 +54,22 @@ AuditLevel audit_level(const std::string& name) {
   if (name == "none") return AuditLevel::kNone;
   if (name == "end") return AuditLevel::kEnd;
   if (name == "events") return AuditLevel::kEvents;
-  throw InputError("--audit", "", show_text(name) + " is not a level", "write end, events or none");
+  throw formats::InputError("--audit", "", show_text(name) + " is not a level", "write end, events or none");
 }
 
 Scheduling scheduling(const std::string& name) {
   if (name == "lazy") return Scheduling::kLazy;
   if (name == "eager") return Scheduling::kEager;
-  throw InputError("--scheduling", "", show_text(name) + " is not a way of scheduling",
+  throw formats::InputError("--scheduling", "", show_text(name) + " is not a way of scheduling",
                    "write lazy or eager");
 }
 
 InstantDetail instant_detail(const std::string& name) {
   for (const InstantDetail detail :
        {InstantDetail::kName, InstantDetail::kInterval, InstantDetail::kNone}) {
-    if (name == detail_name(detail)) return detail;
+    if (name == formats::detail_name(detail)) return detail;
   }
-  throw InputError("--instants", "", show_text(name) + " is not a detail of instants",
+  throw formats::InputError("--instants", "", show_text(name) + " is not a detail of instants",
                    "write names, intervals or none");
 }
 
@@ -77,7 +77,7 @@ void shorten(Scene& scene, const std::string& until) {
   if (until.empty()) return;
   const Rational end = rational_option("--until", until);
   if (end <= scene.start || (scene.end && end > *scene.end)) {
-    throw InputError("--until", "", show_text(until) + " is outside of the scene's time",
+    throw formats::InputError("--until", "", show_text(until) + " is outside of the scene's time",
                      "write a time after " + scene.start.to_string() +
                          (scene.end ? ", at most " + scene.end->to_string() : ""));
   }
@@ -89,7 +89,7 @@ std::vector<Rational> sample_times(const Scene& scene, const std::vector<std::st
   for (const std::string& text : texts) {
     times.push_back(rational_option("--at", text));
     if (times.back() < scene.start || (scene.end && times.back() > *scene.end)) {
-      throw InputError("--at", "", show_text(text) + " is outside of the run's time",
+      throw formats::InputError("--at", "", show_text(text) + " is outside of the run's time",
                        "write a time within it");
     }
   }
@@ -101,7 +101,7 @@ std::vector<Rational> sample_times(const Scene& scene, const std::vector<std::st
 // Two results in one file would overwrite each other; a device (/dev/null) takes both.
 void check_outputs(const RunOptions& options) {
   if (options.events == "-") {
-    throw InputError("--events", "", "\"-\": standard output has the report",
+    throw formats::InputError("--events", "", "\"-\": standard output has the report",
                      "give the event log the name of a file");
   }
   keep_input("--events", options.events, options.scene);
@@ -113,12 +113,12 @@ void check_outputs(const RunOptions& options) {
   if (error || events != summary) return;
   const std::filesystem::file_status status = std::filesystem::status(events, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;
-  throw InputError("--summary", "", show_text(options.summary) + " is the file of --events too",
+  throw formats::InputError("--summary", "", show_text(options.summary) + " is the file of --events too",
                    "give two names");
 }
 
 // A killed run has left its lines under another name.
-void tell_leftovers(const OutputFile& file) {
+void tell_leftovers(const formats::OutputFile& file) {
   for (const std::string& name : file.leftovers()) {
     std::fprintf(stderr,
                  "kinex: %s is of a run that was cut off (or that goes on): its whole lines can be "
@@ -128,11 +128,11 @@ void tell_leftovers(const OutputFile& file) {
 }
 
 // Runs, and keeps the lines of the log written so far if that fails.
-RunOutcome run_keeping(Simulator& simulator, const std::vector<Rational>& times,
-                       std::optional<OutputFile>& events) {
+formats::RunOutcome run_keeping(Simulator& simulator, const std::vector<Rational>& times,
+                       std::optional<formats::OutputFile>& events) {
   try {
-    return run_scene(simulator, times);
-  } catch (const InputError&) {
+    return lab::run_scene(simulator, times);
+  } catch (const formats::InputError&) {
     throw;  // from the file itself, which reports what it kept
   } catch (const RefusedChange&) {
     throw;  // the log up to it will be written
@@ -147,11 +147,11 @@ RunOutcome run_keeping(Simulator& simulator, const std::vector<Rational>& times,
 
 void run(const RunOptions& options, int& exit_code) {
   if (std::isnan(options.max_seconds)) {
-    throw InputError("--max-seconds", "", "it is not a number",
+    throw formats::InputError("--max-seconds", "", "it is not a number",
                      "write a number from 0 on, 0 for no limit");
   }
   if (options.max_events < 0 || !(options.max_seconds >= 0)) {
-    throw InputError("--max-events, --max-seconds", "", "a limit below 0", "write 0 for no limit");
+    throw formats::InputError("--max-events, --max-seconds", "", "a limit below 0", "write 0 for no limit");
   }
   check_outputs(options);
   SimulatorOptions simulator_options;
@@ -164,31 +164,31 @@ void run(const RunOptions& options, int& exit_code) {
   // While it reads, signals end the program: there is nothing to keep.
   const auto begin = std::chrono::steady_clock::now();
   Deadline reading(options.max_seconds, nullptr);
-  std::optional<GmpGuard> reading_guard(std::in_place, &reading);
-  Scene scene = read_scene(options.scene, &reading);
-  const std::string hash = scene_hash(scene);  // of the file, whatever the options change
+  std::optional<lab::GmpGuard> reading_guard(std::in_place, &reading);
+  Scene scene = formats::read_scene(options.scene, &reading);
+  const std::string hash = formats::scene_hash(scene);  // of the file, whatever the options change
   reading_guard.reset();
   if (options.max_seconds > 0) {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     simulator_options.max_seconds = std::max(options.max_seconds - taken.count(), kNoSeconds);
   }
-  if (!options.maintain.empty()) set_maintain(scene, options.maintain);
+  if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);
   if (scene.maintain.empty()) {
-    throw InputError(options.scene, "/maintain", "nothing is to be maintained",
+    throw formats::InputError(options.scene, "/maintain", "nothing is to be maintained",
                      "fill \"maintain\" in the scene, or give --maintain");
   }
   shorten(scene, options.until);
   const std::vector<Rational> times = sample_times(scene, options.at);
   if (options.explain) {
-    const auto planned = make_simulator(scene, options.arithmetic, simulator_options);
-    print(describe_model(scene, hash) + explain_model(scene, *planned));
+    const auto planned = lab::make_simulator(scene, options.arithmetic, simulator_options);
+    print(formats::describe_model(scene, hash) + formats::explain_model(scene, *planned));
     return;
   }
 
   InterruptGuard interrupt;  // before a temporary file exists
-  std::optional<OutputFile> events_file, summary_file;
+  std::optional<formats::OutputFile> events_file, summary_file;
   if (!options.events.empty()) {
-    events_file.emplace(options.events, options.force, Unfinished::kLinesKept);
+    events_file.emplace(options.events, options.force, formats::Unfinished::kLinesKept);
     tell_leftovers(*events_file);
   }
   const bool json = options.json || options.summary == "-";
@@ -197,28 +197,28 @@ void run(const RunOptions& options, int& exit_code) {
   }
 
   // The files are worth finishing even if the reader of the report has gone.
-  std::optional<InputError> unprinted;
+  std::optional<formats::InputError> unprinted;
   const auto print_or_keep = [&unprinted](const std::string& text) {
     try {
       if (!unprinted) print(text);
-    } catch (const InputError& error) {
+    } catch (const formats::InputError& error) {
       unprinted = error;
     }
   };
-  RunOutcome outcome;
+  formats::RunOutcome outcome;
   std::unique_ptr<Simulator> simulator;
-  std::optional<EventLog> log;
+  std::optional<formats::EventLog> log;
   std::optional<std::string> refused;
   const auto simulate = [&] {
-    Progress progress;
+    lab::Progress progress;
     simulator_options.interrupt = &interrupt.flag();
     simulator_options.progress = [&](const Simulator& running) {
-      progress.show(running);
+      progress.show([&](double seconds) { return lab::progress_text(running, seconds); });
       return true;
     };
-    simulator = make_simulator(scene, options.arithmetic, simulator_options);
+    simulator = lab::make_simulator(scene, options.arithmetic, simulator_options);
     const std::string model =
-        describe_model(scene, hash) + "numbers   " + simulator->arithmetic().name() + "\n";
+        formats::describe_model(scene, hash) + "numbers   " + simulator->arithmetic().name() + "\n";
     if (refused) {
       // It has been printed.
     } else if (json) {
@@ -242,30 +242,30 @@ void run(const RunOptions& options, int& exit_code) {
     log.reset();
     if (events_file) {
       events_file.reset();
-      events_file.emplace(options.events, options.force, Unfinished::kLinesKept);
+      events_file.emplace(options.events, options.force, formats::Unfinished::kLinesKept);
     }
     simulate();
   }
   if (log) log->finish(outcome.status);
   const std::string digest = log ? log->digest() : "";
   if (summary_file || json) {
-    const std::string summary = write_summary(*simulator, outcome, hash, digest);
+    const std::string summary = formats::write_summary(*simulator, outcome, hash, digest);
     if (summary_file) {
       summary_file->write(summary);
       summary_file->commit();
     }
     if (json) print_or_keep(summary);
   }
-  if (!json) print_or_keep(describe_results(*simulator, outcome));
+  if (!json) print_or_keep(formats::describe_results(*simulator, outcome));
   if (outcome.status != RunStatus::kDone) {
     const std::string why =
-        simulator->out_of_memory() ? "memory" : std::string(status_name(outcome.status));
+        simulator->out_of_memory() ? "memory" : std::string(formats::status_name(outcome.status));
     std::fprintf(stderr, "kinex: the run was stopped (%s); what was finished is written\n",
                  why.c_str());
     exit_code = kExitGaveUp;
   }
   if (!outcome.clean(*simulator)) {
-    for (const std::string& problem : failures_of(*simulator, outcome)) {
+    for (const std::string& problem : formats::failures_of(*simulator, outcome)) {
       std::fprintf(stderr, "kinex: %s\n", problem.c_str());
     }
     exit_code = kExitFailed;
@@ -283,26 +283,26 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* verb = app.add_subcommand("run", "Simulates a scene");
   verb->add_option("SCENE", options->scene, "Scene file, - reads standard input")->required();
-  add_maintain_option(*verb, options->maintain, "What to maintain instead of what the scene says");
+  add_maintain_option(*verb, options->maintain, "Structures in place of those of the scene");
   verb->add_option("--arithmetic", options->arithmetic,
                    "exact (default), sturm, double, gsl or mpfr:P");
   verb->add_option("--scheduling", options->scheduling,
-                   "lazy (default: certificates are looked at a while ahead) or eager");
+                   "lazy (default: failure times are searched for within a window) or eager");
   verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
   verb->add_option("--events", options->events, "Write the event log to this file");
   verb->add_option("--instants", options->instants,
-                   "What the log says of its instants: names (default: exact), intervals or none");
+                   "Detail of the log's instants: names (default: exact), intervals or none");
   verb->add_option("--summary", options->summary, "Write the summary to this file, - prints it");
   verb->add_option("--at", options->at, "Sample the attributes right after these times: T, ..")
       ->delimiter(',');
   verb->add_option("--audit", options->audit, "end (default), events (after every one) or none");
   verb->add_flag(
       "--explain", options->explain,
-      "Print the model chosen for the scene (degrees, number types, what is shared, what "
-      "is left out), and run nothing");
+      "Print the model chosen for the scene (degrees, number types, shared structures, "
+      "parts left out), and run nothing");
   verb->add_flag("--json", options->json, "Print the summary, as --summary - does");
   verb->add_option("--max-events", options->max_events,
-                   "Give up after so many certificate failures (no limit)");
+                   "Give up after this number of certificate failures (no limit)");
   verb->add_option("--max-seconds", options->max_seconds,
                    "Give up after this time, reading included (no limit)");
   verb->add_flag("--force", options->force, "Replace output files that exist");
@@ -312,4 +312,4 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   verb->callback([options, &exit_code] { run(*options, exit_code); });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

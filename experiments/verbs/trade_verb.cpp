@@ -12,28 +12,30 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/scene_run.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/progress.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/trade/database.h"
 #include "experiments/trade/markdown.h"
 #include "experiments/trade/page.h"
+#include "experiments/trade/planned.h"
 #include "experiments/trade/plots.h"
 #include "experiments/trade/report.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/resumed_work.h"
+#include "experiments/verbs/swept_work.h"
 #include "experiments/verbs/verbs.h"
-#include "experiments/verify/cell_progress.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
 constexpr int kMostJobs = 256;
 
 struct Options {
-  std::vector<std::string> what, arithmetics;
+  std::vector<std::string> what, arithmetics, from;
   std::string folder = ".";
   std::string markdown;
   double max_seconds = 120;
@@ -62,22 +64,22 @@ std::string command_of(const Options& options) {
 void check_arithmetics(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const Scene nothing;
-    arithmetic_option(name, nothing);
+    lab::arithmetic_option(name, nothing);
   }
 }
 
 void check(const Options& options) {
   check_range("--jobs", options.jobs, 1, kMostJobs);
   if (std::isnan(options.max_seconds)) {
-    throw InputError("--max-seconds", "", "it is not a number",
+    throw formats::InputError("--max-seconds", "", "it is not a number",
                      "write a number above 0, or leave it out for 120");
   }
   if (!(options.max_seconds > 0)) {
-    throw InputError("--max-seconds", "", "a limit that is not above 0", "leave it out for 120");
+    throw formats::InputError("--max-seconds", "", "a limit that is not above 0", "leave it out for 120");
   }
   check_arithmetics(options.arithmetics);
   if (options.markdown == "-") {
-    throw InputError("--markdown", "", "\"-\": standard output has the tables",
+    throw formats::InputError("--markdown", "", "\"-\": standard output has the tables",
                      "give the name of a file");
   }
   for (const std::string& scene : options.what) {
@@ -87,17 +89,24 @@ void check(const Options& options) {
   }
 }
 
-TradeResult run(const TradeCatalogue& catalogue, const Options& options, FinishedWork& finished,
-                const InterruptGuard& interrupt) {
+// What decides the results.
+trade::TradeOptions limits_of(const Options& options) {
+  trade::TradeOptions limits;
+  limits.max_seconds = options.max_seconds;
+  if (!options.arithmetics.empty()) limits.arithmetics = options.arithmetics;
+  return limits;
+}
+
+trade::TradeResult run(const trade::TradeCatalogue& catalogue, const Options& options,
+                       sweep::Journal& journal, const InterruptGuard& interrupt) {
   std::vector<double> costs;
-  for (const TradeCase& one : catalogue.cases) costs.push_back(one.cost);
-  for (const BitsCase& one : catalogue.bits) costs.push_back(one.cost);
-  CellProgress progress(std::move(costs));
-  TradeOptions running;
+  for (const trade::TradeCase& one : catalogue.cases) costs.push_back(one.cost);
+  for (const trade::BitsCase& one : catalogue.bits) costs.push_back(one.cost);
+  lab::Progress progress;
+  lab::PiecesDone pieces(std::move(costs));
+  trade::TradeOptions running = limits_of(options);
   running.jobs = options.jobs;
-  running.max_seconds = options.max_seconds;
-  running.finished = &finished;
-  if (!options.arithmetics.empty()) running.arithmetics = options.arithmetics;
+  running.journal = &journal;
   running.go_on = [&] { return !interrupt.interrupted(); };
   running.interrupt = &interrupt.flag();
   bool first_bits = true;
@@ -105,59 +114,63 @@ TradeResult run(const TradeCatalogue& catalogue, const Options& options, Finishe
     progress.wipe();
     print(text);
   };
-  TradeWatch watch;
-  watch.on_work = [&](std::size_t index, const std::string& what) { progress.show(index, what); };
-  watch.on_finished = [&](std::size_t index) { progress.finished(index); };
-  watch.on_case = [&](const CaseResult& one) {
-    show(options.json ? json_row(one) : table_of(one));
+  trade::TradeWatch watch;
+  watch.on_work = [&](std::size_t index, const std::string& what) {
+    progress.show([&](double seconds) { return pieces.text(index, what, seconds); });
   };
-  watch.on_bits = [&](const BitsResult& one) {
-    if (first_bits && !options.json) show(bits_header());
+  watch.on_finished = [&](std::size_t index) { pieces.finished(index); };
+  watch.on_case = [&](const trade::CaseResult& one) {
+    show(options.json ? trade::json_row(one) : trade::table_of(one));
+  };
+  watch.on_bits = [&](const trade::BitsResult& one) {
+    if (first_bits && !options.json) show(trade::bits_header());
     first_bits = false;
-    show(options.json ? json_row(one) : table_row(one));
+    show(options.json ? trade::json_row(one) : trade::table_row(one));
   };
-  TradeResult result = run_trade(catalogue, running, watch);
-  for (const BitsGrowth& growth : result.growths) {
-    show(options.json ? json_row(growth) : table_row(growth));
+  trade::TradeResult result = trade::run_trade(catalogue, running, watch);
+  for (const trade::BitsGrowth& growth : result.growths) {
+    show(options.json ? trade::json_row(growth) : trade::table_row(growth));
   }
-  if (!options.json) show("\n" + closing_lines(result));
+  if (!options.json) show("\n" + trade::closing_lines(result));
   return result;
 }
 
 void trade(const Options& options, int& exit_code) {
   const auto began = std::chrono::steady_clock::now();
   check(options);
-  const TradeCatalogue catalogue =
-      make_trade_catalogue(options.what, options.quick ? Extent::kQuick : Extent::kFull);
+  const trade::TradeCatalogue catalogue =
+      trade::make_trade_catalogue(options.what, options.quick ? lab::Extent::kQuick : lab::Extent::kFull);
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);  // errors are reported below
-  FinishedWork finished(options.folder + "/trade.unfinished", program_identity(), options.fresh);
-  const ResultFile database(options.folder + "/trade.sqlite", options.force, finished);
-  const ResultFile page(options.folder + "/trade.html", options.force, finished);
+  sweep::Journal journal = journal_of(
+      options.from, options.folder + "/trade.unfinished",
+      trade::selection_of(options.what, options.quick, limits_of(options)), options.fresh);
+  const ResultFile database(options.folder + "/trade.sqlite", options.force, journal);
+  const ResultFile page(options.folder + "/trade.html", options.force, journal);
   std::optional<ResultFile> markdown;
-  if (!options.markdown.empty()) markdown.emplace(options.markdown, options.force, finished);
-  tell_what_is_found(finished, "scene", "scenes");
+  if (!options.markdown.empty()) markdown.emplace(options.markdown, options.force, journal);
+  tell_what_is_found(journal, "scene", "scenes");
 
   InterruptGuard interrupt;
-  const TradeResult result = run(catalogue, options, finished, interrupt);
-  PageFacts facts;
-  facts.build = build_facts();
-  facts.machine = machine_facts();
+  const trade::TradeResult result = run(catalogue, options, journal, interrupt);
+  lab::PageFacts facts;
+  facts.build = lab::build_facts();
+  facts.machine = lab::machine_facts();
   facts.command = command_of(options);
-  database.write(trade_database(result, facts.build, facts.machine));
-  const std::vector<Figure> figures = trade_figures(result);
-  const Drawings drawings = draw(figures, "gnuplot", interrupt.go_on_a_while());
+  database.write(trade::trade_database(result, facts.build, facts.machine));
+  const std::vector<lab::Figure> figures = trade::trade_figures(result);
+  const lab::Drawings drawings = lab::draw(figures, "gnuplot", interrupt.go_on_a_while());
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  page.write(trade_page(result, figures, drawings, facts));
-  if (markdown) markdown->write(trade_markdown(result, facts));
-  if (!result.interrupted) finished.remove();
+  page.write(trade::trade_page(result, figures, drawings, facts));
+  if (markdown) markdown->write(trade::trade_markdown(result, facts));
+  if (!result.interrupted) journal.remove();
   if (!drawings.problem.empty()) {
     std::fprintf(stderr, "kinex: no plots: %s\n", drawings.problem.c_str());
   }
   std::fprintf(stderr, "kinex: %s and %s are written%s\n", database.path().c_str(),
                page.path().c_str(),
-               result.interrupted ? "; interrupted: they hold what was finished, and the same "
-                                    "command goes on from there"
+               result.interrupted ? "; interrupted: they have the finished part, and the same "
+                                    "command resumes"
                                   : "");
   if (!result.faults().empty()) {
     exit_code = kExitFailed;
@@ -177,16 +190,18 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
   verb->add_option("--markdown", options->markdown, "Write the tables to this file as Markdown");
   verb->add_flag("--force", options->force, "Replace results that exist");
-  verb->add_flag("--fresh", options->fresh, "Run again what an interrupted run has finished");
+  verb->add_flag("--fresh", options->fresh, "Repeat also the finished part of an interrupted run");
   verb->add_option("--arithmetic", options->arithmetics,
                    "Only these, beside exact and double: A, .. (sturm, gsl, mpfr:P too)")
       ->delimiter(',');
+  verb->add_option("--from", options->from,
+                   "Report what a sweep has run (kinex sweep run trade ..), from its folders");
   verb->add_option("--max-seconds", options->max_seconds, "Give up a run after this time (120)");
-  verb->add_option("--jobs", options->jobs, "Scenes at a time (1: more make time ratios noisy)");
+  verb->add_option("--jobs", options->jobs, "Simultaneous scenes (1; more make time ratios noisy)");
   verb->add_flag("--json", options->json, "Print a JSON object per scene instead of the tables");
   verb->footer(
       "Every run is compared with the exact one, event by event, and its states are audited\n"
-      "exactly. That an inexact arithmetic goes wrong is a result, not an error.\n"
+      "exactly. An error of an inexact arithmetic is a result, not a failure of the command.\n"
       "What is finished is kept in trade.unfinished until all is: after an interruption (Ctrl-C, "
       "a\n"
       "power cut) the same command goes on from there.\n"
@@ -197,4 +212,4 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
   verb->callback([options, &exit_code] { trade(*options, exit_code); });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

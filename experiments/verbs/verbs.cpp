@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/verbs/verbs.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 void add_verbs(CLI::App& app, int& exit_code) {
   add_run_verb(app, exit_code);
@@ -13,8 +13,9 @@ void add_verbs(CLI::App& app, int& exit_code) {
   add_verify_verb(app, exit_code);
   add_trade_verb(app, exit_code);
   add_reproduce_verb(app, exit_code);
+  add_sweep_verb(app, exit_code);
   add_view_verb(app, exit_code);
   add_ccd_verb(app, exit_code);
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace kinex {
+namespace kinex::verbs {
 
 // Exit codes of the program.
 inline constexpr int kExitFine = 0;
@@ -27,12 +27,13 @@ void add_roots_verb(CLI::App& app, int& exit_code);
 void add_verify_verb(CLI::App& app, int& exit_code);
 void add_trade_verb(CLI::App& app, int& exit_code);
 void add_reproduce_verb(CLI::App& app, int& exit_code);
+void add_sweep_verb(CLI::App& app, int& exit_code);
 void add_view_verb(CLI::App& app, int& exit_code);
 void add_ccd_verb(CLI::App& app, int& exit_code);
 
-// All of them.
+// Adds all verbs.
 void add_verbs(CLI::App& app, int& exit_code);
 
-}  // namespace kinex
+}  // namespace kinex::verbs
 
 #endif

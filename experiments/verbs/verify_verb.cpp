@@ -11,20 +11,24 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/file_io.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/lab/measures.h"
+#include "experiments/lab/progress.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/resumed_work.h"
+#include "experiments/verbs/swept_work.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verify/catalogue.h"
-#include "experiments/verify/cell_progress.h"
 #include "experiments/verify/database.h"
-#include "experiments/verify/measures.h"
 #include "experiments/verify/page.h"
+#include "experiments/verify/planned.h"
 #include "experiments/verify/plots.h"
 #include "experiments/verify/report_text.h"
+#include "experiments/verify/tables.h"
+#include "structures/registry.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
@@ -34,6 +38,7 @@ constexpr int kMostSeeds = 1000000;
 struct Options {
   std::string structure = "all";
   std::string folder = ".";
+  std::vector<std::string> from;
   int jobs = 1;
   std::optional<int> seeds;
   bool quick = false;
@@ -50,9 +55,9 @@ std::string command_of(const Options& options) {
   return command;
 }
 
-int exit_code_of(const VerifyResult& result) {
-  if (result.verdict() == Verdict::kFail) return kExitFailed;
-  if (result.interrupted || result.verdict() != Verdict::kPass) return kExitGaveUp;
+int exit_code_of(const verify::VerifyResult& result) {
+  if (result.verdict() == lab::Verdict::kRefuted) return kExitFailed;
+  if (result.interrupted || result.verdict() != lab::Verdict::kConfirmed) return kExitGaveUp;
   return kExitFine;
 }
 
@@ -60,73 +65,79 @@ void verify(const Options& options, int& exit_code) {
   const auto began = std::chrono::steady_clock::now();
   check_range("--jobs", options.jobs, 1, kMostJobs);
   if (options.seeds) check_range("--seeds", *options.seeds, 1, kMostSeeds);
-  const Catalogue catalogue =
-      make_catalogue(options.structure, options.quick ? Extent::kQuick : Extent::kFull);
+  const lab::Catalogue catalogue =
+      verify::make_catalogue(options.structure, options.quick ? lab::Extent::kQuick : lab::Extent::kFull);
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);  // errors are reported below
-  FinishedWork finished(options.folder + "/verify.unfinished", program_identity(), options.fresh);
-  const ResultFile database(options.folder + "/verify.sqlite", options.force, finished);
-  const ResultFile page(options.folder + "/verify.html", options.force, finished);
-  tell_what_is_found(finished, "experiment", "experiments");
+  sweep::Journal journal = journal_of(
+      options.from, options.folder + "/verify.unfinished",
+      verify::selection_of(options.structure, options.quick, options.seeds), options.fresh);
+  const ResultFile database(options.folder + "/verify.sqlite", options.force, journal);
+  const ResultFile page(options.folder + "/verify.html", options.force, journal);
+  tell_what_is_found(journal, "experiment", "experiments");
 
-  const bool bounds = shows_bounds(catalogue.cells);
+  const bool bounds = verify::shows_bounds(catalogue.cells);
   InterruptGuard interrupt;
-  VerifyResult result;
+  verify::VerifyResult result;
   {
     std::vector<double> costs;
-    for (const Cell& cell : catalogue.cells) costs.push_back(cell.cost);
-    CellProgress progress(std::move(costs));
-    VerifyOptions running;
+    for (const lab::Cell& cell : catalogue.cells) costs.push_back(cell.cost);
+    lab::Progress progress;
+    lab::PiecesDone pieces(std::move(costs));
+    verify::VerifyOptions running;
     running.jobs = options.jobs;
     if (options.seeds) running.seeds = *options.seeds;
     running.keep_folder = options.folder;
-    running.finished = &finished;
+    running.journal = &journal;
     running.go_on = [&] { return !interrupt.interrupted(); };
     running.interrupt = &interrupt.flag();
     running.on_scene = [&](std::size_t index, int seed) {
-      const Cell& cell = catalogue.cells[index];
+      const lab::Cell& cell = catalogue.cells[index];
       std::string what = cell.structure + ", " + cell.workload_text() +
                          ", n = " + std::to_string(cell.parameters.n);
       if (cell.random) what += ", scene " + std::to_string(seed + 1);
-      progress.show(index, what);
+      progress.show([&](double seconds) { return pieces.text(index, what, seconds); });
     };
-    running.on_cell = [&](std::size_t index, const CellResult& cell) {
-      progress.finished(index);
+    running.on_cell = [&](std::size_t index, const lab::CellResult& cell) {
+      pieces.finished(index);
       progress.wipe();
-      print(options.json ? json_row(cell) : table_row(cell, bounds));
+      print(options.json ? verify::json_row(cell) : verify::table_row(cell, bounds));
     };
-    if (!options.json) print(table_header(bounds));
-    result = run_catalogue(catalogue, running);
+    if (!options.json) print(verify::table_header(bounds));
+    result = verify::run_catalogue(catalogue, running);
   }
-  for (const GrowthResult& growth : result.growths) {
-    print(options.json ? json_row(growth) : table_row(growth));
+  for (const lab::GrowthResult& growth : result.growths) {
+    print(options.json ? verify::json_row(growth) : verify::table_row(growth));
   }
-  for (const StudyResult& study : result.studies) {
-    print(options.json ? json_row(study) : table_row(study));
+  for (const lab::StudyResult& study : result.studies) {
+    print(options.json ? verify::json_row(study) : verify::table_row(study));
   }
   if (!options.json) {
-    print(closing_line(result));
-    for (const MeasuresTable& table : measures_tables(result.cells)) print(measures_text(table));
-    for (const StudyResult& study : result.studies) print(measures_text(study_table(study)));
+    print(verify::closing_line(result));
+    for (const lab::Table& table : verify::neighbours_tables(result.growths)) {
+      print(lab::markdown(table));
+    }
+    for (const lab::Table& table : verify::measures_tables(result.cells)) print(lab::markdown(table));
+    for (const lab::StudyResult& study : result.studies) print(lab::markdown(study.table));
   }
 
-  PageFacts facts;
-  facts.build = build_facts();
-  facts.machine = machine_facts();
+  lab::PageFacts facts;
+  facts.build = lab::build_facts();
+  facts.machine = lab::machine_facts();
   facts.command = command_of(options);
-  database.write(verify_database(result, facts.build, facts.machine));
-  const std::vector<Figure> figures = verify_figures(result);
-  const Drawings drawings = draw(figures, "gnuplot", interrupt.go_on_a_while());
+  database.write(verify::verify_database(result, facts.build, facts.machine));
+  const std::vector<lab::Figure> figures = verify::verify_figures(result);
+  const lab::Drawings drawings = lab::draw(figures, "gnuplot", interrupt.go_on_a_while());
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  page.write(verify_page(result, figures, drawings, facts));
-  if (!result.interrupted) finished.remove();
+  page.write(verify::verify_page(result, figures, drawings, facts));
+  if (!result.interrupted) journal.remove();
   if (!drawings.problem.empty()) {
     std::fprintf(stderr, "kinex: no plots: %s\n", drawings.problem.c_str());
   }
   std::fprintf(stderr, "kinex: %s and %s are written%s\n", database.path().c_str(),
                page.path().c_str(),
-               result.interrupted ? "; interrupted: they hold what was finished, and the same "
-                                    "command goes on from there"
+               result.interrupted ? "; interrupted: they have the finished part, and the same "
+                                    "command resumes"
                                   : "");
   exit_code = exit_code_of(result);
 }
@@ -137,18 +148,20 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand(
       "verify", "The bound-verification experiments: writes verify.sqlite and verify.html");
-  verb->add_option(
-      "STRUCTURE", options->structure,
-      "A structure; maximum, minimum, convex_hull or collision: all structures for it; "
-      "or all (default)");
+  std::string groups;
+  for (const std::string_view group : structure_groups()) groups += std::string(group) + ", ";
+  verb->add_option("STRUCTURE", options->structure,
+                   "A structure; " + groups + "each all structures for it; or all (default)");
   verb->add_flag("--quick", options->quick, "Smaller sizes: a few minutes on one core");
   verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
   verb->add_flag("--force", options->force, "Replace results that exist");
-  verb->add_flag("--fresh", options->fresh, "Run again what an interrupted run has finished");
+  verb->add_flag("--fresh", options->fresh, "Repeat also the finished part of an interrupted run");
   verb->add_option("--jobs", options->jobs,
-                   "Experiments at a time (1: more make time ratios noisy)");
+                   "Simultaneous experiments (1; more make time ratios noisy)");
   verb->add_option("--seeds", options->seeds,
-                   "So many scenes for every random experiment, not as many as it needs");
+                   "Number of scenes of every random experiment (default: as many as it needs)");
+  verb->add_option("--from", options->from,
+                   "Report what a sweep has run (kinex sweep run verify ..), from its folders");
   verb->add_flag("--json", options->json, "Print a JSON object per row instead of the table");
   verb->footer(
       "What is finished is kept in verify.unfinished until all is: after an interruption (Ctrl-C, "
@@ -157,8 +170,9 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
       "Exit codes: 1 an expectation, bound or audit failed (the scene is kept beside the "
       "results);\n"
       "3 interrupted, stopped at a limit, or not enough seeds to tell.\n"
-      "Example:\n  kinex verify delaunay_2 --quick -o results\n  kinex verify maximum --quick");
+      "Example:\n  kinex verify delaunay_2 --quick -o results\n  kinex verify maximum --quick\n"
+      "  kinex sweep run verify all --jobs 2 -o out && kinex verify all --from out -o results");
   verb->callback([options, &exit_code] { verify(*options, exit_code); });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "experiments/counted.h"
-#include "experiments/file_io.h"
-#include "experiments/input_error.h"
-#include "experiments/log_reader.h"
-#include "experiments/progress.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/log_reader.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/progress.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -25,7 +25,7 @@
 #include "experiments/view/recorder.h"
 #include "structures/registry.h"
 
-namespace kinex {
+namespace kinex::verbs {
 
 namespace {
 
@@ -60,7 +60,7 @@ bool names_arithmetic(const std::string& text) {
 Rational time_option(const char* option, const std::string& text, const Scene& scene) {
   const Rational t = rational_option(option, text);
   if (t < scene.start || (scene.end && t > *scene.end)) {
-    throw InputError(option, "", show_text(text) + " is outside of the scene's time",
+    throw formats::InputError(option, "", show_text(text) + " is outside of the scene's time",
                      "write a time from " + scene.start.to_string() +
                          (scene.end ? " to " + scene.end->to_string() : " on"));
   }
@@ -73,14 +73,14 @@ void set_times(Viewed& viewed, const Options& options) {
   if (!options.until.empty()) scene.end = time_option("--until", options.until, scene);
   const Rational& from = viewed.from ? *viewed.from : scene.start;
   if (scene.end && *scene.end <= from) {
-    throw InputError(options.until.empty() ? "--from" : "--until", "",
+    throw formats::InputError(options.until.empty() ? "--from" : "--until", "",
                      "nothing is left to be shown", "the end must come after the start");
   }
 }
 
 Wanted wanted_log(std::string text, const std::string& file) {
   Wanted wanted;
-  wanted.arithmetic = LogReader(text, file).header().arithmetic;
+  wanted.arithmetic = formats::LogReader(text, file).header().arithmetic;
   wanted.file = file;
   wanted.log = std::move(text);
   return wanted;
@@ -89,70 +89,63 @@ Wanted wanted_log(std::string text, const std::string& file) {
 Wanted wanted_with(const std::string& with) {
   if (names_arithmetic(with)) return {with, "", ""};
   if (with != "-" && !std::filesystem::exists(with)) {
-    throw InputError("--with", "", show_text(with) + " is neither an arithmetic nor a file",
+    throw formats::InputError("--with", "", show_text(with) + " is neither an arithmetic nor a file",
                      "write exact, sturm, double, gsl, mpfr:P with P bits, or the name of an event "
                      "log of the scene");
   }
-  return wanted_log(read_text_file(with), with);
+  return wanted_log(formats::read_text_file(with), with);
 }
 
 // The structures of --maintain; else those of the first log; else those of the scene.
 void set_structures(Viewed& viewed, const Options& options, const std::string& scene_file) {
   const auto first = std::find_if(viewed.runs.begin(), viewed.runs.end(),
                                   [](const Wanted& wanted) { return !wanted.file.empty(); });
-  std::optional<LogHeader> log;
+  std::optional<formats::LogHeader> log;
   if (first != viewed.runs.end()) {
-    log = LogReader(first->log, first->file).header();
-    require_same_scene(*log, first->file, viewed.hash);
+    log = formats::LogReader(first->log, first->file).header();
+    formats::require_same_scene(*log, first->file, viewed.hash);
   }
   if (!options.maintain.empty()) {
-    set_maintain(viewed.scene, options.maintain);
-    if (log && !maintains_as_logged(viewed.scene, *log)) {
-      throw InputError("--maintain", "", first->file + " is a log of " + structures_of(*log),
+    formats::set_maintain(viewed.scene, options.maintain);
+    if (log && !formats::maintains_as_logged(viewed.scene, *log)) {
+      throw formats::InputError("--maintain", "", first->file + " is a log of " + formats::structures_of(*log),
                        "leave --maintain out, or give it as the run had it");
     }
   } else if (log) {
-    maintain_as_logged(viewed.scene, *log, first->file);
-  }
-  for (const Request& request : viewed.scene.maintain) {
-    const StructureInfo* info = find_structure_info(request.structure);
-    if (info != nullptr && info->bodies && !info->follows_bodies()) {
-      throw InputError("--maintain", "", request.structure + " follows nothing that could be shown",
-                       "maintain a structure for collisions");
-    }
+    formats::maintain_as_logged(viewed.scene, *log, first->file);
   }
   if (viewed.scene.maintain.empty()) {
-    throw InputError(scene_file, "/maintain", "nothing is to be maintained",
+    throw formats::InputError(scene_file, "/maintain", "nothing is to be maintained",
                      "fill \"maintain\" in the scene, or give --maintain");
   }
 }
 
 Viewed read_input(const Options& options) {
   Viewed viewed;
-  std::string text = read_text_file(options.file);
-  const bool log = looks_like_log(text);
+  std::string text = formats::read_text_file(options.file);
+  const bool log = formats::looks_like_log(text);
   std::string scene_file = options.file;
   if (log) {
     if (options.scene.empty()) {
-      throw InputError(options.file, "", "an event log names its scene but does not hold it",
+      throw formats::InputError(options.file, "", "an event log names its scene but does not hold it",
                        "give the scene too: --scene SCENE.json");
     }
     if (!options.arithmetic.empty()) {
-      throw InputError("--arithmetic", "", "a log says in which arithmetic it was made",
+      throw formats::InputError("--arithmetic", "", "a log names the arithmetic of its run",
                        "leave it out, or give the scene alone");
     }
     scene_file = options.scene;
     viewed.runs.push_back(wanted_log(std::move(text), options.file));
-    text = read_text_file(options.scene);
+    text = formats::read_text_file(options.scene);
   } else {
     if (!options.scene.empty()) {
-      throw InputError("--scene", "", show_text(options.file) + " is a scene itself",
+      throw formats::InputError("--scene", "", show_text(options.file) + " is a scene itself",
                        "leave it out, or give an event log first");
     }
     viewed.runs.push_back({options.arithmetic.empty() ? "exact" : options.arithmetic, "", ""});
   }
-  viewed.scene = parse_scene(text, scene_file);
-  viewed.hash = scene_hash(viewed.scene);
+  viewed.scene = formats::parse_scene(text, scene_file);
+  viewed.hash = formats::scene_hash(viewed.scene);
   if (!options.with.empty()) viewed.runs.push_back(wanted_with(options.with));
   set_structures(viewed, options, scene_file);
   set_times(viewed, options);
@@ -161,7 +154,7 @@ Viewed read_input(const Options& options) {
 
 void check(const Options& options) {
   if (options.max_events < 1) {
-    throw InputError("--max-events", "", "a page of no events", "write a number from 1 on");
+    throw formats::InputError("--max-events", "", "a page of no events", "write a number from 1 on");
   }
   for (const std::string& input : {options.file, options.scene}) {
     if (!input.empty()) keep_input("--output", options.output, input);
@@ -173,54 +166,54 @@ void check(const Options& options) {
 
 // The disagreement of a log with its scene; empty if there is none.
 std::string record(const Viewed& viewed, const Wanted& wanted, const Options& options,
-                   const InterruptGuard& interrupt, RecordedRun& run) {
-  RecordOptions how;
+                   const InterruptGuard& interrupt, view::RecordedRun& run) {
+  view::RecordOptions how;
   how.arithmetic = wanted.arithmetic;
   how.from = viewed.from;
   how.max_events = static_cast<std::uint64_t>(options.max_events);
-  std::optional<LogFollower> follower;
+  std::optional<view::LogFollower> follower;
   if (!wanted.file.empty()) {
     follower.emplace(wanted.log, wanted.file, viewed.scene, viewed.hash);
-    how.observe = [&](const SeenEvent& event) { return follower->follow(event); };
+    how.observe = [&](const view::SeenEvent& event) { return follower->follow(event); };
   }
-  Progress progress;
+  lab::Progress progress;
   how.interrupt = &interrupt.flag();
   how.progress = [&](const Simulator& running) {
-    progress.show(running);
+    progress.show([&](double seconds) { return lab::progress_text(running, seconds); });
     return true;
   };
   try {
-    run = record_run(viewed.scene, how);
-  } catch (const InputError& error) {
+    run = view::record_run(viewed.scene, how);
+  } catch (const formats::InputError& error) {
     const bool second = &wanted != &viewed.runs.front();
     if (!second || error.file() != "--arithmetic") throw;
-    throw InputError("--with", error.place(), error.problem(), error.remedy());
+    throw formats::InputError("--with", error.place(), error.problem(), error.remedy());
   }
   if (!follower) return "";
   if (run.complete) follower->finish();
   return follower->problem();
 }
 
-std::string line_of(const RecordedRun& run) {
+std::string line_of(const view::RecordedRun& run) {
   std::string text = "run       " + run.arithmetic + ", " +
-                     counted(run.events.size(), "log record", "log records");
+                     formats::counted(run.events.size(), "log record", "log records");
   if (run.before > 0) text += " after " + std::to_string(run.before) + " before them";
   if (!run.complete) text += " (not all: " + run.stopped + ")";
-  for (const RecordedStructure& structure : run.structures) {
+  for (const view::RecordedStructure& structure : run.structures) {
     if (structure.corrupt_after) {
-      text += "\n          " + structure.label + " was led astray: " + structure.corruption;
+      text += "\n          " + structure.label + " became corrupt: " + structure.corruption;
     }
   }
   return text + "\n";
 }
 
-std::string report(const Viewed& viewed, const std::vector<RecordedRun>& runs,
+std::string report(const Viewed& viewed, const std::vector<view::RecordedRun>& runs,
                    const std::string& file, std::size_t bytes) {
   std::string text = "scene     " + viewed.scene.name + ", " +
-                     counted(viewed.scene.objects.size(), "object", "objects") + "\n";
-  for (const RecordedRun& run : runs) text += line_of(run);
+                     formats::counted(viewed.scene.objects.size(), "object", "objects") + "\n";
+  for (const view::RecordedRun& run : runs) text += line_of(run);
   if (runs.size() > 1) {
-    const std::uint64_t parted = first_divergence(runs[0], runs[1]);
+    const std::uint64_t parted = view::first_divergence(runs[0], runs[1]);
     text += parted == 0 ? "compared  the same log records\n"
                         : "compared  the runs part at log record " + std::to_string(parted) + "\n";
   }
@@ -237,9 +230,9 @@ void view(const Options& options, int& exit_code) {
     return;
   }
   InterruptGuard interrupt;  // before a temporary file exists
-  std::optional<OutputFile> output;
+  std::optional<formats::OutputFile> output;
   if (options.output != "-") output.emplace(options.output, options.force);
-  std::vector<RecordedRun> runs;
+  std::vector<view::RecordedRun> runs;
   for (const Wanted& wanted : viewed.runs) {
     const std::string problem = record(viewed, wanted, options, interrupt, runs.emplace_back());
     if (!problem.empty()) {
@@ -249,7 +242,7 @@ void view(const Options& options, int& exit_code) {
     }
   }
   const std::string page =
-      view_page("kinex view: " + viewed.scene.name, page_data(viewed.scene, viewed.hash, runs));
+      view::view_page("kinex view: " + viewed.scene.name, view::page_data(viewed.scene, viewed.hash, runs));
   if (!output) {
     print(page);
   } else {
@@ -257,8 +250,8 @@ void view(const Options& options, int& exit_code) {
     output->commit();
     print(report(viewed, runs, output->path(), page.size()));
   }
-  for (const RecordedRun& run : runs) {
-    if (run.complete || run.stopped == kLogEnds) continue;
+  for (const view::RecordedRun& run : runs) {
+    if (run.complete || run.stopped == view::kLogEnds) continue;
     std::fprintf(
         stderr,
         "kinex: the page holds the first %zu log records of the %s run: %s; choose others with "
@@ -281,15 +274,15 @@ void add_view_verb(CLI::App& app, int& exit_code) {
       ->required();
   verb->add_option("--scene", options->scene, "The scene of the log");
   verb->add_option("--with", options->with,
-                   "A second run to lay over it: an event log, or an arithmetic");
+                   "A second run to overlay: an event log, or an arithmetic");
   verb->add_option("--arithmetic", options->arithmetic,
                    "exact (default), sturm, double, gsl or mpfr:P");
   add_maintain_option(*verb, options->maintain,
-                      "What to maintain instead of what the log, or the scene, says");
+                      "Structures in place of those of the log or the scene");
   verb->add_option("--from", options->from, "Show the run from this time on");
   verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
   verb->add_option("--max-events", options->max_events,
-                   "Hold so many log records at most, of each run (100000)");
+                   "The most log records of each run (100000)");
   verb->add_flag("--force", options->force, "Replace a page that exists");
   verb->footer(
       "The scene is run again, and its states are recorded; a log is checked against that run.\n"
@@ -303,4 +296,4 @@ void add_view_verb(CLI::App& app, int& exit_code) {
   verb->callback([options, &exit_code] { view(*options, exit_code); });
 }
 
-}  // namespace kinex
+}  // namespace kinex::verbs

@@ -7,18 +7,17 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/input_error.h"
-#include "experiments/verify/collision_studies.h"
-#include "experiments/verify/point_studies.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/family.h"
+#include "structures/registry.h"
 
-namespace kinex {
+namespace kinex::verify {
 
 namespace {
 
 bool is_group(std::string_view structure) {
   const std::vector<std::string_view> groups = structure_groups();
-  return structure == "all" ||
-         std::find(groups.begin(), groups.end(), structure) != groups.end();
+  return structure == "all" || std::find(groups.begin(), groups.end(), structure) != groups.end();
 }
 
 bool is_selected(std::string_view structure, const StructureInfo& info) {
@@ -40,12 +39,12 @@ void select(std::vector<Item>& items, std::string_view structure) {
 }
 
 // How many means of a structure are judged under one claim.
-void count_comparisons(std::vector<Cell>& cells) {
+void count_comparisons(std::vector<lab::Cell>& cells) {
   std::map<std::pair<std::string, std::string>, int> means;
   for (const bool counting : {true, false}) {
-    for (Cell& cell : cells) {
-      for (Expectation& expectation : cell.expectations) {
-        if (expectation.kind != ExpectationKind::kMean) continue;
+    for (lab::Cell& cell : cells) {
+      for (lab::Expectation& expectation : cell.expectations) {
+        if (expectation.kind != lab::ExpectationKind::kMean) continue;
         int& count = means[{cell.structure, expectation.claim}];
         if (counting) {
           ++count;
@@ -57,48 +56,47 @@ void count_comparisons(std::vector<Cell>& cells) {
   }
 }
 
+// How many cells the family of a growth claim has.
+void count_sizes(lab::Catalogue& catalogue) {
+  for (lab::GrowthClaim& growth : catalogue.growths) {
+    growth.sizes = static_cast<std::size_t>(
+        std::count_if(catalogue.cells.begin(), catalogue.cells.end(), [&](const lab::Cell& cell) {
+          return cell.structure == growth.structure && cell.family == growth.family;
+        }));
+  }
+}
+
 }  // namespace
 
-Catalogue make_catalogue(std::string_view structure, Extent extent) {
+lab::Catalogue make_catalogue(std::string_view structure, lab::Extent extent) {
   if (!is_group(structure) && find_structure_info(structure) == nullptr) {
     std::string names = "all";
     for (const std::string_view group : structure_groups()) names += ", " + std::string(group);
     for (const StructureInfo& info : structure_infos()) names += ", " + std::string(info.name);
-    throw InputError("verify", "", show_text(structure) + " is not a structure",
+    throw formats::InputError("verify", "", show_text(structure) + " is not a structure",
                      "choose one of " + names);
   }
-  Catalogue catalogue;
-  add_worst_cases(catalogue, extent);
-  add_random_motion(catalogue, extent);
-  for (const StructureInfo& info : structure_infos()) add_common_cells(catalogue, info, extent);
-  add_maximum_comparison(catalogue, extent);
-  add_collision_cells(catalogue, extent);
-  const bool quick = extent == Extent::kQuick;
-  const auto asked = [&](std::string_view group, std::string_view one) {
-    return structure == "all" || structure == group || structure == one;
-  };
-  if (asked("maximum", "maximum_hanger")) {
-    catalogue.studies.push_back({"maximum_hanger", study_hanger, quick});
+  lab::Catalogue catalogue;
+  for (const lab::FamilyExperiments& family : lab::experiment_families()) {
+    if (family.add_cells != nullptr) family.add_cells(catalogue, extent);
   }
-  if (asked("convex_hull", "convex_hull_2")) {
-    catalogue.studies.push_back({"convex_hull_2", study_hull_locality, quick});
+  for (const StructureInfo& info : structure_infos()) {
+    for (const lab::FamilyExperiments& family : lab::experiment_families()) {
+      if (family.add_common_cells != nullptr) family.add_common_cells(catalogue, info, extent);
+    }
   }
-  if (asked("collision", "collision")) {
-    catalogue.studies.push_back({"contacts", study_contacts, quick});
-  }
-  if (asked("collision", "outer_hierarchy")) {
-    catalogue.studies.push_back({"outer_hierarchy", study_outer_hierarchies, quick});
-  }
-  if (asked("collision", "inner_tangents")) {
-    catalogue.studies.push_back({"inner_tangents", study_tangents, quick});
-  }
-  if (asked("collision", "separation_hysteresis")) {
-    catalogue.studies.push_back({"wedge_cover", study_wedge_cover, quick});
+  for (const lab::FamilyExperiments& family : lab::experiment_families()) {
+    if (family.add_comparisons != nullptr) family.add_comparisons(catalogue, extent);
+    for (const lab::FamilyStudy& study : family.studies) {
+      if (structure != "all" && structure != study.group && structure != study.structure) continue;
+      catalogue.studies.push_back({std::string(study.name), study.run, extent == lab::Extent::kQuick});
+    }
   }
   select(catalogue.cells, structure);
   count_comparisons(catalogue.cells);
   select(catalogue.growths, structure);
+  count_sizes(catalogue);
   return catalogue;
 }
 
-}  // namespace kinex
+}  // namespace kinex::verify

@@ -2,15 +2,16 @@
 #include "experiments/verify/database.h"
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
-#include "experiments/json_writer.h"
-#include "experiments/scene_run.h"
-#include "experiments/verify/facts_tables.h"
-#include "experiments/verify/sqlite.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/lab/facts_tables.h"
+#include "experiments/lab/scene_run.h"
+#include "experiments/lab/sqlite.h"
 
-namespace kinex {
+namespace kinex::verify {
 
 namespace {
 
@@ -37,8 +38,14 @@ CREATE TABLE claim_result(claim_id TEXT NOT NULL, cell_id INTEGER NOT NULL REFER
   PRIMARY KEY(claim_id, cell_id, quantity)) STRICT, WITHOUT ROWID;
 CREATE TABLE growth(claim_id TEXT NOT NULL, structure TEXT NOT NULL, family TEXT NOT NULL,
   quantity TEXT NOT NULL, points INTEGER NOT NULL, expected TEXT NOT NULL, exponent TEXT,
-  lower_95 TEXT, upper_95 TEXT, chi_square TEXT, degrees INTEGER, verdict TEXT NOT NULL,
+  lower_95 TEXT, upper_95 TEXT, chi_square TEXT, degrees INTEGER, corrected_law TEXT,
+  corrected_exponent TEXT, corrected_lower_95 TEXT, corrected_upper_95 TEXT,
+  corrected_chi_square TEXT, corrected_degrees INTEGER, verdict TEXT NOT NULL,
   source TEXT NOT NULL, PRIMARY KEY(claim_id, structure)) STRICT, WITHOUT ROWID;
+CREATE TABLE neighbour(claim_id TEXT NOT NULL, structure TEXT NOT NULL, law TEXT NOT NULL,
+  standing TEXT NOT NULL, chi_square TEXT, degrees INTEGER NOT NULL, scatter TEXT NOT NULL,
+  lead TEXT NOT NULL, PRIMARY KEY(claim_id, structure, law),
+  FOREIGN KEY(claim_id, structure) REFERENCES growth(claim_id, structure)) STRICT, WITHOUT ROWID;
 CREATE TABLE study(name TEXT NOT NULL, claim_id TEXT NOT NULL, expected TEXT NOT NULL,
   observed TEXT NOT NULL, verdict TEXT NOT NULL, source TEXT NOT NULL,
   PRIMARY KEY(name, claim_id)) STRICT, WITHOUT ROWID;
@@ -46,9 +53,9 @@ CREATE TABLE study(name TEXT NOT NULL, claim_id TEXT NOT NULL, expected TEXT NOT
 
 constexpr std::array<const char*, kStages> kStageNames{"double", "wide", "multiprecision", "exact"};
 
-std::string parameters_json(const CellResult& cell) {
+std::string parameters_json(const lab::CellResult& cell) {
   std::string text;
-  JsonWriter json(text);
+  formats::JsonWriter json(text);
   json.begin_object().key("n").number(cell.cell.parameters.n);
   json.key("degree").number(cell.cell.parameters.degree);
   json.key("dimension").number(cell.cell.parameters.dimension);
@@ -66,70 +73,107 @@ std::string parameters_json(const CellResult& cell) {
 
 class Writer {
  public:
-  explicit Writer(Database& database)
+  explicit Writer(lab::Database& database)
       : cell_(database, "INSERT INTO cell VALUES(NULL, ?, ?, ?, ?, ?, ?, ?, ?)"),
         run_(database, "INSERT INTO run VALUES(NULL, ?, 1, 1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
         counter_(database, "INSERT INTO counter VALUES(?, ?, ?, ?)"),
         extreme_(database, "INSERT INTO extreme VALUES(?, ?, ?)"),
         claim_(database, "INSERT INTO claim_result VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)"),
         study_(database, "INSERT INTO study VALUES(?, ?, ?, ?, ?, ?)"),
-        growth_(database, "INSERT INTO growth VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)") {}
+        growth_(
+            database,
+            "INSERT INTO growth VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+        neighbour_(database, "INSERT INTO neighbour VALUES(?, ?, ?, ?, ?, ?, ?, ?)") {}
 
-  void write(const CellResult& cell) {
+  void write(const lab::CellResult& cell) {
     cell_.text(cell.cell.structure).text(cell.cell.workload).text(cell.cell.family);
     cell_.text(parameters_json(cell)).text(cell.cell.question);
-    cell_.text(verdict_name(cell.verdict()));
+    cell_.text(lab::check_word(cell.verdict()));
     if (cell.contest && cell.contest->ratio) {
-      cell_.text(number_text(*cell.contest->ratio, 4));
+      cell_.text(lab::number_text(*cell.contest->ratio, 4));
     } else {
       cell_.null();
     }
     const std::int64_t id = cell_.real(cell.seconds).run();
     std::vector<std::int64_t> runs;
-    for (const Trial& trial : cell.trials) runs.push_back(write(id, cell, trial.measurement));
+    for (const lab::Trial& trial : cell.trials) runs.push_back(write(id, cell, trial.measurement));
     if (cell.contest) write(id, cell, cell.contest->rival);
-    for (const Check& check : cell.checks) {
+    for (const lab::Check& check : cell.checks) {
       claim_.text(check.claim).integer(id).text(check.quantity).text(check.kind);
       if (check.trial && *check.trial < runs.size()) {
         claim_.integer(runs[*check.trial]);
       } else {
         claim_.null();
       }
-      claim_.text(check.expected).text(check.observed).text(verdict_name(check.verdict));
+      claim_.text(check.expected).text(check.observed).text(lab::check_word(check.verdict));
       claim_.text(check.source).run();
     }
   }
 
-  void write(const StudyResult& study) {
-    for (const Check& check : study.checks) {
+  void write(const lab::StudyResult& study) {
+    for (const lab::Check& check : study.checks) {
       study_.text(study.name).text(check.claim).text(check.expected).text(check.observed);
-      study_.text(verdict_name(check.verdict)).text(check.source).run();
+      study_.text(lab::check_word(check.verdict)).text(check.source).run();
     }
   }
 
-  void write(const GrowthResult& growth) {
+  void write(const lab::GrowthResult& growth) {
     growth_.text(growth.claim.claim).text(growth.claim.structure).text(growth.claim.family);
     growth_.text(growth.claim.quantity).count(growth.points.size()).text(growth.check.expected);
-    if (growth.fit) {
-      for (const double value : {growth.fit->exponent, growth.fit->lower, growth.fit->upper}) {
-        growth_.text(number_text(value, 8));
-      }
-      if (growth.fit->weighted) {
-        growth_.text(number_text(growth.fit->chi_square, 8));
-      } else {
-        growth_.null();
-      }
-      growth_.integer(growth.fit->degrees);
+    bind(growth.fit);
+    if (growth.corrected) {
+      growth_.text(growth.corrected->law);
     } else {
-      for (int i = 0; i < 5; ++i) growth_.null();
+      growth_.null();
     }
-    growth_.text(verdict_name(growth.check.verdict)).text(growth.check.source).run();
+    bind(growth.corrected);
+    growth_.text(lab::check_word(growth.check.verdict)).text(growth.check.source).run();
+    if (!growth.neighbours) return;
+    const lab::Neighbours& neighbours = *growth.neighbours;
+    write_law(growth, neighbours.law, "claimed", neighbours.claimed, neighbours.scatter,
+              neighbours.weighted ? 0 : 1);
+    for (const lab::Neighbours::Rival& rival : neighbours.rivals) {
+      write_law(growth, rival.law,
+                rival.better == lab::BetterFit::kFirst    ? "beaten"
+                : rival.better == lab::BetterFit::kSecond ? "better"
+                                                          : "undecided",
+                rival.fit, rival.scatter, rival.lead);
+    }
   }
 
  private:
-  std::int64_t write(std::int64_t cell_id, const CellResult& cell, const Measurement& run) {
+  // Five columns: the exponent, its interval, chi squared, its degrees.
+  void bind(const std::optional<lab::Fit>& fit) {
+    if (!fit) {
+      for (int i = 0; i < 5; ++i) growth_.null();
+      return;
+    }
+    for (const double value : {fit->b, fit->lower, fit->upper}) {
+      growth_.text(lab::number_text(value, 8));
+    }
+    if (fit->weighted) {
+      growth_.text(lab::number_text(fit->chi_square, 8));
+    } else {
+      growth_.null();
+    }
+    growth_.integer(fit->degrees);
+  }
+
+  void write_law(const lab::GrowthResult& growth, const std::string& law, const char* standing,
+                 const lab::Fit& fit, double scatter, double lead) {
+    neighbour_.text(growth.claim.claim).text(growth.claim.structure).text(law).text(standing);
+    if (growth.neighbours->weighted) {
+      neighbour_.text(lab::number_text(fit.chi_square, 8));
+    } else {
+      neighbour_.null();
+    }
+    neighbour_.integer(fit.degrees).text(lab::number_text(scatter, 8));
+    neighbour_.text(lab::number_text(lead, 8)).run();
+  }
+
+  std::int64_t write(std::int64_t cell_id, const lab::CellResult& cell, const lab::Measurement& run) {
     run_.integer(cell_id).text(run.scene_name).text(run.scene_hash).text(cell.cell.structure);
-    run_.text(run.arithmetic).count(run.seed).count(run.objects).text(status_name(run.status));
+    run_.text(run.arithmetic).count(run.seed).count(run.objects).text(formats::status_name(run.status));
     run_.text(run.started).real(run.seconds).count(run.run.peak_bytes / 1024);
     const std::int64_t id = run_.run();
     write_ledger(id, run);
@@ -137,7 +181,7 @@ class Writer {
     return id;
   }
 
-  void write_ledger(std::int64_t id, const Measurement& run) {
+  void write_ledger(std::int64_t id, const lab::Measurement& run) {
     const StructureLedger& ledger = run.costs;
     count(id, "processed", ledger.processed);
     count(id, "external", run.ledger.external);
@@ -162,7 +206,7 @@ class Writer {
     extreme(id, "coefficient_bits", run.numbers.max_bits);
   }
 
-  void write_numbers(std::int64_t id, const Measurement& run) {
+  void write_numbers(std::int64_t id, const lab::Measurement& run) {
     const ArithmeticCounters& numbers = run.numbers;
     for (std::size_t p = 0; p < numbers.by_predicate.size(); ++p) {
       for (std::size_t s = 0; s < kStages; ++s) {
@@ -193,25 +237,25 @@ class Writer {
     extreme_.integer(id).text(name).text(std::to_string(value)).run();
   }
 
-  Statement cell_, run_, counter_, extreme_, claim_, study_, growth_;
+  lab::Statement cell_, run_, counter_, extreme_, claim_, study_, growth_, neighbour_;
 };
 
 }  // namespace
 
-std::string verify_database(const VerifyResult& result, const BuildFacts& build,
-                            const MachineFacts& machine) {
-  Database database;
-  write_facts(database, build, machine);
+std::string verify_database(const VerifyResult& result, const lab::BuildFacts& build,
+                            const lab::MachineFacts& machine) {
+  lab::Database database;
+  lab::write_facts(database, build, machine);
   database.execute(kSchema);
   database.execute("BEGIN");
   {
     Writer writer(database);
-    for (const CellResult& cell : result.cells) writer.write(cell);
-    for (const GrowthResult& growth : result.growths) writer.write(growth);
-    for (const StudyResult& study : result.studies) writer.write(study);
+    for (const lab::CellResult& cell : result.cells) writer.write(cell);
+    for (const lab::GrowthResult& growth : result.growths) writer.write(growth);
+    for (const lab::StudyResult& study : result.studies) writer.write(study);
   }
   database.execute("COMMIT");
   return database.serialise();
 }
 
-}  // namespace kinex
+}  // namespace kinex::verify

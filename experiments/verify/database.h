@@ -9,7 +9,8 @@
 //                    is the stage that answered, the degree of the polynomials, or empty
 //   extreme          run_id, name, value_text: largest values
 //   claim_result     expectation and result of a claim on a cell; run_id: the run that decided
-//   growth           fitted exponents
+//   growth           fitted exponents, without and, where it is needed, with a term of lower order
+//   neighbour        laws that were fitted beside a claimed one, and that one itself
 //   study            checks made without a run
 // Unique keys make a second insertion of the same result impossible.
 #ifndef KINEX_EXPERIMENTS_VERIFY_DATABASE_H
@@ -17,15 +18,15 @@
 
 #include <string>
 
-#include "experiments/verify/machine.h"
+#include "experiments/lab/machine.h"
 #include "experiments/verify/runner.h"
 
-namespace kinex {
+namespace kinex::verify {
 
 // The bytes of the database file.
-std::string verify_database(const VerifyResult& result, const BuildFacts& build,
-                            const MachineFacts& machine);
+std::string verify_database(const VerifyResult& result, const lab::BuildFacts& build,
+                            const lab::MachineFacts& machine);
 
-}  // namespace kinex
+}  // namespace kinex::verify
 
 #endif

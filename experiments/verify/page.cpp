@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "experiments/verify/html.h"
-#include "experiments/verify/measures.h"
+#include "experiments/lab/html.h"
+#include "experiments/lab/measures.h"
 #include "experiments/verify/report_text.h"
+#include "experiments/verify/tables.h"
 
-namespace kinex {
+namespace kinex::verify {
 
 namespace {
 
@@ -18,36 +19,36 @@ std::string verdict_span(std::string_view verdict) {
   return fmt::format("<span class=\"v {0}\">{0}</span>", verdict);
 }
 
-std::string checks_table(const CellResult& cell) {
+std::string checks_table(const lab::CellResult& cell) {
   std::string text =
       "<table><tr><th>claim</th><th>quantity</th><th>expected</th><th>observed</th>"
       "<th>verdict</th><th>source</th></tr>";
-  for (const Check& check : cell.checks) {
+  for (const lab::Check& check : cell.checks) {
     text += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-        escape(check.claim), escape(check.quantity), escape(check.expected), escape(check.observed),
-        verdict_span(verdict_name(check.verdict)), escape(check.source));
+        lab::escape(check.claim), lab::escape(check.quantity), lab::escape(check.expected), lab::escape(check.observed),
+        verdict_span(lab::check_word(check.verdict)), lab::escape(check.source));
   }
   return text + "</table>";
 }
 
 std::string summary_part(const VerifyResult& result) {
   std::size_t counts[4] = {};
-  for (const CellResult& cell : result.cells) ++counts[static_cast<std::size_t>(cell.verdict())];
-  for (const GrowthResult& fit : result.growths) {
+  for (const lab::CellResult& cell : result.cells) ++counts[static_cast<std::size_t>(cell.verdict())];
+  for (const lab::GrowthResult& fit : result.growths) {
     ++counts[static_cast<std::size_t>(fit.check.verdict)];
   }
-  for (const StudyResult& study : result.studies) {
+  for (const lab::StudyResult& study : result.studies) {
     ++counts[static_cast<std::size_t>(study.verdict())];
   }
   std::string text = "<div class=\"verdicts\">";
-  for (const Verdict verdict :
-       {Verdict::kPass, Verdict::kFail, Verdict::kInconclusive, Verdict::kGaveUp}) {
+  for (const lab::Verdict verdict :
+       {lab::Verdict::kConfirmed, lab::Verdict::kRefuted, lab::Verdict::kOpen, lab::Verdict::kGaveUp}) {
     text += fmt::format("<div><b>{}</b>{}</div>", counts[static_cast<std::size_t>(verdict)],
-                        verdict_span(verdict_name(verdict)));
+                        verdict_span(lab::check_word(verdict)));
   }
   // Its lines, a paragraph each.
-  const std::string lines = escape(closing_line(result));
+  const std::string lines = lab::escape(closing_line(result));
   text += "</div>\n";
   for (std::size_t begin = 0, end; (end = lines.find('\n', begin)) != lines.npos; begin = end + 1) {
     text += "<p>" + lines.substr(begin, end - begin) + "</p>\n";
@@ -61,15 +62,15 @@ std::string summary_part(const VerifyResult& result) {
 // The checks that did not pass, with reasons; empty if all passed.
 std::string trouble_part(const VerifyResult& result) {
   std::string text;
-  for (const CellResult& cell : result.cells) {
-    if (cell.verdict() == Verdict::kPass) continue;
+  for (const lab::CellResult& cell : result.cells) {
+    if (cell.verdict() == lab::Verdict::kConfirmed) continue;
     const CellRow row = cell_row(cell);
     text +=
-        fmt::format("<h3>{} &middot; {} &middot; n = {} &middot; {}</h3>\n", escape(row.structure),
-                    escape(row.workload), row.n, verdict_span(row.verdict));
+        fmt::format("<h3>{} &middot; {} &middot; n = {} &middot; {}</h3>\n", lab::escape(row.structure),
+                    lab::escape(row.workload), row.n, verdict_span(row.verdict));
     text += checks_table(cell);
     for (const std::string& file : cell.kept) {
-      text += "<p>Scene kept: <code>" + escape(file) + "</code></p>\n";
+      text += "<p>Scene kept: <code>" + lab::escape(file) + "</code></p>\n";
     }
   }
   return text.empty() ? text : "<h2>What did not pass</h2>\n" + text;
@@ -82,29 +83,36 @@ std::string fits_part(const VerifyResult& result) {
       "th>"
       "<th class=\"r\">sizes</th><th class=\"r\">chi&sup2; / degrees</th><th>verdict</th>"
       "<th>source</th></tr>\n";
-  for (const GrowthResult& growth : result.growths) {
+  for (const lab::GrowthResult& growth : result.growths) {
     text += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"r\">{}</td>"
         "<td class=\"r\">{}</td><td>{}</td><td>{}</td></tr>\n",
-        escape(growth.claim.structure), escape(growth.claim.family), escape(growth.check.expected),
-        escape(growth.check.observed), growth.points.size(),
+        lab::escape(growth.claim.structure), lab::escape(growth.claim.family),
+        lab::escape(growth.check.expected), lab::escape(growth.check.observed),
+        growth.points.size(),
         growth.fit && growth.fit->weighted
-            ? fmt::format("{:.2f} / {}", growth.fit->chi_square, growth.fit->degrees)
+            ? fmt::format("{:.2f} / {}", growth.fit->chi_square, growth.fit->degrees) +
+                  (growth.corrected && growth.corrected->weighted
+                       ? fmt::format("; {:.2f} / {}", growth.corrected->chi_square,
+                                     growth.corrected->degrees)
+                       : "")
             : "-",
-        verdict_span(verdict_name(growth.check.verdict)), escape(growth.check.source));
+        verdict_span(lab::check_word(growth.check.verdict)), lab::escape(growth.check.source));
   }
   return text +
          "</table>\n<p class=\"facts\">Intervals: 95 %, Student's t; widened where the points "
          "scatter more than their standard errors allow. No chi&sup2;: counts without errors; the "
-         "interval is that of their scatter about the power.</p>\n";
+         "interval is that of their scatter about the power. Where chance does not explain the "
+         "chi&sup2; of a power, a term of lower order is fitted with it, which decides. A fit that "
+         "passes is consistent with its law; other laws may be too: see its neighbours.</p>\n";
 }
 
-std::string measures_part(const VerifyResult& result) {
+std::string tables_part(const std::vector<lab::Table>& tables) {
   std::string text;
-  for (const MeasuresTable& table : measures_tables(result.cells)) {
-    text += "<h2>" + escape(table.title) + "</h2>\n<p class=\"facts\">" + escape(table.note) +
+  for (const lab::Table& table : tables) {
+    text += "<h2>" + lab::escape(table.title) + "</h2>\n<p class=\"facts\">" + lab::escape(table.note) +
             "</p>\n<table><tr>";
-    for (const std::string& cell : table.header) text += "<th>" + escape(cell) + "</th>";
+    for (const std::string& cell : table.header) text += "<th>" + lab::escape(cell) + "</th>";
     text += "</tr>\n";
     std::string scenes;
     for (const auto& row : table.rows) {
@@ -112,7 +120,7 @@ std::string measures_part(const VerifyResult& result) {
       scenes = row[0] + " " + row[1];
       text += first ? "<tr class=\"first\">" : "<tr>";
       for (std::size_t i = 0; i < row.size(); ++i) {
-        text += (i == 0 || i == 2 ? "<td>" : "<td class=\"r\">") + escape(row[i]) + "</td>";
+        text += (i == 0 || i == 2 ? "<td>" : "<td class=\"r\">") + lab::escape(row[i]) + "</td>";
       }
       text += "</tr>\n";
     }
@@ -123,21 +131,21 @@ std::string measures_part(const VerifyResult& result) {
 
 std::string studies_part(const VerifyResult& result) {
   std::string text;
-  for (const StudyResult& study : result.studies) {
-    text += "<h2>" + escape(study.title) + " &middot; " +
-            verdict_span(verdict_name(study.verdict())) + "</h2>\n<table><tr>";
-    for (const std::string& cell : study.header) text += "<th>" + escape(cell) + "</th>";
+  for (const lab::StudyResult& study : result.studies) {
+    text += "<h2>" + lab::escape(study.table.title) + " &middot; " +
+            verdict_span(lab::check_word(study.verdict())) + "</h2>\n<table><tr>";
+    for (const std::string& cell : study.table.header) text += "<th>" + lab::escape(cell) + "</th>";
     text += "</tr>\n";
-    for (const auto& row : study.rows) {
+    for (const auto& row : study.table.rows) {
       text += "<tr>";
-      for (const std::string& cell : row) text += "<td>" + escape(cell) + "</td>";
+      for (const std::string& cell : row) text += "<td>" + lab::escape(cell) + "</td>";
       text += "</tr>\n";
     }
     text += "</table>\n<p class=\"facts\">";
-    for (const Check& check : study.checks) {
-      text += escape(check.claim + ": expected " + check.expected + ", observed " + check.observed +
+    for (const lab::Check& check : study.checks) {
+      text += lab::escape(check.claim + ": expected " + check.expected + ", observed " + check.observed +
                      " (" + check.source + ")") +
-              " " + verdict_span(verdict_name(check.verdict)) + "<br>\n";
+              " " + verdict_span(lab::check_word(check.verdict)) + "<br>\n";
     }
     text += "</p>\n";
   }
@@ -147,7 +155,7 @@ std::string studies_part(const VerifyResult& result) {
 std::string cells_part(const VerifyResult& result) {
   const bool bounds =
       std::any_of(result.cells.begin(), result.cells.end(),
-                  [](const CellResult& cell) { return cell_row(cell).bound != "-"; });
+                  [](const lab::CellResult& cell) { return cell_row(cell).bound != "-"; });
   std::string text =
       "<h2>All cells</h2>\n<p class=\"facts\">Events are means over the runs where there are "
       "several. " +
@@ -162,7 +170,7 @@ std::string cells_part(const VerifyResult& result) {
       "<th>expected</th><th>observed</th><th>checks</th><th class=\"r\">exact/double</th>"
       "<th>verdict</th></tr>\n";
   std::string structure;
-  for (const CellResult& cell : result.cells) {
+  for (const lab::CellResult& cell : result.cells) {
     const CellRow row = cell_row(cell);
     const bool first = row.structure != structure;
     structure = row.structure;
@@ -171,31 +179,32 @@ std::string cells_part(const VerifyResult& result) {
         "<td class=\"r\">{}</td><td class=\"r\">{}</td>{}<td>{}</td><td>{}</td>"
         "<td><details><summary>{}</summary><div>{}</div></details></td><td "
         "class=\"r\">{}</td><td>{}</td></tr>\n",
-        first ? " class=\"first\"" : "", escape(row.structure), escape(row.workload), row.n,
+        first ? " class=\"first\"" : "", lab::escape(row.structure), lab::escape(row.workload), row.n,
         row.runs, row.external, row.internal,
-        bounds ? "<td class=\"r\">" + row.bound + "</td>" : "", escape(row.expected),
-        escape(row.observed), row.checks, checks_table(cell), row.ratio, verdict_span(row.verdict));
+        bounds ? "<td class=\"r\">" + row.bound + "</td>" : "", lab::escape(row.expected),
+        lab::escape(row.observed), row.checks, checks_table(cell), row.ratio, verdict_span(row.verdict));
   }
   return text + "</table>\n";
 }
 
 }  // namespace
 
-std::string verify_page(const VerifyResult& result, const std::vector<Figure>& figures,
-                        const Drawings& drawings, const PageFacts& facts) {
-  std::string page = html_head("kinex verify");
+std::string verify_page(const VerifyResult& result, const std::vector<lab::Figure>& figures,
+                        const lab::Drawings& drawings, const lab::PageFacts& facts) {
+  std::string page = lab::html_head("kinex verify");
   page +=
       "<p class=\"facts\">Do kinetic data structures do what their theory "
       "says? Counted in exact arithmetic, with audits by independent code.</p>\n";
   page += summary_part(result);
   page += trouble_part(result);
   page += fits_part(result);
-  page += measures_part(result);
+  page += tables_part(neighbours_tables(result.growths));
+  page += tables_part(measures_tables(result.cells));
   page += studies_part(result);
-  page += plots_part(figures, drawings);
+  page += lab::plots_part(figures, drawings);
   page += cells_part(result);
-  page += facts_part(facts);
+  page += lab::facts_part(facts);
   return page + "</body></html>\n";
 }
 
-}  // namespace kinex
+}  // namespace kinex::verify

@@ -5,16 +5,16 @@
 
 #include <string>
 
-#include "experiments/verify/html.h"
+#include "experiments/lab/html.h"
 #include "experiments/verify/runner.h"
 
-namespace kinex {
+namespace kinex::verify {
 
 // Verdicts, failures, fits, plots, and the table of all cells with all their checks. If plots could
 // not be drawn the page gives the reason.
-std::string verify_page(const VerifyResult& result, const std::vector<Figure>& figures,
-                        const Drawings& drawings, const PageFacts& facts);
+std::string verify_page(const VerifyResult& result, const std::vector<lab::Figure>& figures,
+                        const lab::Drawings& drawings, const lab::PageFacts& facts);
 
-}  // namespace kinex
+}  // namespace kinex::verify
 
 #endif

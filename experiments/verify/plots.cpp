@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "experiments/verify/collision_story.h"
+#include "experiments/lab/family.h"
 
-namespace kinex {
+namespace kinex::verify {
 
 namespace {
 
@@ -37,10 +37,10 @@ struct Family {
 };
 
 // The smallest hard bound on the events checked in a run of the cell; 0: none.
-double least_bound(const CellResult& cell) {
+double least_bound(const lab::CellResult& cell) {
   double least = 0;
-  for (const Trial& trial : cell.trials) {
-    const BoundCheck* bound = event_bound(trial.measurement);
+  for (const lab::Trial& trial : cell.trials) {
+    const BoundCheck* bound = lab::event_bound(trial.measurement);
     if (bound == nullptr) return 0;
     const double value = bound->bound.to_double();
     least = least == 0 ? value : std::min(least, value);
@@ -49,15 +49,15 @@ double least_bound(const CellResult& cell) {
 }
 
 // All families of one structure, in the order of the cells.
-std::vector<Family> families_of(const std::vector<CellResult>& cells,
+std::vector<Family> families_of(const std::vector<lab::CellResult>& cells,
                                 const std::string& structure) {
   std::vector<Family> families;
-  for (const CellResult& cell : cells) {
+  for (const lab::CellResult& cell : cells) {
     if (cell.cell.structure != structure || cell.trials.empty()) continue;
-    const RunningMean mean = mean_of(cell.trials, "processed");
-    if (cell.cell.variable != Variable::kObjects) continue;  // see collision_story.h
+    const lab::RunningMean mean = lab::mean_of(cell.trials, "processed");
+    if (cell.cell.variable != lab::Variable::kObjects) continue;  // its family draws it
     if (!(mean.mean() > 0)) continue;  // cannot be drawn on a logarithmic axis
-    const Measurement& run = cell.trials.front().measurement;
+    const lab::Measurement& run = cell.trials.front().measurement;
     auto found = std::find_if(families.begin(), families.end(), [&](const Family& family) {
       return family.name == cell.cell.family && family.degree == cell.cell.parameters.degree;
     });
@@ -103,14 +103,14 @@ std::vector<Point> bound_curve(const Family& family) {
   return curve;
 }
 
-std::string fit_title(const GrowthResult& growth) {
-  return fmt::format("fit n^{{{:.3f}}}, 95% in [{:.3f}, {:.3f}]", growth.fit->exponent,
-                     growth.fit->lower, growth.fit->upper);
+std::string fit_title(const lab::GrowthResult& growth) {
+  return fmt::format("fit n^{{{:.3f}}}, 95% in [{:.3f}, {:.3f}]", growth.fit->b, growth.fit->lower,
+                     growth.fit->upper);
 }
 
-Figure counts_figure(const VerifyResult& result, const std::string& structure) {
+lab::Figure counts_figure(const VerifyResult& result, const std::string& structure) {
   const std::vector<Family> families = families_of(result.cells, structure);
-  Figure figure;
+  lab::Figure figure;
   if (families.empty()) return figure;
   figure.title = structure + ": events over n";
   figure.caption =
@@ -145,19 +145,19 @@ Figure counts_figure(const VerifyResult& result, const std::string& structure) {
     if (const std::vector<Point> curve = bound_curve(family); !curve.empty()) {
       script += data_block("bound" + std::to_string(i), curve);
       add(fmt::format("$bound{} using 1:2 with lines lw 1.5 dt 2 lc rgb '{}' title {}", i,
-                      look(i).colour, quoted("hard bound, " + name_of(family))));
+                      lab::look(i).colour, lab::quoted("hard bound, " + name_of(family))));
       ++curves;
     }
-    for (const GrowthResult& growth : result.growths) {
+    for (const lab::GrowthResult& growth : result.growths) {
       if (growth.claim.structure != structure || growth.claim.family != family.name) continue;
       if (!growth.fit) continue;
       add(fmt::format("[{:.6g}:{:.6g}] {:.17g}*x**{:.17g} with lines lw 1.5 lc rgb '{}' title '{}'",
-                      growth.points.front().n, growth.points.back().n, growth.fit->factor,
-                      growth.fit->exponent, look(i).colour, fit_title(growth)));
+                      growth.points.front().n, growth.points.back().n, growth.fit->a, growth.fit->b,
+                      lab::look(i).colour, fit_title(growth)));
     }
     add(fmt::format(
         "$family{} using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title {}", i,
-        look(i).symbol, look(i).colour, quoted(name_of(family))));
+        lab::look(i).symbol, lab::look(i).colour, lab::quoted(name_of(family))));
   }
   script += x_range(low, high);
   script += fmt::format("set yrange [{:.6g}:{:.6g}]\n", fewest / 2, most * 3) + plot + "\n";
@@ -174,17 +174,17 @@ std::string size_tics(const std::vector<Point>& points) {
 }
 
 // The references of the family's cells, as departures from the fit.
-std::vector<Point> references_of(const VerifyResult& result, const GrowthResult& growth) {
+std::vector<Point> references_of(const VerifyResult& result, const lab::GrowthResult& growth) {
   std::vector<Point> references;
-  for (const CellResult& cell : result.cells) {
+  for (const lab::CellResult& cell : result.cells) {
     if (cell.cell.structure != growth.claim.structure || cell.cell.family != growth.claim.family ||
         cell.trials.empty()) {
       continue;
     }
     const auto n = static_cast<double>(cell.trials.front().measurement.objects);
-    if (growth.claim.variable != Variable::kObjects || n < growth.claim.smallest) continue;
-    for (const Expectation& expectation : cell.cell.expectations) {
-      if (expectation.kind != ExpectationKind::kMean ||
+    if (growth.claim.variable != lab::Variable::kObjects || n < growth.claim.smallest) continue;
+    for (const lab::Expectation& expectation : cell.cell.expectations) {
+      if (expectation.kind != lab::ExpectationKind::kMean ||
           expectation.quantity != growth.claim.quantity) {
         continue;
       }
@@ -196,43 +196,43 @@ std::vector<Point> references_of(const VerifyResult& result, const GrowthResult&
   return references;
 }
 
-Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
-  Figure figure;
+lab::Figure residual_figure(const VerifyResult& result, const lab::GrowthResult& growth) {
+  lab::Figure figure;
   figure.title = growth.claim.structure + ": residuals of the fit, " + growth.claim.family;
   figure.caption = fmt::format(
       "Expected {}, fitted {}: {}. {} A trend in the residuals is a departure from a pure power.",
-      growth.check.expected, growth.check.observed, verdict_name(growth.check.verdict),
+      growth.check.expected, growth.check.observed, lab::check_word(growth.check.verdict),
       growth.fit->weighted
           ? fmt::format("chi^2 = {:.1f} on {} degrees of freedom. Bars: two standard errors.",
                         growth.fit->chi_square, growth.fit->degrees)
           : "The counts have no standard errors: the interval is that of their scatter.");
   std::vector<Point> points;
   for (std::size_t i = 0; i < growth.points.size(); ++i) {
-    const FitPoint& point = growth.points[i];
+    const lab::FitPoint& point = growth.points[i];
     points.push_back(
         {point.n, 100 * growth.fit->residuals[i], 100 * point.error / growth.fit->at(point.n), 0});
   }
   const std::vector<Point> references = references_of(result, growth);
   figure.script = std::string(kCommon) + "set ylabel 'count / fit - 1, in %'\n" +
-                  "set samples 200\nset xlabel " + quoted(variable_name(growth.claim.variable)) +
+                  "set samples 200\nset xlabel " + lab::quoted(lab::variable_name(growth.claim.variable)) +
                   "\n" + x_range(points.front().n, points.back().n) + size_tics(points) +
                   data_block("seen", points);
   if (!references.empty()) figure.script += data_block("reference", references);
   // With the exponents at the ends of the interval, through the centre of the fit.
   const double centre = growth.fit->centre;
-  const double below = growth.fit->lower - growth.fit->exponent;
-  const double above = growth.fit->upper - growth.fit->exponent;
+  const double below = growth.fit->lower - growth.fit->b;
+  const double above = growth.fit->upper - growth.fit->b;
   figure.script += fmt::format(
       "plot '+' using 1:(100*(($1/{0:.17g})**{1:.17g}-1)):(100*(($1/{0:.17g})**{2:.17g}-1)) "
       "with filledcurves fc rgb '#dcdcdc' title '95% interval of the exponent', \\\n"
       "  0 with lines lw 1.2 lc rgb '#444444' notitle, \\\n"
       "  $seen using 1:2:3 with yerrorbars pt {3} ps 0.9 lw 1.2 lc rgb '{4}' title 'observed'",
-      centre, below, above, look(std::size_t{0}).symbol, look(std::size_t{0}).colour);
+      centre, below, above, lab::look(std::size_t{0}).symbol, lab::look(std::size_t{0}).colour);
   if (!references.empty()) {
     figure.script += fmt::format(
         ", \\\n  $reference using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title "
         "'reference'",
-        look(std::size_t{1}).symbol, look(std::size_t{1}).colour);
+        lab::look(std::size_t{1}).symbol, lab::look(std::size_t{1}).colour);
   }
   figure.script += "\n";
   figure.height = 380;
@@ -241,19 +241,22 @@ Figure residual_figure(const VerifyResult& result, const GrowthResult& growth) {
 
 }  // namespace
 
-std::vector<Figure> verify_figures(const VerifyResult& result) {
+std::vector<lab::Figure> verify_figures(const VerifyResult& result) {
   std::vector<std::string> structures;
-  for (const CellResult& cell : result.cells) {
+  for (const lab::CellResult& cell : result.cells) {
     if (std::find(structures.begin(), structures.end(), cell.cell.structure) == structures.end()) {
       structures.push_back(cell.cell.structure);
     }
   }
-  std::vector<Figure> figures;
-  for (Figure& figure : collision_figures(result.cells)) figures.push_back(std::move(figure));
+  std::vector<lab::Figure> figures;
+  for (const lab::FamilyExperiments& family : lab::experiment_families()) {
+    if (family.figures == nullptr) continue;
+    for (lab::Figure& figure : family.figures(result.cells)) figures.push_back(std::move(figure));
+  }
   for (const std::string& structure : structures) {
-    Figure figure = counts_figure(result, structure);
+    lab::Figure figure = counts_figure(result, structure);
     if (!figure.script.empty()) figures.push_back(std::move(figure));
-    for (const GrowthResult& growth : result.growths) {
+    for (const lab::GrowthResult& growth : result.growths) {
       if (growth.claim.structure == structure && growth.fit) {
         figures.push_back(residual_figure(result, growth));
       }
@@ -262,4 +265,4 @@ std::vector<Figure> verify_figures(const VerifyResult& result) {
   return figures;
 }
 
-}  // namespace kinex
+}  // namespace kinex::verify

@@ -6,14 +6,14 @@
 
 #include <vector>
 
-#include "experiments/verify/gnuplot.h"
+#include "experiments/lab/gnuplot.h"
 #include "experiments/verify/runner.h"
 
-namespace kinex {
+namespace kinex::verify {
 
 // Families with fewer than three sizes are left out.
-std::vector<Figure> verify_figures(const VerifyResult& result);
+std::vector<lab::Figure> verify_figures(const VerifyResult& result);
 
-}  // namespace kinex
+}  // namespace kinex::verify
 
 #endif

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 
-#include "experiments/counted.h"
-#include "structures/registry.h"
+#include "experiments/formats/counted.h"
+#include "experiments/lab/family.h"
 
-namespace kinex {
+namespace kinex::verify {
 
 namespace {
 
@@ -20,12 +20,12 @@ std::string row_text(const CellRow& row, bool bounds) {
                      bound, row.expected, row.observed, row.checks, row.ratio, row.verdict);
 }
 
-std::string mean_count(const CellResult& cell, const Quantity& quantity) {
-  const double mean = mean_of(cell.trials, quantity).mean();
+std::string mean_count(const lab::CellResult& cell, const lab::Quantity& quantity) {
+  const double mean = lab::mean_of(cell.trials, quantity).mean();
   return cell.trials.size() == 1 ? fmt::format("{:.0f}", mean) : fmt::format("{:.1f}", mean);
 }
 
-std::string ratio_text(const CellResult& cell) {
+std::string ratio_text(const lab::CellResult& cell) {
   if (!cell.contest) return "-";
   if (!cell.contest->same_counts) return "differs";
   if (!cell.contest->ratio) return "-";
@@ -33,33 +33,33 @@ std::string ratio_text(const CellResult& cell) {
 }
 
 // Failures are explained in full; a bound that holds needs no words.
-std::string explain(const Check& check) {
-  return fmt::format("  {} {} {}: expected {}, observed {}{}\n", verdict_name(check.verdict),
+std::string explain(const lab::Check& check) {
+  return fmt::format("  {} {} {}: expected {}, observed {}{}\n", lab::check_word(check.verdict),
                      check.claim, check.quantity, check.expected, check.observed,
                      check.source.empty() ? "" : " (" + check.source + ")");
 }
 
 }  // namespace
 
-CellRow cell_row(const CellResult& cell) {
+CellRow cell_row(const lab::CellResult& cell) {
   CellRow row;
   row.structure = cell.cell.structure;
   row.workload = cell.cell.workload_text();
   row.n = std::to_string(cell.cell.parameters.n);
   row.runs = std::to_string(cell.trials.size());
-  row.verdict = verdict_name(cell.verdict());
+  row.verdict = lab::check_word(cell.verdict());
   row.ratio = ratio_text(cell);
   row.bound = row.expected = row.observed = row.external = row.internal = "-";
   std::size_t good = 0;
-  for (const Check& check : cell.checks) good += check.verdict == Verdict::kPass ? 1 : 0;
+  for (const lab::Check& check : cell.checks) good += check.verdict == lab::Verdict::kConfirmed ? 1 : 0;
   row.checks = fmt::format("{}/{}", good, cell.checks.size());
   if (cell.trials.empty()) return row;
-  if (cell.cell.variable == Variable::kObjects) {
+  if (cell.cell.variable == lab::Variable::kObjects) {
     row.n = std::to_string(cell.trials.front().measurement.objects);
   }
   row.external = mean_count(cell, "external");
   row.internal = mean_count(cell, "internal");
-  if (const BoundCheck* bound = event_bound(cell.trials.front().measurement)) {
+  if (const BoundCheck* bound = lab::event_bound(cell.trials.front().measurement)) {
     row.bound = bound->bound.to_string();
   }
   row.observed = mean_count(cell, "processed");
@@ -70,10 +70,11 @@ CellRow cell_row(const CellResult& cell) {
   return row;
 }
 
-bool shows_bounds(const std::vector<Cell>& cells) {
-  return std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
-    const StructureInfo* info = find_structure_info(cell.structure);
-    return info == nullptr || !info->bodies || info->name == "separation_minkowski";
+bool shows_bounds(const std::vector<lab::Cell>& cells) {
+  return std::any_of(cells.begin(), cells.end(), [](const lab::Cell& cell) {
+    const lab::FamilyExperiments* family = lab::experiments_on(cell.structure);
+    return family == nullptr || family->bounds_events == nullptr ||
+           family->bounds_events(cell.structure);
   });
 }
 
@@ -94,26 +95,29 @@ std::string table_header(bool bounds) {
   return row_text(row, bounds);
 }
 
-std::string table_row(const CellResult& cell, bool bounds) {
+std::string table_row(const lab::CellResult& cell, bool bounds) {
   std::string text = row_text(cell_row(cell), bounds);
-  for (const Check& check : cell.checks) {
-    if (check.verdict != Verdict::kPass) text += explain(check);
+  for (const lab::Check& check : cell.checks) {
+    if (check.verdict != lab::Verdict::kConfirmed) text += explain(check);
   }
   for (const std::string& file : cell.kept) text += "  kept: " + file + "\n";
   return text;
 }
 
-std::string table_row(const GrowthResult& growth) {
-  return fmt::format("{:<18} {:<30} expected {}, fitted {}  {}\n", growth.claim.structure,
-                     "growth, " + growth.claim.family, growth.check.expected, growth.check.observed,
-                     verdict_name(growth.check.verdict));
+std::string table_row(const lab::GrowthResult& growth) {
+  std::string text =
+      fmt::format("{:<18} {:<30} expected {}, fitted {}  {}\n", growth.claim.structure,
+                  "growth, " + growth.claim.family, growth.check.expected, growth.check.observed,
+                  lab::check_word(growth.check.verdict));
+  if (growth.neighbours) text += "  " + lab::neighbours_text(*growth.neighbours) + "\n";
+  return text;
 }
 
-std::string table_row(const StudyResult& study) {
+std::string table_row(const lab::StudyResult& study) {
   std::string text;
-  for (const Check& check : study.checks) {
+  for (const lab::Check& check : study.checks) {
     text += fmt::format("{:<18} {:<30} expected {}, observed {}  {}\n", study.name, check.claim,
-                        check.expected, check.observed, verdict_name(check.verdict));
+                        check.expected, check.observed, lab::check_word(check.verdict));
   }
   return text;
 }
@@ -121,14 +125,14 @@ std::string table_row(const StudyResult& study) {
 std::string seeds_line(const VerifyResult& result) {
   std::size_t open = 0;
   int needed = 0;
-  const auto look = [&](const Check& check) {
+  const auto look = [&](const lab::Check& check) {
     open += check.seeds_needed > 0 ? 1 : 0;
     needed = std::max(needed, check.seeds_needed);
   };
-  for (const CellResult& cell : result.cells) {
-    for (const Check& check : cell.checks) look(check);
+  for (const lab::CellResult& cell : result.cells) {
+    for (const lab::Check& check : cell.checks) look(check);
   }
-  for (const GrowthResult& growth : result.growths) look(growth.check);
+  for (const lab::GrowthResult& growth : result.growths) look(growth.check);
   if (open == 0) return "";
   return fmt::format(
       "Too few random scenes to tell for {} check{}: --seeds {} would do, or about so many; "
@@ -141,35 +145,35 @@ std::string closing_line(const VerifyResult& result) {
   std::array<std::size_t, 4> by_verdict{};
   std::size_t checks = result.growths.size(), runs = 0;
   std::uint64_t failures = 0;
-  for (const CellResult& cell : result.cells) {
+  for (const lab::CellResult& cell : result.cells) {
     ++by_verdict[static_cast<std::size_t>(cell.verdict())];
     checks += cell.checks.size();
     runs += cell.trials.size();
-    for (const Trial& trial : cell.trials) failures += trial.measurement.run.events;
+    for (const lab::Trial& trial : cell.trials) failures += trial.measurement.run.events;
   }
-  for (const GrowthResult& growth : result.growths) {
+  for (const lab::GrowthResult& growth : result.growths) {
     ++by_verdict[static_cast<std::size_t>(growth.check.verdict)];
   }
-  for (const StudyResult& study : result.studies) {
+  for (const lab::StudyResult& study : result.studies) {
     checks += study.checks.size();
     ++by_verdict[static_cast<std::size_t>(study.verdict())];
   }
-  std::string text = fmt::format("{} and {}:", counted(result.cells.size(), "cell", "cells"),
-                                 counted(result.growths.size(), "fit", "fits"));
+  std::string text = fmt::format("{} and {}:", formats::counted(result.cells.size(), "cell", "cells"),
+                                 formats::counted(result.growths.size(), "fit", "fits"));
   if (!result.studies.empty()) {
-    text = fmt::format("{}, {} and {}:", counted(result.cells.size(), "cell", "cells"),
-                       counted(result.growths.size(), "fit", "fits"),
-                       counted(result.studies.size(), "study", "studies"));
+    text = fmt::format("{}, {} and {}:", formats::counted(result.cells.size(), "cell", "cells"),
+                       formats::counted(result.growths.size(), "fit", "fits"),
+                       formats::counted(result.studies.size(), "study", "studies"));
   }
-  for (const Verdict verdict :
-       {Verdict::kPass, Verdict::kInconclusive, Verdict::kGaveUp, Verdict::kFail}) {
-    text += fmt::format("{} {} {}", verdict == Verdict::kPass ? "" : ",",
-                        by_verdict[static_cast<std::size_t>(verdict)], verdict_name(verdict));
+  for (const lab::Verdict verdict :
+       {lab::Verdict::kConfirmed, lab::Verdict::kOpen, lab::Verdict::kGaveUp, lab::Verdict::kRefuted}) {
+    text += fmt::format("{} {} {}", verdict == lab::Verdict::kConfirmed ? "" : ",",
+                        by_verdict[static_cast<std::size_t>(verdict)], lab::check_word(verdict));
   }
-  text += fmt::format("; {}, {}, {}\n", counted(checks, "check", "checks"),
-                      counted(runs, "run", "runs"),
-                      counted(failures, "certificate failure", "certificate failures"));
+  text += fmt::format("; {}, {}, {}\n", formats::counted(checks, "check", "checks"),
+                      formats::counted(runs, "run", "runs"),
+                      formats::counted(failures, "certificate failure", "certificate failures"));
   return text + seeds_line(result);
 }
 
-}  // namespace kinex
+}  // namespace kinex::verify

@@ -7,7 +7,7 @@
 
 #include "experiments/verify/runner.h"
 
-namespace kinex {
+namespace kinex::verify {
 
 // The columns of a cell's row, as text. Means over its scenes where there are several.
 struct CellRow {
@@ -19,28 +19,28 @@ struct CellRow {
   std::string verdict;
   std::string ratio;  // CPU time in `exact` over `double`; "-": too short; "differs": other events
 };
-CellRow cell_row(const CellResult& cell);
+CellRow cell_row(const lab::CellResult& cell);
 
-// True if some of these cells may have a hard bound on their events. Of the structures for bodies
-// only the one with a law for straight lines has one.
-bool shows_bounds(const std::vector<Cell>& cells);
+// True if some of these cells may have a hard bound on their events.
+bool shows_bounds(const std::vector<lab::Cell>& cells);
 // `bounds`: with a column of bounds.
 std::string table_header(bool bounds = true);
 // One line, and one more for each check that is not a PASS, and for each scene kept.
-std::string table_row(const CellResult& cell, bool bounds = true);
-std::string table_row(const GrowthResult& growth);
+std::string table_row(const lab::CellResult& cell, bool bounds = true);
+// One line, and one more for the neighbours of its law.
+std::string table_row(const lab::GrowthResult& growth);
 // Its checks, a line each.
-std::string table_row(const StudyResult& study);
+std::string table_row(const lab::StudyResult& study);
 // The remedy if scenes are too few to decide, with a newline; empty if they are not.
 std::string seeds_line(const VerifyResult& result);
 // Cells by verdict, checks, runs, and events over all of them; then the seeds line.
 std::string closing_line(const VerifyResult& result);
 
 // {"row": "cell", ..} and {"row": "growth", ..}, with a newline.
-std::string json_row(const CellResult& cell);
-std::string json_row(const GrowthResult& growth);
-std::string json_row(const StudyResult& study);
+std::string json_row(const lab::CellResult& cell);
+std::string json_row(const lab::GrowthResult& growth);
+std::string json_row(const lab::StudyResult& study);
 
-}  // namespace kinex
+}  // namespace kinex::verify
 
 #endif

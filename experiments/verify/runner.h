@@ -12,40 +12,43 @@
 #include <string>
 #include <vector>
 
-#include "experiments/finished_work.h"
-#include "experiments/verify/judge.h"
+#include "experiments/lab/growth.h"
+#include "experiments/sweep/journal.h"
 
-namespace kinex {
+namespace kinex::verify {
+
+// The claim of the check of a cell whose run threw.
+inline constexpr const char* kThrew = "error";
 
 struct VerifyOptions {
   int jobs = 1;                      // more than one makes time ratios noisy
   std::optional<int> seeds;          // exactly this many for every random cell
   std::string keep_folder;           // for scenes that fail; empty: they are not kept
-  FinishedWork* finished = nullptr;  // its pieces are not run again; new ones are added
+  sweep::Journal* journal = nullptr;  // its cells are not run again; new records are added
   std::function<bool()> go_on = [] { return true; };  // called from all threads
   const std::atomic<bool>* interrupt = nullptr;       // as in SimulatorOptions
   // A scene of cell `index` is about to be run. Called from all threads.
   std::function<void(std::size_t index, int seed)> on_scene;
   // In the catalogue's order, one at a time.
-  std::function<void(std::size_t index, const CellResult&)> on_cell;
+  std::function<void(std::size_t index, const lab::CellResult&)> on_cell;
 };
 
 struct VerifyResult {
-  std::vector<CellResult> cells;  // those that finished
-  std::vector<GrowthResult> growths;
-  std::vector<StudyResult> studies;
+  std::vector<lab::CellResult> cells;  // those that finished
+  std::vector<lab::GrowthResult> growths;
+  std::vector<lab::StudyResult> studies;
   bool interrupted = false;
 
-  Verdict verdict() const;
+  lab::Verdict verdict() const;
 };
 
 // One cell with all its seeds; nullopt if it was interrupted. An exception of a run is a failed
 // check.
-std::optional<CellResult> run_cell(const Cell& cell, const VerifyOptions& options,
+std::optional<lab::CellResult> run_cell(const lab::Cell& cell, const VerifyOptions& options,
                                    const std::function<void(int seed)>& on_scene);
 
-VerifyResult run_catalogue(const Catalogue& catalogue, const VerifyOptions& options);
+VerifyResult run_catalogue(const lab::Catalogue& catalogue, const VerifyOptions& options);
 
-}  // namespace kinex
+}  // namespace kinex::verify
 
 #endif

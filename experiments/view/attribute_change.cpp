@@ -7,33 +7,19 @@
 
 #include "core/numbers/check.h"
 
-namespace kinex {
+namespace kinex::view {
 
 namespace {
 
-using Edge = std::pair<ObjectId, ObjectId>;
-
-std::vector<Edge> edges_of(const std::vector<ObjectId>& ids) {
-  std::vector<Edge> edges;
-  edges.reserve(ids.size() / 2);
-  for (std::size_t i = 0; i + 1 < ids.size(); i += 2) edges.emplace_back(ids[i], ids[i + 1]);
-  return edges;
-}
-
-std::vector<ObjectId> flat(const std::vector<Edge>& edges) {
-  std::vector<ObjectId> ids;
-  ids.reserve(2 * edges.size());
-  for (const auto& [a, b] : edges) {
-    ids.push_back(a);
-    ids.push_back(b);
+// The tuples of a set, in their order.
+using Tuple = std::vector<ObjectId>;
+std::vector<Tuple> tuples_of(const std::vector<ObjectId>& ids, std::size_t width) {
+  std::vector<Tuple> tuples;
+  for (std::size_t i = 0; i + width <= ids.size(); i += width) {
+    const auto first = ids.begin() + static_cast<std::ptrdiff_t>(i);
+    tuples.emplace_back(first, first + static_cast<std::ptrdiff_t>(width));
   }
-  return ids;
-}
-
-std::vector<Edge> without(const std::vector<Edge>& a, const std::vector<Edge>& b) {
-  std::vector<Edge> result;
-  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
-  return result;
+  return tuples;
 }
 
 AttributeChange splice(const std::vector<ObjectId>& before, const std::vector<ObjectId>& after) {
@@ -55,29 +41,18 @@ AttributeChange splice(const std::vector<ObjectId>& before, const std::vector<Ob
 
 AttributeChange difference(const Attribute& before, const Attribute& after) {
   require(before.shape == after.shape, "an attribute changed its shape");
-  if (before.shape != Attribute::Shape::kEdges) return splice(before.ids, after.ids);
-  const std::vector<ObjectId>& a = before.ids;
-  const std::vector<ObjectId>& b = after.ids;
+  require(before.width == after.width, "an attribute changed the width of its tuples");
+  if (before.shape != Attribute::Shape::kTuples) return splice(before.ids, after.ids);
+  AttributeDifference both = difference_between(before, after);
   AttributeChange change;
-  std::size_t i = 0, j = 0;
-  while (i < a.size() || j < b.size()) {
-    if (i < a.size() && j < b.size() && a[i] == b[j] && a[i + 1] == b[j + 1]) {
-      i += 2;
-      j += 2;
-    } else if (j == b.size() || (i < a.size() && Edge(a[i], a[i + 1]) < Edge(b[j], b[j + 1]))) {
-      change.removed.insert(change.removed.end(), {a[i], a[i + 1]});
-      i += 2;
-    } else {
-      change.added.insert(change.added.end(), {b[j], b[j + 1]});
-      j += 2;
-    }
-  }
+  change.removed = std::move(both.gone);
+  change.added = std::move(both.came);
   return change;
 }
 
 void apply(const AttributeChange& change, Attribute& attribute) {
   std::vector<ObjectId>& ids = attribute.ids;
-  if (attribute.shape != Attribute::Shape::kEdges) {
+  if (attribute.shape != Attribute::Shape::kTuples) {
     const std::size_t end = change.at + change.removed.size();
     require(end <= ids.size(), "a change beyond the end of an attribute");
     const auto first = ids.begin() + static_cast<std::ptrdiff_t>(change.at);
@@ -87,15 +62,17 @@ void apply(const AttributeChange& change, Attribute& attribute) {
     ids.insert(place, change.added.begin(), change.added.end());
     return;
   }
-  const std::vector<Edge> edges = edges_of(ids);
-  const std::vector<Edge> removed = edges_of(change.removed);
-  require(std::includes(edges.begin(), edges.end(), removed.begin(), removed.end()),
-          "a change removes an edge that is not there");
-  const std::vector<Edge> kept = without(edges, removed);
-  const std::vector<Edge> added = edges_of(change.added);
-  std::vector<Edge> result;
+  const std::vector<Tuple> all = tuples_of(ids, attribute.width);
+  const std::vector<Tuple> removed = tuples_of(change.removed, attribute.width);
+  require(std::includes(all.begin(), all.end(), removed.begin(), removed.end()),
+          "a change removes a tuple that is not there");
+  const std::vector<Tuple> added = tuples_of(change.added, attribute.width);
+  std::vector<Tuple> kept, result;
+  std::set_difference(all.begin(), all.end(), removed.begin(), removed.end(),
+                      std::back_inserter(kept));
   std::merge(kept.begin(), kept.end(), added.begin(), added.end(), std::back_inserter(result));
-  ids = flat(result);
+  ids.clear();
+  for (const Tuple& tuple : result) ids.insert(ids.end(), tuple.begin(), tuple.end());
 }
 
-}  // namespace kinex
+}  // namespace kinex::view

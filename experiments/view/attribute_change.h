@@ -10,12 +10,12 @@
 
 #include "core/engine/structure.h"
 
-namespace kinex {
+namespace kinex::view {
 
 struct AttributeChange {
   std::uint64_t event = 0;  // the number of the event that made it, from 1; 0: before any
-  // Sequences, cycles and objects: at place `at` the ids `removed` are replaced by `added`. Edges:
-  // both are pairs, flattened and sorted; `at` is 0.
+  // Sequences, cycles and objects: at place `at` the ids `removed` are replaced by `added`. Sets of
+  // tuples: both are tuples, flattened and sorted; `at` is 0.
   std::size_t at = 0;
   std::vector<ObjectId> removed, added;
 
@@ -29,6 +29,6 @@ AttributeChange difference(const Attribute& before, const Attribute& after);
 // Throws std::logic_error if the change does not fit.
 void apply(const AttributeChange& change, Attribute& attribute);
 
-}  // namespace kinex
+}  // namespace kinex::view
 
 #endif

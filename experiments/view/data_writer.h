@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small parts of the page's data.
+// Writes doubles, ids and texts of the page's data as JSON.
 #ifndef KINEX_EXPERIMENTS_VIEW_DATA_WRITER_H
 #define KINEX_EXPERIMENTS_VIEW_DATA_WRITER_H
 
@@ -10,12 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/json_writer.h"
+#include "experiments/formats/json_writer.h"
 
-namespace kinex {
+namespace kinex::view {
 
 // The shortest text that reads back as the same double; null if it is not finite.
-inline void write_double(JsonWriter& json, double value) {
+inline void write_double(formats::JsonWriter& json, double value) {
   if (!std::isfinite(value)) {
     json.null();
     return;
@@ -26,18 +26,18 @@ inline void write_double(JsonWriter& json, double value) {
 }
 
 template <class Range>
-void write_ids(JsonWriter& json, const Range& ids) {
+void write_ids(formats::JsonWriter& json, const Range& ids) {
   json.begin_array();
   for (const auto id : ids) json.number(std::uint64_t{id});
   json.end_array();
 }
 
-inline void write_texts(JsonWriter& json, const std::vector<std::string>& texts) {
+inline void write_texts(formats::JsonWriter& json, const std::vector<std::string>& texts) {
   json.begin_array();
   for (const std::string& text : texts) json.string(text);
   json.end_array();
 }
 
-}  // namespace kinex
+}  // namespace kinex::view
 
 #endif

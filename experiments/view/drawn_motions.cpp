@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "experiments/trade/binary_scale.h"
+#include "experiments/lab/binary_scale.h"
 
-namespace kinex {
+namespace kinex::view {
 
 namespace {
 
@@ -33,7 +33,7 @@ struct ExactPiece {
 Rational largest_of(const ExactPiece& piece, std::size_t axis) {
   Rational largest;
   for (; axis < piece.coordinates.size(); ++axis) {
-    for (const Rational& x : piece.coordinates[axis]) largest = std::max(largest, absolute(x));
+    for (const Rational& x : piece.coordinates[axis]) largest = std::max(largest, lab::absolute(x));
   }
   return largest.is_zero() ? Rational(1) : largest;
 }
@@ -54,14 +54,14 @@ DrawnMotions drawn_motions(const Scene& scene, const Rational& start, const Rati
       for (const std::vector<Rational>& c : piece.trajectory.coordinates) {
         own.coordinates.push_back(in_u(c, start, span));
         if (scene.has_bodies() && own.coordinates.size() > 2) continue;  // the rotor
-        for (const Rational& x : own.coordinates.back()) largest = std::max(largest, absolute(x));
+        for (const Rational& x : own.coordinates.back()) largest = std::max(largest, lab::absolute(x));
       }
     }
     for (const Vertex2& vertex : object.polygon) {
-      for (const Rational& x : vertex) largest = std::max(largest, absolute(x));
+      for (const Rational& x : vertex) largest = std::max(largest, lab::absolute(x));
     }
   }
-  const Rational scale = largest.is_zero() ? Rational(1) : power_of_two(ceil_log2(largest));
+  const Rational scale = largest.is_zero() ? Rational(1) : lab::power_of_two(lab::ceil_log2(largest));
   DrawnMotions result;
   result.scale = scale.to_double();
   result.exact_scale = scale;
@@ -86,4 +86,4 @@ DrawnMotions drawn_motions(const Scene& scene, const Rational& start, const Rati
   return result;
 }
 
-}  // namespace kinex
+}  // namespace kinex::view

@@ -9,7 +9,7 @@
 
 #include "core/motion/scene.h"
 
-namespace kinex {
+namespace kinex::view {
 
 struct DrawnPiece {
   double from = -std::numeric_limits<double>::infinity();
@@ -24,10 +24,10 @@ struct DrawnMotions {
   Rational exact_scale = Rational(1);
 };
 
-// A rotor is divided by a number of its own, which changes nothing. Pieces outside
+// Each rotor is divided by a positive number, which does not change the turn. Pieces outside
 // [start, start + span] are left out. Requires span > 0.
 DrawnMotions drawn_motions(const Scene& scene, const Rational& start, const Rational& span);
 
-}  // namespace kinex
+}  // namespace kinex::view
 
 #endif

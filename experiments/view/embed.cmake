@@ -17,10 +17,11 @@ function(embed name)
   file(APPEND ${OUTPUT}.new "extern const std::string_view ${name};\nconst std::string_view ${name} =${text};\n")
 endfunction()
 
-file(WRITE ${OUTPUT}.new "#include <string_view>\n\nnamespace kinex {\n")
+file(WRITE ${OUTPUT}.new "#include <string_view>\n\nnamespace kinex::view {\n")
 embed(kViewFrame page.html)
 embed(kViewStyle style.css)
 embed(kViewScript data.js replay.js motion.js picture.js plane.js diagram.js window.js panel.js
-  bodies.js proofs.js chart.js arena.js lanes.js proof_panel.js main.js start.js)
-file(APPEND ${OUTPUT}.new "}  // namespace kinex\n")
+  proof.js figures.js axis.js tree.js bodies.js pairs.js chart.js arena.js lanes.js certificates.js
+  pair_panel.js main.js start.js)
+file(APPEND ${OUTPUT}.new "}  // namespace kinex::view\n")
 file(RENAME ${OUTPUT}.new ${OUTPUT})

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace kinex {
+namespace kinex::view {
 
 namespace {
 
@@ -89,4 +89,4 @@ FrameFeature point_feature(const std::vector<Vertex2>& polygon, bool negated,
   return {};
 }
 
-}  // namespace kinex
+}  // namespace kinex::view

@@ -11,7 +11,7 @@
 #include "core/motion/scene.h"
 #include "core/numbers/rational.h"
 
-namespace kinex {
+namespace kinex::view {
 
 struct FrameFeature {
   enum class Kind : std::uint8_t {
@@ -40,6 +40,6 @@ FrameFeature point_feature(const std::vector<Vertex2>& polygon, bool negated,
 FrameFeature support_feature(const std::vector<Vertex2>& polygon, bool negated,
                              const std::array<Rational, 2>& direction);
 
-}  // namespace kinex
+}  // namespace kinex::view
 
 #endif

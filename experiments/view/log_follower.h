@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LogFollower: follows an event log while its scene is run again, and reports where they differ. An
-// event log names its scene and what happened, but holds no motions and no states.
+// LogFollower: compares an event log with a new run of its scene, event by event. A log names its
+// scene and its events; it has no motions and no states.
 #ifndef KINEX_EXPERIMENTS_VIEW_LOG_FOLLOWER_H
 #define KINEX_EXPERIMENTS_VIEW_LOG_FOLLOWER_H
 
@@ -8,19 +8,10 @@
 #include <string_view>
 
 #include "core/motion/scene.h"
-#include "experiments/log_reader.h"
+#include "experiments/formats/log_scene.h"
 #include "experiments/view/recorder.h"
 
-namespace kinex {
-
-// Throws InputError if the log is of a scene with another hash.
-void require_same_scene(const LogHeader& header, const std::string& file, const std::string& hash);
-// True if the scene maintains the log's structures, with the same labels and keys.
-bool maintains_as_logged(const Scene& scene, const LogHeader& header);
-// Makes it so. Throws InputError that names the log.
-void maintain_as_logged(Scene& scene, const LogHeader& header, const std::string& file);
-// "a, b": the labels.
-std::string structures_of(const LogHeader& header);
+namespace kinex::view {
 
 class LogFollower {
  public:
@@ -29,21 +20,21 @@ class LogFollower {
   LogFollower(std::string_view text, const std::string& file, const Scene& scene,
               const std::string& hash);
 
-  const LogHeader& header() const { return reader_.header(); }
-  // True if the log has this record next: same structure, kind, ids, effect (external or internal),
-  // difference ("gone" and "came") and, as far as the log tells, the same instant. False at the end
-  // of the log, and where they part; then problem() says how.
+  const formats::LogHeader& header() const { return reader_.header(); }
+  // True if this event is the log's next record: same structure, kind, ids, effect (external or
+  // internal), difference ("gone" and "came") and, if the log has instants, the same instant. False
+  // at the end of the log, and at the first difference; problem() then describes it.
   bool follow(const SeenEvent& event);
-  // The run is at its end: the log must be, too.
+  // Call at the end of the run: records left in the log become a problem().
   void finish();
   const std::string& problem() const { return problem_; }
 
  private:
-  LogReader reader_;
-  LogRecord next_;
+  formats::LogReader reader_;
+  formats::LogRecord next_;
   std::string problem_;
 };
 
-}  // namespace kinex
+}  // namespace kinex::view
 
 #endif

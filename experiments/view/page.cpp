@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/view/page.h"
 
-#include "experiments/verify/html.h"
+#include "experiments/lab/html.h"
 
-namespace kinex {
+namespace kinex::view {
 
 namespace {
 
@@ -34,8 +34,8 @@ std::string view_page(const std::string& title, std::string_view data) {
   fill(page, "@STYLE@", kViewStyle);
   fill(page, "@SCRIPT@", kViewScript);
   fill(page, "@DATA@", harmless(data));
-  fill(page, "@TITLE@", escape(title));
+  fill(page, "@TITLE@", lab::escape(title));
   return page;
 }
 
-}  // namespace kinex
+}  // namespace kinex::view

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace kinex {
+namespace kinex::view {
 
-// `data`: JSON, as page_data.h gives it.
+// `data`: JSON, the result of page_data (page_data.h).
 std::string view_page(const std::string& title, std::string_view data);
 
 // The files of page/, made part of the program by embed.cmake.
@@ -16,6 +16,6 @@ extern const std::string_view kViewFrame;   // page.html
 extern const std::string_view kViewStyle;   // style.css
 extern const std::string_view kViewScript;  // all of *.js, in order
 
-}  // namespace kinex
+}  // namespace kinex::view
 
 #endif

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 
-#include "experiments/event_log.h"
-#include "experiments/json_writer.h"
-#include "experiments/scene_writer.h"
-#include "experiments/trade/binary_scale.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/binary_scale.h"
 #include "experiments/view/data_writer.h"
 #include "experiments/view/drawn_motions.h"
 #include "experiments/view/proof_data.h"
 
-namespace kinex {
+namespace kinex::view {
 
 namespace {
 
@@ -21,8 +21,8 @@ std::string_view shape_name(Attribute::Shape shape) {
       return "sequence";
     case Attribute::Shape::kObject:
       return "object";
-    case Attribute::Shape::kEdges:
-      return "edges";
+    case Attribute::Shape::kTuples:
+      return "tuples";
     case Attribute::Shape::kCycle:
       return "cycle";
   }
@@ -37,9 +37,8 @@ Rational shown_span(const Scene& scene, const std::vector<RecordedRun>& runs) {
   if (scene.end && complete) return *scene.end - start;
   Rational span;
   for (const RecordedRun& run : runs) {
-    for (const InstantText& instant : run.instants) {
-      const std::optional<Rational> t = Rational::parse(instant.approximate);
-      if (t && span < *t - start) span = *t - start;
+    for (const RecordedInstant& instant : run.instants) {
+      if (instant.near && span < *instant.near - start) span = *instant.near - start;
     }
   }
   if (span.is_zero()) return scene.end ? *scene.end - start : Rational(1);
@@ -47,7 +46,7 @@ Rational shown_span(const Scene& scene, const std::vector<RecordedRun>& runs) {
   return span;
 }
 
-void write_motions(JsonWriter& json, const Scene& scene, const DrawnMotions& motions) {
+void write_motions(formats::JsonWriter& json, const Scene& scene, const DrawnMotions& motions) {
   json.key("scale");
   write_double(json, motions.scale);
   json.key("ids").begin_array();
@@ -72,7 +71,7 @@ void write_motions(JsonWriter& json, const Scene& scene, const DrawnMotions& mot
   json.end_array();
 }
 
-void write_polygons(JsonWriter& json, const DrawnMotions& motions) {
+void write_polygons(formats::JsonWriter& json, const DrawnMotions& motions) {
   json.key("polygons").begin_array();
   for (const auto& polygon : motions.polygons) {
     json.begin_array();
@@ -87,20 +86,20 @@ void write_polygons(JsonWriter& json, const DrawnMotions& motions) {
 }
 
 // For drawing: {"axis": A}, {"weights": [..]} of largest absolute value 1, {"object": O}.
-void write_key(JsonWriter& json, const RecordedStructure& structure, const Scene& scene) {
+void write_key(formats::JsonWriter& json, const RecordedStructure& structure, const Scene& scene) {
   if (!structure.has_key) {
     json.null();
     return;
   }
   const Key& key = structure.key;
-  json.begin_object().key("text").string(key_json(key, scene));
+  json.begin_object().key("text").string(formats::key_json(key, scene));
   switch (key.kind) {
     case Key::Kind::kCoordinate:
       json.key("axis").number(key.axis);
       break;
     case Key::Kind::kDirection: {
       Rational largest(0);
-      for (const Rational& x : key.direction) largest = std::max(largest, absolute(x));
+      for (const Rational& x : key.direction) largest = std::max(largest, lab::absolute(x));
       json.key("weights").begin_array();
       for (const Rational& x : key.direction) {
         write_double(json, largest.is_zero() ? 0.0 : (x / largest).to_double());
@@ -116,11 +115,12 @@ void write_key(JsonWriter& json, const RecordedStructure& structure, const Scene
   json.end_object();
 }
 
-void write_structures(JsonWriter& json, const RecordedRun& run, const Scene& scene) {
+void write_structures(formats::JsonWriter& json, const RecordedRun& run, const Scene& scene) {
   json.key("structures").begin_array();
   for (const RecordedStructure& structure : run.structures) {
     json.begin_object().key("label").string(structure.label).key("name").string(structure.name);
-    json.key("shape").string(shape_name(structure.initial.shape)).key("key");
+    json.key("shape").string(shape_name(structure.initial.shape));
+    json.key("width").number(int{structure.initial.width}).key("key");
     write_key(json, structure, scene);
     json.key("kinds");
     write_texts(json, structure.kinds);
@@ -129,7 +129,7 @@ void write_structures(JsonWriter& json, const RecordedRun& run, const Scene& sce
   json.end_array();
 }
 
-void write_states(JsonWriter& json, const RecordedRun& run) {
+void write_states(formats::JsonWriter& json, const RecordedRun& run) {
   json.key("states").begin_array();
   for (const RecordedStructure& structure : run.structures) {
     json.begin_object().key("initial");
@@ -152,13 +152,19 @@ void write_states(JsonWriter& json, const RecordedRun& run) {
   json.end_array();
 }
 
-void write_instants(JsonWriter& json, const RecordedRun& run) {
+void write_polynomial(formats::JsonWriter& json, const Polynomial& p) {
+  json.begin_array();
+  for (const Integer& c : p.coefficients()) json.string(c.to_string());
+  json.end_array();
+}
+
+void write_instants(formats::JsonWriter& json, const RecordedRun& run) {
   json.key("instants").begin_array();
-  for (const InstantText& instant : run.instants) {
-    json.begin_array().string(instant.approximate);
-    if (instant.exact) {
-      write_texts(json, instant.polynomial);
-      json.number(instant.root).string(instant.lower).string(instant.upper);
+  for (const auto& [name, near] : run.instants) {
+    json.begin_array().string(name.decimal);
+    if (name.exact) {
+      write_polynomial(json, name.polynomial);
+      json.number(name.root).string(name.lower.to_string()).string(name.upper.to_string());
     }
     json.end_array();
   }
@@ -167,7 +173,7 @@ void write_instants(JsonWriter& json, const RecordedRun& run) {
 
 class EventColumns {
  public:
-  EventColumns(JsonWriter& json, const RecordedRun& run) : json_(json), run_(run) {}
+  EventColumns(formats::JsonWriter& json, const RecordedRun& run) : json_(json), run_(run) {}
 
   template <class Write>
   EventColumns& column(const char* name, const Write& write) {
@@ -178,7 +184,7 @@ class EventColumns {
   }
 
  private:
-  JsonWriter& json_;
+  formats::JsonWriter& json_;
   const RecordedRun& run_;
 };
 
@@ -186,15 +192,14 @@ class EventColumns {
 std::vector<double> drawn_times(const RecordedRun& run, const Rational& span) {
   std::vector<double> times;
   double last = 0;
-  for (const InstantText& instant : run.instants) {
-    const std::optional<Rational> t = Rational::parse(instant.approximate);
-    if (t) last = std::max(last, ((*t - run.start) / span).to_double());
+  for (const auto& [name, near] : run.instants) {
+    if (near) last = std::max(last, ((*near - run.start) / span).to_double());
     times.push_back(std::min(last, 1.0));
   }
   return times;
 }
 
-void write_events(JsonWriter& json, const RecordedRun& run, std::size_t index,
+void write_events(formats::JsonWriter& json, const RecordedRun& run, std::size_t index,
                   const ShownThings& things, const Rational& span) {
   const std::vector<double> times = drawn_times(run, span);
   const auto ids = [&](const auto& list, std::size_t count) {
@@ -223,10 +228,10 @@ void write_events(JsonWriter& json, const RecordedRun& run, std::size_t index,
       .column("i", [&](const RecordedEvent& e) { json.number(std::uint64_t{e.instant}); })
       .column("p",
               [&](const RecordedEvent& e) {
-                if (e.polynomial.empty()) {
+                if (e.event.certificate.arity == 0 || e.sign != 0) {
                   json.number(e.sign);
                 } else {
-                  write_texts(json, e.polynomial);
+                  write_polynomial(json, e.polynomial);
                 }
               })
       .column("g", [&](const RecordedEvent& e) {
@@ -245,15 +250,15 @@ void write_events(JsonWriter& json, const RecordedRun& run, std::size_t index,
   json.end_object();
 }
 
-void write_run(JsonWriter& json, const RecordedRun& run, std::size_t index,
-               const ShownThings& things, const Rational& span) {
+void write_run(formats::JsonWriter& json, const RecordedRun& run, std::size_t index,
+               const ShownThings& things, const Rational& span, const Rational& scale) {
   json.begin_object().key("arithmetic").string(run.arithmetic).key("exact").boolean(run.exact);
   json.key("before").number(run.before).key("stopped").string(run.stopped).key("predicates");
   write_texts(json, run.predicates);
   write_events(json, run, index, things, span);
   write_instants(json, run);
   write_states(json, run);
-  if (!run.claims.empty()) write_proofs(json, run, index, things);
+  write_proofs(json, run, index, things, span, scale);
   json.end_object();
 }
 
@@ -264,9 +269,9 @@ std::string page_data(const Scene& scene, const std::string& hash,
   const Rational span = shown_span(scene, runs);
   const Rational& start = runs.front().start;
   std::string text;
-  JsonWriter json(text);
+  formats::JsonWriter json(text);
   json.begin_object().key("format").string("kinex-view").key("version").number(1);
-  json.key("program").string(build_name()).key("scene").begin_object();
+  json.key("program").string(formats::build_name()).key("scene").begin_object();
   json.key("name").string(scene.name).key("hash").string(hash);
   json.key("dimension").number(scene.dimension).end_object();
   json.key("time").begin_object().key("start").begin_array().string(start.to_string());
@@ -277,17 +282,18 @@ std::string page_data(const Scene& scene, const std::string& hash,
   const DrawnMotions motions = drawn_motions(scene, start, span);
   const ShownThings things(runs);
   write_motions(json, scene, motions);
-  if (scene.has_bodies()) {
-    write_polygons(json, motions);
-    things.write(json, motions.exact_scale);
-  }
+  if (scene.has_bodies()) write_polygons(json, motions);
+  if (scene.has_bodies() || things.size() > 0) things.write(json, motions.exact_scale);
   write_structures(json, runs.front(), scene);
   json.key("runs").begin_array();
-  for (std::size_t i = 0; i < runs.size(); ++i) write_run(json, runs[i], i, things, span);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    write_run(json, runs[i], i, things, span, motions.exact_scale);
+  }
+
   json.end_array().key("divergence");
   json.number(runs.size() < 2 ? std::uint64_t{0} : first_divergence(runs[0], runs[1]));
   json.end_object();
   return text;
 }
 
-}  // namespace kinex
+}  // namespace kinex::view

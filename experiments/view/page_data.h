@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The data of the page of `kinex view`, as JSON.
 //
-// Combinatorics, polynomials and instants are exact, as the run gave them. For drawing alone there
-// are doubles: times as u = (t - start) / span, and motions as polynomials in u, divided by one
-// power of two so that no coefficient is above 1 (a scene may have coordinates of 2^5000).
+// Combinatorics, polynomials and instants are exact, as in the run. Doubles are for drawing only:
+// times as u = (t - start) / span, and motions as polynomials in u, divided by one power of two so
+// that no coefficient is above 1 (a scene may have coordinates of 2^5000).
 //
 // {"format": "kinex-view", "version": 1, "program": S,
 //  "scene": {"name", "hash", "dimension"},
@@ -15,8 +15,8 @@
 //     "instants": [[DECIMAL, POLYNOMIAL, ROOT, LOWER, UPPER]], "reasons": {EVENT: TEXT},
 //     "states": [{"initial": [..], "changes": [[EVENT, PLACE, [REMOVED], [ADDED]]], "corrupt"}]}],
 //  "divergence": EVENT or 0}
-// Objects are numbers, places in "ids". A body has four axes; its rotor is divided by a number of
-// its own. Scenes of bodies have more: proof_data.h. Readers: page/*.js.
+// Objects are numbers, indices into "ids". A body has four axes; its rotor is divided by a number
+// of its own. Further members for proofs and bodies: proof_data.h. Readers: page/*.js.
 #ifndef KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H
 #define KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H
 
@@ -26,12 +26,12 @@
 #include "core/motion/scene.h"
 #include "experiments/view/recorded_run.h"
 
-namespace kinex {
+namespace kinex::view {
 
 // One run, or two of the same scene that start at the same time. `hash`: of the scene's file.
 std::string page_data(const Scene& scene, const std::string& hash,
                       const std::vector<RecordedRun>& runs);
 
-}  // namespace kinex
+}  // namespace kinex::view
 
 #endif

@@ -2,46 +2,16 @@
 #include "experiments/view/proof_recorder.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
-#include <string_view>
 
-#include "predicates/bodies/pose_2.h"
-#include "structures/collision/body_grid.h"
-#include "structures/collision/collision_pairs.h"
-#include "structures/collision/separation_minkowski.h"
-#include "structures/collision/separation_mixed.h"
+namespace kinex::view {
 
-namespace kinex {
-
-namespace {
-
-// The roles of the arguments of a predicate on a pose: lines and points of the first body or of the
-// second one, which is negated.
-enum class Role : std::uint8_t { kNone, kLine, kPoint };
-struct Argument {
-  Role role = Role::kNone;
-  bool second = false;
-};
-Argument argument_of(std::string_view predicate, std::size_t i) {
-  if (i == 0) return {};
-  if (predicate.starts_with("normal_order")) return {Role::kLine, i == 2};
-  // The first two are points inside of the polygons.
-  if (predicate.ends_with("_of_ray")) return {i > 2 ? Role::kPoint : Role::kNone, i == 4};
-  if (predicate != "side_a" && predicate != "inside_a" && predicate != "side_b" &&
-      predicate != "inside_b") {
-    return {};
-  }
-  const bool line_of_second = predicate.back() == 'b';
-  return {i == 1 ? Role::kLine : Role::kPoint, (i == 1) == line_of_second};
-}
-
-}  // namespace
-
-const PairProof* proof_after(const PairHistory& history, std::uint64_t event) {
-  const auto next = std::upper_bound(
-      history.proofs.begin(), history.proofs.end(), event,
-      [](std::uint64_t number, const PairProof& proof) { return number < proof.event; });
-  return next == history.proofs.begin() ? nullptr : &*(next - 1);
+std::size_t ProofRecorder::KeyHash::operator()(
+    const std::pair<std::uint64_t, std::vector<ObjectId>>& key) const {
+  std::uint64_t hash = key.first;
+  for (const ObjectId id : key.second) hash = (hash ^ id) * 0x9e3779b97f4a7c15u;
+  return static_cast<std::size_t>(hash ^ (hash >> 32));
 }
 
 ObjectId ProofRecorder::recorded(ObjectId id) {
@@ -55,25 +25,22 @@ ObjectId ProofRecorder::recorded(ObjectId id) {
   thing = static_cast<ObjectId>(objects + run_.things.size());
   RecordedThing& made = run_.things.emplace_back();
   made.name = object.name;
+  made.feature = object.feature;
   if (object.construction == nullptr) {
     for (const auto& axis : object.trajectory.coordinates) made.coordinates.push_back(axis[0]);
   }
   return thing;
 }
 
-// The pair that a certificate is about: the bases of its pose, or the two bodies it names.
-ProofRecorder::Pair ProofRecorder::pair_of(const Query& query) const {
-  const DerivedObjects& derived = simulator_.kernel().derived();
-  ObjectId a = query.ids[0], b = query.ids[1];
-  if (derived.is_derived(a)) {
-    const std::vector<ObjectId>& bases = derived.object(a).bases;
-    a = bases[0];
-    b = bases[1];
+ProofGroup ProofRecorder::recorded(ProofGroup group) {
+  for (ObjectId& id : group.about) id = recorded(id);
+  for (ProofMark& mark : group.marks) {
+    for (ObjectId& id : mark.objects) id = recorded(id);
   }
-  return {std::min(a, b), std::max(a, b)};
+  return group;
 }
 
-// Without turning: the farthest feature of the body in the direction of a line of the sum.
+// The farthest feature of a body in the direction of a line of the sum.
 FrameFeature ProofRecorder::support(const Query& query, bool second) const {
   const DerivedObjects& derived = simulator_.kernel().derived();
   const std::vector<ObjectId>& bases = derived.object(query.ids[0]).bases;
@@ -89,21 +56,23 @@ FrameFeature ProofRecorder::support(const Query& query, bool second) const {
   return support_feature(scene_.objects[bases[second ? 1 : 0]].polygon, second, m);
 }
 
-FrameFeature ProofRecorder::feature(const Query& query, std::size_t argument,
-                                    std::string_view predicate, bool of_sum) const {
-  const Argument is = argument_of(predicate, argument);
-  if (is.role == Role::kNone) return {};
-  if (of_sum) return support(query, is.second);
+FrameFeature ProofRecorder::feature(const Query& query, std::size_t argument, const ClaimForm& form,
+                                    bool of_sum) const {
+  if (argument >= form.roles.size()) return {};
+  const ArgumentRole& role = form.roles[argument];
+  const bool line = role.kind == ArgumentRole::Kind::kFrameLine;
+  if (!line && role.kind != ArgumentRole::Kind::kFramePoint) return {};
+  const bool second = role.frame == 1;
+  if (of_sum) return support(query, second);
   const DerivedObjects& derived = simulator_.kernel().derived();
-  const ObjectId body = derived.object(query.ids[0]).bases[is.second ? 1 : 0];
+  const ObjectId body = derived.object(query.ids[0]).bases[role.frame];
   const std::vector<Vertex2>& polygon = scene_.objects[body].polygon;
   std::vector<Rational> numbers;
   for (const auto& axis : derived.trajectory(query.ids[argument]).coordinates) {
     numbers.push_back(axis[0]);
   }
   numbers.resize(3);
-  return is.role == Role::kLine ? line_feature(polygon, is.second, numbers)
-                                : point_feature(polygon, is.second, numbers);
+  return line ? line_feature(polygon, second, numbers) : point_feature(polygon, second, numbers);
 }
 
 std::uint32_t ProofRecorder::claim(const Query& query, bool of_sum) {
@@ -115,63 +84,168 @@ std::uint32_t ProofRecorder::claim(const Query& query, bool of_sum) {
     RecordedClaim& made = run_.claims.emplace_back();
     made.predicate = query.predicate;
     made.arguments = std::move(arguments);
-    const std::string_view name =
-        simulator_.arithmetic().predicate(query.predicate).name();
+    const ClaimForm form = simulator_.arithmetic().predicate(query.predicate).form();
     for (std::size_t i = 0; i < query.arity; ++i) {
-      made.features.push_back(feature(query, i, name, of_sum));
+      made.features.push_back(feature(query, i, form, of_sum));
     }
   }
   return known->second;
 }
 
-void ProofRecorder::look(StructureId id, const Structure& structure, std::uint64_t event) {
-  if (watched_.size() <= id) watched_.resize(run_.structures.size());
-  Watched& watched = watched_[id];
-  const StructureLedger& ledger = simulator_.ledger(id);
-  if (watched.created == ledger.certificates_created &&
-      watched.retracted == ledger.certificates_retracted)
-    return;
-  watched.created = ledger.certificates_created;
-  watched.retracted = ledger.certificates_retracted;
+void ProofRecorder::note_outlook(CertificateId id, RecordedCertificate& certificate) const {
   const EventQueue& queue = simulator_.queue();
-  std::vector<std::pair<std::uint32_t, CertificateId>> live;
-  for (CertificateId c = 0; c < queue.capacity(); ++c) {
-    const Certificate& certificate = queue.certificate(c);
-    if (!certificate.live || certificate.structure != id) continue;
-    if ((certificate.tag & BodyGrid::kTag) == 0) live.emplace_back(certificate.tag, c);
-  }
-  std::sort(live.begin(), live.end());
-  const auto* sums = dynamic_cast<const SeparationMinkowski*>(&structure);
-  const auto* tiles = dynamic_cast<const SeparationMixed*>(&structure);
-  std::vector<PairHistory>& histories = run_.structures[id].pairs;
-  std::vector<PairProof> now(histories.size());
-  for (const auto& [tag, c] : live) {
-    const Query& query = queue.certificate(c).query;
-    const Pair pair = pair_of(query);
-    const auto [known, is_new] = watched.place.try_emplace(pair, histories.size());
-    if (is_new) {
-      histories.push_back({pair.first, pair.second, {}});
-      now.emplace_back();
-    }
-    PairProof& proof = now[known->second];
-    if (tiles != nullptr && simulator_.kernel().derived().is_derived(query.ids[0])) {
-      proof.tile = tiles->tile(pair.first, pair.second);
-    }
-    // While two bodies overlap the lines are their own.
-    const bool of_sum = sums != nullptr && !sums->in_contact(pair.first, pair.second);
-    proof.claims.push_back(claim(query, of_sum));
-  }
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    std::vector<PairProof>& proofs = histories[i].proofs;
-    if (!proofs.empty() && proofs.back().claims == now[i].claims &&
-        proofs.back().tile == now[i].tile) {
-      continue;
-    }
-    now[i].event = event;
-    // Two looks at one event: the second one sees its result.
-    if (!proofs.empty() && proofs.back().event == event) proofs.pop_back();
-    proofs.push_back(std::move(now[i]));
-  }
+  certificate.outlook = queue.certificate(id).outlook;
+  if (!queue.queued(id)) return;
+  const FailureTime time = queue.time(id);
+  certificate.time = time.lo + (time.hi - time.lo) / 2;
 }
 
-}  // namespace kinex
+// One look at a proof: compares what the structure shows with what is known.
+class ProofRecorder::Visit final : public ProofVisitor {
+ public:
+  Visit(ProofRecorder& recorder, StructureId id, Watched& watched)
+      : recorder_(recorder),
+        proof_(recorder.run_.structures[id].proof),
+        watched_(watched),
+        look_(++watched.looks) {}
+
+  void group(const ProofGroup& group) override {
+    ++watched_.visits;
+    key_.first = group.place;
+    if (group.place == ProofGroup::kNoPlace) {
+      key_.second = group.about;
+    } else {
+      key_.second.clear();
+    }
+    const auto [place, is_new] =
+        watched_.numbers.try_emplace(key_, static_cast<std::uint32_t>(watched_.groups.size()));
+    if (is_new) watched_.groups.emplace_back();
+    number_ = place->second;
+    slot_ = 0;
+    of_sum_ = group.of_sum;
+    groups_.push_back(number_);
+    KnownGroup& known = watched_.groups[number_];
+    known.seen = look_;
+    ProofGroup now = recorder_.recorded(group);
+    if (known.state != kNone && proof_.groups[known.state].state == now) return;
+    known.state = static_cast<std::uint32_t>(proof_.groups.size());
+    proof_.groups.push_back({number_, std::move(now)});
+    change.states.push_back(known.state);
+  }
+
+  void certificate(CertificateId id, std::string_view role) override {
+    ++watched_.visits;
+    live_.push_back(id);
+    if (watched_.certificates.size() <= id) watched_.certificates.resize(id + std::size_t{1});
+    KnownCertificate& known = watched_.certificates[id];
+    const Query query = recorder_.simulator_.queue().query(id);
+    const std::uint32_t slot = slot_++;
+    known.seen = look_;
+    if (known.number != kNone) {
+      RecordedCertificate& record = proof_.certificates[known.number];
+      if (known.query == query && record.group == number_ && record.slot == slot &&
+          record.role == role) {
+        recorder_.note_outlook(id, record);
+        return;
+      }
+      change.gone.push_back(known.number);
+    }
+    known.query = query;
+    known.number = static_cast<std::uint32_t>(proof_.certificates.size());
+    RecordedCertificate& record = proof_.certificates.emplace_back();
+    record.group = number_;
+    record.slot = slot;
+    record.role = role;
+    record.claim = recorder_.claim(query, of_sum_);
+    recorder_.note_outlook(id, record);
+    change.came.push_back(known.number);
+  }
+
+  // What was there at the last look and is no longer shown.
+  void finish() {
+    for (const CertificateId id : watched_.live) {
+      KnownCertificate& known = watched_.certificates[id];
+      if (known.seen == look_) continue;
+      change.gone.push_back(known.number);
+      known.number = kNone;
+    }
+    for (const std::uint32_t number : watched_.live_groups) {
+      KnownGroup& known = watched_.groups[number];
+      if (known.seen == look_) continue;
+      change.ended.push_back(number);
+      known.state = kNone;
+    }
+    watched_.live = std::move(live_);
+    watched_.live_groups = std::move(groups_);
+  }
+
+  ProofChange change;
+
+ private:
+  ProofRecorder& recorder_;
+  RecordedProof& proof_;
+  Watched& watched_;
+  const std::uint64_t look_;
+  std::pair<std::uint64_t, std::vector<ObjectId>> key_;
+  std::uint32_t number_ = 0, slot_ = 0;
+  bool of_sum_ = false;
+  std::vector<CertificateId> live_;
+  std::vector<std::uint32_t> groups_;
+};
+
+// Two changes at one event are one: the second one has the result.
+void ProofRecorder::add(StructureId id, ProofChange change) {
+  std::vector<ProofChange>& changes = run_.structures[id].proof.changes;
+  if (changes.empty() || changes.back().event != change.event) {
+    changes.push_back(std::move(change));
+    return;
+  }
+  ProofChange& last = changes.back();
+  for (const std::uint32_t c : change.gone) {
+    const auto brief = std::find(last.came.begin(), last.came.end(), c);
+    if (brief == last.came.end()) {
+      last.gone.push_back(c);
+    } else {
+      last.came.erase(brief);
+    }
+  }
+  const std::vector<RecordedGroup>& groups = run_.structures[id].proof.groups;
+  const auto of_group = [&](std::uint32_t number) {
+    return [&groups, number](std::uint32_t state) { return groups[state].group == number; };
+  };
+  for (const std::uint32_t number : change.ended) {
+    std::erase_if(last.states, of_group(number));
+    last.ended.push_back(number);
+  }
+  for (const std::uint32_t state : change.states) {
+    std::erase_if(last.states, of_group(groups[state].group));
+    std::erase(last.ended, groups[state].group);
+    last.states.push_back(state);
+  }
+  last.came.insert(last.came.end(), change.came.begin(), change.came.end());
+}
+
+void ProofRecorder::look(StructureId id, const Structure& structure, std::uint64_t event,
+                         bool reported) {
+  if (watched_.size() <= id) watched_.resize(run_.structures.size());
+  Watched& watched = watched_[id];
+  if (run_.structures[id].proof.ends) return;
+  const StructureLedger& ledger = simulator_.ledger(id);
+  if (!reported && watched.created == ledger.certificates_created &&
+      watched.retracted == ledger.certificates_retracted) {
+    return;
+  }
+  watched.created = ledger.certificates_created;
+  watched.retracted = ledger.certificates_retracted;
+  if (watched.visits > most_visits_) {
+    run_.structures[id].proof.ends = event == 0 ? 0 : event - 1;
+    return;
+  }
+  Visit visit(*this, id, watched);
+  structure.visit_proof(visit);
+  visit.finish();
+  visit.change.event = event;
+  if (!visit.change.empty()) add(id, std::move(visit.change));
+}
+
+}  // namespace kinex::view

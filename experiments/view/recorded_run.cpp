@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace kinex {
+namespace kinex::view {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::uint64_t first_divergence(const RecordedRun& a, const RecordedRun& b) {
   return static_cast<std::uint64_t>(x - a.all.begin()) + 1;
 }
 
-}  // namespace kinex
+}  // namespace kinex::view

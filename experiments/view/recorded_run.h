@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RecordedRun: a run as data: every event with its certificate and instant, and the attribute of
-// every structure after each of them; in scenes of bodies also the proof of every pair. Nothing is
-// recomputed: all of it was reported by the run.
+// every structure and its proof after each of them. Nothing is recomputed: all data come from the
+// run.
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 
@@ -11,21 +11,28 @@
 #include <vector>
 
 #include "core/engine/event.h"
+#include "core/numbers/instant_name.h"
+#include "core/numbers/polynomial.h"
 #include "core/numbers/rational.h"
-#include "experiments/scene_run.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/view/attribute_change.h"
 #include "experiments/view/recorded_proof.h"
 #include "experiments/view/stage_watch.h"
 
-namespace kinex {
+namespace kinex::view {
+
+struct RecordedInstant {
+  InstantName name;              // in every detail
+  std::optional<Rational> near;  // a number near it, for drawing; nullopt: not finite
+};
 
 struct RecordedEvent {
   Event event;              // without its reason
   std::string reason;       // of a rebuild
   std::size_t instant = 0;  // index into RecordedRun::instants
-  // The certificate's polynomial under the motions in force: primitive, low degree first. Empty if
-  // it is `sign` times that of the instant, or if there is no certificate.
-  std::vector<std::string> polynomial;
+  // The certificate's polynomial under the motions in force, primitive; zero if it is `sign` times
+  // that of the instant, or if there is no certificate.
+  Polynomial polynomial;
   int sign = 0;
   std::optional<StagesUsed> stages;
 };
@@ -40,7 +47,7 @@ struct RecordedStructure {
   // Corrupt in an inexact arithmetic after this many events: no attribute from then on.
   std::optional<std::uint64_t> corrupt_after;
   std::string corruption;
-  std::vector<PairHistory> pairs;  // of bodies; in the order in which they first had a proof
+  RecordedProof proof;
 };
 
 struct RecordedRun {
@@ -48,13 +55,14 @@ struct RecordedRun {
   bool exact = true;
   Rational start;            // of what is recorded
   std::uint64_t before = 0;  // events before it
-  bool complete = true;      // to the end of the scene
-  std::string stopped;       // why it is not complete
+  bool complete = true;      // recorded to the end of the scene
+  std::string stopped;       // the reason if it is not complete
   std::vector<Event> all;    // every event from the start of the run on, recorded or not
   std::vector<RecordedEvent> events;
-  std::vector<InstantText> instants;
+  std::vector<RecordedInstant> instants;
   std::vector<RecordedStructure> structures;
   std::vector<std::string> predicates;  // by PredicateId
+  std::vector<ClaimForm> forms;         // likewise
   // Derived objects that the record names; their ids are counted on from those of the scene.
   std::size_t objects = 0;  // of the scene
   std::vector<RecordedThing> things;
@@ -70,6 +78,6 @@ std::optional<Attribute> attribute_after(const RecordedStructure& structure, std
 // ids; 0: they are equal, or one was stopped and is a prefix of the other.
 std::uint64_t first_divergence(const RecordedRun& a, const RecordedRun& b);
 
-}  // namespace kinex
+}  // namespace kinex::view
 
 #endif

@@ -10,31 +10,33 @@
 #include "core/engine/refused_change.h"
 #include "core/numbers/check.h"
 #include "core/numbers/stop.h"
-#include "experiments/gmp_memory.h"
-#include "experiments/input_error.h"
-#include "experiments/log_digest.h"
-#include "experiments/scene_run.h"
-#include "experiments/view/certificate_polynomial.h"
+#include "experiments/formats/certificate_polynomial.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/log_digest.h"
+#include "experiments/lab/gmp_memory.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/view/proof_recorder.h"
 #include "experiments/view/watched_structure.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
 
-namespace kinex {
+namespace kinex::view {
 
 namespace {
 
-std::vector<std::string> coefficients(const Polynomial& p) {
-  std::vector<std::string> texts;
-  for (const Integer& c : p.coefficients()) texts.push_back(c.to_string());
-  return texts;
+// A number near now, for drawing.
+std::optional<Rational> near_now(const InstantName& name, const Arithmetic& arithmetic) {
+  if (!name.exact) return arithmetic.now_value();
+  if (name.is_rational()) return name.lower;
+  const std::optional<Rational> near = Rational::from_double(arithmetic.now_approximate());
+  return near ? near : (name.lower + name.upper) / Rational(2);
 }
 
 class Recorder final : public EventSink {
  public:
   Recorder(const Scene& scene, const RecordOptions& options)
-      : scene_(scene), options_(options), motions_(scene) {
-    auto watch = make_stage_watch(arithmetic_option(options.arithmetic, scene));
+      : scene_(scene), options_(options) {
+    auto watch = make_stage_watch(lab::arithmetic_option(options.arithmetic, scene));
     stages_ = watch.get();
     run_.arithmetic = watch->name();
     run_.exact = watch->is_exact();
@@ -46,7 +48,7 @@ class Recorder final : public EventSink {
     };
     simulator_.emplace(scene, std::move(watch), simulator_options);
     run_.objects = scene.objects.size();
-    if (scene.has_bodies()) proofs_.emplace(scene, *simulator_, run_);
+    proofs_.emplace(scene, *simulator_, run_, options_.most_visits);
     add_structures();
     digest_.emplace(*simulator_);
     simulator_->set_sink(this);
@@ -55,7 +57,7 @@ class Recorder final : public EventSink {
   RecordedRun run() {
     recording_ = !options_.from || *options_.from == scene_.start;
     run_.start = options_.from ? *options_.from : scene_.start;
-    const GmpGuard guard(&simulator_->deadline());
+    const lab::GmpGuard guard(&simulator_->deadline());
     if (!simulator_->start()) throw Stopped();  // there is nothing to show
     RunStatus status = RunStatus::kDone;
     if (!recording_) {
@@ -72,6 +74,7 @@ class Recorder final : public EventSink {
     if (run_.complete) check_final_states();
     for (PredicateId id = 0; id < stages_->predicates(); ++id) {
       run_.predicates.emplace_back(stages_->predicate(id).name());
+      run_.forms.push_back(stages_->predicate(id).form());
     }
     run_.digest = digest_->hex();
     return std::move(run_);
@@ -82,11 +85,8 @@ class Recorder final : public EventSink {
     const RecordedStructure& structure = run_.structures[event.structure];
     State& state = states_[event.structure];
     const bool common = event.kind >= structure.kinds.size() - kCommonEvents;
-    if (common) note_motion(event, structure.kinds.size());
     if (full_) return;
     const bool record = recording_ && run_.events.size() < options_.max_events;
-    InstantText instant;
-    if (record || options_.observe) instant = arithmetic.describe_now();
     const std::string& kind = structure.kinds[event.kind];
     if (recording_ && !record)
       return stop("it has more than " + std::to_string(options_.max_events) + " log records");
@@ -94,8 +94,8 @@ class Recorder final : public EventSink {
     if (options_.observe) {
       name_all(event.gone, gone_);
       name_all(event.came, came_);
-      if (!options_.observe(
-              {events_ + 1, structure.label, kind, names_, gone_, came_, event, instant})) {
+      if (!options_.observe({events_ + 1, structure.label, kind, names_, gone_, came_, event,
+                             arithmetic.name_now(InstantDetail::kName)})) {
         return stop(std::string(kLogEnds));
       }
     }
@@ -105,7 +105,7 @@ class Recorder final : public EventSink {
     if (!record) return;
     if (state.first_pending == 0) state.first_pending = events_;
     state.changed = state.changed || event.external || common;
-    record_event(event, std::move(instant));
+    record_event(event, arithmetic);
   }
 
  private:
@@ -155,6 +155,7 @@ class Recorder final : public EventSink {
       record.key = planned.request.key;
       const StructureInfo* info = find_structure_info(planned.request.structure);
       record.has_key = info != nullptr && info->uses_key;
+      record.proof.reads = planned.watches;
       simulator_->add(
           id, std::make_unique<WatchedStructure>(std::move(structure), [this, id] { look(id); }),
           planned.request.label, std::move(watches));
@@ -169,18 +170,10 @@ class Recorder final : public EventSink {
     run_.stopped = std::move(why);
   }
 
-  void note_motion(const Event& event, std::size_t kinds) {
-    const auto kind = static_cast<CommonEvent>(event.kind - (kinds - kCommonEvents));
-    if (kind == CommonEvent::kMotion || kind == CommonEvent::kInsert) {
-      motions_.changed(event.ids[0], simulator_->reached());
-    }
-  }
-
   // Without its reason and its difference, and with derived objects as the record numbers them.
   Event as_recorded(Event event) {
     event.reason = {};
     event.gone = event.came = {};
-    if (!proofs_) return event;
     for (std::size_t i = 0; i < event.count; ++i) event.ids[i] = proofs_->recorded(event.ids[i]);
     for (std::size_t i = 0; i < event.certificate.arity; ++i) {
       event.certificate.ids[i] = proofs_->recorded(event.certificate.ids[i]);
@@ -189,36 +182,31 @@ class Recorder final : public EventSink {
   }
 
   Polynomial polynomial(const Query& query) const {
-    const Predicate& predicate = stages_->predicate(query.predicate);
-    if (proofs_) return certificate_polynomial(predicate, query, simulator_->kernel().derived());
-    return certificate_polynomial(predicate, query, motions_);
+    return formats::certificate_polynomial(stages_->predicate(query.predicate), query,
+                                  simulator_->kernel().derived());
   }
 
-  void record_event(const Event& event, InstantText instant) {
+  void record_event(const Event& event, Arithmetic& arithmetic) {
+    const InstantName& instant = arithmetic.name_now(InstantDetail::kName);
     RecordedEvent record;
     record.event = as_recorded(event);
     record.reason = std::string(event.reason);
     if (event.certificate.arity > 0) {
-      const Polynomial p = polynomial(event.certificate);
-      record.polynomial = coefficients(p);
+      Polynomial p = polynomial(event.certificate);
       record.stages = stages_->stages(event.certificate);
-      if (instant.exact && record.polynomial == instant.polynomial) {
+      if (instant.exact && p == instant.polynomial) {
         record.sign = 1;
-      } else if (instant.exact && coefficients(-p) == instant.polynomial) {
+      } else if (instant.exact && -p == instant.polynomial) {
         record.sign = -1;
+      } else {
+        record.polynomial = std::move(p);
       }
-      if (record.sign != 0) record.polynomial.clear();
     }
-    if (run_.instants.empty() || !equal(run_.instants.back(), instant)) {
-      run_.instants.push_back(std::move(instant));
+    if (run_.instants.empty() || run_.instants.back().name.number != instant.number) {
+      run_.instants.push_back({instant, near_now(instant, arithmetic)});
     }
     record.instant = run_.instants.size() - 1;
     run_.events.push_back(std::move(record));
-  }
-
-  static bool equal(const InstantText& a, const InstantText& b) {
-    return a.approximate == b.approximate && a.root == b.root && a.polynomial == b.polynomial &&
-           a.lower == b.lower && a.upper == b.upper;
   }
 
   void take_initial(StructureId id) {
@@ -229,7 +217,7 @@ class Recorder final : public EventSink {
     if (simulator_->ledger(id).corrupt) return;
     state.attribute = state.structure->attribute();
     run_.structures[id].initial = state.attribute;
-    if (proofs_) proofs_->look(id, *state.structure, events_);
+    proofs_->look(id, *state.structure, events_, true);
   }
 
   // The structure has returned from a call.
@@ -241,7 +229,7 @@ class Recorder final : public EventSink {
     const std::uint64_t first = std::exchange(state.first_pending, 0);
     const bool changed = std::exchange(state.changed, false);
     if (simulator_->ledger(id).corrupt) return;
-    if (proofs_ && !full_) proofs_->look(id, *state.structure, first != 0 ? first : events_);
+    if (!full_) proofs_->look(id, *state.structure, first != 0 ? first : events_, first != 0);
     if (first == 0 ? full_ : !changed) return;
     Attribute attribute = state.structure->attribute();
     AttributeChange change = difference(state.attribute, attribute);
@@ -274,17 +262,16 @@ class Recorder final : public EventSink {
   const Scene& scene_;
   const RecordOptions& options_;
   RecordedRun run_;
-  MotionsInForce motions_;
   StageWatch* stages_ = nullptr;
   std::vector<State> states_;
   std::optional<Simulator> simulator_;
-  std::optional<ProofRecorder> proofs_;  // in scenes of bodies
+  std::optional<ProofRecorder> proofs_;
   std::vector<std::string_view> names_;  // of the present event's objects
   std::vector<std::string_view> gone_, came_;
   std::uint64_t events_ = 0;
   bool recording_ = false;
   bool full_ = false;
-  std::optional<LogDigest> digest_;
+  std::optional<formats::LogDigest> digest_;
 };
 
 }  // namespace
@@ -294,4 +281,4 @@ RecordedRun record_run(const Scene& scene, const RecordOptions& options) {
   return recorder.run();
 }
 
-}  // namespace kinex
+}  // namespace kinex::view

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace kinex {
+namespace kinex::view {
 
 namespace {
 
@@ -19,7 +19,8 @@ Stage highest(const StageCounts& before, const StageCounts& after) {
 
 }  // namespace
 
-StageWatch::StageWatch(std::unique_ptr<Arithmetic> arithmetic) : inner_(std::move(arithmetic)) {}
+StageWatch::StageWatch(std::unique_ptr<Arithmetic> arithmetic)
+    : Arithmetic(arithmetic->needs()), inner_(std::move(arithmetic)) {}
 
 namespace {
 
@@ -116,4 +117,4 @@ std::string_view stage_name(Stage stage) {
   return "";
 }
 
-}  // namespace kinex
+}  // namespace kinex::view

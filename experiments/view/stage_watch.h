@@ -11,7 +11,7 @@
 #include "core/arithmetic/arithmetic.h"
 #include "core/arithmetic/touch.h"
 
-namespace kinex {
+namespace kinex::view {
 
 struct StagesUsed {
   Stage found = Stage::kDouble;    // the failure time
@@ -22,7 +22,7 @@ class StageWatch : public Arithmetic {
  public:
   explicit StageWatch(std::unique_ptr<Arithmetic> arithmetic);
 
-  // Of the failure time last found for this certificate; nullopt: none.
+  // The stages used for the failure time last found for this certificate; nullopt if there is none.
   std::optional<StagesUsed> stages(const Query& query) const;
 
   std::string name() const override { return inner_->name(); }
@@ -38,6 +38,7 @@ class StageWatch : public Arithmetic {
   void visit(const Query& query, const FailureTime& time) override { inner_->visit(query, time); }
   void leave() override { inner_->leave(); }
   double now_approximate() const override { return inner_->now_approximate(); }
+  std::optional<Rational> now_value() const override { return inner_->now_value(); }
   double now_rounded() override { return inner_->now_rounded(); }
   const InstantName& name_now(InstantDetail detail) override { return inner_->name_now(detail); }
   Sign sign_after(const Query& query) override { return inner_->sign_after(query); }
@@ -75,7 +76,7 @@ class StageWatch : public Arithmetic {
   std::unordered_map<Query, StagesUsed, Hash> stages_;
 };
 
-// The same for an arithmetic that also gives signs at now.
+// StageWatch for an arithmetic that also gives signs at now.
 class ExactStageWatch final : public StageWatch, public SignNow {
  public:
   // Requires a SignNow.
@@ -86,12 +87,12 @@ class ExactStageWatch final : public StageWatch, public SignNow {
   SignNow* signs_;
 };
 
-// One or the other, as `arithmetic` is.
+// An ExactStageWatch if `arithmetic` is a SignNow, else a StageWatch.
 std::unique_ptr<StageWatch> make_stage_watch(std::unique_ptr<Arithmetic> arithmetic);
 
 // "double", "128-bit integers", "MPFR", "exact integers".
 std::string_view stage_name(Stage stage);
 
-}  // namespace kinex
+}  // namespace kinex::view
 
 #endif

@@ -12,12 +12,12 @@
 #include "core/engine/structure.h"
 #include "core/numbers/stop.h"
 
-namespace kinex {
+namespace kinex::view {
 
 class WatchedStructure final : public Structure {
  public:
-  // `done` is called when a call that may change the attribute has returned, or thrown; not when it
-  // was stopped, or memory was exhausted: the state is then undefined.
+  // `done` is called when a call that may change the attribute has returned or thrown. It is not
+  // called if the call was stopped or memory was exhausted: the state is then undefined.
   WatchedStructure(std::unique_ptr<Structure> structure, std::function<void()> done)
       : structure_(std::move(structure)), done_(std::move(done)) {}
 
@@ -54,6 +54,7 @@ class WatchedStructure final : public Structure {
   }
   Attribute attribute() const override { return structure_->attribute(); }
   Attribute told() const override { return structure_->told(); }
+  void visit_proof(ProofVisitor& visitor) const override { structure_->visit_proof(visitor); }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override {
     return structure_->bounds(context);
   }
@@ -88,6 +89,6 @@ class WatchedStructure final : public Structure {
   std::function<void()> done_;
 };
 
-}  // namespace kinex
+}  // namespace kinex::view
 
 #endif

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // discs_apart(a, b, reach) = (x_b - x_a)^2 + (y_b - y_a)^2 - reach^2  homogeneous of degree 2
 // x_gap(a, b, reach)       = x_b - x_a - reach                        homogeneous of degree 1
+// x_beyond(a, line)        = x_a - line                               homogeneous of degree 1
+// Identities: predicates/bodies/body_gap.h.
 #include "predicates/bodies/body_gap.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "predicates/bodies/wide_predicate.h"
@@ -16,6 +19,18 @@ const R* axis_of(const MotionView<R>* points, int i, int axis, std::size_t power
   return points[i] + static_cast<std::size_t>(axis) * powers;
 }
 
+constexpr std::array<ArgumentRole, 3> kTwoBodies{{{"first", ArgumentRole::Kind::kBody},
+                                                  {"second", ArgumentRole::Kind::kBody},
+                                                  {"reach", ArgumentRole::Kind::kNumber}}};
+constexpr std::array<ArgumentRole, 2> kBodyAndMark{
+    {{"body", ArgumentRole::Kind::kBody}, {"coordinate", ArgumentRole::Kind::kNumber}}};
+
+std::vector<Integer> unit(int axis) {
+  std::vector<Integer> direction(static_cast<std::size_t>(axis) + 1);
+  direction.back() = Integer(1);
+  return direction;
+}
+
 struct DiscsApart {
   static constexpr int kArity = 3;
   static constexpr int kHomogeneity = 2;
@@ -24,6 +39,14 @@ struct DiscsApart {
 
   std::string_view name() const { return negated ? "discs_overlap" : "discs_apart"; }
   std::string_view opposite() const { return negated ? "discs_apart" : "discs_overlap"; }
+  ClaimForm form() const {
+    return {ClaimFigure::kDiscs,
+            negated ? -1 : 1,
+            kTwoBodies,
+            negated ? "the origins of {0} and {1} are at most {2} apart"
+                    : "the origins of {0} and {1} are at least {2} apart",
+            {}};
+  }
   int degree(int motion_degree) const { return 2 * motion_degree; }
 
   template <class R>
@@ -69,6 +92,10 @@ struct AxisGap {
   int axis;
 
   std::string_view name() const { return axis == 0 ? "x_gap" : "y_gap"; }
+  ClaimForm form() const {
+    return {ClaimFigure::kGap, 1, kTwoBodies,
+            "on the axis the origin of {1} is beyond that of {0} by at least {2}", unit(axis)};
+  }
   int degree(int motion_degree) const { return motion_degree; }
 
   template <class R>
@@ -95,6 +122,12 @@ struct BeyondLine {
     return axis == 0 ? "x_beyond" : "y_beyond";
   }
   std::string_view opposite() const { return BeyondLine{axis, !negated}.name(); }
+  ClaimForm form() const {
+    return {ClaimFigure::kBeyond, negated ? -1 : 1, kBodyAndMark,
+            negated ? "on the axis the origin of {0} is not beyond {1}"
+                    : "on the axis the origin of {0} is not short of {1}",
+            unit(axis)};
+  }
   int degree(int motion_degree) const { return motion_degree; }
 
   template <class R>

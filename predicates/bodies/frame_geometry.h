@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact points and lines in the frame of one polygon, homogeneous: the constants of pose forms.
+// Exact points and lines in the frame of one polygon, in homogeneous integer coordinates: the
+// constants of pose forms (predicates/bodies/pose_form.h).
 #ifndef KINEX_PREDICATES_BODIES_FRAME_GEOMETRY_H
 #define KINEX_PREDICATES_BODIES_FRAME_GEOMETRY_H
 
@@ -40,11 +41,12 @@ FrameLine frame_line(const Rational& nx, const Rational& ny, const FramePoint& t
 FrameLine frame_line(const Rational& nx, const Rational& ny, const Rational& h);
 // The common point of two lines. Requires turn(first, second) positive.
 FramePoint meeting(const FrameLine& first, const FrameLine& second);
-// The side of the line on which p lies: positive on the side of its normal.
+// The sign of n.p - h: positive on the side of the line's normal, zero on the line.
 Sign side(const FrameLine& line, const FramePoint& p);
-// Positive iff the normals turn counter-clockwise, by less than half a turn, from first to second.
+// Positive iff the normals turn counter-clockwise, by less than half a turn, from first to second;
+// zero iff they are parallel. turn(b, a) = -turn(a, b).
 Sign turn(const FrameLine& first, const FrameLine& second);
-// 0: angle in [0, 90) degrees, 1: [90, 180), and so on.
+// The quadrant of the normal's angle: 0 for [0, 90) degrees, 1 for [90, 180), and so on.
 int quadrant(const FrameLine& line);
 
 // A convex polygon in its frame.
@@ -53,8 +55,9 @@ struct FramePolygon {
   std::vector<FrameLine> edges;  // edges[i] from vertices[i] to the next; by angle of the normal
   std::size_t size() const { return vertices.size(); }
 };
-// A body's polygon, `negated` (turned by half a turn about its origin) or as it is. The first edge
-// is the one of smallest normal angle in [0, 360) degrees: shuffled input gives the same.
+// A body's polygon, `negated` (turned by half a turn about its origin) or unchanged. The first edge
+// is the one with the smallest normal angle in [0, 360) degrees, so every rotation of the vertex
+// list gives the same result.
 FramePolygon frame_polygon(const std::vector<Vertex2>& polygon, bool negated);
 
 // A rational in [sqrt(q), 1.01 sqrt(q)], q >= 0, of few bits beyond those of q; 0 for 0.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Minkowski sum of two convex polygons of which one is turned by a fixed rotation, exactly.
+// The Minkowski sum of two convex polygons, one of them turned by a constant rotation. Exact.
 #ifndef KINEX_PREDICATES_BODIES_MINKOWSKI_SUM_H
 #define KINEX_PREDICATES_BODIES_MINKOWSKI_SUM_H
 
@@ -24,7 +24,8 @@ struct MinkowskiSum {
   std::vector<std::uint32_t> a, b;
 };
 
-// The sum of A and R B', R from the pose (predicates/bodies/pose_2.h); nullopt if R is not constant.
+// The sum of A and R B', with R from the pose (predicates/bodies/pose_2.h); nullopt if R is not
+// constant in t.
 std::optional<MinkowskiSum> minkowski_sum(const FramePolygon& a, const FramePolygon& b,
                                           const Trajectory& pose);
 

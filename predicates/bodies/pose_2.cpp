@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/check.h"
 #include "core/numbers/dyadic_polynomial.h"
 #include "core/numbers/integer.h"
 #include "core/numbers/rational.h"
@@ -123,6 +124,9 @@ class Pose2 final : public Construction {
   std::string_view name() const override { return "pose_2"; }
 
   Trajectory derive(std::span<const Trajectory* const> bases) const override {
+    for (const Trajectory* base : bases) {
+      require(base->dimension() == kBodyAxes, "a pose is of two bodies");
+    }
     if (tries_short_) {
       if (auto pose = short_pose(bases)) return *std::move(pose);
     }
@@ -169,6 +173,20 @@ class Pose2 final : public Construction {
 }  // namespace
 
 std::shared_ptr<const Construction> make_pose_2() { return std::make_shared<Pose2>(true); }
+DerivedKind pose_2_kind(const Scene& scene) {
+  int centre = 0, first = 0, second = 0;  // the two largest degrees of rotors
+  for (const SceneObject& object : scene.objects) {
+    int rotor = 0;
+    for (const MotionPiece& piece : object.motion.pieces) {
+      centre = std::max(centre, piece.trajectory.degree_of_axes(0, 2));
+      rotor = std::max(rotor, piece.trajectory.degree_of_axes(2, kBodyAxes));
+    }
+    second = std::max(second, std::min(first, rotor));
+    first = std::max(first, rotor);
+  }
+  return {"pose_2", kPoseAxes, centre + 2 * (first + second), true};
+}
+
 std::shared_ptr<const Construction> make_long_pose_2() { return std::make_shared<Pose2>(false); }
 
 }  // namespace kinex

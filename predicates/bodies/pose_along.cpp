@@ -2,14 +2,33 @@
 // along_a(pose, (m, h) of A, a, b)  = N e.(t - a - R b),     e = m turned by +90 degrees,
 // along_b(pose, (g, h) of B', a, b) = N (R e).(t - a - R b), e = g turned by +90 degrees,
 // both times the weights of a and b.
-// Degree 1 in the pose and in each constant; see predicates/bodies/pose_2.h. Identities:
-//   (1) against_a = -along_a, against_b = -along_b
-//   (2) reversing the normal changes the sign
-//   (3) h does not enter
+// Degree 1 in the pose and in each constant. Identities: predicates/bodies/pose_2.h.
 #include "predicates/bodies/pose_form.h"
 
 namespace kinex {
 namespace {
+
+constexpr std::array<ArgumentRole, 4> kLineOfFirst{
+    {{"pose", ArgumentRole::Kind::kPose},
+     {"line of the first", ArgumentRole::Kind::kFrameLine, 0},
+     {"point of the first", ArgumentRole::Kind::kFramePoint, 0},
+     {"point of the second", ArgumentRole::Kind::kFramePoint, 1}}};
+constexpr std::array<ArgumentRole, 4> kLineOfSecond{
+    {{"pose", ArgumentRole::Kind::kPose},
+     {"line of the second", ArgumentRole::Kind::kFrameLine, 1},
+     {"point of the first", ArgumentRole::Kind::kFramePoint, 0},
+     {"point of the second", ArgumentRole::Kind::kFramePoint, 1}}};
+
+ClaimForm along_line(bool of_first, bool reversed) {
+  return {
+      ClaimFigure::kAlong,
+      reversed ? -1 : 1,
+      of_first ? kLineOfFirst : kLineOfSecond,
+      reversed
+          ? "the second body, seen from the first, is not beyond {2} + {3} along the line {1}"
+          : "the second body, seen from the first, is not short of {2} + {3} along the line {1}",
+      {}};
+}
 
 struct AlongA {
   static constexpr bool kOfA = true;
@@ -17,6 +36,7 @@ struct AlongA {
   static constexpr std::array<int, 5> kAxes{0, 1, 4, 5, 6};
 
   std::string_view name() const { return "along_a"; }
+  ClaimForm form() const { return along_line(true, false); }
 
   template <class R>
   std::array<R, 5> factors(const Constant<R>* constants) const {
@@ -37,6 +57,7 @@ struct AlongB {
   static constexpr std::array<int, 5> kAxes{2, 3, 4, 5, 6};
 
   std::string_view name() const { return "along_b"; }
+  ClaimForm form() const { return along_line(false, false); }
 
   template <class R>
   std::array<R, 5> factors(const Constant<R>* constants) const {
@@ -61,6 +82,7 @@ struct AlongTouch : Along {
     if (!reversed) return Along::name();
     return Along::kOfA ? "against_a" : "against_b";
   }
+  ClaimForm form() const { return along_line(Along::kOfA, reversed); }
 
   template <class R>
   std::array<R, 5> factors(const Constant<R>* constants) const {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // normal_order(pose, (m, .) of A, (g, .) of B') = (W g) x m = c (g x m) - s (g.m).
-// Degree 1 in the pose and in each line; see predicates/bodies/pose_2.h. Identities:
-//   (1) normal_order_reversed = -normal_order
-//   (2) reversing one of m, g changes the sign; reversing both keeps it
-//   (3) zero iff m and W g are parallel
+// Degree 1 in the pose and in each line. Identities: predicates/bodies/pose_2.h.
 #include "predicates/bodies/pose_form.h"
 
 namespace kinex {
@@ -12,9 +9,21 @@ namespace {
 struct NormalOrder {
   static constexpr int kArity = 3;
   static constexpr std::array<int, 2> kAxes{5, 6};
+  static constexpr std::array<ArgumentRole, 3> kRoles{
+      {{"pose", ArgumentRole::Kind::kPose},
+       {"line of the first", ArgumentRole::Kind::kFrameLine, 0},
+       {"line of the second", ArgumentRole::Kind::kFrameLine, 1}}};
   bool reversed;
 
   std::string_view name() const { return reversed ? "normal_order_reversed" : "normal_order"; }
+  ClaimForm form() const {
+    return {ClaimFigure::kNormals,
+            reversed ? -1 : 1,
+            kRoles,
+            reversed ? "the normal of {1} is not counter-clockwise of that of {2}"
+                     : "the normal of {1} is not clockwise of that of {2}",
+            {}};
+  }
   std::string_view opposite() const { return reversed ? "normal_order" : "normal_order_reversed"; }
 
   template <class R>

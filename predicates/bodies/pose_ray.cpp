@@ -3,10 +3,7 @@
 // weights of all four points. With u = a - a0 and w = b - b0 this is N times
 //   u x t + w x R^T t - a x a0 - b x b0 - u x R b0 - R w x a0,
 // as turning both factors of a product by R changes nothing.
-// Degree 1 in the pose and in each point; see predicates/bodies/pose_2.h. Identities:
-//   (1) right_of_ray = -left_of_ray
-//   (2) exchanging (a0, b0) and (a, b) changes the sign
-//   (3) zero if (a0, b0) = (a, b)
+// Degree 1 in the pose and in each point. Identities: predicates/bodies/pose_2.h.
 #include "predicates/bodies/pose_form.h"
 
 namespace kinex {
@@ -15,9 +12,25 @@ namespace {
 struct Ray {
   static constexpr int kArity = 5;
   static constexpr std::array<int, 7> kAxes{0, 1, 2, 3, 4, 5, 6};
+  static constexpr std::array<ArgumentRole, 5> kRoles{
+      {{"pose", ArgumentRole::Kind::kPose},
+       {"origin, of the first", ArgumentRole::Kind::kFramePoint, 0},
+       {"origin, of the second", ArgumentRole::Kind::kFramePoint, 1},
+       {"through, of the first", ArgumentRole::Kind::kFramePoint, 0},
+       {"through, of the second", ArgumentRole::Kind::kFramePoint, 1}}};
   bool right;
 
   std::string_view name() const { return right ? "right_of_ray" : "left_of_ray"; }
+  ClaimForm form() const {
+    return {ClaimFigure::kRay,
+            right ? -1 : 1,
+            kRoles,
+            right ? "the second body, seen from the first, is not to the left of the ray from {1} "
+                    "+ {2} through {3} + {4}"
+                  : "the second body, seen from the first, is not to the right of the ray from {1} "
+                    "+ {2} through {3} + {4}",
+            {}};
+  }
   std::string_view opposite() const { return right ? "left_of_ray" : "right_of_ray"; }
 
   template <class R>

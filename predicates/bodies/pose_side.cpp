@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // side_a(pose, (m, h) of A, b of B') = N m.(t - R b) - N h, times the weight of b.
 // side_b(pose, (g, h) of B', a of A) = N (R g).(t - a) - N h, times the weight of a.
-// Degree 1 in the pose and in each constant; see predicates/bodies/pose_2.h. Identities:
-//   (1) inside_a = -side_a, inside_b = -side_b
-//   (2) reversing the line, to (-m, -h), changes the sign
-//   (3) a positive multiple of a line or of a point keeps the sign
+// Degree 1 in the pose and in each constant. Identities: predicates/bodies/pose_2.h.
 #include "predicates/bodies/pose_form.h"
 
 namespace kinex {
 namespace {
+
+constexpr std::array<ArgumentRole, 3> kLineOfFirst{
+    {{"pose", ArgumentRole::Kind::kPose},
+     {"line of the first", ArgumentRole::Kind::kFrameLine, 0},
+     {"point of the second", ArgumentRole::Kind::kFramePoint, 1}}};
+constexpr std::array<ArgumentRole, 3> kLineOfSecond{
+    {{"pose", ArgumentRole::Kind::kPose},
+     {"line of the second", ArgumentRole::Kind::kFrameLine, 1},
+     {"point of the first", ArgumentRole::Kind::kFramePoint, 0}}};
+
+ClaimForm half_plane(std::span<const ArgumentRole> roles, bool inward) {
+  return {ClaimFigure::kHalfPlane,
+          inward ? -1 : 1,
+          roles,
+          inward ? "the second body, seen from the first, is not beyond the line {1} moved by {2}"
+                 : "the second body, seen from the first, is not within the line {1} moved by {2}",
+          {}};
+}
 
 struct SideA {
   static constexpr int kArity = 3;
@@ -16,6 +31,7 @@ struct SideA {
   bool inward;
 
   std::string_view name() const { return inward ? "inside_a" : "side_a"; }
+  ClaimForm form() const { return half_plane(kLineOfFirst, inward); }
   std::string_view opposite() const { return inward ? "side_a" : "inside_a"; }
 
   // N t.m - N h - (c (m.b) + s (b x m))
@@ -36,6 +52,7 @@ struct SideB {
   bool inward;
 
   std::string_view name() const { return inward ? "inside_b" : "side_b"; }
+  ClaimForm form() const { return half_plane(kLineOfSecond, inward); }
   std::string_view opposite() const { return inward ? "side_b" : "inside_b"; }
 
   // N R^T t.g - N h - (c (g.a) + s (g x a))

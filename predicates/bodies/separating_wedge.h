@@ -77,7 +77,7 @@ struct RoughPose {
   static RoughPose precise(const Trajectory& pose, double now, Frame frame);
   std::array<double, 2> t{};
   double c = 1, s = 0;  // the rotation
-  // Bounds on the rounding error of t, and of a turned vector of length 1; +infinity where the pose
+  // Bounds on the rounding error of t, and of a turned unit vector; +infinity where the pose
   // or the time is beyond the range of doubles: then no wedge can be placed.
   double error_t = 0, error_turn = 0;
 

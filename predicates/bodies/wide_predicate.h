@@ -4,8 +4,9 @@
 //
 // A Formula is a class with
 //   static constexpr int kArity, kHomogeneity;
-//   name(), degree(motion_degree), and opposite() where there is an opposite predicate;
-//   static constexpr bool kFailsAtTouch = true; for one that FailsAtTouch (core/arithmetic/touch.h);
+//   name(), degree(motion_degree), form() (core/arithmetic/claim_form.h), and opposite() if
+//   there is an opposite predicate;
+//   static constexpr bool kFailsAtTouch = true; if it FailsAtTouch (core/arithmetic/touch.h);
 //   template <class R> void value(int motion_degree, const MotionView<R>* points, R* out,
 //                                 const R& zero) const;
 // where value() writes degree(motion_degree) + 1 coefficients in t. Coefficients that are zero in
@@ -47,6 +48,7 @@ class WidePredicate : public Predicate, public FailureRule<Formula> {
   int dimension() const override { return Formula::kDimension; }
   int degree(int motion_degree) const override { return formula_.degree(motion_degree); }
   int alternating() const override { return 0; }
+  ClaimForm form() const override { return formula_.form(); }
   std::string_view opposite() const override {
     if constexpr (requires { formula_.opposite(); }) {
       return formula_.opposite();
@@ -56,8 +58,8 @@ class WidePredicate : public Predicate, public FailureRule<Formula> {
   }
   int homogeneity() const override { return Formula::kHomogeneity; }
 
-  // The numbers of bodies are never narrow.
-  bool narrow_fits(int, const double*) const override { return false; }
+  // Motions of bodies never use machine integers.
+  bool narrow_fits(int, const double*, double) const override { return false; }
   void narrow(int, const MotionView<std::int64_t>*, Int128*) const override { refuse(); }
   void plain_with_reach(int, const MotionView<double>*, double, double*, double*) const override {
     refuse();

@@ -20,7 +20,7 @@ struct ContactVerdict {
   int cuts = 0;                 // how often an interval was cut
 };
 
-// No allocation; the number of cuts is bounded.
+// Every verdict other than kUnknown is a proof. No allocation; the number of cuts is bounded.
 ContactVerdict filter_contact(const ContactQuery& query);
 
 }  // namespace kinex

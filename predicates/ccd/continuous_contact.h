@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Continuous collision detection, exactly: do a point and a triangle, or two segments, whose
-// corners move linearly for 0 <= t <= 1 meet, and when first?
+// Exact continuous collision detection. Two bodies move for 0 <= t <= 1: a point and a triangle, or
+// two segments, whose corners move linearly. Do they meet, and when first?
 //
-// All bodies are closed: touching is contact, at t = 0 and t = 1 too. Degenerate bodies (a triangle
-// that is a segment or a point, a segment that is a point) are treated as the sets they are.
+// All bodies are closed: touching is contact, also at t = 0 and t = 1. Degenerate bodies (a
+// triangle that is a segment or a point, a segment that is a point) are the closed sets that they
+// span.
 //
-// Both queries are one. Let K(t) be the triangle minus the point, or the parallelogram of the
-// differences of the two segments:
+// Both kinds of query are the same question about one set K(t): the triangle minus the point, or
+// the parallelogram of the differences of the two segments.
 //
 //        q_3                 q_4 .-------. q_3
 //        /  \                   /       /           contact at t: the origin lies in K(t)
 //   q_1 '----' q_2         q_1 '-------' q_2
 //
-// Its corners are linear in t. The contact times are a closed set, so there is a first one. K's
-// plane passes through the origin where a cubic f vanishes: contact happens only at roots of f in
-// [0, 1], unless f is identically zero (contact_exact.cpp has the proof for that case).
+// The corners of K are linear in t. The contact times are a closed set, so there is a first one.
+// The plane of K passes through the origin where a cubic f(t) vanishes. So contact happens only at
+// roots of f in [0, 1], unless f is identically zero (contact_exact.cpp has the proof for that
+// case).
+//
+// Identities:
+//   (1) in_contact is true iff first_contact returns a time
+//   (2) permuting the corners of the triangle, exchanging the ends of a segment, or exchanging the
+//       two segments changes no answer and no time
+//   (3) exchanging the points at t = 0 with those at t = 1 keeps in_contact
+//   (4) a motion linear in t that is added to all points, or a factor other than 0 for all
+//       coordinates, changes no answer and no time
 //
 // Exactness: every answer and every time is exact. A floating-point filter with proven error bounds
 // (contact_filter.h) answers nearly all queries; the second stage is exact (contact_exact.h).
@@ -55,13 +65,14 @@ class ContactQuery {
 
   ContactKind kind() const { return kind_; }
   bool all_doubles() const { return exact_.empty(); }
-  // The coordinate with a bound on its error (0 if all are doubles).
+  // The coordinate of this index (see index()) with a bound on its error, 0 if all are doubles.
   Ball rounded(std::size_t index) const {
     const double value = rounded_[index];
     if (exact_.empty()) return {value, 0};
     return {value, Ball::kUnit * std::fabs(value) + Ball::kTiny};
   }
   Rational coordinate(std::size_t index) const;
+  // time: 0 or 1; point: 0 to 3, in the order of ContactKind; axis: 0 to 2.
   static std::size_t index(int time, std::size_t point, std::size_t axis) {
     return ((time == 0 ? 0 : kPoints) + point) * 3 + axis;
   }
@@ -86,10 +97,10 @@ struct ContactCounters {
   RootCounters roots;
 };
 
-// Whether the two bodies are in contact at any t in [0, 1].
+// True if the two bodies are in contact at some t in [0, 1].
 bool in_contact(const ContactQuery& query, ContactCounters& counters);
 
-// The first t in [0, 1] at which they are; nullopt if they never are.
+// The first t in [0, 1] at which the two bodies are in contact; nullopt if there is none.
 std::optional<ContactTime> first_contact(const ContactQuery& query, ContactCounters& counters);
 
 // The name of the instant, the same whichever stage found it. A rational instant is the root of its

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // coordinate_order(a, b) = x_b - x_a on one axis.
-// Degree 1 in the coordinates, d in t. Identities:
-//   (1) value(b, a) = -value(a, b)
-//   (2) value(a, a) = 0
-//   (3) value(a, b) + value(b, c) = value(a, c)
+// Degree 1 in the coordinates, d in t. Identities: predicates/predicates.h.
 #include <array>
 
 #include "core/arithmetic/predicate_formula.h"
@@ -18,6 +15,7 @@ struct CoordinateOrder {
   static constexpr int kAlternating = 2;
   static constexpr int kReference = 0;
   static constexpr bool kOnlyToReference = true;
+  static constexpr std::array<ArgumentRole, 2> kRoles{{{"before"}, {"after"}}};
 
   int axis = 0;
 
@@ -26,6 +24,12 @@ struct CoordinateOrder {
     return axis < 3 ? kNames[static_cast<std::size_t>(axis)] : "order";
   }
   int dimension() const { return axis + 1; }
+  ClaimForm form() const {
+    ClaimForm form{ClaimFigure::kOrder, 1, kRoles, "{0} is not beyond {1} on the axis", {}};
+    form.direction.resize(static_cast<std::size_t>(axis) + 1);
+    form.direction.back() = Integer(1);
+    return form;
+  }
 
   template <class Points>
   auto value(const Points& p) const {

@@ -18,11 +18,10 @@
 //          |      c  .
 //          +---------e-------- slope
 //
-// Degrees in the dual points: 1, 2, 3; in t: 0. Identities:
-//   (1) odd permutations of the arguments of line_slope_order and line_turn change the sign
-//   (2) line_meeting(c, d, a, b, e) = -line_meeting(a, b, c, d, e)
-//   (3) line_meeting(b, a, c, d, e) = line_meeting(a, b, d, c, e) = -line_meeting(a, b, c, d, e)
+// Degrees in the dual points: 1, 2, 3; in t: 0. Identities: predicates/predicates.h.
+#include <array>
 #include <stdexcept>
+#include <string_view>
 
 #include "predicates/keys/line_predicate.h"
 #include "predicates/predicates.h"
@@ -34,6 +33,8 @@ struct LineSlopeOrder {
   static constexpr int kArity = 2;
   static constexpr int kAlternating = 2;
   static constexpr int kHomogeneity = 1;
+  static constexpr std::array<ArgumentRole, 2> kRoles{{{"slower"}, {"faster"}}};
+  static constexpr std::string_view kSays = "the key of {1} grows no slower than that of {0}";
   static constexpr std::string_view name() { return "line_slope_order"; }
 
   template <class Points>
@@ -47,6 +48,9 @@ struct LineTurn {
   static constexpr int kArity = 3;
   static constexpr int kAlternating = 3;
   static constexpr int kHomogeneity = 2;
+  static constexpr std::array<ArgumentRole, 3> kRoles{{{"from"}, {"to"}, {"left of it"}}};
+  static constexpr std::string_view kSays =
+      "the dual point of {2} is not to the right of the line from that of {0} to that of {1}";
   static constexpr std::string_view name() { return "line_turn"; }
 
   template <class Points>
@@ -59,6 +63,11 @@ struct LineMeeting {
   static constexpr int kArity = 5;
   static constexpr int kAlternating = 0;
   static constexpr int kHomogeneity = 3;
+  static constexpr std::array<ArgumentRole, 5> kRoles{
+      {{"upper, from"}, {"upper, to"}, {"lower, from"}, {"lower, to"}, {"slope"}}};
+  static constexpr std::string_view kSays =
+      "at the slope of {4} the line through the dual points of {0} and {1} is not below that "
+      "through those of {2} and {3}";
   static constexpr std::string_view name() { return "line_meeting"; }
 
   template <class Points>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LinePredicate: predicates on the keys of linear motions as lines. key_i(t) = slope_i t + height_i
-// is the point (slope_i, height_i) of the dual plane. A predicate is a number, not a function of t:
-// degree 0. It changes only with the motions.
+// LinePredicate: adapts predicates on keys of linear motions, seen as lines, to the Predicate
+// interface. key_i(t) = slope_i t + height_i is the point (slope_i, height_i) of the dual plane.
+// The value is a number, not a function of t: degree 0. It changes only when a motion does. The
+// predicates and their identities: predicates/predicates.h.
 //
 // Terms beyond t^1 are ignored: such predicates are for structures that take linear motions only.
 //   inexact arithmetics              doubles without error bounds
@@ -50,7 +51,8 @@ struct LineKey {
   }
 };
 
-// A Formula has kArity, kAlternating, kHomogeneity, name(), value(points, key) in the wide ring.
+// A Formula has kArity, kAlternating, kHomogeneity, kRoles, kSays, name(), and
+// value(points, key) in the wide ring.
 template <class Formula>
 class LinePredicate final : public Predicate {
  public:
@@ -62,11 +64,14 @@ class LinePredicate final : public Predicate {
   int degree(int) const override { return 0; }
   int alternating() const override { return Formula::kAlternating; }
   int homogeneity() const override { return Formula::kHomogeneity; }
+  ClaimForm form() const override {
+    return {ClaimFigure::kNone, 1, Formula::kRoles, Formula::kSays, {}};
+  }
 
   void narrow(int d, const MotionView<std::int64_t>* points, Int128* out) const override {
     fixed<std::int64_t>(d, points, out);
   }
-  bool narrow_fits(int d, const double* magnitude) const override {
+  bool narrow_fits(int d, const double* magnitude, double) const override {
     switch (d) {
       case 1:
         return fits(Formula::value(MagnitudePoints<1>{magnitude}, key_));

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // squared_distance_order(a, b, o) = |b - o|^2 - |a - o|^2 = (b - a).((b - o) + (a - o)).
 // The product form needs one multiplication per axis and cancels the quadratic terms exactly.
-// Degree 2 in the coordinates, 2d in t. Identities:
-//   (1) value(b, a, o) = -value(a, b, o)
-//   (2) value(a, a, o) = 0
-//   (3) value(o, b, o) >= 0
+// Degree 2 in the coordinates, 2d in t. Identities: predicates/predicates.h.
+#include <array>
 #include <stdexcept>
 
 #include "core/arithmetic/predicate_formula.h"
@@ -20,9 +18,13 @@ struct SquaredDistanceOrder {
   static constexpr int kAlternating = 2;
   static constexpr int kReference = 2;
   static constexpr bool kOnlyToReference = false;
+  static constexpr std::array<ArgumentRole, 3> kRoles{{{"nearer"}, {"farther"}, {"centre"}}};
 
   std::string_view name() const { return "order_squared_distance"; }
   int dimension() const { return Dimension; }
+  ClaimForm form() const {
+    return {ClaimFigure::kNearer, 1, kRoles, "{0} is no farther from {2} than {1} is", {}};
+  }
 
   template <class Points>
   auto value(const Points& p) const {

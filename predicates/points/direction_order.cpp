@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // direction_order(a, b) = v.(b - a) for a constant vector v, taken as the primitive integer vector
 // of the same direction (a positive factor changes no sign and no root).
-// Degree 1 in the coordinates, d in t. Identities:
-//   (1) value(b, a) = -value(a, b)
-//   (2) value(a, a) = 0
+// Degree 1 in the coordinates, d in t. Identities: predicates/predicates.h.
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -19,11 +18,17 @@ struct DirectionOrder {
   static constexpr int kAlternating = 2;
   static constexpr int kReference = 0;
   static constexpr bool kOnlyToReference = true;
+  static constexpr std::array<ArgumentRole, 2> kRoles{{{"before"}, {"after"}}};
 
   std::vector<FormulaConstant> direction;
 
   std::string_view name() const { return "order_direction"; }
   int dimension() const { return static_cast<int>(direction.size()); }
+  ClaimForm form() const {
+    ClaimForm form{ClaimFigure::kOrder, 1, kRoles, "{0} is not beyond {1} along the direction", {}};
+    for (const FormulaConstant& v : direction) form.direction.push_back(v.in(Integer()));
+    return form;
+  }
 
   template <class Points>
   auto value(const Points& p) const {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // in_circle_2(a, b, c, d): the determinant with rows (x, y, x^2 + y^2) of a - d, b - d, c - d:
 // positive iff d lies strictly inside the circle through a, b, c taken counter-clockwise.
-// Degree 4 in the coordinates, 4d in t. Identities:
-//   (1) odd permutations of a, b, c, d change the sign, even ones do not
-//   (2) zero if two arguments are equal
-//   (3) unchanged by a common translation
+// Degree 4 in the coordinates, 4d in t. Identities: predicates/predicates.h.
+#include <array>
+
 #include "core/arithmetic/predicate_formula.h"
 #include "predicates/predicates.h"
 
@@ -17,9 +16,19 @@ struct InCircle2 {
   static constexpr int kAlternating = 4;
   static constexpr int kReference = 3;
   static constexpr bool kOnlyToReference = true;
+  static constexpr bool kInGroups = true;
+  static constexpr std::array<ArgumentRole, 4> kRoles{
+      {{"circle, first"}, {"circle, second"}, {"circle, third"}, {"not inside"}}};
 
   std::string_view name() const { return "in_circle_2"; }
   int dimension() const { return 2; }
+  ClaimForm form() const {
+    return {ClaimFigure::kCircle,
+            1,
+            kRoles,
+            "{3} is not inside the circle through {0}, {1} and {2}, which are clockwise",
+            {}};
+  }
 
   template <class Points>
   auto value(const Points& p) const {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // orientation_2(a, b, c) = (b - a) x (c - a): twice the signed area of the triangle.
-// Degree 2 in the coordinates, 2d in t. Identities:
-//   (1) odd permutations of a, b, c change the sign, even ones do not
-//   (2) zero if two arguments are equal
-//   (3) unchanged by a common translation
+// Degree 2 in the coordinates, 2d in t. Identities: predicates/predicates.h.
+#include <array>
+
 #include "core/arithmetic/predicate_formula.h"
 #include "core/arithmetic/touch.h"
 #include "predicates/predicates.h"
@@ -17,9 +16,14 @@ struct Orientation2 {
   static constexpr int kAlternating = 3;
   static constexpr int kReference = 0;
   static constexpr bool kOnlyToReference = true;
+  static constexpr std::array<ArgumentRole, 3> kRoles{{{"from"}, {"to"}, {"left of it"}}};
 
   std::string_view name() const { return "orientation_2"; }
   int dimension() const { return 2; }
+  ClaimForm form() const {
+    return {
+        ClaimFigure::kTurn, 1, kRoles, "{2} is not to the right of the line from {0} to {1}", {}};
+  }
 
   template <class Points>
   auto value(const Points& p) const {

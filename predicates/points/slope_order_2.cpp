@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // slope_order_2(a, b, c, d) = (b - a) x (d - c): the cross product of two directions.
-// Degree 2 in the coordinates, 2d in t. Identities:
-//   (1) exchanging a and b, or c and d, changes the sign
-//   (2) exchanging the pairs changes the sign
-//   (3) zero if a = b or c = d
-//   (4) equal to orientation_2(a, b, d) if c = a
-//   (5) unchanged by a translation of one pair
+// Degree 2 in the coordinates, 2d in t. Identities: predicates/predicates.h.
+#include <array>
+
 #include "core/arithmetic/predicate_formula.h"
 #include "predicates/predicates.h"
 
@@ -16,11 +13,21 @@ struct SlopeOrder2 {
   static constexpr int kArity = 4;
   static constexpr int kDegree = 2;
   static constexpr int kAlternating = 2;
+  static constexpr bool kAlternatesInHalves = true;
   static constexpr int kReference = 0;
   static constexpr bool kOnlyToReference = false;
+  static constexpr std::array<ArgumentRole, 4> kRoles{
+      {{"first, from"}, {"first, to"}, {"second, from"}, {"second, to"}}};
 
   std::string_view name() const { return "slope_order_2"; }
   int dimension() const { return 2; }
+  ClaimForm form() const {
+    return {ClaimFigure::kDirections,
+            1,
+            kRoles,
+            "the direction from {2} to {3} does not turn right of that from {0} to {1}",
+            {}};
+  }
 
   template <class Points>
   auto value(const Points& p) const {

@@ -113,7 +113,8 @@ BodyFrames::BodyFrames(Kernel& kernel, const Scene& scene, CutPolicy policy)
       policy_(policy),
       constants_(kernel),
       of_body_(scene.objects.size(), std::array<BodyFrame*, 2>{nullptr, nullptr}),
-      different_(ByPolygon{&scene}) {}
+      different_(ByPolygon{&scene}),
+      places_of_body_(scene.objects.size(), nullptr) {}
 
 BodyFrame& BodyFrames::frame(ObjectId body, bool negated) {
   BodyFrame*& known = of_body_[body][negated ? 1 : 0];
@@ -130,26 +131,35 @@ BodyFrame& BodyFrames::frame(ObjectId body, bool negated) {
   return *known;
 }
 
-std::uint32_t BodyFrames::place(ObjectId body, bool negated, std::uint32_t i) {
-  auto& [like, all] = *different_.try_emplace(body).first;
-  std::vector<std::uint32_t>& places = all[negated ? 1 : 0];
-  if (places.empty()) find_places(like, negated, places);
+std::uint32_t BodyFrames::place(ObjectId body, bool negated, std::uint32_t i) const {
+  Places*& known = places_of_body_[body];
+  if (known == nullptr) known = &different_.try_emplace(body).first->second;
+  std::vector<std::uint32_t>& places = (*known)[negated ? 1 : 0];
+  if (places.empty()) find_places(body, negated, places);
   return places[i];
 }
 
-void BodyFrames::find_places(ObjectId body, bool negated, std::vector<std::uint32_t>& places) {
+void BodyFrames::find_places(ObjectId body, bool negated,
+                             std::vector<std::uint32_t>& places) const {
   std::map<FramePoint, std::uint32_t> of_point;
   std::uint32_t next = 0;
   for (const Vertex2& v : scene_.objects[body].polygon) {
     of_point.try_emplace(negated ? frame_point(-v[0], -v[1]) : frame_point(v[0], v[1]), next++);
   }
-  for (const FramePoint& p : frame(body, negated).hierarchy().polygon().vertices) {
-    places.push_back(of_point.at(p));
+  const auto look_up = [&](const std::vector<FramePoint>& vertices) {
+    for (const FramePoint& p : vertices) places.push_back(of_point.at(p));
+  };
+  // The polygon of a frame takes longer to make than all places to find.
+  if (const BodyFrame* frame = of_body_[body][negated ? 1 : 0]; frame != nullptr) {
+    look_up(frame->hierarchy().polygon().vertices);
+  } else {
+    look_up(frame_polygon(scene_.objects[body].polygon, negated).vertices);
   }
 }
 
 std::size_t BodyFrames::bytes() const {
-  std::size_t total = constants_.bytes() + of_body_.capacity() * sizeof(of_body_[0]);
+  std::size_t total = constants_.bytes() + of_body_.capacity() * sizeof(of_body_[0]) +
+                      places_of_body_.capacity() * sizeof(places_of_body_[0]);
   for (const auto& [body, places] : different_) {
     total += sizeof(places) + 48;
     for (const auto& list : places) total += list.capacity() * sizeof(std::uint32_t);

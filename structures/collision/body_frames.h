@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BodyFrames: the polygons of a scene's bodies as constants in their frames: hierarchies, and
+// BodyFrames: the polygons of a scene's bodies as constants in their frames: their hierarchies, and
 // derived objects for their lines and points.
 //
-// A structure for two bodies A and B works with A's polygon and with B' = -B (predicates/bodies/pose_2.h),
-// so every polygon exists twice, as it is and negated. Bodies with equal polygons share everything.
+// A structure for two bodies A and B works with A's polygon and with B' = -B
+// (predicates/bodies/pose_2.h). So every polygon exists twice, unchanged and negated. Bodies with
+// equal polygons share both.
 #ifndef KINEX_STRUCTURES_COLLISION_BODY_FRAMES_H
 #define KINEX_STRUCTURES_COLLISION_BODY_FRAMES_H
 
@@ -71,11 +72,10 @@ class BodyFrames {
   // Keeps a reference to the scene.
   BodyFrames(Kernel& kernel, const Scene& scene, CutPolicy policy);
 
-  // The frame of a body, negated or as it is; lives as long as this object. Built when first asked
-  // for.
+  // The frame of a body, negated or not. Built by the first call; lives as long as this object.
   BodyFrame& frame(ObjectId body, bool negated);
   // The place of vertex i of that frame in the scene's list (the frame's list begins elsewhere).
-  std::uint32_t place(ObjectId body, bool negated, std::uint32_t i);
+  std::uint32_t place(ObjectId body, bool negated, std::uint32_t i) const;
   FrameConstants& constants() { return constants_; }
   CutPolicy policy() const { return policy_; }
   // Calls visit(hierarchy) for those built so far, each once.
@@ -86,7 +86,7 @@ class BodyFrames {
   std::size_t bytes() const;
 
  private:
-  void find_places(ObjectId body, bool negated, std::vector<std::uint32_t>& places);
+  void find_places(ObjectId body, bool negated, std::vector<std::uint32_t>& places) const;
 
   const Scene& scene_;
   CutPolicy policy_;
@@ -99,8 +99,11 @@ class BodyFrames {
       return scene->objects[a].polygon < scene->objects[b].polygon;
     }
   };
-  // The bodies whose lists of vertices were new, with the places of theirs.
-  std::map<ObjectId, std::array<std::vector<std::uint32_t>, 2>, ByPolygon> different_;
+  using Places = std::array<std::vector<std::uint32_t>, 2>;
+  // One body for each distinct list of vertices, with the places of its vertices, and the places of
+  // every body. A cache, filled by the first request.
+  mutable std::map<ObjectId, Places, ByPolygon> different_;
+  mutable std::vector<Places*> places_of_body_;
 };
 
 }  // namespace kinex

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "predicates/bodies/body_gap.h"
 
 namespace kinex {
 
-std::optional<Rational> BodyGrid::width_for(const Scene& scene, const Rational& diameter) {
+std::optional<Rational> BodyGrid::width_for(const Scene& scene, const Rational& largest_radius) {
   if (!scene.end) return std::nullopt;
   Rational farthest;
   for (const SceneObject& object : scene.objects) {
@@ -26,7 +28,7 @@ std::optional<Rational> BodyGrid::width_for(const Scene& scene, const Rational& 
     }
   }
   const Rational cells(static_cast<int>(64 + scene.objects.size()));
-  Rational width = diameter;
+  Rational width = Rational(2) * largest_radius;
   // Doubled, so that short numbers stay short.
   while (width * cells < farthest) width *= Rational(2);
   return width;
@@ -146,6 +148,23 @@ bool BodyGrid::are_near(ObjectId a, ObjectId b) const {
   const Cell& p = places_[a].cell;
   const Cell& q = places_[b].cell;
   return std::abs(p[0] - q[0]) <= 1 && std::abs(p[1] - q[1]) <= 1;
+}
+
+void BodyGrid::visit_proof(ProofVisitor& visitor) const {
+  static constexpr std::array<std::string_view, 4> kRoles{"low side on x", "high side on x",
+                                                          "low side on y", "high side on y"};
+  ProofGroup group;
+  group.kind = "grid cell";
+  for (const auto& [cell, bodies] : cells_) {
+    group.text = "cell " + std::to_string(cell[0]) + ", " + std::to_string(cell[1]);
+    for (const ObjectId body : bodies) {
+      group.about = {body};
+      visitor.group(group);
+      for (std::size_t d = 0; d < 4; ++d) {
+        visitor.certificate(places_[body].certificate[d], kRoles[d]);
+      }
+    }
+  }
 }
 
 std::size_t BodyGrid::bytes() const {

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BodyGrid: the broad phase for many bodies: a uniform grid.
+// BodyGrid: the broad phase for more than two bodies: a uniform grid.
 //
-// Cells are squares as wide as the two largest bodies together (discs about their frames' origins),
-// or wider where the scene is large (width_for). A body belongs to the cell of its origin and holds
-// one certificate for each side of it; bodies in cells that do not touch are apart wherever they
-// are inside them. A certificate fails when a body changes its cell.
+// Around every body's origin there is a disc that holds the body however it turns. Cells are
+// squares at least as wide as the largest of these discs, wider where the scene is large
+// (width_for). A body belongs to the cell of its origin and has one certificate for each side of
+// the cell. Bodies in cells that do not touch are apart. A certificate fails when its body moves to
+// another cell.
 //
 //     +---+---+---+
-//     | n | n | n |      b: a body; 4 certificates, one a side of its cell
-//     +---+---+---+      n: the cells of the bodies near b, with b's own
+//     | n | n | n |      b: the cell of a body; 4 certificates, one for each side
+//     +---+---+---+      n: together with b the cells of the bodies near it
 //     | n | b | n |
 //     +---+---+---+
 //     | n | n | n |
 //     +---+---+---+
 //
-// Compactness: 4 certificates a body. Responsiveness: cells are found by O(log) signs. Events: O(k)
-// for a body that crosses a region of k cells; so n bodies in a box with about one a cell have
-// O(n sqrt n) in one crossing time, against Theta(n^2) for sorted lists of the ends of their boxes.
+// Compactness: 4 certificates per body. Responsiveness: a cell is found by a number of signs
+// logarithmic in its distance, counted in cells. Events: O(k) for a body that crosses a region of k
+// cells. So n bodies in a box with about one per cell have O(n sqrt n) events while each crosses
+// the box once, against Theta(n^2) for sorted lists of the ends of their boxes.
 #ifndef KINEX_STRUCTURES_COLLISION_BODY_GRID_H
 #define KINEX_STRUCTURES_COLLISION_BODY_GRID_H
 
@@ -29,6 +31,7 @@
 #include <vector>
 
 #include "core/engine/kernel.h"
+#include "core/engine/proof.h"
 #include "core/motion/scene.h"
 
 namespace kinex {
@@ -38,23 +41,25 @@ class BodyGrid {
   // The tags of its certificates have this bit.
   static constexpr std::uint32_t kTag = 0x80000000u;
 
-  // A width of cells for bodies of at most this diameter: at least the diameter, and large enough
-  // that the ends of all flight plans lie within some 64 + n cells of the origin, so that a fast or
-  // distant body costs no more than that. nullopt for a scene without an end, in which bodies would
-  // cross cells for all time.
-  static std::optional<Rational> width_for(const Scene& scene, const Rational& diameter);
+  // A width of cells for bodies whose discs have at most this radius. It is at least twice the
+  // radius, and so large that the ends of all flight plans lie within 64 + n cells of the origin on
+  // each axis: a fast or distant body crosses no more cells than that. nullopt for a scene without
+  // an end, in which bodies would cross cells without end.
+  static std::optional<Rational> width_for(const Scene& scene, const Rational& largest_radius);
 
   // Cells of width `width` > 0 for bodies numbered below `bodies`.
   BodyGrid(Kernel& kernel, StructureId id, Rational width, std::size_t bodies);
 
   void insert(ObjectId body);
   void erase(ObjectId body);
-  // The certificate with this tag has failed: its body moves on to the next cell. Returns the body.
+  // The certificate with this tag has failed: moves its body to the next cell. Returns the body.
   ObjectId move_on(std::uint32_t tag);
-  // The bodies in its cell and in the eight about it, in ascending order, itself excepted.
+  // The bodies in its cell and in the eight around it, in ascending order, without itself.
   // Valid until the next call.
   std::span<const ObjectId> near(ObjectId body);
   bool are_near(ObjectId a, ObjectId b) const;
+  // The cell of each body as a group of a proof.
+  void visit_proof(ProofVisitor& visitor) const;
   std::size_t bytes() const;
 
  private:

@@ -99,6 +99,12 @@ Rational BodyVolumes::largest_radius() {
   return largest;
 }
 
+std::string_view BodyVolumes::describe(const Query& proof) const {
+  if (proof.predicate == discs_apart_) return "discs about the bodies are apart";
+  if (proof.predicate == discs_overlap_) return "discs within the bodies overlap";
+  return "boxes about the bodies are apart";
+}
+
 std::optional<Query> BodyVolumes::proof(ObjectId a, ObjectId b) {
   const ObjectId apart = about_.reach(a, b, reaches_);
   for (const Query& query :

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -30,6 +31,8 @@ class BodyVolumes {
   std::optional<Query> proof_of_overlap(ObjectId a, ObjectId b);
   // The opposite of the proof by discs about the bodies.
   Query discs_overlap(ObjectId a, ObjectId b);
+  // What a proof by volumes says: "discs about the bodies are apart".
+  std::string_view describe(const Query& proof) const;
   // The largest radius of all bodies of the scene.
   Rational largest_radius();
   std::size_t bytes() const;

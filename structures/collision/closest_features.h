@@ -20,7 +20,6 @@
 //
 // Source: Lin and Canny, A fast algorithm for incremental distance calculation (1991); certificates
 // and moves are worked out here.
-// and moves worked out here.
 #ifndef KINEX_STRUCTURES_COLLISION_CLOSEST_FEATURES_H
 #define KINEX_STRUCTURES_COLLISION_CLOSEST_FEATURES_H
 
@@ -45,6 +44,7 @@ class ClosestFeatures : public CollisionPairs {
   std::size_t bytes() const override;
 
  protected:
+  Roles describe(PairId p, ProofGroup& group) const override;
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
   std::optional<Features> touch(PairId p, When when) override;

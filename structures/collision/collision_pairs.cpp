@@ -20,7 +20,7 @@ CollisionPairs::CollisionPairs(Kernel& kernel, StructureId id, const Scene& scen
       pairs_of_(scene.objects.size()),
       alive_(scene.objects.size(), 0) {
   if (scene.objects.size() <= 2) return;
-  const auto width = BodyGrid::width_for(scene, Rational(2) * volumes_.largest_radius());
+  const auto width = BodyGrid::width_for(scene, volumes_.largest_radius());
   if (width) grid_.emplace(kernel, id, *width, scene.objects.size());
 }
 
@@ -310,7 +310,7 @@ void CollisionPairs::set_certificates(PairId p, std::span<const Query> queries) 
     for (std::uint32_t i = 0; i < before; ++i) {
       // The failed one has left the queue: if its query is needed again, a new one is made.
       if ((used >> i & 1) != 0 || old[i] == failed_) continue;
-      if (!(kernel_.query(old[i]) == queries[slot])) continue;
+      if (!kernel_.claims(old[i], queries[slot])) continue;
       used |= 1u << i;
       now[slot] = old[i];
       kernel_.set_tag(old[i], tag(slot));
@@ -344,9 +344,8 @@ ObjectId CollisionPairs::feature_object(ObjectId body, bool negated, Feature fea
   ObjectId& known = of_body[4 * feature.i + (negated ? 2u : 0u) + (feature.edge ? 1u : 0u)];
   if (known != kNoObject) return known;
   const std::uint32_t place = frames_.place(body, negated, feature.i);
-  return known = kernel_.constant(
-             scene_.objects[body].id + (feature.edge ? ".e" : ".v") + std::to_string(place),
-             {Rational()});
+  const PolygonFeature named{body, feature.edge, place};
+  return known = kernel_.feature(feature_name(named), named);
 }
 
 void CollisionPairs::report_meeting(PairId p, std::uint8_t kind, const Features& features) {
@@ -364,7 +363,7 @@ Attribute CollisionPairs::attribute() const {
   }
   std::sort(touching.begin(), touching.end());
   Attribute attribute;
-  attribute.shape = Attribute::Shape::kEdges;
+  attribute.shape = Attribute::Shape::kTuples;
   for (const auto& [a, b] : touching) attribute.ids.insert(attribute.ids.end(), {a, b});
   return attribute;
 }

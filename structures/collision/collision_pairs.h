@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CollisionPairs: what all structures for collisions of convex polygons have in common.
+// CollisionPairs: the common base class of all structures for collisions of convex polygons.
 //
-// Every pair that is not in contact has a proof of disjointness, kept by a derived class: a handful
-// of certificates in the pair's pose (predicates/bodies/pose_2.h). A pair in contact has an overlap proof,
-// the same in all structures (overlap_proof.h). The attribute is the set of pairs in contact, that
-// is, of those that overlap right after now.
+// Every pair that is not in contact has a proof of disjointness, kept by a derived class: up to
+// eight certificates in the pair's pose (predicates/bodies/pose_2.h). A pair in contact has an
+// overlap proof, the same in all structures (overlap_proof.h). The attribute is the set of pairs in
+// contact, that is, of the pairs that overlap right after now.
 //
-// External events: contacts, grazes, separations and overlaps. "overlap" reports a pair that
-// overlaps right after one of its bodies is first seen (at the start, when it appears or jumps),
-// even if the two only touch at that instant: the pair begins with the overlap proof and continues
-// as after a contact. Structure's "insert" of a body brings no contacts by itself, nor does the
-// start; one "overlap" for each pair does. Unless the scene allows overlapping starts, a body that
-// appears or jumps after the start must be apart from all others (std::invalid_argument names both
-// and the time).
+// External events: "contact", "graze", "separation" and "overlap". An "overlap" reports a pair that
+// overlaps right after one of its bodies is first seen: at the start, or when the body appears or
+// jumps. It is reported even if the two only touch at that instant. The pair begins with the
+// overlap proof and continues as after a contact. The start and the common event "insert" change
+// the attribute only through these "overlap" events, one for each pair. Unless the scene allows
+// overlapping starts, a body that appears or jumps after the start must be apart from all others;
+// otherwise std::invalid_argument names both bodies and the time.
 //
-// Broad phase. In a scene of more than two bodies that has an end, a uniform grid (body_grid.h):
-// pairs that are not in neighbouring cells have no proof of their own; pairs that are have one
-// certificate while a box or a disc about the bodies is a proof (body_volumes.h), or while discs
-// within them overlap. In a scene without an end all pairs are followed. Two bodies have neither
-// grid nor volumes.
+// Broad phase. With more than two bodies, in a scene that has an end, a uniform grid (body_grid.h).
+// Pairs in cells that do not touch have no proof of their own. Pairs in neighbouring cells have one
+// certificate as long as squares or discs around the bodies are apart, or discs within the bodies
+// overlap (body_volumes.h). In a scene without an end all pairs are followed. With two bodies there
+// is neither a grid nor a volume.
 //
 // Ties. A pair that touches without penetrating (the distance is zero at one instant, or for a
 // while along an edge, and never negative) has no contact, since no certificate becomes negative.
@@ -29,7 +29,8 @@
 //     these separate when they cease to overlap.
 //   - Bodies that overlap right before and right after an instant have no event at it.
 // A proof detects a touch by those of its certificates that are zero where the bodies touch: they
-// fail at touches too (core/arithmetic/touch.h). Exact arithmetics only: in doubles a touch is an accident.
+// fail at touches too (core/arithmetic/touch.h). This holds in exact arithmetics only: doubles
+// cannot tell a touch from a near miss.
 #ifndef KINEX_STRUCTURES_COLLISION_COLLISION_PAIRS_H
 #define KINEX_STRUCTURES_COLLISION_COLLISION_PAIRS_H
 
@@ -65,8 +66,8 @@ class CollisionPairs : public Structure {
   //                    "a.v3" is vertex 3 of body a, "a.e3" the edge from it to the next (counted
   //                    from 0 in the scene's order). In an exact arithmetic they depend on the
   //                    motion alone: two vertices if these meet, else a vertex and an edge
-  //   inside           another overlap proof for the pair, which would part elsewhere
-  //   volume           another proof of one certificate, or the end of the last one
+  //   inside           another overlap proof of the pair: another edge ahead
+  //   volume           another one-certificate proof by volumes, or the end of the last one
   //   grid             a body changes its cell
   //   overlap          two bodies that overlap and have not come into contact: one of them is new
   //                    (or an inexact arithmetic has missed the contact)
@@ -84,6 +85,7 @@ class CollisionPairs : public Structure {
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
   Attribute attribute() const override;
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
@@ -100,17 +102,17 @@ class CollisionPairs : public Structure {
     ObjectId pose = kNoObject;
     bool touching = false;     // in contact
     bool apart = false;        // the proof is one certificate on volumes
-    bool resting = false;      // not in contact, but they touch and go on touching
-    std::uint8_t repairs = 0;  // of its proof, at `instant`
-    std::uint64_t instant = 0;  // its number in the run
+    bool resting = false;      // not in contact, but they touch over a time interval
+    std::uint8_t repairs = 0;  // repairs of the proof at instant number `instant`
+    std::uint64_t instant = 0;  // Kernel::instant_number of the last repair
     std::uint8_t certificates = 0;
-    SumBoundary::Edge ahead{};  // while they are in contact
+    SumBoundary::Edge ahead{};  // the edge ahead (overlap_proof.h), while they are in contact
     std::array<CertificateId, kMostCertificates> certificate{};
   };
 
   // Makes a proof of disjointness right after now; false if the bodies are not disjoint there.
   virtual bool start(PairId pair) = 0;
-  // As start(), where they have just separated at this edge of M.
+  // As start(), where the bodies have just separated at this edge of M, the Minkowski sum.
   virtual bool leave(PairId pair, const SumBoundary::Edge& edge) {
     static_cast<void>(edge);
     return start(pair);
@@ -141,6 +143,18 @@ class CollisionPairs : public Structure {
   struct Features {
     Feature of_a, of_b;
   };
+  // The state of a proof of disjointness, for visit_proof: fills in kind, text and marks of the
+  // group, and returns the role of each certificate, by slot.
+  using Roles = std::array<std::string_view, kMostCertificates>;
+  virtual Roles describe(PairId p, ProofGroup& group) const = 0;
+  // A proof of one certificate on volumes.
+  Roles describe_volumes(PairId p, ProofGroup& group) const;
+  PolygonFeature polygon_feature(PairId p, std::uint8_t z, const Feature& feature) const;
+  // "a.v3", "a.e3".
+  std::string feature_name(const PolygonFeature& feature) const;
+  const std::string& body_name(PairId p, std::uint8_t z) const {
+    return scene_.objects[z == 0 ? pairs_[p].a : pairs_[p].b].id;
+  }
   // The features by which the bodies touch right after now, or at now; nullopt: they do not
   // touch. Requires that the proof holds right after now.
   virtual std::optional<Features> touch(PairId pair, When when) = 0;
@@ -193,6 +207,7 @@ class CollisionPairs : public Structure {
   Features features_at(PairId p, const SumBoundary::Edge& edge);
   void follow_overlap(PairId p, const std::optional<SumBoundary::Edge>& ahead);
   bool follow_discs_within(PairId p);
+  Roles describe_overlap(PairId p, ProofGroup& group) const;
   void fail_in_contact(PairId p, std::uint32_t slot);
   bool is_stuck(PairId p);
   void start_anew(PairId p);

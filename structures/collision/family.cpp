@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/collision/family.h"
 
+#include <initializer_list>
+
 #include "core/motion/turning.h"
 #include "core/numbers/show_text.h"
+#include "predicates/bodies/pose_2.h"
 #include "structures/collision/bounding_volumes.h"
 #include "structures/collision/closest_features.h"
 #include "structures/collision/inner_tangents.h"
@@ -23,6 +26,18 @@ std::optional<Refusal> refuse_turning(const Scene& scene) {
                  "maintain separation_mixed, which takes every motion"};
 }
 
+// Those of every collision pair, then kinds of certificates that change nothing.
+std::vector<KindRule> kinds(std::initializer_list<std::string_view> silent) {
+  std::vector<KindRule> all{{"contact", Effect::kAlways},    {"graze", Effect::kAlways},
+                            {"separation", Effect::kAlways}, {"inside", Effect::kNever},
+                            {"volume", Effect::kNever},      {"grid", Effect::kNever},
+                            {"overlap", Effect::kAlways}};
+  for (const std::string_view kind : silent) all.push_back({kind, Effect::kNever});
+  return all;
+}
+
+void derive_poses(const Scene& scene, NumberNeeds& needs) { needs.add(pose_2_kind(scene)); }
+
 }  // namespace
 
 StructureFamily collision_family() {
@@ -30,7 +45,8 @@ StructureFamily collision_family() {
   base.group = "collision";
   base.min_dimension = 2;
   base.bodies = true;
-  base.shape = Attribute::Shape::kEdges;
+  base.shape = Attribute::Shape::kTuples;
+  base.derives = derive_poses;
 
   std::vector<StructureInfo> structures;
   const auto add = [&](StructureInfo info, std::string_view name, std::string_view summary,
@@ -40,26 +56,33 @@ StructureFamily collision_family() {
     info.make = make;
     structures.push_back(info);
   };
-  add(base, "separation_mixed", "collisions of convex polygons, by the mixed hierarchy",
+  StructureInfo tiles = base;
+  tiles.kinds = kinds({"side", "flip", "cell"});
+  add(tiles, "separation_mixed", "collisions of convex polygons, by the mixed hierarchy",
       make_plain<SeparationMixed>);
-  StructureInfo unturned = base;
+  StructureInfo unturned = tiles;
   unturned.refuse = refuse_turning;
   unturned.instead = "separation_mixed";
   add(unturned, "separation_minkowski",
       "collisions of convex polygons that do not turn, by the hierarchy of their Minkowski sum",
       make_plain<SeparationMinkowski>);
-  add(base, "separation_hysteresis", "collisions of convex polygons, by wedges that last",
+  StructureInfo wedges = base;
+  wedges.kinds = kinds({"change", "wedge"});
+  add(wedges, "separation_hysteresis", "collisions of convex polygons, by wedges that last",
       make_plain<SeparationHysteresis>);
-  add(base, "closest_features", "collisions of convex polygons, by the closest features",
+  StructureInfo features = base;
+  features.kinds = kinds({"change"});
+  add(features, "closest_features", "collisions of convex polygons, by the closest features",
       make_plain<ClosestFeatures>);
-  add(base, "inner_tangents", "collisions of convex polygons, by the inner common tangents",
+  add(features, "inner_tangents", "collisions of convex polygons, by the inner common tangents",
       make_plain<InnerTangents>);
-  add(base, "bounding_volumes",
+  add(features, "bounding_volumes",
       "collisions of convex polygons, by boxes, discs and closest features",
       make_plain<BoundingVolumes>);
   StructureInfo hierarchies = base;
   hierarchies.group = {};
   hierarchies.has_events = false;
+  hierarchies.derives = nullptr;
   hierarchies.shape = Attribute::Shape::kSequence;
   add(hierarchies, "outer_hierarchy",
       "the hierarchies of the bodies' polygons under every policy of cuts, held to their bounds",

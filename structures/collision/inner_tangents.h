@@ -48,6 +48,7 @@ class InnerTangents : public CollisionPairs {
   std::optional<Tangents> tangents(ObjectId a, ObjectId b) const;
 
  protected:
+  Roles describe(PairId p, ProofGroup& group) const override;
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
   std::optional<Features> touch(PairId p, When when) override;

@@ -34,17 +34,13 @@ PosePredicates::PosePredicates(Kernel& kernel) {
 MixedTiles::MixedTiles(Kernel& kernel, const PosePredicates& predicates, ObjectId pose,
                        std::array<BodyFrame*, 2> frames)
     : kernel_(kernel), predicates_(predicates), pose_(pose), frames_(frames) {
-  const Trajectory& motion = kernel.derived().trajectory(pose);
-  turns_ = motion.coordinates[5].size() > 1 || motion.coordinates[6].size() > 1;
+  turns_ = kernel.motion_degree(pose, 5, 7) > 0;
   if (tree(0).is_point() || tree(1).is_point()) return;
   if (tree(0).radius() == tree(1).radius()) return;
   // The error at equal levels is a quarter of the radius per two levels: the smaller polygon starts
   // later.
   const std::uint8_t small = tree(1).radius() < tree(0).radius() ? 1 : 0;
-  Rational reach = Rational(2) * tree(small).radius();
-  for (int& offset = offset_[small]; reach <= tree(other(small)).radius(); offset += 2) {
-    reach *= Rational(4);
-  }
+  offset_[small] = 2 * tree(small).quarterings_below(tree(other(small)));
 }
 
 int MixedTiles::cut_time(std::uint8_t z, Id node) const {

@@ -40,6 +40,44 @@ Attribute OuterHierarchies::attribute() const {
   return attribute;
 }
 
+namespace {
+
+// The outline of the stage before the cuts of `level`.
+void add_stage(const OuterHierarchy& tree, std::uint32_t v, int level, ProofMark& mark) {
+  const OuterHierarchy::Node& node = tree.node(v);
+  if (node.cut_level >= level) {
+    mark.outline.push_back(node.apex.coordinates());
+    return;
+  }
+  add_stage(tree, node.left, level, mark);
+  add_stage(tree, node.right, level, mark);
+}
+
+}  // namespace
+
+// The stages of the hierarchy of the last policy, from the box inwards.
+void OuterHierarchies::visit_proof(ProofVisitor& visitor) const {
+  ProofGroup group;
+  group.kind = "hierarchy";
+  for (ObjectId object = 0; object < alive_.size(); ++object) {
+    if (alive_[object] == 0) continue;
+    const OuterHierarchy& tree = trees(object).back();
+    group.about = {object};
+    group.text = std::to_string(tree.levels()) + " levels, " + std::to_string(tree.cuts().size()) +
+                 " cuts, " + std::string(cut_policy_name(kPolicies.back()));
+    group.marks.clear();
+    for (int level = 0; level <= tree.levels(); ++level) {
+      ProofMark& mark = group.marks.emplace_back();
+      mark.shape = ProofMark::Shape::kOutline;
+      mark.name = "stage of the hierarchy";
+      for (std::uint32_t root = 0; root < tree.roots(); ++root) {
+        add_stage(tree, root, level, mark);
+      }
+    }
+    visitor.group(group);
+  }
+}
+
 std::vector<BoundCheck> OuterHierarchies::bounds(const BoundContext&) const {
   std::vector<BoundCheck> checks;
   for (std::size_t i = 0; i < kPolicies.size(); ++i) {

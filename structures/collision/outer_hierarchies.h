@@ -42,6 +42,7 @@ class OuterHierarchies final : public Structure {
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   Attribute attribute() const override;
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;

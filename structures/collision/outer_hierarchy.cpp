@@ -217,6 +217,12 @@ void OuterHierarchy::cut(std::uint32_t v, CutPolicy how, int level) {
   node.right = right;
 }
 
+int OuterHierarchy::quarterings_below(const OuterHierarchy& larger) const {
+  int k = 0;
+  for (Rational reach = Rational(2) * radius_; reach <= larger.radius_; ++k) reach *= Rational(4);
+  return k;
+}
+
 int OuterHierarchy::depth() const {
   int depth = 0;
   for (const Node& node : nodes_) depth = std::max(depth, node.depth);

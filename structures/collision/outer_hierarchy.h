@@ -100,6 +100,9 @@ class OuterHierarchy {
   // A rational upper bound on the radius of the smallest disc about the box's centre that holds P,
   // at most a hundredth too large.
   const Rational& radius() const { return radius_; }
+  // The least k with 4^k times twice this radius beyond the other's: how often the larger polygon's
+  // error is quartered until it is like this one's.
+  int quarterings_below(const OuterHierarchy& larger) const;
   const FramePoint& centre() const { return centre_; }
   std::size_t bytes() const;
 

@@ -52,8 +52,8 @@ class OverlapProof {
   Query certificate(const Edge& edge, std::uint32_t slot) const;
   std::array<Query, kCertificates> certificates(const Edge& edge) const;
   // The edge ahead right after now, searched from any edge of either polygon at a vertex of the
-  // other: O(1) signs for each edge passed. t may be outside M. nullopt: the search does not end in
-  // an inexact arithmetic.
+  // other: O(1) signs for each edge passed. t may be outside M. nullopt only in an inexact
+  // arithmetic: the search did not end.
   std::optional<Edge> ahead(Edge from) const;
   // True if t lies strictly on the inner side of the edge's line right after now.
   bool is_inside(const Edge& edge) const;

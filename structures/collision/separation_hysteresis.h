@@ -57,6 +57,7 @@ class SeparationHysteresis final : public ClosestFeatures {
   double least_displacement() const { return least_; }
 
  protected:
+  Roles describe(PairId p, ProofGroup& group) const override;
   bool start(PairId p) override;
   void fail(PairId p, std::uint32_t slot) override;
   std::optional<Features> touch(PairId p, When when) override;

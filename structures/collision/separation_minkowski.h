@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,8 @@ class SeparationMinkowski final : public SeparationMixed {
   std::size_t bytes() const override;
 
  protected:
+  Roles describe(PairId p, ProofGroup& group) const override;
+  std::string tile_text(PairId p, const Tile& tile) const override;
   // Throws std::invalid_argument if the bodies turn against each other.
   bool start(PairId p) override;
   bool leave(PairId p, const SumBoundary::Edge& edge) override {

@@ -50,7 +50,7 @@ void SeparationMixed::moved(PairId p) {
   const std::uint32_t count = prove(tiles(p), tile_[p], queries);
   bool same = count == pair(p).certificates;
   for (std::uint32_t i = 0; same && i < count; ++i) {
-    same = kernel_.query(pair(p).certificate[i]) == queries[i];
+    same = kernel_.claims(pair(p).certificate[i], queries[i]);
   }
   if (!same) set_certificates(p, {queries.data(), count});
 }

@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -70,6 +71,9 @@ class SeparationMixed : public CollisionPairs {
   std::optional<Tile> tile(ObjectId a, ObjectId b) const;
 
  protected:
+  Roles describe(PairId p, ProofGroup& group) const override;
+  // "triangle: node 3 of a is cut, at node 2 of b"
+  virtual std::string tile_text(PairId p, const Tile& tile) const;
   bool start(PairId p) override;
   bool leave(PairId p, const SumBoundary::Edge& edge) override;
   void fail(PairId p, std::uint32_t slot) override;

@@ -43,7 +43,8 @@ class SumBoundary {
   // the inner side (within).
   Query beyond(std::uint8_t z, Id e, Id v) const { return side(false, z, e, v); }
   Query within(std::uint8_t z, Id e, Id v) const { return side(true, z, e, v); }
-  // The same query on side z, of these or those below, failing at touches too (core/arithmetic/touch.h).
+  // A query of polygon z on the side of a line (beyond, within, past or short_of), failing at
+  // touches too (core/arithmetic/touch.h).
   Query at_touch(std::uint8_t z, Query query) const {
     const bool inward = query.predicate == predicates_.inside[z];
     query.predicate = inward ? predicates_.touch_inside[z] : predicates_.touch[z];

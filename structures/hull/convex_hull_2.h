@@ -3,9 +3,19 @@
 //
 // The upper hull is the upper envelope of the dual lines, a convex chain; the lower hull is the
 // same upside down (HullSigns). A balanced binary tree over the points, in no geometric order,
-// holds an envelope of each half at every node; a node merges the chains of its two children, red
-// and blue, into its own, purple. A corner `ab` of a chain is where line b follows line a. In the
-// merged order of all red and blue corners, its contender is the line of the other colour there.
+// holds an upper and a lower envelope at every node. A node merges the chains of its two children,
+// red and blue, into its own, purple; the chains of the root are the hull:
+//
+//                abcde                   purple of the root
+//              ____|____
+//           abc         de               its red and its blue chain
+//          __|__       _|_
+//        ab     c     d   e
+//       _|_                              a change of purple at a node is a change of red or blue
+//      a   b                             at its parent, and may end there
+//
+// A corner `ab` of a chain is where line b follows line a. In the merged order of all red and blue
+// corners, its contender is the line of the other colour there:
 //
 //     red    ---o-----------|---------o-----|----      o  a corner of this chain
 //               :           :         :     :          |  its contender on the other chain
@@ -109,6 +119,7 @@ class ConvexHull2 final : public Structure {
   void instant_settled() override;
   Attribute attribute() const override;
   Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;
@@ -263,6 +274,10 @@ class ConvexHull2 final : public Structure {
   void check_merge(Index node, AuditReport& report) const;
   void check_certificates(Index node, AuditReport& report) const;
   static std::string named(const char* what, Index place);
+
+  // ---- convex_hull_2_proof.cpp
+  std::string_view role_of(Slot slot, Index place) const;
+  void visit_merge(Index node, ProofVisitor& visitor) const;
 
   // ---- convex_hull_2_bounds.cpp
   void add_level_bounds(const BoundContext& context, std::vector<BoundCheck>& checks) const;

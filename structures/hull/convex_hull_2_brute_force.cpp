@@ -2,6 +2,8 @@
 #include "structures/hull/convex_hull_2_brute_force.h"
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 #include "structures/hull/hull_audit.h"
 #include "structures/hull/hull_bounds.h"
@@ -133,6 +135,38 @@ void ConvexHull2BruteForce::instant_settled() {
   look_again_ = false;
   find_hull();
   events_.settle(cycle_);
+}
+
+// The certificates come in the order of certify_all, but for some that an inexact arithmetic has
+// dropped: the groups are found by what the claims name.
+void ConvexHull2BruteForce::visit_proof(ProofVisitor& visitor) const {
+  ProofGroup group;
+  std::map<std::vector<ObjectId>, std::vector<CertificateId>> of;
+  for (const CertificateId c : certificates_) {
+    const Query query = kernel_->query(c);
+    const auto& ids = query.ids;
+    switch (kernel_->tag(c)) {
+      case kTurn:
+        of[{ids[1]}].push_back(c);
+        break;
+      case kInside:
+        of[{ids[0], ids[1]}].push_back(c);
+        break;
+      default:
+        of[{}].push_back(c);
+    }
+  }
+  for (const auto& [about, certificates] : of) {
+    group.about = about;
+    group.kind = about.empty()       ? "points on hull edges"
+                 : about.size() == 1 ? "hull vertex"
+                                     : "hull edge";
+    const std::string_view role = about.empty()       ? "between the ends"
+                                  : about.size() == 1 ? "the hull turns left"
+                                                      : "inside";
+    visitor.group(group);
+    for (const CertificateId c : certificates) visitor.certificate(c, role);
+  }
 }
 
 std::vector<BoundCheck> ConvexHull2BruteForce::bounds(const BoundContext& context) const {

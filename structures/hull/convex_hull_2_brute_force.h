@@ -14,7 +14,8 @@
 // own. Events, linear motion: at most 2 C(n,3).
 //
 // Turns fail at touches, too (core/arithmetic/touch.h): hull vertices that meet and part again can
-// leave every turn to the left, and a hull that winds around twice. Such a failure may change nothing.
+// leave every turn to the left, and a hull that winds around twice. Such a failure may change
+// nothing.
 //
 // Ties: strict vertices only; of identically equal points the smallest id.
 //
@@ -63,6 +64,7 @@ class ConvexHull2BruteForce final : public Structure {
   void instant_settled() override;
   Attribute attribute() const override { return {Attribute::Shape::kCycle, cycle_}; }
   Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;

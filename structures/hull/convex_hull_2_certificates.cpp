@@ -94,7 +94,7 @@ Outlook ConvexHull2::certify(CertificateId& certificate, const Query& query, std
     const Kernel::Created created = kernel_->create(id_, query, tag);
     certificate = created.id;
     outlook = created.outlook;
-  } else if (kernel_->query(certificate) == query) {
+  } else if (kernel_->claims(certificate, query)) {
     kernel_->set_tag(certificate, tag);
     return kernel_->outlook(certificate);
   } else {

@@ -54,7 +54,7 @@ void ConvexHull2::certificate_failed(CertificateId failed) {
     return give_up("a certificate fails again and again");
   }
   // A tie may have been resolved differently, with nothing to repair.
-  const bool tie = signs_.tied() && kernel_->query(failed) != base_query(slot, place);
+  const bool tie = signs_.tied() && !kernel_->claims(failed, base_query(slot, place));
   drop(certificate_of(slot, place));
   if (tie && claim_holds(slot, place)) {
     refresh(slot, place);

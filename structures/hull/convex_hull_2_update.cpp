@@ -146,7 +146,7 @@ void ConvexHull2::motions_changed(std::span<const ObjectId> objects) {
     CertificateId& certificate = certificate_of(slot, place);
     if (certificate == kNoCertificate) continue;
     if (kernel_->outlook(certificate) != Outlook::kIdenticallyZero &&
-        kernel_->query(certificate) == base_query(slot, place)) {
+        kernel_->claims(certificate, base_query(slot, place))) {
       continue;
     }
     drop(certificate);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/hull/family.h"
 
+#include <initializer_list>
+
 #include "structures/hull/convex_hull_2.h"
 #include "structures/hull/convex_hull_2_brute_force.h"
 #include "structures/hull/convex_hull_2_delaunay.h"
@@ -18,6 +20,14 @@ std::unique_ptr<Structure> make_of_triangulation(const MakerInput& in) {
                                                dynamic_cast<const Delaunay2&>(*in.watched));
 }
 
+// Of changes of the hull, then kinds of certificates that change nothing.
+std::vector<KindRule> kinds(std::initializer_list<std::string_view> silent) {
+  std::vector<KindRule> all;
+  for (const char* change : {"leave", "enter", "turn"}) all.push_back({change, Effect::kAlways});
+  for (const std::string_view kind : silent) all.push_back({kind, Effect::kNever});
+  return all;
+}
+
 }  // namespace
 
 StructureFamily hull_family() {
@@ -29,23 +39,27 @@ StructureFamily hull_family() {
   StructureInfo local = base;
   local.name = "convex_hull_2";
   local.summary = "the convex hull of points in the plane, by divide and conquer";
+  local.kinds = kinds({"x", "yl", "yr", "yb", "yt", "sl", "sr", "st", "end"});
   local.make = make_divided<ConvexHull2::Variant::kLocal>;
 
   StructureInfo naive = base;
   naive.name = "convex_hull_2_naive";
   naive.summary = "the same with certificates that are not local";
+  naive.kinds = local.kinds;
   naive.make = make_divided<ConvexHull2::Variant::kNaive>;
 
   StructureInfo brute_force = base;
   brute_force.name = "convex_hull_2_brute_force";
   brute_force.summary = "the convex hull, every point against every hull edge";
   brute_force.fails_at_touch = true;
+  brute_force.kinds = kinds({"reflex", "outside", "between"});
   brute_force.make = make_plain<ConvexHull2BruteForce>;
 
   StructureInfo reader = base;
   reader.name = "convex_hull_2_delaunay";
   reader.summary = "the convex hull, read off the Delaunay triangulation";
   reader.reads = "delaunay_2";
+  reader.kinds = kinds({});
   reader.make = make_of_triangulation;
 
   return {"hull", {local, naive, brute_force, reader}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Convex hulls of points.
+// The hull family: convex hulls of points. Its structures as descriptors
+// (structures/parts/descriptor.h).
 #ifndef KINEX_STRUCTURES_HULL_FAMILY_H
 #define KINEX_STRUCTURES_HULL_FAMILY_H
 

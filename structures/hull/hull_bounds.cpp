@@ -15,7 +15,6 @@ Integer binomial(const Integer& n, int k) {
   return product;
 }
 
-Integer counted(std::uint64_t k) { return Integer(static_cast<std::int64_t>(k)); }
 
 Integer turns_of_triples(const BoundContext& context) {
   return Integer(2 * context.degree) *

@@ -18,7 +18,6 @@ std::vector<BoundCheck> hull_bounds(std::string_view name, const BoundContext& c
 Integer binomial(const Integer& n, int k);
 // 2d C(n,3).
 Integer turns_of_triples(const BoundContext& context);
-Integer counted(std::uint64_t k);
 // The number of events of these kinds.
 std::uint64_t events_of(const StructureLedger& ledger, std::initializer_list<const char*> kinds);
 

@@ -13,10 +13,10 @@
 // same instants.
 //
 // Replay. A "leave" takes its point out of the cycle. An "enter" names the point and the two
-// neighbours between which it comes, counter-clockwise (one vertex alone is both; with none the
-// point is all it names): each event applies to the cycle left by the one before. A "turn" carries
-// the whole cycle before and after (Event::gone, Event::came). So does the "settled" that corrects
-// a cycle which passes a point twice, in an inexact arithmetic.
+// neighbours between which it comes, counter-clockwise. (In a cycle of one vertex that vertex is
+// both neighbours; in an empty cycle only the point is named.) Each event applies to the cycle left
+// by the one before. A "turn" carries the whole cycle before and after (Event::gone, Event::came).
+// So does the "settled" that corrects a cycle which passes a point twice, in an inexact arithmetic.
 //
 // Cost: O(h log h) for h vertices per instant at which the hull may have changed, and O(h) for each
 // vertex that comes or goes; where one vertex has come or gone between two neighbours, one pass

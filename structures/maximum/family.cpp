@@ -65,18 +65,25 @@ class Family {
 StructureFamily maximum_family() {
   Family family;
   const StructureInfo base = family.base();
+  StructureInfo tournament = base;
+  tournament.kinds = {{"replace", Effect::kSometimes}, {"tie", Effect::kNever}};
   family.add<MaximumTournament>(
-      base, "maximum_tournament", "the object with the largest key, by a tournament tree",
+      tournament, "maximum_tournament", "the object with the largest key, by a tournament tree",
       "minimum_tournament", "the object with the smallest key, by a tournament tree");
-  family.add<MaximumHeap>(base, "maximum_heap", "the object with the largest key, by a binary heap",
+  StructureInfo heap = base;
+  heap.kinds = {
+      {"swap", Effect::kSometimes}, {"tie", Effect::kNever}, {"replace", Effect::kAlways}};
+  family.add<MaximumHeap>(heap, "maximum_heap", "the object with the largest key, by a binary heap",
                           "minimum_heap", "the object with the smallest key, by a binary heap");
   family.add<MaximumHanger>(
-      base, "maximum_hanger", "the object with the largest key, by a randomised hanger",
+      heap, "maximum_hanger", "the object with the largest key, by a randomised hanger",
       "minimum_hanger", "the object with the smallest key, by a randomised hanger");
+  StructureInfo envelope = base;
+  envelope.kinds = {{"replace", Effect::kAlways}, {"tie", Effect::kAlways}};
   family.add<MaximumEnvelope>(
-      base, "maximum_envelope", "the object with the largest key, by the upper envelope ahead",
+      envelope, "maximum_envelope", "the object with the largest key, by the upper envelope ahead",
       "minimum_envelope", "the object with the smallest key, by the lower envelope ahead");
-  StructureInfo linear = base;
+  StructureInfo linear = envelope;
   linear.largest_degree = 1;
   family.add<MaximumDualHull>(
       linear, "maximum_dual_hull",
@@ -84,10 +91,11 @@ StructureFamily maximum_family() {
       "the object with the smallest key, by the dual hull of linear motions");
   StructureInfo reader = base;
   reader.reads = "sorted_list";
-  family.add(reader, "maximum_sorted_list", "the object with the largest key, read off a sorted list",
-             make_of_list<Extremum::kMaximum>, "minimum_sorted_list",
-             "the object with the smallest key, read off a sorted list",
-             make_of_list<Extremum::kMinimum>);
+  reader.kinds = {{"replace", Effect::kAlways}};
+  family.add(
+      reader, "maximum_sorted_list", "the object with the largest key, read off a sorted list",
+      make_of_list<Extremum::kMaximum>, "minimum_sorted_list",
+      "the object with the smallest key, read off a sorted list", make_of_list<Extremum::kMinimum>);
   return {"maximum", std::move(family.structures)};
 }
 

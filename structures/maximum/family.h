@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The object with the largest key, or with the smallest.
+// The maximum family: the object with the largest or the smallest key. Its structures as
+// descriptors (structures/parts/descriptor.h).
 #ifndef KINEX_STRUCTURES_MAXIMUM_FAMILY_H
 #define KINEX_STRUCTURES_MAXIMUM_FAMILY_H
 

@@ -4,24 +4,15 @@
 #include <string>
 #include <utility>
 
+#include "structures/parts/extremum_bounds.h"
+
 namespace kinex {
 
 namespace {
 
-Integer counted(std::uint64_t k) { return Integer(static_cast<std::int64_t>(k)); }
-
 Integer crossings(const KeyOrder& order, const BoundContext& context) {
   return pair_sign_changes(order.member_pieces(context), order.degree(context.degree),
                            order.reference_pieces(context));
-}
-
-// The pieces of the members' keys: a new motion of the reference begins a new piece of every key.
-Integer key_pieces(const KeyOrder& order, const BoundContext& context) {
-  Integer sum(0);
-  for (const int pieces : order.member_pieces(context)) {
-    sum += Integer(pieces + order.reference_pieces(context) - 1);
-  }
-  return sum;
 }
 
 }  // namespace
@@ -48,24 +39,12 @@ std::vector<BoundCheck> maximum_bounds(std::string_view name, const KeyOrder& or
     }
     result.push_back(at_most(own + ".external", source, std::move(most), counted(ledger.external)));
   };
-  const auto ties = ledger.by_kind.find("tie");
-  const Integer tied = counted(ties == ledger.by_kind.end() ? 0 : ties->second);
-  const int degree = order.degree(context.degree);
-  const auto changes = [](Integer envelope) {
-    return envelope.is_zero() ? envelope : envelope - Integer(1);
-  };
-  if (context.plain()) {
-    add(changes(davenport_schinzel_bound(degree, n)) + tied,
-        "pieces of the upper envelope of n functions, Davenport-Schinzel numbers; "
-        "Guibas 1998, section 5");
-    return result;
-  }
-  const Integer envelope =
-      changes(davenport_schinzel_bound(degree + 2, key_pieces(order, context)));
-  const Integer crossing = crossings(order, context);
-  add((envelope < crossing ? envelope : crossing) + tied,
-      "pieces of the upper envelope of functions on intervals, Davenport-Schinzel numbers of order "
-      "degree + 2, or one per crossing");
+  add(extremum_changes(context, order.member_pieces(context), order.reference_pieces(context),
+                       order.degree(context.degree)),
+      context.plain() ? "pieces of the upper envelope of n functions, Davenport-Schinzel numbers; "
+                        "Guibas 1998, section 5"
+                      : "pieces of the upper envelope of functions on intervals, "
+                        "Davenport-Schinzel numbers of order degree + 2, or one per crossing");
   return result;
 }
 

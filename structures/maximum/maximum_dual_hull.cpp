@@ -67,7 +67,7 @@ void MaximumDualHull::expect(ObjectId next) {
   const Query query = contest_.claim(winner_, next);
   if (certificate_ == kNoCertificate) {
     certificate_ = kernel_->create(id_, query, 0).id;
-  } else if (kernel_->query(certificate_) != query) {
+  } else if (!kernel_->claims(certificate_, query)) {
     kernel_->replace(certificate_, query, 0);
   }
 }

@@ -62,6 +62,7 @@ class MaximumDualHull final : public Structure {
   void motions_changed(std::span<const ObjectId> objects) override;
   int largest_motion_degree() const override { return 1; }
   Attribute attribute() const override;
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;

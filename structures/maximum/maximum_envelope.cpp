@@ -45,7 +45,7 @@ void MaximumEnvelope::set_certificate() {
   const Query query = contest_.claim(winners_[at_], winners_[at_ + 1]);
   if (certificate_ == kNoCertificate) {
     certificate_ = kernel_->create(id_, query, 0).id;
-  } else if (kernel_->query(certificate_) != query) {
+  } else if (!kernel_->claims(certificate_, query)) {
     kernel_->replace(certificate_, query, 0);
   }
 }

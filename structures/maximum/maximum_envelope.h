@@ -10,16 +10,16 @@
 // every event is external, at most lambda_D(n) - 1. The price: the envelope takes O(lambda_D(n))
 // space and O(lambda_D(n) log n) failure times and comparisons of instants, and every flight-plan
 // change, insertion and erasure computes it anew. It is the offline baseline for kinetic
-// structures: no worse while nothing changes, hopeless when much does.
+// structures: as good while no motion changes, far more expensive when many do.
 //
 // Motions on intervals (flight plans, objects that come and go). The envelope is that of the
 // motions in force, each extended for all time; it is right until the first of them ends, and is
 // then computed anew from those that follow. Pieces planned for later are ignored, although the
 // envelope of all of them, lambda_{D+2}(pieces) winners, could be computed at the start: a
-// structure is not told of a flight plan before it comes into force. So a run is the same whether a
+// structure learns of a flight plan only when it comes into force. So a run is the same whether a
 // change stands in the scene or comes from outside during the run, and a change from outside
-// replaces what was planned. The events are those of that one envelope: at most lambda_{D+2}(m) - 1
-// for m pieces; only the cost is that of m envelopes.
+// replaces the planned one. The events are those of the envelope of all pieces: at most
+// lambda_{D+2}(m) - 1 for m pieces. The cost is that of m envelopes.
 //
 // Ties. Of identically equal keys the smallest id wins. Where several objects overtake the winner
 // at one instant, only the one that is best right after it becomes the winner.
@@ -59,6 +59,7 @@ class MaximumEnvelope final : public Structure {
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
   Attribute attribute() const override;
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;

@@ -11,16 +11,11 @@ namespace kinex {
 
 MaximumHanger::MaximumHanger(Kernel& kernel, StructureId id, const Key& key, const Scene& scene,
                              Extremum extremum, std::uint64_t seed)
-    : kernel_(&kernel),
-      id_(id),
-      contest_(extremum, kernel, key, scene),
-      events_(kernel, id, kReplace),
+    : MaximumStructure(kernel, id, scene, Contest(extremum, kernel, key, scene), "maximum_hanger",
+                       "minimum_hanger", kReplace),
+      slots_(kernel, id, "hanger"),
       seed_(seed),
       place_of_(scene.objects.size(), kNone) {}
-
-std::string_view MaximumHanger::name() const {
-  return contest_.extremum() == Extremum::kMaximum ? "maximum_hanger" : "minimum_hanger";
-}
 
 std::vector<std::string_view> MaximumHanger::event_kinds() const {
   return common_event_kinds({"swap", "tie", "replace"});
@@ -39,19 +34,19 @@ bool MaximumHanger::coin() {
 
 void MaximumHanger::build(std::span<const ObjectId> objects) {
   construct(contest_.order().members(objects));
-  events_.begin(best());
+  events_.begin(winner());
 }
 
 void MaximumHanger::rebuild() {
   std::vector<ObjectId> members;
-  for (const Node& node : nodes_) {
+  for (Node& node : nodes_) {
     if (node.object == kNoObject) continue;
     members.push_back(node.object);
-    if (node.certificate != kNoCertificate) kernel_->retract(node.certificate);
+    slots_.drop(node.certificate);
   }
   std::sort(members.begin(), members.end());
   construct(std::move(members));
-  events_.begin(best());
+  events_.begin(winner());
 }
 
 // All objects hang before the first certificate is made, so only n - 1 are.
@@ -76,17 +71,8 @@ void MaximumHanger::set_certificate(Place p) {
   Node& node = nodes_[p];
   if (node.parent == kNone) return;
   const Query query = contest_.claim(above(p), node.object);
-  Outlook outlook;
-  if (node.certificate == kNoCertificate) {
-    const Kernel::Created created = kernel_->create(id_, query, p);
-    node.certificate = created.id;
-    outlook = created.outlook;
-  } else if (kernel_->query(node.certificate) == query) {
-    return;
-  } else {
-    outlook = kernel_->replace(node.certificate, query, p);
-  }
-  if (outlook == Outlook::kIdenticallyZero) ties_.push_back(p);
+  if (node.certificate != kNoCertificate && kernel_->claims(node.certificate, query)) return;
+  ties_.set(slots_, node.certificate, query, p);
 }
 
 void MaximumHanger::set_certificates_below(Place p, Place except) {
@@ -109,34 +95,27 @@ void MaximumHanger::exchange(Place child) {
 }
 
 void MaximumHanger::certificate_failed(CertificateId failed) {
-  const Place child = kernel_->tag(failed);
+  const Place child = slots_.failed(failed);
   const ObjectId up = nodes_[child].object, down = above(child);
   exchange(child);
   settle_ties();
-  events_.repaired(kSwap, down, up, best());
+  events_.repaired(kSwap, {down, up}, winner());
 }
 
 // Each exchange moves a smaller id up, so there are at most as many as pairs of an ancestor and a
 // descendant.
 void MaximumHanger::settle_ties() {
-  while (!ties_.empty()) {
-    const Place p = ties_.back();
-    ties_.pop_back();
-    if (p >= nodes_.size() || nodes_[p].certificate == kNoCertificate) continue;
-    if (kernel_->outlook(nodes_[p].certificate) != Outlook::kIdenticallyZero) continue;
+  ties_.settle([this](Place p) {
+    if (p >= nodes_.size() || !slots_.is_tie(nodes_[p].certificate)) return;
     const ObjectId up = nodes_[p].object, down = above(p);
-    if (down < up) continue;
+    if (down < up) return;
     exchange(p);
     kernel_->report(id_, kTie, {down, up}, false);
-  }
+  });
 }
 
 void MaximumHanger::motions_changed(std::span<const ObjectId> objects) {
-  for (const ObjectId object : objects) {
-    for (const CertificateId c : kernel_->certificates_of(object)) {
-      if (kernel_->is_tie_of(id_, c)) ties_.push_back(kernel_->tag(c));
-    }
-  }
+  ties_.note_of(slots_, objects);
   settle_ties();
 }
 
@@ -177,7 +156,7 @@ void MaximumHanger::insert(ObjectId object) {
   for (const Place p : moved) set_certificate(p);
   for (const Place p : moved) set_certificates_below(p, kNone);
   settle_ties();
-  events_.begin(best());
+  events_.begin(winner());
 }
 
 void MaximumHanger::erase(ObjectId object) {
@@ -198,7 +177,7 @@ void MaximumHanger::erase(ObjectId object) {
     hole = up;
   }
   Node& leaf = nodes_[hole];
-  if (leaf.certificate != kNoCertificate) kernel_->retract(leaf.certificate);
+  slots_.drop(leaf.certificate);
   if (leaf.parent == kNone) {
     root_ = kNone;
   } else {
@@ -211,16 +190,10 @@ void MaximumHanger::erase(ObjectId object) {
   for (const Place p : moved) set_certificate(p);
   for (const Place p : moved) set_certificates_below(p, kNone);
   settle_ties();
-  events_.begin(best());
+  events_.begin(winner());
 }
 
-// ---- attribute, bounds, invariants
-
-Attribute MaximumHanger::attribute() const {
-  Attribute result{Attribute::Shape::kObject, {}};
-  if (root_ != kNone) result.ids.push_back(nodes_[root_].object);
-  return result;
-}
+// ---- bounds, invariants
 
 // Per place, the number of its ancestors; 0 for free places.
 std::vector<std::uint64_t> MaximumHanger::depths() const {
@@ -246,7 +219,6 @@ std::size_t MaximumHanger::depth() const {
 
 std::vector<BoundCheck> MaximumHanger::bounds(const BoundContext& context) const {
   std::vector<BoundCheck> result = maximum_bounds(name(), contest_.order(), context);
-  const auto counted = [](std::uint64_t k) { return Integer(static_cast<std::int64_t>(k)); };
   const std::string own(name());
   if (contest_.order().reference() == kNoObject) {
     result.push_back(at_most(own + ".locality", "a parent and two children", Integer(3),
@@ -265,9 +237,37 @@ std::vector<BoundCheck> MaximumHanger::bounds(const BoundContext& context) const
   return result;
 }
 
+void MaximumHanger::check_invariants(AuditReport& report) const {
+  check_told(report);
+  std::size_t found = 0;
+  for (Place p = 0; p < nodes_.size(); ++p) {
+    const Node& node = nodes_[p];
+    if (node.object == kNoObject) continue;
+    ++found;
+    const auto where = [&] { return " at place " + std::to_string(p); };
+    report.check(place_of_[node.object] == p, [&] { return "a lost object" + where(); });
+    for (const Place child : node.child) {
+      report.check(
+          child == kNone || (nodes_[child].parent == p && nodes_[child].object != kNoObject),
+          [&] { return "a broken link" + where(); });
+    }
+    const CertificateId c = node.certificate;
+    if (node.parent == kNone) {
+      report.check(p == root_ && c == kNoCertificate, [&] { return "a second root" + where(); });
+      continue;
+    }
+    const ObjectId parent = nodes_[node.parent].object;
+    report.check(slots_.holds(c, contest_.claim(parent, node.object), p),
+                 [&] { return "a certificate of something else" + where(); });
+    report.check(!slots_.is_tie(c) || parent < node.object,
+                 [&] { return "a tie in the wrong order" + where(); });
+  }
+  report.check(found == size_, [] { return std::string("a wrong number of objects"); });
+}
+
 std::size_t MaximumHanger::bytes() const {
   return nodes_.capacity() * sizeof(Node) +
-         (free_.capacity() + place_of_.capacity() + ties_.capacity()) * sizeof(Place);
+         (free_.capacity() + place_of_.capacity()) * sizeof(Place) + ties_.bytes();
 }
 
 }  // namespace kinex

@@ -51,15 +51,13 @@
 #include <string_view>
 #include <vector>
 
-#include "core/engine/kernel.h"
-#include "core/engine/structure.h"
-#include "core/motion/scene.h"
-#include "structures/maximum/maximum_events.h"
-#include "structures/parts/key_order.h"
+#include "structures/maximum/maximum_structure.h"
+#include "structures/parts/slots.h"
+#include "structures/parts/ties.h"
 
 namespace kinex {
 
-class MaximumHanger final : public Structure {
+class MaximumHanger final : public MaximumStructure {
  public:
   enum Kind : std::uint8_t {
     kSwap,     // parent and child change places: the old parent, the new one
@@ -71,7 +69,6 @@ class MaximumHanger final : public Structure {
   MaximumHanger(Kernel& kernel, StructureId id, const Key& key, const Scene& scene,
                 Extremum extremum, std::uint64_t seed = kSeed);
 
-  std::string_view name() const override;
   std::vector<std::string_view> event_kinds() const override;
   void build(std::span<const ObjectId> objects) override;
   void rebuild() override;
@@ -79,16 +76,12 @@ class MaximumHanger final : public Structure {
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
-  void instant_settled() override { events_.settle(best()); }
-  Attribute attribute() const override;
-  Attribute told() const override { return events_.told(); }
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
-  void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
-  // kNoObject if there is none.
-  ObjectId best() const { return root_ == kNone ? kNoObject : nodes_[root_].object; }
+  ObjectId winner() const override { return root_ == kNone ? kNoObject : nodes_[root_].object; }
   // The largest number of steps from the root to an object.
   std::size_t depth() const;
 
@@ -117,10 +110,8 @@ class MaximumHanger final : public Structure {
   void settle_ties();
   std::vector<std::uint64_t> depths() const;
 
-  Kernel* kernel_;
-  StructureId id_;
-  Contest contest_;
-  MaximumEvents events_;
+  Slots slots_;
+  Ties ties_;
   std::uint64_t seed_;
   std::uint64_t coins_ = 0;  // thrown so far
   std::vector<Node> nodes_;
@@ -128,7 +119,6 @@ class MaximumHanger final : public Structure {
   std::vector<Place> place_of_;  // per object
   Place root_ = kNone;
   std::size_t size_ = 0;
-  std::vector<Place> ties_;  // certificates that are identically zero, not yet checked
 };
 
 }  // namespace kinex

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MaximumHeap: the object with the largest (or smallest) key, by a binary heap.
 //
-// Certificates. One per place i > 0 of the heap's array: the object at the parent (i - 1) / 2 is at
-// least as good as the one at i; degree D in t, that of the key.
-//
-//         g                g
-//         * 1              * 1
-//         p                c            p's certificate with c fails: the two change places, and
-//     2 * ' * 3        2 * ' * 3        the five certificates at them are renewed
-//      c     s          p     s
-//  4 * ' * 5        4 * ' * 5
+// Certificates. A KineticHeap (parts/kinetic_heap.h): one per place i > 0 of the heap's array, the
+// object at the parent is at least as good as the one at i; degree D in t, that of the key.
 //
 // Quality, for n objects:
 //   compactness     n - 1 certificates
@@ -38,15 +31,12 @@
 #include <string_view>
 #include <vector>
 
-#include "core/engine/kernel.h"
-#include "core/engine/structure.h"
-#include "core/motion/scene.h"
-#include "structures/maximum/maximum_events.h"
-#include "structures/parts/key_order.h"
+#include "structures/maximum/maximum_structure.h"
+#include "structures/parts/kinetic_heap.h"
 
 namespace kinex {
 
-class MaximumHeap final : public Structure {
+class MaximumHeap final : public MaximumStructure {
  public:
   enum Kind : std::uint8_t {
     kSwap,     // parent and child change places: the old parent, the new one
@@ -57,7 +47,6 @@ class MaximumHeap final : public Structure {
   MaximumHeap(Kernel& kernel, StructureId id, const Key& key, const Scene& scene,
               Extremum extremum);
 
-  std::string_view name() const override;
   std::vector<std::string_view> event_kinds() const override;
   void build(std::span<const ObjectId> objects) override;
   void rebuild() override;
@@ -65,43 +54,19 @@ class MaximumHeap final : public Structure {
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
-  void instant_settled() override { events_.settle(top()); }
-  Attribute attribute() const override;
-  Attribute told() const override { return events_.told(); }
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
-  void audit(const Snapshot& snapshot, AuditReport& report) const override;
-  std::size_t bytes() const override;
+  std::size_t bytes() const override { return heap_.bytes(); }
 
-  // kNoObject if there is none.
-  ObjectId top() const { return heap_.empty() ? kNoObject : heap_[0]; }
+  ObjectId winner() const override { return heap_.top(); }
 
  private:
-  using Place = std::uint32_t;
-  static constexpr Place kNone = 0xffffffffu;
-
-  void construct(std::vector<ObjectId> members);
-  std::uint64_t relatives(Place i) const;
-  void put(Place i, ObjectId object) {
-    heap_[i] = object;
-    place_of_[object] = i;
+  auto tied() {
+    return [this](ObjectId old, ObjectId fresh) { kernel_->report(id_, kTie, {old, fresh}, false); };
   }
-  void set_certificate(Place i);
-  void exchange(Place child);
-  void settle_ties();
-  void sift_up(Place i, std::vector<Place>& moved);
-  void sift_down(Place i, std::vector<Place>& moved);
-  void renew(const std::vector<Place>& moved);
 
-  Kernel* kernel_;
-  StructureId id_;
-  Contest contest_;
-  MaximumEvents events_;
-  std::vector<ObjectId> heap_;
-  std::vector<CertificateId> certificate_;  // per place, of it and its parent; none for the root
-  std::vector<Place> place_of_;             // per object
-  std::uint64_t pairs_ = 0;  // of an ancestor and a descendant that may still fail, or have failed
-  std::vector<Place> ties_;  // certificates that are identically zero, not yet checked
+  KineticHeap<Contest> heap_;
 };
 
 }  // namespace kinex

@@ -11,7 +11,7 @@ void MaximumOfList::build(std::span<const ObjectId>) { events_.begin(extreme());
 
 // The changes of a rebuild of the list are reported; insertions and erasures were handled already.
 void MaximumOfList::watched_changed(const Event* event) {
-  if (event == nullptr) return events_.settle(extreme());
+  if (event == nullptr) return events_.over(extreme());
   events_.watched_changed(event->structure, extreme());
 }
 

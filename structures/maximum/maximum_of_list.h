@@ -4,8 +4,8 @@
 // Certificates. None of its own: it watches the list and changes when the list's end does. The list
 // may be maintained for its own sake, or be shared by a maximum and a minimum.
 //
-// Quality: that of the list, whose whole cost is paid for one object: up to n(n-1)/2 swaps for n -
-// 1 changes of the maximum. It is the inefficient baseline with which the report begins.
+// Quality: that of the list, whose whole cost is paid for one object: up to n(n-1)/2 swaps for
+// n - 1 changes of the maximum. It is the inefficient baseline with which the report begins.
 // Events: one per instant that changes the maximum, however many neighbours change places at it.
 //
 // Ties. Of objects with identically equal keys the smallest id wins.
@@ -20,7 +20,7 @@
 
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
-#include "structures/maximum/maximum_events.h"
+#include "structures/parts/attribute_events.h"
 #include "structures/order/sorted_list.h"
 #include "structures/parts/key_order.h"
 
@@ -48,7 +48,7 @@ class MaximumOfList final : public Structure {
   void insert(ObjectId) override { events_.begin(extreme()); }
   void erase(ObjectId) override { events_.begin(extreme()); }
   // New motions may separate objects that were tied, without a swap.
-  void instant_settled() override { events_.settle(extreme()); }
+  void instant_settled() override { events_.over(extreme()); }
   void watched_changed(const Event* event) override;
   Attribute attribute() const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
@@ -57,14 +57,14 @@ class MaximumOfList final : public Structure {
   std::size_t bytes() const override { return sizeof *this; }
 
   // kNoObject if there is none.
-  ObjectId winner() const { return events_.winner(); }
+  ObjectId winner() const { return events_.object(); }
 
  private:
   ObjectId extreme() const { return list_->extreme(extremum_); }
 
   const SortedList* list_;
   Extremum extremum_;
-  MaximumEvents events_;
+  AttributeEvents events_;
 };
 
 }  // namespace kinex

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MaximumTournament: the object with the largest (or smallest) key, by a tournament tree.
 //
-// Certificates. The tree is complete and lies in an array: the children of node v are 2v and 2v +
-// 1, the leaves are n .. 2n - 1 (in the scene's order at the start). One certificate per inner
-// node: the winner of one child is at least as good as the winner of the other; degree D in t, that
-// of the key.
-//
-//               1: a                 node 2 fails: c wins there from now on, and then at every
-//            ____|____               node above where it beats the other child's winner. The
-//         2: a       3: e            certificates on that path are renewed, up to where c loses.
-//        __|__       __|__
-//     4: a   5: c  6: e   7: f       n = 4; leaves 4 .. 7
+// Certificates. A KineticTournament (parts/kinetic_tournament.h): one per inner node, the winner of
+// one child is at least as good as the winner of the other; degree D in t, that of the key.
 //
 // Quality, for n objects:
 //   compactness     n - 1 certificates
@@ -32,26 +24,21 @@
 //
 // Ties. Of objects with identically equal keys the smallest id wins.
 //
-// Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5; Basch,
-// Guibas, Hershberger, "Data structures for mobile data" (1999).
+// Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5.
 #ifndef KINEX_STRUCTURES_MAXIMUM_MAXIMUM_TOURNAMENT_H
 #define KINEX_STRUCTURES_MAXIMUM_MAXIMUM_TOURNAMENT_H
 
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "core/engine/kernel.h"
-#include "core/engine/structure.h"
-#include "core/motion/scene.h"
-#include "structures/maximum/maximum_events.h"
-#include "structures/parts/key_order.h"
+#include "structures/maximum/maximum_structure.h"
+#include "structures/parts/kinetic_tournament.h"
 
 namespace kinex {
 
-class MaximumTournament final : public Structure {
+class MaximumTournament final : public MaximumStructure {
  public:
   enum Kind : std::uint8_t {
     kReplace,  // another winner at a node, or another maximum: the old one, the new one
@@ -61,7 +48,6 @@ class MaximumTournament final : public Structure {
   MaximumTournament(Kernel& kernel, StructureId id, const Key& key, const Scene& scene,
                     Extremum extremum);
 
-  std::string_view name() const override;
   std::vector<std::string_view> event_kinds() const override;
   void build(std::span<const ObjectId> objects) override;
   void rebuild() override;
@@ -69,44 +55,20 @@ class MaximumTournament final : public Structure {
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
-  void instant_settled() override { events_.settle(winner()); }
-  Attribute attribute() const override;
-  Attribute told() const override { return events_.told(); }
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
-  void audit(const Snapshot& snapshot, AuditReport& report) const override;
-  std::size_t bytes() const override;
+  std::size_t bytes() const override { return tournament_.bytes(); }
 
-  // kNoObject if there is none.
-  ObjectId winner() const { return leaves_ == 0 ? kNoObject : winner_[1]; }
+  ObjectId winner() const override { return tournament_.winner(); }
 
  private:
-  using Node = std::uint32_t;
-
-  void construct(std::vector<ObjectId> members);
-  ObjectId loser(Node v) const {
-    return winner_[2 * v] == winner_[v] ? winner_[2 * v + 1] : winner_[2 * v];
+  // Reports a tie that was put in order.
+  auto tied() {
+    return [this](ObjectId old, ObjectId fresh) { kernel_->report(id_, kTie, {old, fresh}, false); };
   }
-  void set_node(Node v, ObjectId winner, ObjectId loser);
-  void flip(Node v);
-  void decide(Node v);
-  void replay(Node a, Node b);
-  std::size_t leaves_below(Node v) const;
-  void begin_epochs(std::vector<Node>& nodes);
 
-  Kernel* kernel_;
-  StructureId id_;
-  Contest contest_;
-  MaximumEvents events_;
-  std::size_t leaves_ = 0;
-  std::vector<ObjectId> winner_;            // per node from 1; at a leaf its object
-  std::vector<CertificateId> certificate_;  // per inner node from 1
-  std::vector<Node> leaf_of_;               // per object; 0: not a member
-  // Epochs of nodes by their number of leaves: of single changes, and (trees_) of whole trees built
-  // or changed all over, by the number of leaves of these.
-  std::map<std::size_t, std::uint64_t> epochs_;
-  std::map<std::size_t, std::uint64_t> trees_;
-  std::vector<Node> touched_;  // scratch
+  KineticTournament<Contest> tournament_;
 };
 
 }  // namespace kinex

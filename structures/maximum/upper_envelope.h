@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Upper envelope, computed in advance: the winner of a contest from now on, and its successors.
+// UpperEnvelope: the winners of a contest from now on, one after another, computed in advance.
 //
-// Divide and conquer: the envelopes of the two halves are merged by a sweep over their breakpoints;
-// between two of them one object of each is on top, and the winner changes where these two cross.
-// Several crossings of a pair are found one after another.
+// Divide and conquer: the envelopes of the two halves are merged by a sweep over their breakpoints.
+// Between two breakpoints one object of each half is on top, and the winner changes where these two
+// cross. Several crossings of a pair are found one after another.
+//
+//   first half    |------ f ------|-------- g --------->     | breakpoint of a half
+//   second half   |---- u ---|----------- v ------------>
+//   sweep         |   x      |    |      x                   x crossing of the two on top
+//   merged        |-u-|--- f -----|-- g -|----- v ------>    | change of the winner
+//
 // Cost: O(lambda_D(n) log n) failure times and comparisons of instants for keys of degree D;
 // O(n log n) for lines.
 //

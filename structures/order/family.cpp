@@ -6,11 +6,13 @@
 namespace kinex {
 
 StructureFamily order_family() {
-  StructureInfo list{.name = "sorted_list",
-                     .summary = "objects in the order of a key, by certificates between neighbours"};
+  StructureInfo list{
+      .name = "sorted_list",
+      .summary = "objects in the order of a key, by certificates between neighbours"};
   list.any_dimension = true;
   list.uses_key = true;
   list.shape = Attribute::Shape::kSequence;
+  list.kinds = {{"swap", Effect::kAlways}, {"tie", Effect::kAlways}};
   list.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
     return std::make_unique<SortedList>(in.kernel, in.id, in.request.key, in.scene);
   };

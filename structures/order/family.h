@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Objects in the order of a key.
+// The order family: objects in the order of a key. Its structures as descriptors
+// (structures/parts/descriptor.h).
 #ifndef KINEX_STRUCTURES_ORDER_FAMILY_H
 #define KINEX_STRUCTURES_ORDER_FAMILY_H
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SortedList: moving objects in the order of a key.
 //
-// Certificates. One per pair of neighbours (a, b): key(a) <= key(b), of the key's degree D in t
-// (D = d for coordinates and directions of motions of degree d, 2d for squared distances).
-//
-//     z --1-- a --2-- b --3-- y      2 fails: a and b change places,
-//     z --1'- b --2'- a --3'- y      three certificates are renewed
+// Certificates. A KineticList (parts/kinetic_list.h): one per pair of neighbours (a, b), key(a) <=
+// key(b), of the key's degree D in t (D = d for coordinates and directions of motions of degree d,
+// 2d for squared distances).
 //
 // Quality, for n objects:
 //   compactness     n - 1 certificates
@@ -31,7 +29,7 @@
 #include "core/engine/structure.h"
 #include "core/motion/scene.h"
 #include "structures/parts/key_order.h"
-#include "structures/parts/order_tree.h"
+#include "structures/parts/kinetic_list.h"
 
 namespace kinex {
 
@@ -53,53 +51,35 @@ class SortedList final : public Structure {
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
   Attribute attribute() const override;
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
-  std::size_t bytes() const override;
+  std::size_t bytes() const override { return list_.bytes(); }
 
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return list_.size(); }
   // The number of objects of the scene, whether in the list or not.
-  std::size_t objects() const { return slot_of_.size(); }
+  std::size_t objects() const { return list_.capacity(); }
   // Neighbours in the order, kNoObject at its ends. Requires that `object` is in the list. O(1).
-  ObjectId first() const { return object_at(first_); }
-  ObjectId last() const { return object_at(last_); }
-  ObjectId next(ObjectId object) const { return object_at(slots_[slot_of_[object]].next); }
-  ObjectId previous(ObjectId object) const { return object_at(slots_[slot_of_[object]].previous); }
+  ObjectId first() const { return list_.first(); }
+  ObjectId last() const { return list_.last(); }
+  ObjectId next(ObjectId object) const { return list_.next(object); }
+  ObjectId previous(ObjectId object) const { return list_.previous(object); }
   // The first or the last object; of several with identically equal keys the one with the smallest
   // id. kNoObject if there is none. O(1), except for such ties.
-  ObjectId extreme(Extremum extremum) const;
-  const KeyOrder& order() const { return order_; }
+  ObjectId extreme(Extremum extremum) const {
+    return extremum == Extremum::kMinimum ? list_.first() : list_.front_of_last();
+  }
+  const KeyOrder& order() const { return list_.claims(); }
 
  private:
-  using Place = OrderTree::Place;
-  static constexpr Place kNone = OrderTree::kNone;
-  // A place in the list and its object. A swap changes only the objects at two places.
-  struct Slot {
-    ObjectId object = kNoObject;
-    Place next = kNone, previous = kNone;
-    CertificateId certificate = kNoCertificate;  // of this place and the next
-  };
-
-  ObjectId object_at(Place s) const { return s == kNone ? kNoObject : slots_[s].object; }
-  void construct(std::vector<ObjectId> members);
-  void set_certificate(Place s);
-  void drop_certificate(Place s);
-  void exchange(Place s);
-  void settle_ties();
-  Place new_slot(ObjectId object);
+  auto tied() {
+    return [this](ObjectId a, ObjectId b) { kernel_->report(id_, kTie, {a, b}, true); };
+  }
 
   Kernel* kernel_;
   StructureId id_;
-  KeyOrder order_;
-  std::vector<Slot> slots_;
-  std::vector<Place> slot_of_;  // per object
-  std::vector<Place> free_;
-  Place first_ = kNone, last_ = kNone;
-  std::size_t size_ = 0;
-  OrderTree tree_;  // built by the first insertion, kept from then on
-  bool has_tree_ = false;
-  std::vector<Place> ties_;  // certificates that are identically zero, not yet checked
+  KineticList<KeyOrder> list_;
 };
 
 }  // namespace kinex

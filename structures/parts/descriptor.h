@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// StructureInfo: all that the rest of the program knows about a structure before it is made, and
-// how it is made. Each family lists its structures in its family.cpp; the reader of scenes, the
-// help, the tables of the README and the tests go by these lists.
+// StructureInfo: the descriptor of a structure: all that the rest of the program knows about it
+// before it is made, and the function that makes it. Each family lists its structures in its
+// family.cpp. The reader of scenes, the help, the tables of the README and the tests use these
+// lists.
 #ifndef KINEX_STRUCTURES_PARTS_DESCRIPTOR_H
 #define KINEX_STRUCTURES_PARTS_DESCRIPTOR_H
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/arithmetic/number_needs.h"
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
 #include "core/motion/scene.h"
@@ -22,8 +25,8 @@ struct Refusal {
   std::string problem, remedy;
 };
 
-// What a maker gets. `request` is valid for `scene`; `watched` is the structure that is read
-// (StructureInfo::reads), which outlives the new one, or nullptr.
+// The arguments of a maker. `request` is valid for `scene`. `watched` is the structure that the new
+// one reads (StructureInfo::reads) and that outlives it, or nullptr.
 struct MakerInput {
   const Request& request;
   const Scene& scene;
@@ -32,29 +35,44 @@ struct MakerInput {
   const Structure* watched;
 };
 
+// Does an event of a kind change the attribute?
+enum class Effect { kNever, kSometimes, kAlways };
+
+struct KindRule {
+  std::string_view kind;
+  Effect effect;
+};
+
 struct StructureInfo {
   std::string_view name;     // as in "maintain"
   std::string_view summary;  // one line
-  // Structures that maintain the same attribute, and report it alike; empty: it has no like. A name
-  // that `kinex verify` takes.
+  // The name of the structures that maintain the same attribute and report it alike; empty if there
+  // is only this one. `kinex verify` takes it.
   std::string_view group = {};
-  int min_dimension = 1;        // axes that a scene must have
-  bool any_dimension = false;   // or more; otherwise a scene of more axes is refused
-  bool uses_key = false;        // it goes by a "key"
+  int min_dimension = 1;            // axes that a scene must have
+  bool any_dimension = false;       // or more; otherwise a scene of more axes is refused
+  bool uses_key = false;            // it compares objects by the request's "key"
   int largest_degree = kAnyDegree;  // of the motions and of the key that it can maintain
   bool bodies = false;              // for rigid bodies; otherwise for points
   bool fails_at_touch = false;      // some of its certificates do (core/arithmetic/touch.h)
-  bool has_events = true;           // false: it checks what does not change, and follows nothing
+  bool has_events = true;           // false: it checks constants of the scene and follows no motion
   Attribute::Shape shape = Attribute::Shape::kSequence;
+  std::uint8_t width = 2;         // of the tuples of a set
+  // The kinds of its events by rank (Structure::event_kinds), without the common ones.
+  std::vector<KindRule> kinds = {};
   std::string_view reads = {};    // the structure, of the same key, that it watches; empty: none
   std::string_view instead = {};  // a structure of its group that takes every scene; empty: itself
-  // What else it asks of a scene; nullptr: nothing. Called for scenes that all fields above allow.
+  bool weights = false;             // it reads the weights of points
+  // Adds the objects that it derives in the scene; nullptr: it derives none.
+  void (*derives)(const Scene& scene, NumberNeeds& needs) = nullptr;
+  // Refuses scenes that it cannot maintain for another reason; nullptr: there is none. Called only
+  // for scenes that all fields above allow.
   std::optional<Refusal> (*refuse)(const Scene& scene) = nullptr;
   std::unique_ptr<Structure> (*make)(const MakerInput& input) = nullptr;
 
   static constexpr int kAnyDegree = 1 << 30;
   bool linear() const { return largest_degree == 1; }
-  // It maintains something about bodies that changes.
+  // It maintains an attribute of bodies that changes as they move.
   bool follows_bodies() const { return bodies && has_events; }
 };
 
@@ -64,7 +82,7 @@ struct StructureFamily {
   std::vector<StructureInfo> structures;
 };
 
-// Most makers: a structure of the kernel, its id and the scene.
+// The maker of most structures: constructs S from the kernel, the id and the scene.
 template <class S>
 std::unique_ptr<Structure> make_plain(const MakerInput& input) {
   return std::make_unique<S>(input.kernel, input.id, input.scene);

@@ -13,6 +13,7 @@
 #include "core/engine/bound.h"
 #include "core/engine/kernel.h"
 #include "core/motion/scene.h"
+#include "structures/parts/claim.h"
 
 namespace kinex {
 
@@ -29,11 +30,11 @@ class KeyOrder {
     return reference_ == kNoObject ? Query(predicate_, {a, b})
                                    : Query(predicate_, {a, b, reference_});
   }
+  // The claims of a part whose items are objects (claim.h): the smaller key is in front.
+  Query claim(ObjectId front, ObjectId back) const { return query(front, back); }
+  bool goes_first(ObjectId a, ObjectId b) const { return a < b; }
   // True if a comes before b right after now, ties by id.
-  bool before(ObjectId a, ObjectId b) const {
-    const Sign sign = kernel_->sign_after(query(a, b));
-    return sign == Sign::kPositive || (sign == Sign::kZero && a < b);
-  }
+  bool before(ObjectId a, ObjectId b) const { return in_front(*kernel_, *this, a, b); }
   // `objects` without the reference. Throws std::invalid_argument if the reference is not among
   // them.
   std::vector<ObjectId> members(std::span<const ObjectId> objects) const;
@@ -68,11 +69,9 @@ class Contest {
     return extremum_ == Extremum::kMaximum ? order_.query(loser, winner)
                                            : order_.query(winner, loser);
   }
+  bool goes_first(ObjectId a, ObjectId b) const { return a < b; }
   // True if a wins right after now, ties by id.
-  bool beats(ObjectId a, ObjectId b) const {
-    const Sign sign = kernel_->sign_after(claim(a, b));
-    return sign == Sign::kPositive || (sign == Sign::kZero && a < b);
-  }
+  bool beats(ObjectId a, ObjectId b) const { return in_front(*kernel_, *this, a, b); }
 
  private:
   KeyOrder order_;

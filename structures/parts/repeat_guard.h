@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RepeatGuard: detects that an inexact arithmetic cycles.
 //
-// A polynomial of degree D becomes negative at most about D / 2 times: a certificate for the same
-// query that fails far more often, under the same motions, is refuted and proved in turn.
+// A polynomial of degree D becomes negative at most about D / 2 times. If a certificate for the
+// same query fails far more often under the same motions, its sign contradicts itself.
 #ifndef KINEX_STRUCTURES_PARTS_REPEAT_GUARD_H
 #define KINEX_STRUCTURES_PARTS_REPEAT_GUARD_H
 

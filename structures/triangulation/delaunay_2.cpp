@@ -67,8 +67,33 @@ void Delaunay2::set_certificate(HalfEdge h) {
   } else {
     outlook = kernel_->replace(label, query, h);
   }
+  note_outlook(h, outlook);
+}
+
+void Delaunay2::note_outlook(HalfEdge h, Outlook outlook) {
   if (outlook == Outlook::kIdenticallyZero) ties_.push_back(h);
   fails_now_ = fails_now_ || outlook == Outlook::kFailsNow;
+}
+
+// set_certificate for each of four edges, in this order.
+void Delaunay2::set_certificates(const std::array<HalfEdge, 4>& edges) {
+  Kernel::Group group;
+  const bool exact = kernel_->is_exact();
+  bool together = !corrupt_;
+  for (const HalfEdge h : edges) {
+    const CertificateId label = store_.label(h);
+    const Query& query = group.queries[group.size] = query_of(h);
+    // What may change anything but the certificates is done one by one.
+    together = together && label != kNoCertificate && (exact || !repeats_an_object(query));
+    group.ids[group.size] = label;
+    group.tags[group.size++] = h;
+  }
+  if (!together) {
+    for (const HalfEdge h : edges) set_certificate(h);
+    return;
+  }
+  kernel_->replace(group);
+  for (std::size_t i = 0; i < edges.size(); ++i) note_outlook(edges[i], group.outlooks[i]);
 }
 
 void Delaunay2::drop_certificate(HalfEdge h) {
@@ -94,11 +119,22 @@ void Delaunay2::flip(HalfEdge h) {
   const HalfEdge e = store_.twin(d);
   set_certificate(d);  // first: the arithmetic reuses the polynomial of the failure
   const std::uint64_t zeros = kernel_->possible_zeros();
-  set_certificate(Triangulation2::next(d));
-  set_certificate(Triangulation2::previous(d));
-  set_certificate(Triangulation2::next(e));
-  set_certificate(Triangulation2::previous(e));
-  rim_is_zero_ = kernel_->possible_zeros() != zeros;
+  set_certificates({Triangulation2::next(d), Triangulation2::previous(d), Triangulation2::next(e),
+                    Triangulation2::previous(e)});
+  rim_is_zero_ = kernel_->possible_zeros() != zeros && rim_vanishes(d);
+}
+
+// A rim certificate of the edge h that was flipped last is zero at the present instant. What an
+// arithmetic suspects is decided here, so that every exact one settles the same instants; an
+// inexact one stays with its suspicion.
+bool Delaunay2::rim_vanishes(HalfEdge h) {
+  if (!kernel_->tells_sign_now()) return true;
+  for (const HalfEdge side : {h, store_.twin(h)}) {
+    for (const HalfEdge rim : {Triangulation2::next(side), Triangulation2::previous(side)}) {
+      if (kernel_->sign(query_of(rim), When::kNow) == Sign::kZero) return true;
+    }
+  }
+  return false;
 }
 
 // The edge's four points are identically cocircular and the smallest id is not on the edge.
@@ -168,10 +204,29 @@ int Delaunay2::edges_between(ObjectId a, ObjectId b) const {
   return edges;
 }
 
+// Large triangulations: what the next failures will visit is brought near while this one is handled.
+// (An empty asm statement keeps compilers from dropping the call: prefetches are no effect to them.)
+void Delaunay2::prefetch_next() const {
+  asm volatile("");
+  for (std::size_t i = 1; i <= 4; ++i) {
+    const std::uint32_t later = kernel_->upcoming_tag(id_, i);
+    if (later != Kernel::kNoTag) store_.prefetch(later);
+  }
+  const std::uint32_t next = kernel_->upcoming_tag(id_, 0);
+  if (next == Kernel::kNoTag || !store_.live(Triangulation2::triangle(next))) return;
+  for (const HalfEdge h : {next, store_.twin(next)}) {
+    for (const HalfEdge side : {Triangulation2::next(h), Triangulation2::previous(h)}) {
+      kernel_->prefetch(store_.label(side));
+      store_.prefetch(store_.twin(side));
+    }
+  }
+}
+
 void Delaunay2::certificate_failed(CertificateId failed) {
   if (corrupt_) return;
   const HalfEdge h = kernel_->tag(failed);
   if (on_line_) return pass(h);
+  prefetch_next();
   const bool shared = kernel_->instant_is_shared(id_);
   const HalfEdge g = store_.twin(h);
   const ObjectId u = store_.origin(h), v = store_.origin(g);
@@ -245,7 +300,7 @@ void Delaunay2::pass(std::uint32_t place) {
 // neighbours of each vertex. Each edge is once a half-edge from its smaller to its larger end.
 Attribute Delaunay2::attribute() const {
   Attribute result;
-  result.shape = Attribute::Shape::kEdges;
+  result.shape = Attribute::Shape::kTuples;
   if (on_line_) {
     std::vector<std::pair<ObjectId, ObjectId>> edges;
     for (std::size_t i = 0; i + 1 < line_.size(); ++i) {

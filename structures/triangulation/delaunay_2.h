@@ -35,9 +35,10 @@
 //
 // Degenerate instants. A certificate that fails alone is one flip. Where several fail at one
 // instant, triangles may turn over without any certificate showing it (points that meet and pass
-// through each other; all points on one line), or the hull may end up winding around twice. So they
-// may where one certificate fails alone and others, with two of its points, are zero without a change
-// of sign (three points that turn through one): a rim certificate is zero at such an instant.
+// through each other; all points on one line), or the hull may wind around twice afterwards. The
+// same may happen where one certificate fails alone while others, with two of its points, are zero
+// without a change of sign (three points that turn through one). At such an instant a certificate
+// of the flip's rim is zero.
 //   1. A flip is then made only if its edge does not exist yet and both new triangles are upright
 //      (positively oriented right after now); otherwise the edge goes without a certificate for the
 //      moment ("blocked").
@@ -47,12 +48,23 @@
 //   3. Points of triangles that have turned over are taken out and put in again. Where that is not
 //      enough, or not possible, everything is built anew, with a reason in the ledger.
 //
-// What is reported. An external event of the kinds "flip", "enter" and "leave" removes one edge, or
-// adds one, or both, as its ids say; "pass" exchanges its two points in every edge. Other changes
-// of edges, when points are taken out and put in again, are reported by one "settled" at the end of
-// the instant, net, or by the "rebuild"; flips in between are then internal. (So are flips to an
-// edge that exists already, or from one that exists twice.) Edges are collected where they change:
-// a degenerate instant costs no more than its repair.
+//           p                   p                   p                   p
+//         .'|'.               .'|'.               .'|'.               .'|'.
+//       .' / \ '.           .' / \ '.           .' /   '.           .' / \ '.
+//      a--v---w--b         a--w===v--b         a--w------b         a--w---v--b
+//       '. \ / .'           '. \ / .'           '. \   .'           '. \ / .'
+//         '.|.'               '.|.'               '.|.'               '.|.'
+//           q                   q                   q                   q
+//        before             v has passed w:      v taken out, its    v put in again,
+//                           pvw and qwv have     link filled by      where it is now
+//                           turned over          ears
+//
+// Reported events. An external event of the kinds "flip", "enter" and "leave" removes one edge, or
+// adds one, or both, as its ids say. A "pass" exchanges its two points in every edge. When points
+// are taken out and put in again, the net change of edges is reported by one "settled" at the end
+// of the instant, or by the "rebuild"; flips in between are then internal. (Flips to an edge that
+// exists already, or from one that exists twice, are internal, too.) Edges are collected where they
+// change: a degenerate instant costs no more than its repair.
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Guibas,
 // Mitchell, Roos, "Voronoi diagrams of moving points in the plane" (1991); insertion: Bowyer
@@ -103,6 +115,7 @@ class Delaunay2 final : public Structure {
   void instant_over() override;
   Attribute attribute() const override;
   Attribute told() const override { return untold_.undone(attribute()); }
+  void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   // The common limit is already many times the flips of a lattice sheared through the square one.
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
@@ -110,9 +123,12 @@ class Delaunay2 final : public Structure {
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
+  StructureId id() const { return id_; }
+  // The number of the scene's objects, present or not.
+  std::size_t objects() const { return representative_.size(); }
   // Hull vertices counter-clockwise from the smallest id; on a line, the chain.
   std::vector<ObjectId> hull() const;
-  // The vertex for `object`: itself, or the one it is hidden behind.
+  // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
   ObjectId representative(ObjectId object) const { return representative_[object]; }
   bool on_line() const { return on_line_; }
   // Points taken out and put in again at degenerate instants.
@@ -126,7 +142,11 @@ class Delaunay2 final : public Structure {
   // ---- delaunay_2.cpp: certificates and flips
   Query query_of(HalfEdge h) const;
   void set_certificate(HalfEdge h);
+  void set_certificates(const std::array<HalfEdge, 4>& edges);
+  void note_outlook(HalfEdge h, Outlook outlook);
   void drop_certificate(HalfEdge h);
+  bool rim_vanishes(HalfEdge h);
+  void prefetch_next() const;
   bool flippable(HalfEdge h) const;
   void flip(HalfEdge h);
   void settle_ties(bool report);
@@ -209,7 +229,7 @@ class Delaunay2 final : public Structure {
 
   // The present instant.
   bool fails_now_ = false;      // a certificate was made that is negative right after now
-  bool rim_is_zero_ = false;    // of the last flip: a rim certificate may be zero at now
+  bool rim_is_zero_ = false;    // of the last flip: a rim certificate is zero at now
   EdgeChanges untold_;          // of the attribute, not reported by events
   bool comes_or_goes_ = false;  // during an insertion or erasure, which reports its changes itself
   std::vector<ObjectId> suspects_;

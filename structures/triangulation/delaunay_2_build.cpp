@@ -6,29 +6,11 @@
 #include <random>
 #include <tuple>
 
+#include "structures/parts/merge_sort.h"
 #include "structures/triangulation/delaunay_2.h"
 
 namespace kinex {
 namespace {
-
-// Merge sort: with an inconsistent order (inexact arithmetics) the result is some permutation.
-template <class Before>
-void merge_sort(std::vector<ObjectId>& items, const Before& before) {
-  std::vector<ObjectId> other(items.size());
-  const std::size_t n = items.size();
-  for (std::size_t width = 1; width < n; width *= 2) {
-    for (std::size_t begin = 0; begin < n; begin += 2 * width) {
-      const std::size_t middle = std::min(begin + width, n), end = std::min(begin + 2 * width, n);
-      std::size_t i = begin, j = middle, k = begin;
-      while (i < middle && j < end) {
-        other[k++] = before(items[j], items[i]) ? items[j++] : items[i++];
-      }
-      while (i < middle) other[k++] = items[i++];
-      while (j < end) other[k++] = items[j++];
-    }
-    items.swap(other);
-  }
-}
 
 // Place of (x, y), both below 2^16, along a Hilbert curve.
 std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangulations of points.
+// The triangulation family: triangulations of points. Its structures as descriptors
+// (structures/parts/descriptor.h).
 #ifndef KINEX_STRUCTURES_TRIANGULATION_FAMILY_H
 #define KINEX_STRUCTURES_TRIANGULATION_FAMILY_H
 

@@ -13,7 +13,7 @@
 //              <-twin(h)-
 //
 // A triangle with the vertex at infinity is a ghost: (x, y, infinity) lies beyond the hull edge
-// from y to x. Each edge carries one word of its owner, the label, seen from both sides.
+// from y to x. Each edge carries a label, 32 bits of the owner's, the same from both sides.
 #ifndef KINEX_STRUCTURES_TRIANGULATION_TRIANGULATION_2_H
 #define KINEX_STRUCTURES_TRIANGULATION_TRIANGULATION_2_H
 
@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "core/motion/scene.h"
+#include "core/numbers/big_array.h"
 
 namespace kinex {
 
@@ -40,6 +41,9 @@ class Triangulation2 {
   void clear();
   // The triangle a, b, c, counter-clockwise, alone on the sphere. Requires an empty triangulation.
   void start(ObjectId a, ObjectId b, ObjectId c);
+
+  // Prefetches the triangle of a half-edge that will be visited soon.
+  void prefetch(HalfEdge h) const { __builtin_prefetch(half_edges_.data() + 3 * triangle(h), 1); }
 
   static HalfEdge next(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static HalfEdge previous(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -120,14 +124,14 @@ class Triangulation2 {
   }
 
   ObjectId infinity_;
-  std::vector<Record> half_edges_;
+  BigArray<Record> half_edges_;
   std::vector<HalfEdge> out_;
   std::vector<Triangle> free_;
   std::size_t vertices_ = 0;
   // scratch
   std::vector<std::uint32_t> triangle_mark_;
   std::vector<std::uint32_t> vertex_mark_;
-  std::vector<Triangle> vertex_triangle_;
+  BigArray<Triangle> vertex_triangle_;
   std::uint32_t epoch_ = 0;
   std::vector<Side> sides_;
   std::vector<Triangle> slots_;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/motion/scene.h"
-#include "experiments/placed_body.h"
+#include "experiments/formats/placed_body.h"
 
 namespace kinex {
 
@@ -23,23 +23,23 @@ inline Trajectory trajectory(std::vector<std::vector<Rational>> coordinates) {
 }
 
 // A body with one flight plan: x, y, p, q.
-inline SceneObject body(std::string id, Polygon2 polygon,
+inline SceneObject body(std::string id, formats::Polygon2 polygon,
                         std::vector<std::vector<Rational>> coordinates) {
   Motion motion;
   motion.pieces.push_back({std::nullopt, std::nullopt, trajectory(std::move(coordinates))});
   return {std::move(id), std::move(motion), std::move(polygon)};
 }
 
-inline Polygon2 square_of(int half) {
+inline formats::Polygon2 square_of(int half) {
   return {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
 }
 
-inline Polygon2 box(int x_low, int y_low, int x_high, int y_high) {
+inline formats::Polygon2 box(int x_low, int y_low, int x_high, int y_high) {
   return {{x_low, y_low}, {x_high, y_low}, {x_high, y_high}, {x_low, y_high}};
 }
 
 // The strict hull of `points` points of the integer grid in [-size, size]^2, at least a triangle.
-inline Polygon2 random_polygon(std::mt19937_64& random, int points, int size) {
+inline formats::Polygon2 random_polygon(std::mt19937_64& random, int points, int size) {
   const auto draw = [&] {
     return Rational(static_cast<int>(random() % static_cast<unsigned>(2 * size + 1)) - size);
   };
@@ -51,7 +51,7 @@ inline Polygon2 random_polygon(std::mt19937_64& random, int points, int size) {
     for (int i = 0; i < points; ++i) set.push_back({draw(), draw()});
     std::sort(set.begin(), set.end());
     set.erase(std::unique(set.begin(), set.end()), set.end());
-    Polygon2 hull;
+    formats::Polygon2 hull;
     for (int pass = 0; pass < 2; ++pass) {
       const std::size_t floor = hull.size();
       for (const Vertex2& v : set) {

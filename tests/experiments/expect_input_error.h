@@ -7,13 +7,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/input_error.h"
+#include "experiments/formats/input_error.h"
 
 #define EXPECT_INPUT_ERROR(statement, fragment)                           \
   try {                                                                   \
     statement;                                                            \
     ADD_FAILURE() << "no InputError with " << (fragment);                 \
-  } catch (const kinex::InputError& error) {                              \
+  } catch (const kinex::formats::InputError& error) {                              \
     EXPECT_THAT(std::string(error.what()), testing::HasSubstr(fragment)); \
   }
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/workload.h"
+#include "experiments/lab/workload.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::extremes {
@@ -134,11 +134,11 @@ Scene make_crowd(const std::string& description) {
     const std::string structure = scene.dimension == 1 ? "sorted_list" : "delaunay_2";
     scene.maintain.push_back({structure, structure, {}});
   } else {
-    const Workload* workload = find_workload(family.substr(0, family.find(' ')));
+    const lab::Workload* workload = lab::find_workload(family.substr(0, family.find(' ')));
     if (workload == nullptr) throw std::runtime_error("no family of " + description);
-    WorkloadParameters parameters;
+    lab::WorkloadParameters parameters;
     parameters.n = size;
-    scene = generate_scene(*workload, parameters);
+    scene = lab::generate_scene(*workload, parameters);
   }
   scene.name = description;
   return scene;

@@ -4,10 +4,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "experiments/file_io.h"
-#include "experiments/json_value.h"
-#include "experiments/polynomial_file.h"
-#include "experiments/scene_reader.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/json_document.h"
+#include "experiments/formats/polynomial_file.h"
+#include "experiments/formats/scene_reader.h"
 #include "tests/extremes/crowds.h"
 
 namespace kinex::extremes {
@@ -76,49 +76,49 @@ Place parse_root(std::istringstream& words, const std::string& text) {
   return place;
 }
 
-std::vector<std::pair<Place, std::size_t>> read_pairs(const JsonValue& list) {
+std::vector<std::pair<Place, std::size_t>> read_pairs(const formats::JsonValue& list) {
   std::vector<std::pair<Place, std::size_t>> pairs;
-  for (const JsonValue& item : list.items) {
-    pairs.emplace_back(parse_place(item.items.at(0).text), std::stoul(item.items.at(1).text));
+  for (const formats::JsonValue& item : list.items()) {
+    pairs.emplace_back(parse_place(std::string(item.items()[0].text())), std::stoul(std::string(item.items()[1].text())));
   }
   return pairs;
 }
 
-std::string text_of(const JsonValue& item, std::string_view key) {
-  const JsonValue* value = item.find(key);
-  return value == nullptr ? "" : value->text;
+std::string text_of(const formats::JsonValue& item, std::string_view key) {
+  const formats::JsonValue* value = item.find(key);
+  return value == nullptr ? std::string() : std::string(value->text());
 }
 
-Extreme read_entry(const JsonValue& item) {
+Extreme read_entry(const formats::JsonValue& item) {
   Extreme e;
   e.name = text_of(item, "name");
   e.source = text_of(item, "source");
   e.file = text_of(item, "file");
   e.polynomial = text_of(item, "polynomial");
   e.crowd = text_of(item, "crowd");
-  if (const JsonValue* time = item.find("time")) {
-    e.start = parse_term(time->items.at(0).text);
-    e.end = parse_term(time->items.at(1).text);
+  if (const formats::JsonValue* time = item.find("time")) {
+    e.start = parse_term(std::string(time->items()[0].text()));
+    e.end = parse_term(std::string(time->items()[1].text()));
   }
-  if (const JsonValue* instants = item.find("instants")) {
+  if (const formats::JsonValue* instants = item.find("instants")) {
     e.instants = read_pairs(*instants);
     for (const auto& instant : *e.instants) e.events += instant.second;
     e.events_known = true;
-  } else if (const JsonValue* events = item.find("events")) {
-    e.events = std::stoul(events->text);
+  } else if (const formats::JsonValue* events = item.find("events")) {
+    e.events = std::stoul(std::string(events->text()));
     e.events_known = true;
   }
-  if (const JsonValue* roots = item.find("roots")) {
+  if (const formats::JsonValue* roots = item.find("roots")) {
     for (auto& [place, count] : read_pairs(*roots)) {
       e.roots.emplace_back(std::move(place), static_cast<int>(count));
     }
   }
-  if (const JsonValue* end = item.find("final")) {
-    e.final_state = end->kind == JsonValue::Kind::kString ? end->text : "list";
-    for (const JsonValue& id : end->items) e.final_list.push_back(id.text);
+  if (const formats::JsonValue* end = item.find("final")) {
+    e.final_state = end->kind() == formats::JsonValue::Kind::kString ? end->text() : "list";
+    for (const formats::JsonValue& id : end->items()) e.final_list.emplace_back(id.text());
   }
-  if (const JsonValue* sturm = item.find("sturm")) e.sturm = sturm->boolean;
-  if (const JsonValue* page = item.find("page")) e.page = page->boolean;
+  if (const formats::JsonValue* sturm = item.find("sturm")) e.sturm = sturm->boolean();
+  if (const formats::JsonValue* page = item.find("page")) e.page = page->boolean();
   return e;
 }
 
@@ -155,22 +155,23 @@ std::string corpus_folder() { return KINEX_SOURCE_DIR "/tests/corpus/extremes"; 
 
 std::vector<Extreme> read_extremes() {
   const std::string path = corpus_folder() + "/index.json";
-  const std::string text = read_text_file(path);
+  const std::string text = formats::read_text_file(path);
   std::vector<Extreme> extremes;
-  for (const JsonValue& item : parse_json(text, path).items) extremes.push_back(read_entry(item));
+  const formats::JsonDocument index = formats::parse_json(text, path);
+  for (const formats::JsonValue& item : index->items()) extremes.push_back(read_entry(item));
   return extremes;
 }
 
 Polynomial read_polynomial(const Extreme& extreme) {
   const std::string path = corpus_folder() + "/" + extreme.polynomial;
-  const std::string text = read_text_file(path);
-  std::vector<PolynomialLine> lines = parse_polynomials(text, path);
+  const std::string text = formats::read_text_file(path);
+  std::vector<formats::PolynomialLine> lines = formats::parse_polynomials(text, path);
   if (lines.size() != 1) throw std::runtime_error(path + ": not one polynomial");
   return std::move(lines[0].polynomial);
 }
 
 Scene Extreme::scene() const {
-  if (!file.empty()) return read_scene(corpus_folder() + "/" + file);
+  if (!file.empty()) return formats::read_scene(corpus_folder() + "/" + file);
   if (!crowd.empty()) return make_crowd(crowd);
   const Polynomial p = read_polynomial(*this);
   std::vector<Rational> curve;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The corpus of extremes, tests/corpus/extremes: see make.py there for what its index says.
+// The corpus of extremes, tests/corpus/extremes. The format of its index is described in make.py
+// there.
 #ifndef KINEX_TESTS_EXTREMES_EXTREME_H
 #define KINEX_TESTS_EXTREMES_EXTREME_H
 
@@ -50,7 +51,7 @@ struct Extreme {
 // The folder, and everything that its index lists. Throws for an index that cannot be read.
 std::string corpus_folder();
 std::vector<Extreme> read_extremes();
-// The one polynomial of a file; positive multiples are not told apart.
+// The only polynomial of a file, up to a positive factor.
 Polynomial read_polynomial(const Extreme& extreme);
 
 }  // namespace kinex::extremes

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/scene_run.h"
+#include "experiments/lab/scene_run.h"
 #include "tests/extremes/crowds.h"
 #include "tests/extremes/extreme.h"
 #include "tests/extremes/verdict.h"
@@ -79,7 +79,7 @@ Cost cost_of(const Simulator& s) {
 }
 
 void expect_steady_run(const Scene& scene, std::uint64_t expected) {
-  const auto s = make_simulator(scene, "exact", {});
+  const auto s = lab::make_simulator(scene, "exact", {});
   s->start();
   Cost before;
   std::vector<Cost> tenths;
@@ -153,7 +153,7 @@ void expect_bounded(int updates, bool from_outside) {
   }
   const std::vector<MotionPiece> given = pieces;
   if (!from_outside) scene.objects[1].motion.pieces = std::move(pieces);
-  const auto s = make_simulator(scene, "exact", {});
+  const auto s = lab::make_simulator(scene, "exact", {});
   s->start();
   std::uint64_t early = 0, early_bits = 0;
   for (int k = 1; k <= updates; ++k) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/scene_run.h"
+#include "experiments/lab/scene_run.h"
 #include "structures/registry.h"
 #include "tests/extremes/extreme.h"
 #include "tests/structures/recorder.h"
@@ -49,7 +49,7 @@ class InstantSink final : public EventSink {
 
 struct ExactRun {
   ExactRun(const Scene& scene, const std::string& arithmetic, AuditLevel audit)
-      : simulator(make_simulator(scene, arithmetic, options(audit))), sink(*simulator) {
+      : simulator(lab::make_simulator(scene, arithmetic, options(audit))), sink(*simulator) {
     simulator->set_sink(&sink);
     simulator->start();
     at_start = simulator->structure(0).attribute().ids;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/file_io.h"
+#include "experiments/formats/file_io.h"
 #include "tests/extremes/extreme.h"
 #include "tests/extremes/verdict.h"
 
@@ -106,7 +106,7 @@ int print_table(const std::string& check) {
     std::fputs(text.c_str(), stdout);
     return endless ? 1 : 0;
   }
-  std::istringstream ours(text), theirs(read_text_file(check));
+  std::istringstream ours(text), theirs(formats::read_text_file(check));
   bool equal = true;
   for (std::string a, b;;) {
     const bool more_a = static_cast<bool>(std::getline(ours, a));

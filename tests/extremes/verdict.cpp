@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "experiments/event_log.h"
-#include "experiments/file_io.h"
-#include "experiments/log_diff.h"
-#include "experiments/scene_run.h"
-#include "experiments/scene_writer.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/log_diff.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/scene_run.h"
 
 namespace kinex::extremes {
 
@@ -37,17 +37,17 @@ LoggedRun run_logged(const Scene& scene, const std::string& arithmetic, std::uin
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   options.max_events = max_events;
-  const auto simulator = make_simulator(scene, arithmetic, options);
-  OutputFile file(path, true);
-  EventLog log(*simulator, scene_hash(scene), &file);
+  const auto simulator = lab::make_simulator(scene, arithmetic, options);
+  formats::OutputFile file(path, true);
+  formats::EventLog log(*simulator, formats::scene_hash(scene), &file);
   simulator->set_sink(&log);
   LoggedRun run;
-  run.status = run_scene(*simulator, {}).status;
+  run.status = lab::run_scene(*simulator, {}).status;
   log.finish(run.status);
   run.events = log.records();
   run.corrupt = simulator->ledger(0).corrupt;
   if (!run.corrupt) run.attribute = simulator->structure(0).attribute().ids;
-  run.log = read_text_file(path);
+  run.log = formats::read_text_file(path);
   std::filesystem::remove(path);
   return run;
 }
@@ -56,7 +56,7 @@ Verdict judge(const Scene& scene, const LoggedRun& exact, const std::string& ari
   const LoggedRun run = run_logged(scene, arithmetic, kMostEvents * exact.events + kFreeEvents);
   if (run.corrupt) return Verdict::kCorrupt;
   if (run.status != RunStatus::kDone) return Verdict::kEndless;
-  const LogDifference difference = diff_logs(exact.log, "exact", run.log, arithmetic);
+  const formats::LogDifference difference = formats::diff_logs(exact.log, "exact", run.log, arithmetic);
   if (run.attribute != exact.attribute || difference.missing + difference.invented > 0) {
     return Verdict::kWrong;
   }

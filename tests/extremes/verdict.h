@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an arithmetic fares with an extreme, against the exact run, by the machinery of `kinex diff`.
+// The verdict on a run of an extreme in an inexact arithmetic, against the exact run, by the code
+// of `kinex diff`.
 #ifndef KINEX_TESTS_EXTREMES_VERDICT_H
 #define KINEX_TESTS_EXTREMES_VERDICT_H
 
@@ -15,7 +16,7 @@ namespace kinex::extremes {
 enum class Verdict {
   kRight,    // the same events in the same order, and the same structure at the end
   kOrder,    // the same events in another order, and the same structure at the end
-  kWrong,    // events missed or invented, or another structure at the end, and nobody notices
+  kWrong,    // events missed or invented, or another structure at the end, undetected
   kCorrupt,  // the structure has noticed that the numbers contradict each other
   kEndless,  // no end within kMostEvents times as many events as there are
 };

@@ -11,11 +11,11 @@
 
 #include "core/engine/refused_change.h"
 #include "core/engine/simulator.h"
-#include "experiments/cpu_clock.h"
-#include "experiments/input_error.h"
-#include "experiments/run_report.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_run.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/run_report.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/scene_run.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
 
@@ -80,10 +80,10 @@ class Check {
       : text_(text), what_(what), tally_(tally) {}
 
   void structure(const StructureInfo& info) {
-    Scene scene = parse_scene(text_, "scene.json");
+    Scene scene = formats::parse_scene(text_, "scene.json");
     try {
-      set_maintain(scene, {std::string(info.name)});
-    } catch (const InputError&) {
+      formats::set_maintain(scene, {std::string(info.name)});
+    } catch (const formats::InputError&) {
       ++tally_.refused;
       return;
     }
@@ -97,7 +97,7 @@ class Check {
     }
     for (const std::string& arithmetic : what_.faithful) {
       const std::optional<Seen> seen = run(scene, arithmetic, AuditLevel::kEnd);
-      if (seen && seen->ended) expect_same(info, arithmetic, *exact, *seen);
+      if (seen && seen->ended) expect_faithful(info, arithmetic, *exact, *seen);
     }
   }
 
@@ -106,9 +106,9 @@ class Check {
   std::optional<Seen> run(const Scene& scene, const std::string& arithmetic, AuditLevel audit) {
     const std::string name = scene.maintain.front().structure + " in " + arithmetic;
     ++tally_.runs;
-    const double begin = cpu_seconds();
+    const double begin = lab::cpu_seconds();
     std::optional<Seen> seen = watched_run(scene, arithmetic, audit, name);
-    tally_.time(name, cpu_seconds() - begin);
+    tally_.time(name, lab::cpu_seconds() - begin);
     return seen;
   }
 
@@ -118,10 +118,10 @@ class Check {
       SimulatorOptions options;
       options.audit = audit;
       options.max_seconds = what_.max_seconds;
-      const auto simulator = make_simulator(scene, arithmetic, options);
+      const auto simulator = lab::make_simulator(scene, arithmetic, options);
       Lines lines(*simulator, asked_structure(scene));
       simulator->set_sink(&lines);
-      const RunOutcome outcome = run_scene(*simulator, {});
+      const formats::RunOutcome outcome = lab::run_scene(*simulator, {});
       Seen seen{std::move(lines.all), std::move(lines.external), std::move(lines.changes),
                 outcome.status == RunStatus::kDone, false};
       if (!seen.ended) ++tally_.limits;
@@ -131,12 +131,12 @@ class Check {
       }
       if (seen.corrupt) ++tally_.corrupt;
       if (simulator->kernel().is_exact() && !outcome.clean(*simulator)) {
-        for (const std::string& failure : failures_of(*simulator, outcome)) {
+        for (const std::string& failure : formats::failures_of(*simulator, outcome)) {
           tally_.problem(name + ": " + failure, text_);
         }
       }
       return seen;
-    } catch (const InputError& error) {
+    } catch (const formats::InputError& error) {
       ++tally_.refused;
       return std::nullopt;
     } catch (const RefusedChange& refused) {
@@ -157,6 +157,17 @@ class Check {
     tally_.problem(std::string(info.name) + ": other records in " + arithmetic +
                        " than in exact\n" + arithmetic + ":\n" + other.all + "exact:\n" + exact.all,
                    text_);
+  }
+
+  // Two certificates of one claim fail at one instant, in whatever order their roots were rounded
+  // to: the kinds of internal events may change places, and nothing else.
+  void expect_faithful(const StructureInfo& info, const std::string& arithmetic, const Seen& exact,
+                       const Seen& other) {
+    if (other.external == exact.external &&
+        std::ranges::count(other.all, '\n') == std::ranges::count(exact.all, '\n')) {
+      return;
+    }
+    expect_same(info, arithmetic, exact, other);
   }
 
   void compare_group(const StructureInfo& info, const Seen& seen) {
@@ -182,8 +193,8 @@ class Check {
 void check_scene(const std::string& text, const SceneCheck& what, Tally& tally) {
   ++tally.scenes;
   try {
-    parse_scene(text, "scene.json");
-  } catch (const InputError&) {
+    formats::parse_scene(text, "scene.json");
+  } catch (const formats::InputError&) {
     ++tally.refused;
     return;
   } catch (const std::exception& error) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs one scene through every structure that takes it, and compares what must agree.
+// Runs one scene through every structure that accepts it, and compares the results that must agree.
 #ifndef KINEX_TESTS_FAMILIES_CHECK_SCENE_H
 #define KINEX_TESTS_FAMILIES_CHECK_SCENE_H
 
@@ -14,7 +14,8 @@ struct SceneCheck {
   // Arithmetics beside `exact`. `sturm` must report the same events as `exact`; the others must
   // end.
   std::vector<std::string> arithmetics{"sturm"};
-  // These must report the same events as `exact`, too: for scenes without close or equal instants.
+  // These must report the external events of `exact` and as many internal ones: for scenes without
+  // close or equal instants.
   std::vector<std::string> faithful;
   double max_seconds = 20;  // of one run
 };
@@ -23,9 +24,9 @@ struct SceneCheck {
 // for it:
 //   - `exact`, audited after every event, ends without a violation and with every bound held;
 //   - `sturm` reports the same events (kinds, objects, external or not) in the same order;
-//   - an inexact arithmetic ends, and what it may have broken is reported, never thrown;
+//   - an inexact arithmetic ends, and reports corruption, never throws;
 //   - structures of one attribute report the same external events in the same order.
-// What is refused, is refused with an InputError.
+// Scenes are refused by an InputError only.
 void check_scene(const std::string& text, const SceneCheck& what, Tally& tally);
 
 }  // namespace kinex::families

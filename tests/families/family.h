@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Families of random scenes that every structure has to survive under every arithmetic.
 //
-// A family draws one scene from a seed. The scene is run by every structure that takes it, and what
-// the runs must have in common is compared (check_scene.h). A scene that breaks a rule is a
-// problem, and its text is kept.
+// A family draws one scene from a seed. The scene is run by every structure that accepts it, and
+// the runs are compared (check_scene.h). A scene that breaks a rule is a problem, and its text is
+// kept.
 #ifndef KINEX_TESTS_FAMILIES_FAMILY_H
 #define KINEX_TESTS_FAMILIES_FAMILY_H
 
@@ -23,7 +23,7 @@ struct Tally {
   std::uint64_t corrupt = 0;  // runs of inexact arithmetics that have noticed it
   std::uint64_t limits = 0;   // runs that ended at the limit of time
   double slowest = 0;         // CPU seconds of the run that took longest ..
-  std::string slowest_run;    // .. and what it was; whoever reads may set both back
+  std::string slowest_run;    // .. and its description; a reader may reset both
   std::vector<std::string> problems;
 
   // At most kMostProblems are kept with their scenes.

@@ -10,12 +10,12 @@
 #include <exception>
 #include <string>
 
-#include "experiments/cpu_clock.h"
+#include "experiments/lab/cpu_clock.h"
 #include "tests/families/family.h"
 
 namespace {
 
-using kinex::cpu_seconds;
+using kinex::lab::cpu_seconds;
 using kinex::families::Family;
 using kinex::families::Tally;
 
@@ -40,10 +40,10 @@ struct Slowest {
 int run(const Family& family, std::uint64_t count, std::uint64_t first) {
   Tally tally;
   Slowest slowest;
-  const double begin = cpu_seconds();
+  const double begin = kinex::lab::cpu_seconds();
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const std::size_t before = tally.problems.size();
-    const double began = cpu_seconds();
+    const double began = kinex::lab::cpu_seconds();
     tally.slowest = 0;
     try {
       family.check(seed, tally);
@@ -54,7 +54,7 @@ int run(const Family& family, std::uint64_t count, std::uint64_t first) {
       std::printf("seed %llu: %s\n", static_cast<unsigned long long>(seed),
                   tally.problems[i].c_str());
     }
-    const double seconds = cpu_seconds() - began;
+    const double seconds = kinex::lab::cpu_seconds() - began;
     if (seconds > slowest.seconds) slowest = {seed, seconds};
     if (seconds > kLong) {
       std::printf("seed %llu: took %.1f s, %s %.1f s of it\n",
@@ -71,7 +71,7 @@ int run(const Family& family, std::uint64_t count, std::uint64_t first) {
       static_cast<unsigned long long>(tally.refused),
       static_cast<unsigned long long>(tally.corrupt), static_cast<unsigned long long>(tally.limits),
       tally.problems.size());
-  std::printf("%.1f s; the slowest scene is of seed %llu, %.2f s\n", cpu_seconds() - begin,
+  std::printf("%.1f s; the slowest scene is of seed %llu, %.2f s\n", kinex::lab::cpu_seconds() - begin,
               static_cast<unsigned long long>(slowest.seed), slowest.seconds);
   return tally.problems.empty() ? 0 : 1;
 }

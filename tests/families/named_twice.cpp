@@ -9,6 +9,7 @@
 
 #include "core/arithmetic/predicate_formula.h"
 #include "core/engine/simulator.h"
+#include "structures/plan.h"
 #include "tests/core/engine/plain_list.h"
 #include "tests/families/family.h"
 #include "tests/families/scene_text.h"
@@ -124,7 +125,7 @@ void named_twice(std::uint64_t seed, Tally& tally) {
     ++tally.runs;
     SimulatorOptions options;
     options.audit = AuditLevel::kEvents;
-    Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+    Simulator simulator(scene, planned_arithmetic(arithmetic, scene), options);
     const StructureId id = simulator.reserve();
     auto owned = std::make_unique<TwiceList>(simulator.kernel(), id, random);
     const TwiceList& list = *owned;

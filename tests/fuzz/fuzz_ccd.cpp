@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "core/numbers/sturm_sequence.h"
-#include "experiments/ccd/query_file.h"
-#include "experiments/input_error.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/query_file.h"
 #include "predicates/ccd/contact_exact.h"
 #include "tests/fuzz/harness.h"
 
@@ -37,11 +37,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   for (const ContactKind kind : {ContactKind::kVertexFace, ContactKind::kEdgeEdge}) {
     try {
-      const QueryFile file = parse_queries(text, "fuzz", kind);
+      const formats::QueryFile file = formats::parse_queries(text, "fuzz", kind);
       for (std::size_t i = 0; i < file.queries.size() && i < kMaxQueries; ++i) {
         check_query(file.queries[i].query);
       }
-    } catch (const InputError& error) {
+    } catch (const formats::InputError& error) {
       fuzz_require(!error.problem().empty() && !error.remedy().empty(),
                    "an error without a remedy");
     }

@@ -4,8 +4,8 @@
 
 #include "core/numbers/real_root.h"
 #include "core/numbers/sturm_sequence.h"
-#include "experiments/input_error.h"
-#include "experiments/polynomial_file.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/polynomial_file.h"
 #include "tests/fuzz/harness.h"
 
 namespace {
@@ -48,13 +48,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
     std::size_t solved = 0;
-    for (const PolynomialLine& entry : parse_polynomials(text, "fuzz")) {
+    for (const formats::PolynomialLine& entry : formats::parse_polynomials(text, "fuzz")) {
       const Polynomial& p = entry.polynomial;
       if (p.degree() > kMaxDegree || p.max_bits() > kMaxBits) continue;
       if (++solved > kMaxPolynomials) break;
       check_roots(p);
     }
-  } catch (const InputError& error) {
+  } catch (const formats::InputError& error) {
     fuzz_require(!error.problem().empty() && !error.remedy().empty(), "an error without a remedy");
   }
   return 0;

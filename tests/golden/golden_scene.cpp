@@ -11,13 +11,13 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "experiments/event_log.h"
-#include "experiments/file_io.h"
-#include "experiments/scene_reader.h"
-#include "experiments/scene_run.h"
-#include "experiments/scene_writer.h"
-#include "experiments/sha256.h"
-#include "experiments/workload.h"
+#include "experiments/formats/event_log.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/formats/sha256.h"
+#include "experiments/lab/scene_run.h"
+#include "experiments/lab/workload.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::golden {
@@ -88,16 +88,16 @@ std::string run_log(const Scene& scene, const std::string& arithmetic, Golden& g
                                .string();
   SimulatorOptions options;
   options.audit = arithmetic == "exact" ? AuditLevel::kEnd : AuditLevel::kNone;
-  const auto simulator = make_simulator(scene, arithmetic, options);
-  OutputFile file(path, true);
-  EventLog log(*simulator, scene_hash(scene), &file);
+  const auto simulator = lab::make_simulator(scene, arithmetic, options);
+  formats::OutputFile file(path, true);
+  formats::EventLog log(*simulator, formats::scene_hash(scene), &file);
   simulator->set_sink(&log);
-  const RunOutcome outcome = run_scene(*simulator, {});
+  const formats::RunOutcome outcome = lab::run_scene(*simulator, {});
   log.finish(outcome.status);
   EXPECT_TRUE(outcome.clean(*simulator)) << scene.name;
   golden.records = log.records();
   golden.digest = log.digest();
-  const std::string text = read_text_file(path);
+  const std::string text = formats::read_text_file(path);
   std::filesystem::remove(path);
   return text;
 }
@@ -162,15 +162,15 @@ Scene make_scene(const std::string& description) {
   }
   Scene scene;
   if (family == "file") {
-    scene = read_scene(KINEX_SOURCE_DIR "/" + options.at("path"));
+    scene = formats::read_scene(KINEX_SOURCE_DIR "/" + options.at("path"));
   } else if (family == "flights") {
     scene = make_flights(options);
   } else if (family == "magnitudes") {
     scene = make_magnitudes(options);
   } else {
-    const Workload* workload = find_workload(family);
+    const lab::Workload* workload = lab::find_workload(family);
     if (workload == nullptr) refuse("no family " + family);
-    WorkloadParameters parameters;
+    lab::WorkloadParameters parameters;
     parameters.n = number(options, "n", 8);
     parameters.m = number(options, "m", 0);
     parameters.seed = static_cast<std::uint64_t>(number(options, "seed", 1));
@@ -181,7 +181,7 @@ Scene make_scene(const std::string& description) {
     if (separation != options.end()) {
       parameters.separation = Rational::parse(separation->second);
     }
-    scene = generate_scene(*workload, parameters);
+    scene = lab::generate_scene(*workload, parameters);
   }
   const auto maintain = options.find("maintain");
   if (maintain == options.end()) return scene;
@@ -201,7 +201,7 @@ Golden run(const Scene& scene, const std::string& arithmetic) {
   const std::string log = run_log(scene, arithmetic, golden);
   const std::size_t first = log.find('\n') + 1;
   const std::size_t last = log.rfind('\n', log.size() - 2) + 1;
-  golden.body = sha256_hex(std::string_view(log).substr(first, last - first));
+  golden.body = formats::sha256_hex(std::string_view(log).substr(first, last - first));
   return golden;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of golden digests, tests/golden/digests.txt: scenes, and what their event logs are.
+// The table of golden digests, tests/golden/digests.txt: scenes, and the digests of their event
+// logs.
 #ifndef KINEX_TESTS_GOLDEN_GOLDEN_SCENE_H
 #define KINEX_TESTS_GOLDEN_GOLDEN_SCENE_H
 
@@ -11,7 +12,7 @@
 
 namespace kinex::golden {
 
-// What a run must give.
+// The required results of a run.
 struct Golden {
   std::uint64_t records = 0;
   std::string digest;  // of what happened, in which order: "log_digest" of `kinex run --summary`

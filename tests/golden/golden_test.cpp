@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "experiments/workload.h"
+#include "experiments/lab/workload.h"
 #include "structures/registry.h"
 #include "tests/golden/golden_scene.h"
 
@@ -69,7 +69,7 @@ TEST(Golden, TheTableCoversWhatThereIs) {
   const std::vector<StructureInfo>& infos = structure_infos();
   const bool for_bodies = std::any_of(infos.begin(), infos.end(),
                                       [](const StructureInfo& info) { return info.follows_bodies(); });
-  for (const Workload& workload : workloads()) {
+  for (const lab::Workload& workload : lab::workloads()) {
     if (workload.bodies && !for_bodies) continue;  // nothing maintains them
     EXPECT_EQ(families.count(std::string(workload.name)), 1u) << workload.name;
   }

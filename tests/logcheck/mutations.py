@@ -200,8 +200,13 @@ def equivalent(change, before, after, i, kinds):
     if "yt" in kinds and not before[i]["external"] and change in ("event_out", "kind"):
         if len([r for r in at if not r["external"]]) > 1:
             return LIMIT_HULL
+    if "yt" in kinds and change == "end_cut" and after:
+        if all(not r["external"] and same_instant(r, after[-1]) for r in before[len(after):]):
+            return LIMIT_HULL
     if "blocked" in kinds and any(r["kind"] in ("blocked", "reinsert", "rebuild") for r in at):
         if before[i]["kind"] in ("blocked", "reinsert") or change.startswith("two_exchanged"):
+            return LIMIT_DELAUNAY
+        if not before[i]["external"] and change in ("other_ids", "ids_exchanged"):
             return LIMIT_DELAUNAY
     return None
 

@@ -69,7 +69,7 @@ TEST(PeerTruth, TurnsAreEnclosed) {
     EXPECT_GT(signed_distance(c, c.at(truth.earliest - 1e-3)), 1e-5);
     EXPECT_LT(signed_distance(c, c.at(truth.latest + 1e-3)), -1e-5);
   }
-  // Closer than the enclosure: nobody knows.
+  // Closer than the enclosure: the truth is unknown.
   const PeerCase graze = one_step(box(1, 1), box(1, 1), {-5, 2, 0}, {5, 2, 4 * std::acos(0.0)});
   EXPECT_EQ(find_truth(one_step(box(1, 1), box(1, 1), {2 + 1e-9, 0, 0}, {3, 0, 0.3})).kind,
             TruthKind::kUnknown);

@@ -54,7 +54,7 @@ TEST(PeerMethod, AdvancingStopsBeforeTheContact) {
   }
 }
 
-// For ever as near.
+// A peer that always reports the same distance.
 class NearPeer final : public Peer {
  public:
   bool load(const PeerShape&, const PeerShape&) override { return true; }

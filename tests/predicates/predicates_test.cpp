@@ -26,6 +26,9 @@ std::vector<Named> all_predicates() {
           {"distance_2", make_squared_distance_order(2)},
           {"distance_3", make_squared_distance_order(3)},
           {"orientation_2", make_orientation_2()},
+          {"pair_distance_1", make_pair_distance_order(1)},
+          {"pair_distance_2", make_pair_distance_order(2)},
+          {"pair_distance_3", make_pair_distance_order(3)},
           {"slope_order_2", make_slope_order_2()},
           {"in_circle_2", make_in_circle_2()}};
 }
@@ -124,7 +127,7 @@ TEST_P(EveryPredicate, RingsAgreeAndErrorBoundsHold) {
         ASSERT_LE(std::fabs(off.to_double()), ball[i].error) << name;
       }
       if (d > kMaxFixedDegree) continue;
-      ASSERT_TRUE(p->narrow_fits(d, magnitude.data())) << name << " degree " << d;
+      ASSERT_TRUE(p->narrow_fits(d, magnitude.data(), 1)) << name << " degree " << d;
       std::vector<Int128> narrow(size);
       p->narrow(d, m.views(m.narrow, order).data(), narrow.data());
       for (std::size_t i = 0; i < size; ++i) ASSERT_EQ(Rational(Integer(narrow[i])), coefficient(i)) << name;
@@ -135,6 +138,7 @@ TEST_P(EveryPredicate, RingsAgreeAndErrorBoundsHold) {
 
 TEST_P(EveryPredicate, AlternatesUnderPermutations) {
   const auto [name, p] = all_predicates()[GetParam()];
+  if (p->alternating() < 2) GTEST_SKIP() << "it has no such identity";
   std::mt19937_64 random(GetParam() + 100);
   const Motions m(random, p->arity(), 3, 2, 1000);
   std::vector<std::size_t> identity;
@@ -160,13 +164,27 @@ TEST_P(EveryPredicate, AlternatesUnderPermutations) {
   EXPECT_TRUE(p->exact(2, m.views(m.exact, twice).data()).is_zero()) << name;
 }
 
+TEST_P(EveryPredicate, AlternatesInHalves) {
+  const auto [name, p] = all_predicates()[GetParam()];
+  if (!p->alternates_in_halves()) GTEST_SKIP() << "it has no such identity";
+  ASSERT_EQ(p->arity() % 2, 0) << name;
+  std::mt19937_64 random(GetParam() + 200);
+  const Motions m(random, p->arity(), 3, 2, 1000);
+  std::vector<std::size_t> order;
+  for (int i = 0; i < p->arity(); ++i) order.push_back(static_cast<std::size_t>(i));
+  const Polynomial value = p->exact(2, m.views(m.exact, order).data());
+  ASSERT_FALSE(value.is_zero()) << name;
+  std::rotate(order.begin(), order.begin() + p->arity() / 2, order.end());
+  EXPECT_EQ(p->exact(2, m.views(m.exact, order).data()), -value) << name;
+}
+
 TEST_P(EveryPredicate, NarrowRefusesWhatMightOverflow) {
   const auto [name, p] = all_predicates()[GetParam()];
   const std::vector<double> huge(4, 0x1p62);
-  for (int d = 1; d <= kMaxFixedDegree; ++d) EXPECT_FALSE(p->narrow_fits(d, huge.data())) << name;
+  for (int d = 1; d <= kMaxFixedDegree; ++d) EXPECT_FALSE(p->narrow_fits(d, huge.data(), 1)) << name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryPredicate, ::testing::Range<std::size_t>(0, 10),
+INSTANTIATE_TEST_SUITE_P(All, EveryPredicate, ::testing::Range<std::size_t>(0, 13),
                          [](const auto& one) { return all_predicates()[one.param].name; });
 
 // Static points with known answers: signs have the promised meaning.
@@ -222,6 +240,36 @@ TEST(SlopeOrder, ExchangingThePairsChangesTheSign) {
   const Motions m(random, 4, 2, 2, 1000);
   EXPECT_EQ(p->exact(2, m.views(m.exact, {0, 1, 2, 3}).data()),
             -p->exact(2, m.views(m.exact, {2, 3, 0, 1}).data()));
+}
+
+TEST_F(KnownSigns, PairDistances) {
+  EXPECT_EQ(sign(make_pair_distance_order(2), {{0, 0}, {3, 4}, {9, 9}, {9, 15}}), 1);
+  EXPECT_EQ(sign(make_pair_distance_order(2), {{0, 0}, {3, 4}, {9, 9}, {9, 14}}), 0);
+  EXPECT_EQ(sign(make_pair_distance_order(1), {{0, 8}, {5, 0}, {7, 9}, {9, 0}}), -1);
+}
+
+TEST(PairDistanceOrder, HasItsIdentities) {
+  std::mt19937_64 random(8);
+  for (int dimension = 1; dimension <= 3; ++dimension) {
+    const auto p = make_pair_distance_order(dimension);
+    for (int d = 1; d <= 4; ++d) {
+      const Motions m(random, 4, 3, d, 1000);
+      const auto value = [&](const std::vector<std::size_t>& order) {
+        return p->exact(d, m.views(m.exact, order).data());
+      };
+      const Polynomial abcd = value({0, 1, 2, 3});
+      EXPECT_FALSE(abcd.is_zero());
+      EXPECT_EQ(value({2, 3, 0, 1}), -abcd);  // (1)
+      EXPECT_EQ(value({1, 0, 2, 3}), abcd);   // (2)
+      EXPECT_EQ(value({0, 1, 3, 2}), abcd);
+      EXPECT_TRUE(value({0, 1, 0, 1}).is_zero());  // (3)
+      EXPECT_TRUE(value({0, 1, 1, 0}).is_zero());
+      EXPECT_GE(value({0, 0, 2, 3})[0].sign(), 0);  // (4), at t = 0
+      const auto to_common = make_squared_distance_order(dimension);  // (5)
+      EXPECT_EQ(value({2, 0, 2, 1}), to_common->exact(d, m.views(m.exact, {0, 1, 2}).data()));
+    }
+  }
+  EXPECT_THROW(make_pair_distance_order(4), std::invalid_argument);
 }
 
 TEST(DirectionOrder, RefusesTheZeroVector) {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "experiments/json_value.h"
+#include "experiments/formats/json_document.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {
@@ -54,21 +54,21 @@ TEST_F(CcdVerb, Json) {
   const std::string path = file("q.csv", falling("0", "") + turning() + falling("9", ""));
   const Finished run = run_kinex({"ccd", path, "--kind", "vertex-face", "--json"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  std::vector<JsonValue> lines;
+  std::vector<formats::JsonDocument> lines;
   for (std::size_t at = 0; at < run.out.size(); at = run.out.find('\n', at) + 1) {
-    lines.push_back(parse_json(run.out.substr(at, run.out.find('\n', at) - at), "out"));
+    lines.push_back(formats::parse_json(run.out.substr(at, run.out.find('\n', at) - at), "out"));
   }
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(run.out.substr(0, run.out.find('\n')),
             "{\"query\": 1, \"line\": 1, \"contact\": true, \"time\": {\"polynomial\": [\"-1\", "
             "\"3\"], \"root\": 1, \"interval\": [\"1/3\", \"1/3\"], \"decimal\": "
             "\"0.33333333333333333\"}, \"truth\": null}");
-  const JsonValue& time = *lines[1].find("time");
-  EXPECT_EQ(time.find("polynomial")->items.size(), 3u);
-  EXPECT_EQ(time.find("root")->text, "2");
-  EXPECT_EQ(time.find("decimal")->text, "0.70710678118654752");
-  EXPECT_EQ(lines[2].find("line")->text, "17");
-  EXPECT_EQ(lines[3].find("contacts")->text, "2");
+  const formats::JsonValue& time = *lines[1]->find("time");
+  EXPECT_EQ(time.find("polynomial")->items().size(), 3u);
+  EXPECT_EQ(time.find("root")->text(), "2");
+  EXPECT_EQ(time.find("decimal")->text(), "0.70710678118654752");
+  EXPECT_EQ(lines[2]->find("line")->text(), "17");
+  EXPECT_EQ(lines[3]->find("contacts")->text(), "2");
 }
 
 TEST_F(CcdVerb, TruthDecidesTheExitCode) {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <set>
 
-#include "experiments/file_io.h"
-#include "experiments/json_value.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/json_document.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {
@@ -35,9 +35,10 @@ struct Entry {
 std::vector<Entry> read_index() {
   std::vector<Entry> entries;
   const std::string path = (kCorpus / "index.json").string();
-  for (const JsonValue& item : parse_json(read_text_file(path), path).items) {
-    Entry entry{item.find("file")->text, std::stoi(item.find("exit")->text), {}};
-    for (const JsonValue& part : item.find("message")->items) entry.message.push_back(part.text);
+  const formats::JsonDocument index = formats::parse_json(formats::read_text_file(path), path);
+  for (const formats::JsonValue& item : index->items()) {
+    Entry entry{std::string(item.find("file")->text()), std::stoi(std::string(item.find("exit")->text())), {}};
+    for (const formats::JsonValue& part : item.find("message")->items()) entry.message.emplace_back(part.text());
     entries.push_back(std::move(entry));
   }
   return entries;

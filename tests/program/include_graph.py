@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The include graph of the project's rooms, the folders of the second level, has no cycle, and is
-the one that is drawn.
+"""The include graph of the project's rooms, the folders of the second level (of the third in
+experiments/families), has no cycle, and is the one that is drawn.
 
 usage: include_graph.py SOURCE_FOLDER [--draw]
 
@@ -14,12 +14,16 @@ import re
 import subprocess
 import sys
 
-FOLDERS = ("core", "predicates", "structures")
+FOLDERS = ("core", "predicates", "structures", "experiments")
 PICTURE = "experiments/pictures/rooms"  # .dot and .svg
 
 
+DEEP = ("experiments/families",)  # its folders are rooms of their own
+
+
 def room_of(path):
-    return "/".join(path.split("/")[:-1][:2])
+    folders = path.split("/")[:-1]
+    return "/".join(folders[:3 if "/".join(folders[:2]) in DEEP else 2])
 
 
 def include_graph(source):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Event logs of version 2 as Python data: digest and seal computed again, without kinex.
 
-The format is described in experiments/event_log.h and experiments/log_digest.h.
+The format is described in experiments/formats/event_log.h and experiments/formats/log_digest.h.
 """
 import hashlib
 import json

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "experiments/json_value.h"
+#include "experiments/formats/json_document.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {
@@ -74,11 +74,12 @@ TEST_F(Program, RunWritesLogAndSummary) {
   EXPECT_EQ(run.err, "");  // no progress where there is no terminal
   EXPECT_THAT(run.out, HasSubstr("left out"));
   EXPECT_THAT(run.out, HasSubstr("numbers   exact"));
-  const JsonValue parsed = parse_json(read_file(summary), summary);
-  EXPECT_EQ(parsed.find("samples")->items.size(), 2u);
+  const formats::JsonDocument parsed_document = formats::parse_json(read_file(summary), summary);
+  const formats::JsonValue& parsed = *parsed_document;
+  EXPECT_EQ(parsed.find("samples")->items().size(), 2u);
   const Finished check = run_kinex({"check", log});
   EXPECT_EQ(check.exit_code, 0) << check.err;
-  EXPECT_THAT(check.out, HasSubstr(parsed.find("log_digest")->text));
+  EXPECT_THAT(check.out, HasSubstr(parsed.find("log_digest")->text()));
   EXPECT_EQ(run_kinex({"diff", log, log}).exit_code, 0);
   for (const auto& file : std::filesystem::directory_iterator(scratch_.path())) {
     EXPECT_EQ(file.path().string().find("partial"), std::string::npos) << file.path();
@@ -92,7 +93,7 @@ TEST_F(Program, StandardOutputIsJsonWhenAskedFor) {
     arguments.insert(arguments.end(), option.begin(), option.end());
     const Finished run = run_kinex(arguments);
     EXPECT_EQ(run.exit_code, 0);
-    EXPECT_NO_THROW(parse_json(run.out, "out")) << run.out;
+    EXPECT_NO_THROW(formats::parse_json(run.out, "out")) << run.out;
     EXPECT_THAT(run.err, HasSubstr("left out"));
   }
 }
@@ -198,7 +199,7 @@ TEST_F(Program, InterruptLeavesAReadableLog) {
     ASSERT_GT(text.size(), 200u);
     EXPECT_THAT(text.substr(text.size() - 400), HasSubstr("{\"end\": \"interrupted\""));
     EXPECT_EQ(run_kinex({"diff", log, log}).exit_code, 0);
-    EXPECT_EQ(parse_json(read_file(summary), summary).find("status")->text, "interrupted");
+    EXPECT_EQ(formats::parse_json(read_file(summary), summary)->find("status")->text(), "interrupted");
   }
 }
 
@@ -226,7 +227,7 @@ TEST_F(Program, CheckInJson) {
   ASSERT_EQ(run_kinex({"run", scene_, "--events", log}).exit_code, 0);
   const Finished scene = run_kinex({"check", "--json", scene_});
   EXPECT_EQ(scene.exit_code, 0);
-  EXPECT_EQ(parse_json(scene.out, "out").find("kind")->text, "scene");
+  EXPECT_EQ(formats::parse_json(scene.out, "out")->find("kind")->text(), "scene");
   EXPECT_EQ(run_kinex({"check", "--json", log}).exit_code, 0);
   std::string tampered = read_file(log);
   tampered.replace(tampered.find("\"digest\": \"") + 11, 4, "0000");
@@ -234,7 +235,7 @@ TEST_F(Program, CheckInJson) {
   const Finished broken = run_kinex({"check", "--json", log});
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_THAT(broken.out, HasSubstr("\"kind\": \"log\", \"valid\": false"));
-  EXPECT_EQ(parse_json(broken.out, "out").find("problems")->items.size(), 2u);  // and the seal
+  EXPECT_EQ(formats::parse_json(broken.out, "out")->find("problems")->items().size(), 2u);  // and the seal
 }
 
 TEST_F(Program, DiffShowsBothLines) {
@@ -252,22 +253,22 @@ TEST_F(Program, RootsInJson) {
   const Finished roots = run_kinex({"roots", "-", "--json", "--digits", "8"},
                                    "2 -2 0 1\n3 2/9 -11/9 4/3 1\n2 1 0 1\n");
   EXPECT_EQ(roots.exit_code, 0) << roots.err;
-  std::vector<JsonValue> lines;
+  std::vector<formats::JsonDocument> lines;
   for (std::size_t at = 0; at < roots.out.size(); at = roots.out.find('\n', at) + 1) {
-    lines.push_back(parse_json(roots.out.substr(at, roots.out.find('\n', at) - at), "out"));
+    lines.push_back(formats::parse_json(roots.out.substr(at, roots.out.find('\n', at) - at), "out"));
   }
   ASSERT_EQ(lines.size(), 3u);
-  const std::vector<JsonValue>& first = lines[0].find("roots")->items;
+  const auto first = lines[0]->find("roots")->items();
   ASSERT_EQ(first.size(), 2u);
-  EXPECT_EQ(first[0].find("decimal")->text, "-1.41421356");
-  EXPECT_EQ(first[1].find("decimal")->text, "1.41421356");
-  EXPECT_EQ(first[1].find("interval")->items.size(), 2u);
-  const std::vector<JsonValue>& second = lines[1].find("roots")->items;  // (t - 1/3)^2 (t + 2)
+  EXPECT_EQ(first[0].find("decimal")->text(), "-1.41421356");
+  EXPECT_EQ(first[1].find("decimal")->text(), "1.41421356");
+  EXPECT_EQ(first[1].find("interval")->items().size(), 2u);
+  const auto second = lines[1]->find("roots")->items();  // (t - 1/3)^2 (t + 2)
   ASSERT_EQ(second.size(), 2u);
-  EXPECT_EQ(second[0].find("multiplicity")->text, "1");
-  EXPECT_EQ(second[1].find("multiplicity")->text, "2");
-  EXPECT_EQ(second[1].find("decimal")->text, "0.33333333");
-  EXPECT_TRUE(lines[2].find("roots")->items.empty());
+  EXPECT_EQ(second[0].find("multiplicity")->text(), "1");
+  EXPECT_EQ(second[1].find("multiplicity")->text(), "2");
+  EXPECT_EQ(second[1].find("decimal")->text(), "0.33333333");
+  EXPECT_TRUE(lines[2]->find("roots")->items().empty());
 }
 
 TEST_F(Program, ImportMakesAScene) {

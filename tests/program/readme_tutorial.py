@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the commands of README's tutorial, as they stand there, in an otherwise empty folder.
+"""Runs the commands of README's tutorial and of its section on sweeps, as they stand there, in an
+otherwise empty folder.
 
 usage: readme_tutorial.py PROGRAM SOURCE_FOLDER
 Every block of commands must succeed. Where README shows an output after it, that must be it.
@@ -27,7 +28,7 @@ MARK = "== end of a block =="
 
 def main():
     program, source = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    blocks = blocks_of(source, "Five minutes")
+    blocks = blocks_of(source, "Five minutes") + blocks_of(source, "Sweeps")
     commands = [text for language, text in blocks if language == "sh"]
     number = sum(line.startswith("kinex ") for text in commands for line in text.splitlines())
     if number < FEWEST_COMMANDS:

@@ -98,7 +98,7 @@ TEST(ReproduceVerb, IsInterruptedWhileTheSecondProgramRuns) {
     constexpr int kLines = 46;  // all runs and the header
     const Finished stopped = run_kinex_until(command, runs, kLines, signal);
     EXPECT_EQ(stopped.exit_code, 3) << stopped.err;
-    EXPECT_THAT(stopped.err, HasSubstr("interrupted: the same command with --force goes on"));
+    EXPECT_THAT(stopped.err, HasSubstr("interrupted: the same command with --force resumes"));
     EXPECT_THAT(read_file(folder + "/claims.json"), HasSubstr("not checked: interrupted"));
     const std::string text = read_file(runs);
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), kLines);

@@ -120,7 +120,7 @@ TEST_F(Resume, AKilledRunGoesOn) {
   }
 }
 
-// Ctrl-C writes what is finished; the same command goes on and replaces that, and nothing else.
+// Ctrl-C writes what is finished; the same command resumes and replaces that, and nothing else.
 TEST_F(Resume, AnInterruptedRunGoesOn) {
   for (const Verb& verb : verbs()) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
@@ -130,7 +130,7 @@ TEST_F(Resume, AnInterruptedRunGoesOn) {
       const std::string kept = folder + "/" + verb.name + ".unfinished";
       const Finished stopped = run_kinex_until(in(verb, folder), kept, 4, signal);
       ASSERT_EQ(stopped.exit_code, 3) << stopped.err;
-      EXPECT_THAT(stopped.err, HasSubstr("the same command goes on"));
+      EXPECT_THAT(stopped.err, HasSubstr("the same command resumes"));
       ASSERT_TRUE(fs::exists(database));
       const std::string partial = read_file(database);
       write_file(database, "mine");

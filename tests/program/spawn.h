@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the built program and keeps what it printed.
+// Runs the built program and collects its exit code and outputs; folders and files for tests.
 #ifndef KINEX_TESTS_PROGRAM_SPAWN_H
 #define KINEX_TESTS_PROGRAM_SPAWN_H
 
@@ -11,18 +11,20 @@
 namespace kinex {
 
 struct Finished {
-  int exit_code = -1;  // -signal if it was killed
+  int exit_code = -1;  // the negated signal number if a signal ended it
   std::string out, err;
 };
 
-// Runs `kinex` with these arguments and `input` as standard input. What it prints goes to `output`
-// if that is given, and is not kept. With `signal_when_begun`, a file that it writes, it gets
-// `signal` as soon as something of that file is written.
+// Runs `kinex` with these arguments and `input` as standard input. If `output` is given, standard
+// output goes to that file and `out` is empty. If `signal_when_begun` is given, an output file of
+// the program, `signal` is sent to it when the temporary version of that file is not empty (after
+// two minutes in any case).
 Finished run_kinex(const std::vector<std::string>& arguments, const std::string& input = "",
                    const std::string& output = "", const std::string& signal_when_begun = "",
                    int signal = SIGINT);
 
-// Runs `kinex` with these arguments; it gets `signal` as soon as `file` has so many whole lines.
+// Runs `kinex` with these arguments; `signal` is sent to it as soon as `file` has this many
+// complete lines.
 Finished run_kinex_until(const std::vector<std::string>& arguments, const std::string& file,
                          int lines, int signal);
 
@@ -41,6 +43,7 @@ class ScratchFolder {
 };
 
 void write_file(const std::string& path, const std::string& text);
+// The whole file; "" if it cannot be read.
 std::string read_file(const std::string& path);
 
 }  // namespace kinex

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/json_value.h"
+#include "experiments/formats/json_document.h"
 #include "tests/program/spawn.h"
 #include "tests/shared_data.h"
 
@@ -104,15 +104,17 @@ std::vector<HandOver> hand_overs(const std::string& log) {
   std::istringstream lines(read_file(log));
   std::string line;
   while (std::getline(lines, line)) {
-    const JsonValue event = parse_json(line, log);
-    const JsonValue* external = event.find("external");
-    if (external == nullptr || !external->boolean) continue;
-    const std::vector<JsonValue>& ids = event.find("ids")->items;
-    const JsonValue* time = event.find("time");
-    HandOver one{ids.at(0).text, ids.at(1).text, time->find("decimal")->text, {}};
-    const std::vector<JsonValue>& coefficients = time->find("polynomial")->items;
+    const formats::JsonDocument event_document = formats::parse_json(line, log);
+    const formats::JsonValue& event = *event_document;
+    const formats::JsonValue* external = event.find("external");
+    if (external == nullptr || !external->boolean()) continue;
+    const auto ids = event.find("ids")->items();
+    const formats::JsonValue* time = event.find("time");
+    HandOver one{std::string(ids[0].text()), std::string(ids[1].text()),
+                std::string(time->find("decimal")->text()), {}};
+    const auto coefficients = time->find("polynomial")->items();
     if (coefficients.size() != 3) throw std::runtime_error("not of degree 2: " + line);
-    for (std::size_t i = 0; i < 3; ++i) one.polynomial[i] = std::stoll(coefficients[i].text);
+    for (std::size_t i = 0; i < 3; ++i) one.polynomial[i] = std::stoll(std::string(coefficients[i].text()));
     result.push_back(one);
   }
   return result;
@@ -146,21 +148,22 @@ TEST_F(Stars, NearestIsThatOfTheTableAtEverySample) {
   const std::map<std::string, Star> stars = read_stars(table_);
   ASSERT_EQ(stars.size(), 294u);
   const std::string file = scratch_.file("exact.json");
-  const JsonValue summary = parse_json(read_file(file), file);
-  const std::vector<JsonValue>& samples = summary.find("samples")->items;
+  const formats::JsonDocument summary_document = formats::parse_json(read_file(file), file);
+  const formats::JsonValue& summary = *summary_document;
+  const auto samples = summary.find("samples")->items();
   ASSERT_EQ(samples.size(), static_cast<std::size_t>(2 * kSteps + 1));
   for (int k = -kSteps; k <= kSteps; ++k) {
-    const JsonValue& sample = samples[static_cast<std::size_t>(k + kSteps)];
-    EXPECT_EQ(sample.find("nearest")->text, nearest(stars, k)) << sample.find("t")->text;
+    const formats::JsonValue& sample = samples[static_cast<std::size_t>(k + kSteps)];
+    EXPECT_EQ(sample.find("nearest")->text(), nearest(stars, k)) << sample.find("t")->text();
   }
-  EXPECT_EQ(samples[kSteps - 80].find("nearest")->text, "Scholz's Star");
-  EXPECT_EQ(samples[kSteps].find("nearest")->text, "Proxima Cen");
-  const JsonValue* ledger = summary.find("structures")->find("nearest");
-  EXPECT_EQ(ledger->find("audit")->find("violations")->text, "0");
-  EXPECT_GT(std::stoll(ledger->find("audit")->find("checks")->text), 1000);
-  EXPECT_EQ(ledger->find("rebuilds")->text, "0");
-  for (const JsonValue& bound : ledger->find("bounds")->items) {
-    EXPECT_TRUE(bound.find("holds")->boolean) << bound.find("id")->text;
+  EXPECT_EQ(samples[kSteps - 80].find("nearest")->text(), "Scholz's Star");
+  EXPECT_EQ(samples[kSteps].find("nearest")->text(), "Proxima Cen");
+  const formats::JsonValue* ledger = summary.find("structures")->find("nearest");
+  EXPECT_EQ(ledger->find("audit")->find("violations")->text(), "0");
+  EXPECT_GT(std::stoll(std::string(ledger->find("audit")->find("checks")->text())), 1000);
+  EXPECT_EQ(ledger->find("rebuilds")->text(), "0");
+  for (const formats::JsonValue& bound : ledger->find("bounds")->items()) {
+    EXPECT_TRUE(bound.find("holds")->boolean()) << bound.find("id")->text();
   }
 }
 

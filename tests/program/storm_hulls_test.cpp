@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/scene_reader.h"
+#include "experiments/formats/scene_reader.h"
 #include "tests/program/spawn.h"
 #include "tests/shared_data.h"
 #include "tests/structures/hull/hull_support.h"
@@ -60,7 +60,7 @@ TEST(StormHulls, AllMethodsReportTheSameChanges) {
   const std::string file = scratch.file("storms.json");
   const Finished made = run_kinex({"import", table, "-o", file});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  const Scene scene = read_scene(file);
+  const Scene scene = formats::read_scene(file);
   const Year year = run_year(scene, kHulls[0]);
   EXPECT_GT(year.events.size(), 500u);
   EXPECT_GE(year.largest, 5u);

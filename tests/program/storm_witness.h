@@ -18,7 +18,7 @@ class Storms {
   // All times are integers in units of 1 / kUnits hours.
   static constexpr std::int64_t kUnits = 420;
 
-  // Throws std::runtime_error for what it does not understand.
+  // Throws std::runtime_error for text that is not of the expected form.
   explicit Storms(const std::string& file);
 
   // Storms with at least two fixes at different times: the others have no duration.

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/json_value.h"
+#include "experiments/formats/json_document.h"
 #include "tests/program/spawn.h"
 #include "tests/program/storm_witness.h"
 #include "tests/shared_data.h"
@@ -57,9 +57,9 @@ class StormYear : public testing::Test {
   std::string log(const std::string& arithmetic) const {
     return scratch_.file(arithmetic + ".log");
   }
-  JsonValue summary(const std::string& arithmetic) const {
+  formats::JsonDocument summary(const std::string& arithmetic) const {
     const std::string file = scratch_.file(arithmetic + ".json");
-    return parse_json(read_file(file), file);
+    return formats::parse_json(read_file(file), file);
   }
 
   // Between the fixes, all year round; and right after fixes, where many storms turn at once.
@@ -81,20 +81,20 @@ class StormYear : public testing::Test {
   }
 
   // The witness counts what happens to the scene; the ledger must have it all, and no violation.
-  void expect_clean(const JsonValue& ledger) {
-    const auto count = [&](const char* name) { return std::stoull(ledger.find(name)->text); };
+  void expect_clean(const formats::JsonValue& ledger) {
+    const auto count = [&](const char* name) { return std::stoull(std::string(ledger.find(name)->text())); };
     EXPECT_EQ(count("motion_updates"), storms_->turns());
     EXPECT_EQ(count("insertions"), storms_->arrivals());
     EXPECT_EQ(count("erasures"), storms_->departures());
-    EXPECT_EQ(ledger.find("audit")->find("violations")->text, "0");
-    EXPECT_NE(ledger.find("audit")->find("checks")->text, "0");
+    EXPECT_EQ(ledger.find("audit")->find("violations")->text(), "0");
+    EXPECT_NE(ledger.find("audit")->find("checks")->text(), "0");
     std::uint64_t explained = 0;
-    for (const JsonValue& times : ledger.find("rebuild_reasons")->items) {
-      explained += std::stoull(times.text);
+    for (const formats::JsonValue& times : ledger.find("rebuild_reasons")->items()) {
+      explained += std::stoull(std::string(times.text()));
     }
     EXPECT_EQ(count("rebuilds"), explained);
-    for (const JsonValue& bound : ledger.find("bounds")->items) {
-      EXPECT_TRUE(bound.find("holds")->boolean) << bound.find("id")->text;
+    for (const formats::JsonValue& bound : ledger.find("bounds")->items()) {
+      EXPECT_TRUE(bound.find("holds")->boolean()) << bound.find("id")->text();
     }
   }
 
@@ -107,15 +107,16 @@ class StormYear : public testing::Test {
     std::string line;
     std::getline(lines, line);
     while (std::getline(lines, line)) {
-      const JsonValue event = parse_json(line, "log");
+      const formats::JsonDocument event_document = formats::parse_json(line, "log");
+      const formats::JsonValue& event = *event_document;
       if (event.find("end") != nullptr) break;
-      const std::string& kind = event.find("kind")->text;
-      const std::string& time = event.find("time")->find("decimal")->text;
-      const std::vector<JsonValue>& ids = event.find("ids")->items;
-      if (kind == "erase") erased.emplace(time, ids.at(0).text);
+      const std::string_view kind = event.find("kind")->text();
+      const std::string time(event.find("time")->find("decimal")->text());
+      const auto ids = event.find("ids")->items();
+      if (kind == "erase") erased.emplace(time, ids[0].text());
       if (kind != "swap" && kind != "tie") continue;
-      EXPECT_TRUE(event.find("external")->boolean);
-      exchanges.push_back({time, ids.at(0).text, ids.at(1).text});
+      EXPECT_TRUE(event.find("external")->boolean());
+      exchanges.push_back({time, std::string(ids[0].text()), std::string(ids[1].text())});
     }
     return static_cast<std::uint64_t>(
         std::count_if(exchanges.begin(), exchanges.end(), [&](const auto& one) {
@@ -149,20 +150,20 @@ TEST_F(StormYear, SortedListIsTheOrderOfTheTable) {
   const std::vector<std::int64_t> times = sample_times(true);
   const Finished run = simulate("sorted_list", "exact", at(times));
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const JsonValue result = summary("exact");
-  const std::vector<JsonValue>& samples = result.find("samples")->items;
+  const formats::JsonDocument result = summary("exact");
+  const auto samples = result->find("samples")->items();
   ASSERT_EQ(samples.size(), times.size());
   std::size_t most = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     std::vector<std::string> order;
-    for (const JsonValue& id : samples[i].find("sorted_list")->items) order.push_back(id.text);
+    for (const formats::JsonValue& id : samples[i].find("sorted_list")->items()) order.emplace_back(id.text());
     EXPECT_EQ(order, storms_->west_to_east(times[i])) << time_text(times[i]);
     most = std::max(most, order.size());
   }
   EXPECT_GT(most, 100u);  // the samples are not all of the quiet months
-  const JsonValue* ledger = result.find("structures")->find("sorted_list");
+  const formats::JsonValue* ledger = result->find("structures")->find("sorted_list");
   expect_clean(*ledger);
-  EXPECT_EQ(ledger->find("rebuilds")->text, "0");
+  EXPECT_EQ(ledger->find("rebuilds")->text(), "0");
   EXPECT_EQ(exchanges_in_log(), storms_->exchanges());
   EXPECT_THAT(run.out, HasSubstr(std::to_string(storms_->departures()) + " erasures"));
 }
@@ -172,7 +173,7 @@ TEST_F(StormYear, SortedListInEveryArithmetic) {
   ASSERT_EQ(simulate("sorted_list", "sturm").exit_code, 0);
   const Finished diff = run_kinex({"diff", log("exact"), log("sturm")});
   EXPECT_EQ(diff.exit_code, 0) << diff.out;
-  EXPECT_EQ(summary("exact").find("log_digest")->text, summary("sturm").find("log_digest")->text);
+  EXPECT_EQ(summary("exact")->find("log_digest")->text(), summary("sturm")->find("log_digest")->text());
   for (const char* arithmetic : {"double", "gsl"}) expect_defined("sorted_list", arithmetic);
 }
 
@@ -180,13 +181,13 @@ TEST_F(StormYear, SortedListInEveryArithmetic) {
 TEST_F(StormYear, MaximaKeepTheirBounds) {
   const Finished run = simulate("maximum_tournament,minimum_tournament,maximum_heap", "exact");
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const JsonValue result = summary("exact");
+  const formats::JsonDocument result = summary("exact");
   for (const char* name : {"maximum_tournament", "minimum_tournament", "maximum_heap"}) {
-    const JsonValue* ledger = result.find("structures")->find(name);
+    const formats::JsonValue* ledger = result->find("structures")->find(name);
     expect_clean(*ledger);
     bool bounded = false;
-    for (const JsonValue& bound : ledger->find("bounds")->items) {
-      bounded = bounded || bound.find("id")->text == std::string(name) + ".events";
+    for (const formats::JsonValue& bound : ledger->find("bounds")->items()) {
+      bounded = bounded || bound.find("id")->text() == std::string(name) + ".events";
     }
     EXPECT_TRUE(bounded) << name;
   }
@@ -196,20 +197,20 @@ TEST_F(StormYear, DelaunayHasEmptyCircles) {
   const std::vector<std::int64_t> times = sample_times(false);
   const Finished run = simulate("delaunay_2", "exact", at(times));
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const JsonValue result = summary("exact");
-  const std::vector<JsonValue>& samples = result.find("samples")->items;
+  const formats::JsonDocument result = summary("exact");
+  const auto samples = result->find("samples")->items();
   ASSERT_EQ(samples.size(), times.size());
   std::size_t most = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     std::vector<std::pair<std::string, std::string>> edges;
-    for (const JsonValue& edge : samples[i].find("delaunay_2")->items) {
-      edges.emplace_back(edge.items.at(0).text, edge.items.at(1).text);
+    for (const formats::JsonValue& edge : samples[i].find("delaunay_2")->items()) {
+      edges.emplace_back(edge.items()[0].text(), edge.items()[1].text());
     }
     EXPECT_EQ(storms_->delaunay_complaint(times[i], edges), "") << time_text(times[i]);
     most = std::max(most, storms_->alive_count(times[i]));
   }
   EXPECT_GT(most, 100u);
-  expect_clean(*result.find("structures")->find("delaunay_2"));
+  expect_clean(*result->find("structures")->find("delaunay_2"));
 }
 
 // Sturm sequences take a minute for the whole year: the first half of it here.
@@ -219,7 +220,7 @@ TEST_F(StormYear, DelaunayInEveryArithmetic) {
   ASSERT_EQ(simulate("delaunay_2", "exact", half).exit_code, 0);
   const Finished diff = run_kinex({"diff", log("exact"), log("sturm")});
   EXPECT_EQ(diff.exit_code, 0) << diff.out;
-  EXPECT_EQ(summary("exact").find("log_digest")->text, summary("sturm").find("log_digest")->text);
+  EXPECT_EQ(summary("exact")->find("log_digest")->text(), summary("sturm")->find("log_digest")->text());
   std::filesystem::remove(log("exact"));
   std::filesystem::remove(scratch_.file("exact.json"));
   ASSERT_EQ(simulate("delaunay_2", "exact").exit_code, 0);

@@ -14,11 +14,19 @@ from chromium import browser
 from view_page import Page, check_page, check_states, fail, times_after
 
 # Certificates and sides of a tile by its kind.
-TILES = {"half": (3, 1), "triangle": (5, 3), "left": (6, 4), "right": (6, 4)}
+TILES = {"half-plane": (3, 1), "triangle": (5, 3), "left": (6, 4), "right": (6, 4)}
 # Of a pair in contact: the edge ahead, the rays through its ends, the order of normals.
-OVERLAP = ["side", "ray", "ray", "order", "order"]
+OVERLAP = ["half-plane", "ray", "ray", "normals", "normals"]
 ALL = "separation_mixed,separation_hysteresis,closest_features,inner_tangents,bounding_volumes"
 SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
+
+
+def tile_of(proof):
+    """The kind of the tile as the state of the proof says; None if it is none."""
+    if proof["kind"] != "tile":
+        return None
+    kind = proof["text"].split(":")[0]
+    return kind if kind != "parallelogram" else "left" if " left side " in proof["text"] else "right"
 
 
 def failures(events, label, pair):
@@ -54,7 +62,7 @@ def check_next(name, state, events, label, shown):
         if text not in state["proofText"]:
             fail(f"{name}: {text!r} is not in {state['proofText']!r}")
     # In both panels; boxes and discs about bodies are not drawn.
-    drawn = proof["claims"][slot]["kind"] != "volume"
+    drawn = proof["claims"][slot]["figure"] not in ("discs", "gap")
     if drawn and min(state["failed"]) < 20:
         fail(f"{name}: what fails next is not marked after event {state['event']}: {state['failed']}")
     rows = state["claims"]
@@ -87,7 +95,8 @@ def check_features(name, claim, text, pair):
 def check_overlap(name, state, label, pair, t):
     """The five certificates in contact: their texts, against each other."""
     proof = state["proof"]["structures"][label]
-    if [entry["kind"] for entry in proof["claims"]] != OVERLAP or proof["tile"] or proof["closest"]:
+    figures = [entry["figure"] for entry in proof["claims"]]
+    if figures != OVERLAP or proof["kind"] != "overlap" or proof["closest"]:
         fail(f"{name}: no proof of an overlap after event {state['event']}: {proof}")
     ahead = proof["claims"][0]["features"]
     if proof["text"] != f"they overlap; ahead is {ahead}":
@@ -123,9 +132,9 @@ def check_proof(name, state, label, bodies, t):
             check_features(name, claim, entry["features"], pair)
         checked += 1
     if label == "separation_mixed" and checked and not contact:
-        sides = sum(entry["kind"] == "side" for entry in proof["claims"])
-        if (len(proof["claims"]), sides) != TILES[proof["tile"][0]]:
-            fail(f"{name}: {proof['tile']} with {len(proof['claims'])} certificates, {sides} sides")
+        sides = sum(entry["figure"] == "half-plane" for entry in proof["claims"])
+        if (len(proof["claims"]), sides) != TILES[tile_of(proof)]:
+            fail(f"{name}: {proof['text']} with {len(proof['claims'])} certificates, {sides} sides")
     if proof["closest"]:
         vertices = [body.vertices(t) for body in pair]
         features = [exact_bodies.feature_points(v, f.split(".", 1)[1])
@@ -197,9 +206,9 @@ def one_scene(page, name, generate, maintain, steps=24, second=None):
                 checked = check_proof(name, state, label, bodies, times[state["event"]])
                 found["claims"] += checked
                 found["overlaps"] += contact and checked > 0
-        tile = state["proof"]["structures"].get("separation_mixed", {}).get("tile")
-        if tile:
-            found["tiles"].add(tile[0])
+        mixed = state["proof"]["structures"].get("separation_mixed")
+        if mixed and tile_of(mixed):
+            found["tiles"].add(tile_of(mixed))
     return answer, events, found
 
 

@@ -173,8 +173,8 @@ class Page:
 
 
 def same_value(displayed, sampled, shape):
-    if shape == "edges":
-        return {frozenset(e) for e in displayed} == {frozenset(e) for e in sampled}
+    if shape == "tuples":
+        return {tuple(e) for e in displayed} == {tuple(e) for e in sampled}
     return displayed == sampled
 
 
@@ -212,7 +212,7 @@ def check_states(name, answer, events, samples):
         if k not in samples:
             continue
         for label, value in state["structures"].items():
-            shape = "edges" if value and isinstance(value, list) and isinstance(value[0], list) \
+            shape = "tuples" if value and isinstance(value, list) and isinstance(value[0], list) \
                 else "other"
             if not same_value(value, samples[k][label], shape):
                 fail(f"{name}: after event {k} {label} is {samples[k][label]}, not {value}")
@@ -301,7 +301,7 @@ def check_second(page, name, answer, events, second, parted):
     _, samples = page.run(name, second, sorted(wanted))
     for t, sample in zip(sorted(wanted), samples):
         for label, value in wanted[t]["other"]["structures"].items():
-            shape = "edges" if value and isinstance(value[0], list) else "other"
+            shape = "tuples" if value and isinstance(value[0], list) else "other"
             if (value is None) != (sample[label] is None) or (
                     value is not None and not same_value(value, sample[label], shape)):
                 fail(f"{name}: {second} has {sample[label]} at {t}, not {value}")

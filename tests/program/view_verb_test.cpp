@@ -90,10 +90,6 @@ TEST_F(ViewVerb, NeverReplacesAFile) {
 
 TEST_F(ViewVerb, BadInput) {
   expect_refused({scene_}, "--output");
-  const std::string bodies = scratch_.file("bodies.json");
-  ASSERT_EQ(run_kinex({"gen", "polygon-line", "--n", "4", "-o", bodies}).exit_code, 0);
-  expect_refused({bodies, "--maintain", "outer_hierarchy", "-o", page_},
-                 "outer_hierarchy follows nothing that could be shown");
   expect_refused({scratch_.file("none.json"), "-o", page_}, "cannot be read");
   expect_refused({log_, "-o", page_}, "give the scene too: --scene SCENE.json");
   expect_refused({scene_, "--scene", scene_, "-o", page_}, "is a scene itself");

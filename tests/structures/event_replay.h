@@ -51,7 +51,7 @@ class ReplayedAttribute {
         if (ids != std::vector<ObjectId>{id(0)}) return "another object than the old one";
         ids = {id(1)};
         return "";
-      case Attribute::Shape::kEdges:
+      case Attribute::Shape::kTuples:
         if (kind == "flip") return remove(id(0), id(1)) + add(id(2), id(3));
         if (kind == "enter") return remove(id(1), id(2));
         if (kind == "leave") return add(id(1), id(2));
@@ -73,7 +73,7 @@ class ReplayedAttribute {
   using Edge = std::pair<ObjectId, ObjectId>;
 
   std::string apply_difference(const Event& event) {
-    if (value_.shape != Attribute::Shape::kEdges) {
+    if (value_.shape != Attribute::Shape::kTuples) {
       if (!std::equal(value_.ids.begin(), value_.ids.end(), event.gone.begin(), event.gone.end())) {
         return "what went was not there";
       }
@@ -235,7 +235,7 @@ class EventReplay final : public EventSink {
     std::vector<std::string_view> event_kinds() const override { return inner_->event_kinds(); }
     void build(std::span<const ObjectId> objects) override {
       if (tells_of_new_bodies()) {
-        replay_.replayed_[id_].attribute.begin({Attribute::Shape::kEdges, {}}, true);
+        replay_.replayed_[id_].attribute.begin({Attribute::Shape::kTuples, {}}, true);
         return inner_->build(objects);
       }
       come_or_go([&] { inner_->build(objects); });

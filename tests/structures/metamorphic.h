@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Metamorphic tests: transformations of scenes after which a run must give the same events, at
-// known instants, in known words.
+// Metamorphic tests: transformations of scenes. The run of a transformed scene must have the events
+// of the old one, at the transformed instants and with the renamed objects.
 #ifndef KINEX_TESTS_STRUCTURES_METAMORPHIC_H
 #define KINEX_TESTS_STRUCTURES_METAMORPHIC_H
 
@@ -19,14 +19,14 @@
 
 namespace kinex::test {
 
-// A scene made from another one, and how to read its runs. Time s of the new scene is t = a s + b
-// of the old one.
+// A transformed scene, and the map from its runs to those of the old scene: time s of the new scene
+// is t = a s + b of the old one.
 struct Image {
   Scene scene;
   Key key;
   Rational a = 1, b = 0;
   bool reverses_order = false;  // the smallest key becomes the largest
-  std::vector<ObjectId> name;   // old ids by new ids; empty: the same
+  std::vector<ObjectId> name;   // the old id of each new id; empty: unchanged
   std::string how;              // for messages
 
   bool reverses_time() const { return a < Rational(0); }
@@ -36,7 +36,7 @@ struct Image {
 
 // ---- polynomials in t
 
-// c(p t + q).
+// The coefficients of c(p t + q), low degree first.
 inline std::vector<Rational> composed(const std::vector<Rational>& c, const Rational& p,
                                       const Rational& q) {
   std::vector<Rational> result;
@@ -65,7 +65,7 @@ void change_paths(Scene& scene, const Change& change) {
   }
 }
 
-// The same in other units of time; backwards if a < 0.
+// The scene in other units of time; time runs backwards if a < 0.
 inline Image in_time(const Scene& scene, const Key& key, const Rational& a, const Rational& b) {
   Image image{scene, key, a, b, false, {}, "t = " + a.to_string() + " s + " + b.to_string()};
   Scene& to = image.scene;
@@ -94,7 +94,7 @@ inline Image in_time(const Scene& scene, const Key& key, const Rational& a, cons
   return image;
 }
 
-// One axis turned round; the key's direction with it.
+// One axis negated, and the key's direction with it.
 inline Image mirrored(const Scene& scene, const Key& key, int axis) {
   Image image{scene, key, 1, 0, false, {}, "axis " + std::to_string(axis) + " mirrored"};
   const auto at = static_cast<std::size_t>(axis);
@@ -106,7 +106,7 @@ inline Image mirrored(const Scene& scene, const Key& key, int axis) {
   return image;
 }
 
-// All axes multiplied by the same number; by -1: turned by half a turn.
+// All axes multiplied by the same number; -1 is half a turn.
 inline Image scaled(const Scene& scene, const Key& key, const Rational& factor) {
   Image image{scene, key, 1, 0, false, {}, "times " + factor.to_string()};
   change_paths(image.scene, [&](Trajectory& path) {
@@ -118,8 +118,8 @@ inline Image scaled(const Scene& scene, const Key& key, const Rational& factor) 
   return image;
 }
 
-// Turned by the angle of the triangle with sides 3, 4, 5 in the plane of the first two axes; not
-// for a coordinate as key.
+// Turned in the plane of the first two axes by an angle of the triangle with sides 3, 4, 5. Not for
+// a coordinate as key.
 inline Image turned(const Scene& scene, const Key& key) {
   Image image{scene, key, 1, 0, false, {}, "turned"};
   const Rational c(Integer(3), Integer(5)), s(Integer(4), Integer(5));
@@ -141,7 +141,7 @@ inline Image turned(const Scene& scene, const Key& key) {
   return image;
 }
 
-// One motion added to all.
+// The same motion added to all objects.
 inline Image carried(const Scene& scene, const Key& key, const Trajectory& along) {
   Image image{scene, key, 1, 0, false, {}, "carried in degree " + std::to_string(along.degree())};
   change_paths(image.scene, [&](Trajectory& path) {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,15 @@ inline std::size_t twin_failures(const Scene& scene, std::string_view structure)
   return degree <= 3 ? kByDegree[degree] : 50;
 }
 
+// For one structure of this name alone.
+inline std::unique_ptr<Arithmetic> arithmetic_for(std::string_view structure,
+                                                  std::string_view arithmetic, const Scene& scene) {
+  NumberNeeds needs = needs_of_objects(scene);
+  const StructureInfo* info = find_structure_info(structure);
+  if (info != nullptr && info->derives != nullptr) info->derives(scene, needs);
+  return make_arithmetic(arithmetic, scene, needs);
+}
+
 // True if `scene` is run in `sturm` too; if not, the test's record says why.
 inline bool has_twin(const Scene& scene, const std::string& arithmetic) {
   if (arithmetic != "exact") return false;
@@ -48,7 +58,7 @@ inline void expect_same_in_sturm(const Simulator& exact, const Recorder& recorde
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   options.max_events = twin_failures(scene, request.structure);
-  Simulator sturm(scene, make_arithmetic("sturm", scene), options);
+  Simulator sturm(scene, arithmetic_for(request.structure, "sturm", scene), options);
   Recorder twin;
   twin.instants = recorded.instants;
   sturm.set_sink(&twin);

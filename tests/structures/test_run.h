@@ -40,7 +40,7 @@ class LogSink final : public EventSink {
 struct Trial {
   Trial(const Scene& scene, const std::string& structure, const std::string& arithmetic = "exact",
         AuditLevel audit = AuditLevel::kEvents, const Key& key = {})
-      : simulator(scene, make_arithmetic(arithmetic, scene), options(audit)),
+      : simulator(scene, arithmetic_for(structure, arithmetic, scene), options(audit)),
         sink(simulator),
         request_{structure, structure, key},
         twin_(has_twin(scene, arithmetic)) {

@@ -42,6 +42,7 @@ class Arena {
     context.rect(...this.frame.rectangle);
     context.clip();
     this.drawBodies(context);
+    this.drawGroups(context);
     this.drawProof(context);
     this.drawBaselines(context);
     this.drawNames(context);
@@ -53,7 +54,8 @@ class Arena {
   drawBodies(context) {
     const { app } = this;
     const pair = pairOf(app.pair());
-    const touching = new Set([...(app.replay.lost ? [] : app.replay.edges)].flatMap(pairOf));
+    const edges = app.replay.lost || app.replay.edges === null ? [] : app.replay.edges;
+    const touching = new Set([...edges].flatMap(pairOf));
     this.outlines = this.poses.map((pose, body) =>
       (pose === null ? null : worldPolygon(body, pose).map(p => this.frame.at(p))));
     this.outlines.forEach((outline, body) => {
@@ -70,6 +72,64 @@ class Arena {
       }
       context.globalAlpha = 1;
     });
+  }
+
+  // What groups about one body show: outlines in its frame, the sides of its cell.
+  drawGroups(context) {
+    const { app } = this, { proof } = app.proofs[app.shown()];
+    if (app.replay.lost) return;
+    for (const group of proof.groups()) {
+      if (group.about.length !== 1) continue;
+      const [body] = group.about, pose = this.poses[body];
+      if (!pose) continue;
+      context.strokeStyle = app.colourOf(app.shown());
+      context.lineWidth = 0.9;
+      for (const [shape, , , points] of group.marks) {
+        if (shape !== "outline") continue;
+        trace(context, points.map(p => this.frame.at(carry(pose, p))), true);
+        context.stroke();
+      }
+      for (const c of proof.certificatesOf(group.group)) {
+        const { form, ids } = proof.certificate(c), is = c === app.selected;
+        if (form.figure !== "beyond") continue;
+        context.globalAlpha = is || body === app.hovered ? 1 : OBJECTS > 12 ? 0.12 : 0.3;
+        this.drawCoordinate(context, form.direction, numbersOf(ids[1])[0],
+                            is ? COLOUR.selected : app.colourOf(app.shown()), is ? 2.5 : 0.8, [3, 4]);
+        context.globalAlpha = 1;
+      }
+    }
+  }
+  // The line of one coordinate along a direction.
+  drawCoordinate(context, direction, value, colour, width, dash) {
+    const n = [direction[0], direction[1] || 0];
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.setLineDash(dash);
+    trace(context, crossings(this.frame.corners(), { n, offset: value })
+      .map(p => this.frame.at(p)), false);
+    context.stroke();
+    context.setLineDash([]);
+  }
+  // Two bodies that a disc or a strip keeps apart, or holds together.
+  drawVolume(context, { form, ids }, colour, width) {
+    const [a, b] = ids.map(id => this.poses[id]), reach = numbersOf(ids[2])[0];
+    if (!a || !b) return;
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.setLineDash([5, 4]);
+    if (form.figure === "discs") {
+      context.beginPath();
+      context.arc(...this.frame.at([a.x, a.y]), reach * this.frame.scale, 0, 2 * Math.PI);
+      context.stroke();
+    }
+    trace(context, [this.frame.at([a.x, a.y]), this.frame.at([b.x, b.y])], false);
+    context.stroke();
+    context.setLineDash([]);
+    if (form.figure === "gap") {
+      const [x, y] = [form.direction[0], form.direction[1] || 0];
+      this.drawCoordinate(context, [x, y], x * a.x + y * a.y + reach, colour, width, [5, 4]);
+    }
+    for (const p of [a, b]) dot(context, ...this.frame.at([p.x, p.y]), 3, colour);
   }
 
   // Where a feature of body z of the pair is on the screen: its points; a corner's first is the apex.
@@ -118,7 +178,7 @@ class Arena {
     this.labels = [];
     this.overlap = false;
     if (app.replays[index].lost) return;
-    const claims = proofs.claims(pair, app.k), failing = proofs.failingSlot(pair, app.k);
+    const claims = proofs.claims(pair), failing = proofs.failingSlot(pair, app.k);
     const contact = proofs.contact(pair, app.k, app.replays[index]);
     this.overlap = contact !== null;
     if (contact !== null && claims.length === 0) {
@@ -128,24 +188,28 @@ class Arena {
       });
       return;
     }
-    const tangents = proofs.tangents(claims);
-    if (tangents) this.drawTangents(context, tangents);
-    if (proofs.name === "separation_hysteresis") this.drawWedge(context, claims);
-    const found = proofs.features(claims);
+    const through = proofs.marks(pair, "through");
+    this.drawThrough(context, through);
+    this.drawLines(context, proofs.marks(pair, "line"));
+    const found = proofs.joined(pair);
     if (found) this.join(context, found, app.colourOf(index));
-    // What fails next comes last, on top.
-    const order = claims.map((_, slot) => slot).sort((x, y) => (x === failing) - (y === failing));
+    // What fails next, and what is selected, come last, on top.
+    const rank = slot => (claims[slot].number === app.selected ? 2 : slot === failing ? 1 : 0);
+    const order = claims.map((_, slot) => slot).sort((x, y) => rank(x) - rank(y));
     for (const slot of order) {
-      const claim = claims[slot], fails = slot === failing;
-      const colour = fails ? COLOUR.failed : app.colourOf(index);
-      const parts = claim.kind === "side" ? [claim.line, claim.point]
-                  : claim.kind === "ray" ? claim.points.slice(2)
-                  : claim.kind === "order" ? claim.lines : [];
-      if (claim.kind === "order" && !fails) context.globalAlpha = 0.45;
-      for (const part of parts) {
+      const claim = claims[slot], fails = slot === failing, { figure } = claim.form;
+      const chosen = claim.number === app.selected;
+      const colour = chosen ? COLOUR.selected : fails ? COLOUR.failed : app.colourOf(index);
+      if (figure === "discs" || figure === "gap") {
+        this.drawVolume(context, claim, colour, fails || chosen ? 2 : 1.2);
+      }
+      const parts = partsOf(claim), normals = figure === "normals";
+      if (normals && !fails && !chosen) context.globalAlpha = 0.45;
+      for (const part of figure === "ray" ? parts.slice(2) : parts) {
         const where = this.mark(context, part.z, part.feature, part.numbers, colour,
-                                fails ? 1.6 : claim.kind === "order" ? 0 : 1);
-        const named = fails || (isHalfPlane(claim) && (!tangents || part === claim.point));
+                                fails || chosen ? 1.6 : normals ? 0 : 1);
+        const named = fails || chosen ||
+          (isHalfPlane(claim) && (through.length === 0 || !part.line));
         if (where && named) {
           this.note(part.z, part.feature, where, String(slot + 1), colour);
         }
@@ -163,14 +227,14 @@ class Arena {
       return;
     }
     if (number && !known.numbers.includes(number)) known.numbers.push(number);
-    if (colour === COLOUR.failed) known.colour = colour;
+    if (colour === COLOUR.failed || colour === COLOUR.selected) known.colour = colour;
   }
 
   drawBaselines(context) {
     const { app } = this;
     app.proofs.forEach((proofs, index) => {
       if (index === app.shown() || app.replays[index].lost) return;
-      const found = proofs.features(proofs.claims(app.pair(), app.k));
+      const found = proofs.joined(app.pair());
       if (!found) return;
       found.forEach((feature, z) =>
         this.mark(context, z, feature, null, app.colourOf(index), 0.4));
@@ -191,9 +255,10 @@ class Arena {
     context.setLineDash([]);
   }
 
-  drawTangents(context, tangents) {
-    for (const [fa, fb] of tangents) {
-      const a = this.place(0, fa)[0], b = this.place(1, fb)[0];
+  // Lines through a vertex of each body.
+  drawThrough(context, marks) {
+    for (const mark of marks) {
+      const [a, b] = mark.slice(2).map((part, z) => this.place(z, featureOf(part))[0]);
       if (!a || !b) continue;
       const d = [b[0] - a[0], b[1] - a[1]];
       trace(context, [-4, 5].map(f => [a[0] + f * d[0], a[1] + f * d[1]]), false);
@@ -214,19 +279,14 @@ class Arena {
     context.stroke();
   }
 
-  // The line between the bodies, of either of them, and the two lines of the other one that meet on
-  // its side of it.
-  drawWedge(context, claims) {
-    const line = claims.find(claim => claim.kind === "side");
-    if (!line || claims.length > 3) return;
-    context.strokeStyle = this.app.colourOf(this.app.shown());
-    context.lineWidth = 1.6;
-    this.line(context, line.z, line.line.numbers);
-    context.lineWidth = 0.9;
-    context.setLineDash([4, 4]);
-    for (const claim of claims) {
-      if (claim.kind === "order") this.line(context, 1 - line.z, claim.lines[1 - line.z].numbers);
-    }
+  // Lines of the bodies, the first one strong.
+  drawLines(context, marks) {
+    marks.forEach(([, , thing, z], i) => {
+      context.strokeStyle = this.app.colourOf(this.app.shown());
+      context.lineWidth = i === 0 ? 1.6 : 0.9;
+      context.setLineDash(i === 0 ? [] : [4, 4]);
+      this.line(context, z, numbersOf(thing));
+    });
     context.setLineDash([]);
   }
 

@@ -41,12 +41,13 @@ class Chart {
   cells(pair, pose) {
     const { app } = this;
     return app.proofs.map((proofs, index) => {
-      const claims = app.replays[index].lost ? [] : proofs.claims(pair, app.k);
+      const claims = app.replays[index].lost ? [] : proofs.claims(pair);
       const failing = proofs.failingSlot(pair, app.k);
       const sides = [];
       claims.forEach((claim, slot) => {
         if (isHalfPlane(claim)) {
-          sides.push({ slot, fails: slot === failing, half: halfPlane(claim, pose) });
+          sides.push({ slot, fails: slot === failing, chosen: claim.number === app.selected,
+                       half: halfPlane(claim, pose) });
         }
       });
       return sides;
@@ -170,17 +171,19 @@ class Chart {
   // Where each half-plane bounds what is shown of the tile.
   drawSides(context, own, corners) {
     const { app } = this;
-    for (const side of [...own].sort((x, y) => x.fails - y.fails)) {  // what fails next on top
+    const colourOf = side => (side.chosen ? COLOUR.selected : side.fails ? COLOUR.failed
+                            : app.colourOf(app.shown()));
+    const rank = side => 2 * side.chosen + side.fails;  // what fails next, and what is selected, on top
+    for (const side of [...own].sort((x, y) => rank(x) - rank(y))) {
       const wide = 1e-3 / this.frame.scale / this.stretch;
       const ends = boundary(corners, own, side, wide).map(p => this.at(p));
       if (ends.length < 2) continue;
       trace(context, ends, false);
-      context.strokeStyle = side.fails ? COLOUR.failed : app.colourOf(app.shown());
-      context.lineWidth = side.fails ? 4 : 2;
+      context.strokeStyle = colourOf(side);
+      context.lineWidth = rank(side) > 0 ? 4 : 2;
       context.stroke();
       const [x, y] = this.besidePoint(middleOf(ends), ends);
-      badge(context, String(side.slot + 1), x, y,
-            side.fails ? COLOUR.failed : app.colourOf(app.shown()));
+      badge(context, String(side.slot + 1), x, y, colourOf(side));
     }
   }
 
@@ -188,9 +191,9 @@ class Chart {
   drawCentre(context, pair, pose) {
     const { app } = this;
     if (app.replay.lost) return;
-    const ray = app.proofs[app.shown()].claims(pair, app.k).find(claim => claim.kind === "ray");
+    const ray = app.proofs[app.shown()].claims(pair).find(claim => claim.form.figure === "ray");
     if (!ray) return;
-    const [x, y] = this.at(sumOfPoints(ray.points.slice(0, 2), pose));
+    const [x, y] = this.at(sumOfPoints(partsOf(ray).slice(0, 2), pose));
     dot(context, x, y, 3, app.colourOf(app.shown()));
     label(context, "c", x - 7, y + 9, app.colourOf(app.shown()), "right");
   }
@@ -200,10 +203,10 @@ class Chart {
     const { app } = this;
     const proofs = app.proofs[app.shown()], slot = proofs.failingSlot(pair, app.k);
     if (slot < 0 || app.replay.lost) return;
-    const claim = proofs.claims(pair, app.k)[slot];
-    if (claim.kind !== "order") return;
+    const claim = proofs.claims(pair)[slot];
+    if (claim.form.figure !== "normals") return;
     const from = this.at(this.point);
-    const ends = claim.lines.map(({ z, numbers }) => {
+    const ends = partsOf(claim).map(({ z, numbers }) => {
       const n = z === 0 ? numbers : turn(pose, numbers), size = Math.hypot(n[0], n[1]);
       const step = 1 / (this.frame.scale * size);
       const [x, y] = this.at([this.point[0] + n[0] * step, this.point[1] + n[1] * step]);
@@ -234,8 +237,8 @@ class Chart {
   drawOther(context, pair, pose, corners) {
     const { app } = this;
     const texts = list => list.map(claim => claim.text).join();
-    const claims = app.otherProofs[app.shown()].claims(pair, app.kOther());
-    if (texts(claims) === texts(app.proofs[app.shown()].claims(pair, app.k))) return;
+    const claims = app.otherProofs[app.shown()].claims(pair);
+    if (texts(claims) === texts(app.proofs[app.shown()].claims(pair))) return;
     const sides = claims.filter(isHalfPlane).map(c => halfPlane(c, pose));
     if (sides.length === 0) return;
     trace(context, sides.reduce(clip, corners).map(p => this.at(p)), true);

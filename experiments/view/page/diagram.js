@@ -117,13 +117,21 @@ class Diagram {
       if (app.other !== null) this.envelope(context, axis, OTHER, app.other, COLOUR.second, 7);
       this.envelope(context, axis, FIRST, app.replay, COLOUR.first, 3.2);
     }
-    context.strokeStyle = COLOUR.failed;
-    context.lineWidth = 1.8;
-    context.beginPath();
-    for (const object of app.certificateObjects()) {
-      if (memberOf(this.key, object)) this.curve(context, axis, object, from, to);
+    const curves = (ids, colour, width) => {
+      context.strokeStyle = colour;
+      context.lineWidth = width;
+      context.beginPath();
+      for (const object of ids) {
+        if (object < OBJECTS && memberOf(this.key, object)) this.curve(context, axis, object, from, to);
+      }
+      context.stroke();
+    };
+    const next = app.proof === null || app.replay.lost ? null : app.proof.next(app.k);
+    if (next !== null) curves(app.proof.certificate(next[0]).ids, COLOUR.next, 1.4);
+    curves(app.certificateObjects(), COLOUR.failed, 1.8);
+    if (app.proof !== null && app.selected !== null && app.proof.live.has(app.selected)) {
+      curves(app.proof.certificate(app.selected).ids, COLOUR.selected, 2.6);
     }
-    context.stroke();
   }
 
   // Which object was the value, and when: from the log.
@@ -207,7 +215,7 @@ class Diagram {
     const column = (run, state, x, from, colour) => {
       label(context, run.arithmetic, x, 12, colour);
       if (state.lost) {
-        label(context, "led astray", x, 30, colour);
+        label(context, "corrupt", x, 30, colour);
         return;
       }
       const [first, ids] = this.ranksToShow(state.ids, marked);

@@ -17,22 +17,30 @@ class App {
       this.partedAt = PARTED <= LAST ? timeOf(FIRST, PARTED) : timeOf(OTHER, PARTED);
     }
     this.picture = new Picture("picture");
+    this.selected = null;      // a certificate of the proof that is shown
+    this.chosenGroup = null;   // a group without certificates
+    this.all = null;           // all certificates are drawn; null: if they are few
+    this.certificates = new Certificates(this);
     if (BODIES) return this.startBodies();
-    this.drawings = { plane: new Plane(this), time: new Diagram(this) };
+    this.runProofs = DATA.structures.map((_, i) => new Proof(FIRST, i));
+    this.plane = new Plane(this);
+    this.drawings = { plane: this.plane, time: new Diagram(this), axis: new KeyAxis(this),
+                      tree: new Tree(this) };
     this.window = new TimeWindow(this);
     this.panel = new Panel(this);
   }
 
   startBodies() {
     this.chosen = null;  // the pair that is shown; null: that of the event
-    const proofs = run => DATA.structures.map((_, i) => new Proofs(run, i));
-    this.proofs = proofs(FIRST);
-    this.otherProofs = OTHER === null ? null : proofs(OTHER);
+    const pairs = run => DATA.structures.map((_, i) => new Pairs(run, i));
+    this.proofs = pairs(FIRST);
+    this.otherProofs = OTHER === null ? null : pairs(OTHER);
+    this.runProofs = this.proofs.map(own => own.proof);
     this.span = 1.03;
     this.rate = 1 / 30;
     this.drawings = { plane: new Arena(this) };
     this.window = new Lanes(this);
-    this.panel = new ProofPanel(this);
+    this.panel = new PairPanel(this);
   }
   // The pair of bodies that is shown: that of the event, or of the next one that is about a pair.
   pair() {
@@ -53,6 +61,38 @@ class App {
   shown() { return this.index; }
   get replay() { return this.replays[this.index]; }
   get other() { return this.others === null ? null : this.others[this.index]; }
+  // The proof of the structure that is shown: its own, or that of the structure that it reads. Null
+  // where it is not known.
+  get proof() {
+    const own = this.runProofs[this.index], reads = own.data.reads;
+    const proof = own.isEmpty && reads !== null ? this.runProofs[reads] : own;
+    return proof.isKnown(this.k) ? proof : null;
+  }
+  // All certificates are drawn in the plane.
+  showsAll() {
+    return this.all === null ? this.mode === "plane" && this.proof.live.size <= 60 : this.all;
+  }
+  // The group of the certificate that is selected, or the one that was chosen itself.
+  selectedGroup() {
+    const { proof } = this;
+    if (proof === null) return null;
+    if (this.selected !== null && proof.live.has(this.selected)) {
+      return proof.group(proof.data.certificates[this.selected][0]);
+    }
+    return this.chosenGroup === null ? null : proof.group(this.chosenGroup);
+  }
+  select(c) {
+    this.selected = c;
+    if (c !== null) this.chosenGroup = null;
+    this.panel.shownEvent = null;
+    this.changed();
+  }
+  // The claim that failed at the event.
+  failedClaim() {
+    if (this.k === BEFORE || FIRST.certificates[at(FIRST, this.k)] === 0) return null;
+    const [predicate, ids] = FIRST.certificates[at(FIRST, this.k)];
+    return { form: formOf(FIRST, predicate), ids };
+  }
   get drawing() { return this.drawings[this.mode]; }
   state() {
     return this.k + "/" + this.kOther() + "/" + this.index + (BODIES ? "/" + this.pair() : "");
@@ -106,12 +146,21 @@ class App {
   }
   setStructure(index) {
     this.index = index;
-    const structure = DATA.structures[index];
-    const line = structure.key !== null;
-    const select = document.getElementById("drawing");
-    select.options[0].disabled = AXES < 2;
-    select.options[1].disabled = !line;
-    this.setMode(line ? "time" : "plane");
+    this.selected = this.chosenGroup = null;
+    const line = DATA.structures[index].key !== null;
+    const can = { plane: AXES > 1 || BODIES, time: line && !BODIES, axis: line && !BODIES,
+                  tree: !BODIES && this.hasTree(index) };
+    for (const option of document.getElementById("drawing").options) {
+      option.disabled = !can[option.value];
+    }
+    const first = ["time", "plane", "tree", "axis"].find(mode => can[mode]) || "plane";
+    this.setMode(this.mode && can[this.mode] ? this.mode : first);
+  }
+  // The groups of the proof have places in a tree.
+  hasTree(index) {
+    const own = this.runProofs[index], reads = own.data.reads;
+    const proof = own.isEmpty && reads !== null ? this.runProofs[reads] : own;
+    return proof.data.groups.some(group => group[4] !== null);
   }
   setMode(mode) {
     this.mode = mode;
@@ -148,6 +197,8 @@ class App {
   seek() {
     for (const replay of this.replays) replay.seek(this.k);
     if (this.others !== null) for (const replay of this.others) replay.seek(this.kOther());
+    for (const proof of this.runProofs) proof.seek(this.k);
+    if (BODIES && this.otherProofs) for (const own of this.otherProofs) own.seek(this.kOther());
     document.body.dataset.event = this.k;
   }
   changed() {
@@ -165,6 +216,7 @@ class App {
     this.waiting = false;
     this.drawCanvases();
     this.panel.draw(true);
+    this.certificates.draw();
     this.drawControls();
     this.drawLegend();
     if (!this.playing) {
@@ -195,10 +247,23 @@ class App {
     };
     entry(BODIES ? "s" + this.index % 6 : "first", structure.label + (OTHER === null ? "" : ", " + FIRST.arithmetic));
     if (OTHER !== null) entry("second", "otherwise in " + OTHER.arithmetic);
+    const { proof } = this;
     if (BODIES) {
       entry("failed", "fails next, or contact");
-    } else if (this.k > BEFORE) {
+    } else if (proof !== null && proof.live.size > 0) {
+      if (this.mode !== "time") {
+        entry("proof", this.mode === "plane" && !this.showsAll()
+          ? proof.live.size + " certificates (C draws all)" : proof.live.size + " certificates");
+      }
+      entry("next", "fails next");
+      if (this.selected !== null) entry("selected", "selected");
+    }
+    if (!BODIES && this.k > BEFORE) {
       entry("failed", "log record " + this.k + ": what failed and what it changed");
+    }
+    for (const [shape, name] of BODIES || this.selectedGroup() === null ? []
+                                                             : this.selectedGroup().marks) {
+      if (shape === "chain") entry("selected", name);
     }
     this.picture.canvas.setAttribute("aria-label", structure.label + " after log record " + this.k);
   }
@@ -213,7 +278,11 @@ function kinexState() {
     event: app.k, time: app.k > BEFORE ? instantOf(FIRST, app.k)[0] : DATA.time.start[0],
     certificate: app.certificateName(), objects: app.certificateObjects().map(nameOf),
     structures: values(app.replays), diverges: PARTED,
+    proofs: Object.fromEntries(app.runProofs.map((proof, i) => [DATA.structures[i].label, {
+      certificates: [...proof.live].map(c => proof.certificate(c).text),
+      groups: [...proof.groups()].length, reads: proof.data.reads,
+    }])),
     other: app.others === null ? null : { event: app.kOther(), structures: values(app.others) },
-    ...(BODIES ? { proof: proofState() } : {}),
+    ...(BODIES ? { proof: pairState() } : {}),
   };
 }

@@ -31,6 +31,7 @@ class Panel {
   constructor(app) {
     this.app = app;
     this.event = document.getElementById("event");
+    this.proof = document.getElementById("proof");
     this.list = document.getElementById("list");
     this.rows = document.getElementById("rows");
     this.rows.style.height = (LAST - BEFORE + 1) * ROW + "px";
@@ -46,8 +47,28 @@ class Panel {
     if (this.shownEvent === this.app.state()) return;
     this.shownEvent = this.app.state();
     this.drawEvent();
+    this.drawProof();
     if (follow) this.scroll();
     this.drawRows();
+  }
+
+  // The certificate that is selected, or else the one that fails next.
+  drawProof() {
+    const { app } = this, { proof } = app;
+    this.proof.hidden = proof === null || app.replay.lost;
+    if (this.proof.hidden) return;
+    const next = proof.next(app.k);
+    const chosen = app.selected !== null ? app.selected : next === null ? null : next[0];
+    this.proof.replaceChildren(make("h2", app.selected !== null ? "Selected certificate"
+      : next !== null ? "Fails next, at log record " + next[1] : "Certificates"));
+    this.proof.style.borderColor = app.selected !== null ? COLOUR.selected : COLOUR.next;
+    if (chosen === null) {
+      const text = proof.live.size === 0 ? "The structure has no certificates now."
+        : proof.live.size + " certificates; none of them fails after this.";
+      this.proof.append(make("p", text));
+      return;
+    }
+    this.proof.append(certificateDetails(proof, chosen, app.k));
   }
 
   drawEvent() {
@@ -102,6 +123,7 @@ class Panel {
     this.describeCertificate(run, e, row);
     this.describeInstant(run, k, e, row);
     this.describeChange(run, k, row);
+    this.describeProof(run, k, row);
     return list;
   }
 
@@ -155,12 +177,36 @@ class Panel {
     const index = run.s[at(run, k)];
     const [removed, added] = this.app.replays[index].changeAt(k);
     if (removed.length + added.length === 0) return;
-    const edges = ids => ids.flatMap((id, i) =>
-      (i % 2 === 0 ? [nameOf(id) + "\u2013" + nameOf(ids[i + 1])] : []));
-    const shown = DATA.structures[index].shape === "edges" ? edges : ids => ids.map(nameOf);
+    const replay = this.app.replays[index];
+    const shown = ids => (replay.tuples === null ? ids.map(nameOf)
+      : replay.cut(ids).map(tuple => tuple.map(nameOf).join("\u2013")));
     const short = names => (names.length > 8 ? names.slice(0, 8).join(", ") + ", \u2026 (" +
       names.length + ")" : names.join(", ")) || "nothing";
     row("change", short(shown(removed)) + " \u2192 " + short(shown(added)));
+  }
+
+  // The certificates that go and come at the event, in the proof of its structure.
+  describeProof(run, k, row) {
+    const proof = this.app.runProofs[run.s[at(run, k)]];
+    if (!proof.isKnown(k)) return;
+    const [gone, came] = proof.changeAt(k);
+    if (gone.length + came.length === 0) return;
+    const list = make("ul", undefined, "moves");
+    const entries = (certificates, sign, name) => certificates.slice(0, 6).forEach(c => {
+      const claim = proof.certificate(c);
+      const ids = listOf(claim.ids.filter(id => id < OBJECTS));
+      const item = make("li", sign + " " + ids + ": " + claim.role, name);
+      item.title = claim.role + ": " + claim.text;
+      item.addEventListener("click", () => {
+        if (proof !== this.app.proof) this.app.setStructure(proof.index);
+        this.app.select(c);
+      });
+      list.append(item);
+    });
+    entries(gone, "\u2212", "go");
+    entries(came, "+", "come");
+    row("certificates", gone.length + (gone.length === 1 ? " goes, " : " go, ") + came.length +
+        (came.length === 1 ? " comes" : " come"), list);
   }
 
   scroll() {

@@ -27,7 +27,8 @@ const COLOUR = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
   for (const name of ["back", "text", "quiet", "line", "point", "first", "fill", "failed",
-                      "second", "external", "internal", "panel", "s1", "s2", "s3", "s4", "s5"]) {
+                      "second", "external", "internal", "panel", "proof", "next", "selected",
+                      "s1", "s2", "s3", "s4", "s5"]) {
     COLOUR[name] = style.getPropertyValue("--" + name).trim();
   }
   COLOUR.s0 = COLOUR.first;

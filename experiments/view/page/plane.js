@@ -1,4 +1,5 @@
-// The picture in the plane: points, and the attribute by its shape (edges, cycle, object, sequence).
+// The picture in the plane: points, the attribute by its shape (tuples, cycle, object, sequence), and
+// the certificates by their figures.
 
 // The box to show: that of the whole run if it is not much larger than what is there now, else one
 // that slides with the points.
@@ -35,29 +36,39 @@ class Plane {
   fit() { this.zoom = 1; this.dx = this.dy = 0; }
 
   // Screen coordinates of all objects, in this.sx and this.sy.
-  project(width, height) {
+  project([left, top, width, height]) {
     const [x0, x1, y0, y1] = boxToShow();
-    const room = 40;
+    const room = Math.min(40, width / 8, height / 8);
     const fitted = Math.min((width - 2 * room) / (x1 - x0), (height - 2 * room) / (y1 - y0));
     const scale = this.zoom * (isFinite(fitted) && fitted > 0 ? fitted : 1);
-    const cx = width / 2 + this.dx, cy = height / 2 + 10 + this.dy;
+    const cx = this.cx = left + width / 2, cy = this.cy = top + height / 2;
     const mx = (x0 + x1) / 2 || 0, my = (y0 + y1) / 2 || 0;
     this.sx = this.sx || new Float64Array(OBJECTS);
     this.sy = this.sy || new Float64Array(OBJECTS);
     for (let object = 0; object < OBJECTS; ++object) {
-      this.sx[object] = cx + (X[0][object] - mx) * scale;
-      this.sy[object] = cy - (X[1][object] - my) * scale;
+      this.sx[object] = cx + this.dx + (X[0][object] - mx) * scale;
+      this.sy[object] = cy + this.dy - (X[1][object] - my) * scale;
     }
   }
+  at(id) { return [this.sx[id], this.sy[id]]; }
 
   draw(picture) {
+    const context = picture.begin();
+    this.drawIn(context, [0, 20, picture.width, picture.height - 20]);
+  }
+  drawIn(context, rectangle) {
     const { app } = this;
     place(app.u);
-    const context = picture.begin();
-    this.project(picture.width, picture.height);
+    this.rectangle = rectangle;
+    this.project(rectangle);
     const marked = app.certificateObjects();
+    context.save();
+    context.beginPath();
+    context.rect(...rectangle);
+    context.clip();
     this.drawAttribute(context);
-    this.drawCertificate(context, marked);
+    this.drawProof(context);
+    this.drawChange(context, marked);
     const radius = OBJECTS > 2000 ? 1.5 : OBJECTS > 300 ? 2.2 : 3.4;
     context.fillStyle = COLOUR.point;
     context.beginPath();
@@ -70,7 +81,8 @@ class Plane {
     for (const object of marked) {
       if (alive[object]) dot(context, this.sx[object], this.sy[object], radius + 1.6, COLOUR.failed);
     }
-    this.drawNames(context, marked, picture);
+    this.drawNames(context, marked);
+    context.restore();
   }
 
   segments(context, codes, colour, width, dash) {
@@ -98,10 +110,10 @@ class Plane {
     const { replay, other } = this.app;
     const thin = OBJECTS > 1500 ? 0.5 : OBJECTS > 300 ? 0.8 : 1.3;
     const both = other !== null && !other.lost;
-    if (replay.shape === "edges" && !replay.lost) {
+    if (replay.tuples !== null && !replay.lost) {
       this.segments(context, replay.edges, COLOUR.first, thin);
     }
-    if (replay.shape === "edges" && both) {
+    if (replay.tuples !== null && both) {
       const only = (a, b) => [...a.edges].filter(code => b.lost || !b.edges.has(code));
       if (!replay.lost) this.segments(context, only(replay, other), COLOUR.first, thin + 1.4);
       this.segments(context, only(other, replay), COLOUR.second, thin + 1.2, [6, 4]);
@@ -140,59 +152,113 @@ class Plane {
     if (both && other.ids[0] !== replay.ids[0]) ring(other.ids, COLOUR.second, 12);
   }
 
-  // The last event: what it took away and what it put there, and the circle or line of its
-  // certificate.
-  drawCertificate(context, marked) {
+  // The certificates: all of them faintly if there are few, or if that is asked for; what fails
+  // next, and the one that is selected.
+  drawProof(context) {
+    const { app } = this, { proof } = app;
+    if (app.replay.lost || proof === null) return;
+    this.shapes = new Map();
+    const shapes = c => {
+      if (!this.shapes.has(c)) {
+        this.shapes.set(c, shapesOf(proof.certificate(c), id => this.at(id)));
+      }
+      return this.shapes.get(c);
+    };
+    if (app.showsAll()) {
+      const alpha = proof.live.size > 400 ? 0.2 : proof.live.size > 80 ? 0.35 : 0.6;
+      this.drawAll(context, proof.live, shapes, alpha);
+    }
+    const group = app.selectedGroup();
+    if (group !== null) {
+      this.drawAll(context, proof.certificatesOf(group.group), shapes, 0.9);
+      this.drawMarks(context, group);
+      if (group.about.length === 2 && group.about.every(id => id < OBJECTS && alive[id])) {
+        drawShapes(context, [{ from: this.at(group.about[0]), to: this.at(group.about[1]) }],
+                   COLOUR.selected, { width: 3.5 });
+      }
+    }
+    const next = proof.next(app.k);
+    if (next !== null && this.isThere(next[0])) {
+      drawShapes(context, shapes(next[0]), COLOUR.next, { width: 1.8, dash: [7, 4] });
+    }
+    const selected = app.selected;
+    if (selected !== null && proof.live.has(selected) && this.isThere(selected)) {
+      drawShapes(context, shapes(selected), COLOUR.selected, { width: 2.6 });
+      this.drawRoles(context, proof.certificate(selected));
+    }
+  }
+  drawAll(context, certificates, shapes, alpha) {
+    for (const c of certificates) {
+      if (!this.isThere(c)) continue;
+      drawShapes(context, shapes(c).filter(shape => !shape.dot), COLOUR.proof, { width: 0.9, alpha });
+    }
+  }
+  isThere(c) {
+    return this.app.proof.certificate(c).ids.every(id => id < OBJECTS && alive[id]);
+  }
+  // Chains of a group: a hull, the winners to come; and those of its children in its tree.
+  drawMarks(context, group) {
+    const { proof } = this.app;
+    const chain = (marks, colour, width, dash) => {
+      for (const [shape, , objects] of marks) {
+        if (shape !== "chain") continue;
+        this.path(context, objects, false);
+        context.strokeStyle = colour;
+        context.lineWidth = width;
+        context.setLineDash(dash);
+        context.stroke();
+        context.setLineDash([]);
+        for (const id of objects) {
+          if (alive[id]) dot(context, this.sx[id], this.sy[id], 3 + width / 2, colour);
+        }
+      }
+    };
+    chain(group.marks, COLOUR.selected, 5, []);
+    let number = 0;
+    if (group.place === null) return;
+    for (const child of proof.groups()) {
+      if (child.parent !== group.place) continue;
+      chain(child.marks, COLOUR[number++ === 0 ? "s1" : "s4"], 2, number === 1 ? [] : [6, 3]);
+    }
+  }
+  // The roles of the points of a certificate beside them.
+  drawRoles(context, { form, ids }) {
+    form.roles.forEach(({ name }, i) => {
+      const [x, y] = this.at(ids[i]);
+      const [, top, , height] = this.rectangle;
+      label(context, name, x + 9, Math.max(top + 8, Math.min(top + height - 8, y + 11)),
+            COLOUR.selected);
+    });
+  }
+
+  // The last event: what it took away and what it put there, and the certificate that failed.
+  drawChange(context, marked) {
     const { app } = this;
     if (marked.length === 0) return;
-    const predicate = app.certificateName();
-    if (predicate === "in_circle_2") {
-      this.circle(context, marked);
-    } else if (marked.length > 1) {
-      this.path(context, marked, marked.length > 2);
-      context.strokeStyle = COLOUR.failed;
-      context.globalAlpha = 0.7;
-      context.lineWidth = 1.2;
-      context.setLineDash([2, 3]);
-      context.stroke();
-      context.setLineDash([]);
-      context.globalAlpha = 1;
+    const failed = app.failedClaim();
+    if (failed !== null && failed.ids.every(id => id < OBJECTS && alive[id])) {
+      drawShapes(context, shapesOf(failed, id => this.at(id)), COLOUR.failed, { dash: [2, 3] });
     }
-    if (app.replay.shape !== "edges" || app.shown() !== app.eventStructure()) return;
-    const codes = ids => ids.flatMap((id, i) => (i % 2 === 0 ? [id * OBJECTS + ids[i + 1]] : []));
+    if (app.replay.tuples === null || app.shown() !== app.eventStructure()) return;
+    const codes = ids => app.replay.cut(ids).flatMap(sidesOf);
     const [removed, added] = app.replay.changeAt(app.k);
     this.segments(context, codes(removed), COLOUR.failed, 1.6, [3, 4]);
     this.segments(context, codes(added), COLOUR.failed, 3);
   }
 
-  circle(context, [a, b, c]) {
-    const ax = this.sx[a], ay = this.sy[a];
-    const bx = this.sx[b] - ax, by = this.sy[b] - ay, cx = this.sx[c] - ax, cy = this.sy[c] - ay;
-    const d = 2 * (bx * cy - by * cx);
-    const x = (cy * (bx * bx + by * by) - by * (cx * cx + cy * cy)) / d;
-    const y = (bx * (cx * cx + cy * cy) - cx * (bx * bx + by * by)) / d;
-    const radius = Math.hypot(x, y);
-    if (!(radius < 1e5)) return;
-    context.strokeStyle = COLOUR.failed;
-    context.lineWidth = 1.2;
-    context.setLineDash([2, 3]);
-    context.beginPath();
-    context.arc(ax + x, ay + y, radius, 0, 2 * Math.PI);
-    context.stroke();
-    context.setLineDash([]);
-  }
-
-  drawNames(context, marked, picture) {
+  drawNames(context, marked) {
+    const [left, top, width, height] = this.rectangle;
     const named = new Set(marked);
     if (OBJECTS <= 60) for (let object = 0; object < OBJECTS; ++object) named.add(object);
     if (this.app.replay.shape === "object") this.app.replay.ids.forEach(id => named.add(id));
     if (this.app.hovered !== null) named.add(this.app.hovered);
     for (const object of named) {
       const x = this.sx[object], y = this.sy[object];
-      if (!alive[object] || x < 0 || y < 0 || x > picture.width || y > picture.height) continue;
+      if (!alive[object] || x < left || y < top || x > left + width || y > top + height) continue;
       const colour = marked.includes(object) ? COLOUR.failed : COLOUR.text;
-      const left = x > picture.width - 60;
-      label(context, nameOf(object), x + (left ? -8 : 8), y - 9, colour, left ? "right" : "left");
+      const before = x > left + width - 60;
+      label(context, nameOf(object), x + (before ? -8 : 8), y - 9, colour,
+            before ? "right" : "left");
     }
   }
 
@@ -205,8 +271,26 @@ class Plane {
     }
     return best;
   }
-  scaleAbout(factor, x, y, picture) {
-    const cx = x - picture.width / 2, cy = y - picture.height / 2;
+  // The certificate that is drawn nearest to a place, or null.
+  certificateAt(x, y) {
+    const { app } = this, { proof } = app;
+    if (proof === null || app.replay.lost) return null;
+    let best = null, distance = 7;
+    for (const c of proof.live) {
+      if (!this.isThere(c)) continue;
+      const claim = proof.certificate(c);
+      let d = distanceToShapes(shapesOf(claim, id => this.at(id)), x, y);
+      const { about } = proof.group(claim.group) || { about: [] };
+      if (about.length === 2) {  // the edge that it is about goes before circles
+        const [px, py] = nearestOn(about.map(id => this.at(id)), [x, y]);
+        d = Math.min(d, Math.hypot(x - px, y - py) - 2);
+      }
+      if (d < distance) { distance = d; best = c; }
+    }
+    return best;
+  }
+  scaleAbout(factor, x, y) {
+    const cx = x - this.cx, cy = y - this.cy;
     this.dx = cx - (cx - this.dx) * factor;
     this.dy = cy - (cy - this.dy) * factor;
     this.zoom *= factor;

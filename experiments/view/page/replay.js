@@ -9,14 +9,29 @@ class Replay {
     this.event = run.before;
     this.applied = 0;                    // of the changes
     this.ids = states.initial.slice();   // sequence, cycle, object
-    this.edges = null;
-    if (this.shape === "edges") {
-      this.edges = new Set();
-      for (let i = 0; i + 1 < this.ids.length; i += 2) this.edges.add(this.code(this.ids, i));
+    this.width = DATA.structures[index].width;
+    this.tuples = null;                  // of a set of tuples: its ids by their text
+    this.sides = null;                   // of its tuples, while they are the same
+    if (this.shape === "tuples") {
+      this.tuples = new Map();
+      for (const tuple of this.cut(this.ids)) this.tuples.set(tuple.join(), tuple);
     }
   }
 
-  code(ids, i) { return ids[i] * OBJECTS + ids[i + 1]; }
+  cut(ids) {
+    const tuples = [];
+    for (let i = 0; i + this.width <= ids.length; i += this.width) {
+      tuples.push(ids.slice(i, i + this.width));
+    }
+    return tuples;
+  }
+  // All pairs that are in one tuple, as numbers; null if the attribute is no set of tuples.
+  get edges() {
+    if (this.tuples === null || this.sides !== null) return this.sides;
+    this.sides = new Set();
+    for (const tuple of this.tuples.values()) for (const code of sidesOf(tuple)) this.sides.add(code);
+    return this.sides;
+  }
 
   // To the state after event k.
   seek(k) {
@@ -33,12 +48,13 @@ class Replay {
   }
 
   replace(place, removed, added) {
-    if (this.edges === null) {
+    if (this.tuples === null) {
       this.ids.splice(place, removed.length, ...added);
       return;
     }
-    for (let i = 0; i < removed.length; i += 2) this.edges.delete(this.code(removed, i));
-    for (let i = 0; i < added.length; i += 2) this.edges.add(this.code(added, i));
+    this.sides = null;
+    for (const tuple of this.cut(removed)) this.tuples.delete(tuple.join());
+    for (const tuple of this.cut(added)) this.tuples.set(tuple.join(), tuple);
   }
 
   get lost() { return this.corrupt !== null && this.event >= this.corrupt[0]; }
@@ -69,8 +85,10 @@ class Replay {
   value() {
     if (this.lost) return null;
     if (this.shape === "object") return this.ids.length > 0 ? nameOf(this.ids[0]) : null;
-    if (this.edges === null) return this.ids.map(nameOf);
-    return [...this.edges].sort((a, b) => a - b)
-      .map(code => [nameOf(Math.floor(code / OBJECTS)), nameOf(code % OBJECTS)]);
+    if (this.tuples === null) return this.ids.map(nameOf);
+    const before = (a, b) => a.find((id, i) => id !== b[i]) - b.find((id, i) => id !== a[i]) || 0;
+    return [...this.tuples.values()].sort(before).map(tuple => tuple.map(nameOf));
   }
 }
+// The pairs of a tuple as numbers.
+const sidesOf = tuple => tuple.flatMap((a, i) => tuple.slice(i + 1).map(b => a * OBJECTS + b));

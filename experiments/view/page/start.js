@@ -58,7 +58,7 @@ function describePairs() {
   document.getElementById("drawing-label").hidden = true;
   document.getElementById("whole").hidden = false;
   onClick("whole", () => app.drawing.chart.turnOver());
-  const pairs = new Set(app.proofs.flatMap(proofs => [...proofs.pairs.keys()]));
+  const pairs = new Set(app.proofs.flatMap(own => [...own.groups.keys()]));
   if (pairs.size < 2) return;
   const select = document.getElementById("pair");
   document.getElementById("pair-label").hidden = false;
@@ -92,17 +92,30 @@ function listen() {
     app.setStructure(+e.target.value);
   });
   document.getElementById("drawing").addEventListener("change", e => app.setMode(e.target.value));
+  onClick("show-records", () => showList(false));
+  onClick("show-certificates", () => showList(true));
   const resized = new ResizeObserver(() => {
     app.panel.drawRows();
+    app.certificates.drawRows();
     app.drawCanvases();  // at once: nothing else on the page depends on sizes
   });
-  for (const id of ["list", "picture", "window"]) resized.observe(document.getElementById(id));
+  for (const id of ["list", "certificates", "picture", "window"]) resized.observe(document.getElementById(id));
   addEventListener("hashchange", fromHash);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
     readColours();
     app.changed();
   });
   addEventListener("keydown", pressed);
+}
+
+// The list of log records, or that of certificates.
+function showList(certificates) {
+  document.getElementById("list").hidden = certificates;
+  document.getElementById("certificates").hidden = !certificates;
+  document.getElementById("show-records").setAttribute("aria-selected", !certificates);
+  document.getElementById("show-certificates").setAttribute("aria-selected", certificates);
+  app.certificates.known = null;
+  app.changed();
 }
 
 function pressed(key) {
@@ -125,6 +138,16 @@ function pressed(key) {
     ",": () => app.setSpan(1.5), ".": () => app.setSpan(1 / 1.5),
     d: () => { if (PARTED > BEFORE) app.setEvent(PARTED); },
     t: () => { if (BODIES) app.drawing.chart.turnOver(); },
+    c: () => {
+      if (BODIES || app.proof === null) return;
+      app.all = !app.showsAll();
+      app.changed();
+    },
+    n: () => {
+      const next = app.proof === null ? null : app.proof.next(app.k);
+      if (next !== null) app.select(next[0]);
+    },
+    Escape: () => app.select(null),
   };
   const action = actions[key.key] || actions[key.key.toLowerCase()];
   if (!action) return;
@@ -138,9 +161,9 @@ function listenToPointers() {
     return [event.clientX - box.left, event.clientY - box.top];
   };
   const canvas = app.picture.canvas;
-  let dragged = null;
+  let dragged = null, pressedAt = null;
   canvas.addEventListener("pointerdown", e => {
-    dragged = place(canvas, e);
+    dragged = pressedAt = place(canvas, e);
     canvas.setPointerCapture(e.pointerId);
   });
   canvas.addEventListener("pointermove", e => {
@@ -159,7 +182,15 @@ function listenToPointers() {
     }
   });
   for (const end of ["pointerup", "pointercancel"]) {
-    canvas.addEventListener(end, () => { dragged = null; });
+    canvas.addEventListener(end, e => {
+      const [x, y] = place(canvas, e);
+      const stays = pressedAt !== null && Math.hypot(x - pressedAt[0], y - pressedAt[1]) < 3;
+      dragged = pressedAt = null;
+      if (stays && end === "pointerup" && app.drawing.certificateAt) {
+        app.chosenGroup = null;
+        app.select(app.drawing.certificateAt(x, y));
+      }
+    });
   }
   canvas.addEventListener("wheel", e => {
     e.preventDefault();

@@ -27,7 +27,7 @@ Answer solve(const Coefficients& track, const Rational& now,
              const std::optional<Rational>& end = std::nullopt) {
   Scene scene = make_track_scene({track}, now);
   scene.end = end;
-  const auto arithmetic = make_gsl_arithmetic(scene);
+  const auto arithmetic = make_arithmetic("gsl", scene);
   const PredicateId id = arithmetic->bind(make_predicate<Order>());
   set_motions(scene, *arithmetic);
   FailureTime time;
@@ -102,7 +102,7 @@ TEST(GslArithmetic, DegreesDropAndVanish) {
   // Two objects that move alike: the quadratic terms cancel.
   Scene scene =
       make_track_scene({{zero, zero, Rational(3)}, {Rational(4), Rational(-2), Rational(3)}}, zero);
-  const auto arithmetic = make_gsl_arithmetic(scene);
+  const auto arithmetic = make_arithmetic("gsl", scene);
   const PredicateId id = arithmetic->bind(make_predicate<Order>());
   set_motions(scene, *arithmetic);
   FailureTime time;
@@ -132,7 +132,7 @@ TEST(GslArithmetic, PassesTheRootAtNow) {
       q.push_back(draw());
     }
     Scene scene = make_track_scene({p, q}, Rational(0));
-    const auto arithmetic = make_gsl_arithmetic(scene);
+    const auto arithmetic = make_arithmetic("gsl", scene);
     const PredicateId id = arithmetic->bind(make_predicate<Order>());
     set_motions(scene, *arithmetic);
     Query current(id, {0, 1});
@@ -158,7 +158,7 @@ TEST(GslArithmetic, PassesTheRootAtNow) {
 TEST(GslArithmetic, DoubleArithmeticOfInstants) {
   Scene scene =
       make_track_scene({{Rational(1), Rational(-1)}, {Rational(2), Rational(-1)}}, Rational(0));
-  const auto arithmetic = make_gsl_arithmetic(scene);
+  const auto arithmetic = make_arithmetic("gsl", scene);
   const PredicateId id = arithmetic->bind(make_predicate<Order>());
   set_motions(scene, *arithmetic);
   const Query qa(id, {2, 0}), qb(id, {2, 1});
@@ -199,7 +199,7 @@ TEST(GslArithmetic, SurvivesAnyNumbers) {
       }
     }
     Scene scene = make_scene(objects, rational(pool[random() % std::size(pool)]));
-    const auto arithmetic = make_gsl_arithmetic(scene);
+    const auto arithmetic = make_arithmetic("gsl", scene);
     const Query queries[] = {Query(arithmetic->bind(make_predicate<Order>()), {0, 1}),
                              Query(arithmetic->bind(make_predicate<DistanceOrder>()), {0, 1, 2}),
                              Query(arithmetic->bind(make_predicate<Orientation>()), {0, 1, 2}),

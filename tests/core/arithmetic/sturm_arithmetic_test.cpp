@@ -16,7 +16,7 @@ TEST(SturmArithmetic, NothingBeyondTheHorizon) {
   Scene scene =
       make_track_scene({{Rational(1), Rational(-1)}, {Rational(3), Rational(-1)}}, Rational(0));
   scene.end = Rational(2);
-  const auto arithmetic = make_sturm_arithmetic(scene);
+  const auto arithmetic = make_arithmetic("sturm", scene);
   const PredicateId order = arithmetic->bind(make_predicate<Order>());
   set_motions(scene, *arithmetic);
   FailureTime time;
@@ -31,7 +31,7 @@ TEST(SturmArithmetic, NothingBeyondTheHorizon) {
 
 TEST(SturmArithmetic, CountsItsWork) {
   Scene scene = make_track_scene({kMinusTwo, {Rational(3), Rational(-1)}}, Rational(0));
-  const auto arithmetic = make_sturm_arithmetic(scene);
+  const auto arithmetic = make_arithmetic("sturm", scene);
   const PredicateId order = arithmetic->bind(make_predicate<Order>());
   set_motions(scene, *arithmetic);
   const PredicateId unused = arithmetic->bind(make_predicate<Order>());

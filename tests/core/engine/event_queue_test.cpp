@@ -30,9 +30,10 @@ struct Fixture {
   }
   void push(CertificateId id, int t) {
     const Certificate& c = queue.certificate(id);
-    std::vector<ObjectId> ids(c.query.ids.begin(), c.query.ids.begin() + c.query.arity);
+    const Query query = queue.query(c);
+    std::vector<ObjectId> ids(query.ids.begin(), query.ids.begin() + query.arity);
     std::sort(ids.begin(), ids.end());
-    rank[id] = {t, c.structure, c.query.predicate, ids, id};
+    rank[id] = {t, c.structure, query.predicate, ids, id};
     expected.insert(rank[id]);
     queue.push(id, arithmetic.make(t));
   }

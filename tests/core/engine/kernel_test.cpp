@@ -81,6 +81,95 @@ TEST(Kernel, LedgerCountsCertificates) {
   EXPECT_EQ(f.kernel->live_certificates(f.b, 0), 1u);
 }
 
+// `deferred`: within a call of a structure.
+void replace_a_group(bool deferred, bool twice, bool of_four) {
+  Fixture one, all;
+  std::vector<CertificateId> ids;
+  for (Fixture* f : {&one, &all}) {
+    f->kernel->bind(make_predicate<Order>());  // it has a name
+    f->fails({0, 1}, 5);
+    f->fails({4, 5}, 3);
+    f->fails({6, 7}, 8);
+    ids.clear();
+    for (ObjectId i = 0; i < 4; ++i) {
+      const Query query = of_four ? Query(0, {i, i + 1, 8, 9}) : Query(0, {i, i + 1});
+      ids.push_back(f->kernel->create(f->a, query, i).id);
+    }
+    f->fails({4, 5, 9, 1}, 3);
+  }
+  Kernel::Group group;
+  const std::vector<Query> queries =
+      of_four ? std::vector<Query>{Query(0, {4, 5, 9, 1}), Query(0, {8, 3, 1, 2}),
+                                   Query(0, {2, 3, 8, 9})}
+              : std::vector<Query>{Query(0, {4, 5}), Query(0, {1, 5}), Query(0, {6, 7, 8})};
+  for (const Query& query : queries) {
+    const std::uint32_t tag = 10 + static_cast<std::uint32_t>(group.size);
+    group.ids[group.size] = ids[group.size];
+    group.queries[group.size] = query;
+    group.tags[group.size++] = tag;
+  }
+  if (twice) group.ids[2] = group.ids[1];
+  if (deferred) one.kernel->begin_change(), all.kernel->begin_change();
+  all.kernel->replace(group);
+  for (std::size_t i = 0; i < group.size; ++i) {
+    EXPECT_EQ(one.kernel->replace(group.ids[i], group.queries[i], group.tags[i]), group.outlooks[i]);
+  }
+  if (deferred) one.kernel->end_change(), all.kernel->end_change();
+  EXPECT_EQ(group.outlooks[0], Outlook::kFails);
+  for (const CertificateId id : ids) {
+    EXPECT_EQ(one.kernel->query(id), all.kernel->query(id));
+    EXPECT_EQ(one.kernel->tag(id), all.kernel->tag(id));
+    EXPECT_EQ(one.kernel->outlook(id), all.kernel->outlook(id));
+  }
+  EXPECT_EQ(all.kernel->queue().top(), ids[0]);
+  EXPECT_EQ(one.kernel->queue().size(), all.kernel->queue().size());
+  EXPECT_EQ(one.arithmetic->numbers, all.arithmetic->numbers);
+  for (ObjectId object = 0; object < 10; ++object) {
+    EXPECT_EQ(one.kernel->live_certificates(one.a, object),
+              all.kernel->live_certificates(all.a, object));
+  }
+  const StructureLedger &a = one.kernel->ledger(one.a), &b = all.kernel->ledger(all.a);
+  EXPECT_EQ(a.certificates_created, b.certificates_created);
+  EXPECT_EQ(a.certificates_retracted, b.certificates_retracted);
+  EXPECT_EQ(a.max_per_object, b.max_per_object);
+  EXPECT_EQ(a.failures_found, b.failures_found);
+  EXPECT_EQ(a.failures_unused, b.failures_unused);
+  EXPECT_EQ(a.live, b.live);
+  EXPECT_EQ(a.max_live, b.max_live);
+  if (twice || of_four) return;
+  // A query that is refused leaves those before it replaced, and those after it as they were.
+  group.queries = {Query(0, {0, 9}), Query(0, {1, 9, 9}), Query(0, {2, 9})};
+  EXPECT_THROW(all.kernel->replace(group), RepeatedObject);
+  EXPECT_TRUE(all.kernel->claims(ids[0], Query(0, {0, 9})));
+  EXPECT_TRUE(all.kernel->claims(ids[1], Query(0, {1, 5})));
+  EXPECT_TRUE(all.kernel->claims(ids[2], Query(0, {6, 7, 8})));
+}
+
+TEST(Kernel, AGroupIsReplacedAsOneByOne) {
+  for (const bool deferred : {false, true}) {
+    for (const bool twice : {false, true}) {
+      for (const bool of_four : {false, true}) replace_a_group(deferred, twice, of_four);
+    }
+  }
+}
+
+TEST(Kernel, ClaimsIsTheComparisonOfQueries) {
+  Fixture f;
+  const std::vector<Query> queries{Query(0, {1}),          Query(0, {1, 0}),
+                                   Query(0, {1, 2}),       Query(0, {1, 2, 3, 4, 5}),
+                                   Query(1, {1, 2}),       Query(0, {1, 2, 3, 4, 5, 6}),
+                                   Query(0, {0, 1, 2, 3, 4, 5, 6, 7}),
+                                   Query(0, {0, 1, 2, 3, 4, 5, 6, 8})};
+  std::vector<CertificateId> ids;
+  for (const Query& query : queries) ids.push_back(f.kernel->create(f.a, query, 0).id);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    for (std::size_t j = 0; j < queries.size(); ++j) {
+      EXPECT_EQ(f.kernel->claims(ids[i], queries[j]), i == j) << i << " " << j;
+      EXPECT_EQ(f.kernel->claims(ids[i], queries[j]), f.kernel->query(ids[i]) == queries[j]);
+    }
+  }
+}
+
 TEST(Kernel, AnEventIsCountedOnceAndLargestNumbersAreTakenAfterIt) {
   Fixture f;
   f.fails({0, 1}, 1);
@@ -210,7 +299,19 @@ TEST(Kernel, TheIndexFollowsAllChanges) {
     std::map<CertificateId, Query> live;
     const auto query = [&] {
       const ObjectId a = below(8), b = (a + 1 + below(3)) % 8, c = (a + 4 + below(4)) % 8;
-      return below(2) == 0 ? Query(0, {a, b}) : Query(0, {c, a, b});
+      switch (below(4)) {
+        case 0: {  // kept outside of the certificate
+          Query q(0, {});
+          const unsigned first = below(8);
+          q.arity = static_cast<std::uint8_t>(6 + below(3));
+          for (ObjectId i = 0; i < q.arity; ++i) q.ids[i] = (first + 3 * i) % 8;
+          return q;
+        }
+        case 1:
+          return Query(0, {a, b});
+        default:
+          return Query(0, {c, a, b});
+      }
     };
     for (int step = 0; step < 4000; ++step) {
       const unsigned what = below(3);
@@ -238,6 +339,7 @@ TEST(Kernel, TheIndexFollowsAllChanges) {
         }
       }
       ASSERT_EQ(found, wanted);
+      for (const auto& [id, q] : live) ASSERT_EQ(f.kernel->query(id), q);
       ASSERT_EQ(f.kernel->live_certificates(f.a, object), wanted.size());
     }
   }

@@ -116,7 +116,7 @@ class Lying final : public PlainList {
     std::swap(order_[0], order_[1]);
     if (with_certificate) {
       EventQueue& queue = static_cast<Scheduler*>(kernel_)->queue();
-      queue.certificate(certificates_[0]).query = Query(less_, {order_[0], order_[1]});
+      queue.set_query(certificates_[0], Query(less_, {order_[0], order_[1]}));
     }
   }
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,6 @@ Trajectory path(std::vector<Rational> coefficients) { return {{std::move(coeffic
 
 TEST(DerivedObjects, FollowTheirBases) {
   DerivedObjects objects(3);
-  objects.keep_motions();
   objects.set_motion(0, path({1, 2}), Rational(5));
   objects.set_motion(1, path({4}), std::nullopt);
   objects.set_motion(2, path({9, 9}), Rational(1));
@@ -72,16 +72,61 @@ TEST(DerivedObjects, ConstantsAreRedefined) {
   EXPECT_EQ(objects.size(), 1u);
 }
 
-TEST(DerivedObjects, AreRefusedWhereNobodyKeepsMotions) {
+// The diamond a -> m, a -> n, (m, n) -> s: s is renewed once, after both.
+TEST(DerivedObjects, Nest) {
+  DerivedObjects objects(3);
+  objects.set_motion(0, path({1}), std::nullopt);
+  objects.set_motion(1, path({10, 1}), Rational(4));
+  objects.set_motion(2, path({100}), Rational(3));
+  const auto difference = std::make_shared<Difference>();
+  const auto add = [&](const char* name, ObjectId first, ObjectId second) {
+    const std::array<ObjectId, 2> bases{first, second};
+    return objects.add(name, difference, bases);
+  };
+  const ObjectId seven = objects.add("7", path({7}));
+  const ObjectId m = add("m", 0, 1), n = add("n", 0, seven), s = add("s", n, m);
+  const ObjectId twice = add("twice", m, m), constant = add("constant", seven, seven);
+  EXPECT_EQ(objects.trajectory(s), path({3, 1}));
+  EXPECT_EQ(objects.object(s).stands_for, (std::vector<ObjectId>{0, 1}));
+  EXPECT_EQ(objects.object(s).until, Rational(4));
+  EXPECT_EQ(objects.object(n).until, std::nullopt);
+  EXPECT_TRUE(objects.is_constant(constant));
+  EXPECT_TRUE(objects.is_constant(seven));
+  EXPECT_FALSE(objects.is_constant(twice));
+  EXPECT_EQ(objects.all_dependents(0), (std::vector<ObjectId>{m, twice, n, s}));
+  EXPECT_EQ(objects.all_dependents(1), (std::vector<ObjectId>{m, s, twice}));
+  EXPECT_EQ(objects.all_dependents(seven), (std::vector<ObjectId>{n, s, constant}));
+  EXPECT_TRUE(objects.all_dependents(2).empty());
+
+  objects.set_motion(0, path({5, 5}), std::nullopt);
+  for (const ObjectId id : objects.all_dependents(0)) objects.renew(id);
+  EXPECT_EQ(objects.trajectory(m), path({5, -4}));
+  EXPECT_EQ(objects.trajectory(n), path({2, -5}));
+  EXPECT_EQ(objects.trajectory(s), path({3, 1}));
+  EXPECT_EQ(objects.trajectory(twice), path({0}));
+
+  // An object may get a younger base; then the order of renewal is not that of the ids.
+  const ObjectId late = add("late", 2, 1);
+  objects.rebase(n, "n'", std::array<ObjectId, 2>{late, 0});
+  EXPECT_EQ(objects.object(s).stands_for, (std::vector<ObjectId>{0, 1, 2}));
+  EXPECT_EQ(objects.all_dependents(2), (std::vector<ObjectId>{late, n, s}));
+  for (const ObjectId id : objects.all_dependents(n)) objects.renew(id);
+  EXPECT_EQ(objects.object(s).until, Rational(3));
+  EXPECT_EQ(objects.trajectory(s), path({-90, -8}));
+  EXPECT_TRUE(objects.all_dependents(seven) == (std::vector<ObjectId>{constant}));
+}
+
+TEST(DerivedObjects, AreNotDerivedFromThemselvesOrFromNothing) {
   DerivedObjects objects(1);
   objects.set_motion(0, path({1}), std::nullopt);
-  const std::array<ObjectId, 1> base{0};
-  EXPECT_ANY_THROW(objects.add("a", std::make_shared<Difference>(), base));
-  objects.keep_motions();
-  objects.set_motion(0, path({1}), std::nullopt);
-  const ObjectId constant = objects.add("c", path({1}));
-  const std::array<ObjectId, 1> derived{constant};
-  EXPECT_ANY_THROW(objects.add("b", std::make_shared<Difference>(), derived));
+  const auto difference = std::make_shared<Difference>();
+  const ObjectId m = objects.add("m", difference, std::array<ObjectId, 2>{0, 0});
+  const ObjectId n = objects.add("n", difference, std::array<ObjectId, 2>{m, 0});
+  EXPECT_THROW(objects.rebase(m, "m", std::array<ObjectId, 2>{0, n}), std::logic_error);
+  EXPECT_THROW(objects.rebase(m, "m", std::array<ObjectId, 2>{m, 0}), std::logic_error);
+  EXPECT_THROW(objects.rebase(m, "m", std::array<ObjectId, 2>{0, 9}), std::logic_error);
+  EXPECT_THROW(objects.add("x", difference, std::array<ObjectId, 2>{0, 3}), std::logic_error);
+  EXPECT_EQ(objects.trajectory(n), path({1}));
 }
 
 }  // namespace

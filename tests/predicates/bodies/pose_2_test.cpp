@@ -367,7 +367,7 @@ TEST(PoseForms, RingsAgree) {
 TEST(PoseForms, RefuseNarrowNumbers) {
   const std::vector<double> magnitude(4, 1.0);
   for (const auto& predicate : {make_pose_side(Frame::kA, false), make_pose_along(Frame::kB)}) {
-    EXPECT_FALSE(predicate->narrow_fits(1, magnitude.data()));
+    EXPECT_FALSE(predicate->narrow_fits(1, magnitude.data(), 1));
     EXPECT_TRUE(std::isinf(predicate->reach_error(1)));
     Int128 out = 0;
     EXPECT_THROW(predicate->narrow(1, nullptr, &out), std::logic_error);

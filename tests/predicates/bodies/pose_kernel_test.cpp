@@ -200,6 +200,12 @@ Scene random_scene(Draw& draw) {
   return scene;
 }
 
+NumberNeeds needs_of(const Scene& scene) {
+  NumberNeeds needs = needs_of_objects(scene);
+  needs.add(pose_2_kind(scene));
+  return needs;
+}
+
 struct Outcome {
   std::vector<std::string> calls;
   int audits;
@@ -210,7 +216,7 @@ Outcome run(const Scene& scene, const std::vector<Line>& lines, const char* arit
   SimulatorOptions options;
   options.audit = AuditLevel::kEvents;
   options.scheduling = scheduling;
-  Simulator simulator(scene, make_arithmetic(arithmetic, scene), options);
+  Simulator simulator(scene, make_arithmetic(arithmetic, scene, needs_of(scene)), options);
   const StructureId id = simulator.reserve();
   auto owned = std::make_unique<SignWatch>(simulator.kernel(), id, lines);
   SignWatch* watch = owned.get();
@@ -260,7 +266,7 @@ TEST(PoseKernel, BodiesThatTurnAsOne) {
   EXPECT_TRUE(run(scene, lines, "sturm", Scheduling::kLazy).calls.empty());
 }
 
-TEST(PoseKernel, ObjectsAreDerivedInScenesOfBodiesOnly) {
+TEST(PoseKernel, PosesAreOfBodies) {
   Scene scene;
   scene.dimension = 2;
   scene.start = 0;
@@ -272,7 +278,20 @@ TEST(PoseKernel, ObjectsAreDerivedInScenesOfBodiesOnly) {
   Simulator simulator(scene, make_arithmetic("exact", scene));
   simulator.start();
   const ObjectId both[] = {0, 1};
-  EXPECT_ANY_THROW(simulator.kernel().derive("pose", make_pose_2(), both));
+  EXPECT_THROW(simulator.kernel().derive("pose", make_pose_2(), both), std::logic_error);
+}
+
+// An arithmetic that was made for the bodies alone has no room for poses, and says so.
+TEST(PoseKernel, PosesAreDeclared) {
+  Draw draw(4);
+  const Scene scene = random_scene(draw);
+  for (const char* name : {"exact", "sturm", "double", "gsl", "mpfr:53"}) {
+    Simulator simulator(scene, make_arithmetic(name, scene));
+    simulator.start();
+    const ObjectId both[] = {0, 1};
+    EXPECT_THROW(simulator.kernel().derive("pose", make_pose_2(), both), std::logic_error) << name;
+    EXPECT_THROW(simulator.kernel().bind(make_pose_side(Frame::kA, false)), std::logic_error) << name;
+  }
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ struct Stored {
   explicit Stored(double anchor_of_pose) : store(model(), 5), anchor(anchor_of_pose) {}
   static NumberModel model() {
     NumberModel model;
-    model.dimension = kPoseAxes;
+    model.axes = kPoseAxes;
     model.anchored = true;
     return model;
   }

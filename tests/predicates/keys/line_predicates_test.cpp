@@ -92,7 +92,7 @@ TEST(LinePredicates, RingsAgreeWithTheDualPlane) {
                       1e-9 * (1 + std::abs(rational[0].to_double())) + 1e6);
           EXPECT_EQ(predicate.degree(d), 0);
           if (d > kMaxFixedDegree) return;
-          ASSERT_TRUE(predicate.narrow_fits(d, magnitude.data()));
+          ASSERT_TRUE(predicate.narrow_fits(d, magnitude.data(), 1));
           Int128 narrow = 0;
           predicate.narrow(d, views(n).data(), &narrow);
           EXPECT_EQ(Rational(Integer(narrow)), rational[0]) << predicate.name();
@@ -114,10 +114,10 @@ TEST(LinePredicates, RingsAgreeWithTheDualPlane) {
 TEST(LinePredicates, NarrowRefusesWhatMightOverflow) {
   const std::vector<double> huge(4, 0x1p62), large(4, 0x1p50);
   for (int d = 1; d <= kMaxFixedDegree; ++d) {
-    EXPECT_FALSE(make_line_slope_order({}, 1)->narrow_fits(d, huge.data()));
-    EXPECT_FALSE(make_line_turn({}, 1)->narrow_fits(d, huge.data()));
-    EXPECT_TRUE(make_line_turn({}, 1)->narrow_fits(d, large.data()));
-    EXPECT_FALSE(make_line_meeting({}, 1)->narrow_fits(d, large.data()));
+    EXPECT_FALSE(make_line_slope_order({}, 1)->narrow_fits(d, huge.data(), 1));
+    EXPECT_FALSE(make_line_turn({}, 1)->narrow_fits(d, huge.data(), 1));
+    EXPECT_TRUE(make_line_turn({}, 1)->narrow_fits(d, large.data(), 1));
+    EXPECT_FALSE(make_line_meeting({}, 1)->narrow_fits(d, large.data(), 1));
   }
 }
 

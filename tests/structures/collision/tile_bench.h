@@ -22,12 +22,11 @@ struct Bench {
       : scene(body_scene(
             {rigid("a", a, {{0}, {0}, {1}, {0}}), rigid("b", b, {{0, 1}, {0, 1}, {1, 1}, {0, 1}})},
             0, std::nullopt)),
-        kernel(make_arithmetic("exact", scene), 2),
+        kernel(make_arithmetic("exact", scene, needs(scene)), 2),
         constants(kernel),
         frames{BodyFrame(OuterHierarchy(frame_polygon(a, false), policy), constants),
                BodyFrame(OuterHierarchy(frame_polygon(b, false), policy), constants)},
         predicates(kernel) {
-    kernel.keep_motions();
     kernel.arithmetic().set_now(0);
     for (ObjectId id = 0; id < 2; ++id) {
       kernel.set_motion(id, scene.objects[id].motion.pieces[0].trajectory, std::nullopt);
@@ -43,6 +42,11 @@ struct Bench {
         offset[z] = tiles->level({Tile::Kind::kTriangle, z, v, 0}) - 1 - tree.node(v).cut_level;
       }
     }
+  }
+  static NumberNeeds needs(const Scene& scene) {
+    NumberNeeds needs = needs_of_objects(scene);
+    needs.add(pose_2_kind(scene));
+    return needs;
   }
   // The point is at p and moves by d; the rotor is p + iq.
   void move(const Vertex2& p, const Vertex2& d, std::vector<Rational> rotor_p,

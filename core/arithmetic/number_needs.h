@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// NumberNeeds: the axes and degrees for which the numbers of a run must have room. The scene's
+// objects need their axes and the degree of their motions. Structures add the weights that they
+// read and the objects that they derive (structures/plan.h). An arithmetic is made for the union of
+// these needs and has no room for more.
+#ifndef KINEX_CORE_ARITHMETIC_NUMBER_NEEDS_H
+#define KINEX_CORE_ARITHMETIC_NUMBER_NEEDS_H
+
+#include <string>
+#include <vector>
+
+#include "core/motion/scene.h"
+
+namespace kinex {
+
+// The derived objects of one construction.
+struct DerivedKind {
+  std::string name;  // Construction::name()
+  int axes = 1;
+  int degree = 0;  // the largest in t, for the motions of the scene
+  // True if the coefficients cancel far from t = 0. Then motions are also kept as polynomials in
+  // t - anchor, for an anchor near now, shifted exactly; machine integers are not used in the
+  // scene.
+  bool anchored = false;
+  friend bool operator==(const DerivedKind&, const DerivedKind&) = default;
+};
+
+struct NumberNeeds {
+  int axes = 0;    // the most axes of an object; 0: unknown, predicates are not checked against it
+  int degree = 0;  // the largest degree in t of any motion
+  bool weights = false;   // every point has its weight as last axis, 0 if the scene gives none
+  bool anchored = false;  // some derived kind is anchored
+  std::vector<DerivedKind> derived;  // in the order in which they were added, each once
+
+  // Requires kind.axes <= kMostAxes.
+  void add(const DerivedKind& kind);
+  // Requires a scene of points.
+  void add_weights(const Scene& scene);
+};
+
+// No object has more axes.
+inline constexpr int kMostAxes = 32;
+
+// The needs of the scene's own objects, without weights. O(coefficients).
+NumberNeeds needs_of_objects(const Scene& scene);
+
+}  // namespace kinex
+
+#endif

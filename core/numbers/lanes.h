@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lanes: four doubles side by side, so that one formula is evaluated for four sets of numbers at once.
+//
+// Every lane gets bit for bit what doubles would give: sums, products, comparisons and choices are
+// those of IEEE 754 for each lane, nothing is contracted (-ffp-contract=off, and the target "avx2" has
+// no fused multiplication). So code over Lanes may be compiled for any machine: for the oldest ones of
+// the architecture, where an operation is two of two lanes, and again for AVX2, where it is one.
+//
+// A function is compiled for AVX2 by KINEX_FOR_AVX2, with all that it calls put into it ("flatten"). It
+// may only be called where best_vectors() is kAvx2.
+#ifndef KINEX_CORE_NUMBERS_LANES_H
+#define KINEX_CORE_NUMBERS_LANES_H
+
+#include <cstddef>
+#include <cstdint>
+
+// Lanes are never passed between functions that are compiled for different machines: all are put into
+// their caller.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#if defined(__x86_64__)
+#define KINEX_FOR_AVX2 __attribute__((flatten, target("avx2")))
+#else
+#define KINEX_FOR_AVX2 __attribute__((flatten))
+#endif
+
+namespace kinex {
+
+inline constexpr std::size_t kLanes = 4;
+
+// The vector instructions that a function is compiled for.
+enum class Vectors : std::uint8_t { kBase, kAvx2 };
+// The best that this machine has.
+Vectors best_vectors();
+
+// All bits of a lane are one where it is chosen, and zero elsewhere.
+struct LaneMask {
+  typedef std::int64_t Vector __attribute__((vector_size(32)));
+  Vector v;
+  bool operator[](std::size_t lane) const { return v[lane] != 0; }
+  [[gnu::always_inline]] friend LaneMask operator&(const LaneMask& a, const LaneMask& b) {
+    return {a.v & b.v};
+  }
+};
+
+struct Lanes {
+  typedef double Vector __attribute__((vector_size(32)));
+  Vector v;
+
+  Lanes() = default;
+  [[gnu::always_inline]] explicit Lanes(const Vector& lanes) : v(lanes) {}
+  // The same number in every lane.
+  [[gnu::always_inline]] Lanes(double x) : v{x, x, x, x} {}  // NOLINT: numbers of the ring
+  [[gnu::always_inline]] Lanes(double a, double b, double c, double d) : v{a, b, c, d} {}
+  double operator[](std::size_t lane) const { return v[lane]; }
+
+  [[gnu::always_inline]] friend Lanes operator+(const Lanes& a, const Lanes& b) {
+    return Lanes(a.v + b.v);
+  }
+  [[gnu::always_inline]] friend Lanes operator-(const Lanes& a, const Lanes& b) {
+    return Lanes(a.v - b.v);
+  }
+  [[gnu::always_inline]] friend Lanes operator*(const Lanes& a, const Lanes& b) {
+    return Lanes(a.v * b.v);
+  }
+  [[gnu::always_inline]] Lanes& operator+=(const Lanes& b) {
+    v += b.v;
+    return *this;
+  }
+  [[gnu::always_inline]] Lanes& operator*=(const Lanes& b) {
+    v *= b.v;
+    return *this;
+  }
+  [[gnu::always_inline]] friend LaneMask operator>(const Lanes& a, const Lanes& b) {
+    return {(LaneMask::Vector)(a.v > b.v)};
+  }
+  [[gnu::always_inline]] friend LaneMask operator>=(const Lanes& a, const Lanes& b) {
+    return {(LaneMask::Vector)(a.v >= b.v)};
+  }
+  [[gnu::always_inline]] friend LaneMask operator<=(const Lanes& a, const Lanes& b) {
+    return {(LaneMask::Vector)(a.v <= b.v)};
+  }
+};
+
+// |a|, exactly.
+[[gnu::always_inline]] inline Lanes magnitude_of(const Lanes& a) {
+  constexpr std::int64_t kAllButSign = 0x7fffffffffffffff;
+  const LaneMask::Vector keep{kAllButSign, kAllButSign, kAllButSign, kAllButSign};
+  return Lanes((Lanes::Vector)((LaneMask::Vector)a.v & keep));
+}
+inline double magnitude_of(double a) { return __builtin_fabs(a); }
+
+// b if it is larger than a, else a (also where one of them is not a number).
+[[gnu::always_inline]] inline Lanes larger(const Lanes& a, const Lanes& b) {
+  return Lanes(b.v > a.v ? b.v : a.v);
+}
+inline double larger(double a, double b) { return b > a ? b : a; }
+
+// The four rows of four numbers each become the columns: out[k] = (a[k], b[k], c[k], d[k]).
+[[gnu::always_inline]] inline void transpose(const double* a, const double* b, const double* c,
+                                             const double* d, Lanes* out) {
+  Lanes::Vector rows[kLanes];
+  __builtin_memcpy(&rows[0], a, sizeof(Lanes));
+  __builtin_memcpy(&rows[1], b, sizeof(Lanes));
+  __builtin_memcpy(&rows[2], c, sizeof(Lanes));
+  __builtin_memcpy(&rows[3], d, sizeof(Lanes));
+  const Lanes::Vector ab02 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
+  const Lanes::Vector ab13 = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
+  const Lanes::Vector cd02 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
+  const Lanes::Vector cd13 = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+  out[0] = Lanes(__builtin_shufflevector(ab02, cd02, 0, 1, 4, 5));
+  out[1] = Lanes(__builtin_shufflevector(ab13, cd13, 0, 1, 4, 5));
+  out[2] = Lanes(__builtin_shufflevector(ab02, cd02, 2, 3, 6, 7));
+  out[3] = Lanes(__builtin_shufflevector(ab13, cd13, 2, 3, 6, 7));
+}
+
+}  // namespace kinex
+
+#endif

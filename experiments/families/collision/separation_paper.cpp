@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/families/collision/separation_paper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "experiments/lab/claim_check.h"
+#include "experiments/lab/power_verdict.h"
+
+namespace kinex::families {
+
+namespace {
+
+constexpr double kTolerance = 0.1;
+
+}  // namespace
+
+lab::SeriesPoint separation_point(std::string structure, std::string workload, int n,
+                             std::string separation, int scenes) {
+  lab::SeriesPoint point;
+  point.key.structure = std::move(structure);
+  point.key.workload = std::move(workload);
+  point.key.n = n;
+  point.key.separation = std::move(separation);
+  point.precise = "processed";
+  point.min_seeds = point.max_seeds = scenes;
+  return point;
+}
+
+std::string inverse_power(int k) {
+  return "1/" + Integer::power_of_two(static_cast<unsigned long>(k)).to_string();
+}
+
+double mu_of(const lab::SeriesResult& result) {
+  const Rational separation = Rational::parse(result.point.key.separation).value();
+  return std::min(2.0 * result.point.key.n, std::sqrt(2 / separation.to_double()));
+}
+
+std::vector<lab::FitPoint> points_of(const std::vector<lab::SeriesResult>& results,
+                                const std::string& structure, const std::string& workload,
+                                const std::function<double(const lab::SeriesResult&)>& x) {
+  std::vector<lab::FitPoint> points;
+  for (const lab::SeriesResult& result : results) {
+    if (result.point.key.structure != structure || result.point.key.workload != workload) continue;
+    const lab::RunningMean mean = result.mean("processed");
+    points.push_back({x(result), mean.mean(), mean.standard_error()});
+  }
+  return points;
+}
+
+lab::PaperClaim power_claim(std::string id, std::string statement, const std::vector<lab::FitPoint>& points,
+                       const std::string& name, double exponent) {
+  lab::PaperClaim claim;
+  claim.id = std::move(id);
+  claim.statement = std::move(statement);
+  claim.kind = "growth";
+  claim.expected = fmt::format("events grow like ({})^b with b at most {}", name, exponent);
+  claim.tolerance = fmt::format("{}, for all of the 95 % interval", kTolerance);
+  const lab::PowerVerdict power =
+      lab::judge_power(points, {exponent, kTolerance, true}, "(" + name + ")");
+  claim.observed = power.observed;
+  claim.verdict = power.verdict;
+  if (power.fit) {
+    claim.observed += fmt::format(", factor {:.3g}, {} from {:.3g} to {:.3g}", power.fit->a, name,
+                                  points.front().n, points.back().n);
+  }
+  return claim;
+}
+
+lab::Figure curves_figure(std::string title, std::string caption, const std::string& x,
+                     const std::vector<NamedCurve>& curves) {
+  lab::Figure figure;
+  figure.title = std::move(title);
+  figure.caption = std::move(caption);
+  figure.height = 500;
+  std::string plot;
+  double low = 1e300, high = 0;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    figure.script += fmt::format("$curve{} << EOD\n", i);
+    for (const lab::FitPoint& point : curves[i].points) {
+      low = std::min(low, point.n);
+      high = std::max(high, point.n);
+      figure.script += fmt::format("{:.8g} {:.8g} {:.8g}\n", point.n, std::max(point.count, 0.5),
+                                   2 * point.error);
+    }
+    figure.script += "EOD\n";
+    plot += fmt::format(
+        "{}$curve{} using 1:2 with linespoints lw 1.5 ps 0.8 pt {} lc rgb '{}' title {}",
+        plot.empty() ? "plot " : ", \\\n  ", i, lab::look(i).symbol, lab::look(i).colour,
+        lab::quoted(curves[i].name));
+  }
+  figure.script +=
+      "set logscale xy\nset grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\n"
+      "set tics nomirror\nset format y '10^{%L}'\nset ylabel 'events'\n"
+      "set key below center horizontal Left reverse samplen 2.5 maxcols 2 width -4\n" +
+      fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.8 * low, 1.25 * high) + "set xlabel \"" + x +
+      "\\n \"\n" + plot + "\n";
+  return figure;
+}
+
+void set_small_run(lab::PaperClaim& claim, const std::vector<lab::SeriesResult>& results,
+                   const std::string& structure, const std::string& workload) {
+  for (const lab::SeriesResult& result : results) {
+    const lab::RunKey& key = result.point.key;
+    if (key.structure != structure || key.workload != workload) continue;
+    claim.small_run = lab::small_run(key);
+    return;
+  }
+  claim.no_small_run = "no run of it was made";
+}
+
+void finish(lab::PartReport& report, const std::vector<lab::SeriesResult>& results,
+            const std::string& command) {
+  if (!results.empty()) {
+    report.tables +=
+        "| structure | workload | n | separation | turns | runs | certificate failures | standard "
+        "error | certificates | signs a failure |\n"
+        "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+  }
+  for (const lab::SeriesResult& result : results) {
+    const lab::RunKey& key = result.point.key;
+    const lab::RunningMean events = result.mean("processed");
+    const double signs = result.mean("signs").mean();
+    report.tables +=
+        fmt::format("| {} | {}{} | {} | {} | {} | {} | {:.6g} | {:.2g} | {:.0f} | {} |\n",
+                    key.structure, key.workload, key.m == 0 ? "" : fmt::format(" m={}", key.m),
+                    key.n, key.separation.empty() ? "-" : key.separation,
+                    key.turns == -1 ? "-" : std::to_string(key.turns), events.count(),
+                    events.mean(), events.standard_error(), result.mean("max_live").largest(),
+                    events.mean() > 0 ? fmt::format("{:.1f}", signs / events.mean()) : "-");
+  }
+  for (lab::PaperClaim& claim : report.claims) {
+    claim.place = "introduction";
+    claim.command = command;
+  }
+}
+
+lab::Paper separation_paper() {
+  return {
+      "separation-sensitive-1999",
+      "J. Erickson, L. J. Guibas, J. Stolfi, L. Zhang, Separation-sensitive collision detection "
+      "for convex objects, 1999",
+      {{"translation", "how many certificates two polygons need that do not turn", 1,
+        separation_translation_points, separation_translation_report},
+       {"rigid", "how many, and at what cost, when they turn", 2, separation_rigid_points,
+        separation_rigid_report},
+       {"features", "what closest features and tangents cost at any distance", 3,
+        separation_features_points, separation_features_report},
+       {"hysteresis", "certificates that last", 4, separation_hysteresis_points,
+        separation_hysteresis_report},
+       {"hierarchies", "outer hierarchies of one polygon", 5, separation_hierarchies_points,
+        nullptr, separation_hierarchies_study}}};
+}
+
+}  // namespace kinex::families

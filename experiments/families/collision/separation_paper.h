@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Common parts of the paper separation-sensitive-1999. Bodies have radius 1, so D = 2.
+#ifndef KINEX_EXPERIMENTS_FAMILIES_COLLISION_SEPARATION_PAPER_H
+#define KINEX_EXPERIMENTS_FAMILIES_COLLISION_SEPARATION_PAPER_H
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/numbers/rational.h"
+#include "experiments/lab/fit.h"
+#include "experiments/lab/part.h"
+
+namespace kinex::families {
+
+// One run, or `scenes` of them.
+lab::SeriesPoint separation_point(std::string structure, std::string workload, int n,
+                             std::string separation, int scenes = 1);
+std::string inverse_power(int k);  // "1/2^k", written out
+
+// min(2 n, sqrt(2 / separation))
+double mu_of(const lab::SeriesResult& result);
+
+// Mean events of a structure on a workload against x.
+std::vector<lab::FitPoint> points_of(const std::vector<lab::SeriesResult>& results,
+                                const std::string& structure, const std::string& workload,
+                                const std::function<double(const lab::SeriesResult&)>& x);
+
+// "events grow at most like NAME^exponent": confirmed if the fitted exponent is at most
+// `exponent` + 0.1 or the 95 % interval reaches down to it.
+lab::PaperClaim power_claim(std::string id, std::string statement, const std::vector<lab::FitPoint>& points,
+                       const std::string& name, double exponent);
+
+struct NamedCurve {
+  std::string name;
+  std::vector<lab::FitPoint> points;
+};
+// Logarithmic axes.
+lab::Figure curves_figure(std::string title, std::string caption, const std::string& x,
+                     const std::vector<NamedCurve>& curves);
+
+// Sets the claim's small run, which a second program checks: one of the results for this structure
+// and workload, at a small size.
+void set_small_run(lab::PaperClaim& claim, const std::vector<lab::SeriesResult>& results,
+                   const std::string& structure, const std::string& workload);
+
+// Adds the table of all runs, and the place and command of every claim.
+void finish(lab::PartReport& report, const std::vector<lab::SeriesResult>& results,
+            const std::string& command);
+
+// The paper with all its parts.
+lab::Paper separation_paper();
+// separation_translation.cpp
+std::vector<lab::SeriesPoint> separation_translation_points(bool quick);
+lab::PartReport separation_translation_report(const std::vector<lab::SeriesResult>& results,
+                                         const std::string& command);
+// separation_rigid.cpp
+std::vector<lab::SeriesPoint> separation_rigid_points(bool quick);
+lab::PartReport separation_rigid_report(const std::vector<lab::SeriesResult>& results,
+                                   const std::string& command);
+std::vector<lab::SeriesPoint> separation_features_points(bool quick);
+lab::PartReport separation_features_report(const std::vector<lab::SeriesResult>& results,
+                                      const std::string& command);
+// separation_far.cpp
+std::vector<lab::SeriesPoint> separation_hysteresis_points(bool quick);
+lab::PartReport separation_hysteresis_report(const std::vector<lab::SeriesResult>& results,
+                                        const std::string& command);
+std::vector<lab::SeriesPoint> separation_hierarchies_points(bool quick);
+lab::PartReport separation_hierarchies_study(const std::string& command,
+                                        const std::function<bool()>& go_on);
+
+}  // namespace kinex::families
+
+#endif

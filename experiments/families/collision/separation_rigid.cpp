@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions: how often does the certificate change when the polygons turn, what does a change cost,
+//   and what do methods that follow features cost?
+// Motion: mu orbits during one turn, at separation 2 / mu^2; a turn in front of a fan of edges.
+// Expected: O(mu^2) events of O(log mu) signs each; n (3n + 2) changes of closest features, at any
+//   separation, and n (2n + 2) of tangents.
+// Cost: five minutes; --quick: 10 s.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "experiments/families/collision/separation_paper.h"
+
+namespace kinex::families {
+
+namespace {
+
+constexpr int kFewTiles = 40;
+
+double events(const lab::SeriesResult& result) { return result.mean("processed").mean(); }
+
+}  // namespace
+
+std::vector<lab::SeriesPoint> separation_rigid_points(bool quick) {
+  std::vector<lab::SeriesPoint> points;
+  for (const char* method : {"separation_mixed", "separation_hysteresis"}) {
+    for (const int mu : {2, 3, 4, 6, 8, 12, 16, 24, 32}) {
+      if (quick && mu > 12) continue;
+      points.push_back(separation_point(method, "polygon-spin-orbit", quick ? 32 : 128,
+                                        "2/" + std::to_string(mu * mu)));
+      points.back().key.turns = mu;
+      points.back().cost = 0.01 * mu * mu;
+    }
+  }
+  return points;
+}
+
+lab::PartReport separation_rigid_report(const std::vector<lab::SeriesResult>& results,
+                                   const std::string& command) {
+  lab::PartReport report;
+  const auto mixed = points_of(results, "separation_mixed", "polygon-spin-orbit", mu_of);
+  lab::PaperClaim claim =
+      power_claim("rigid.mu", "An algebraic rigid motion changes the certificate O(mu^2) times.",
+                  mixed, "mu", 2);
+  claim.assumptions = {
+      "the motion: mu rounds in one turn, so its degree grows with mu; of constant degree none is "
+      "known here that needs mu^2"};
+  set_small_run(claim, results, "separation_mixed", "polygon-spin-orbit");
+  report.claims.push_back(std::move(claim));
+
+  std::vector<lab::FitPoint> signs;
+  double most = 0, certificates = 0;
+  for (const lab::SeriesResult& result : results) {
+    if (result.point.key.structure != "separation_mixed") continue;
+    const double depth = 1 + std::log2(mu_of(result));
+    const double each = result.mean("signs").mean() / events(result);
+    signs.push_back({depth, each, 0});
+    most = std::max(most, each / depth);
+    certificates = std::max(certificates, result.mean("max_live").largest());
+  }
+  lab::PaperClaim update = power_claim("rigid.update", "A change takes O(log min(n, sqrt(D / s))) time.",
+                                  signs, "1 + log2 mu", 1);
+  update.expected = "signs an event grow like (1 + log2 mu)^b with b at most 1";
+  update.observed += fmt::format("; at most {:.2f} (1 + log2 mu) signs an event", most);
+  update.assumptions = {"time: signs asked for",
+                        "s is at least the least separation of the motion"};
+  set_small_run(update, results, "separation_mixed", "polygon-spin-orbit");
+  report.claims.push_back(std::move(update));
+
+  lab::PaperClaim compact;
+  compact.id = "rigid.compact";
+  compact.kind = "expectation";
+  compact.statement = "The structure is compact and local: one certificate, a single tile.";
+  compact.expected = "at most 6 polynomials";
+  compact.tolerance = "none";
+  compact.observed = fmt::format("at most {:.0f}", certificates);
+  compact.verdict = certificates <= 6 ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted;
+  set_small_run(compact, results, "separation_mixed", "polygon-spin-orbit");
+  report.claims.push_back(std::move(compact));
+  report.figures = {
+      curves_figure("mu rounds in a turn: events against mu", "Separation 2 / mu^2.", "mu",
+                    {{"separation_mixed", mixed},
+                     {"separation_hysteresis",
+                      points_of(results, "separation_hysteresis", "polygon-spin-orbit", mu_of)}})};
+  report.figure_names = {"rigid"};
+  finish(report, results, command);
+  return report;
+}
+
+std::vector<lab::SeriesPoint> separation_features_points(bool quick) {
+  std::vector<lab::SeriesPoint> points;
+  for (const char* workload : {"polygon-fan", "polygon-tangents"}) {
+    for (const char* method : {"closest_features", "inner_tangents", "separation_mixed"}) {
+      for (const int n : {8, 16, 32, 64, 128, 256}) {
+        if (quick && n > 32) continue;
+        for (const char* separation : {"1/10", "2", "29"}) {
+          // The tangent fan has no room so near to the polygon.
+          const bool near = std::string_view(separation) == "1/10";
+          if (near && std::string_view(workload) == "polygon-tangents") continue;
+          points.push_back(separation_point(method, workload, n, separation));
+          points.back().cost = 1e-5 * n * n;
+        }
+      }
+    }
+  }
+  return points;
+}
+
+lab::PartReport separation_features_report(const std::vector<lab::SeriesResult>& results,
+                                      const std::string& command) {
+  lab::PartReport report;
+  std::vector<NamedCurve> curves;
+  const auto size = [](const lab::SeriesResult& result) { return 1.0 * result.point.key.n; };
+  for (const bool tangents : {false, true}) {
+    const std::string workload = tangents ? "polygon-tangents" : "polygon-fan";
+    const std::string method = tangents ? "inner_tangents" : "closest_features";
+    lab::PaperClaim claim;
+    claim.id = tangents ? "features.tangents" : "features.closest";
+    claim.kind = "expectation";
+    claim.statement = tangents ? "Inner common tangents can change Omega(n^2) times."
+                               : "The closest pair of features can change Omega(n^2) times, no "
+                                 "matter what the separation is.";
+    claim.expected = tangents ? "n (2n + 2) events in a turn, at separation 2 and 29"
+                              : "n (3n + 2) events in a turn, at any separation";
+    claim.tolerance = "none";
+    claim.assumptions = {"the scene: a regular polygon turns before a fan of n edges"};
+    int right = 0, runs = 0;
+    for (const lab::SeriesResult& result : results) {
+      const lab::RunKey& key = result.point.key;
+      if (key.structure != method || key.workload != workload) continue;
+      const double expected = key.n * (tangents ? 2.0 * key.n + 2 : 3.0 * key.n + 2);
+      ++runs;
+      right += events(result) == expected ? 1 : 0;
+    }
+    claim.observed = fmt::format("right in {} of {}", right, runs);
+    claim.verdict = runs == 0       ? lab::Verdict::kOpen
+                    : right == runs ? lab::Verdict::kConfirmed
+                                    : lab::Verdict::kRefuted;
+    set_small_run(claim, results, method, workload);
+    report.claims.push_back(std::move(claim));
+  }
+  double far = 0;
+  for (const lab::SeriesResult& result : results) {
+    const lab::RunKey& key = result.point.key;
+    if (key.structure == "separation_mixed" && key.separation != "1/10") {
+      far = std::max(far, events(result));
+    }
+  }
+  lab::PaperClaim claim;
+  claim.id = "features.separation-sensitive";
+  claim.kind = "finding";
+  claim.statement = "Far apart, the mixed hierarchy does not see the features.";
+  claim.expected =
+      fmt::format("at most {} events in these turns at separation 2 and 29", kFewTiles);
+  claim.tolerance = "none";
+  claim.observed = fmt::format("at most {:.0f}, for all n", far);
+  claim.verdict = far <= kFewTiles ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted;
+  set_small_run(claim, results, "separation_mixed", "polygon-fan");
+  report.claims.push_back(std::move(claim));
+
+  std::vector<lab::SeriesResult> middle;
+  for (const lab::SeriesResult& result : results) {
+    if (result.point.key.separation == "2") middle.push_back(result);
+  }
+  for (const char* method : {"separation_mixed", "closest_features", "inner_tangents"}) {
+    curves.push_back(
+        {std::string(method) + ", fan", points_of(middle, method, "polygon-fan", size)});
+    curves.push_back({std::string(method) + ", tangent fan",
+                      points_of(middle, method, "polygon-tangents", size)});
+  }
+  report.figures = {curves_figure("A turn before a fan: events against n",
+                                  "Separation 2, that is as much as the diameter.", "n", curves)};
+  report.figure_names = {"features"};
+  finish(report, results, command);
+  return report;
+}
+
+}  // namespace kinex::families

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: how often does the certificate of two polygons change if they do not turn?
+// Motion: past each other on a line in 16 directions; once round each other. Nearly regular
+//   polygons of radius 1 at separation 2^-k.
+// Expected: O(log mu) on a line, O(mu) on an algebraic path, and never fewer than the certificates
+//   for convex sets of positions that the path needs.
+// Cost: four minutes; --quick: 15 s.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "experiments/families/collision/separation_paper.h"
+
+namespace kinex::families {
+
+namespace {
+
+constexpr const char* kMethods[] = {"separation_mixed", "separation_minkowski",
+                                    "separation_hysteresis"};
+constexpr const char* kLinesOnly =
+    "straight lines only: the public abstract names convex curves beside them, but a circle round "
+    "a disc is one and needs Omega(mu) certificates that prove convex sets of positions";
+
+double fewest_certificates(const lab::SeriesResult& result) {
+  const lab::RunKey& key = result.point.key;
+  const double radius = 2 + Rational::parse(key.separation).value().to_double();
+  const double rho = 2 * std::cos(std::numbers::pi / key.n);
+  return std::ceil(std::numbers::pi / std::acos(rho / radius) - 1e-9);
+}
+
+lab::PaperClaim lower_bound(const std::vector<lab::SeriesResult>& results) {
+  lab::PaperClaim claim;
+  claim.id = "translation.optimal";
+  claim.kind = "expectation";
+  claim.statement = "In the worst case an algebraic translation needs Omega(mu) certificates.";
+  claim.expected = "certificates of every run at least ceil(pi / arccos(rho / R))";
+  claim.tolerance = "none";
+  claim.assumptions = {"a certificate proves a convex set of positions free",
+                       "certificates are events + 1"};
+  double least = INFINITY;
+  std::vector<lab::FitPoint> bound;
+  for (const lab::SeriesResult& result : results) {
+    if (result.point.key.workload != "polygon-orbit") continue;
+    const double fewest = fewest_certificates(result);
+    least = std::min(least, (result.mean("processed").smallest() + 1) / fewest);
+    if (result.point.key.structure == kMethods[0]) bound.push_back({mu_of(result), fewest, 0});
+  }
+  claim.verdict = least >= 1 ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted;
+  claim.observed = fmt::format("{:.3g} times the bound at least", least);
+  if (const auto fit = lab::fit_power(bound)) {
+    claim.observed += fmt::format("; the bound grows like mu^{:.3f}", fit->b);
+  }
+  return claim;
+}
+
+}  // namespace
+
+std::vector<lab::SeriesPoint> separation_translation_points(bool quick) {
+  std::vector<lab::SeriesPoint> points;
+  const int n = quick ? 128 : 1024;
+  for (const char* method : kMethods) {
+    for (int k = 3; k <= (quick ? 11 : 18); ++k) {
+      points.push_back(separation_point(method, "polygon-orbit", n, inverse_power(k)));
+      points.back().cost = quick ? 0.2 : 2;
+    }
+  }
+  for (const char* method : kMethods) {
+    for (int k = 2; k <= (quick ? 14 : 20); k += 2) {
+      points.push_back(
+          separation_point(method, "polygon-line", quick ? 64 : 512, inverse_power(k), 16));
+      points.back().key.turned = true;
+      points.back().cost = quick ? 1 : 8;
+    }
+  }
+  return points;
+}
+
+lab::PartReport separation_translation_report(const std::vector<lab::SeriesResult>& results,
+                                         const std::string& command) {
+  lab::PartReport report;
+  const auto log_mu = [](const lab::SeriesResult& result) { return std::log2(mu_of(result)); };
+  lab::PaperClaim line = power_claim(
+      "translation.line", "A linear translation changes the certificate O(log mu) times.",
+      points_of(results, "separation_minkowski", "polygon-line", log_mu), "log2 mu", 1);
+  line.assumptions = {
+      kLinesOnly, "hierarchy of the Minkowski sum; every run also keeps to 2 events a level + 8"};
+  set_small_run(line, results, "separation_minkowski", "polygon-line");
+  report.claims.push_back(std::move(line));
+  std::vector<NamedCurve> rounds, lines;
+  for (const char* method : kMethods) {
+    const auto round = points_of(results, method, "polygon-orbit", mu_of);
+    lab::PaperClaim claim =
+        power_claim(std::string("translation.algebraic.") + method,
+                    "A translation along an algebraic path changes the certificate O(mu) times.",
+                    round, "mu", 1);
+    claim.assumptions = {"the path: once round the other polygon"};
+    if (std::string(method) == "separation_hysteresis") {
+      claim.assumptions.push_back("the wedges and their bound are worked out here");
+    }
+    set_small_run(claim, results, method, "polygon-orbit");
+    report.claims.push_back(std::move(claim));
+    rounds.push_back({method, round});
+    lines.push_back({method, points_of(results, method, "polygon-line", mu_of)});
+  }
+  report.claims.push_back(lower_bound(results));
+  set_small_run(report.claims.back(), results, kMethods[0], "polygon-orbit");
+  NamedCurve least{"lower bound", {}};
+  for (const lab::SeriesResult& result : results) {
+    const lab::RunKey& key = result.point.key;
+    if (key.structure != kMethods[0] || key.workload != "polygon-orbit") continue;
+    least.points.push_back({mu_of(result), fewest_certificates(result), 0});
+  }
+  rounds.push_back(std::move(least));
+  report.figures = {
+      curves_figure("Once round: events against mu",
+                    "Separation falls from left to right; and the least number of certificates.",
+                    "mu = min(n, sqrt(D / separation))", rounds),
+      curves_figure("Past on a line: events against mu", "Means over 16 directions.",
+                    "mu = min(n, sqrt(D / separation))", lines)};
+  report.figure_names = {"translation-round", "translation-line"};
+  finish(report, results, command);
+  return report;
+}
+
+}  // namespace kinex::families

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/families/collision/story.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "structures/collision/separation_mixed.h"
+#include "structures/registry.h"
+
+namespace kinex::families {
+namespace {
+
+using SceneKey = std::tuple<std::string, int, double, std::string>;  // story, n, mu, workload
+
+double mu_of(const lab::Cell& cell) {
+  const lab::Workload* workload = lab::find_workload(cell.workload);
+  const bool known = cell.parameters.separation || (workload != nullptr && workload->separation);
+  return known ? lab::variable_of(cell, lab::Variable::kMu) : 0;
+}
+
+std::vector<std::string> methods_of(const std::vector<lab::CellResult>& cells) {
+  std::vector<std::string> methods;
+  for (const StructureInfo& info : structure_infos()) {
+    if (std::any_of(cells.begin(), cells.end(), [&](const lab::CellResult& cell) {
+          return !cell.cell.story.empty() && cell.cell.structure == info.name;
+        })) {
+      methods.emplace_back(info.name);
+    }
+  }
+  return methods;
+}
+
+std::string count_text(double mean) {
+  return mean == std::floor(mean) ? fmt::format("{:.0f}", mean) : fmt::format("{:.1f}", mean);
+}
+
+double events_of(const lab::CellResult& cell) { return lab::mean_of(cell.trials, "processed").mean(); }
+
+struct Curve {
+  std::string method;
+  std::vector<std::pair<double, double>> points;
+};
+
+std::vector<Curve> curves_of(const std::vector<lab::CellResult>& cells, const std::string& family,
+                             lab::Variable variable) {
+  std::map<std::string, Curve> curves;
+  for (const lab::CellResult& cell : cells) {
+    if (cell.trials.empty() || cell.cell.story.empty()) continue;
+    if (cell.cell.family.compare(0, family.size(), family) != 0) continue;
+    if (variable == lab::Variable::kMu && cell.cell.variable != lab::Variable::kMu) continue;
+    Curve& curve = curves[cell.cell.structure];
+    curve.method = cell.cell.structure;
+    // A cell without events is drawn at the bottom.
+    curve.points.emplace_back(lab::variable_of(cell.cell, variable), std::max(events_of(cell), 0.5));
+  }
+  std::vector<Curve> result;
+  for (const std::string& method : methods_of(cells)) {
+    const auto found = curves.find(method);
+    if (found == curves.end() || found->second.points.size() < 3) continue;
+    std::sort(found->second.points.begin(), found->second.points.end());
+    result.push_back(std::move(found->second));
+  }
+  return result;
+}
+
+// Lines differ by dashes and symbols as well as by colours.
+constexpr const char* kDashes[] = {"1", "2", "3", "4", "5", "(18,5)"};
+
+// One picture: data blocks first, then the plot. Curves that are no method are black.
+std::string panel(const std::vector<lab::CellResult>& cells, const std::vector<Curve>& curves,
+                  const std::string& tag) {
+  const std::vector<std::string> methods = methods_of(cells);
+  std::string data, plot;
+  double low = 1e300, high = 0;
+  for (const Curve& curve : curves) {
+    const auto i = static_cast<std::size_t>(
+        std::find(methods.begin(), methods.end(), curve.method) - methods.begin());
+    const bool is_bound = i == methods.size();
+    data += fmt::format("${}{} << EOD\n", tag, i);
+    for (const auto& [x, y] : curve.points) {
+      data += fmt::format("{:.8g} {:.8g}\n", x, y);
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    data += "EOD\n";
+    plot += fmt::format(
+        "{}${}{} using 1:2 with linespoints lw 1.5 dt {} ps 0.9 pt {} lc rgb '{}' title {}",
+        plot.empty() ? "plot " : ", \\\n  ", tag, i,
+        is_bound ? "1" : kDashes[i % std::size(kDashes)], is_bound ? 1 : lab::look(i).symbol,
+        is_bound ? "#000000" : lab::look(i).colour, lab::quoted(curve.method));
+  }
+  return data + fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.8 * low, 1.25 * high) + plot + "\n";
+}
+
+}  // namespace
+
+std::optional<lab::Table> events_table(const std::vector<lab::CellResult>& cells) {
+  const std::vector<std::string> methods = methods_of(cells);
+  if (methods.empty()) return std::nullopt;
+  std::map<SceneKey, std::map<std::string, std::string>> rows;
+  for (const lab::CellResult& cell : cells) {
+    if (cell.cell.story.empty() || cell.trials.empty()) continue;
+    rows[{cell.cell.story, cell.cell.parameters.n, mu_of(cell.cell), cell.cell.workload_text()}]
+        [cell.cell.structure] = count_text(events_of(cell));
+  }
+  lab::Table table;
+  table.title = "collision: events of every method on the same scenes";
+  table.note = "Means over the scenes of a row.";
+  table.header = {"scene", "n", "workload", "mu"};
+  table.header.insert(table.header.end(), methods.begin(), methods.end());
+  for (const auto& [scene, counts] : rows) {
+    const auto& [story, n, mu, workload] = scene;
+    std::vector<std::string> row{story, std::to_string(n), workload,
+                                 mu > 0 ? fmt::format("{:.1f}", mu) : "-"};
+    for (const std::string& method : methods) {
+      const auto found = counts.find(method);
+      row.push_back(found == counts.end() ? "-" : found->second);
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::optional<double> signs_limit(const lab::Cell& cell) {
+  constexpr double kPerLevel = SeparationMixed::kSignsPerLevel, kRest = SeparationMixed::kSigns;
+  if (cell.structure != "separation_mixed" && cell.structure != "separation_minkowski") return {};
+  const double mu = cell.story.empty() ? 0 : mu_of(cell);
+  if (!(mu > 0)) return {};
+  return kPerLevel * (2 * std::max(0.0, std::log2(mu)) + 6) + kRest;
+}
+
+std::optional<lab::Table> signs_table(const std::vector<lab::CellResult>& cells) {
+  const std::vector<std::string> methods = methods_of(cells);
+  if (methods.empty()) return std::nullopt;
+  lab::Table table;
+  table.title = "collision: signs asked for per event or change of the scene";
+  table.note =
+      "Signs and events are of all scenes of a row together; their quotient is compared with the "
+      "limit, c log2 mu + c0 with mu = min(n, sqrt(D / s)).";
+  table.header = {"scene", "n",      "workload",      "log2 mu", "scenes",  "events and changes",
+                  "signs", "method", "signs / event", "limit",   "verdict", "over 1 + log2 mu"};
+  std::map<std::string, double> most;
+  for (const lab::CellResult& cell : cells) {
+    if (cell.cell.comparison.empty() && cell.cell.variable != lab::Variable::kMu) continue;
+    if (cell.cell.story.empty() || cell.trials.empty() || !(mu_of(cell.cell) > 0)) continue;
+    double signs = 0, events = 0;
+    for (const lab::Trial& trial : cell.trials) {
+      signs += static_cast<double>(trial.measurement.signs());
+      events += static_cast<double>(trial.measurement.costs.processed +
+                                    trial.measurement.scene_changes());
+    }
+    if (events < 8) continue;
+    const double depth = std::max(0.0, std::log2(mu_of(cell.cell)));
+    const double constant = signs / events / (1 + depth);
+    double& largest = most[cell.cell.structure];
+    largest = std::max(largest, constant);
+    const std::optional<double> limit = signs_limit(cell.cell);
+    const bool holds = !limit || signs <= *limit * events;
+    if (cell.cell.comparison.empty() && holds) continue;
+    table.rows.push_back(
+        {cell.cell.story, std::to_string(cell.cell.parameters.n), cell.cell.workload_text(),
+         fmt::format("{:.1f}", depth), std::to_string(cell.trials.size()), count_text(events),
+         count_text(signs), cell.cell.structure, fmt::format("{:.1f}", signs / events),
+         limit ? fmt::format("<= {:.1f}", *limit) : "-",
+         limit ? std::string(lab::check_word(holds ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted)) : "-",
+         fmt::format("{:.2f}", constant)});
+  }
+  for (const std::string& method : methods) {
+    if (most.count(method) == 0) continue;
+    table.rows.push_back({"the largest of all", "-", "-", "-", "-", "-", "-", method, "-", "-", "-",
+                          fmt::format("{:.2f}", most[method])});
+  }
+  return table;
+}
+
+std::vector<lab::Table> collision_tables(const std::vector<lab::CellResult>& cells) {
+  std::vector<lab::Table> tables;
+  for (auto table : {events_table(cells), signs_table(cells)}) {
+    if (table) tables.push_back(*std::move(table));
+  }
+  return tables;
+}
+
+std::vector<lab::Figure> collision_figures(const std::vector<lab::CellResult>& cells) {
+  std::vector<Curve> mu = curves_of(cells, "B1 round", lab::Variable::kMu);
+  const std::vector<Curve> fan = curves_of(cells, "B4 turn", lab::Variable::kVertices);
+  const std::vector<Curve> tangents = curves_of(cells, "B5 turn", lab::Variable::kVertices);
+  std::map<double, double> least;
+  for (const lab::CellResult& cell : cells) {
+    if (cell.cell.family.rfind("B1 round", 0) != 0) continue;
+    if (cell.cell.variable != lab::Variable::kMu) continue;
+    for (const lab::Expectation& expectation : cell.cell.expectations) {
+      if (expectation.kind != lab::ExpectationKind::kAtLeast) continue;
+      least[lab::variable_of(cell.cell, lab::Variable::kMu)] = expectation.exact.to_double() + 1;
+    }
+  }
+  mu.push_back({"lower bound", {least.begin(), least.end()}});
+  if (mu.size() == 1 || fan.empty() || tangents.empty()) return {};
+  lab::Figure figure;
+  figure.title = "collision: events of every method, against mu and against n";
+  figure.caption =
+      "B1: one polygon goes once round another at falling separation; lower bound: the least "
+      "number "
+      "of certificates for convex sets of positions. B4 and B5: a regular polygon of n vertices "
+      "turns once before a fan of n edges, two radii away: the closest features (B4) or an inner "
+      "tangent (B5) change n^2 times; a count of 0 is drawn as 1/2.";
+  figure.width = 440;
+  figure.height = 470;
+  const std::string common =
+      "set logscale xy\nset grid lc rgb '#dddddd' lw 0.7\n"
+      "set border 3 lc rgb '#444444'\nset tics nomirror\nset format y '10^{%L}'\n"
+      "set key below center horizontal Left reverse samplen 4 maxcols 2 width -2\n"
+      "set ylabel 'events'\n";
+  std::vector<lab::Figure> figures;
+  const auto add = [&](const char* head, const std::vector<Curve>& curves, const char* tag) {
+    figure.script = common + head + panel(cells, curves, tag);
+    figures.push_back(figure);
+    figure.joins = true;
+  };
+  add("set xlabel \"mu = min(n, sqrt(D / separation))\\n \"\nset title 'B1: once round'\n", mu,
+      "mu");
+  add("set xlabel \"n\\n \"\nset xtics (8, 16, 32, 64, 128)\nset yrange [0.3:]\nset title 'B4: a "
+      "turn before a fan'\n",
+      fan, "fan");
+  add("set xlabel \"n\\n \"\nset xtics (8, 16, 32, 64, 128)\nset yrange [0.3:]\nset title 'B5: a "
+      "turn before a tangent fan'\n",
+      tangents, "tangents");
+  return figures;
+}
+
+}  // namespace kinex::families

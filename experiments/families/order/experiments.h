@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The experiments on sorted lists: see cells.cpp.
+#ifndef KINEX_EXPERIMENTS_FAMILIES_ORDER_EXPERIMENTS_H
+#define KINEX_EXPERIMENTS_FAMILIES_ORDER_EXPERIMENTS_H
+
+#include <vector>
+
+#include "experiments/lab/cell.h"
+#include "experiments/lab/speed_row.h"
+
+namespace kinex::families {
+
+void add_order_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// speed.cpp
+std::vector<lab::SpeedRow> order_speed_rows(int scale);
+
+}  // namespace kinex::families
+
+#endif

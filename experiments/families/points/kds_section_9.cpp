@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: how many events does random motion cause, and by which law do they grow? (Guibas 1998,
+//   section 9.)
+// Motion: origin and destination independent and uniform in the unit square (the interval for
+//   sorting and maxima), t in [0, 1].
+// Parameters: n below; seeds until the standard error is 2 % of the mean.
+// References: n(n-1)/4 for sorting and the expectation of the maximum's changes are exact; the
+//   others are means of an independent simulation in floating point, with its standard errors.
+// Expected: hull changes like log^2 n, events of the kinetic hull like n, changes of the maximum
+//   like log n, Delaunay events like n^1.5. A law with a logarithm is compared with its neighbours,
+//   other powers of the logarithm and a power of n.
+// Cost: under an hour; --quick: minutes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "experiments/families/points/experiments.h"
+#include "experiments/families/points/uniform_lines.h"
+#include "experiments/lab/claim_check.h"
+#include "experiments/lab/fit.h"
+#include "experiments/lab/neighbours.h"
+#include "experiments/lab/power_verdict.h"
+
+namespace kinex::families {
+
+namespace {
+
+struct Reference {
+  int n;
+  double mean, error;
+};
+
+enum class Law { kLogSquared, kLinear, kLog, kPower };
+
+struct Family {
+  const char* id;
+  const char* structure;
+  const char* quantity;
+  int dimension;
+  const char* statement;
+  Law law;
+  double exponent;         // of kPower
+  std::vector<int> sizes;  // the last ones are left out in a quick run
+  int largest_quick;
+  double seconds_per_run;  // at the largest size
+  double growth;           // of that, as a power of n
+  std::vector<Reference> references;
+};
+
+const std::vector<Family>& families() {
+  static const std::vector<Family> kFamilies{
+      {"9.hull",
+       "convex_hull_2",
+       "external",
+       2,
+       "The hull changes Theta(log^2 n) times.",
+       Law::kLogSquared,
+       0,
+       // doubling from 25 on, and what the references have
+       {10, 25, 50, 100, 200, 400, 800, 1000, 1600, 3000, 3200, 6400, 10000, 12800, 25600, 51200,
+        102400},
+       1000,
+       2,
+       1,
+       {{10, 10.2, 0.2}, {100, 45.7, 0.5}, {1000, 106.9, 0.9}, {3000, 145, 2}, {10000, 194, 4}}},
+      {"9.hull-events",
+       "convex_hull_2",
+       "processed",
+       2,
+       "The kinetic hull has Theta(n) events.",
+       Law::kLinear,
+       1,
+       {100, 200, 400, 800, 1600, 3200, 6400, 12800, 25600, 51200, 102400},
+       3200,
+       3,
+       1,
+       {}},
+      {"9.maximum",
+       "maximum_tournament",
+       "external",
+       1,
+       "The maximum changes Theta(log n) times (not in the report).",
+       Law::kLog,
+       0,
+       {16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
+       4096,
+       0.1,
+       1,
+       {}},
+      {"9.sorting",
+       "sorted_list",
+       "processed",
+       1,
+       "Sorting has Theta(n^2) events, even in expectation.",
+       Law::kPower,
+       2,
+       {16, 32, 64, 128, 256, 512, 1024, 2048, 4096},
+       512,
+       1.5,
+       2,
+       {}},
+      {"9.delaunay",
+       "delaunay_2",
+       "processed",
+       2,
+       "The Delaunay triangulation has Theta(n^(3/2)) events.",
+       Law::kPower,
+       1.5,
+       {10, 50, 100, 200, 400, 800, 1600, 3200, 6400},
+       800,
+       2,
+       1.5,
+       {{10, 37.5, 0.9},
+        {50, 586, 6},
+        {100, 1731, 19},
+        {200, 5061, 43},
+        {400, 14487, 125},
+        {800, 41184, 331},
+        {1600, 116962, 832}}}};
+  return kFamilies;
+}
+
+constexpr const char* kWorkload = "uniform-square";
+constexpr double kExponentTolerance = 0.05;
+constexpr double kPreciseEnough = 0.05;  // standard error of a mean, relative
+
+std::vector<lab::FitPoint> points_of(const std::vector<lab::SeriesResult>& results, const Family& family) {
+  std::vector<lab::FitPoint> points;
+  for (const lab::SeriesResult& result : results) {
+    if (result.point.key.structure != family.structure || result.point.precise != family.quantity) {
+      continue;
+    }
+    const lab::RunningMean mean = result.mean(family.quantity);
+    points.push_back({static_cast<double>(result.point.key.n), mean.mean(), mean.standard_error()});
+  }
+  return points;
+}
+
+std::vector<lab::Fit> fits_of(const Family& family, const std::vector<lab::FitPoint>& points) {
+  std::vector<lab::Fit> fits;
+  const auto log = [](double n) { return std::log(n); };
+  switch (family.law) {
+    case Law::kLogSquared:
+      fits.push_back(lab::fit_law("a + b ln^2 n", points, [](double n) {
+                       return std::log(n) * std::log(n);
+                     }).value());
+      break;
+    case Law::kLog:
+      fits.push_back(lab::fit_law("a + b ln n", points, log).value());
+      break;
+    case Law::kLinear:
+      fits.push_back(lab::fit_law("a + b n", points, [](double n) { return n; }).value());
+      break;
+    case Law::kPower:
+      break;
+  }
+  fits.push_back(lab::fit_power(points).value());
+  return fits;
+}
+
+lab::Law law_of(const Family& family) {
+  switch (family.law) {
+    case Law::kLogSquared:
+      return {0, 2};
+    case Law::kLog:
+      return {0, 1};
+    case Law::kLinear:
+    case Law::kPower:
+      break;
+  }
+  return {family.exponent, 0};
+}
+
+void judge_power(const Family& family, const std::vector<lab::FitPoint>& points,
+                 lab::PaperClaim& claim) {
+  claim.expected = fmt::format("exponent {}", family.exponent);
+  claim.tolerance = fmt::format("{}, for all of the 95 % interval", kExponentTolerance);
+  const lab::PowerVerdict power =
+      lab::judge_power(points, {family.exponent, kExponentTolerance}, "n");
+  claim.observed += "; " + power.observed;
+  claim.verdict = power.verdict;
+}
+
+// Against all neighbours; and what is left must be chance; for ln^2 n it may be a multiple of
+// ln n.
+void judge_logarithm(const Family& family, const std::vector<lab::FitPoint>& points,
+                     const std::vector<lab::Fit>& fits, lab::PaperClaim& claim) {
+  const lab::Fit& law = fits.front();
+  claim.expected = law.law + " fits better than its neighbours";
+  claim.tolerance = fmt::format(
+      "chi^2 of as many parameters, smaller by {} (times what is left for each degree of "
+      "freedom)",
+      lab::kDecisive);
+  const auto neighbours = lab::neighbours_of(points, law_of(family), "n");
+  if (!neighbours) {
+    claim.observed += "; too few sizes";
+    return;
+  }
+  claim.verdict = neighbours->beats_all()   ? lab::Verdict::kConfirmed
+                  : neighbours->is_beaten() ? lab::Verdict::kRefuted
+                                            : lab::Verdict::kOpen;
+  claim.observed += "; " + lab::neighbours_text(*neighbours);
+  claim.observed += fmt::format(
+      "; at a power the local exponent would stay: it falls from "
+      "{:.3f} to {:.3f}",
+      std::log(points[1].count / points[0].count) / std::log(points[1].n / points[0].n),
+      std::log(points.back().count / points[points.size() - 2].count) /
+          std::log(points.back().n / points[points.size() - 2].n));
+  if (!lab::is_improbable(law)) return;
+  std::optional<lab::Fit> corrected;
+  if (family.law == Law::kLogSquared) {
+    corrected = lab::fit_law_with(law.law + " + c ln n", points, law.g,
+                                  [](double n) { return std::log(n); });
+  }
+  claim.observed += "; what is left is no chance";
+  if (corrected) claim.observed += "; " + lab::fit_text(*corrected);
+  const bool is_explained = corrected && !lab::is_improbable(*corrected);
+  if (!is_explained && claim.verdict == lab::Verdict::kConfirmed) {
+    claim.verdict = lab::Verdict::kOpen;
+  }
+}
+
+lab::PaperClaim growth_claim(const Family& family, const std::vector<lab::FitPoint>& points,
+                             const std::vector<lab::Fit>& fits) {
+  lab::PaperClaim claim;
+  claim.id = std::string(family.id) + ".growth";
+  claim.kind = "growth";
+  claim.statement = family.statement;
+  for (const lab::Fit& fit : fits) {
+    claim.observed += (claim.observed.empty() ? "" : "; ") + lab::fit_text(fit);
+  }
+  claim.assumptions = {"origin and destination independent and uniform, t in [0, 1]"};
+  if (family.law == Law::kPower || family.law == Law::kLinear) {
+    judge_power(family, points, claim);
+  } else {
+    judge_logarithm(family, points, fits, claim);
+  }
+  return claim;
+}
+
+std::vector<Reference> references_of(const Family& family, const std::vector<lab::FitPoint>& points) {
+  std::vector<Reference> references = family.references;
+  for (const lab::FitPoint& point : points) {
+    const int n = static_cast<int>(point.n);
+    if (family.law == Law::kLog) references.push_back({n, expected_envelope_changes(n), 0});
+    if (std::string(family.structure) == "sorted_list") {
+      references.push_back({n, n * (n - 1.0) / 4, 0});
+    }
+  }
+  return references;
+}
+
+// Means against known ones, all sizes together (see allowed_errors).
+bool add_constant_claim(const Family& family, const std::vector<lab::FitPoint>& points,
+                        std::vector<lab::PaperClaim>& claims) {
+  const std::vector<Reference> references = references_of(family, points);
+  lab::PaperClaim claim;
+  double farthest = 0;
+  int compared = 0;
+  bool precise = true;  // a mean of too few runs agrees with any reference
+  for (const lab::FitPoint& point : points) {
+    for (const Reference& reference : references) {
+      if (reference.n != static_cast<int>(point.n)) continue;
+      ++compared;
+      precise = precise && point.error <= kPreciseEnough * point.count;
+      const double apart =
+          lab::distance_in_errors(point.count, point.error, reference.mean, reference.error, 0);
+      farthest = std::max(farthest, apart);
+      claim.expected += fmt::format("{}n = {}: {:.5g}", claim.expected.empty() ? "" : ", ",
+                                    reference.n, reference.mean) +
+                        (reference.error > 0 ? fmt::format(" +- {:.3g}", reference.error) : "");
+      claim.observed += fmt::format("{}{:.5g} +- {:.2g}", claim.observed.empty() ? "" : ", ",
+                                    point.count, point.error);
+    }
+  }
+  if (compared == 0) return false;
+  const double allowed = lab::allowed_errors(compared);
+  claim.id = std::string(family.id) + ".means";
+  claim.kind = "expectation";
+  claim.statement = "Means of the numbers of events.";
+  claim.tolerance = fmt::format("{:.2f} standard errors, for {} means together", allowed, compared);
+  claim.observed += fmt::format("; the farthest is {:.2f} standard errors off", farthest);
+  claim.verdict = farthest > allowed ? lab::Verdict::kRefuted
+                  : precise          ? lab::Verdict::kConfirmed
+                                     : lab::Verdict::kOpen;
+  claim.assumptions = {family.references.empty()
+                           ? "the expectation is exact"
+                           : "references: an independent simulation in floating point"};
+  claims.push_back(std::move(claim));
+  return true;
+}
+
+lab::Figure figure(const Family& family, const std::vector<lab::FitPoint>& points,
+              const std::vector<lab::Fit>& fits) {
+  lab::Figure figure;
+  figure.title = fmt::format("{}: {} of {}", family.id, family.quantity, family.structure);
+  figure.caption = "Means with two standard errors, the fits, and what is left of each.";
+  figure.height = 620;
+  std::string script = "$means << EOD\n";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    script +=
+        fmt::format("{:.10g} {:.10g} {:.10g}", points[i].n, points[i].count, 2 * points[i].error);
+    for (const lab::Fit& fit : fits)
+      script += fmt::format(" {:.6g}", fit.weighted ? fit.in_errors[i] : fit.residuals[i]);
+    script += "\n";
+  }
+  script += "EOD\n";
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    script += fmt::format("$fit{} << EOD\n", k);
+    const double low = std::log(points.front().n), high = std::log(points.back().n);
+    for (int i = 0; i <= 100; ++i) {
+      const double n = std::exp(low + (high - low) * i / 100);
+      script += fmt::format("{:.8g} {:.8g}\n", n, fits[k].at(n));
+    }
+    script += "EOD\n";
+  }
+  script +=
+      "set multiplot\nset logscale x\nset grid lc rgb '#dddddd' lw 0.7\n"
+      "set border 3 lc rgb '#444444'\nset tics nomirror\nset lmargin at screen 0.14\n"
+      "set rmargin at screen 0.96\n";
+  script +=
+      fmt::format("set xrange [{:.6g}:{:.6g}]\n", points.front().n * 0.8, points.back().n * 1.25);
+  script += "set tmargin at screen 0.93\nset bmargin at screen 0.42\nset format x ''\n";
+  if (family.law == Law::kPower || family.law == Law::kLinear) script += "set logscale y\n";
+  script += "set key left top Left reverse samplen 2.5\nset title " + lab::quoted(family.statement) +
+            "\nset ylabel " + lab::quoted(std::string("events counted: ") + family.quantity) +
+            "\nplot $means using 1:2:3 with yerrorbars lw 1.4 ps 0.8 pt 7 lc rgb '#222222' title "
+            "'mean, two standard errors'";
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    script += fmt::format(", $fit{} using 1:2 with lines lw 1.5 lc rgb '{}' title {}", k,
+                          lab::look(k).colour, lab::quoted(fits[k].law));
+  }
+  script +=
+      "\nset tmargin at screen 0.36\nset bmargin at screen 0.11\nunset title\nunset logscale "
+      "y\nset format x '%g'\nset xlabel 'objects n'\nset ylabel 'residual / standard error'\n"
+      "unset key\nplot 0 with lines lc rgb '#888888'";
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    script += fmt::format(", $means using 1:{} with linespoints lw 1.2 ps 0.7 pt {} lc rgb '{}'",
+                          k + 4, lab::look(k).symbol, lab::look(k).colour);
+  }
+  figure.script = script + "\nunset multiplot\n";
+  return figure;
+}
+
+}  // namespace
+
+std::vector<lab::SeriesPoint> kds_section_9_points(bool quick) {
+  std::vector<lab::SeriesPoint> points;
+  for (const Family& family : families()) {
+    for (const int n : family.sizes) {
+      if (quick && n > family.largest_quick) continue;
+      lab::SeriesPoint point;
+      point.key.structure = family.structure;
+      point.key.workload = kWorkload;
+      point.key.n = n;
+      point.key.dimension = family.dimension;
+      point.precise = family.quantity;
+      point.relative_error = quick ? 0.04 : 0.02;
+      point.cost = 20 * family.seconds_per_run *
+                   std::pow(static_cast<double>(n) / family.sizes.back(), family.growth);
+      points.push_back(std::move(point));
+    }
+  }
+  return points;
+}
+
+lab::PartReport kds_section_9_report(const std::vector<lab::SeriesResult>& results,
+                                const std::string& command) {
+  lab::PartReport report;
+  report.tables =
+      "| structure | counted | n | seeds | mean | standard error |\n| --- | --- | ---: | ---: | "
+      "---: | ---: |\n";
+  for (const lab::SeriesResult& result : results) {
+    const lab::RunningMean mean = result.mean(result.point.precise);
+    report.tables += fmt::format(
+        "| {} | {} | {} | {} | {:.6g} | {:.3g} |\n", result.point.key.structure,
+        result.point.precise, result.point.key.n, mean.count(), mean.mean(), mean.standard_error());
+  }
+  for (const Family& family : families()) {
+    const std::vector<lab::FitPoint> points = points_of(results, family);
+    if (points.size() < 4) continue;
+    const std::vector<lab::Fit> fits = fits_of(family, points);
+    const std::size_t first = report.claims.size();
+    report.claims.push_back(growth_claim(family, points, fits));
+    add_constant_claim(family, points, report.claims);
+    for (std::size_t i = first; i < report.claims.size(); ++i) {
+      lab::RunKey run;
+      run.structure = family.structure;
+      run.workload = kWorkload;
+      run.dimension = family.dimension;
+      report.claims[i].small_run = lab::small_run(std::move(run));
+    }
+    report.figures.push_back(figure(family, points, fits));
+    report.figure_names.push_back("section-" + std::string(family.id));
+    std::replace(report.figure_names.back().begin(), report.figure_names.back().end(), '.', '-');
+  }
+  for (lab::PaperClaim& claim : report.claims) {
+    claim.place = "section 9";
+    claim.command = command;
+  }
+  return report;
+}
+
+lab::Paper kds_report(std::vector<lab::PaperPart> parts) {
+  return {"kds-report-1998",
+          "L. J. Guibas, Kinetic data structures: a state of the art report, 1998",
+          std::move(parts)};
+}
+
+}  // namespace kinex::families

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The experiments on the proximity of points; each source file states its question.
+#ifndef KINEX_EXPERIMENTS_FAMILIES_PROXIMITY_EXPERIMENTS_H
+#define KINEX_EXPERIMENTS_FAMILIES_PROXIMITY_EXPERIMENTS_H
+
+#include "experiments/lab/cell.h"
+#include "experiments/lab/workload.h"
+
+namespace kinex::families {
+
+// cells.cpp
+void add_proximity_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// pass_over_row.cpp
+void generate_pass_over_row(const lab::WorkloadParameters&, Scene&);
+
+}  // namespace kinex::families
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions: how often does the quadratic family of hulls change a Delaunay triangulation? How many
+//   events does random motion cause, and how do they grow with n?
+// Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7
+//   for the efficiency, section 9 for the law of growth; flips of the quadratic family found with
+//   exact polynomials and rational sample points between consecutive critical times; means of an
+//   independent Monte Carlo simulation in doubles, with their standard errors.
+// Expected: the integers below, in every run; the means, and the exponent.
+// Cost: about 10 s, half a minute in full.
+#include <utility>
+
+#include "experiments/families/points/random_motion.h"
+#include "experiments/families/triangulation/experiments.h"
+#include "experiments/lab/cell_parts.h"
+
+namespace kinex::families {
+
+namespace {
+
+// n moving points visit every gap between m slow ones on a parabola. `flips`: inside the hull; 0 if
+// there is no reference.
+void add_quadratic(lab::Catalogue& catalogue, int size, int flips, double cost) {
+  lab::Cell cell = lab::worst_case_cell("delaunay_2", "hull-worst", size, 1, cost);
+  cell.family = "quadratic family";
+  cell.audit = size <= 8 ? AuditLevel::kEvents : AuditLevel::kEnd;
+  if (flips > 0) {
+    cell.expectations.push_back(
+        lab::expect_exactly("delaunay_2.quadratic.flips", "kind.flip", Integer(flips),
+                       "flips between interior edges, found with exact polynomials"));
+  }
+  cell.expectations.push_back(lab::expect_exactly(
+      "delaunay_2.quadratic.hull", "kind.enter+kind.leave", Integer(2 * size * size - 1),
+      "hull changes of m slow and n moving points: 2nm - 1"));
+  cell.expectations.push_back(
+      lab::expect_exactly("delaunay_2.ratio_1", "internal", 0,
+                     "every event changes the triangulation; Guibas 1998, section 7"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
+struct Reference {
+  int n;
+  double mean;
+  double error;
+  double cost;
+};
+
+void add_random_motion(lab::Catalogue& catalogue) {
+  static constexpr Reference kReferences[] = {
+      {10, 37.5, 0.9, 0.1},   {50, 586, 6, 0.2},      {100, 1731, 19, 0.2},   {200, 5061, 43, 0.2},
+      {400, 14487, 125, 0.5}, {800, 41184, 331, 1.5}, {1600, 116962, 832, 4},
+  };
+  for (const Reference& reference : kReferences) {
+    lab::Cell cell = uniform_cell("delaunay_2", reference.n, 2);
+    cell.expectations.push_back(
+        lab::expect_mean("delaunay_2.uniform", "processed", reference.mean,
+                    "independent Monte Carlo in doubles; Guibas 1998, section 9: Theta(n^1.5)"));
+    cell.expectations.back().reference_error = reference.error;
+    cell.cost = reference.cost;
+    catalogue.cells.push_back(std::move(cell));
+  }
+  add_uniform_growth(catalogue, "delaunay_2.uniform.growth", "delaunay_2", 50, 1.5,
+                     "Theta(n^1.5) events in expectation; Guibas 1998, section 9");
+}
+
+}  // namespace
+
+void add_triangulation_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  add_quadratic(catalogue, 3, 15, 0.1);
+  add_quadratic(catalogue, 4, 38, 0.2);
+  add_quadratic(catalogue, 5, 68, 0.3);
+  add_quadratic(catalogue, 6, 107, 0.5);
+  for (const int size : {8, 12, 16, 24}) add_quadratic(catalogue, size, 0, 0.5);
+  if (extent == lab::Extent::kFull) {
+    for (const int size : {32, 48, 64}) add_quadratic(catalogue, size, 0, 5);
+  }
+  add_random_motion(catalogue);
+}
+
+}  // namespace kinex::families

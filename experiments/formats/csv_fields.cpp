@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/csv_fields.h"
+
+#include <utility>
+
+#include "experiments/formats/json_document.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/utf8.h"
+
+namespace kinex::formats {
+
+std::string place_of_row(const CsvRow& row) { return "line " + std::to_string(row.line); }
+
+std::optional<Rational> csv_number(const std::string& field) {
+  if (field.size() > kMaxNumberLength) return std::nullopt;
+  return Rational::parse(field);
+}
+
+Rational csv_number(const CsvTable& table, const CsvRow& row, std::size_t column,
+                    const std::string& file) {
+  const std::string& field = row.fields[column];
+  if (std::optional<Rational> value = csv_number(field)) return *std::move(value);
+  throw InputError(
+      file, place_of_row(row),
+      show_text(field) + " in column " + show_text(table.columns[column]) + " is not a number",
+      kCsvNumberRemedy);
+}
+
+void check_csv_id(const std::string& id, const std::string& file, const std::string& where) {
+  if (id.empty()) throw InputError(file, where, "an empty id", "write a name");
+  if (id.size() > kMaxIdBytes) {
+    throw InputError(file, where, "an id of " + std::to_string(id.size()) + " bytes",
+                     "write at most 1000");
+  }
+  if (!is_utf8(id)) {
+    throw InputError(file, where, "the id " + show_text(id) + " is not UTF-8",
+                     "convert the file to UTF-8");
+  }
+}
+
+std::string remedy_without_line(const InputError& error) {
+  return error.remedy().substr(0, error.remedy().rfind(" (line "));
+}
+
+}  // namespace kinex::formats

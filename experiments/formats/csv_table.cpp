@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/csv_table.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/utf8.h"
+
+namespace kinex::formats {
+
+namespace {
+
+class CsvParser {
+ public:
+  CsvParser(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  // The next row with at least one character; false at the end.
+  bool next(CsvRow& row) {
+    while (at_ < text_.size()) {
+      row.line = line_;
+      row.fields.clear();
+      read_row(row);
+      if (row.fields.size() > 1 || !row.fields[0].empty()) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool at_line_end() const {
+    return at_ >= text_.size() || text_[at_] == '\n' || text_.substr(at_, 2) == "\r\n";
+  }
+
+  void read_row(CsvRow& row) {
+    for (;;) {
+      row.fields.push_back(at_ < text_.size() && text_[at_] == '"' ? quoted_field()
+                                                                   : plain_field());
+      if (at_line_end()) break;
+      ++at_;  // the comma
+    }
+    if (at_ < text_.size()) at_ += text_[at_] == '\r' ? 2 : 1;
+    ++line_;
+  }
+
+  std::string plain_field() {
+    const std::size_t begin = at_;
+    while (!at_line_end() && text_[at_] != ',') ++at_;
+    return std::string(text_.substr(begin, at_ - begin));
+  }
+
+  std::string quoted_field() {
+    const std::size_t first_line = line_;
+    std::string field;
+    for (++at_; at_ < text_.size(); ++at_) {
+      if (text_[at_] == '"') {
+        ++at_;
+        if (at_line_end() || text_[at_] == ',') return field;
+        if (text_[at_] != '"')
+          fail(line_, "text after a closing quote", "double quotes inside quotes");
+      }
+      if (text_[at_] == '\n') ++line_;
+      field += text_[at_];
+    }
+    fail(first_line, "a quote is not closed", "close it");
+  }
+
+  [[noreturn]] void fail(std::size_t line, const char* problem, const char* remedy) const {
+    throw InputError(file_, "line " + std::to_string(line), problem, remedy);
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+};
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+}  // namespace
+
+std::optional<std::size_t> CsvTable::column(std::string_view name) const {
+  const auto at = std::find(columns.begin(), columns.end(), name);
+  if (at == columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(at - columns.begin());
+}
+
+CsvTable parse_csv(std::string_view text, const std::string& file) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text.substr(0, 3) == kByteOrderMark) text.remove_prefix(3);
+  CsvParser parser(text, file);
+  CsvTable table;
+  CsvRow row;
+  if (!parser.next(row))
+    throw InputError(file, "", "the file is empty", "name the columns in line 1");
+  for (const std::string& field : row.fields) {
+    std::string name = trimmed(field);
+    if (!is_utf8(name)) {
+      throw InputError(file, "line " + std::to_string(row.line),
+                       "column " + show_text(name) + " is not UTF-8", "convert the file to UTF-8");
+    }
+    if (table.column(name)) {
+      throw InputError(file, "line " + std::to_string(row.line),
+                       "column " + show_text(name) + " stands twice", "remove one");
+    }
+    table.columns.push_back(std::move(name));
+  }
+  while (parser.next(row)) {
+    if (row.fields.size() != table.columns.size()) {
+      throw InputError(file, "line " + std::to_string(row.line),
+                       std::to_string(row.fields.size()) + " fields in a table of " +
+                           std::to_string(table.columns.size()) + " columns",
+                       "write one field per column");
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::vector<std::string> parse_csv_row(std::string_view text, const std::string& source) {
+  CsvParser parser(text, source);
+  CsvRow row{1, {}}, other;
+  if (!parser.next(row)) row.fields.assign(1, "");
+  if (parser.next(other)) {
+    throw InputError(source, "", "a second line: " + show_text(other.fields[0]), "write one row");
+  }
+  return std::move(row.fields);
+}
+
+}  // namespace kinex::formats

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CsvTable: a CSV text (RFC 4180) as rows of fields that know their line.
+#ifndef KINEX_EXPERIMENTS_FORMATS_CSV_TABLE_H
+#define KINEX_EXPERIMENTS_FORMATS_CSV_TABLE_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kinex::formats {
+
+struct CsvRow {
+  std::size_t line;  // in the file, from 1
+  std::vector<std::string> fields;
+};
+
+struct CsvTable {
+  std::vector<std::string> columns;  // of the first line, blanks around the names removed
+  std::vector<CsvRow> rows;          // each has as many fields as there are columns
+
+  std::optional<std::size_t> column(std::string_view name) const;
+};
+
+// Throws InputError for an empty file, a column named twice, a row with another number of fields
+// than there are columns, or a quote that is not closed. Empty lines are skipped; CRLF is fine.
+CsvTable parse_csv(std::string_view text, const std::string& file);
+
+// The fields of one row; `source` is for messages. A line end outside of quotes is refused.
+std::vector<std::string> parse_csv_row(std::string_view text, const std::string& source);
+
+}  // namespace kinex::formats
+
+#endif

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/file_io.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "experiments/formats/input_error.h"
+
+namespace kinex::formats {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+InputError cannot_read(const std::string& path, const std::string& why, const char* remedy) {
+  return InputError(path, "", "cannot be read: " + why, remedy);
+}
+
+void refuse_existing(const std::string& path) {
+  throw InputError(path, "", "exists already", "give another name, or --force to replace it");
+}
+
+// "PATH.partial" and "PATH.partial-PID", but not that of this process; sorted.
+std::vector<std::string> partial_files(const std::string& path) {
+  const fs::path whole(path);
+  const std::string folder = whole.parent_path().string();
+  const std::string begin = whole.filename().string() + ".partial";
+  const std::string own = begin + "-" + std::to_string(::getpid());
+  std::vector<std::string> found;
+  std::error_code error;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end;
+       at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with(begin) || name == own) continue;
+    const std::string rest = name.substr(begin.size());
+    if (!rest.empty() && (rest.size() < 2 || rest[0] != '-' ||
+                          rest.find_first_not_of("0123456789", 1) != std::string::npos)) {
+      continue;
+    }
+    found.push_back((folder.empty() ? fs::path(name) : fs::path(folder) / name).string());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// Cuts the file after its last newline; false if there is none.
+bool cut_after_last_line(const std::string& path) {
+  std::error_code error;
+  std::uintmax_t size = fs::file_size(path, error);
+  std::unique_ptr<std::FILE, CloseFile> file(error ? nullptr : std::fopen(path.c_str(), "rb"));
+  if (!file) return false;
+  char block[4096];
+  while (size > 0) {
+    const std::uintmax_t from = size - std::min<std::uintmax_t>(size, sizeof block);
+    const std::size_t wanted = static_cast<std::size_t>(size - from);
+    if (std::fseek(file.get(), static_cast<long>(from), SEEK_SET) != 0 ||
+        std::fread(block, 1, wanted, file.get()) != wanted) {
+      return false;
+    }
+    for (std::size_t i = wanted; i > 0; --i) {
+      if (block[i - 1] != '\n') continue;
+      fs::resize_file(path, from + i, error);
+      return !error;
+    }
+    size = from;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string read_text_file(const std::string& path) {
+  const bool standard_input = path == "-";
+  std::error_code error;
+  if (!standard_input && fs::is_directory(path, error)) {
+    throw cannot_read(path, "it is a directory", "give a file");
+  }
+  std::unique_ptr<std::FILE, CloseFile> owned;
+  if (!standard_input) {
+    owned.reset(std::fopen(path.c_str(), "rb"));
+    if (!owned) throw cannot_read(path, std::strerror(errno), "check the name and its permissions");
+  }
+  std::FILE* file = standard_input ? stdin : owned.get();
+  std::string text;
+  const std::uintmax_t expected = standard_input ? 0 : fs::file_size(path, error);
+  if (!error && expected <= kMaxFileBytes) text.reserve(expected + 1);
+  char buffer[1 << 16];
+  std::size_t got = 0;
+  while ((got = std::fread(buffer, 1, sizeof buffer, file)) > 0) {
+    text.append(buffer, got);
+    if (text.size() > kMaxFileBytes) {
+      throw cannot_read(path, "it is larger than 1 GiB", "split the scene");
+    }
+  }
+  if (std::ferror(file)) throw cannot_read(path, std::strerror(errno), "");
+  return text;
+}
+
+OutputFile::OutputFile(std::string path, bool force, Unfinished unfinished)
+    : path_(std::move(path)), force_(force), unfinished_(unfinished) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path_, error);
+  if (fs::is_directory(status)) {
+    throw InputError(path_, "", "cannot be written: it is a directory", "give a file name");
+  }
+  const bool exists = fs::exists(status);
+  const bool direct = exists && !fs::is_regular_file(status);
+  if (exists && !direct && !force_) refuse_existing(path_);
+  if (!exists && !force_ && fs::is_symlink(fs::symlink_status(path_, error))) {
+    throw InputError(path_, "",
+                     "cannot be written: it is a symbolic link to a file that is missing",
+                     "give another name, or --force to replace the link");
+  }
+  if (!direct) leftovers_ = partial_files(path_);
+  if (!direct) temporary_ = path_ + ".partial-" + std::to_string(::getpid());
+  file_ = std::fopen((direct ? path_ : temporary_).c_str(), "wb");
+  if (file_ == nullptr) fail(std::strerror(errno));
+}
+
+OutputFile::~OutputFile() {
+  if (file_ != nullptr) std::fclose(file_);
+  if (!temporary_.empty()) std::remove(temporary_.c_str());
+}
+
+void OutputFile::fail(const char* what) {
+  const std::string problem = std::string("cannot be written: ") + what;
+  const std::string kept = unfinished_ == Unfinished::kLinesKept ? keep_lines() : "";
+  if (!kept.empty()) {
+    throw InputError(path_, "", problem + "; the lines that were written are in " + kept,
+                     "make room, and run it again");
+  }
+  throw InputError(path_, "", problem, "give a name in a folder that exists and can be written");
+}
+
+std::string OutputFile::keep_lines() {
+  if (file_ != nullptr) std::fclose(std::exchange(file_, nullptr));
+  if (temporary_.empty() || !cut_after_last_line(temporary_)) return "";
+  std::string name = path_ + ".partial";
+  if (::link(temporary_.c_str(), name.c_str()) == 0) {
+    std::remove(temporary_.c_str());
+  } else {
+    name = temporary_;
+  }
+  temporary_.clear();
+  return name;
+}
+
+void OutputFile::write(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail(std::strerror(errno));
+}
+
+void OutputFile::commit() {
+  const bool flushed = std::fclose(std::exchange(file_, nullptr)) == 0;
+  if (!flushed) fail(std::strerror(errno));
+  if (temporary_.empty()) return;
+  if (!force_) {
+    // Unlike renaming, a hard link never replaces a file that has appeared meanwhile.
+    if (::link(temporary_.c_str(), path_.c_str()) == 0) return;  // the destructor removes the other
+    if (errno == EEXIST) {
+      const std::string kept = unfinished_ == Unfinished::kLinesKept ? keep_lines() : "";
+      if (kept.empty()) refuse_existing(path_);
+      throw InputError(path_, "",
+                       "has appeared meanwhile; what was to be written there is in " + kept,
+                       "give that another name");
+    }
+  }
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
+  temporary_.clear();
+}
+
+}  // namespace kinex::formats

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading whole files, and writing files that appear under their name only when they are finished.
+#ifndef KINEX_EXPERIMENTS_FORMATS_FILE_IO_H
+#define KINEX_EXPERIMENTS_FORMATS_FILE_IO_H
+
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kinex::formats {
+
+// Larger files are refused: they would be held in memory several times.
+inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
+
+// The bytes of a regular file, or of standard input for "-". Throws InputError.
+std::string read_text_file(const std::string& path);
+
+// The treatment of an output that was not finished.
+enum class Unfinished {
+  kRemoved,
+  kLinesKept,  // whole lines are useful: see OutputFile::keep_lines
+};
+
+// Writes to a temporary file beside `path`, PATH.partial-PID; commit() renames it. An existing file
+// is never replaced unless `force`. Devices (/dev/null) are written directly. Without commit() the
+// temporary file is removed. Every failure throws InputError. If writing fails (a full disk) and
+// lines are kept, the message names the file that has them.
+class OutputFile {
+ public:
+  OutputFile(std::string path, bool force, Unfinished unfinished = Unfinished::kRemoved);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view text);
+  void commit();
+  // Closes the file, cut after its last whole line, as PATH.partial (or under its temporary name
+  // where that is taken), and returns the name; empty if there was no line to keep.
+  std::string keep_lines();
+  const std::string& path() const { return path_; }
+  // Temporary files of earlier runs for `path`: those runs were killed, or are still running.
+  const std::vector<std::string>& leftovers() const { return leftovers_; }
+
+ private:
+  [[noreturn]] void fail(const char* what);
+
+  std::string path_;
+  std::string temporary_;  // empty: written directly
+  bool force_;
+  Unfinished unfinished_;
+  std::vector<std::string> leftovers_;
+  std::FILE* file_ = nullptr;
+};
+
+}  // namespace kinex::formats
+
+#endif

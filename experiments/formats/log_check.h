@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Verifies an event log again: its own claims, and its agreement with its scene.
+//
+// level 0  the format of every member, names, counts, digest and seal
+// level 1  each instant: its interval isolates exactly that root, its decimal is correct; times
+//          never decrease, compared exactly (exact logs; "intervals": as far as intervals decide)
+// level 2  with the scene: its hash, name, objects and structures; for each certificate of a point
+//          structure the recomputed polynomial vanishes at the instant and is negative right after
+// It does not decide whether an event is the right one, or whether one is missing: that takes a
+// replay (kinex-logcheck).
+#ifndef KINEX_EXPERIMENTS_FORMATS_LOG_CHECK_H
+#define KINEX_EXPERIMENTS_FORMATS_LOG_CHECK_H
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/motion/scene.h"
+#include "experiments/formats/log_reader.h"
+
+namespace kinex::formats {
+
+struct LogVerdict {
+  LogHeader header;
+  std::uint64_t records = 0;
+  std::uint64_t external = 0;
+  std::uint64_t instants = 0;      // distinct (logs with names only)
+  std::string status;              // of the last line; empty if there is none
+  std::string digest;              // recomputed
+  bool with_scene = false;         // level 2 was checked
+  std::uint64_t certificates = 0;  // certificates checked at level 2
+  std::uint64_t unchecked = 0;     // certificates that level 2 could not check
+  // "line 7: ..." for each claim that does not hold; at most kMaxProblems are kept.
+  static constexpr std::size_t kMaxProblems = 20;
+  std::vector<std::string> problems;
+};
+
+// Checks levels 0 and 1, and level 2 if there is a scene. Throws InputError for text that is no
+// event log, or is cut off in the middle of a line. `hash`: that of the scene's file.
+LogVerdict check_log(std::string_view text, const std::string& file, const Scene* scene = nullptr,
+                     const std::string& hash = {});
+
+}  // namespace kinex::formats
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compares two event logs: the first difference, and counts of all differences.
+#ifndef KINEX_EXPERIMENTS_FORMATS_LOG_DIFF_H
+#define KINEX_EXPERIMENTS_FORMATS_LOG_DIFF_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kinex::formats {
+
+// How the instants of two events were compared.
+enum class InstantsCompared {
+  kExactly,    // both logs name them: compared as numbers, whatever their names
+  kIntervals,  // both have at least intervals: the same unless these are disjoint
+  kNot,        // one log has none, or is of an inexact arithmetic
+};
+
+// Compares the structures that both logs have (same label, structure and key), and their events,
+// external and internal: all records except those of changes (motion, insert, erase, and a rebuild
+// that changed nothing). Two events are the same if structure, kind, ids, "gone" and "came" agree;
+// the k-th such event of one log is matched with the k-th of the other.
+struct LogDifference {
+  std::uint64_t events_a = 0, events_b = 0;  // of the structures in both
+  // The first place at which the events differ, counted from 1, with both lines ("" past a log's
+  // end): other events, or one event with another effect or at another instant.
+  std::uint64_t first = 0;  // 0: none
+  std::size_t line_a = 0, line_b = 0;
+  std::string text_a, text_b;
+  std::uint64_t missing = 0;   // in a, not in b
+  std::uint64_t invented = 0;  // in b, not in a
+  // The fewest matched events to remove so that the rest are in the same order.
+  std::uint64_t out_of_order = 0;
+  std::uint64_t other_effects = 0;  // matched events, external in one log and internal in the other
+  std::uint64_t other_instants = 0;  // matched events at different instants
+  // Records of changes in one log and not in the other; in both logs together.
+  std::uint64_t other_records = 0;
+  InstantsCompared instants = InstantsCompared::kNot;
+  std::vector<std::string> only_a, only_b;  // labels of structures that the other log does not have
+  bool other_scenes = false;                // the scene hashes differ
+
+  bool equal() const { return first == 0 && other_records == 0; }
+};
+
+// Throws InputError for text that is no event log, and for two logs without a common structure.
+// Cut-off logs are compared as far as they go. Cost: linear in the logs but for a sort; both are
+// held in memory.
+LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std::string_view text_b,
+                        const std::string& file_b);
+
+}  // namespace kinex::formats
+
+#endif

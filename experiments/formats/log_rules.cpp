@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/log_rules.h"
+
+#include "structures/registry.h"
+
+namespace kinex::formats {
+
+namespace {
+
+struct Arity {
+  std::string_view predicate;
+  std::size_t objects;
+};
+
+constexpr Arity kArities[] = {
+    {"order_x", 2},
+    {"order_y", 2},
+    {"order_z", 2},
+    {"order_direction", 2},
+    {"order_squared_distance", 3},
+    {"order_pair_distance", 4},
+    {"orientation_2", 3},
+    {"slope_order_2", 4},
+    {"in_circle_2", 4},
+    {"line_slope_order", 2},
+    {"line_turn", 3},
+    {"line_meeting", 5},
+    // of rigid polygons
+    {"discs_apart", 3},
+    {"discs_overlap", 3},
+    {"x_gap", 3},
+    {"y_gap", 3},
+    {"x_beyond", 2},
+    {"x_short_of", 2},
+    {"y_beyond", 2},
+    {"y_short_of", 2},
+    {"along_a", 4},
+    {"along_b", 4},
+    {"against_a", 4},
+    {"against_b", 4},
+    {"normal_order", 3},
+    {"normal_order_reversed", 3},
+    {"right_of_ray", 5},
+    {"left_of_ray", 5},
+    {"side_a", 3},
+    {"side_b", 3},
+    {"inside_a", 3},
+    {"inside_b", 3},
+};
+
+}  // namespace
+
+const std::vector<KindRule>* own_kinds(std::string_view structure) {
+  const StructureInfo* info = find_structure_info(structure);
+  return info == nullptr ? nullptr : &info->kinds;
+}
+
+std::optional<std::size_t> arity_of(std::string_view predicate) {
+  for (const Arity& entry : kArities) {
+    if (entry.predicate == predicate) return entry.objects;
+  }
+  return std::nullopt;
+}
+
+}  // namespace kinex::formats

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/log_scene_check.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/log_scene.h"
+#include "predicates/predicates.h"
+#include "structures/plan.h"
+#include "structures/registry.h"
+
+namespace kinex::formats {
+
+LogSceneCheck::LogSceneCheck(const LogHeader& header, const Scene& scene, const std::string& hash,
+                             std::vector<std::string>& problems)
+    : scene_(scene), motions_(scene) {
+  const auto complain = [&problems](const std::string& what) {
+    problems.push_back("line 1: " + what);
+  };
+  if (header.scene_hash != hash) {
+    complain("the log is of a scene with hash " + header.scene_hash + ", the scene has " + hash);
+  }
+  if (header.scene != scene.name) {
+    complain("the scene's name is " + show_text(scene.name) + ", not " + show_text(header.scene));
+  }
+  std::vector<std::string> objects;
+  for (const SceneObject& object : scene.objects) {
+    objects_.emplace(object.id, static_cast<ObjectId>(objects.size()));
+    objects.push_back(object.id);
+  }
+  if (header.objects != objects) complain("\"objects\" are not those of the scene, in its order");
+  Scene maintaining = scene;
+  try {
+    maintain_as_logged(maintaining, header, "");
+    if (!maintains_as_logged(maintaining, header)) {
+      complain("a run of the scene would not have these structures");
+    }
+    for (const PlannedStructure& planned : plan_structures(maintaining)) {
+      const StructureInfo& info = *find_structure_info(planned.request.structure);
+      if (info.uses_key) keys_.emplace(planned.request.label, planned.request.key);
+      if (info.fails_at_touch) touching_.insert(planned.request.label);
+    }
+  } catch (const InputError& error) {
+    complain("a run of the scene cannot have these structures: " + error.problem());
+  }
+}
+
+std::string LogSceneCheck::check(const LogRecord& record, RealRoot* instant) {
+  note_change(record, instant);
+  if (const std::string problem = feature_problem(record.ids); !problem.empty()) return problem;
+  if (!record.certificate) return "";
+  if (instant == nullptr || lost_ || scene_.has_bodies()) {
+    ++unchecked_;
+    return "";
+  }
+  return check_certificate(record, *instant);
+}
+
+std::string LogSceneCheck::check(const LogEnd& end) const {
+  if (!end.reached) {
+    return scene_.end ? "\"reached\" is null, and the scene has an end" : "";
+  }
+  if (*end.reached < scene_.start || (scene_.end && *scene_.end < *end.reached)) {
+    return "\"reached\" is outside of the scene's time";
+  }
+  return "";
+}
+
+void LogSceneCheck::note_change(const LogRecord& record, RealRoot* instant) {
+  const bool inserted = record.kind == "insert";
+  if ((record.kind != "motion" && !inserted) || record.ids.size() != 1) return;
+  const auto object = objects_.find(record.ids[0]);
+  if (object == objects_.end()) return;
+  if (instant == nullptr || !instant->is_rational()) {
+    lost_ = true;  // no motion changes at such a time, or it is not known
+    return;
+  }
+  const Rational t = instant->value();
+  motions_.changed(object->second, t);
+  if (appeared_at_ != t) appeared_.clear();
+  appeared_at_ = t;
+  if (inserted) appeared_.push_back(record.ids[0]);
+}
+
+std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& instant) {
+  const LogCertificate& said = *record.certificate;
+  const Predicate* known = predicate(record.structure, said.predicate);
+  std::array<const Trajectory*, kMaxArity> motions{};
+  const bool fits = known != nullptr && said.ids.size() == static_cast<std::size_t>(known->arity());
+  for (std::size_t i = 0; fits && i < said.ids.size(); ++i) {
+    const auto object = objects_.find(said.ids[i]);
+    if (object != objects_.end()) motions[i] = motions_.of(object->second);
+  }
+  const std::span<const Trajectory* const> of(motions.data(), fits ? said.ids.size() : 0);
+  if (!fits || std::find(of.begin(), of.end(), nullptr) != of.end()) {
+    ++unchecked_;
+    return "";
+  }
+  ++certificates_;
+  const Polynomial polynomial = certificate_polynomial(*known, of);
+  if (polynomial.is_zero()) return "its certificate is identically zero and cannot fail";
+  const bool fresh = appeared_at_ && compare(instant, *appeared_at_, counters_) == 0 &&
+                     std::any_of(said.ids.begin(), said.ids.end(), [this](const std::string& id) {
+                       return std::find(appeared_.begin(), appeared_.end(), id) != appeared_.end();
+                     });
+  if (!fresh && sign_at(polynomial, instant, counters_) != Sign::kZero) {
+    return "its certificate does not vanish at that time";
+  }
+  const bool may_touch = !fresh && touching_.count(record.structure) == 1;
+  if (!may_touch && sign_after(polynomial, instant, counters_) != Sign::kNegative) {
+    return "its certificate is not negative right after that time";
+  }
+  return "";
+}
+
+// "ferry.v2": the body has a vertex of that number.
+std::string LogSceneCheck::feature_problem(const std::vector<std::string>& ids) const {
+  for (const std::string& id : ids) {
+    if (objects_.count(id) == 1) continue;
+    const std::size_t dot = id.rfind('.');
+    const auto body = dot == std::string::npos ? objects_.end() : objects_.find(id.substr(0, dot));
+    if (body == objects_.end() || dot + 2 >= id.size()) continue;  // reported elsewhere
+    const std::string number = id.substr(dot + 2);
+    const std::size_t vertices = scene_.objects[body->second].polygon.size();
+    const std::optional<Integer> place = Integer::parse(number);
+    if (place && place->to_string() == number && *place < Integer(static_cast<long>(vertices))) {
+      continue;
+    }
+    return "the scene's " + show_text(body->first) + " has no " + show_text(id.substr(dot + 1));
+  }
+  return "";
+}
+
+std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string& label,
+                                                               const std::string& name) const {
+  if (name == "orientation_2") return make_orientation_2();
+  if (name == "slope_order_2") return make_slope_order_2();
+  if (name == "in_circle_2") return make_in_circle_2();
+  const auto key = keys_.find(label);
+  if (key == keys_.end()) return nullptr;
+  if (!name.starts_with("order_")) return nullptr;  // of slopes and heights: no functions of time
+  std::shared_ptr<const Predicate> order = make_key_order(key->second, scene_.dimension);
+  return order->name() == name ? order : nullptr;
+}
+
+const Predicate* LogSceneCheck::predicate(const std::string& label, const std::string& name) {
+  const auto [place, is_new] = predicates_.try_emplace({label, name});
+  if (is_new) place->second = make_predicate(label, name);
+  return place->second.get();
+}
+
+}  // namespace kinex::formats

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks an event log against its scene: level 2 of log_check.h.
+#ifndef KINEX_EXPERIMENTS_FORMATS_LOG_SCENE_CHECK_H
+#define KINEX_EXPERIMENTS_FORMATS_LOG_SCENE_CHECK_H
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/arithmetic/predicate.h"
+#include "core/motion/scene.h"
+#include "core/numbers/real_root.h"
+#include "experiments/formats/certificate_polynomial.h"
+#include "experiments/formats/log_reader.h"
+
+namespace kinex::formats {
+
+class LogSceneCheck {
+ public:
+  // `hash`: of the scene's file. Defects of the header are added to `problems`.
+  LogSceneCheck(const LogHeader& header, const Scene& scene, const std::string& hash,
+                std::vector<std::string>& problems);
+
+  // The defect of the next record's certificate, or of the features of bodies that it names; empty
+  // if there is none. `instant`: its time, if that is known exactly.
+  std::string check(const LogRecord& record, RealRoot* instant);
+  // The defect of the last line.
+  std::string check(const LogEnd& end) const;
+
+  std::uint64_t certificates() const { return certificates_; }
+  std::uint64_t unchecked() const { return unchecked_; }
+
+ private:
+  void note_change(const LogRecord& record, RealRoot* instant);
+  std::string check_certificate(const LogRecord& record, RealRoot& instant);
+  std::string feature_problem(const std::vector<std::string>& ids) const;
+  std::shared_ptr<const Predicate> make_predicate(const std::string& label,
+                                                  const std::string& name) const;
+  const Predicate* predicate(const std::string& label, const std::string& name);
+
+  const Scene& scene_;
+  std::unordered_map<std::string, ObjectId> objects_;
+  std::map<std::string, Key> keys_;  // by label, of structures that have one
+  std::set<std::string> touching_;   // labels of structures whose certificates fail at touches, too
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<const Predicate>> predicates_;
+  MotionsInForce motions_;
+  // Objects that appeared at the time of the last record: a certificate of theirs can be negative
+  // without having been zero.
+  std::vector<std::string> appeared_;
+  std::optional<Rational> appeared_at_;
+  bool lost_ = false;  // a change of motion at an unknown time
+  std::uint64_t certificates_ = 0, unchecked_ = 0;
+  RootCounters counters_;
+};
+
+}  // namespace kinex::formats
+
+#endif

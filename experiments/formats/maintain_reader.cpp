@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/scene_parts.h"
+#include "experiments/formats/scene_reader.h"
+#include "structures/plan.h"
+#include "structures/registry.h"
+
+namespace kinex::formats {
+
+namespace {
+
+constexpr std::string_view kAxisNames = "xyz";
+const std::string kOption = "--maintain";  // the place of errors outside a file
+
+std::string known_structures() {
+  std::string result;
+  for (const StructureInfo& info : structure_infos()) {
+    if (!result.empty()) result += ", ";
+    result += info.name;
+  }
+  return "known are " + result;
+}
+
+std::optional<int> axis_of(std::string_view name, int dimension) {
+  if (name.size() != 1) return std::nullopt;
+  const std::size_t axis = kAxisNames.find(name[0]);
+  if (axis == std::string_view::npos || static_cast<int>(axis) >= dimension) return std::nullopt;
+  return static_cast<int>(axis);
+}
+
+std::string axes_of(int dimension) {
+  std::string result;
+  for (int axis = 0; axis < dimension; ++axis) {
+    if (axis > 0) result += ", ";
+    result += std::string("\"") + kAxisNames[static_cast<std::size_t>(axis)] + "\"";
+  }
+  return result;
+}
+
+// The problem with maintaining `name` in the scene: {problem, remedy}, or nothing.
+std::optional<Refusal> complaint_about(const std::string& name, const Scene& scene) {
+  const StructureInfo* info = find_structure_info(name);
+  if (info == nullptr)
+    return Refusal{show_text(name) + " is not a known structure", known_structures()};
+  std::optional<Refusal> refusal = refusal_of(*info, scene);
+  if (refusal) refusal->problem = show_text(name) + " " + refusal->problem;
+  return refusal;
+}
+
+bool label_is_taken(const Scene& scene, std::string_view label) {
+  return std::any_of(scene.maintain.begin(), scene.maintain.end(),
+                     [&](const Request& other) { return other.label == label; });
+}
+
+bool are_too_many(const Scene& scene) { return scene.maintain.size() > kMostStructures; }
+
+// The requested structures, and those that they read, must fit one run.
+std::optional<Refusal> complaint_about_number(const Scene& scene) {
+  if (!are_too_many(scene) && plan_structures(scene).size() <= kMostStructures) return std::nullopt;
+  const std::string most = std::to_string(kMostStructures);
+  return Refusal{"more than " + most + " structures in one run, those included that others read",
+                   "maintain at most " + most + ", and the others in a run of their own"};
+}
+
+Key read_direction(const JsonNode& node, int dimension) {
+  node.require_array();
+  if (node.size() != static_cast<std::size_t>(dimension)) {
+    node.fail("a direction of " + std::to_string(node.size()) +
+                  " entries in a scene of dimension " + std::to_string(dimension),
+              "write one number per axis");
+  }
+  Key key;
+  key.kind = Key::Kind::kDirection;
+  bool all_zero = true;
+  for (std::size_t axis = 0; axis < node.size(); ++axis) {
+    key.direction.push_back(node.at(axis).rational());
+    if (!key.direction.back().is_zero()) all_zero = false;
+  }
+  if (all_zero) node.fail("a direction that is zero", "write at least one number that is not 0");
+  return key;
+}
+
+Key read_distance(const JsonNode& node, const Scene& scene) {
+  const std::string_view id = node.string();
+  const auto object = std::find_if(scene.objects.begin(), scene.objects.end(),
+                                   [&](const SceneObject& o) { return o.id == id; });
+  if (object == scene.objects.end()) {
+    node.fail("there is no object " + show_text(id), "write the id of an object of the scene");
+  }
+  if (!lives_throughout(object->motion, scene)) {
+    node.fail("object " + show_text(id) + " does not exist for the whole time of the scene",
+              "measure the distance to one that does");
+  }
+  Key key;
+  key.kind = Key::Kind::kSquaredDistance;
+  key.object = static_cast<ObjectId>(object - scene.objects.begin());
+  return key;
+}
+
+Key read_key(const JsonNode& node, const Scene& scene) {
+  const std::string remedy = "write " + axes_of(scene.dimension) +
+                             ", {\"direction\": [..]} or {\"squared_distance_to\": ID}";
+  if (node.is(JsonValue::Kind::kString)) {
+    const std::optional<int> axis = axis_of(node.string(), scene.dimension);
+    if (!axis) node.refuse("a key in dimension " + std::to_string(scene.dimension), remedy);
+    Key key;
+    key.axis = *axis;
+    return key;
+  }
+  if (!node.is(JsonValue::Kind::kObject)) node.refuse("a key", remedy);
+  node.require_object({"direction", "squared_distance_to"});
+  if (node.size() != 1) node.fail("a key with " + std::to_string(node.size()) + " fields", remedy);
+  if (const auto direction = node.find("direction"))
+    return read_direction(*direction, scene.dimension);
+  return read_distance(node.member("squared_distance_to"), scene);
+}
+
+void read_entry(const JsonNode& node, Scene& scene) {
+  Request request;
+  const bool plain = node.is(JsonValue::Kind::kString);
+  if (!plain) {
+    if (!node.is(JsonValue::Kind::kObject)) {
+      node.refuse("an entry of \"maintain\"",
+                  "write a structure's name or {\"structure\": NAME, ..}");
+    }
+    node.require_object({"structure", "key", "as"});
+  }
+  const JsonNode name = plain ? node : node.member("structure");
+  request.structure = name.string();
+  if (const auto complaint = complaint_about(request.structure, scene)) {
+    name.fail(complaint->problem, complaint->remedy);
+  }
+  request.label = request.structure;
+  if (!plain) {
+    if (const auto key = node.find("key")) {
+      if (!find_structure_info(request.structure)->uses_key) {
+        key->fail(show_text(request.structure) + " takes no key", "remove it");
+      }
+      request.key = read_key(*key, scene);
+      const StructureInfo& info = *find_structure_info(request.structure);
+      if (const auto refusal = refusal_of_key(info, request.key)) {
+        key->fail(show_text(request.structure) + " " + refusal->problem, refusal->remedy);
+      }
+    }
+    if (const auto label = node.find("as")) {
+      request.label = label->string();
+      if (request.label.empty() || request.label == "t") {
+        label->refuse("a usable label", "write a name other than \"\" and \"t\"");
+      }
+    }
+  }
+  if (label_is_taken(scene, request.label)) {
+    node.fail("the label " + show_text(request.label) + " is used twice",
+              "give each a name of its own with \"as\"");
+  }
+  scene.maintain.push_back(std::move(request));
+}
+
+// Splits at commas, but not at those inside of JSON: of braces, brackets and strings.
+std::vector<std::string> split_entries(std::string_view text) {
+  std::vector<std::string> entries;
+  std::string entry;
+  int depth = 0;
+  bool quoted = false;
+  const auto finish = [&] {
+    const std::size_t begin = entry.find_first_not_of(" \t\r\n");
+    const std::size_t end = entry.find_last_not_of(" \t\r\n");
+    entries.push_back(begin == std::string::npos ? "" : entry.substr(begin, end + 1 - begin));
+    entry.clear();
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == ',' && depth <= 0 && !quoted) {
+      finish();
+      continue;
+    }
+    entry += c;
+    if (quoted && c == '\\' && i + 1 < text.size()) entry += text[++i];
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == '{' || c == '[')) ++depth;
+    if (!quoted && (c == '}' || c == ']')) --depth;
+  }
+  finish();
+  return entries;
+}
+
+// NAME or NAME:AXIS.
+void read_short_entry(const std::string& entry, Scene& scene) {
+  const std::size_t colon = entry.find(':');
+  Request request;
+  request.structure = entry.substr(0, colon);
+  request.label = entry;
+  if (const auto complaint = complaint_about(request.structure, scene)) {
+    throw InputError(kOption, "", complaint->problem, complaint->remedy);
+  }
+  if (colon != std::string::npos) {
+    const std::string axis_name = entry.substr(colon + 1);
+    const std::optional<int> axis = axis_of(axis_name, scene.dimension);
+    if (!find_structure_info(request.structure)->uses_key) {
+      throw InputError(kOption, "",
+                       show_text(request.structure) + " takes no key, as " + show_text(axis_name),
+                       "write " + request.structure + " alone");
+    }
+    if (!axis) {
+      throw InputError(kOption, "",
+                       show_text(axis_name) + " is not a key of " + show_text(request.structure),
+                       "a 1-D structure takes " + axes_of(scene.dimension) +
+                           "; other keys are written as in a scene, {\"structure\": NAME, ..}");
+    }
+    request.key.axis = *axis;
+  }
+  if (label_is_taken(scene, request.label)) {
+    throw InputError(kOption, "", show_text(entry) + " stands twice", "remove one");
+  }
+  scene.maintain.push_back(std::move(request));
+}
+
+}  // namespace
+
+void read_maintain(const JsonNode& node, Scene& scene) {
+  node.require_array();
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    read_entry(node.at(i), scene);
+    if (i + 1 < node.size() && !are_too_many(scene)) continue;
+    if (const auto complaint = complaint_about_number(scene)) {
+      node.at(i).fail(complaint->problem, complaint->remedy);
+    }
+  }
+}
+
+void set_maintain(Scene& scene, const std::vector<std::string>& texts) {
+  scene.maintain.clear();
+  for (const std::string& text : texts) {
+    for (const std::string& entry : split_entries(text)) {
+      if (!entry.empty() && entry[0] == '{') {
+        const JsonDocument document = parse_json(entry, kOption);
+        const JsonValue& tree = *document;
+        const JsonSource source{kOption, entry};
+        read_entry(JsonNode(tree, source), scene);
+      } else {
+        read_short_entry(entry, scene);
+      }
+      if (are_too_many(scene)) break;
+    }
+  }
+  if (const auto complaint = complaint_about_number(scene)) {
+    throw InputError(kOption, "", complaint->problem, complaint->remedy);
+  }
+}
+
+}  // namespace kinex::formats

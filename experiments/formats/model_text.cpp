@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/model_text.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include "experiments/formats/counted.h"
+#include "experiments/formats/scene_writer.h"
+#include "structures/plan.h"
+#include "structures/registry.h"
+
+namespace kinex::formats {
+
+namespace {
+
+constexpr std::size_t kShownDigits = 30;
+
+// Changes of the objects within the scene's time.
+struct PlanCounts {
+  std::size_t at_rest = 0;
+  std::size_t updates = 0, insertions = 0, erasures = 0;
+};
+
+bool within(const Rational& t, const Scene& scene) {
+  return t > scene.start && (!scene.end || t <= *scene.end);
+}
+
+PlanCounts count_plans(const Scene& scene) {
+  PlanCounts counts;
+  for (const SceneObject& object : scene.objects) {
+    const std::vector<MotionPiece>& pieces = object.motion.pieces;
+    if (object.motion.degree() == 0) ++counts.at_rest;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const bool joined = i > 0 && *pieces[i - 1].to == *pieces[i].from;
+      const bool goes_on = i + 1 < pieces.size() && *pieces[i].to == *pieces[i + 1].from;
+      if (pieces[i].from && within(*pieces[i].from, scene)) {
+        ++(joined ? counts.updates : counts.insertions);
+      }
+      // A piece that ends with the scene does not end within it.
+      const bool ends = pieces[i].to && (!scene.end || *pieces[i].to < *scene.end);
+      if (ends && !goes_on && within(*pieces[i].to, scene)) ++counts.erasures;
+    }
+  }
+  return counts;
+}
+
+std::string short_number(const Rational& value) {
+  std::string text = value.to_string();
+  if (text.size() <= kShownDigits) return text;
+  return "about " + decimal(value, 6);
+}
+
+std::string maintained(const Scene& scene) {
+  std::string text;
+  for (const Request& request : scene.maintain) {
+    if (!text.empty()) text += ", ";
+    text += request.structure;
+    const StructureInfo* info = find_structure_info(request.structure);
+    if (info != nullptr && info->uses_key) text += " by " + key_json(request.key, scene);
+    if (request.label != request.structure) text += " as \"" + request.label + "\"";
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+std::string left_out(const Scene& scene, const PlanCounts& counts) {
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
+  if (counts.at_rest == scene.objects.size()) {
+    add("all scheduling (nothing moves)");
+  } else if (counts.at_rest > 1) {
+    add("failure times among the " + std::to_string(counts.at_rest) + " objects at rest");
+  }
+  if (counts.updates == 0) add("flight-plan changes");
+  if (counts.insertions + counts.erasures == 0) add("insertions and erasures");
+  std::size_t others = 0;
+  for (const StructureInfo& info : structure_infos()) {
+    bool asked = false;
+    for (const Request& request : scene.maintain) asked = asked || request.structure == info.name;
+    if (!asked) ++others;
+  }
+  if (others > 0) add(counted(others, "structure", "structures") + " not requested");
+  return text.empty() ? "nothing" : text;
+}
+
+std::string described_bodies(const Scene& scene) {
+  std::size_t vertices = 0, largest = 0;
+  int positions = 0, rotors = 0;
+  for (const SceneObject& body : scene.objects) {
+    vertices += body.polygon.size();
+    largest = std::max(largest, body.polygon.size());
+    for (const MotionPiece& piece : body.motion.pieces) {
+      positions = std::max(positions, piece.trajectory.degree_of_axes(0, 2));
+      rotors = std::max(rotors, piece.trajectory.degree_of_axes(2, kBodyAxes));
+    }
+  }
+  return "bodies    convex polygons of " + std::to_string(vertices) + " vertices, " +
+         std::to_string(largest) + " at most; positions of degree " + std::to_string(positions) +
+         ", rotors of degree " + std::to_string(rotors) + "\n";
+}
+
+std::string described_weights(const Scene& scene) {
+  const auto weighted = std::count_if(scene.objects.begin(), scene.objects.end(),
+                                      [](const SceneObject& o) { return o.weight.has_value(); });
+  return "weights   of " + counted(static_cast<std::uint64_t>(weighted), "point", "points") +
+         (plan_numbers(scene).weights ? "; 0 for others\n" : ", which no structure reads\n");
+}
+
+}  // namespace
+
+std::string describe_model(const Scene& scene, const std::string& hash) {
+  const PlanCounts counts = count_plans(scene);
+  std::string text = "scene     " + (scene.name.empty() ? "(no name)" : scene.name) + "\n";
+  text += "hash      " + hash + "\n";
+  text += "time      " + short_number(scene.start) +
+          (scene.end ? " to " + short_number(*scene.end) : " until no event is left") + "\n";
+  text += "objects   " + std::to_string(scene.objects.size()) + " in " +
+          counted(static_cast<std::size_t>(scene.dimension), "axis", "axes") + ": " +
+          std::to_string(scene.objects.size() - counts.at_rest) + " moving in degree " +
+          std::to_string(scene.degree()) + " at most, " + std::to_string(counts.at_rest) +
+          " at rest\n";
+  if (scene.has_bodies()) text += described_bodies(scene);
+  if (scene.has_weights()) text += described_weights(scene);
+  text += "plan      " + counted(counts.updates, "change", "changes") + ", " +
+          counted(counts.insertions, "insertion", "insertions") + ", " +
+          counted(counts.erasures, "erasure", "erasures") + "\n";
+  text += "maintain  " + maintained(scene) + "\n";
+  text += "left out  " + left_out(scene, counts) + "\n";
+  return text;
+}
+
+std::string explain_model(const Scene& scene, const Simulator& simulator) {
+  const Arithmetic& numbers = simulator.arithmetic();
+  std::string text = "numbers   " + numbers.name();
+  if (numbers.number_model() != numbers.name()) text += ": " + numbers.number_model();
+  text += "\n";
+  std::set<std::string> told;  // structures may use the same predicate
+  for (PredicateId id = 0; id < numbers.predicates(); ++id) {
+    const Predicate& predicate = numbers.predicate(id);
+    const std::string line = std::string(predicate.name()) + " of " +
+                             std::to_string(predicate.arity()) + " objects: degree " +
+                             std::to_string(predicate.degree(std::max(1, numbers.needs().degree))) +
+                             " in t, " + numbers.polynomial_model(id);
+    if (told.insert(line).second) text += "          " + line + "\n";
+  }
+  for (std::size_t i = 0; i < numbers.needs().derived.size(); ++i) {
+    const DerivedKind& kind = numbers.needs().derived[i];
+    text += (i == 0 ? "derives   " : "          ") + kind.name + ": " +
+            counted(static_cast<std::size_t>(kind.axes), "axis", "axes") + " of degree " +
+            std::to_string(kind.degree) + " in t at most\n";
+  }
+  const std::vector<PlannedStructure> plan = plan_structures(scene);
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const PlannedStructure& p = plan[i];
+    text += (i == 0 ? "builds    " : "          ") + p.request.label;
+    if (p.watches) text += ", read off " + plan[*p.watches].request.label;
+    if (p.readers > 0) {
+      const int users = p.readers + (p.asked ? 1 : 0);
+      text += users > 1 ? ", shared by " + std::to_string(users) + " uses" : ", for that alone";
+    }
+    text += "\n";
+  }
+  const bool lazy = simulator.options().scheduling == Scheduling::kLazy;
+  return text + (lazy ? "schedules lazily: certificates are looked at a few lifetimes ahead\n"
+                      : "schedules eagerly: every failure time is computed at once\n");
+}
+
+}  // namespace kinex::formats

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/run_report.h"
+
+#include <cstdio>
+
+#include "experiments/formats/attribute_json.h"
+#include "experiments/formats/counted.h"
+
+namespace kinex::formats {
+
+namespace {
+
+std::string shortened(std::string text) {
+  constexpr std::size_t kLongest = 100;
+  if (text.size() > kLongest) text = text.substr(0, kLongest) + " ..";
+  return text;
+}
+
+std::string cell(const std::string& text, std::size_t width) {
+  return text.size() < width ? std::string(width - text.size(), ' ') + text : " " + text;
+}
+
+std::string row_of(const StructureLedger& ledger) {
+  std::string text;
+  for (const std::uint64_t count :
+       {ledger.processed, ledger.external, ledger.internal, ledger.failures, ledger.rebuilds,
+        ledger.simultaneous_groups, ledger.max_live, ledger.max_per_object,
+        ledger.audit_violations}) {
+    text += cell(std::to_string(count), 11);
+  }
+  return text;
+}
+
+std::string last_line(const Simulator& simulator, const RunOutcome& outcome) {
+  const RunCounts counts = counts_of(simulator);
+  char times[160];
+  std::snprintf(times, sizeof times,
+                "; CPU: setup %.3f s, simulate %.3f s, report %.3f s, audit %.3f s\n",
+                simulator.seconds_setup(), simulator.seconds_simulate(), simulator.seconds_report(),
+                simulator.seconds_audit());
+  return std::string(status_name(outcome.status)) + ": " +
+         counted(counts.events(), "event", "events") + " (" + std::to_string(counts.external) +
+         " external, " + std::to_string(counts.internal) + " internal) from " +
+         counted(counts.failures, "certificate failure", "certificate failures") + " at " +
+         counted(counts.instants, "instant", "instants") + "; " +
+         counted(counts.records, "log record", "log records") + times;
+}
+
+}  // namespace
+
+std::string describe_results(const Simulator& simulator, const RunOutcome& outcome) {
+  std::string text = "\n" + cell("", 24);
+  for (const char* column : {"events", "external", "internal", "failures", "rebuilds", "groups",
+                             "max live", "max/object", "violations"}) {
+    text += cell(column, 11);
+  }
+  text += "\n";
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    std::string label = simulator.label(id);
+    if (label.size() < 24) label.resize(24, ' ');
+    text += label + row_of(simulator.ledger(id)) + "\n";
+  }
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    for (const auto& [reason, count] : simulator.ledger(id).rebuild_reasons) {
+      text += "rebuilt   " + simulator.label(id) + ", " + counted(count, "time", "times") + ": " +
+              reason + "\n";
+    }
+  }
+  if (simulator.is_torn()) {
+    text += "bounds    not judged: the run was stopped in the midst of an instant or its set-up\n";
+  }
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    for (const BoundCheck& bound : outcome.bounds[id]) {
+      text += "bound     " + bound.id + ": " + bound.observed.to_string() +
+              " <= " + shortened(bound.bound.to_string()) +
+              (bound.holds ? " holds" : " DOES NOT HOLD") + "\n";
+    }
+  }
+  for (const Sample& sample : outcome.samples) {
+    for (StructureId id = 0; id < simulator.structures(); ++id) {
+      std::string value;
+      JsonWriter json(value);
+      write_attribute(json, sample.values[id], simulator.scene());
+      text += "at " + sample.t.to_string() + "  " + simulator.label(id) + " " + value + "\n";
+    }
+  }
+  return text + last_line(simulator, outcome);
+}
+
+std::vector<std::string> failures_of(const Simulator& simulator, const RunOutcome& outcome) {
+  std::vector<std::string> failures;
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    const StructureLedger& ledger = simulator.ledger(id);
+    if (ledger.corrupt)
+      failures.push_back(simulator.label(id) + " is corrupt: " + ledger.corruption);
+    for (const BoundCheck& bound : outcome.bounds[id]) {
+      if (bound.holds) continue;
+      failures.push_back(simulator.label(id) + ": bound " + bound.id + " is broken: observed " +
+                         bound.observed.to_string() + ", bound " + bound.bound.to_string() + " (" +
+                         bound.source + ")");
+    }
+  }
+  for (const std::string& violation : simulator.violations())
+    failures.push_back("audit: " + violation);
+  return failures;
+}
+
+}  // namespace kinex::formats

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The results of a run as text.
+#ifndef KINEX_EXPERIMENTS_FORMATS_RUN_REPORT_H
+#define KINEX_EXPERIMENTS_FORMATS_RUN_REPORT_H
+
+#include <string>
+#include <vector>
+
+#include "experiments/formats/run_outcome.h"
+
+namespace kinex::formats {
+
+// A table of counts by structure, the bounds, samples; a last line with all counts and the seconds.
+std::string describe_results(const Simulator& simulator, const RunOutcome& outcome);
+
+// Failures: violated bounds, corruption, violations found by audits.
+std::vector<std::string> failures_of(const Simulator& simulator, const RunOutcome& outcome);
+
+}  // namespace kinex::formats
+
+#endif

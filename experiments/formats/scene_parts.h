@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of a scene, each read from its own JSON node. For scene_reader.cpp only.
+#ifndef KINEX_EXPERIMENTS_FORMATS_SCENE_PARTS_H
+#define KINEX_EXPERIMENTS_FORMATS_SCENE_PARTS_H
+
+#include <optional>
+#include <vector>
+
+#include "core/motion/scene.h"
+#include "experiments/formats/json_node.h"
+
+namespace kinex::formats {
+
+// Fills `motion`, which must be empty, with the "motion" of an object, [[c0, c1, ..], ..] or a list of pieces {"from", "to", "coordinates"}:
+// ascending, not overlapping, continuous where two pieces meet unless the scene jumps. A gap
+// between two pieces is a time without the object. The motion of a body has kBodyAxes axes: the
+// "rotor" stands beside "motion" or inside each piece. The scene's dimension and time must have
+// been read.
+void read_motion(const JsonNode& object, const Scene& scene, bool body, Motion& motion);
+
+// The two coefficient lists of a rotor; (1, 0), no turn, if there is no node.
+std::vector<std::vector<Rational>> read_rotor(const std::optional<JsonNode>& node);
+// Refuses a rotor whose two parts vanish together in [from, to].
+void check_rotor(const JsonNode& node, const Trajectory& trajectory, const Rational& from,
+                 const std::optional<Rational>& to);
+// A convex polygon, vertices counter-clockwise, no three consecutive ones on a line.
+std::vector<Vertex2> read_polygon(const JsonNode& node);
+// The end of a remedy for bodies that start overlapping.
+inline constexpr const char* kOverlappingStartsRemedy =
+    ", or say \"overlapping_starts\": \"contact\" (not \"refused\", the default) in the scene";
+// Refuses two bodies that are not apart at the scene's start.
+void check_apart(const JsonNode& objects, const Scene& scene);
+// Refuses a body that overlaps another when it appears, or jumps, after the start. A mere touch is
+// left to the run, since the bodies may part at once.
+void check_appearances(const JsonNode& objects, const Scene& scene);
+
+// Fills scene.maintain; the objects must have been read.
+void read_maintain(const JsonNode& node, Scene& scene);
+
+// True if the object exists at every instant of the scene's time.
+bool lives_throughout(const Motion& motion, const Scene& scene);
+
+}  // namespace kinex::formats
+
+#endif

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/scene_reader.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/id_index.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/json_node.h"
+#include "experiments/formats/scene_parts.h"
+
+namespace kinex::formats {
+
+namespace {
+
+void read_version(const JsonNode& scene) {
+  const JsonNode version = scene.member("kinex");
+  if (version.is(JsonValue::Kind::kNumber) && version.value().text() == "1") return;
+  version.refuse("a version of the scene format that this program reads", "write \"kinex\": 1");
+}
+
+void read_time(const JsonNode& node, Scene& scene) {
+  node.require_object({"start", "end"});
+  scene.start = node.member("start").rational();
+  const auto end = node.find("end");
+  if (!end) return;
+  scene.end = end->rational();
+  if (*scene.end <= scene.start) {
+    end->fail(
+        "the scene ends at " + shown(end->value()) + ", not after its start",
+        "write \"end\" greater than \"start\", or leave it out to run until no event is left");
+  }
+}
+
+// The polygon of a body; empty for a point.
+std::vector<Vertex2> read_shape(const JsonNode& object, bool first, const Scene& scene) {
+  const auto polygon = object.find("polygon");
+  if (!first && polygon.has_value() != scene.has_bodies()) {
+    const JsonNode& odd = polygon ? *polygon : object;
+    odd.fail(polygon ? "a body in a scene of points" : "a point in a scene of bodies",
+             "give every object a \"polygon\", or none");
+  }
+  if (!polygon) {
+    if (const auto rotor = object.find("rotor")) {
+      rotor->fail("a rotor of a point", "remove it, or give the object a \"polygon\"");
+    }
+    return {};
+  }
+  if (scene.dimension != 2) {
+    polygon->fail("a polygon in a scene of dimension " + std::to_string(scene.dimension),
+                  "write \"dimension\": 2, or remove the polygon");
+  }
+  try {
+    return read_polygon(*polygon);
+  } catch (const InputError& error) {
+    throw InputError(error.file(), error.place(),
+                     "body " + show_text(object.member("id").string()) + ": " + error.problem(),
+                     error.remedy());
+  }
+}
+
+// The weight of a point, if it has one.
+std::optional<Rational> read_weight(const JsonNode& object) {
+  const auto weight = object.find("weight");
+  if (!weight) return std::nullopt;
+  if (object.find("polygon")) {
+    weight->fail("a weight of a body", "remove it: points alone have weights");
+  }
+  return weight->rational();
+}
+
+void read_overlapping_starts(const JsonNode& node, Scene& scene) {
+  const std::string_view choice = node.string();
+  if (choice == "contact") {
+    scene.overlapping_starts = OverlappingStarts::kContact;
+  } else if (choice != "refused") {
+    node.fail(shown(node.value()) + " is no choice for bodies that start overlapping",
+              "write \"refused\" (the default) or \"contact\"");
+  }
+}
+
+void read_objects(const JsonNode& node, Scene& scene) {
+  node.require_array();
+  IdIndex seen(node.size());
+  scene.objects.reserve(node.size());
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const JsonNode entry = node.at(i);
+    entry.require_object({"id", "motion", "polygon", "rotor", "weight"});
+    const JsonNode id = entry.member("id");
+    if (id.string().empty()) id.fail("an empty id", "write a name");
+    if (id.string().size() > kMaxIdBytes) {
+      id.fail("an id of " + std::to_string(id.string().size()) + " bytes", "write at most 1000");
+    }
+    const std::size_t first = seen.add(id.string());
+    if (first != i) {
+      id.fail("the id " + shown(id.value()) + " is that of /objects/" +
+                  std::to_string(first) + " too",
+              "ids are unique");
+    }
+    std::vector<Vertex2> polygon = read_shape(entry, i == 0, scene);
+    scene.objects.push_back({std::string(id.string()), {}, std::move(polygon), read_weight(entry)});
+    SceneObject& object = scene.objects.back();
+    read_motion(entry, scene, !object.polygon.empty(), object.motion);
+  }
+  if (!scene.has_bodies() || scene.overlapping_starts == OverlappingStarts::kContact) return;
+  check_apart(node, scene);
+  check_appearances(node, scene);
+}
+
+Scene make_scene(const JsonDocument& document, std::string_view text, const std::string& file,
+                 Deadline* deadline) {
+  const JsonSource source{file, text, 1, deadline};
+  const JsonNode root(*document, source);
+  root.require_object({"kinex", "name", "dimension", "time", "objects", "maintain", "jumps",
+                       "overlapping_starts", "source", "description", "expect", "$schema"});
+  read_version(root);
+  Scene scene;
+  if (const auto name = root.find("name")) scene.name = name->string();
+  for (const char* words : {"source", "description", "$schema"}) {
+    if (const auto text_field = root.find(words)) text_field->string();
+  }
+  scene.dimension = root.member("dimension").integer(1, kMaxDimension);
+  read_time(root.member("time"), scene);
+  if (const auto jumps = root.find("jumps")) scene.jumps = jumps->boolean();
+  if (const auto starts = root.find("overlapping_starts")) read_overlapping_starts(*starts, scene);
+  read_objects(root.member("objects"), scene);
+  if (const auto maintain = root.find("maintain")) read_maintain(*maintain, scene);
+  return scene;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& file, Deadline* deadline) {
+  return make_scene(parse_json(text, file, 1, deadline), text, file, deadline);
+}
+
+Scene read_scene(const std::string& path, Deadline* deadline) {
+  std::string text = read_text_file(path);
+  return make_scene(parse_json_in_place(text, path, deadline), text, path, deadline);
+}
+
+}  // namespace kinex::formats

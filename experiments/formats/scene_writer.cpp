@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/scene_writer.h"
+
+#include "experiments/formats/json_writer.h"
+#include "experiments/formats/sha256.h"
+
+namespace kinex::formats {
+
+namespace {
+
+constexpr int kExactBits = 53;  // integers that every JSON reader holds exactly
+
+void write_number(JsonWriter& json, const Rational& value) {
+  const std::string text = value.to_string();
+  if (value.is_integer() && value.numerator().bit_length() <= kExactBits) {
+    json.raw(text);
+  } else {
+    json.string(text);
+  }
+}
+
+template <class Numbers>
+void write_numbers(JsonWriter& json, const Numbers& numbers) {
+  json.begin_array();
+  for (const Rational& number : numbers) write_number(json, number);
+  json.end_array();
+}
+
+void write_axes(JsonWriter& json, const Trajectory& trajectory, int first, int last) {
+  json.begin_array();
+  for (int axis = first; axis < last; ++axis) {
+    write_numbers(json, trajectory.coordinates[static_cast<std::size_t>(axis)]);
+  }
+  json.end_array();
+}
+
+bool turns(const Trajectory& trajectory) {
+  return trajectory.coordinates[2] != std::vector<Rational>{1} ||
+         trajectory.coordinates[3] != std::vector<Rational>{0};
+}
+
+// The coordinates as the value of the key just written, then the rotor of a body that has one.
+void write_trajectory(JsonWriter& json, const Trajectory& trajectory, bool body) {
+  write_axes(json, trajectory, 0, body ? 2 : trajectory.dimension());
+  if (!body || !turns(trajectory)) return;
+  json.key("rotor");
+  write_axes(json, trajectory, 2, kBodyAxes);
+}
+
+void write_motion(JsonWriter& json, const Motion& motion, bool body) {
+  const MotionPiece& first = motion.pieces.front();
+  if (motion.pieces.size() == 1 && !first.from && !first.to) {
+    write_trajectory(json, first.trajectory, body);
+    return;
+  }
+  json.begin_array();
+  for (const MotionPiece& piece : motion.pieces) {
+    json.begin_object();
+    if (piece.from) {
+      json.key("from");
+      write_number(json, *piece.from);
+    }
+    if (piece.to) {
+      json.key("to");
+      write_number(json, *piece.to);
+    }
+    json.key("coordinates");
+    write_trajectory(json, piece.trajectory, body);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void write_key(JsonWriter& json, const Key& key, const Scene& scene) {
+  switch (key.kind) {
+    case Key::Kind::kCoordinate:
+      json.string(std::string(1, "xyz"[key.axis]));
+      break;
+    case Key::Kind::kDirection:
+      json.begin_object().key("direction").begin_array();
+      for (const Rational& entry : key.direction) write_number(json, entry);
+      json.end_array().end_object();
+      break;
+    case Key::Kind::kSquaredDistance:
+      json.begin_object()
+          .key("squared_distance_to")
+          .string(scene.objects[key.object].id)
+          .end_object();
+      break;
+  }
+}
+
+void write_request(JsonWriter& json, const Request& request, const Scene& scene) {
+  const bool default_key = request.key.kind == Key::Kind::kCoordinate && request.key.axis == 0;
+  if (default_key && request.label == request.structure) {
+    json.string(request.structure);
+    return;
+  }
+  json.begin_object().key("structure").string(request.structure);
+  if (!default_key) {
+    json.key("key");
+    write_key(json, request.key, scene);
+  }
+  if (request.label != request.structure) json.key("as").string(request.label);
+  json.end_object();
+}
+
+}  // namespace
+
+std::string write_scene(const Scene& scene) {
+  std::string text;
+  JsonWriter json(text);
+  json.begin_object().key("kinex").number(1).key("name").string(scene.name);
+  json.key("dimension").number(scene.dimension);
+  json.key("time").begin_object().key("start");
+  write_number(json, scene.start);
+  if (scene.end) {
+    json.key("end");
+    write_number(json, *scene.end);
+  }
+  json.end_object();
+  if (scene.jumps) json.key("jumps").boolean(true);
+  if (scene.overlapping_starts == OverlappingStarts::kContact) {
+    json.key("overlapping_starts").string("contact");
+  }
+  json.line(1).key("objects").begin_array();
+  for (const SceneObject& object : scene.objects) {
+    json.line(2).begin_object().key("id").string(object.id);
+    if (!object.polygon.empty()) {
+      json.key("polygon").begin_array();
+      for (const Vertex2& vertex : object.polygon) write_numbers(json, vertex);
+      json.end_array();
+    }
+    if (object.weight) {
+      json.key("weight");
+      write_number(json, *object.weight);
+    }
+    json.key("motion");
+    write_motion(json, object.motion, !object.polygon.empty());
+    json.end_object();
+  }
+  json.end_array();
+  json.line(1).key("maintain").begin_array();
+  for (const Request& request : scene.maintain) write_request(json, request, scene);
+  json.end_array().end_object();
+  text += '\n';
+  return text;
+}
+
+std::string scene_hash(const Scene& scene) { return sha256_hex(write_scene(scene)); }
+
+std::string key_json(const Key& key, const Scene& scene) {
+  std::string text;
+  JsonWriter json(text);
+  write_key(json, key, scene);
+  return text;
+}
+
+}  // namespace kinex::formats

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes a scene in one canonical form, and identifies it by the SHA-256 of that form.
+#ifndef KINEX_EXPERIMENTS_FORMATS_SCENE_WRITER_H
+#define KINEX_EXPERIMENTS_FORMATS_SCENE_WRITER_H
+
+#include <string>
+
+#include "core/motion/scene.h"
+
+namespace kinex::formats {
+
+// JSON, one object per line; equal scenes give equal bytes, and parse_scene reads the same scene
+// back. Integers below 2^53 are bare numbers, everything else a string in lowest terms.
+std::string write_scene(const Scene& scene);
+
+// SHA-256 of write_scene: independent of formatting and of how numbers were written in the file.
+std::string scene_hash(const Scene& scene);
+
+// A key as JSON: "x", {"direction": [..]}, {"squared_distance_to": ID}.
+std::string key_json(const Key& key, const Scene& scene);
+
+}  // namespace kinex::formats
+
+#endif

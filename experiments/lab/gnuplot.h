@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs gnuplot, if it is installed.
+#ifndef KINEX_EXPERIMENTS_LAB_GNUPLOT_H
+#define KINEX_EXPERIMENTS_LAB_GNUPLOT_H
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace kinex::lab {
+
+// A picture that gnuplot draws: commands and data, without "set terminal" and "set output".
+struct Figure {
+  std::string title;    // of the page's caption
+  std::string caption;  // a description of the picture
+  std::string script;
+  int width = 640, height = 460;
+  bool joins = false;  // in one frame with the figure before it, sharing its caption
+};
+
+struct Drawings {
+  std::vector<std::string> svg;  // by figure; empty if it could not be drawn
+  std::string problem;           // the reason why some are missing; empty if none is
+};
+
+// Draws all figures as SVG in one run of `program`, in a fresh temporary folder that is removed.
+// When `go_on` returns false, drawing ends; the rest is not drawn.
+Drawings draw(
+    const std::vector<Figure>& figures, const std::string& program = "gnuplot",
+    const std::function<bool()>& go_on = [] { return true; });
+
+// Colour and symbol of the i-th curve, distinct with any colour vision and without colours (Okabe
+// and Ito, 2008).
+struct Look {
+  const char* colour;
+  int symbol;
+};
+const Look& look(std::size_t i);
+
+// A string in gnuplot's notation, without markup.
+std::string quoted(const std::string& text);
+
+}  // namespace kinex::lab
+
+#endif

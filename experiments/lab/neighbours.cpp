@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/lab/neighbours.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kinex::lab {
+
+namespace {
+
+constexpr std::size_t kFewestPoints = 4;
+constexpr int kMostLogs = 3;
+constexpr double kTwice = 2;         // so much more scatter is worse
+constexpr double kNoScatter = 1e-9;  // relative: below that a law is met exactly
+
+double relative_scatter(const Fit& fit) {
+  double squares = 0;
+  for (const double residual : fit.residuals) squares += residual * residual;
+  return std::max(kNoScatter, std::sqrt(squares / static_cast<double>(fit.residuals.size())));
+}
+
+BetterFit better_scatter(double ratio) {
+  return ratio >= kTwice       ? BetterFit::kFirst
+         : ratio <= 1 / kTwice ? BetterFit::kSecond
+                               : BetterFit::kNeither;
+}
+
+std::string margin_text(const Neighbours& neighbours, double lead) {
+  const std::string number =
+      std::fabs(lead) < 100 ? fmt::format("{:.2g}", lead) : fmt::format("{:.0f}", lead);
+  return number + (neighbours.weighted ? " chi squared" : " times the scatter");
+}
+
+}  // namespace
+
+double Law::at(double n) const { return std::pow(n, power) * std::pow(std::log(n), logs); }
+
+std::string Law::text(const std::string& x) const {
+  std::string text;
+  if (power != 0) text = power == 1 ? x : fmt::format("{}^{:.4g}", x, power);
+  if (logs == 0) return text.empty() ? "1" : text;
+  return text + (text.empty() ? "" : " ") + (logs == 1 ? "log " : fmt::format("log^{} ", logs)) + x;
+}
+
+bool Neighbours::beats_all() const {
+  return std::all_of(rivals.begin(), rivals.end(),
+                     [](const Rival& rival) { return rival.better == BetterFit::kFirst; });
+}
+
+bool Neighbours::is_beaten() const {
+  return std::any_of(rivals.begin(), rivals.end(),
+                     [](const Rival& rival) { return rival.better == BetterFit::kSecond; });
+}
+
+std::optional<Neighbours> neighbours_of(std::span<const FitPoint> points, const Law& law,
+                                        const std::string& x) {
+  if (points.size() < kFewestPoints) return std::nullopt;
+  std::vector<FitPoint> fitted(points.begin(), points.end());
+  const bool weighted = std::all_of(fitted.begin(), fitted.end(),
+                                    [](const FitPoint& point) { return point.error > 0; });
+  for (FitPoint& point : fitted) {
+    if (!(point.n > 1) || !(point.count > 0)) return std::nullopt;
+    if (!weighted) point.error = point.count;
+  }
+  const auto fit_of = [&](const Law& one) {
+    return fit_law("a + b " + one.text(x), fitted, [one](double n) { return one.at(n); });
+  };
+  std::optional<Fit> claimed = fit_of(law);
+  if (!claimed) return std::nullopt;
+  Neighbours result;
+  result.law = law.text(x);
+  result.claimed = *std::move(claimed);
+  result.scatter = relative_scatter(result.claimed);
+  result.weighted = weighted;
+  const auto add = [&](std::string name, std::optional<Fit> fit) {
+    if (!fit) return;
+    Neighbours::Rival rival;
+    rival.law = std::move(name);
+    rival.fit = *std::move(fit);
+    rival.scatter = relative_scatter(rival.fit);
+    if (weighted) {
+      rival.lead = rival.fit.chi_square - result.claimed.chi_square;
+      rival.better = better_fit(result.claimed, rival.fit);
+    } else {
+      rival.lead = rival.scatter / result.scatter;
+      rival.better = better_scatter(rival.lead);
+    }
+    result.rivals.push_back(std::move(rival));
+  };
+  for (int logs = 0; logs <= kMostLogs; ++logs) {
+    const Law rival{law.power, logs};
+    if (logs == law.logs || (logs == 0 && law.power == 0)) continue;
+    add(rival.text(x), fit_of(rival));
+  }
+  if (law.logs > 0) add("a power of " + x, fit_power(fitted));
+  return result;
+}
+
+std::string rival_text(const Neighbours& neighbours, const Neighbours::Rival& rival) {
+  const std::string margin = margin_text(neighbours, rival.lead);
+  switch (rival.better) {
+    case BetterFit::kFirst:
+      return neighbours.weighted ? "beats " + rival.law + " by " + margin
+                                 : "beats " + rival.law + ", which has " + margin;
+    case BetterFit::kNeither:
+      return "cannot be told from " + rival.law + " (" + margin + ")";
+    case BetterFit::kSecond:
+      break;
+  }
+  return neighbours.weighted
+             ? "is beaten by " + rival.law + " by " + margin_text(neighbours, -rival.lead)
+             : "is beaten by " + rival.law + ", which has " + margin;
+}
+
+std::string neighbours_text(const Neighbours& neighbours) {
+  std::string text = neighbours.is_beaten() ? neighbours.law + " is not the best of its neighbours"
+                                            : "consistent with " + neighbours.law;
+  for (std::size_t i = 0; i < neighbours.rivals.size(); ++i) {
+    text += (i == 0 ? ": it " : "; ") + rival_text(neighbours, neighbours.rivals[i]);
+  }
+  return text;
+}
+
+}  // namespace kinex::lab

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/lab/workload.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/family.h"
+
+namespace kinex::lab {
+
+namespace {
+
+[[noreturn]] void refuse(const Workload& workload, const char* option, const std::string& problem,
+                         const std::string& remedy) {
+  throw formats::InputError(std::string(workload.name), option, problem, remedy);
+}
+
+std::string range(int low, int high) {
+  if (low == high) return "write " + std::to_string(low);
+  return "write a number from " + std::to_string(low) + " to " + std::to_string(high);
+}
+
+void check_body_parameters(const Workload& workload, const WorkloadParameters& parameters) {
+  if (parameters.separation && !workload.separation) {
+    refuse(workload, "--separation", "this family takes none", "leave --separation out");
+  }
+  if (parameters.separation && parameters.separation->sign() <= 0) {
+    refuse(workload, "--separation", parameters.separation->to_string() + " is no distance",
+           "write a number greater than 0");
+  }
+  if (parameters.separation && workload.min_separation &&
+      *parameters.separation < *workload.min_separation) {
+    refuse(workload, "--separation", parameters.separation->to_string() + " is too near",
+           "write " + workload.min_separation->to_string() + " or more");
+  }
+  if (parameters.separation && workload.max_separation &&
+      *workload.max_separation < *parameters.separation) {
+    refuse(workload, "--separation", parameters.separation->to_string() + " is too far",
+           "write " + workload.max_separation->to_string() + " or less");
+  }
+  if (parameters.turns != -1 && !workload.takes_turns) {
+    refuse(workload, "--turns", "this family takes none", "leave --turns out");
+  }
+  if (!workload.takes_turns) return;
+  if (parameters.turns < workload.min_turns || parameters.turns > kMaxWorkloadTurns) {
+    refuse(workload, "--turns", std::to_string(parameters.turns) + " turns",
+           range(workload.min_turns, kMaxWorkloadTurns));
+  }
+}
+
+void check_parameters(const Workload& workload, const WorkloadParameters& parameters) {
+  if (parameters.n < workload.min_n || parameters.n > kMaxWorkloadSize) {
+    refuse(workload, "--n",
+           std::to_string(parameters.n) + (workload.min_n > 1 ? " vertices" : " objects"),
+           range(workload.min_n, kMaxWorkloadSize));
+  }
+  if (parameters.m != 0 && !workload.takes_m) {
+    refuse(workload, "--m", "this family has one size only", "leave --m out");
+  }
+  const int min_m = workload.takes_m ? workload.min_m : 0;
+  if (parameters.m < min_m || parameters.m > kMaxWorkloadSize) {
+    refuse(workload, "--m",
+           std::to_string(parameters.m) + (workload.min_m > 1 ? " vertices" : " objects"),
+           range(workload.min_m, kMaxWorkloadSize));
+  }
+  if (parameters.degree != 1 && !workload.takes_degree) {
+    refuse(workload, "--degree", "this family has a degree of its own", "leave --degree out");
+  }
+  if (parameters.degree < 1 || parameters.degree > kMaxWorkloadDegree) {
+    refuse(workload, "--degree", "degree " + std::to_string(parameters.degree),
+           range(1, kMaxWorkloadDegree));
+  }
+  if (parameters.dimension < workload.min_dimension ||
+      parameters.dimension > workload.max_dimension) {
+    refuse(workload, "--dimension", "dimension " + std::to_string(parameters.dimension),
+           range(workload.min_dimension, workload.max_dimension));
+  }
+  check_body_parameters(workload, parameters);
+}
+
+std::string describe(const Workload& workload, const WorkloadParameters& parameters) {
+  std::string name(workload.name);
+  name += " n=" + std::to_string(parameters.n);
+  if (workload.takes_m) name += " m=" + std::to_string(parameters.m);
+  if (workload.takes_degree && parameters.degree != 1) {
+    name += " degree=" + std::to_string(parameters.degree);
+  }
+  if (parameters.dimension != workload.default_dimension) {
+    name += " dimension=" + std::to_string(parameters.dimension);
+  }
+  if (workload.separation) name += " separation=" + parameters.separation->to_string();
+  if (workload.takes_turns) name += " turns=" + std::to_string(parameters.turns);
+  if (workload.random) name += " seed=" + std::to_string(parameters.seed);
+  return name;
+}
+
+}  // namespace
+
+const std::vector<Workload>& workloads() {
+  static const std::vector<Workload> kWorkloads = [] {
+    std::vector<Workload> all;
+    for (const FamilyExperiments& family : experiment_families()) {
+      all.insert(all.end(), family.workloads.begin(), family.workloads.end());
+    }
+    return all;
+  }();
+  return kWorkloads;
+}
+
+const Workload* find_workload(std::string_view name) {
+  for (const Workload& workload : workloads()) {
+    if (workload.name == name) return &workload;
+  }
+  return nullptr;
+}
+
+WorkloadParameters resolved(const Workload& workload, WorkloadParameters parameters) {
+  if (parameters.dimension == 0) parameters.dimension = workload.default_dimension;
+  if (parameters.m == 0 && workload.takes_m) {
+    parameters.m = workload.default_m == 0 ? parameters.n : workload.default_m;
+  }
+  if (!parameters.separation) parameters.separation = workload.separation;
+  if (workload.takes_turns && parameters.turns == -1) parameters.turns = 1;
+  check_parameters(workload, parameters);
+  return parameters;
+}
+
+Scene generate_scene(const Workload& workload, WorkloadParameters parameters) {
+  parameters = resolved(workload, std::move(parameters));
+  Scene scene;
+  scene.name = describe(workload, parameters);
+  scene.dimension = parameters.dimension;
+  workload.generate(parameters, scene);
+  Request request;
+  request.structure = workload.maintain.empty()
+                          ? usual_structure(workload.bodies, parameters.dimension)
+                          : workload.maintain;
+  request.label = request.structure;
+  if (!request.structure.empty()) scene.maintain.push_back(std::move(request));
+  return scene;
+}
+
+Scene generate_scene(std::string_view workload, const WorkloadParameters& parameters,
+                     std::string_view structure) {
+  const Workload* known = find_workload(workload);
+  if (known == nullptr) throw std::invalid_argument("no workload " + std::string(workload));
+  Scene scene = generate_scene(*known, parameters);
+  Request request;
+  request.structure = request.label = structure;
+  scene.maintain = {std::move(request)};
+  return scene;
+}
+
+}  // namespace kinex::lab

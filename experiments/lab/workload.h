@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Workloads: named families of scenes. The same name, parameters and seed give the same scene, byte
+// by byte, on every machine: only integers are drawn, and nothing is computed in floating point.
+#ifndef KINEX_EXPERIMENTS_LAB_WORKLOAD_H
+#define KINEX_EXPERIMENTS_LAB_WORKLOAD_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/motion/scene.h"
+
+namespace kinex::lab {
+
+struct WorkloadParameters {
+  int n = 100;             // objects; >= 1
+  int m = 0;               // a second size, if the workload has one; 0: the workload's default
+  std::uint64_t seed = 1;  // ignored by workloads without random numbers
+  int degree = 1;          // of the motion, if the workload has a choice
+  int dimension = 0;       // 0: the workload's default
+  std::optional<Rational> separation = std::nullopt;  // of two bodies; nullopt: the default
+  int turns = -1;                                     // -1: once
+};
+
+struct Workload {
+  std::string_view name;
+  std::string_view summary;  // one line
+  int default_dimension;
+  int min_dimension, max_dimension;
+  bool random;  // takes a seed
+  bool takes_degree;
+  bool takes_m;
+  std::string_view maintain;  // "": the usual one (family.h)
+  // Fills time and objects. Requires valid parameters with their dimension set.
+  void (*generate)(const WorkloadParameters&, Scene&);
+  int min_n = 1, min_m = 1;
+  int default_m = 0;                                  // 0: same as n
+  bool bodies = false;                                // rigid polygons, not points
+  std::optional<Rational> separation = std::nullopt;  // the default, if the family takes one
+  bool takes_turns = false;
+  int min_turns = 1;
+  std::optional<Rational> min_separation = std::nullopt;  // nullopt: anything above 0
+  std::optional<Rational> max_separation = std::nullopt;  // nullopt: any
+};
+
+inline constexpr int kMaxWorkloadSize = 10000000;
+inline constexpr int kMaxWorkloadDegree = 20;
+inline constexpr int kMaxWorkloadTurns = 100000;
+
+// Those of all families, in the order in which users see them.
+const std::vector<Workload>& workloads();
+const Workload* find_workload(std::string_view name);
+
+// The parameters with the workload's defaults in place of those that were left out. Throws
+// InputError for parameters that the workload does not have or allow; its place is the option of
+// `kinex gen`, for example "--n".
+WorkloadParameters resolved(const Workload& workload, WorkloadParameters parameters);
+
+// The scene, named after its parameters, with the workload's default structure in `maintain`.
+// Throws as resolved() does.
+Scene generate_scene(const Workload& workload, WorkloadParameters parameters);
+// The same for a workload by its name, with this structure alone to maintain. Throws
+// std::invalid_argument for an unknown workload.
+Scene generate_scene(std::string_view workload, const WorkloadParameters& parameters,
+                     std::string_view structure);
+
+}  // namespace kinex::lab
+
+#endif

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Small attributes that are computed from scratch, right after every instant that may change them:
+bounding_box and closest_pair_delaunay.
+
+One external event an instant says what the attribute was and what it is. Internal events (another
+winner of a duel inside a tournament) are checked at level 2, as certificates that fail; which duels
+there are is not followed.
+"""
+
+from itertools import combinations
+
+from predicates import axis_order, distance_query
+from proof import Proof
+from replay_members import OfMembers
+
+
+class Scratch(OfMembers):
+    bound = []
+
+    def __init__(self, checker, structure):
+        super().__init__(checker, structure)
+        self.told, self.changed, self.look = [], 0, True
+        self.proofs = [Proof(self.world, self.label, checker.on[4])]  # without claims
+        checker.note_partly(self.label, "internal events: the duels of its tournaments are not followed")
+
+    @property
+    def attribute(self):
+        return list(self.told)
+
+    def begin(self, x):
+        self.told, self.changed, self.look = self.current(x), 0, False
+
+    def record(self, r, x):
+        self.look = True
+        if r.kind not in ("settled", "rebuild"):
+            self.event(r, x)
+            if not r.external:
+                self.require(r.gone is None, "%s says nothing of the attribute", r.short())
+                return
+        fresh = self.current(x)
+        self.check(r, self.told, fresh)
+        if r.kind == "replace":
+            self.replaced(r, self.told, fresh)
+        if fresh != self.told:
+            self.require(not self.changed, "%s: the attribute changes a second time at one instant", r.short())
+            self.changed += 1
+        self.told = fresh
+
+    def check(self, r, before, after):
+        self.checker.check_change(self, r, before, after)
+
+    def replaced(self, r, before, after):
+        """An external duel names what was in the attribute, then what is."""
+
+    def settle(self, x):
+        self.changed = 0
+        if not self.look:
+            return
+        self.look = False
+        self.require(self.told == self.current(x), "%s: right after %r the attribute is another one", self.label, x)
+
+    def finish(self, end):
+        """A change whose record is missing is seen at the next instant, or here."""
+        super().finish(end)
+        if end is not None:
+            self.require(self.told == self.current(end), "%s: right after the end the attribute is another one",
+                         self.label)
+
+
+class BoundingBox(Scratch):
+    """The minimum and the maximum of every axis; equal coordinates: the smallest number."""
+
+    def claim(self, axis, a, b):
+        return (axis_order(axis), (a, b))
+
+    def current(self, x):
+        box = []
+        for axis in range(self.world.scene.dimension):
+            least = most = None
+            for o in sorted(self.members):
+                if least is None or self.world.sign_after(self.claim(axis, o, least), x) > 0:
+                    least = o
+                if most is None or self.world.sign_after(self.claim(axis, most, o), x) > 0:
+                    most = o
+            box += [] if least is None else [least, most]
+        return box
+
+    def event(self, r, x):
+        self.require_members(r, 2)
+        a, b = r.ids
+        if r.kind == "tie":
+            self.require(any(self.world.is_zero(self.claim(axis, a, b)) for axis in range(self.world.scene.dimension)),
+                         "%s: the two are identically equal on no axis", r.short())
+        elif self.query(r) is not None:
+            self.require(set(self.query(r)[1]) == {a, b}, "%s is not a failure of the order of the two", r.short())
+
+    def replaced(self, r, before, after):
+        self.require(tuple(r.ids) in zip(before, after), "%s: no side changes from the first to the second", r.short())
+
+
+class ClosestPair(Scratch):
+    """Of equally distant pairs the smallest."""
+
+    claim = staticmethod(distance_query)
+
+    def current(self, x):
+        best = None
+        for pair in combinations(sorted(self.members), 2):
+            if best is None or self.world.sign_after(self.claim(pair, best), x) > 0:
+                best = pair
+        return [] if best is None else [best]
+
+    def check(self, r, before, after):
+        ids = self.world.scene.ids
+        sides = [[[ids[a], ids[b]] for a, b in side] for side in (before, after)]
+        if before == after:
+            self.require(r.gone is None, "%s: nothing has changed", r.short())
+        else:
+            self.require([r.gone, r.came] == sides, "%s: the pair was %s and is %s", r.short(), *sides)
+
+    def replaced(self, r, before, after):
+        self.require([tuple(r.ids[:2])] == before and [tuple(r.ids[2:])] == after,
+                     "%s: the pair changes from %s to %s", r.short(), before, after)
+
+    def event(self, r, x):
+        self.require_members(r, 4)
+        old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
+        self.require(old[0] < old[1] and fresh[0] < fresh[1] and old != fresh, "%s: no two pairs", r.short())
+        if r.kind == "tie":
+            self.require(self.world.is_zero(self.claim(old, fresh)), "%s: the distances are not identically equal",
+                         r.short())
+        elif self.query(r) is not None:
+            self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two pairs", r.short())

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/sweep/block.h"
+
+#include <algorithm>
+#include <charconv>
+#include <deque>
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/scene_run.h"
+#include "experiments/sweep/canonical_json.h"
+
+namespace kinex::sweep {
+
+namespace {
+
+constexpr int kMostInt = std::numeric_limits<int>::max();
+constexpr int kMostAxes = 3;
+
+// One value of an axis: its effect on a cell, and its place in the file.
+struct Choice {
+  std::function<void(RunCell&)> set;
+  const formats::JsonNode* node;
+};
+struct Axis {
+  std::string_view name;
+  std::vector<Choice> choices;
+};
+
+std::string quoted_list(std::initializer_list<const char*> names) {
+  std::string text;
+  for (const char* name : names)
+    text += (text.empty() ? "write \"" : ", \"") + std::string(name) + "\"";
+  return text;
+}
+
+std::string workload_names() {
+  std::string text = "known are ";
+  for (const lab::Workload& workload : lab::workloads()) {
+    text += (&workload == &lab::workloads().front() ? "" : ", ") + std::string(workload.name);
+  }
+  return text;
+}
+
+std::uint64_t read_seed(const formats::JsonNode& node) {
+  std::uint64_t seed = 0;
+  const std::string_view text = node.value().text();
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, seed);
+  if (!node.is(formats::JsonValue::Kind::kNumber) || error != std::errc() || rest != end) {
+    node.refuse("a seed", "write an integer from 0 to 18446744073709551615");
+  }
+  return seed;
+}
+
+// An entry of "maintain", as set_maintain takes it.
+std::string read_structure(const formats::JsonNode& node) {
+  if (node.is(formats::JsonValue::Kind::kObject)) return canonical_json(node.value());
+  if (!node.is(formats::JsonValue::Kind::kString) || node.string().empty() ||
+      node.string().find_first_of(",{} \t\r\n") != std::string::npos) {
+    node.refuse("a structure",
+                "write a name, NAME:AXIS, {\"structure\": NAME, ..}, or an array of these to be "
+                "maintained in one run");
+  }
+  return std::string(node.string());
+}
+
+class BlockReader {
+ public:
+  explicit BlockReader(const formats::JsonNode& block) : block_(block) {
+    block.require_object({"structure", "workload", "n", "m", "degree", "dimension", "separation",
+                          "turns", "seed", "arithmetic", "scheduling", "audit", "until",
+                          "max_events"});
+    block.member("n");
+    structures(block.member("structure"));
+    read_workloads(block.member("workload"));
+    integers("n", 1, lab::kMaxWorkloadSize,
+             [](int value, RunCell& cell) { cell.parameters.n = value; });
+    integers("m", 1, lab::kMaxWorkloadSize,
+             [](int value, RunCell& cell) { cell.parameters.m = value; });
+    integers("degree", 1, lab::kMaxWorkloadDegree,
+             [](int value, RunCell& cell) { cell.parameters.degree = value; });
+    integers("dimension", 1, kMostAxes,
+             [](int value, RunCell& cell) { cell.parameters.dimension = value; });
+    rationals("separation",
+              [](const Rational& value, RunCell& cell) { cell.parameters.separation = value; });
+    integers("turns", 1, lab::kMaxWorkloadTurns,
+             [](int value, RunCell& cell) { cell.parameters.turns = value; });
+    seeds();
+    for_each("arithmetic", [&](const formats::JsonNode& node) {
+      return [name = node.string()](RunCell& cell) { cell.arithmetic = name; };
+    });
+    words("scheduling", {"lazy", "eager"}, &RunCell::scheduling);
+    words("audit", {"end", "events", "none"}, &RunCell::audit);
+    rationals("until", [](const Rational& value, RunCell& cell) { cell.until = value; });
+    integers("max_events", 1, kMostInt, [](int value, RunCell& cell) { cell.max_events = value; });
+  }
+
+  void expand(PlanCheck check, const std::function<void(RunCell)>& take) {
+    std::size_t cells = 1;
+    for (const Axis& axis : axes_) {
+      cells *= axis.choices.size();
+      if (cells > kMostCells) too_many_cells(block_);
+    }
+    std::vector<std::size_t> at(axes_.size(), 0);
+    for (bool more = true; more;) {
+      RunCell cell;
+      for (std::size_t a = 0; a < axes_.size(); ++a) axes_[a].choices[at[a]].set(cell);
+      resolve(cell, at);
+      if (check == PlanCheck::kScenes) note_kind(cell, at);
+      take(std::move(cell));
+      more = false;
+      for (std::size_t a = axes_.size(); a > 0 && !more; --a) {
+        more = ++at[a - 1] < axes_[a - 1].choices.size();
+        if (!more) at[a - 1] = 0;
+      }
+    }
+    for (const auto& [kind, smallest] : kinds_) check_scene(smallest);
+  }
+
+ private:
+  using Place = std::vector<std::size_t>;
+  struct Example {
+    RunCell cell;
+    Place at;
+  };
+
+  // A child refers to its parent: both stay here.
+  const formats::JsonNode& keep(const formats::JsonNode& node) { return nodes_.emplace_back(node); }
+
+  template <class MakeSetter>
+  void add(std::string_view name, const formats::JsonNode& given, const MakeSetter& setter) {
+    Axis axis{name, {}};
+    const formats::JsonNode& node = keep(given);
+    if (!node.is(formats::JsonValue::Kind::kArray)) {
+      axis.choices.push_back({setter(node), &node});
+    } else {
+      if (node.size() == 0) node.fail("an axis without values", "write one, or leave it out");
+      for (std::size_t i = 0; i < node.size(); ++i) {
+        const formats::JsonNode& one = keep(node.at(i));
+        axis.choices.push_back({setter(one), &one});
+      }
+    }
+    axes_.push_back(std::move(axis));
+  }
+  template <class MakeSetter>
+  void for_each(std::string_view name, const MakeSetter& setter) {
+    if (const auto node = block_.find(name)) add(name, *node, setter);
+  }
+
+  void structures(const formats::JsonNode& given) {
+    add("structure", given, [&](const formats::JsonNode& node) {
+      std::vector<std::string> entries;
+      if (node.is(formats::JsonValue::Kind::kArray)) {
+        if (node.size() == 0) node.fail("nothing is to be maintained", "write a structure");
+        for (std::size_t i = 0; i < node.size(); ++i) entries.push_back(read_structure(node.at(i)));
+      } else {
+        entries.push_back(read_structure(node));
+      }
+      const bool alone = node.is(formats::JsonValue::Kind::kArray) && node.size() == 1;
+      const formats::JsonValue& value = alone ? node.value().items()[0] : node.value();
+      return [text = canonical_json(value), entries](RunCell& cell) {
+        cell.structure = text;
+        cell.maintain = entries;
+      };
+    });
+  }
+
+  void read_workloads(const formats::JsonNode& given) {
+    add("workload", given, [](const formats::JsonNode& node) {
+      const std::string_view name = node.string();
+      if (lab::find_workload(name) == nullptr) node.refuse("a workload", workload_names());
+      return [name](RunCell& cell) { cell.workload = name; };
+    });
+  }
+
+  template <class Set>
+  void integers(std::string_view name, int low, int high, Set set) {
+    for_each(name, [&](const formats::JsonNode& node) {
+      return [value = node.integer(low, high), set](RunCell& cell) { set(value, cell); };
+    });
+  }
+  template <class Set>
+  void rationals(std::string_view name, Set set) {
+    for_each(name, [&](const formats::JsonNode& node) {
+      return [value = node.rational(), set](RunCell& cell) { set(value, cell); };
+    });
+  }
+  void words(std::string_view name, std::initializer_list<const char*> known,
+             std::string RunCell::*member) {
+    for_each(name, [&](const formats::JsonNode& node) {
+      const std::string word(node.string());
+      if (std::find(known.begin(), known.end(), word) == known.end()) {
+        node.refuse("known here", quoted_list(known));
+      }
+      return [word, member](RunCell& cell) { cell.*member = word; };
+    });
+  }
+
+  void seeds() {
+    const auto given = block_.find("seed");
+    if (!given) return;
+    const auto setter = [](std::uint64_t seed) {
+      return [seed](RunCell& cell) { cell.parameters.seed = seed; };
+    };
+    if (!given->is(formats::JsonValue::Kind::kObject)) {
+      add("seed", *given, [&](const formats::JsonNode& node) { return setter(read_seed(node)); });
+      return;
+    }
+    const formats::JsonNode& node = keep(*given);
+    node.require_object({"from", "to"});
+    const std::uint64_t from = read_seed(node.member("from")), to = read_seed(node.member("to"));
+    if (from > to || to - from >= kMostCells) {
+      node.fail("seeds from " + std::to_string(from) + " to " + std::to_string(to),
+                "write from <= to, and at most " + std::to_string(kMostCells) + " seeds");
+    }
+    Axis axis{"seed", {}};
+    for (std::uint64_t k = 0; k <= to - from; ++k)
+      axis.choices.push_back({setter(from + k), &node});
+    axes_.push_back(std::move(axis));
+  }
+
+  // The errors of generators, readers and arithmetics name an option: the axis of that name.
+  [[noreturn]] void fail(const formats::InputError& error, std::string option, const Place& at) const {
+    if (option.rfind("--", 0) == 0) option.erase(0, 2);
+    for (std::size_t a = 0; a < axes_.size(); ++a) {
+      if (axes_[a].name == option)
+        axes_[a].choices[at[a]].node->fail(error.problem(), error.remedy());
+    }
+    block_.fail(option + ": " + error.problem(), error.remedy());
+  }
+
+  void resolve(RunCell& cell, const Place& at) const {
+    const lab::Workload& workload = *lab::find_workload(cell.workload);
+    if (!workload.random) cell.parameters.seed = 1;
+    try {
+      cell.parameters = lab::resolved(workload, cell.parameters);
+    } catch (const formats::InputError& error) {
+      fail(error, error.place(), at);
+    }
+  }
+
+  // Cells that differ in size and seed alone are of one kind.
+  void note_kind(const RunCell& cell, const Place& at) {
+    RunCell kind = cell;
+    kind.parameters.n = kind.parameters.m = 1;
+    kind.parameters.seed = 1;
+    const auto [found, is_new] = kinds_.try_emplace(cell_text(kind), Example{cell, at});
+    const auto size = [](const RunCell& one) { return one.parameters.n + one.parameters.m; };
+    if (!is_new && size(cell) < size(found->second.cell)) found->second = {cell, at};
+  }
+
+  void check_scene(const Example& example) const {
+    try {
+      Scene scene = scene_of(example.cell);
+      shorten(scene, example.cell);
+      lab::arithmetic_option(example.cell.arithmetic, scene);
+    } catch (const formats::InputError& error) {
+      std::string option = error.place().empty() ? error.file() : error.place();
+      if (error.file() == "--maintain") option = "structure";
+      fail(error, std::move(option), example.at);
+    }
+  }
+
+  const formats::JsonNode& block_;
+  std::deque<formats::JsonNode> nodes_;
+  std::vector<Axis> axes_;
+  std::map<std::string, Example> kinds_;
+};
+
+}  // namespace
+
+void too_many_cells(const formats::JsonNode& block) {
+  block.fail("more than " + std::to_string(kMostCells) + " cells", "make two plans of it");
+}
+
+void expand_block(const formats::JsonNode& block, PlanCheck check,
+                  const std::function<void(RunCell)>& take) {
+  BlockReader(block).expand(check, take);
+}
+
+}  // namespace kinex::sweep

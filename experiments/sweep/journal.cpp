@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/sweep/journal.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/json_document.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/formats/sha256.h"
+
+namespace kinex::sweep {
+
+namespace {
+
+std::string output_line(const std::string& path, const std::string& digest) {
+  std::string text;
+  formats::JsonWriter json(text);
+  json.begin_object().key("output").string(path).key("sha256").string(digest).end_object();
+  return text + "\n";
+}
+
+bool is_by(const std::string& line, const std::string& path, const std::string& program) {
+  try {
+    return parse_provenance(line, path).program == program;
+  } catch (const formats::InputError&) {
+    return false;  // another version of the format
+  }
+}
+
+}  // namespace
+
+Journal::Journal(std::string path, const Provenance& provenance, bool fresh)
+    : path_(std::move(path)) {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file_ < 0) {
+    throw formats::InputError(path_, "", std::string("cannot be written: ") + std::strerror(errno),
+                              "give a folder that can be written with -o");
+  }
+  try {
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+      throw formats::InputError(path_, "", "another run is at work in this folder",
+                                "wait for it, or give another folder with -o");
+    }
+    const std::string text = fresh ? "" : formats::read_text_file(path_);
+    const std::size_t whole = text.rfind('\n') == text.npos ? 0 : text.rfind('\n') + 1;
+    read_lines(text.substr(0, whole), provenance.program);
+    // Without the incomplete last line of a killed run.
+    if (::ftruncate(file_, static_cast<off_t>(whole)) != 0) {
+      throw formats::InputError(path_, "",
+                                std::string("cannot be written: ") + std::strerror(errno), "");
+    }
+    if (whole == 0) append(provenance_line(provenance) + "\n");
+  } catch (...) {
+    ::close(file_);  // and the file is left as it is
+    throw;
+  }
+}
+
+Journal::Journal(const std::vector<Attempt>& attempts) {
+  for (const auto& [key, record] : settle(attempts)) records_.emplace(key, *record);
+  found_ = records_.size();
+}
+
+// Without records there is nothing to resume from.
+Journal::~Journal() {
+  if (file_ < 0) return;
+  if (records_.empty() && outputs_.empty()) remove();
+  ::close(file_);
+}
+
+void Journal::read_lines(const std::string& text, const std::string& program) {
+  std::size_t begin = 0, number = 1;
+  for (std::size_t end; (end = text.find('\n', begin)) != text.npos; begin = end + 1, ++number) {
+    const std::string line = text.substr(begin, end - begin);
+    if (number == 1) {
+      if (is_by(line, path_, program)) continue;
+      throw formats::InputError(path_, "line 1", "it was begun by another version of the program",
+                                "give --fresh to begin anew, or another folder with -o");
+    }
+    const formats::JsonDocument document = formats::parse_json(line, path_, number);
+    const formats::JsonValue& value = *document;
+    const formats::JsonValue* output = value.find("output");
+    const formats::JsonValue* digest = value.find("sha256");
+    if (output != nullptr && digest != nullptr) {
+      outputs_.insert_or_assign(std::string(output->text()), digest->text());
+      continue;
+    }
+    Record record = parse_record(line, path_, number);
+    std::string key = record.key;
+    records_.insert_or_assign(std::move(key), std::move(record));
+  }
+  found_ = records_.size();
+}
+
+void Journal::append(const std::string& line) {
+  const ssize_t written = ::write(file_, line.data(), line.size());
+  if (written == static_cast<ssize_t>(line.size())) return;
+  throw formats::InputError(path_, "",
+                            std::string("cannot be written: ") +
+                                (written < 0 ? std::strerror(errno) : "the disk is full"),
+                            "make room on the disk; the same command goes on from here");
+}
+
+const Record* Journal::find(const std::string& key) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = records_.find(key);
+  if (found == records_.end() || found->second.outcome == Outcome::kKilled) return nullptr;
+  return &found->second;
+}
+
+const Record& Journal::add(const Record& record) {
+  const std::lock_guard lock(mutex_);
+  if (file_ < 0) throw std::logic_error("a journal without a file takes no records");
+  const std::string line = record_line(record);
+  append(line + "\n");
+  // Two threads may have run the same cell: the first one stays, for find() has handed it out.
+  return records_.try_emplace(record.key, parse_record(line, path_, 0)).first->second;
+}
+
+void Journal::note_output(const std::string& path, std::string_view text) {
+  const std::lock_guard lock(mutex_);
+  const std::string digest = formats::sha256_hex(text);
+  if (file_ >= 0) append(output_line(path, digest));
+  outputs_.insert_or_assign(path, digest);
+}
+
+bool Journal::is_own_output(const std::string& path) const {
+  std::error_code absent;
+  if (!std::filesystem::is_regular_file(path, absent)) return false;
+  const std::lock_guard lock(mutex_);
+  const auto found = outputs_.find(path);
+  return found != outputs_.end() &&
+         found->second == formats::sha256_hex(formats::read_text_file(path));
+}
+
+void Journal::remove() {
+  if (file_ >= 0) ::unlink(path_.c_str());
+}
+
+}  // namespace kinex::sweep

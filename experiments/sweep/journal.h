@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Journal: the records of a plan that this process runs by itself, in one file beside its results,
+// from which the same command goes on, however it was stopped; or the records of a sweep that was
+// run elsewhere.
+//
+// The file is like an attempt file: provenance, then a record a line; and lines that name the
+// results that were written from it.
+#ifndef KINEX_EXPERIMENTS_SWEEP_JOURNAL_H
+#define KINEX_EXPERIMENTS_SWEEP_JOURNAL_H
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "experiments/sweep/attempt_file.h"
+#include "experiments/sweep/settled.h"
+
+namespace kinex::sweep {
+
+// Called from any thread. Errors are InputErrors.
+class Journal {
+ public:
+  // Records of another program are refused. `fresh`: begins anew whatever the file holds. One
+  // process at a time uses the file.
+  Journal(std::string path, const Provenance& provenance, bool fresh);
+  // The settled records of attempts, without a file: nothing is added.
+  explicit Journal(const std::vector<Attempt>& attempts);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  // nullptr: there is none, or its process was ended from outside. It stays where it is.
+  const Record* find(const std::string& key) const;
+  // Written with one write: a killed program leaves whole lines and at most part of the last one,
+  // which is dropped. Returns it as it will be read back.
+  const Record& add(const Record& record);
+  std::size_t found() const { return found_; }  // records that the file had at first
+  bool runs() const { return file_ >= 0; }      // cells that it does not have are to be run
+
+  // Incomplete results are written too, so that they can be read. They may be replaced by the
+  // complete ones unless the file has been changed since.
+  void note_output(const std::string& path, std::string_view text);  // before it is written
+  bool is_own_output(const std::string& path) const;
+
+  // Everything is finished and written.
+  void remove();
+
+ private:
+  void read_lines(const std::string& text, const std::string& program);
+  void append(const std::string& line);
+
+  std::string path_;
+  int file_ = -1;
+  std::size_t found_ = 0;
+  mutable std::mutex mutex_;
+  std::map<std::string, Record> records_;       // by key
+  std::map<std::string, std::string> outputs_;  // digests by path
+};
+
+}  // namespace kinex::sweep
+
+#endif

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex sweep: plans of many cells, on one machine or many.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/lab/progress.h"
+#include "experiments/sweep/cell_run.h"
+#include "experiments/sweep/database.h"
+#include "experiments/sweep/sweeper.h"
+#include "experiments/verbs/experiments.h"
+#include "experiments/verbs/interrupt.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/swept_work.h"
+#include "experiments/verbs/verbs.h"
+
+namespace kinex::verbs {
+
+namespace {
+
+using namespace sweep;
+
+constexpr int kMostJobs = 1024;
+constexpr std::size_t kShownKey = 12;  // digits
+constexpr std::size_t kMostTroubleRows = 20;
+// posix_spawn finds the program under it even if its file has been replaced.
+constexpr const char* kThisProgram = "/proc/self/exe";
+
+struct RunOptions {
+  PlanWords plan;
+  std::string shard = "0/1", folder;
+  int jobs = 1;
+  bool fresh = false, retry = false;
+};
+
+std::string fill(std::string_view text, std::size_t width) {
+  std::string filled(text);
+  filled.resize(std::max(filled.size(), width), ' ');
+  return filled;
+}
+
+std::string row(std::string_view status, const std::string& key, const std::string& rest) {
+  return fill(status, 8) + key.substr(0, kShownKey) + "  " + rest + "\n";
+}
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f s", seconds < 10 ? 2 : 0, seconds);
+  return text;
+}
+
+int exit_code_of(const Tally& tally) {
+  const auto some = [&](std::initializer_list<Outcome> outcomes) {
+    for (const Outcome outcome : outcomes) {
+      if (tally.of(outcome) > 0) return true;
+    }
+    return false;
+  };
+  if (some({Outcome::kFailed, Outcome::kRefused, Outcome::kCrash})) return kExitFailed;
+  if (some({Outcome::kLimit, Outcome::kMemory, Outcome::kKilled})) return kExitGaveUp;
+  return tally.missing > 0 ? kExitGaveUp : kExitFine;
+}
+
+// ---- list ---------------------------------------------------------------------------------------
+
+void list_experiments() {
+  std::string text;
+  for (const Experiment& experiment : experiments().all) {
+    text += fill(experiment.name, 28) + experiment.summary + "\n";
+  }
+  print(text);
+}
+
+void list(const PlanWords& words, const std::string& shard, bool json) {
+  if (words.words.empty()) {
+    list_experiments();
+    return;
+  }
+  const Plan plan = words.plan();
+  const std::vector<Cell> cells = shard_of(plan, parse_shard(shard));
+  std::string text;
+  for (const Cell& cell : cells) {
+    if (json) {
+      formats::JsonWriter line(text);
+      line.begin_object().key("key").string(cell.key).key("cost").number(cell.cost);
+      line.key("cell").raw(cell.text).end_object();
+      text += "\n";
+    } else {
+      text += cell.key.substr(0, kShownKey) + "  " + cell.text + "\n";
+    }
+  }
+  if (!json) text += formats::counted(cells.size(), "cell", "cells") + "\n";
+  print(text);
+}
+
+// ---- run ----------------------------------------------------------------------------------------
+
+std::string command_of(const RunOptions& options) {
+  std::string command = "kinex sweep run " + options.plan.command() + " --shard " + options.shard;
+  if (options.jobs != 1) command += " --jobs " + std::to_string(options.jobs);
+  if (options.fresh) command += " --fresh";
+  if (options.retry) command += " --retry";
+  return command + " -o " + options.folder;
+}
+
+struct Work {
+  std::vector<Cell> shard, rest;  // the cells of the shard; those still to be run
+};
+
+Work work_of(const Plan& plan, const Settled& settled, const RunOptions& options) {
+  Work work;
+  work.shard = shard_of(plan, parse_shard(options.shard));
+  for (const Cell& cell : work.shard) {
+    const auto found = settled.find(cell.key);
+    const bool is_finished = found != settled.end() && !options.fresh &&
+                             is_settled(*found->second, plan.limits, options.retry);
+    if (!is_finished) work.rest.push_back(cell);
+  }
+  return work;
+}
+
+// False if it was interrupted.
+bool run_rest(const Plan& plan, const Work& work, const RunOptions& options,
+              std::deque<Record>& records, Settled& settled) {
+  InterruptGuard interrupt;
+  AttemptFile file(options.folder, parse_shard(options.shard),
+                   provenance_of(plan, command_of(options), options.shard));
+  std::vector<double> costs;
+  for (const Cell& cell : work.rest) costs.push_back(static_cast<double>(cell.cost));
+  lab::Progress progress;
+  lab::PiecesDone pieces(std::move(costs));
+  SweepOptions running;
+  running.jobs = options.jobs;
+  running.limits = plan.limits;
+  running.program = kThisProgram;
+  running.go_on = [&] { return !interrupt.interrupted(); };
+  running.on_start = [&](std::size_t place) {
+    progress.show(
+        [&](double seconds) { return pieces.text(place, work.rest[place].text, seconds); });
+  };
+  running.on_end = [&](std::size_t place, const Record& record) {
+    file.append(record);
+    take(settled, records.emplace_back(record));
+    pieces.finished(place);
+    progress.wipe();
+    std::string rest = seconds_text(record.cpu_s) + "  " + record.cell;
+    if (!record.message.empty()) rest += "  " + record.message;
+    print(row(outcome_name(record.outcome), record.key, rest));
+  };
+  return run_cells(work.rest, running);
+}
+
+void run(const RunOptions& options, int& exit_code) {
+  check_range("--jobs", options.jobs, 1, kMostJobs);
+  parse_shard(options.shard);
+  const Plan plan = options.plan.plan();
+  lab::check_limits({plan.limits.seconds, plan.limits.megabytes});
+  std::error_code error;
+  std::filesystem::create_directories(options.folder, error);  // errors are reported below
+  const std::vector<Attempt> attempts = read_attempts({options.folder});
+  refuse_other_program(attempts);
+  Settled settled = settle(attempts);
+  const Work work = work_of(plan, settled, options);
+  const std::size_t finished = work.shard.size() - work.rest.size();
+  if (finished > 0) {
+    std::fprintf(stderr, "kinex: going on: %s finished already; --fresh runs them again\n",
+                 (formats::counted(finished, "cell", "cells") + (finished == 1 ? " is" : " are")).c_str());
+  }
+  std::deque<Record> records;
+  const bool whole = work.rest.empty() || run_rest(plan, work, options, records, settled);
+  const Tally counts = tally(work.shard, settled);
+  std::fprintf(stderr, "kinex: shard %s of %s: %s: %s%s\n", options.shard.c_str(),
+               plan.name.c_str(), formats::counted(work.shard.size(), "cell", "cells").c_str(),
+               counts.text().c_str(),
+               whole ? "" : "; interrupted: the same command resumes");
+  exit_code = whole ? exit_code_of(counts) : std::max(exit_code_of(counts), kExitGaveUp);
+}
+
+// ---- cell ---------------------------------------------------------------------------------------
+
+void cell(const std::string& text, const lab::ProcessLimits& limits, int parent) {
+  lab::limit_this_process(limits, parent);
+  print(report_text(run_any(text, experiments())));
+}
+
+// ---- status, merge ------------------------------------------------------------------------------
+
+std::string trouble_rows(const Settled& settled) {
+  std::string text;
+  std::size_t rows = 0;
+  for (const auto& [key, record] : settled) {
+    if (record->outcome == Outcome::kDone) continue;
+    if (++rows > kMostTroubleRows) continue;
+    text += row(outcome_name(record->outcome), record->key,
+                record->cell + (record->message.empty() ? "" : "  " + record->message));
+  }
+  if (rows > kMostTroubleRows) text += "and " + std::to_string(rows - kMostTroubleRows) + " more\n";
+  return text;
+}
+
+std::string plan_line(const Plan& plan, const Settled& settled) {
+  const Tally counts = tally(plan.cells, settled);
+  std::string line = "plan " + plan.name + " (" + plan.hash.substr(0, kShownKey) +
+                     "): " + formats::counted(counts.cells(), "cell", "cells") + ": " + counts.text();
+  const auto rest = expected_rest(plan.cells, settled);
+  if (counts.missing + counts.of(Outcome::kKilled) > 0 && rest) {
+    line += "; about " + seconds_text(*rest) + " of CPU time left";
+  }
+  return line + "\n";
+}
+
+int exit_code_of(const std::vector<Plan>& plans, const Settled& settled) {
+  int code = kExitFine;
+  for (const Plan& plan : plans) {
+    const int one = exit_code_of(tally(plan.cells, settled));
+    if (code != kExitFailed && one != kExitFine) code = one;
+  }
+  return code;
+}
+
+std::vector<Attempt> attempts_in(const std::vector<std::string>& folders) {
+  std::vector<Attempt> attempts = read_attempts(folders);
+  if (attempts.empty()) {
+    throw formats::InputError(folders.front(), "", "there is no attempt file in it",
+                     "give the folder of a sweep, that of -o");
+  }
+  return attempts;
+}
+
+void status(const std::vector<std::string>& folders, int& exit_code) {
+  const std::vector<Attempt> attempts = attempts_in(folders);
+  const Settled settled = settle(attempts);
+  const std::vector<Plan> plans = plans_of(attempts, experiments());
+  std::string text;
+  for (const Plan& plan : plans) text += plan_line(plan, settled);
+  print(text + trouble_rows(settled));
+  exit_code = exit_code_of(plans, settled);
+}
+
+void merge(const std::vector<std::string>& folders, const std::string& path, bool force,
+           int& exit_code) {
+  const std::vector<Attempt> attempts = attempts_in(folders);
+  if (const auto conflict = find_conflict(attempts)) {
+    std::fprintf(stderr,
+                 "kinex: two attempts at one cell do not agree; nothing is written\n%s:\n%s\n%s:\n"
+                 "%s\n",
+                 conflict->place_a.c_str(), conflict->line_a.c_str(), conflict->place_b.c_str(),
+                 conflict->line_b.c_str());
+    exit_code = kExitFailed;
+    return;
+  }
+  formats::OutputFile file(path, force);
+  file.write(sweep_database(attempts, experiments()));
+  file.commit();
+  const Settled settled = settle(attempts);
+  const std::vector<Plan> plans = plans_of(attempts, experiments());
+  std::string text;
+  for (const Plan& plan : plans) text += plan_line(plan, settled);
+  print(text + path + " is written\n");
+  exit_code = exit_code_of(plans, settled);
+}
+
+// ---- the command line ---------------------------------------------------------------------------
+
+void add_list(CLI::App& sweep) {
+  struct Options {
+    PlanWords plan;
+    std::string shard = "0/1";
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = sweep.add_subcommand(
+      "list", "Prints the cells of a plan, in their order; or the experiments that are plans");
+  options->plan.add_options(*verb);
+  verb->add_option("--shard", options->shard, "Only those of shard I of N, as I/N; I from 0");
+  verb->add_flag("--json", options->json, "Print a JSON object per cell");
+  verb->callback([options] { list(options->plan, options->shard, options->json); });
+}
+
+void add_run(CLI::App& sweep, int& exit_code) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* verb = sweep.add_subcommand("run", "Runs a plan, or a shard of it, into a folder");
+  options->plan.add_options(*verb);
+  verb->add_option("-o,--output", options->folder, "The folder of the sweep")->required();
+  verb->add_option("--shard", options->shard, "Run shard I of N only, as I/N; I from 0");
+  verb->add_option("--jobs", options->jobs, "Cells at a time (1)");
+  verb->add_flag("--fresh", options->fresh,
+                 "Run finished cells again, as another attempt, which must agree with the first");
+  verb->add_flag("--retry", options->retry, "Run again cells that crashed or reached a limit");
+  verb->footer(
+      "Each cell runs in a process of its own. When it ends its record is appended to a file that\n"
+      "belongs to this attempt. After an interruption, a kill -9 or a power cut the same command\n"
+      "goes on: only the cells that were running are lost. Several shards, attempts and machines\n"
+      "can share the folder.\n"
+      "Exit codes: 1 a cell failed, was refused or crashed; 3 interrupted, or cells reached a "
+      "limit.\n"
+      "Example:\n  kinex sweep run plan.json --jobs 4 -o out\n"
+      "  seq 0 63 | parallel kinex sweep run plan.json --shard {}/64 -o out\n"
+      "  kinex sweep run verify delaunay_2 --quick --shard 1/2 -o out");
+  verb->callback([options, &exit_code] { run(*options, exit_code); });
+}
+
+void add_cell(CLI::App& sweep) {
+  struct Options {
+    std::string text;
+    lab::ProcessLimits limits;
+    int parent = 0;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = sweep.add_subcommand("cell", "Runs one cell here and prints its exact fields");
+  verb->add_option("CELL", options->text, "The cell, as list prints it")->required();
+  verb->add_option("--seconds", options->limits.seconds, "Limit of CPU time (none)");
+  verb->add_option("--megabytes", options->limits.megabytes, "Limit of memory (none)");
+  verb->add_option("--parent", options->parent, "End with this process")->group("");
+  verb->footer(
+      "Example:\n  kinex sweep cell '{\"structure\": \"delaunay_2\", \"workload\": "
+      "\"uniform-square\", \"n\": 50}'");
+  verb->callback([options] { cell(options->text, options->limits, options->parent); });
+}
+
+void add_status(CLI::App& sweep, int& exit_code) {
+  auto folders = std::make_shared<std::vector<std::string>>();
+  CLI::App* verb = sweep.add_subcommand(
+      "status", "Prints the cells done, failed and missing, and the expected time left");
+  verb->add_option("FOLDER", *folders, "The folders of the sweep")->required();
+  verb->footer("Exit codes: 0 all cells done; 1 and 3 as for run, 3 also if cells are missing.");
+  verb->callback([folders, &exit_code] { status(*folders, exit_code); });
+}
+
+void add_merge(CLI::App& sweep, int& exit_code) {
+  struct Options {
+    std::vector<std::string> folders;
+    std::string output;
+    bool force = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = sweep.add_subcommand("merge", "Merges all attempts into an SQLite database");
+  verb->add_option("FOLDER", options->folders, "The folders of the sweep")->required();
+  verb->add_option("-o,--output", options->output, "The database to write")->required();
+  verb->add_flag("--force", options->force, "Replace it if it exists");
+  verb->footer(
+      "Attempts at one cell must agree in every exact field; if two do not, both lines are "
+      "printed\n"
+      "and nothing is written. The exact tables (plan, cell, run, counter, extreme, bound,\n"
+      "violation) do not depend on shards, jobs and attempts; provenance and attempt say who ran\n"
+      "what, and how long it took.\n"
+      "Exit codes: 1 a conflict, or cells failed; 3 cells are missing or reached a limit; the\n"
+      "database is written unless there is a conflict.\n"
+      "Example:\n  kinex sweep merge out -o results.sqlite");
+  verb->callback([options, &exit_code] {
+    merge(options->folders, options->output, options->force, exit_code);
+  });
+}
+
+}  // namespace
+
+void add_sweep_verb(CLI::App& app, int& exit_code) {
+  CLI::App* sweep = app.add_subcommand(
+      "sweep", "Plans of many cells, on one machine or many: list, run, status, merge");
+  sweep->require_subcommand(1);
+  sweep->footer(
+      "A plan is an experiment of the program (kinex sweep list names them), or a list of blocks,\n"
+      "each a product of axes; a cell is then one run:\n"
+      "  {\"kinex_plan\": 1, \"name\": \"growth\",\n"
+      "   \"blocks\": [{\"structure\": [\"delaunay_2\"], \"workload\": [\"uniform-square\"],\n"
+      "               \"n\": [100, 200, 400], \"seed\": {\"from\": 1, \"to\": 50}}],\n"
+      "   \"limits\": {\"seconds\": 600, \"megabytes\": 4000}}\n"
+      "Axes, each a value or an array: structure (a name, an object as in a scene, or an array of\n"
+      "these for one run), workload, n, m, degree, dimension, separation, turns, seed (as in "
+      "gen);\n"
+      "arithmetic, scheduling, audit, until, max_events (as in run). Limits of a cell: seconds of\n"
+      "CPU time, megabytes of address space.\n"
+      "Example:\n  kinex sweep run plan.json --jobs 4 -o out\n  kinex sweep status out\n"
+      "  kinex sweep merge out -o results.sqlite\n"
+      "  kinex sweep run verify --quick -o out && kinex verify --quick --from out");
+  add_list(*sweep);
+  add_run(*sweep, exit_code);
+  add_status(*sweep, exit_code);
+  add_merge(*sweep, exit_code);
+  add_cell(*sweep);
+}
+
+}  // namespace kinex::verbs

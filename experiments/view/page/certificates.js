@@ -1,0 +1,102 @@
+// The certificates of the proof that is shown: a list by failure time, the earliest first, of which
+// only the rows in sight are made; and the one that is selected, with its roles.
+class Certificates {
+  constructor(app) {
+    this.app = app;
+    this.box = document.getElementById("certificates");
+    this.rows = document.getElementById("certificate-rows");
+    this.box.addEventListener("scroll", () => this.drawRows());
+    this.box.addEventListener("click", click => {
+      const row = click.target.closest(".row");
+      if (row) app.select(+row.dataset.certificate);
+    });
+    this.known = null;
+    this.listed = null;  // the proof whose certificates `order` has
+    this.order = [];
+  }
+
+  draw() {
+    if (this.box.hidden) return;
+    const { app } = this, { proof } = app;
+    const known = app.state() + "/" + (proof === null ? "" : proof.applied);
+    if (known !== this.known || proof !== this.listed) {
+      this.known = known;
+      this.listed = proof;
+      this.order = proof === null || app.replay.lost ? [] : this.sorted(proof);
+      this.rows.style.height = this.order.length * ROW + "px";
+    }
+    this.drawRows();
+  }
+
+  // Failures at events of the page, failures that the run knew, then the others.
+  sorted(proof) {
+    const time = c => {
+      const k = proof.failsAt(c);
+      return k !== null ? timeOf(proof.run, k) : proof.failureTime(c);
+    };
+    return [...proof.live].map(c => [c, time(c)])
+      .sort((a, b) => (a[1] === b[1] ? a[0] - b[0] : a[1] - b[1])).map(([c]) => c);
+  }
+
+  // In short when it fails: a number of a log record, or a time, or "-".
+  when(c) {
+    const { proof } = this.app, k = proof.failsAt(c), time = proof.failureTime(c);
+    if (k !== null) return "#" + k;
+    return isFinite(time) ? "t \u2248 " + shortNumber(timeNumber(time)) : "\u2013";
+  }
+
+  drawRows() {
+    const { app } = this;
+    if (this.box.hidden || app.proof !== this.listed) return;
+    if (this.order.length === 0) {
+      this.rows.replaceChildren(make("p", "There is no certificate."));
+      return;
+    }
+    const first = Math.max(0, Math.floor(this.box.scrollTop / ROW) - 2);
+    const count = Math.ceil(this.box.clientHeight / ROW) + 4;
+    this.rows.replaceChildren(...this.order.slice(first, first + count).map((c, i) => {
+      const claim = app.proof.certificate(c);
+      const row = make("div", undefined, "row" + (c === app.selected ? " now" : ""));
+      row.dataset.certificate = c;
+      row.setAttribute("role", "option");
+      row.setAttribute("aria-selected", c === app.selected);
+      row.style.top = (first + i) * ROW + "px";
+      const group = app.proof.group(claim.group);
+      row.append(make("span", this.when(c) + "  ", "n"),
+                 make("b", group === null ? "" : groupName(group)), " " + claim.role);
+      row.title = claim.text + ": " + app.proof.failureText(c);
+      return row;
+    }));
+  }
+}
+
+// One certificate: what it claims of which objects in which roles, and when it fails.
+function certificateDetails(proof, c, k) {
+  const claim = proof.certificate(c), group = proof.group(claim.group);
+  const list = make("dl", undefined, "details");
+  const row = (name, ...content) => {
+    const value = make("dd");
+    value.append(...content);
+    list.append(make("dt", name), value);
+  };
+  row("says", sentence(claim.form, claim.ids));
+  const predicate = make("span", claim.name, "kind");
+  predicate.title = claim.text;
+  row("predicate", predicate);
+  claim.form.roles.forEach((role, i) => {
+    const name = make("span", shortName(nameOf(claim.ids[i])));
+    name.title = nameOf(claim.ids[i]);
+    row(role.name, name);
+  });
+  if (group !== null) {
+    row("group", groupName(group) + (group.text ? ": " + group.text : ""));
+    if (claim.role) row("as", claim.role);
+  }
+  if (proof.born[c] > proof.run.before) row("since", "log record " + proof.born[c]);
+  if (proof.died[c] <= k) {
+    row("gone", "since log record " + proof.died[c]);
+  } else {
+    row("fails", proof.failureText(c));
+  }
+  return list;
+}

@@ -1,0 +1,93 @@
+// How the claim of a certificate on points is drawn, by its figure: as segments and circles on the
+// screen. `where(id)` is the place of a point there.
+function shapesOf({ form, ids }, where) {
+  const p = ids.map(where);
+  switch (form.figure) {
+    case "circle":
+      return [circleThrough(p[0], p[1], p[2]), { dot: p[3] }];
+    case "turn":
+      return [{ from: p[0], to: p[1], arrow: true }, { from: p[1], to: p[2], faint: true },
+              { dot: p[2] }];
+    case "directions":
+      return [{ from: p[0], to: p[1], arrow: true }, { from: p[2], to: p[3], arrow: true }];
+    case "order":
+      return [{ from: p[0], to: p[1], arrow: true }];
+    case "lengths":
+      return [{ from: p[0], to: p[1] }, { from: p[2], to: p[3], faint: true }];
+    case "nearer":
+      return [{ from: p[2], to: p[0] }, { from: p[2], to: p[1], faint: true },
+              { centre: p[2], radius: Math.hypot(p[1][0] - p[2][0], p[1][1] - p[2][1]),
+                faint: true }];
+    default:
+      return p.slice(1).map((q, i) => ({ from: p[i], to: q }));
+  }
+}
+
+function circleThrough([ax, ay], [px, py], [qx, qy]) {
+  const bx = px - ax, by = py - ay, cx = qx - ax, cy = qy - ay;
+  const d = 2 * (bx * cy - by * cx);
+  const x = (cy * (bx * bx + by * by) - by * (cx * cx + cy * cy)) / d;
+  const y = (bx * (cx * cx + cy * cy) - cx * (bx * bx + by * by)) / d;
+  return { centre: [ax + x, ay + y], radius: Math.hypot(x, y) };
+}
+
+// A circle larger than this is a line on the screen, and is not drawn.
+const LARGEST_RADIUS = 2e4;
+
+function drawShapes(context, shapes, colour, { width = 1.2, alpha = 1, dash = [] } = {}) {
+  context.strokeStyle = colour;
+  for (const shape of shapes) {
+    context.globalAlpha = alpha * (shape.faint ? 0.6 : 1);
+    context.lineWidth = width;
+    context.setLineDash(shape.faint ? [2, 4] : dash);
+    if (shape.centre) {
+      if (!(shape.radius < LARGEST_RADIUS)) continue;
+      context.beginPath();
+      context.arc(...shape.centre, shape.radius, 0, 2 * Math.PI);
+      context.stroke();
+    } else if (shape.dot) {
+      context.setLineDash([]);
+      context.beginPath();
+      context.arc(...shape.dot, 6.5, 0, 2 * Math.PI);
+      context.stroke();
+    } else {
+      context.beginPath();
+      context.moveTo(...shape.from);
+      context.lineTo(...shape.to);
+      context.stroke();
+      if (shape.arrow) arrowHead(context, shape.from, shape.to);
+    }
+  }
+  context.setLineDash([]);
+  context.globalAlpha = 1;
+}
+
+// In the middle of the segment, where no point hides it.
+function arrowHead(context, [x0, y0], [x1, y1]) {
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  if (!(length > 14)) return;
+  const dx = (x1 - x0) / length, dy = (y1 - y0) / length;
+  const x = (x0 + x1) / 2 + 4 * dx, y = (y0 + y1) / 2 + 4 * dy;
+  context.setLineDash([]);
+  context.beginPath();
+  context.moveTo(x - 7 * dx - 4 * dy, y - 7 * dy + 4 * dx);
+  context.lineTo(x, y);
+  context.lineTo(x - 7 * dx + 4 * dy, y - 7 * dy - 4 * dx);
+  context.stroke();
+}
+
+// The distance of a place on the screen from the nearest of the shapes.
+function distanceToShapes(shapes, x, y) {
+  let best = Infinity;
+  for (const shape of shapes) {
+    if (shape.centre) {
+      if (!(shape.radius < LARGEST_RADIUS)) continue;
+      best = Math.min(best, Math.abs(Math.hypot(x - shape.centre[0], y - shape.centre[1]) -
+                                     shape.radius));
+    } else if (shape.from && !shape.faint) {
+      const [px, py] = nearestOn([shape.from, shape.to], [x, y]);
+      best = Math.min(best, Math.hypot(x - px, y - py));
+    }
+  }
+  return best;
+}

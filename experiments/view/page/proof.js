@@ -1,0 +1,198 @@
+// The proof of one structure in one run, from the record: the live certificates and their groups
+// after every event, applied in both directions. Its names and figures are data of the run: this
+// code knows no structure and no predicate.
+
+// The last of an ascending list that is <= k: its place, or -1.
+function placeUntil(list, k, key = x => x) {
+  let low = 0, high = list.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (key(list[middle]) <= k) low = middle + 1; else high = middle;
+  }
+  return low - 1;
+}
+
+// What a predicate claims of its arguments.
+function formOf(run, predicate) {
+  const [figure, sign, says, direction, roles] = run.forms[predicate];
+  return { figure, sign, says, direction: direction === 0 ? null : direction,
+           roles: roles.map(([name, kind, frame]) => ({ name, kind, frame })) };
+}
+const claimKey = (predicate, ids) => predicate + ":" + ids.join();
+const shortName = name =>
+  (name.length <= 30 ? name : name.slice(0, 12) + "\u2026" + name.slice(-8));
+// The claim as a sentence.
+const sentence = (form, ids) =>
+  form.says.replace(/\{(\d)\}/g, (_, i) => shortName(nameOf(ids[+i])));
+
+class Proof {
+  constructor(run, index) {
+    this.run = run;
+    this.index = index;
+    this.data = run.proofs[index];
+    this.changes = this.data.changes;
+    this.applied = 0;
+    this.live = new Set();        // places in data.certificates
+    this.states = new Map();      // by number of a group: its place in data.groups
+    this.members = new Map();     // by number of a group: its live certificates
+    this.undone = [];             // by applied change: the states that it replaced
+    const count = this.data.certificates.length;
+    this.born = new Int32Array(count);
+    this.died = new Int32Array(count).fill(0x7fffffff);
+    for (const [event, gone, came] of this.changes) {
+      for (const c of gone) this.died[c] = event;
+      for (const c of came) this.born[c] = event;
+    }
+  }
+
+  get isEmpty() { return this.data.groups.length === 0; }
+  // The proof is known after event k.
+  isKnown(k) { return this.data.ends === null || k <= this.data.ends; }
+
+  // To the state after event k.
+  seek(k) {
+    while (this.applied < this.changes.length && this.changes[this.applied][0] <= k) this.forward();
+    while (this.applied > 0 && this.changes[this.applied - 1][0] > k) this.back();
+  }
+  forward() {
+    const [, gone, came, states, ended] = this.changes[this.applied++];
+    const before = [];
+    for (const group of ended) {
+      before.push([group, this.states.get(group)]);
+      this.states.delete(group);
+    }
+    for (const state of states) {
+      const group = this.data.groups[state][0];
+      before.push([group, this.states.get(group)]);
+      this.states.set(group, state);
+    }
+    this.undone[this.applied - 1] = before;
+    for (const c of gone) this.remove(c);
+    for (const c of came) this.add(c);
+  }
+  back() {
+    const [, gone, came] = this.changes[--this.applied];
+    for (const c of came) this.remove(c);
+    for (const c of gone) this.add(c);
+    for (const [group, state] of this.undone[this.applied].reverse()) {
+      if (state === undefined) this.states.delete(group); else this.states.set(group, state);
+    }
+  }
+  add(c) {
+    const group = this.data.certificates[c][0];
+    this.live.add(c);
+    if (!this.members.has(group)) this.members.set(group, new Set());
+    this.members.get(group).add(c);
+  }
+  remove(c) {
+    const group = this.data.certificates[c][0];
+    this.live.delete(c);
+    if (this.members.has(group)) this.members.get(group).delete(c);
+  }
+
+  // A certificate with its parts.
+  certificate(c) {
+    const [group, slot, role, claim, failure] = this.data.certificates[c];
+    const [predicate, ids, features] = this.run.claims[claim];
+    const form = formOf(this.run, predicate), name = this.run.predicates[predicate];
+    return { number: c, group, slot, role: this.data.roles[role], ids, features, form, name, failure,
+             text: name + "(" + listOf(ids) + ")", key: claimKey(predicate, ids) };
+  }
+  // The state of a group, or null if it is not there.
+  group(number) {
+    const state = this.states.get(number);
+    return state === undefined ? null : this.groupState(state);
+  }
+  groupState(state) {
+    const [group, kind, about, text, place, parent, branch, marks] = this.data.groups[state];
+    return { group, kind, about, text, place, parent, branch, marks };
+  }
+  // All groups that are there.
+  *groups() {
+    for (const state of this.states.values()) yield this.groupState(state);
+  }
+  // The live certificates of a group, in their order.
+  certificatesOf(number) {
+    const own = this.members.get(number);
+    if (!own) return [];
+    const slot = c => this.data.certificates[c][1];
+    return [...own].sort((a, b) => slot(a) - slot(b));
+  }
+
+  // What event k changed: [certificates that go, certificates that come], those that only change
+  // their place in a group left out.
+  changeAt(k) {
+    const place = placeUntil(this.changes, k, change => change[0]);
+    if (place < 0 || this.changes[place][0] !== k || k === this.run.before) return [[], []];
+    const [, gone, came] = this.changes[place];
+    const mark = c => {
+      const [group, , role, claim] = this.data.certificates[c];
+      return group + "/" + role + "/" + claim;
+    };
+    const before = new Set(gone.map(mark)), after = new Set(came.map(mark));
+    return [gone.filter(c => !after.has(mark(c))), came.filter(c => !before.has(mark(c)))];
+  }
+
+  // The events of the structure that a failure caused, by claim and in all.
+  get failures() {
+    if (this.failureLists) return this.failureLists;
+    this.failureLists = { all: [], of: new Map() };
+    this.run.u.forEach((_, e) => {
+      const certificate = this.run.certificates[e];
+      if (this.run.s[e] !== this.index || certificate === 0) return;
+      const k = e + this.run.before + 1, key = claimKey(...certificate);
+      this.failureLists.all.push(k);
+      if (!this.failureLists.of.has(key)) this.failureLists.of.set(key, []);
+      this.failureLists.of.get(key).push(k);
+    });
+    return this.failureLists;
+  }
+  // The event at which this certificate fails, or null: it goes before, or the page ends before.
+  failsAt(c) {
+    const [predicate, ids] = this.run.claims[this.data.certificates[c][3]];
+    const list = this.failures.of.get(claimKey(predicate, ids)) || [];
+    const place = placeUntil(list, this.born[c]) + 1;
+    return place < list.length && list[place] <= this.died[c] ? list[place] : null;
+  }
+  // The live certificate that fails next, [certificate, event], or null. Several parts of the page
+  // ask after one event.
+  next(k) {
+    if (this.asked === undefined || this.asked.k !== k || this.asked.applied !== this.applied) {
+      this.asked = { k, applied: this.applied, answer: this.findNext(k) };
+    }
+    return this.asked.answer;
+  }
+  findNext(k) {
+    const { all } = this.failures;
+    const place = placeUntil(all, k) + 1;
+    if (place >= all.length) return null;
+    const key = claimKey(...this.run.certificates[at(this.run, all[place])]);
+    for (const c of this.live) {
+      const [predicate, ids] = this.run.claims[this.data.certificates[c][3]];
+      if (claimKey(predicate, ids) === key) return [c, all[place]];
+    }
+    return null;
+  }
+  // When it fails, as far as the run knew: u, or Infinity.
+  failureTime(c) {
+    const failure = this.data.certificates[c][4];
+    if (failure === -2) return timeOf(this.run, this.born[c]);
+    return Array.isArray(failure) && failure.length === 1 && failure[0] !== null ? failure[0]
+                                                                                 : Infinity;
+  }
+  // The same in words.
+  failureText(c) {
+    const k = this.failsAt(c), failure = this.data.certificates[c][4];
+    if (k !== null) return "at log record " + k + ", t \u2248 " + instantOf(this.run, k)[0];
+    const time = u => (u === null ? "unknown" : shortNumber(timeNumber(u)));
+    const goes = this.died[c] < 0x7fffffff ? "; it goes at log record " + this.died[c] : "";
+    if (failure === 0) return "never, up to the end" + goes;
+    if (failure === -1) return "never: it is identically zero" + goes;
+    if (failure === -2) return "at once" + goes;
+    return (failure.length === 1 ? "t \u2248 " : "not before t \u2248 ") + time(failure[0]) + goes;
+  }
+}
+
+// A group in words.
+const groupName = group => group.kind +
+  (group.about.length > 0 && group.about.length <= 4 ? " " + listOf(group.about) : "");

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Event logs of real runs: written, re-verified, compared, and the summary beside them.
+#include "experiments/formats/event_log.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/json_document.h"
+#include "experiments/formats/log_check.h"
+#include "experiments/formats/log_diff.h"
+#include "experiments/formats/log_rules.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/formats/sha256.h"
+#include "experiments/formats/summary.h"
+#include "experiments/lab/scene_run.h"
+#include "experiments/lab/workload.h"
+#include "structures/plan.h"
+#include "structures/registry.h"
+
+namespace kinex {
+namespace {
+
+struct Finished {
+  std::string log, summary, digest;
+};
+
+Finished run(Scene scene, const std::string& arithmetic,
+             InstantDetail instants = InstantDetail::kName) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() /
+       ("kinex-log-" + std::to_string(::getpid()) + "-" + formats::sha256_hex(scene.name + arithmetic)))
+          .string();
+  SimulatorOptions options;
+  const auto simulator = lab::make_simulator(scene, arithmetic, options);
+  formats::OutputFile file(path, true);
+  formats::EventLog log(*simulator, formats::scene_hash(scene), &file, instants);
+  simulator->set_sink(&log);
+  const formats::RunOutcome outcome = lab::run_scene(*simulator, {Rational(Integer(1), Integer(3))});
+  log.finish(outcome.status);
+  Finished finished;
+  finished.log = formats::read_text_file(path);
+  finished.digest = log.digest();
+  finished.summary = formats::write_summary(*simulator, outcome, formats::scene_hash(scene), log.digest());
+  std::filesystem::remove(path);
+  EXPECT_TRUE(arithmetic != "exact" || outcome.clean(*simulator));
+  return finished;
+}
+
+Scene workload(const char* name, int n, std::uint64_t seed = 5) {
+  lab::WorkloadParameters parameters;
+  parameters.n = n;
+  parameters.seed = seed;
+  return lab::generate_scene(*lab::find_workload(name), parameters);
+}
+
+TEST(EventLog, ExactLogsVerify) {
+  for (const char* name : {"uniform-square", "meet", "rotating-circle", "hull-worst"}) {
+    Scene scene = workload(name, 8);
+    formats::set_maintain(scene, {"sorted_list", "sorted_list:y", "delaunay_2"});
+    const Finished finished = run(scene, "exact");
+    const formats::LogVerdict verdict = formats::check_log(finished.log, "log", &scene, formats::scene_hash(scene));
+    EXPECT_EQ(verdict.problems, std::vector<std::string>{}) << name;
+    EXPECT_GT(verdict.certificates, 0u) << name;
+    EXPECT_EQ(verdict.unchecked, 0u) << name;
+    EXPECT_EQ(verdict.digest, finished.digest);
+    EXPECT_EQ(verdict.status, "done");
+    EXPECT_EQ(verdict.header.scene_hash, formats::scene_hash(scene));
+    EXPECT_GT(verdict.records, 0u) << name;
+  }
+}
+
+TEST(EventLog, SturmWritesTheSameEvents) {
+  for (const char* name : {"uniform-square", "lattice"}) {
+    const Scene scene = workload(name, 10);
+    const Finished exact = run(scene, "exact");
+    const Finished sturm = run(scene, "sturm");
+    const formats::LogDifference difference = formats::diff_logs(exact.log, "exact", sturm.log, "sturm");
+    EXPECT_TRUE(difference.equal()) << name << " " << difference.text_a << "\n"
+                                    << difference.text_b;
+    EXPECT_EQ(exact.digest, sturm.digest);
+  }
+}
+
+// The digest is the same whatever the log says of its instants, and where there is no log.
+TEST(EventLog, OneDigestForEveryDetail) {
+  for (const char* name : {"uniform-square", "lattice", "polygon-fan"}) {
+    const Scene scene = workload(name, 8);
+    const Finished names = run(scene, "exact");
+    const auto simulator = lab::make_simulator(scene, "exact", {});
+    formats::EventLog without(*simulator, "", nullptr);
+    simulator->set_sink(&without);
+    lab::run_scene(*simulator, {Rational(Integer(1), Integer(3))});
+    EXPECT_EQ(without.digest(), names.digest) << name;
+    for (const InstantDetail detail : {InstantDetail::kInterval, InstantDetail::kNone}) {
+      const Finished other = run(scene, "exact", detail);
+      EXPECT_EQ(other.digest, names.digest) << name;
+      EXPECT_LT(other.log.size(), names.log.size());
+      const formats::LogVerdict verdict = formats::check_log(other.log, "log");
+      EXPECT_EQ(verdict.problems, std::vector<std::string>{}) << name;
+      const formats::LogDifference difference = formats::diff_logs(names.log, "names", other.log, "other");
+      EXPECT_TRUE(difference.equal()) << name << difference.text_a << difference.text_b;
+      EXPECT_EQ(difference.instants, detail == InstantDetail::kInterval
+                                         ? formats::InstantsCompared::kIntervals
+                                         : formats::InstantsCompared::kNot);
+    }
+  }
+}
+
+// What the log's rules say of a structure is what the structure says.
+TEST(LogRules, KindsAreThoseOfTheStructures) {
+  for (const StructureInfo& info : structure_infos()) {
+    ASSERT_NE(formats::own_kinds(info.name), nullptr) << info.name;
+    Scene scene = workload(info.bodies ? "polygon-line" : "uniform-square", 6);
+    formats::set_maintain(scene, {std::string(info.name)});
+    const auto simulator = lab::make_simulator(scene, "exact", {});
+    const StructureId id = asked_structure(scene);
+    std::vector<std::string_view> kinds;
+    for (const KindRule& rule : *formats::own_kinds(info.name)) kinds.push_back(rule.kind);
+    EXPECT_EQ(simulator->event_kinds(id), common_event_kinds(std::move(kinds))) << info.name;
+    if (!info.bodies) simulator->start();
+    EXPECT_EQ(simulator->structure(id).attribute().shape, info.shape) << info.name;
+    const Arithmetic& arithmetic = simulator->arithmetic();
+    for (PredicateId p = 0; p < arithmetic.predicates(); ++p) {
+      const Predicate& predicate = arithmetic.predicate(p);
+      EXPECT_EQ(formats::arity_of(predicate.name()), static_cast<std::size_t>(predicate.arity()))
+          << predicate.name();
+    }
+  }
+}
+
+TEST(EventLog, RunsAreDeterministic) {
+  const Scene scene = workload("uniform-square", 12);
+  EXPECT_EQ(run(scene, "exact").log, run(scene, "exact").log);
+}
+
+// A change of any one line is noticed.
+TEST(EventLog, ChangesAreNoticed) {
+  const std::string log = run(workload("uniform-square", 8), "exact").log;
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < log.size();) {
+    const std::size_t end = log.find('\n', at);
+    lines.push_back(log.substr(at, end - at));
+    at = end + 1;
+  }
+  const auto joined = [](const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts) text += part + "\n";
+    return text;
+  };
+  ASSERT_GT(lines.size(), 6u);
+  for (std::size_t i = 1; i + 2 < lines.size(); ++i) {
+    std::vector<std::string> swapped = lines;
+    std::swap(swapped[i], swapped[i + 1]);
+    EXPECT_FALSE(formats::check_log(joined(swapped), "log").problems.empty()) << i;
+    EXPECT_FALSE(formats::diff_logs(log, "a", joined(swapped), "b").equal()) << i;
+    EXPECT_EQ(formats::diff_logs(log, "a", joined(swapped), "b").out_of_order, 1u) << i;
+    std::vector<std::string> shorter = lines;
+    shorter.erase(shorter.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_FALSE(formats::check_log(joined(shorter), "log").problems.empty()) << i;
+    const formats::LogDifference difference = formats::diff_logs(log, "a", joined(shorter), "b");
+    EXPECT_EQ(difference.first, i);
+    EXPECT_EQ(difference.missing, 1u);
+    EXPECT_EQ(difference.invented, 0u);
+    EXPECT_EQ(difference.out_of_order, 0u);
+    EXPECT_EQ(formats::diff_logs(joined(shorter), "a", log, "b").invented, 1u);
+  }
+}
+
+TEST(Summary, HasTheAgreedKeys) {
+  const Scene scene = workload("uniform-square", 8);
+  const Finished finished = run(scene, "exact");
+  const formats::JsonDocument summary_document = formats::parse_json(finished.summary, "summary");
+  const formats::JsonValue& summary = *summary_document;
+  for (const char* key : {"scene", "scene_hash", "arithmetic", "time", "objects", "log_digest",
+                          "structures", "samples", "seconds", "peak_bytes"}) {
+    EXPECT_NE(summary.find(key), nullptr) << key;
+  }
+  EXPECT_EQ(summary.find("arithmetic")->text(), "exact");
+  EXPECT_EQ(summary.find("log_digest")->text(), finished.digest);
+  EXPECT_EQ(summary.find("time")->find("end")->text(), "1");
+  EXPECT_EQ(summary.find("objects")->text(), "8");
+  const formats::JsonValue* delaunay = summary.find("structures")->find("delaunay_2");
+  ASSERT_NE(delaunay, nullptr);
+  for (const char* key : {"processed", "external", "internal", "rebuilds", "simultaneous_groups",
+                          "certificates", "audit", "bounds", "attribute"}) {
+    EXPECT_NE(delaunay->find(key), nullptr) << key;
+  }
+  for (const char* key : {"created", "max_live", "max_per_object"}) {
+    EXPECT_NE(delaunay->find("certificates")->find(key), nullptr) << key;
+  }
+  EXPECT_NE(delaunay->find("audit")->find("violations"), nullptr);
+  EXPECT_EQ(delaunay->find("bounds")->items()[0].find("holds")->boolean(), true);
+  EXPECT_EQ(delaunay->find("attribute")->items()[0].items().size(), 2u);
+  const formats::JsonValue& sample = summary.find("samples")->items()[0];
+  EXPECT_EQ(sample.find("t")->text(), "1/3");
+  EXPECT_NE(sample.find("delaunay_2"), nullptr);
+}
+
+// A log of sorted_list with these records: kind, object, effect and time of each.
+struct Said {
+  std::string kind, id;
+  bool external = true;
+  std::string time = R"({"decimal": "0"})";
+};
+std::string made_log(const std::vector<Said>& records, bool exact = false,
+                     const std::vector<std::string>& labels = {"l"},
+                     const char* instants = "names") {
+  std::string text = R"({"format": "kinex-log", "version": 2, "scene": "s", "scene_hash": ")" +
+                     std::string(64, '0') + R"(", "arithmetic": "a", "exact": )" +
+                     (exact ? "true" : "false") + R"(, "instants": ")" + instants +
+                     R"(", "build": "", "structures": [)";
+  for (const std::string& label : labels) {
+    text += std::string(&label == &labels.front() ? "" : ", ") + R"({"label": ")" + label +
+            R"(", "structure": "sorted_list", "key": "x", "kinds": []})";
+  }
+  text += "], \"objects\": []}\n";
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Said& said = records[i];
+    const std::size_t colon = said.id.find(':');
+    const std::string label = colon == std::string::npos ? "l" : said.id.substr(0, colon);
+    text += "{\"seq\": " + std::to_string(i + 1) + R"(, "structure": ")" + label +
+            R"(", "kind": ")" + said.kind + R"(", "ids": [")" + said.id +
+            R"("], "certificate": null, "external": )" + (said.external ? "true" : "false") +
+            (std::string_view(instants) == "none" ? "" : ", \"time\": " + said.time) + "}\n";
+  }
+  return text;
+}
+std::vector<Said> swaps(const std::vector<std::string>& ids) {
+  std::vector<Said> result;
+  for (const std::string& id : ids) result.push_back({"swap", id});
+  return result;
+}
+
+TEST(LogDiff, CountsByHand) {
+  const formats::LogDifference difference = formats::diff_logs(made_log(swaps({"a", "b", "c", "d", "a"})), "a",
+                                             made_log(swaps({"a", "c", "b", "x", "a", "a"})), "b");
+  EXPECT_EQ(difference.first, 2u);
+  EXPECT_EQ(difference.line_a, 3u);
+  EXPECT_EQ(difference.missing, 1u);       // d
+  EXPECT_EQ(difference.invented, 2u);      // x, the third a
+  EXPECT_EQ(difference.out_of_order, 1u);  // b or c
+}
+
+TEST(LogDiff, EffectsAndRecordsOfChanges) {
+  std::vector<Said> a = swaps({"a", "b"});
+  std::vector<Said> b = a;
+  b[1].external = false;
+  formats::LogDifference difference = formats::diff_logs(made_log(a), "a", made_log(b), "b");
+  EXPECT_EQ(difference.first, 2u);
+  EXPECT_EQ(difference.other_effects, 1u);
+  EXPECT_EQ(difference.missing + difference.invented + difference.out_of_order, 0u);
+  b = a;
+  b.insert(b.begin() + 1, {"motion", "a", false});
+  difference = formats::diff_logs(made_log(a), "a", made_log(b), "b");
+  EXPECT_EQ(difference.first, 0u);
+  EXPECT_EQ(difference.events_b, 2u);
+  EXPECT_EQ(difference.other_records, 1u);
+  EXPECT_FALSE(difference.equal());
+}
+
+// Structures that only one of the runs maintained are left out, and named.
+TEST(LogDiff, OtherStructures) {
+  const std::string both = made_log(swaps({"l:a", "m:a", "l:b"}), false, {"l", "m"});
+  const std::string one = made_log(swaps({"l:a", "l:b"}));
+  const formats::LogDifference difference = formats::diff_logs(both, "both", one, "one");
+  EXPECT_TRUE(difference.equal());
+  EXPECT_EQ(difference.events_a, 2u);
+  EXPECT_EQ(difference.only_a, std::vector<std::string>{"m"});
+  EXPECT_TRUE(difference.only_b.empty());
+  EXPECT_THROW(formats::diff_logs(made_log({}, false, {"m"}), "a", one, "b"), formats::InputError);
+}
+
+// The same events at other times: a difference between exact logs, where instants are numbers,
+// whatever their names.
+TEST(LogDiff, InstantsCountInExactLogs) {
+  const auto log = [](const std::string& time, bool exact = true, const char* instants = "names") {
+    return made_log({{"swap", "a", true, time}}, exact, {"l"}, instants);
+  };
+  const std::string one =
+      R"({"polynomial": ["-2", "0", "1"], "root": 2, "interval": ["1", "2"], "decimal": "1.41421356237"})";
+  const std::string narrow =
+      R"({"polynomial": ["-2", "0", "1"], "root": 2, "interval": ["1", "3/2"], "decimal": "1.41421356237"})";
+  const std::string renamed =
+      R"({"polynomial": ["6", "0", "-5", "0", "1"], "root": 3, "interval": ["1", "3/2"], "decimal": "1.41421356237"})";
+  const std::string near =
+      R"({"polynomial": ["-3", "0", "1"], "root": 2, "interval": ["1", "2"], "decimal": "1.73205080756"})";
+  const std::string other =
+      R"({"polynomial": ["-2", "0", "1"], "root": 1, "interval": ["-2", "-1"], "decimal": "-1.41421356237"})";
+  EXPECT_TRUE(formats::diff_logs(log(one), "a", log(narrow), "b").equal());
+  EXPECT_TRUE(formats::diff_logs(log(one), "a", log(renamed), "b").equal());
+  for (const std::string& time : {other, near}) {
+    const formats::LogDifference difference = formats::diff_logs(log(one), "a", log(time), "b");
+    EXPECT_EQ(difference.first, 1u);
+    EXPECT_EQ(difference.other_instants, 1u);
+    EXPECT_EQ(difference.missing + difference.invented + difference.out_of_order, 0u);
+  }
+  const std::string inexact = R"({"decimal": "1"})";
+  EXPECT_TRUE(formats::diff_logs(log(one), "a", log(inexact, false), "b").equal());
+  // A log without names: as far as its intervals tell.
+  const std::string holds = R"({"interval": ["5/4", "3/2"], "decimal": "1.41421356237"})";
+  const std::string misses = R"({"interval": ["3/2", "2"], "decimal": "1.50000000000"})";
+  EXPECT_TRUE(formats::diff_logs(log(one), "a", log(holds, true, "intervals"), "b").equal());
+  EXPECT_FALSE(formats::diff_logs(log(one), "a", log(misses, true, "intervals"), "b").equal());
+  const std::string apart = R"({"interval": ["2", "3"], "decimal": "2.00000000000"})";
+  EXPECT_FALSE(
+      formats::diff_logs(log(holds, true, "intervals"), "a", log(apart, true, "intervals"), "b").equal());
+  EXPECT_EQ(formats::diff_logs(log(one), "a", log("", true, "none"), "b").instants, formats::InstantsCompared::kNot);
+}
+
+}  // namespace
+}  // namespace kinex

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The second program of `kinex reproduce`: what it finds fine, refuses or does not check, and what
+// becomes of the claims.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/json_document.h"
+#include "experiments/formats/json_writer.h"
+#include "experiments/lab/claim_check.h"
+#include "experiments/lab/temporary_folder.h"
+
+namespace kinex {
+namespace {
+
+namespace fs = std::filesystem;
+using Outcome = lab::CheckedBy::Outcome;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+const auto kGoOn = [] { return true; };
+
+// Beside the built program.
+std::string real_program() { return fs::path(KINEX_PROGRAM).parent_path() / "kinex-logcheck"; }
+
+lab::RunKey run_of(const std::string& structure, const std::string& workload) {
+  lab::RunKey key;
+  key.structure = structure;
+  key.workload = workload;
+  return lab::small_run(key);
+}
+
+class ASecondProgram : public ::testing::Test {
+ protected:
+  // A program that is a shell script.
+  std::string stub(const std::string& text) {
+    const std::string path = folder_.path() / ("stub-" + std::to_string(++stubs_));
+    std::ofstream(path) << "#!/bin/sh\n" << text << "\n";
+    fs::permissions(path, fs::perms::owner_all);
+    return path;
+  }
+  lab::CheckedBy check(const std::string& program) {
+    return lab::SecondProgram(program, kGoOn, nullptr).check(run_of("sorted_list", "uniform-square"));
+  }
+  std::string file(const std::string& name) { return folder_.path() / name; }
+
+ private:
+  lab::TemporaryFolder folder_;
+  int stubs_ = 0;
+};
+
+TEST_F(ASecondProgram, ChecksEveryLevelOfPoints) {
+  for (const char* structure :
+       {"sorted_list", "maximum_tournament", "convex_hull_2", "convex_hull_2_brute_force",
+        "convex_hull_2_delaunay", "delaunay_2"}) {
+    lab::RunKey run = run_of(structure, "uniform-square");
+    const lab::CheckedBy checked = lab::SecondProgram(real_program(), kGoOn, nullptr).check(run);
+    EXPECT_EQ(checked.outcome, Outcome::kFine) << checked.text();
+    EXPECT_THAT(checked.levels, ElementsAre(0, 1, 2, 3, 4, 5)) << checked.text();
+    EXPECT_EQ(checked.left_out, "");
+  }
+}
+
+TEST_F(ASecondProgram, SaysWhatOfBodiesIsNotReplayed) {
+  const lab::CheckedBy checked = lab::SecondProgram(real_program(), kGoOn, nullptr)
+                                .check(run_of("separation_mixed", "polygon-orbit"));
+  EXPECT_EQ(checked.outcome, Outcome::kFine) << checked.text();
+  EXPECT_THAT(checked.levels, ElementsAre(0, 1, 5));
+  EXPECT_EQ(checked.left_out,
+            "levels 2, 3, 4: not for rigid bodies; not followed: internal events");
+}
+
+TEST_F(ASecondProgram, MayRefuseTheLog) {
+  const lab::CheckedBy plain = check(stub("echo 'log.jsonl:3: it is wrong' >&2\nexit 1"));
+  EXPECT_EQ(plain.outcome, Outcome::kRefused);
+  EXPECT_THAT(plain.verdict(), HasSubstr("refused: log.jsonl:3: it is wrong"));
+  const lab::CheckedBy report = check(
+      stub("echo '{\"message\": \"a swap is missing\", \"line\": 7, \"levels\": []}'\nexit 1"));
+  EXPECT_EQ(report.outcome, Outcome::kRefused);
+  EXPECT_EQ(report.verdict(), "refused: line 7: a swap is missing");
+}
+
+// A log that the real one is given with one thing changed.
+TEST_F(ASecondProgram, RefusesAWrongLog) {
+  const std::string spoiling = stub("sed -i '2s/\"external\": true/\"external\": false/' \"$1\"\n" +
+                                    ("exec " + real_program()) + " \"$@\"");
+  const lab::CheckedBy checked = check(spoiling);
+  EXPECT_EQ(checked.outcome, Outcome::kRefused) << checked.text();
+}
+
+TEST_F(ASecondProgram, MayNotBeThere) {
+  EXPECT_EQ(check(file("none")).verdict(), "not checked: " + file("none") + " was not found");
+  ::setenv("PYTHON", "no-such-python", 1);
+  const lab::CheckedBy checked = check(real_program());
+  ::unsetenv("PYTHON");
+  EXPECT_EQ(checked.verdict(), "not checked: python3 was not found");
+  EXPECT_EQ(check(stub("kill -9 $$")).verdict().substr(0, 12), "not checked:");
+  EXPECT_EQ(check(stub("exit 3")).outcome, Outcome::kNotChecked);
+  EXPECT_EQ(check(stub("exit 0")).outcome, Outcome::kNotChecked);  // nothing is said to be done
+}
+
+TEST_F(ASecondProgram, IsStoppedAtOnce) {
+  const auto began = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  const lab::SecondProgram slow(
+      stub("sleep 100"), [&] { return seconds() < 0.2; }, nullptr);
+  EXPECT_EQ(slow.check(run_of("sorted_list", "uniform-square")).verdict(),
+            "not checked: interrupted");
+  EXPECT_LT(seconds(), 1);
+}
+
+lab::PaperClaim claim_of(const std::string& structure) {
+  lab::PaperClaim claim;
+  claim.id = structure;
+  claim.observed = "so much";
+  claim.verdict = lab::Verdict::kConfirmed;
+  if (structure.empty()) {
+    claim.no_small_run = "nothing moves";
+  } else {
+    claim.small_run = run_of(structure, "uniform-square");
+  }
+  return claim;
+}
+
+TEST_F(ASecondProgram, ConfirmsNoClaimWhoseLogItRefuses) {
+  std::vector<lab::PaperClaim> claims{claim_of("sorted_list"), claim_of("sorted_list"), claim_of(""),
+                                 claim_of("maximum_tournament")};
+  claims[3].verdict = lab::Verdict::kRefuted;
+  lab::RecordStore store(file("runs.jsonl"), "commit", false);
+  int runs = 0;
+  const auto count = [&](const lab::RunKey&) { ++runs; };
+  const lab::SecondProgram program(stub("exit 1"), kGoOn, nullptr);
+  EXPECT_THAT(lab::check_claims(claims, program, store, count), SizeIs(2));
+  EXPECT_EQ(runs, 2);
+  EXPECT_EQ(claims[0].verdict, lab::Verdict::kOpen);
+  EXPECT_EQ(claims[1].verdict, lab::Verdict::kOpen);
+  EXPECT_THAT(claims[1].checked_by.verdict(), HasSubstr("refused"));
+  EXPECT_THAT(claims[1].observed, HasSubstr("refuses"));
+  EXPECT_EQ(claims[2].verdict, lab::Verdict::kConfirmed);
+  EXPECT_EQ(claims[2].checked_by.verdict(), "not checked: nothing moves");
+  EXPECT_EQ(claims[3].verdict, lab::Verdict::kRefuted);
+  lab::check_claims(claims, program, store, count);
+  EXPECT_EQ(runs, 4);  // a refusal is not taken from the store
+}
+
+TEST_F(ASecondProgram, ChecksNothingTwice) {
+  const std::string fine =
+      stub("echo '{\"levels\": [{\"level\": 0, \"done\": true, \"detail\": \"all\"}]}'");
+  const lab::SecondProgram program(fine, kGoOn, nullptr);
+  int runs = 0;
+  const auto count = [&](const lab::RunKey&) { ++runs; };
+  std::string first;
+  for (int i = 0; i < 2; ++i) {
+    lab::RecordStore store(file("runs.jsonl"), "commit", false);
+    std::vector<lab::PaperClaim> claims{claim_of("sorted_list")};
+    EXPECT_THAT(lab::check_claims(claims, program, store, count), IsEmpty());
+    EXPECT_EQ(claims[0].verdict, lab::Verdict::kConfirmed);
+    if (i == 0) first = claims[0].checked_by.text();
+    EXPECT_EQ(claims[0].checked_by.text(), first);
+  }
+  EXPECT_EQ(runs, 1);
+  lab::RecordStore store(file("runs.jsonl"), "commit", false);
+  EXPECT_FALSE(store.find_check(run_of("sorted_list", "uniform-square"), "another"));
+}
+
+TEST(CheckedByJson, HasWhatWasRunAndSaid) {
+  lab::CheckedBy checked;
+  checked.program = "kinex-logcheck";
+  checked.run = run_of("delaunay_2", "uniform-square");
+  checked.levels = {0, 1, 5};
+  checked.left_out = "levels 2-4";
+  checked.outcome = Outcome::kFine;
+  std::string text;
+  formats::JsonWriter json(text);
+  lab::write_checked_by(json, checked);
+  const formats::JsonDocument document = formats::parse_json(text, "json");
+  const formats::JsonValue& value = *document;
+  EXPECT_EQ(value.find("program")->text(), "kinex-logcheck");
+  EXPECT_THAT(value.find("levels")->items(), SizeIs(3));
+  EXPECT_EQ(value.find("structure")->text(), "delaunay_2");
+  EXPECT_EQ(value.find("workload")->text(), "uniform-square");
+  EXPECT_EQ(value.find("n")->text(), std::to_string(checked.run.n));
+  EXPECT_EQ(value.find("seed")->text(), "2");
+  EXPECT_EQ(value.find("verdict")->text(), "nothing wrong");
+  const lab::StoredCheck again = lab::parse_checked_by(lab::checked_by_line(checked), "file", 1);
+  EXPECT_EQ(again.key, lab::checked_by_key(checked.run, checked.program));
+  EXPECT_EQ(again.checked.levels, checked.levels);
+  EXPECT_EQ(again.checked.left_out, checked.left_out);
+}
+
+}  // namespace
+}  // namespace kinex

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/lab/workload.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/numbers/polynomial.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/scene_run.h"
+#include "tests/experiments/expect_input_error.h"
+
+namespace kinex {
+namespace {
+
+Scene generate(std::string_view name, int n, std::uint64_t seed = 1, int degree = 1,
+               int dimension = 0, int m = 0) {
+  lab::WorkloadParameters parameters;
+  parameters.n = n;
+  parameters.m = m;
+  parameters.seed = seed;
+  parameters.degree = degree;
+  parameters.dimension = dimension;
+  return lab::generate_scene(*lab::find_workload(name), parameters);
+}
+
+// The scenes' names and what they maintain are left out: they may change, the motions must not.
+std::string motion_hash(Scene scene) {
+  scene.name.clear();
+  scene.maintain.clear();
+  return formats::scene_hash(scene);
+}
+
+// Same bytes on every machine and compiler. A change here makes published counts irreproducible.
+TEST(Workload, GoldenHashes) {
+  const std::map<std::string, std::string> golden{
+#include "tests/experiments/lab/workload_hashes.inc"
+  };
+  EXPECT_EQ(golden.size(), lab::workloads().size() + 8);
+  for (const lab::Workload& workload : lab::workloads()) {
+    const std::string name(workload.name);
+    EXPECT_EQ(motion_hash(generate(name, 16)), golden.at(name)) << name;
+  }
+  EXPECT_EQ(motion_hash(generate("uniform-square", 16, 2)), golden.at("uniform-square seed 2"));
+  EXPECT_EQ(motion_hash(generate("uniform-square", 16, 1, 3)),
+            golden.at("uniform-square degree 3"));
+  EXPECT_EQ(motion_hash(generate("gaussian", 16, 1, 1, 3)), golden.at("gaussian dimension 3"));
+  EXPECT_EQ(motion_hash(generate("sort-worst", 16, 1, 2)), golden.at("sort-worst degree 2"));
+  EXPECT_EQ(motion_hash(generate("hull-worst", 4, 1, 1, 0, 7)), golden.at("hull-worst 4 7"));
+  EXPECT_EQ(motion_hash(generate("polygon-random", 16, 1, 3)),
+            golden.at("polygon-random degree 3"));
+  lab::WorkloadParameters parameters;
+  parameters.n = 16;
+  parameters.turns = 3;
+  EXPECT_EQ(motion_hash(lab::generate_scene(*lab::find_workload("polygon-spin-orbit"), parameters)),
+            golden.at("polygon-spin-orbit turns 3"));
+  parameters = {};
+  parameters.n = 4;
+  parameters.m = 7;
+  parameters.separation = Rational(Integer(1), Integer(100));
+  EXPECT_EQ(motion_hash(lab::generate_scene(*lab::find_workload("polygon-fan"), parameters)),
+            golden.at("polygon-fan 4 7 1/100"));
+}
+
+TEST(Workload, EveryFamilyIsAValidScene) {
+  for (const lab::Workload& workload : lab::workloads()) {
+    for (int dimension = workload.min_dimension; dimension <= workload.max_dimension; ++dimension) {
+      Scene scene = generate(workload.name, 8, 3, 1, dimension);
+      EXPECT_EQ(scene.has_bodies(), workload.bodies);
+      if (!workload.bodies) {
+        const bool two_kinds = workload.name == "hull-worst" || workload.name == "pass-over-row";
+        EXPECT_EQ(scene.objects.size(), two_kinds ? 16u : 8u) << workload.name;
+        EXPECT_FALSE(scene.maintain.empty());
+      }
+      scene.maintain.clear();
+      const std::string text = formats::write_scene(scene);
+      EXPECT_EQ(formats::write_scene(formats::parse_scene(text, "again")), text) << workload.name;
+    }
+  }
+}
+
+// As many changes as asked for, at instants of their own; who is there at which time.
+TEST(Workload, ChangesAreWhatTheFamiliesSay) {
+  const Scene plans = generate("new-plans", 5, 1, 1, 0, 40);
+  std::size_t changes = 0;
+  for (const SceneObject& object : plans.objects) {
+    changes += object.motion.pieces.size() - 1;
+    for (std::size_t k = 1; k < object.motion.pieces.size(); ++k) {
+      const MotionPiece& piece = object.motion.pieces[k];
+      EXPECT_TRUE(object.motion.pieces[k - 1].trajectory.meets(piece.trajectory, *piece.from));
+      EXPECT_FALSE(object.motion.pieces[k - 1].trajectory == piece.trajectory);
+    }
+  }
+  EXPECT_EQ(changes, 40u);
+  const Scene walks = generate("walks", 3, 1, 1, 0, 7);
+  EXPECT_EQ(*walks.end, Rational(Integer(7), Integer(10)));
+  for (const SceneObject& object : walks.objects) {
+    ASSERT_EQ(object.motion.pieces.size(), 7u);
+    for (std::size_t k = 1; k < 7; ++k) {
+      const MotionPiece& piece = object.motion.pieces[k];
+      EXPECT_EQ(*piece.from, Rational(Integer(static_cast<int>(k)), Integer(10)));
+      EXPECT_TRUE(object.motion.pieces[k - 1].trajectory.meets(piece.trajectory, *piece.from));
+    }
+  }
+  const Scene guests = generate("come-and-go", 8);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const MotionPiece& piece = guests.objects[i].motion.pieces.front();
+    EXPECT_EQ(piece.from.has_value(), i % 2 == 1) << i;
+    EXPECT_EQ(piece.to.has_value(), i % 4 >= 2) << i;
+  }
+}
+
+TEST(Workload, HigherDegreeKeepsOriginAndDestination) {
+  const Scene straight = generate("uniform-square", 1, 9);
+  const Scene bent = generate("uniform-square", 1, 9, 4);
+  const Trajectory& a = straight.objects[0].motion.pieces[0].trajectory;
+  const Trajectory& b = bent.objects[0].motion.pieces[0].trajectory;
+  EXPECT_EQ(b.degree(), 4);
+  for (int axis = 0; axis < 2; ++axis) {
+    EXPECT_EQ(a.position(axis, Rational(0)), b.position(axis, Rational(0)));
+    EXPECT_EQ(a.position(axis, Rational(1)), b.position(axis, Rational(1)));
+  }
+}
+
+std::uint64_t processed(Scene scene, const char* structure) {
+  formats::set_maintain(scene, {structure});
+  const auto simulator = lab::make_simulator(scene, "exact", {});
+  const formats::RunOutcome outcome = lab::run_scene(*simulator, {});
+  EXPECT_TRUE(outcome.clean(*simulator)) << scene.name;
+  return simulator->ledger(0).processed;
+}
+
+// Exact maxima of the families, known without kinex.
+TEST(Workload, WorstCasesReachTheirCounts) {
+  EXPECT_EQ(processed(generate("sort-worst", 12), "sorted_list"), 66u);
+  EXPECT_EQ(processed(generate("sort-worst", 5, 1, 2), "sorted_list"), 20u);
+  EXPECT_EQ(processed(generate("sort-worst", 6, 1, 3), "sorted_list"), 45u);
+  EXPECT_EQ(processed(generate("tournament-worst", 4), "maximum_tournament"), 5u);
+  EXPECT_EQ(processed(generate("tournament-worst", 16), "maximum_tournament"), 49u);
+  EXPECT_EQ(processed(generate("tournament-worst", 64), "maximum_tournament"), 321u);
+  EXPECT_EQ(processed(generate("heap-worst", 7), "maximum_heap"), 10u);
+  EXPECT_EQ(processed(generate("heap-worst", 31), "maximum_heap"), 98u);
+  EXPECT_EQ(processed(generate("heap-worst", 100), "maximum_heap"), 480u);
+  // Interior and hull events of the Delaunay triangulation: 15 + 17, 38 + 31, 68 + 49.
+  EXPECT_EQ(processed(generate("hull-worst", 3), "delaunay_2"), 32u);
+  EXPECT_EQ(processed(generate("hull-worst", 4), "delaunay_2"), 69u);
+  EXPECT_EQ(processed(generate("hull-worst", 5), "delaunay_2"), 117u);
+}
+
+Rational squared_radius(const Trajectory& trajectory, const Rational& t) {
+  const Rational x = trajectory.position(0, t);
+  const Rational y = trajectory.position(1, t);
+  return x * x + y * y;
+}
+
+TEST(Workload, DegenerateFamiliesAreDegenerate) {
+  const Rational half(Integer(1), Integer(2));
+  const auto at = [](const Scene& scene, std::size_t i, int axis, const Rational& t) {
+    return scene.objects[i].motion.pieces[0].trajectory.position(axis, t);
+  };
+  const Scene meet = generate("meet", 8);
+  const Scene through = generate("through-one-point", 8);
+  const Scene near = generate("near-one-point", 8);
+  const Scene line = generate("collinear-instant", 8);
+  const Scene lattice = generate("lattice", 9);
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (int axis = 0; axis < 2; ++axis) {
+      EXPECT_EQ(at(meet, i, axis, half), at(meet, i ^ 1, axis, half));
+      EXPECT_EQ(at(through, i, axis, half), half);
+      const Rational miss = at(near, i, axis, half) - half;
+      const Rational most(Integer(1), Integer::power_of_two(60));
+      EXPECT_TRUE(-most <= miss && miss <= most && miss != Rational(0));
+      EXPECT_TRUE(at(lattice, i, axis, Rational(1)).is_integer());
+    }
+    EXPECT_EQ(at(line, i, 0, half), Rational(2) * at(line, i, 1, half));
+  }
+  const Rational t(Integer(3), Integer(7));
+  const Rational scale = Rational(1) + t * t;
+  for (const SceneObject& object : generate("rotating-circle", 11).objects) {
+    EXPECT_EQ(squared_radius(object.motion.pieces[0].trajectory, t), scale * scale);
+  }
+  for (const SceneObject& object : generate("expanding-circle", 11).objects) {
+    EXPECT_EQ(squared_radius(object.motion.pieces[0].trajectory, Rational(1)), Rational(4));
+  }
+  int inner = 0;
+  for (const SceneObject& object : generate("counter-rotating-rings", 11).objects) {
+    const Rational square = squared_radius(object.motion.pieces[0].trajectory, t);
+    if (square == scale * scale) continue;
+    EXPECT_EQ(square * Rational(4), scale * scale);
+    ++inner;
+  }
+  EXPECT_EQ(inner, 5);
+}
+
+TEST(Workload, ParametersAreChecked) {
+  EXPECT_INPUT_ERROR(generate("tournament-worst", 6),
+                     "tournament-worst: --n: \"6\" is not a power");
+  EXPECT_INPUT_ERROR(generate("grid", 0), "grid: --n: 0 objects");
+  EXPECT_INPUT_ERROR(generate("grid", 4, 1, 2), "--degree");
+  EXPECT_INPUT_ERROR(generate("grid", 4, 1, 1, 4), "--dimension");
+  EXPECT_INPUT_ERROR(generate("uniform-square", 4, 1, 21), "--degree");
+  EXPECT_INPUT_ERROR(generate("grid", 4, 1, 1, 0, 3), "--m");
+}
+
+}  // namespace
+}  // namespace kinex

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `kinex verify` writes: figures, the database, the page and the table.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+
+#include "experiments/verify/database.h"
+#include "experiments/verify/page.h"
+#include "experiments/verify/plots.h"
+#include "experiments/verify/report_text.h"
+#include "tests/experiments/verify/cells.h"
+#include "tests/experiments/verify/folder.h"
+
+namespace kinex {
+namespace {
+
+using test::constructed_family;
+using test::Folder;
+using test::run;
+using test::small_catalogue;
+using test::sorting_cell;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(Report, SaysHowManyScenesWouldDo) {
+  verify::VerifyResult result;
+  lab::CellResult cell;
+  cell.checks = {{"a", "mean", "processed", "1", "2", "", lab::Verdict::kOpen, {}, 12},
+                 {"b", "mean", "processed", "1", "2", "", lab::Verdict::kOpen, {}, 40},
+                 {"c", "exact", "processed", "1", "1", "", lab::Verdict::kConfirmed, {}, 0}};
+  result.cells = {cell};
+  EXPECT_THAT(verify::closing_line(result), HasSubstr("for 2 checks: --seeds 40 would do"));
+  result.cells.front().checks.resize(1);
+  EXPECT_THAT(verify::closing_line(result), HasSubstr("for 1 check: --seeds 12 would do"));
+  result.cells.clear();
+  EXPECT_THAT(verify::closing_line(result), Not(HasSubstr("--seeds")));
+}
+
+// A curve of hard bounds is that of one family, through the bounds of its own runs.
+TEST(Figures, BoundsAreNotJoinedAcrossFamilies) {
+  verify::VerifyResult result;
+  for (const char* family : {"tight", "loose"}) {
+    for (const int n : {10, 20, 40, 80}) {
+      lab::CellResult cell;
+      cell.cell.structure = "sorted_list";
+      cell.cell.family = family;
+      lab::Trial trial;
+      trial.measurement.objects = static_cast<std::size_t>(n);
+      trial.measurement.costs.processed = static_cast<std::uint64_t>(n);
+      const int bound = family[0] == 't' ? n + 1 : 1000 * n;
+      trial.measurement.bounds = {{"sorted_list.swaps", "", Integer(bound), Integer(n), true}};
+      cell.trials = {trial};
+      result.cells.push_back(cell);
+    }
+  }
+  // Other sizes of the loose family lie between those of the tight one.
+  for (std::size_t i = 4; i < 8; ++i) result.cells[i].trials[0].measurement.objects += 3;
+  const std::vector<lab::Figure> figures = verify::verify_figures(result);
+  ASSERT_EQ(figures.size(), 1u);
+  const std::string& script = figures[0].script;
+  const auto block = [&](const std::string& name) {
+    const std::size_t begin = script.find("$" + name + " << EOD\n");
+    EXPECT_NE(begin, script.npos) << name;
+    return script.substr(begin, script.find("EOD\n", begin + name.size() + 9) - begin);
+  };
+  EXPECT_THAT(block("bound0"), HasSubstr("\n10 11 "));
+  EXPECT_THAT(block("bound0"), Not(HasSubstr("000 ")));
+  EXPECT_THAT(block("bound1"), HasSubstr("\n13 10000 "));
+  EXPECT_THAT(block("bound1"), Not(HasSubstr("\n10 ")));
+  // A size without a bound: no curve is drawn through it.
+  result.cells[1].trials[0].measurement.bounds.clear();
+  EXPECT_THAT(verify::verify_figures(result)[0].script, Not(HasSubstr("$bound0")));
+}
+
+TEST(Figures, ChiSquareIsSaidOnlyOfCountsWithErrors) {
+  lab::GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 1.5, 0.03, ""};
+  verify::VerifyResult result;
+  result.cells = constructed_family(1.5);
+  result.growths = {lab::judge_growth(claim, result.cells)};
+  const auto caption = [&] { return verify::verify_figures(result).back().caption; };
+  EXPECT_THAT(caption(), HasSubstr("chi^2"));
+  EXPECT_THAT(verify::json_row(result.growths[0]), Not(HasSubstr("\"chi_square\": null")));
+  for (lab::CellResult& cell : result.cells) cell.trials.resize(1);
+  result.growths = {lab::judge_growth(claim, result.cells)};
+  EXPECT_THAT(caption(), Not(HasSubstr("chi^2")));
+  EXPECT_THAT(verify::json_row(result.growths[0]), HasSubstr("\"chi_square\": null"));
+}
+
+verify::VerifyResult small_result() { return verify::run_catalogue(small_catalogue(), {}); }
+
+struct CloseHandle {
+  void operator()(sqlite3* handle) const { sqlite3_close(handle); }
+};
+
+// The first column of every row, joined by spaces.
+std::string query(sqlite3* handle, const std::string& sql) {
+  std::string text;
+  char* message = nullptr;
+  const auto add = [](void* out, int, char** values, char**) {
+    std::string& joined = *static_cast<std::string*>(out);
+    joined += (joined.empty() ? "" : " ") + std::string(values[0] == nullptr ? "NULL" : values[0]);
+    return 0;
+  };
+  if (sqlite3_exec(handle, sql.c_str(), add, &text, &message) != SQLITE_OK) {
+    text = std::string("error: ") + message;
+    sqlite3_free(message);
+  }
+  return text;
+}
+
+TEST(VerifyDatabase, IsReadableStrictAndComplete) {
+  const Folder folder;
+  const std::string path = folder.name() + "/verify.sqlite";
+  const verify::VerifyResult result = small_result();
+  std::ofstream(path, std::ios::binary) << verify::verify_database(result, lab::build_facts(), lab::machine_facts());
+  sqlite3* opened = nullptr;
+  ASSERT_EQ(sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READONLY, nullptr), SQLITE_OK);
+  const std::unique_ptr<sqlite3, CloseHandle> handle(opened);
+  EXPECT_EQ(query(opened, "PRAGMA integrity_check"), "ok");
+  EXPECT_EQ(query(opened, "PRAGMA foreign_key_check"), "");
+  EXPECT_EQ(query(opened, "SELECT count(*) FROM sqlite_schema WHERE type = 'table'"), "10");
+  EXPECT_EQ(query(opened,
+                  "SELECT count(*) FROM pragma_table_list WHERE schema = 'main' AND "
+                  "strict = 0 AND name NOT LIKE 'sqlite%'"),
+            "0");
+  EXPECT_EQ(query(opened, "SELECT count(*) FROM build, machine"), "1");
+  EXPECT_EQ(query(opened, "SELECT count(*) FROM cell"), "4");
+  EXPECT_EQ(query(opened, "SELECT count(*) FROM run WHERE number_mode = 'exact'"), "10");
+  EXPECT_EQ(query(opened, "SELECT count(*) FROM run WHERE number_mode = 'double'"), "4");
+  EXPECT_EQ(query(opened,
+                  "SELECT value FROM counter JOIN run ON run.id = run_id JOIN cell ON cell.id = "
+                  "cell_id WHERE name = 'processed' AND workload = 'sort-worst' AND number_mode = "
+                  "'exact'"),
+            "28");
+  EXPECT_EQ(query(opened,
+                  "SELECT expected || '=' || observed || verdict FROM claim_result WHERE claim_id "
+                  "= 'test.claim' AND kind = 'exact'"),
+            "28=28PASS");
+  EXPECT_EQ(query(opened, "SELECT count(*) FROM growth WHERE exponent IS NOT NULL"), "1");
+}
+
+TEST(VerifyPage, HoldsTablesPlotsAndNothingFromOutside) {
+  const verify::VerifyResult result = small_result();
+  const std::vector<lab::Figure> figures = verify::verify_figures(result);
+  ASSERT_EQ(figures.size(), 2u);  // counts, and residuals of the fit
+  lab::PageFacts facts;
+  facts.command = "kinex verify <test>";
+  facts.build = lab::build_facts();
+  facts.machine = lab::machine_facts();
+  const lab::Drawings drawings = lab::draw(figures);
+  ASSERT_EQ(drawings.problem, "");
+  for (const std::string& svg : drawings.svg) EXPECT_THAT(svg, HasSubstr("<svg"));
+  const std::string page = verify::verify_page(result, figures, drawings, facts);
+  EXPECT_THAT(page, HasSubstr("data:image/svg+xml;base64,"));
+  EXPECT_THAT(page, HasSubstr("kinex verify &lt;test&gt;"));
+  EXPECT_THAT(page, HasSubstr("sorted_list: events over n"));
+  EXPECT_THAT(page, HasSubstr("sorted_list.swaps"));
+  EXPECT_THAT(page, Not(HasSubstr("What did not pass")));
+  EXPECT_THAT(page, Not(HasSubstr("http")));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+}
+
+TEST(VerifyPage, SaysWhatFailedAndThatThereAreNoPlots) {
+  lab::Catalogue catalogue = small_catalogue();
+  catalogue.cells.back() = sorting_cell(29);
+  const verify::VerifyResult result = verify::run_catalogue(catalogue, {});
+  EXPECT_EQ(result.verdict(), lab::Verdict::kRefuted);
+  const std::vector<lab::Figure> figures = verify::verify_figures(result);
+  const lab::Drawings drawings = lab::draw(figures, "no-such-gnuplot");
+  EXPECT_EQ(drawings.problem, "no-such-gnuplot is not installed");
+  const std::string page = verify::verify_page(result, figures, drawings, {});
+  EXPECT_THAT(page, HasSubstr("What did not pass"));
+  EXPECT_THAT(page, HasSubstr("no-such-gnuplot is not installed"));
+  EXPECT_THAT(page, Not(HasSubstr("<img")));
+  EXPECT_THAT(page, HasSubstr("sorted_list.swaps"));
+}
+
+TEST(Table, HasOneAlignedLinePerCell) {
+  const std::string header = verify::table_header();
+  const std::string row = verify::table_row(run(sorting_cell(28)));
+  EXPECT_EQ(std::count(row.begin(), row.end(), '\n'), 1);
+  EXPECT_EQ(header.find("verdict"), row.find("PASS"));
+  const verify::CellRow cells = verify::cell_row(run(sorting_cell(28)));
+  EXPECT_EQ(cells.external, "28");
+  EXPECT_EQ(cells.internal, "0");
+  EXPECT_EQ(cells.bound, "28");
+  EXPECT_EQ(cells.observed, "28");
+}
+
+}  // namespace
+}  // namespace kinex

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ShiftingPairs: the closest of a set of pairs of points that changes all the time, for tests of
+// ChangingExtremum: whenever a certificate fails, pairs of a random choice come and go.
+#ifndef KINEX_TESTS_STRUCTURES_PARTS_SHIFTING_PAIRS_H
+#define KINEX_TESTS_STRUCTURES_PARTS_SHIFTING_PAIRS_H
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/engine/structure.h"
+#include "structures/parts/attribute_events.h"
+#include "structures/parts/changing_extremum.h"
+#include "structures/proximity/pair_distances.h"
+#include "tests/structures/test_scenes.h"
+
+namespace kinex::test {
+
+class ShiftingPairs final : public Structure {
+  using Pair = PairDistances::Value;
+  auto tied() {
+    return [this](const Pair& a, const Pair& b) {
+      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
+    };
+  }
+
+ public:
+  enum Kind : std::uint8_t { kReplace, kTie };
+
+  // `shift`: how many pairs change at a failure.
+  ShiftingPairs(Kernel& kernel, StructureId id, int dimension, std::uint64_t seed, int shift)
+      : kernel_(&kernel),
+        id_(id),
+        random_(seed),
+        shift_(shift),
+        pairs_(kernel, id, "pairs", PairDistances(kernel, dimension)),
+        events_(kernel, id, Attribute::Shape::kTuples) {}
+
+  std::string_view name() const override { return "shifting_pairs"; }
+  std::vector<std::string_view> event_kinds() const override {
+    return common_event_kinds({"replace", "tie"});
+  }
+  void build(std::span<const ObjectId> objects) override {
+    present_.assign(objects.begin(), objects.end());
+    for (std::size_t i = 0; i < 2 * present_.size(); ++i) toggle();
+    begin();
+  }
+  void rebuild() override {
+    pairs_.rebuild(tied());
+    begin();
+  }
+  void certificate_failed(CertificateId failed) override {
+    const auto [old, fresh] = pairs_.failed(failed, tied());
+    for (int i = 0; i < shift_; ++i) toggle();
+    pairs_.apply(tied());
+    events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, front());
+  }
+  void insert(ObjectId object) override {
+    present_.push_back(object);
+    for (int i = 0; i < 3; ++i) toggle();
+    begin();
+  }
+  void erase(ObjectId object) override {
+    std::erase(present_, object);
+    for (const Pair& pair : pairs_.values()) {
+      if (pair[0] == object || pair[1] == object) go(pair);
+    }
+    begin();
+  }
+  void motions_changed(std::span<const ObjectId> objects) override {
+    pairs_.motions_changed(objects, tied());
+    for (int i = 0; i < shift_; ++i) toggle();
+    pairs_.apply(tied());
+  }
+  void instant_over() override { events_.over(front()); }
+  Attribute attribute() const override {
+    return {Attribute::Shape::kTuples, {front().begin(), front().end()}};
+  }
+  Attribute told() const override { return events_.told(); }
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override {
+    return {
+        at_most("shifting_pairs.certificates", "a tournament of the pairs",
+                counted(most_pairs_ == 0 ? 0 : most_pairs_ - 1), counted(context.ledger->max_live)),
+        at_most("shifting_pairs.events", "epochs", pairs_.most_failures(2 * context.degree),
+                counted(context.ledger->failures))};
+  }
+  void check_invariants(AuditReport& report) const override {
+    pairs_.check(report, "pairs");
+    report.check(pairs_.values() == std::vector<Pair>(expected_.begin(), expected_.end()),
+                 [] { return "another set"; });
+    const PartLedger& line = pairs_.slots().line();
+    report.check(line.live == (expected_.empty() ? 0 : expected_.size() - 1),
+                 [] { return "another number of certificates"; });
+    report.check(line.created - line.retracted == line.live, [] { return "the line's sum"; });
+  }
+  // Brute force.
+  void audit(const Snapshot& snapshot, AuditReport& report) const override {
+    std::vector<ObjectId> best;
+    Rational least;
+    for (const Pair& pair : expected_) {
+      Rational sum;
+      for (int axis = 0; axis < snapshot.dimension(); ++axis) {
+        const Rational d = snapshot.position(pair[0], axis) - snapshot.position(pair[1], axis);
+        sum += d * d;
+      }
+      if (!best.empty() && !(sum < least)) continue;
+      best = {pair[0], pair[1]};
+      least = sum;
+    }
+    report.check(best == attribute().ids, [] { return "another pair is the closest"; });
+  }
+  std::size_t bytes() const override { return pairs_.bytes(); }
+
+  const PartLedger& line() const { return pairs_.slots().line(); }
+  std::uint64_t toggles() const { return toggles_; }
+
+ private:
+  std::span<const ObjectId> front() const {
+    return pairs_.front() == nullptr ? std::span<const ObjectId>()
+                                     : std::span<const ObjectId>(*pairs_.front());
+  }
+  void begin() {
+    pairs_.apply(tied());
+    events_.begin(front());
+  }
+  void go(const Pair& pair) {
+    expected_.erase(pair);
+    if (!pairs_.go(pair)) throw std::logic_error("a pair that is not there");
+  }
+  // A pair comes, or one that is there goes: so that there are about twelve.
+  void toggle() {
+    if (present_.size() < 2) return;
+    ++toggles_;
+    if (!expected_.empty() && random_.chance(expected_.size() > 12 ? 70 : 15)) {
+      auto at = expected_.begin();
+      std::advance(at, random_.between(0, static_cast<int>(expected_.size()) - 1));
+      return go(*at);
+    }
+    const int n = static_cast<int>(present_.size());
+    ObjectId a = present_[static_cast<std::size_t>(random_.between(0, n - 1))];
+    ObjectId b = present_[static_cast<std::size_t>(random_.between(0, n - 1))];
+    if (a == b) return;
+    if (b < a) std::swap(a, b);
+    if (pairs_.come({a, b}) != expected_.insert({a, b}).second) {
+      throw std::logic_error("a pair that is there, or not");
+    }
+    most_pairs_ = std::max(most_pairs_, expected_.size());
+  }
+
+  Kernel* kernel_;
+  StructureId id_;
+  Random random_;
+  int shift_;
+  ChangingExtremum<PairDistances> pairs_;
+  AttributeEvents events_;
+  std::vector<ObjectId> present_;
+  std::set<Pair> expected_;
+  std::size_t most_pairs_ = 0;
+  std::uint64_t toggles_ = 0;
+};
+
+}  // namespace kinex::test
+
+#endif
