@@ -34,9 +34,14 @@ TEST(LimbCells, OfEndedThreadsAreUsedAgain) {
     cells.give_back(other);
   }).join();
   lab::LimbCells cells;
+  std::vector<void*> taken;
   bool again = false;
-  for (int i = 0; i < 40000 && !again; ++i) again = cells.take() == other;
+  for (int i = 0; i < 40000 && !again; ++i) {
+    taken.push_back(cells.take());
+    again = taken.back() == other;
+  }
   EXPECT_TRUE(again);
+  for (void* cell : taken) cells.give_back(cell);
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ class ShiftingPairs final : public Structure {
     pairs_.apply(tied());
     events_.begin(front());
   }
-  void go(const Pair& pair) {
+  void go(Pair pair) {  // a copy: it may lie in expected_
     expected_.erase(pair);
     if (!pairs_.go(pair)) throw std::logic_error("a pair that is not there");
   }
