@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/lab/checked_by.h"
 
-#include <cstdlib>
-
-#include "experiments/formats/input_error.h"
-#include "experiments/formats/json_document.h"
 #include "experiments/formats/json_writer.h"
 
 namespace kinex::lab {
 
 namespace {
-
-constexpr std::string_view kStoredName = "check";
 
 // "0-4", "0, 1, 5"
 std::string levels_text(const std::vector<int>& levels) {
@@ -65,49 +59,13 @@ void write_checked_by(formats::JsonWriter& json, const CheckedBy& checked) {
   json.key("verdict").string(checked.verdict()).end_object();
 }
 
-std::string checked_by_key(const RunKey& run, const std::string& program) {
-  return run.text() + " by " + program;
+template <class Archive>
+void fields(Archive& archive, CheckedBy& value) {
+  archive(value.program, value.levels, value.left_out, value.outcome, value.message);
 }
 
-std::string checked_by_line(const CheckedBy& checked) {
-  std::string text;
-  formats::JsonWriter json(text);
-  json.begin_object().key(kStoredName).string(checked_by_key(checked.run, checked.program));
-  json.key("program").string(checked.program);
-  write_levels(json, checked);
-  json.key("left_out").string(checked.left_out);
-  json.key("fine").boolean(checked.outcome == CheckedBy::Outcome::kFine);
-  json.key("message").string(checked.message).end_object();
-  return text;
-}
+Fields check_fields(const CheckedBy& checked) { return to_fields(checked); }
 
-bool is_checked_by_line(std::string_view line) {
-  return line.rfind("{\"" + std::string(kStoredName) + "\"", 0) == 0;
-}
-
-StoredCheck parse_checked_by(std::string_view line, const std::string& file, std::size_t number) {
-  const formats::JsonDocument document = formats::parse_json(line, file, number);
-  const formats::JsonValue& value = *document;
-  const auto member = [&](std::string_view name) -> const formats::JsonValue& {
-    const formats::JsonValue* found = value.find(name);
-    if (found == nullptr) {
-      throw formats::InputError(file, "line " + std::to_string(number),
-                       "there is no \"" + std::string(name) + "\"",
-                       "remove the file to begin anew");
-    }
-    return *found;
-  };
-  StoredCheck stored;
-  stored.key = member(kStoredName).text();
-  stored.checked.program = member("program").text();
-  for (const formats::JsonValue& level : member("levels").items()) {
-    stored.checked.levels.push_back(std::atoi(std::string(level.text()).c_str()));
-  }
-  stored.checked.left_out = member("left_out").text();
-  stored.checked.outcome =
-      member("fine").boolean() ? CheckedBy::Outcome::kFine : CheckedBy::Outcome::kRefused;
-  stored.checked.message = member("message").text();
-  return stored;
-}
+std::optional<CheckedBy> check_of(const Fields& fields) { return from_fields<CheckedBy>(fields); }
 
 }  // namespace kinex::lab

@@ -4,10 +4,11 @@
 #ifndef KINEX_EXPERIMENTS_LAB_CHECKED_BY_H
 #define KINEX_EXPERIMENTS_LAB_CHECKED_BY_H
 
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "experiments/lab/field_archive.h"
 #include "experiments/lab/run_record.h"
 
 namespace kinex::formats {
@@ -38,17 +39,9 @@ struct CheckedBy {
 // The object "checked_by" of claims.json.
 void write_checked_by(formats::JsonWriter& json, const CheckedBy& checked);
 
-// The check as a line of a RecordStore, and back; of the run only its key is restored.
-std::string checked_by_line(const CheckedBy& checked);
-bool is_checked_by_line(std::string_view line);
-// Its key in a store: the run and the program.
-std::string checked_by_key(const RunKey& run, const std::string& program);
-struct StoredCheck {
-  std::string key;
-  CheckedBy checked;  // without its run
-};
-// Throws InputError that names the file and the line.
-StoredCheck parse_checked_by(std::string_view line, const std::string& file, std::size_t number);
+// The check as text, and back: nullopt if the texts are not of a check. Of its run, nothing.
+Fields check_fields(const CheckedBy& checked);
+std::optional<CheckedBy> check_of(const Fields& fields);
 
 }  // namespace kinex::lab
 

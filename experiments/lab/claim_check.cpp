@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
+#include <map>
 
 #include "structures/registry.h"
 
@@ -23,34 +23,25 @@ RunKey small_run(RunKey run) {
   return run;
 }
 
-std::vector<std::string> check_claims(std::vector<PaperClaim>& claims, const SecondProgram& program,
-                                      RecordStore& store,
-                                      const std::function<void(const RunKey&)>& on_run) {
+std::vector<std::string> check_claims(std::vector<PaperClaim>& claims, const std::string& program,
+                                      const std::function<CheckedBy(const RunKey&)>& check) {
   std::vector<std::string> refusals;
-  std::vector<CheckedBy> done;  // claims share runs
+  std::map<std::string, CheckedBy> done;  // claims share runs
   for (PaperClaim& claim : claims) {
     if (claim.small_run.structure.empty()) {
-      claim.checked_by.program = program.name();
+      claim.checked_by.program = program;
       claim.checked_by.message = claim.no_small_run;
       continue;
     }
     const std::string key = claim.small_run.text();
-    const auto before = std::find_if(done.begin(), done.end(), [&](const CheckedBy& checked) {
-      return checked.run.text() == key;
-    });
-    if (before != done.end()) {
-      claim.checked_by = *before;
-    } else if (auto stored = store.find_check(claim.small_run, program.name())) {
-      claim.checked_by = *std::move(stored);
-    } else {
-      on_run(claim.small_run);
-      claim.checked_by = program.check(claim.small_run);
-      done.push_back(claim.checked_by);
-      if (claim.checked_by.outcome == CheckedBy::Outcome::kFine) store.add_check(claim.checked_by);
-      if (claim.checked_by.outcome == CheckedBy::Outcome::kRefused) {
-        refusals.push_back(claim.checked_by.text());
+    auto known = done.find(key);
+    if (known == done.end()) {
+      known = done.emplace(key, check(claim.small_run)).first;
+      if (known->second.outcome == CheckedBy::Outcome::kRefused) {
+        refusals.push_back(known->second.text());
       }
     }
+    claim.checked_by = known->second;
     if (claim.checked_by.outcome != CheckedBy::Outcome::kRefused) continue;
     if (claim.verdict == Verdict::kConfirmed) claim.verdict = Verdict::kOpen;
     claim.observed += "; but a second program refuses the log of a small run";

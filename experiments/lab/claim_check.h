@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "experiments/lab/claim.h"
-#include "experiments/lab/record_store.h"
-#include "experiments/lab/second_program.h"
+#include "experiments/lab/checked_by.h"
+#include "experiments/lab/run_record.h"
 
 namespace kinex::lab {
 
@@ -17,12 +17,11 @@ namespace kinex::lab {
 // the second program, and enough that every level has something to check.
 RunKey small_run(RunKey run);
 
-// Fills in checked_by of all claims. Runs in the store are not checked again; accepted ones are
-// added to it. A claim whose run is refused becomes open, with the reason. Returns the refusals,
-// one per run. `on_run` is called before a run is checked.
-std::vector<std::string> check_claims(std::vector<PaperClaim>& claims, const SecondProgram& program,
-                                      RecordStore& store,
-                                      const std::function<void(const RunKey&)>& on_run);
+// Fills in checked_by of all claims by `check`, which is called once for every small run. A claim
+// whose run is refused becomes open, with the reason. Returns the refusals, one per run. `program`:
+// the name of the second program, for claims without a run.
+std::vector<std::string> check_claims(std::vector<PaperClaim>& claims, const std::string& program,
+                                      const std::function<CheckedBy(const RunKey&)>& check);
 
 }  // namespace kinex::lab
 

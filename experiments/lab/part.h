@@ -10,6 +10,7 @@
 
 #include "experiments/lab/claim.h"
 #include "experiments/lab/gnuplot.h"
+#include "experiments/lab/judge.h"
 #include "experiments/lab/series.h"
 
 namespace kinex::lab {
@@ -31,7 +32,8 @@ struct PaperPart {
   // reproduces it. nullptr for a part without runs.
   PartReport (*report)(const std::vector<SeriesResult>& results, const std::string& command);
   // For a part without runs; it stops when `go_on` returns false.
-  PartReport (*study)(const std::string& command, const std::function<bool()>& go_on) = nullptr;
+  StudyResult (*study)(bool quick, const std::function<bool()>& go_on) = nullptr;
+  PartReport (*study_report)(const StudyResult& result, const std::string& command) = nullptr;
 };
 
 struct Paper {

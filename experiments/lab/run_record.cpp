@@ -2,11 +2,7 @@
 #include "experiments/lab/run_record.h"
 
 #include <algorithm>
-#include <charconv>
 
-#include "experiments/formats/input_error.h"
-#include "experiments/formats/json_document.h"
-#include "experiments/formats/json_writer.h"
 #include "experiments/lab/cpu_clock.h"
 #include "experiments/lab/gmp_memory.h"
 #include "experiments/lab/scene_run.h"
@@ -24,17 +20,6 @@ std::uint64_t signs_of(const ArithmeticCounters& counters) {
     for (const std::uint64_t count : predicate.signs) sum += count;
   }
   return sum;
-}
-
-std::uint64_t whole_number(const formats::JsonValue& value, const std::string& file, std::size_t line) {
-  std::uint64_t number = 0;
-  const char* end = value.text().data() + value.text().size();
-  const auto [rest, error] = std::from_chars(value.text().data(), end, number);
-  if (value.kind() != formats::JsonValue::Kind::kNumber || error != std::errc() || rest != end) {
-    throw formats::InputError(file, "line " + std::to_string(line), formats::shown(value) + " is no count",
-                     "remove the file to begin anew");
-  }
-  return number;
 }
 
 }  // namespace
@@ -113,61 +98,6 @@ std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool(
   record.kinds = ledger.by_kind;
   record.solved = simulator->arithmetic().counters().polynomials_solved;
   record.peak_bytes = simulator->ledger().peak_bytes;
-  return record;
-}
-
-std::string record_line(const RunRecord& record) {
-  std::string text;
-  formats::JsonWriter json(text);
-  json.begin_object().key("run").string(record.key);
-  json.key("processed").number(record.processed).key("external").number(record.external);
-  json.key("max_live").number(record.max_live).key("max_per_object").number(record.max_per_object);
-  json.key("signs").number(record.signs);
-  json.key("solved").begin_array();
-  for (const std::uint64_t count : record.solved) json.number(count);
-  json.end_array().key("kinds").begin_object();
-  for (const auto& [kind, count] : record.kinds) json.key(kind).number(count);
-  json.end_object().key("peak_bytes").number(record.peak_bytes);
-  json.key("seconds_setup").real(record.seconds_setup).key("seconds").real(record.seconds);
-  json.key("clean").boolean(record.clean).key("trouble").string(record.trouble).end_object();
-  return text;
-}
-
-RunRecord parse_record(std::string_view line, const std::string& file, std::size_t number) {
-  const formats::JsonDocument document = formats::parse_json(line, file, number);
-  const formats::JsonValue& value = *document;
-  const auto member = [&](const char* name) -> const formats::JsonValue& {
-    const formats::JsonValue* found = value.find(name);
-    if (found == nullptr) {
-      throw formats::InputError(file, "line " + std::to_string(number),
-                       std::string("there is no \"") + name + "\"",
-                       "remove the file to begin anew");
-    }
-    return *found;
-  };
-  const auto count = [&](const char* name) { return whole_number(member(name), file, number); };
-  const auto real = [&](const char* name) {
-    return std::strtod(std::string(member(name).text()).c_str(), nullptr);
-  };
-  RunRecord record;
-  record.key = member("run").text();
-  record.processed = count("processed");
-  record.external = count("external");
-  record.max_live = count("max_live");
-  record.max_per_object = count("max_per_object");
-  record.signs = count("signs");
-  for (const formats::JsonValue& one : member("solved").items()) {
-    record.solved.push_back(whole_number(one, file, number));
-  }
-  const formats::JsonValue& kinds = member("kinds");
-  for (std::size_t i = 0; i < kinds.items().size(); ++i) {
-    record.kinds[std::string(kinds.key(i))] = whole_number(kinds.items()[i], file, number);
-  }
-  record.peak_bytes = count("peak_bytes");
-  record.seconds_setup = real("seconds_setup");
-  record.seconds = real("seconds");
-  record.clean = member("clean").boolean();
-  record.trouble = member("trouble").text();
   return record;
 }
 

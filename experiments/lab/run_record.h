@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RunRecord: the counts of one exact run of one structure, as a line of JSON from which a later run
-// of the program can resume.
+// RunRecord: the counts of one exact run of one structure.
 #ifndef KINEX_EXPERIMENTS_LAB_RUN_RECORD_H
 #define KINEX_EXPERIMENTS_LAB_RUN_RECORD_H
 
@@ -10,7 +9,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace kinex {
@@ -59,10 +57,6 @@ Scene scene_for(const RunKey& key);  // maintains the structure of the key only
 // Runs it in `exact` with an audit at the end. nullopt if `go_on` (called now and then) is false.
 std::optional<RunRecord> run_record(const RunKey& key, const std::function<bool()>& go_on,
                                     const std::atomic<bool>* interrupt = nullptr);
-
-std::string record_line(const RunRecord& record);
-// Throws InputError that names the file and the line.
-RunRecord parse_record(std::string_view line, const std::string& file, std::size_t number);
 
 }  // namespace kinex::lab
 

@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/lab/run_in_order.h"
-
 namespace kinex::lab {
 
 double quantity_of(const RunRecord& record, const std::string& quantity) {
@@ -32,44 +30,58 @@ RunningMean SeriesResult::mean(const std::string& quantity) const {
   return mean;
 }
 
-SeriesRun run_series(const std::vector<SeriesPoint>& points, RecordStore& store,
-                     const SeriesOptions& options) {
-  const auto enough = [](const SeriesResult& result) {
-    const RunningMean mean = result.mean(result.point.precise);
-    const int runs = static_cast<int>(result.runs.size());
-    if (runs < result.point.min_seeds) return false;
-    return runs >= result.point.max_seeds ||
-           mean.standard_error() <= result.point.relative_error * mean.mean();
-  };
-  const auto work = [&](std::size_t i) -> std::optional<SeriesResult> {
-    SeriesResult result;
-    result.point = points[i];
-    for (std::uint64_t seed = 1; !enough(result); ++seed) {
-      if (!options.go_on()) return std::nullopt;
-      RunKey key = points[i].key;
-      key.seed = seed;
-      const RunRecord* known = store.find(key.text());
-      if (known == nullptr) {
-        if (options.on_run) options.on_run(i, key.text());
-        std::optional<RunRecord> record = run_record(key, options.go_on, options.interrupt);
-        if (!record) return std::nullopt;
-        known = &store.add(*record);
-      }
-      result.runs.push_back(*known);
-    }
-    return result;
-  };
-  InOrder<SeriesResult> done =
-      run_in_order<SeriesResult>(points.size(), options.jobs, work, options.on_point);
-  SeriesRun run;
-  run.interrupted = done.interrupted;
-  run.results = std::move(done.finished);
-  for (const SeriesResult& result : run.results) {
-    for (const RunRecord& record : result.runs) {
-      if (!record.clean) run.troubles.push_back(record.key + ": " + record.trouble);
-    }
+namespace {
+
+bool is_precise(const SeriesResult& result) {
+  const int runs = static_cast<int>(result.runs.size());
+  if (runs < result.point.min_seeds) return false;
+  const RunningMean mean = result.mean(result.point.precise);
+  return runs >= result.point.max_seeds ||
+         mean.standard_error() <= result.point.relative_error * mean.mean();
+}
+
+struct Runs {
+  std::vector<RunRecord> records;
+};
+
+template <class Archive>
+void fields(Archive& archive, Runs& value) {
+  archive(value.records);
+}
+
+}  // namespace
+
+// Structured bindings name all members: one that is added must be added here too.
+template <class Archive>
+void fields(Archive& archive, RunRecord& value) {
+  auto& [key, processed, external, max_live, max_per_object, signs, solved, kinds, peak_bytes,
+         seconds_setup, seconds, clean, trouble] = value;
+  archive(key, processed, external, max_live, max_per_object, signs, solved, kinds, peak_bytes,
+          clean, trouble);
+  archive.times(seconds_setup, seconds);
+}
+
+std::optional<SeriesResult> run_point(const SeriesPoint& point, const SeriesOptions& options) {
+  SeriesResult result;
+  result.point = point;
+  for (std::uint64_t seed = 1; !is_precise(result); ++seed) {
+    if (!options.go_on()) return std::nullopt;
+    RunKey key = point.key;
+    key.seed = seed;
+    if (options.on_run) options.on_run(key.text());
+    std::optional<RunRecord> record = run_record(key, options.go_on, options.interrupt);
+    if (!record) return std::nullopt;
+    result.runs.push_back(*std::move(record));
   }
-  return run;
+  return result;
+}
+
+Fields runs_fields(const std::vector<RunRecord>& runs) { return to_fields(Runs{runs}); }
+
+std::optional<std::vector<RunRecord>> runs_of(const Fields& fields) {
+  std::optional<Runs> runs = from_fields<Runs>(fields);
+  if (!runs) return std::nullopt;
+  return std::move(runs->records);
 }
 
 }  // namespace kinex::lab

@@ -5,11 +5,12 @@
 
 #include <atomic>
 #include <functional>
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "experiments/lab/record_store.h"
+#include "experiments/lab/field_archive.h"
+#include "experiments/lab/run_record.h"
 #include "experiments/lab/statistics.h"
 
 namespace kinex::lab {
@@ -38,22 +39,17 @@ struct SeriesResult {
 };
 
 struct SeriesOptions {
-  int jobs = 1;
-  std::function<bool()> go_on = [] { return true; };               // from any thread
-  const std::atomic<bool>* interrupt = nullptr;  // as in SimulatorOptions
-  std::function<void(std::size_t, const std::string&)> on_run;     // point, which run; any thread
-  std::function<void(std::size_t, const SeriesResult&)> on_point;  // in order
+  std::function<bool()> go_on = [] { return true; };
+  const std::atomic<bool>* interrupt = nullptr;    // as in SimulatorOptions
+  std::function<void(const std::string&)> on_run;  // gets the text of the key, before the run
 };
 
-struct SeriesRun {
-  std::vector<SeriesResult> results;  // in the order of the points
-  bool interrupted = false;
-  std::vector<std::string> troubles;  // audits and bounds that failed; empty in a correct program
-};
+// All runs of a point; nullopt if it was interrupted.
+std::optional<SeriesResult> run_point(const SeriesPoint& point, const SeriesOptions& options);
 
-// Runs that are in the store are not repeated; new ones are added to it.
-SeriesRun run_series(const std::vector<SeriesPoint>& points, RecordStore& store,
-                     const SeriesOptions& options);
+// The runs as text, and back: nullopt if the texts are not of runs. Of the point, nothing.
+Fields runs_fields(const std::vector<RunRecord>& runs);
+std::optional<std::vector<RunRecord>> runs_of(const Fields& fields);
 
 }  // namespace kinex::lab
 

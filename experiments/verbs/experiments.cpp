@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "experiments/formats/input_error.h"
+#include "experiments/reproduce/planned.h"
 #include "experiments/trade/planned.h"
 #include "experiments/verify/planned.h"
 
@@ -14,6 +15,7 @@ const sweep::Experiments& experiments() {
     sweep::Experiments all;
     verify::add_experiment(all);
     trade::add_experiment(all);
+    reproduce::add_experiment(all);
     return all;
   }();
   return kExperiments;

@@ -33,10 +33,10 @@ TEST(ReproduceVerb, WritesItsFilesOnceAndGoesOn) {
       run_kinex({"reproduce", "kds-report-1998", "large-runs", "--quick", "-o", folder});
   EXPECT_EQ(first.exit_code, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("no event is left"));
-  for (const char* name : {"/claims.json", "/README.md", "/runs.jsonl"}) {
+  for (const char* name : {"/claims.json", "/README.md"}) {
     EXPECT_TRUE(std::filesystem::exists(folder + name)) << name;
   }
-  const std::string runs = read_file(folder + "/runs.jsonl");
+  EXPECT_FALSE(std::filesystem::exists(folder + "/reproduce.unfinished"));
   const Finished refused =
       run_kinex({"reproduce", "kds-report-1998", "large-runs", "--quick", "-o", folder});
   EXPECT_EQ(refused.exit_code, 2);
@@ -44,7 +44,6 @@ TEST(ReproduceVerb, WritesItsFilesOnceAndGoesOn) {
   const Finished again =
       run_kinex({"reproduce", "kds-report-1998", "large-runs", "--quick", "-o", folder, "--force"});
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_EQ(read_file(folder + "/runs.jsonl"), runs);  // nothing was run
   EXPECT_EQ(again.out, first.out);
 }
 
@@ -73,7 +72,6 @@ TEST(ReproduceVerb, WhatTheSecondProgramRefusesIsNotConfirmed) {
   EXPECT_EQ(fine.exit_code, 0) << fine.err << fine.out;
   EXPECT_THAT(read_file(folder + "/claims.json"),
               HasSubstr("\"checked_by\": {\"program\": \"kinex-logcheck\", \"levels\": [0, 1, 5]"));
-  EXPECT_THAT(read_file(folder + "/runs.jsonl"), HasSubstr("{\"check\": \"closest_features "));
   EXPECT_THAT(read_file(folder + "/README.md"), HasSubstr("nothing wrong"));
   command.insert(command.end(), {"--force", "--logcheck", stub});
   const Finished run = run_kinex(command);
@@ -91,19 +89,54 @@ TEST(ReproduceVerb, IsInterruptedWhileTheSecondProgramRuns) {
   const std::string stub = scratch.file("slow");
   write_file(stub, "#!/bin/sh\nsleep 1000\n");
   std::filesystem::permissions(stub, std::filesystem::perms::owner_all);
+  const std::string listed =
+      run_kinex({"sweep", "list", "reproduce", "separation-sensitive-1999", "features", "--quick"}).out;
+  const auto points = std::count(listed.begin(), listed.end(), '\n');
+  const std::string cells = std::to_string(points);
+  const int lines = static_cast<int>(points) + 1;  // and the header
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    const std::string folder = scratch.file(std::to_string(signal)), runs = folder + "/runs.jsonl";
+    const std::string folder = scratch.file(std::to_string(signal));
+    const std::string journal = folder + "/reproduce.unfinished";
     Words command{"reproduce", "separation-sensitive-1999", "features", "--quick", "-o", folder};
-    command.insert(command.end(), {"--logcheck", stub});
-    constexpr int kLines = 46;  // all runs and the header
-    const Finished stopped = run_kinex_until(command, runs, kLines, signal);
+    Words stuck = command;
+    stuck.insert(stuck.end(), {"--logcheck", stub});
+    const Finished stopped = run_kinex_until(stuck, journal, lines, signal);
     EXPECT_EQ(stopped.exit_code, 3) << stopped.err;
-    EXPECT_THAT(stopped.err, HasSubstr("interrupted: the same command with --force resumes"));
+    EXPECT_THAT(stopped.err, HasSubstr("interrupted: the same command resumes"));
     EXPECT_THAT(read_file(folder + "/claims.json"), HasSubstr("not checked: interrupted"));
-    const std::string text = read_file(runs);
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), kLines);
+    const Finished resumed = run_kinex(command);  // without --force: the results are its own
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+    EXPECT_THAT(resumed.err, HasSubstr(cells + " experiments are finished already"));
+    EXPECT_THAT(read_file(folder + "/claims.json"), Not(HasSubstr("interrupted")));
+    EXPECT_FALSE(std::filesystem::exists(journal));
     if (test::kSanitized) break;
   }
+}
+
+// By a sweep in three shards: the claims of one process.
+TEST(ReproduceVerb, TellsWhatASweepHasRun) {
+  const ScratchFolder scratch;
+  const Words what{"reproduce", "separation-sensitive-1999", "features", "--quick"};
+  const auto with = [](Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  Words sweep{"sweep", "run"};
+  sweep.insert(sweep.end(), what.begin(), what.end());
+  const std::string out = scratch.file("out"), one = scratch.file("one"), two = scratch.file("two");
+  EXPECT_EQ(run_kinex(with(sweep, {"--shard", "0/3", "-o", out})).exit_code, 0);
+  const Finished early = run_kinex(with(what, {"--from", out, "-o", two}));
+  EXPECT_EQ(early.exit_code, 2);
+  EXPECT_THAT(early.err, HasSubstr("are missing"));
+  for (const char* shard : {"1/3", "2/3"}) {
+    EXPECT_EQ(run_kinex(with(sweep, {"--shard", shard, "--jobs", "2", "-o", out})).exit_code, 0);
+  }
+  const Finished swept = run_kinex(with(what, {"--from", out, "-o", two}));
+  const Finished alone = run_kinex(with(what, {"-o", one}));
+  EXPECT_EQ(swept.exit_code, 0) << swept.err;
+  EXPECT_EQ(alone.exit_code, 0) << alone.err;
+  EXPECT_EQ(swept.out, alone.out);
+  EXPECT_EQ(read_file(one + "/features.svg"), read_file(two + "/features.svg"));
 }
 
 }  // namespace

@@ -107,11 +107,9 @@ lab::PartReport separation_hysteresis_report(const std::vector<lab::SeriesResult
 
 std::vector<lab::SeriesPoint> separation_hierarchies_points(bool) { return {}; }
 
-lab::PartReport separation_hierarchies_study(const std::string& command,
-                                        const std::function<bool()>& go_on) {
+lab::PartReport separation_hierarchies_report(const lab::StudyResult& study,
+                                              const std::string& command) {
   lab::PartReport report;
-  const bool quick = command.find("--quick") != std::string::npos;
-  const lab::StudyResult study = study_outer_hierarchies(quick, go_on);
   for (const lab::Check& check : study.checks) {
     lab::PaperClaim claim;
     claim.id = "hierarchies." + check.claim.substr(check.claim.find('.') + 1);

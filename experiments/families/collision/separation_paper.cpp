@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/families/collision/experiments.h"
 #include "experiments/lab/claim_check.h"
 #include "experiments/lab/power_verdict.h"
 
@@ -152,7 +153,7 @@ lab::Paper separation_paper() {
        {"hysteresis", "certificates that last", 4, separation_hysteresis_points,
         separation_hysteresis_report},
        {"hierarchies", "outer hierarchies of one polygon", 5, separation_hierarchies_points,
-        nullptr, separation_hierarchies_study}}};
+        nullptr, study_outer_hierarchies, separation_hierarchies_report}}};
 }
 
 }  // namespace kinex::families

@@ -66,8 +66,8 @@ std::vector<lab::SeriesPoint> separation_hysteresis_points(bool quick);
 lab::PartReport separation_hysteresis_report(const std::vector<lab::SeriesResult>& results,
                                         const std::string& command);
 std::vector<lab::SeriesPoint> separation_hierarchies_points(bool quick);
-lab::PartReport separation_hierarchies_study(const std::string& command,
-                                        const std::function<bool()>& go_on);
+lab::PartReport separation_hierarchies_report(const lab::StudyResult& study,
+                                              const std::string& command);
 
 }  // namespace kinex::families
 

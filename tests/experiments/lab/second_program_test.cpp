@@ -14,7 +14,9 @@
 #include "experiments/formats/json_document.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/lab/claim_check.h"
+#include "experiments/lab/second_program.h"
 #include "experiments/lab/temporary_folder.h"
+#include "experiments/reproduce/runner.h"
 
 namespace kinex {
 namespace {
@@ -134,13 +136,15 @@ lab::PaperClaim claim_of(const std::string& structure) {
 
 TEST_F(ASecondProgram, ConfirmsNoClaimWhoseLogItRefuses) {
   std::vector<lab::PaperClaim> claims{claim_of("sorted_list"), claim_of("sorted_list"), claim_of(""),
-                                 claim_of("maximum_tournament")};
+                                      claim_of("maximum_tournament")};
   claims[3].verdict = lab::Verdict::kRefuted;
-  lab::RecordStore store(file("runs.jsonl"), "commit", false);
   int runs = 0;
-  const auto count = [&](const lab::RunKey&) { ++runs; };
   const lab::SecondProgram program(stub("exit 1"), kGoOn, nullptr);
-  EXPECT_THAT(lab::check_claims(claims, program, store, count), SizeIs(2));
+  const auto check = [&](const lab::RunKey& run) {
+    ++runs;
+    return program.check(run);
+  };
+  EXPECT_THAT(lab::check_claims(claims, program.name(), check), SizeIs(2));
   EXPECT_EQ(runs, 2);
   EXPECT_EQ(claims[0].verdict, lab::Verdict::kOpen);
   EXPECT_EQ(claims[1].verdict, lab::Verdict::kOpen);
@@ -149,28 +153,62 @@ TEST_F(ASecondProgram, ConfirmsNoClaimWhoseLogItRefuses) {
   EXPECT_EQ(claims[2].verdict, lab::Verdict::kConfirmed);
   EXPECT_EQ(claims[2].checked_by.verdict(), "not checked: nothing moves");
   EXPECT_EQ(claims[3].verdict, lab::Verdict::kRefuted);
-  lab::check_claims(claims, program, store, count);
-  EXPECT_EQ(runs, 4);  // a refusal is not taken from the store
 }
+
+// A part of one run, over a journal.
+struct OnePart {
+  lab::PaperPart part{"one", "one run", 1,
+                      [](bool) {
+                        lab::SeriesPoint point;
+                        point.key.structure = "sorted_list";
+                        point.key.workload = "uniform-square";
+                        point.key.n = 10;
+                        point.min_seeds = point.max_seeds = 3;
+                        return std::vector{point};
+                      },
+                      [](const std::vector<lab::SeriesResult>&, const std::string&) {
+                        lab::PartReport report;
+                        report.claims = {claim_of("sorted_list")};
+                        return report;
+                      }};
+  int runs = 0, checks = 0;
+
+  reproduce::ReproducedPart run(const std::string& path, const lab::SecondProgram& program) {
+    sweep::Journal journal(path, sweep::provenance_of(sweep::PlanText{}, "test", "0/1"), false);
+    reproduce::RunnerOptions options;
+    options.on_run = [this](std::size_t, const std::string&) { ++runs; };
+    options.on_check = [this](const lab::RunKey&) { ++checks; };
+    return reproduce::run_part(part, journal, program, options);
+  }
+};
 
 TEST_F(ASecondProgram, ChecksNothingTwice) {
   const std::string fine =
       stub("echo '{\"levels\": [{\"level\": 0, \"done\": true, \"detail\": \"all\"}]}'");
+  OnePart one;
   const lab::SecondProgram program(fine, kGoOn, nullptr);
-  int runs = 0;
-  const auto count = [&](const lab::RunKey&) { ++runs; };
   std::string first;
   for (int i = 0; i < 2; ++i) {
-    lab::RecordStore store(file("runs.jsonl"), "commit", false);
-    std::vector<lab::PaperClaim> claims{claim_of("sorted_list")};
-    EXPECT_THAT(lab::check_claims(claims, program, store, count), IsEmpty());
-    EXPECT_EQ(claims[0].verdict, lab::Verdict::kConfirmed);
-    if (i == 0) first = claims[0].checked_by.text();
-    EXPECT_EQ(claims[0].checked_by.text(), first);
+    const reproduce::ReproducedPart done = one.run(file("journal"), program);
+    EXPECT_THAT(done.troubles, IsEmpty());
+    EXPECT_EQ(done.report.claims[0].verdict, lab::Verdict::kConfirmed);
+    if (i == 0) first = done.report.claims[0].checked_by.text();
+    EXPECT_EQ(done.report.claims[0].checked_by.text(), first);
   }
-  EXPECT_EQ(runs, 1);
-  lab::RecordStore store(file("runs.jsonl"), "commit", false);
-  EXPECT_FALSE(store.find_check(run_of("sorted_list", "uniform-square"), "another"));
+  EXPECT_EQ(one.runs, 3);
+  EXPECT_EQ(one.checks, 1);
+  one.run(file("journal"), lab::SecondProgram(stub("exec " + fine + " \"$@\""), kGoOn, nullptr));
+  EXPECT_EQ(one.runs, 3);
+  EXPECT_EQ(one.checks, 2);  // by another program
+}
+
+TEST_F(ASecondProgram, IsAskedAgainAfterARefusal) {
+  OnePart one;
+  const lab::SecondProgram program(stub("exit 1"), kGoOn, nullptr);
+  for (int i = 1; i <= 2; ++i) {
+    EXPECT_THAT(one.run(file("journal"), program).troubles, SizeIs(1));
+    EXPECT_EQ(one.checks, i);
+  }
 }
 
 TEST(CheckedByJson, HasWhatWasRunAndSaid) {
@@ -192,10 +230,11 @@ TEST(CheckedByJson, HasWhatWasRunAndSaid) {
   EXPECT_EQ(value.find("n")->text(), std::to_string(checked.run.n));
   EXPECT_EQ(value.find("seed")->text(), "2");
   EXPECT_EQ(value.find("verdict")->text(), "nothing wrong");
-  const lab::StoredCheck again = lab::parse_checked_by(lab::checked_by_line(checked), "file", 1);
-  EXPECT_EQ(again.key, lab::checked_by_key(checked.run, checked.program));
-  EXPECT_EQ(again.checked.levels, checked.levels);
-  EXPECT_EQ(again.checked.left_out, checked.left_out);
+  const lab::CheckedBy again = lab::check_of(lab::check_fields(checked)).value();
+  EXPECT_EQ(again.program, checked.program);
+  EXPECT_EQ(again.levels, checked.levels);
+  EXPECT_EQ(again.left_out, checked.left_out);
+  EXPECT_EQ(again.outcome, checked.outcome);
 }
 
 }  // namespace

@@ -1,44 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `kinex reproduce` is made of: records that a later run goes on from, fits, claims, files.
+// What `kinex reproduce` is made of: runs as cells of a plan, fits, claims, files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <set>
 #include <string>
 
 #include "experiments/families/collision/separation_paper.h"
 #include "experiments/families/hull/experiments.h"
 #include "experiments/families/hull/polynomial_weights.h"
-#include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_document.h"
 #include "experiments/lab/fit.h"
-#include "experiments/lab/record_store.h"
+#include "experiments/lab/series.h"
 #include "experiments/reproduce/paper_files.h"
 #include "experiments/reproduce/papers.h"
+#include "experiments/reproduce/planned.h"
+#include "experiments/reproduce/runner.h"
+#include "experiments/sweep/plan.h"
 
 namespace kinex {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "kinex-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 lab::RunKey small_run(const std::string& structure, int n = 20) {
   lab::RunKey key;
@@ -50,7 +36,7 @@ lab::RunKey small_run(const std::string& structure, int n = 20) {
 
 const auto kGoOn = [] { return true; };
 
-TEST(RunRecord, SurvivesItsLine) {
+TEST(RunRecord, SurvivesItsText) {
   lab::RunKey key = small_run("convex_hull_2_delaunay");
   key.forever = true;
   const lab::RunRecord record = lab::run_record(key, kGoOn).value();
@@ -60,9 +46,17 @@ TEST(RunRecord, SurvivesItsLine) {
   EXPECT_GT(record.processed, record.external);  // the flips of the triangulation are counted
   ASSERT_EQ(record.solved.size(), 5u);
   EXPECT_GT(record.solved[4], record.solved[2]);
-  const lab::RunRecord again = lab::parse_record(lab::record_line(record), "file", 1);
-  EXPECT_EQ(lab::record_line(again), lab::record_line(record));
-  EXPECT_EQ(again.kinds, record.kinds);
+  const lab::Fields text = lab::runs_fields({record});
+  const std::vector<lab::RunRecord> again = lab::runs_of(text).value();
+  ASSERT_EQ(again.size(), 1u);
+  EXPECT_EQ(lab::runs_fields(again).exact, text.exact);
+  EXPECT_EQ(lab::runs_fields(again).times, text.times);
+  EXPECT_EQ(again[0].key, record.key);
+  EXPECT_EQ(again[0].kinds, record.kinds);
+  EXPECT_EQ(again[0].solved, record.solved);
+  EXPECT_EQ(again[0].seconds, record.seconds);
+  EXPECT_FALSE(lab::runs_of({text.exact + "1 ", text.times}));
+  EXPECT_FALSE(lab::runs_of({text.exact, ""}));
 }
 
 TEST(RunRecord, TheThreeHullsChangeTogether) {
@@ -82,58 +76,7 @@ TEST(RunRecord, IsNotMadeOfAnInterruptedRun) {
   EXPECT_FALSE(lab::run_record(small_run("sorted_list"), [] { return false; }).has_value());
 }
 
-TEST(RecordStore, GoesOnWhereItWas) {
-  const Folder folder;
-  const std::string path = folder.file("runs.jsonl");
-  lab::SeriesPoint point;
-  point.key = small_run("sorted_list");
-  point.key.dimension = 1;
-  point.precise = "processed";
-  point.min_seeds = point.max_seeds = 3;
-  int runs = 0;
-  lab::SeriesOptions options;
-  options.on_run = [&](std::size_t, const std::string&) { ++runs; };
-  double mean = 0;
-  {
-    lab::RecordStore store(path, "commit", false);
-    const lab::SeriesRun run = lab::run_series({point}, store, options);
-    ASSERT_EQ(run.results.size(), 1u);
-    mean = run.results[0].mean("processed").mean();
-    EXPECT_EQ(runs, 3);
-    EXPECT_EQ(store.size(), 3u);
-  }
-  // What a killed program leaves: half a line.
-  std::ofstream(path, std::ios::app | std::ios::binary) << "{\"run\": \"sorted_list uni";
-  point.min_seeds = point.max_seeds = 4;
-  lab::RecordStore store(path, "commit", false);
-  EXPECT_EQ(store.size(), 3u);
-  const lab::SeriesRun run = lab::run_series({point}, store, options);
-  EXPECT_EQ(runs, 4);
-  lab::RunningMean first;
-  for (std::size_t k = 0; k < 3; ++k) {
-    first.add(static_cast<double>(run.results[0].runs[k].processed));
-  }
-  EXPECT_EQ(first.mean(), mean);
-  EXPECT_THROW(lab::RecordStore(path, "another commit", false), formats::InputError);
-  EXPECT_EQ(lab::RecordStore(path, "another commit", true).size(), 0u);
-}
-
-TEST(RecordStore, RefusesWhatIsNoRecord) {
-  const Folder folder;
-  const std::string path = folder.file("runs.jsonl");
-  std::ofstream(path) << "{\"kinex_runs\": 1, \"commit\": \"c\"}\n{\"run\": \"x\"}\n";
-  try {
-    lab::RecordStore store(path, "c", false);
-    FAIL();
-  } catch (const formats::InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("line 2"));
-    EXPECT_THAT(error.what(), HasSubstr("processed"));
-  }
-}
-
 TEST(Series, SeedsGoOnUntilTheMeanIsPrecise) {
-  const Folder folder;
-  lab::RecordStore store(folder.file("runs.jsonl"), "commit", false);
   lab::SeriesPoint point;
   point.key = small_run("sorted_list");
   point.key.dimension = 1;
@@ -141,12 +84,84 @@ TEST(Series, SeedsGoOnUntilTheMeanIsPrecise) {
   point.min_seeds = 2;
   point.max_seeds = 500;
   point.relative_error = 0.03;
-  const lab::SeriesRun run = lab::run_series({point}, store, {});
-  const lab::RunningMean mean = run.results[0].mean("processed");
+  const lab::SeriesResult result = lab::run_point(point, {}).value();
+  const lab::RunningMean mean = result.mean("processed");
   EXPECT_GT(mean.count(), 5u);
   EXPECT_LE(mean.standard_error(), 0.03 * mean.mean());
   EXPECT_NEAR(mean.mean(), 20 * 19 / 4.0, 4 * mean.standard_error());
-  EXPECT_THROW(lab::quantity_of(run.results[0].runs[0], "colour"), std::invalid_argument);
+  EXPECT_THROW(lab::quantity_of(result.runs[0], "colour"), std::invalid_argument);
+  int asked = 0;
+  lab::SeriesOptions stopped;
+  stopped.go_on = [&] { return ++asked < 20; };
+  EXPECT_FALSE(lab::run_point(point, stopped));
+}
+
+sweep::Experiments only_reproduce() {
+  sweep::Experiments all;
+  reproduce::add_experiment(all);
+  return all;
+}
+
+TEST(PlannedReproduce, ACellRunsFromItsTextAndComesBack) {
+  lab::SeriesPoint point = reproduce::paper_named("kds-report-1998").parts[0].points(true).front();
+  const sweep::Cell cell = reproduce::planned(point);
+  const sweep::CellReport there = sweep::run_any(cell.text, only_reproduce());
+  const sweep::Record record = sweep::record_of(cell, there, 1);
+  EXPECT_EQ(record.outcome, sweep::Outcome::kDone) << record.message;
+  const sweep::Record read = sweep::parse_record(sweep::record_line(record), "file", 1);
+  std::string trouble;
+  const lab::SeriesResult back = reproduce::series_of(read, point, trouble);
+  EXPECT_EQ(trouble, "");
+  const lab::SeriesResult here = lab::run_point(point, {}).value();
+  EXPECT_EQ(lab::runs_fields(back.runs).exact, lab::runs_fields(here.runs).exact);
+  point.cost *= 2;
+  EXPECT_EQ(reproduce::planned(point).key, cell.key);
+  point.max_seeds += 1;
+  EXPECT_NE(reproduce::planned(point).key, cell.key);
+  // A cell that the papers do not have.
+  EXPECT_EQ(sweep::run_any(reproduce::planned(point).text, only_reproduce()).outcome,
+            sweep::Outcome::kRefused);
+}
+
+TEST(PlannedReproduce, APlanHasEveryPointAndStudyOfItsParts) {
+  const sweep::Experiments all = only_reproduce();
+  const auto cells = [&](const std::vector<std::string>& parts) {
+    return sweep::plan_of(reproduce::selection_of("separation-sensitive-1999", parts, true), all).cells;
+  };
+  EXPECT_EQ(cells({"hierarchies"}).size(), 1u);
+  std::set<std::string> keys;
+  const lab::Paper& paper = reproduce::paper_named("separation-sensitive-1999");
+  for (const lab::PaperPart& part : paper.parts) {
+    for (const lab::SeriesPoint& point : part.points(true)) keys.insert(reproduce::planned(point).key);
+  }
+  EXPECT_EQ(cells({}).size(), keys.size() + 1);
+  EXPECT_THROW(cells({"figure-3"}), formats::InputError);
+  EXPECT_THROW(sweep::plan_of(reproduce::selection_of("", {}, true), all), formats::InputError);
+  sweep::Selection wrong = reproduce::selection_of("separation-sensitive-1999", {}, true);
+  wrong.options["seeds"] = {"3"};
+  EXPECT_THROW(sweep::plan_of(wrong, all), formats::InputError);
+}
+
+// A cell that crashed elsewhere has no runs: its claims stay open, and it is named.
+TEST(PlannedReproduce, ACrashLeavesTheClaimsOpen) {
+  const lab::PaperPart& part = reproduce::paper_named("separation-sensitive-1999").parts[2];
+  sweep::Attempt attempt;
+  attempt.provenance = sweep::provenance_of(sweep::PlanText{}, "test", "0/1");
+  for (const lab::SeriesPoint& point : part.points(true)) {
+    sweep::CellReport crashed;
+    crashed.outcome = sweep::Outcome::kMemory;
+    crashed.message = "there is not enough memory";
+    attempt.records.push_back(sweep::record_of(reproduce::planned(point), crashed, 1));
+  }
+  sweep::Journal journal(std::vector{attempt});
+  const lab::SecondProgram none("no-such-program", kGoOn, nullptr);
+  reproduce::RunnerOptions options;
+  options.quick = true;
+  const reproduce::ReproducedPart done = reproduce::run_part(part, journal, none, options);
+  EXPECT_TRUE(done.interrupted);
+  EXPECT_EQ(done.troubles.size(), part.points(true).size());
+  EXPECT_THAT(done.troubles.front(), HasSubstr("there is not enough memory"));
+  for (const lab::PaperClaim& claim : done.report.claims) EXPECT_EQ(claim.verdict, lab::Verdict::kOpen);
 }
 
 TEST(Fits, FindTheLawOfTheirPoints) {
