@@ -44,7 +44,9 @@ TEST(ReproduceVerb, WritesItsFilesOnceAndGoesOn) {
   const Finished again =
       run_kinex({"reproduce", "kds-report-1998", "large-runs", "--quick", "-o", folder, "--force"});
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_EQ(again.out, first.out);
+  // The verdicts: the tables have times.
+  const auto claims = [](const std::string& out) { return out.substr(out.find("\nconfirmed")); };
+  EXPECT_EQ(claims(again.out), claims(first.out));
 }
 
 TEST(ReproduceVerb, TellsThePaperOnCollisions) {
@@ -91,8 +93,7 @@ TEST(ReproduceVerb, IsInterruptedWhileTheSecondProgramRuns) {
   std::filesystem::permissions(stub, std::filesystem::perms::owner_all);
   const std::string listed =
       run_kinex({"sweep", "list", "reproduce", "separation-sensitive-1999", "features", "--quick"}).out;
-  const auto points = std::count(listed.begin(), listed.end(), '\n');
-  const std::string cells = std::to_string(points);
+  const auto points = std::count(listed.begin(), listed.end(), '\n') - 1;  // the last line counts them
   const int lines = static_cast<int>(points) + 1;  // and the header
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const std::string folder = scratch.file(std::to_string(signal));
@@ -106,7 +107,7 @@ TEST(ReproduceVerb, IsInterruptedWhileTheSecondProgramRuns) {
     EXPECT_THAT(read_file(folder + "/claims.json"), HasSubstr("not checked: interrupted"));
     const Finished resumed = run_kinex(command);  // without --force: the results are its own
     EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-    EXPECT_THAT(resumed.err, HasSubstr(cells + " experiments are finished already"));
+    EXPECT_THAT(resumed.err, HasSubstr(std::to_string(points) + " experiments are finished already"));
     EXPECT_THAT(read_file(folder + "/claims.json"), Not(HasSubstr("interrupted")));
     EXPECT_FALSE(std::filesystem::exists(journal));
     if (test::kSanitized) break;

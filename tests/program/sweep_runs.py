@@ -159,7 +159,8 @@ def test_limits_are_results(program, source, folder):
     out = folder / "out"
     sweep(program, "run", plan, "-o", out, code=3)
     limited = [r for r in records_of(out) if r["status"] == "limit"]
-    assert [r["signal"] for r in limited] == [signal.SIGXCPU] and 0.9 < limited[0]["cpu_s"] < 2.5, limited
+    # The kernel limits what it counts in ticks; what it reports of a child differs from that by some.
+    assert [r["signal"] for r in limited] == [signal.SIGXCPU] and 0.5 < limited[0]["cpu_s"] < 2.5, limited
     assert limited[0]["cell"]["n"] == 3000 and len(records_of(out)) == 5
     assert "1 limit" in sweep(program, "status", out, code=3).stdout
     done = sweep(program, "run", plan, "-o", out, code=3)
@@ -341,6 +342,9 @@ def test_plans(program, source, folder):
 
 
 def main():
+    # AddressSanitizer would make an exit code of the signal that is sent.
+    options = os.environ.get("ASAN_OPTIONS")
+    os.environ["ASAN_OPTIONS"] = (options + ":" if options else "") + "handle_segv=0"
     program, source = sys.argv[1], pathlib.Path(sys.argv[2])
     tests = {name[5:]: test for name, test in globals().items() if name.startswith("test_")}
     chosen = sys.argv[3].split(",") if len(sys.argv) > 3 else tests
