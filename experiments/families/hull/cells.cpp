@@ -2,14 +2,15 @@
 // Questions: how often does the quadratic family change the hull? How many events does random
 //   motion cause, and how do they grow with n?
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 9
-//   for the laws of growth; means of an independent Monte Carlo simulation in doubles, with their
-//   standard errors. Changes of the hull, which are few, are known to 5 %.
+//   for the laws of growth; means of an independent simulation in doubles, with their standard
+//   errors (points/reference_means.h). Changes of the hull, which are few, are known to 5 %.
 // Expected: the integers below, in every run of every structure; the means, and the exponent.
 // Cost: about 20 s, a minute in full.
 #include <utility>
 
 #include "experiments/families/hull/experiments.h"
 #include "experiments/families/points/random_motion.h"
+#include "experiments/families/points/reference_means.h"
 #include "experiments/lab/cell_parts.h"
 
 namespace kinex::families {
@@ -28,30 +29,26 @@ void add_quadratic(lab::Catalogue& catalogue, std::string structure, int size, d
   catalogue.cells.push_back(std::move(cell));
 }
 
-struct Reference {
+struct Size {
   int n;
-  double mean;
-  double error;
   double cost;
 };
 
 void add_random_motion(lab::Catalogue& catalogue, lab::Extent extent) {
-  static constexpr Reference kReferences[] = {
-      {10, 10.2, 0.2, 0.1}, {100, 45.7, 0.5, 0.3}, {200, 0, 0, 0.5},
-      {500, 0, 0, 1},       {1000, 106.9, 0.9, 2}, {1500, 0, 0, 2},
-      {2000, 0, 0, 3},      {3000, 145, 2, 5},     {10000, 194, 4, 15}};
-  for (const Reference& reference : kReferences) {
-    if (reference.n > 3000 && extent == lab::Extent::kQuick) continue;
-    lab::Cell cell = uniform_cell("convex_hull_2", reference.n, 2);
+  static constexpr Size kSizes[] = {{10, 0.1}, {100, 0.3}, {200, 0.5}, {500, 1},   {1000, 2},
+                                    {1500, 2}, {2000, 3},  {3000, 5},  {10000, 15}};
+  for (const Size& size : kSizes) {
+    if (size.n > 3000 && extent == lab::Extent::kQuick) continue;
+    lab::Cell cell = uniform_cell("convex_hull_2", size.n, 2);
     cell.bounded = false;  // its bounds are on events by kind
     cell.precise = {{"external", kChangesError}};
-    if (reference.mean > 0) {
-      cell.expectations.push_back(lab::expect_mean(
-          "convex_hull_2.uniform", "external", reference.mean,
-          "independent Monte Carlo in doubles; Guibas 1998, section 9: Theta(log^2 n)"));
+    if (const ReferenceMean reference = reference_mean("hull", size.n); reference.seeds > 0) {
+      cell.expectations.push_back(
+          lab::expect_mean("convex_hull_2.uniform", "external", reference.mean,
+                           reference.source() + "; Guibas 1998, section 9: Theta(log^2 n)"));
       cell.expectations.back().reference_error = reference.error;
     }
-    cell.cost = reference.cost;
+    cell.cost = size.cost;
     catalogue.cells.push_back(std::move(cell));
   }
   // About 10 n - 200 events: the law shows where 200 are few.

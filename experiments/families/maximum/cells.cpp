@@ -13,6 +13,7 @@
 #include "experiments/families/maximum/envelope_witness.h"
 #include "experiments/families/maximum/experiments.h"
 #include "experiments/families/points/random_motion.h"
+#include "experiments/families/points/reference_means.h"
 #include "experiments/families/points/uniform_lines.h"
 #include "experiments/lab/cell_parts.h"
 
@@ -61,13 +62,10 @@ void add_random_motion(lab::Catalogue& catalogue, bool minimum, bool heap, lab::
     lab::Cell cell = uniform_cell(structure, n, 1);
     cell.mirrored = minimum;
     cell.precise.push_back({"external", kChangesError});
-    if (heap && n == 4096) {
-      lab::Expectation expectation =
-          lab::expect_mean("heap.uniform", "processed", 1.05 * n,
-                      "about 1.05 n: an independent simulation in doubles, which "
-                      "does not say how its heap is built at the start");
-      expectation.tolerance = 0.02 * n;
-      cell.expectations.push_back(std::move(expectation));
+    if (const ReferenceMean reference = reference_mean("heap", n); heap && reference.seeds > 0) {
+      cell.expectations.push_back(
+          lab::expect_mean("heap.uniform", "processed", reference.mean, reference.source()));
+      cell.expectations.back().reference_error = reference.error;
     } else if (!heap) {
       cell.expectations.push_back(
           lab::expect_mean("tournament.uniform", "processed", expected_tournament_failures(n),

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "experiments/families/points/experiments.h"
+#include "experiments/families/points/reference_means.h"
 #include "experiments/families/points/uniform_lines.h"
 #include "experiments/lab/claim_check.h"
 #include "experiments/lab/fit.h"
@@ -26,11 +27,6 @@
 namespace kinex::families {
 
 namespace {
-
-struct Reference {
-  int n;
-  double mean, error;
-};
 
 enum class Law { kLogSquared, kLinear, kLog, kPower };
 
@@ -46,7 +42,7 @@ struct Family {
   int largest_quick;
   double seconds_per_run;  // at the largest size
   double growth;           // of that, as a power of n
-  std::vector<Reference> references;
+  const char* references;  // reference_means; empty: there are none, or formulas
 };
 
 const std::vector<Family>& families() {
@@ -64,7 +60,7 @@ const std::vector<Family>& families() {
        1000,
        2,
        1,
-       {{10, 10.2, 0.2}, {100, 45.7, 0.5}, {1000, 106.9, 0.9}, {3000, 145, 2}, {10000, 194, 4}}},
+       "hull"},
       {"9.hull-events",
        "convex_hull_2",
        "processed",
@@ -76,7 +72,7 @@ const std::vector<Family>& families() {
        3200,
        3,
        1,
-       {}},
+       ""},
       {"9.maximum",
        "maximum_tournament",
        "external",
@@ -88,7 +84,7 @@ const std::vector<Family>& families() {
        4096,
        0.1,
        1,
-       {}},
+       ""},
       {"9.sorting",
        "sorted_list",
        "processed",
@@ -100,7 +96,7 @@ const std::vector<Family>& families() {
        512,
        1.5,
        2,
-       {}},
+       ""},
       {"9.delaunay",
        "delaunay_2",
        "processed",
@@ -112,13 +108,7 @@ const std::vector<Family>& families() {
        800,
        2,
        1.5,
-       {{10, 37.5, 0.9},
-        {50, 586, 6},
-        {100, 1731, 19},
-        {200, 5061, 43},
-        {400, 14487, 125},
-        {800, 41184, 331},
-        {1600, 116962, 832}}}};
+       "delaunay"}};
   return kFamilies;
 }
 
@@ -240,13 +230,13 @@ lab::PaperClaim growth_claim(const Family& family, const std::vector<lab::FitPoi
   return claim;
 }
 
-std::vector<Reference> references_of(const Family& family, const std::vector<lab::FitPoint>& points) {
-  std::vector<Reference> references = family.references;
+std::vector<ReferenceMean> references_of(const Family& family, const std::vector<lab::FitPoint>& points) {
+  std::vector<ReferenceMean> references = reference_means(family.references);
   for (const lab::FitPoint& point : points) {
     const int n = static_cast<int>(point.n);
-    if (family.law == Law::kLog) references.push_back({n, expected_envelope_changes(n), 0});
+    if (family.law == Law::kLog) references.push_back({"", n, 0, expected_envelope_changes(n), 0});
     if (std::string(family.structure) == "sorted_list") {
-      references.push_back({n, n * (n - 1.0) / 4, 0});
+      references.push_back({"", n, 0, n * (n - 1.0) / 4, 0});
     }
   }
   return references;
@@ -255,13 +245,13 @@ std::vector<Reference> references_of(const Family& family, const std::vector<lab
 // Means against known ones, all sizes together (see allowed_errors).
 bool add_constant_claim(const Family& family, const std::vector<lab::FitPoint>& points,
                         std::vector<lab::PaperClaim>& claims) {
-  const std::vector<Reference> references = references_of(family, points);
+  const std::vector<ReferenceMean> references = references_of(family, points);
   lab::PaperClaim claim;
   double farthest = 0;
   int compared = 0;
   bool precise = true;  // a mean of too few runs agrees with any reference
   for (const lab::FitPoint& point : points) {
-    for (const Reference& reference : references) {
+    for (const ReferenceMean& reference : references) {
       if (reference.n != static_cast<int>(point.n)) continue;
       ++compared;
       precise = precise && point.error <= kPreciseEnough * point.count;
@@ -285,9 +275,10 @@ bool add_constant_claim(const Family& family, const std::vector<lab::FitPoint>& 
   claim.verdict = farthest > allowed ? lab::Verdict::kRefuted
                   : precise          ? lab::Verdict::kConfirmed
                                      : lab::Verdict::kOpen;
-  claim.assumptions = {family.references.empty()
+  claim.assumptions = {std::string(family.references).empty()
                            ? "the expectation is exact"
-                           : "references: an independent simulation in floating point"};
+                           : fmt::format("references: an independent simulation in doubles, {}",
+                                         references.front().source())};
   claims.push_back(std::move(claim));
   return true;
 }

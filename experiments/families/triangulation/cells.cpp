@@ -4,12 +4,14 @@
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7
 //   for the efficiency, section 9 for the law of growth; flips of the quadratic family found with
 //   exact polynomials and rational sample points between consecutive critical times; means of an
-//   independent Monte Carlo simulation in doubles, with their standard errors.
+//   independent simulation in doubles, with their standard errors (points/reference_means.h).
 // Expected: the integers below, in every run; the means, and the exponent.
 // Cost: about 10 s, half a minute in full.
+#include <cmath>
 #include <utility>
 
 #include "experiments/families/points/random_motion.h"
+#include "experiments/families/points/reference_means.h"
 #include "experiments/families/triangulation/experiments.h"
 #include "experiments/lab/cell_parts.h"
 
@@ -37,25 +39,14 @@ void add_quadratic(lab::Catalogue& catalogue, int size, int flips, double cost) 
   catalogue.cells.push_back(std::move(cell));
 }
 
-struct Reference {
-  int n;
-  double mean;
-  double error;
-  double cost;
-};
-
 void add_random_motion(lab::Catalogue& catalogue) {
-  static constexpr Reference kReferences[] = {
-      {10, 37.5, 0.9, 0.1},   {50, 586, 6, 0.2},      {100, 1731, 19, 0.2},   {200, 5061, 43, 0.2},
-      {400, 14487, 125, 0.5}, {800, 41184, 331, 1.5}, {1600, 116962, 832, 4},
-  };
-  for (const Reference& reference : kReferences) {
+  for (const ReferenceMean& reference : reference_means("delaunay")) {
     lab::Cell cell = uniform_cell("delaunay_2", reference.n, 2);
     cell.expectations.push_back(
         lab::expect_mean("delaunay_2.uniform", "processed", reference.mean,
-                    "independent Monte Carlo in doubles; Guibas 1998, section 9: Theta(n^1.5)"));
+                    reference.source() + "; Guibas 1998, section 9: Theta(n^1.5)"));
     cell.expectations.back().reference_error = reference.error;
-    cell.cost = reference.cost;
+    cell.cost = 0.1 + 6e-5 * std::pow(reference.n, 1.5);
     catalogue.cells.push_back(std::move(cell));
   }
   add_uniform_growth(catalogue, "delaunay_2.uniform.growth", "delaunay_2", 50, 1.5,

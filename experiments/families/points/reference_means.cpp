@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/families/points/reference_means.h"
+
+namespace kinex::families {
+
+namespace {
+
+// As `uniform_means WHAT N SEEDS` prints them. A test runs the short ones again (tests/oracles).
+constexpr ReferenceMean kMeans[] = {
+    {"heap", 4096, 200, 4273.31, 4.81},
+    {"hull", 10, 2000, 10.5315, 0.065},
+    {"hull", 100, 1000, 45.753, 0.241},
+    {"hull", 1000, 200, 107.3, 0.986},
+    {"delaunay", 10, 1000, 38.311, 0.255},
+    {"delaunay", 50, 200, 592.855, 3.09},
+    {"delaunay", 100, 60, 1735.25, 11.1},
+    {"delaunay", 200, 40, 5026.3, 32.4},
+    {"delaunay", 400, 20, 14439.1, 75.3},
+};
+
+}  // namespace
+
+std::string ReferenceMean::source() const {
+  return "uniform_means " + std::string(what) + " " + std::to_string(n) + " " + std::to_string(seeds) +
+         " (tests/oracles)";
+}
+
+std::vector<ReferenceMean> reference_means(std::string_view what) {
+  std::vector<ReferenceMean> means;
+  for (const ReferenceMean& mean : kMeans) {
+    if (mean.what == what) means.push_back(mean);
+  }
+  return means;
+}
+
+ReferenceMean reference_mean(std::string_view what, int n) {
+  for (const ReferenceMean& mean : kMeans) {
+    if (mean.what == what && mean.n == n) return mean;
+  }
+  return {what, n, 0, 0, 0};
+}
+
+}  // namespace kinex::families
