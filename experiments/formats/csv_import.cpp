@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/time_text.h"
+#include "experiments/formats/counted.h"
 #include "experiments/formats/csv_fields.h"
 #include "experiments/formats/csv_table.h"
 #include "experiments/formats/heading.h"
@@ -253,7 +255,7 @@ class Importer {
     const auto axes = static_cast<std::size_t>(scene.dimension);
     if (fields.size() != axes + 1) {
       throw InputError(option, "",
-                       show_text(text) + " has " + std::to_string(fields.size()) + " fields, not " +
+                       show_text(text) + " has " + counted(fields.size(), "field", "fields") + ", not " +
                            std::to_string(axes + 1),
                        "write " + std::string("ID,X,Y,Z").substr(0, 2 + 2 * axes));
     }
@@ -284,8 +286,8 @@ class Importer {
     const Scene& scene = report_.scene;
     if (!scene.end || *scene.end > scene.start) return;
     throw InputError(file_, "",
-                     "the scene would end at " + scene.end->to_string() +
-                         ", not after its start at " + scene.start.to_string(),
+                     "the scene would end at " + time_text(*scene.end) +
+                         ", not after its start at " + time_text(scene.start),
                      "give --start and --end");
   }
 

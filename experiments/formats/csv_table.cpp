@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/utf8.h"
 
@@ -111,8 +112,8 @@ CsvTable parse_csv(std::string_view text, const std::string& file) {
   while (parser.next(row)) {
     if (row.fields.size() != table.columns.size()) {
       throw InputError(file, "line " + std::to_string(row.line),
-                       std::to_string(row.fields.size()) + " fields in a table of " +
-                           std::to_string(table.columns.size()) + " columns",
+                       counted(row.fields.size(), "field", "fields") + " in a table of " +
+                           counted(table.columns.size(), "column", "columns"),
                        "write one field per column");
     }
     table.rows.push_back(std::move(row));

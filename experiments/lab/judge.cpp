@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "experiments/formats/counted.h"
 #include "experiments/lab/scene_run.h"
 
 namespace kinex::lab {
@@ -166,7 +167,7 @@ void add_runs(const std::vector<Trial>& trials, std::vector<Check>& checks) {
     }
   }
   audit.observed =
-      std::to_string(violations) + " violations in " + std::to_string(checked) + " checks";
+      formats::counted(violations, "violation", "violations") + " in " + formats::counted(checked, "check", "checks");
   checks.push_back(std::move(audit));
   if (stopped) checks.push_back(*std::move(stopped));
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex import: a table of traces or velocities to a scene of points or bodies.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "experiments/lab/family.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -41,7 +41,7 @@ OverlappingStarts overlapping_starts(const ImportVerbOptions& options) {
                    "write refused or contact");
 }
 
-void import_file(const ImportVerbOptions& options) {
+void import_file(const ImportVerbOptions& options, const Voice& voice) {
   keep_input("--output", options.output, options.file);
   formats::ImportOptions import_options;
   if (!options.start.empty()) import_options.start = rational_option("--start", options.start);
@@ -63,16 +63,14 @@ void import_file(const ImportVerbOptions& options) {
   if (maintain.empty()) maintain = {lab::usual_structure(scene.has_bodies(), scene.dimension)};
   formats::set_maintain(scene, maintain);
   write_result(options.output, options.force, formats::write_scene(scene));
-  std::fprintf(stderr, "kinex: %s, %s\n", formats::counted(report.rows, "row", "rows").c_str(),
-               formats::counted(scene.objects.size(), "object", "objects").c_str());
+  voice.note(formats::counted(report.rows, "row", "rows") + ", " +
+             formats::counted(scene.objects.size(), "object", "objects"));
   if (report.single_fixes > 0) {
-    std::fprintf(
-        stderr, "kinex: %s left out\n",
-        formats::counted(report.single_fixes, "trace of a single fix was", "traces of a single fix were")
-            .c_str());
+    voice.note(formats::counted(report.single_fixes, "trace of a single fix was", "traces of a single fix were") +
+               " left out");
   }
   if (report.repeated_fixes > 0) {
-    std::fprintf(stderr, "kinex: %zu identical fixes were read once\n", report.repeated_fixes);
+    voice.note(formats::counted(report.repeated_fixes, "repeated fix was", "repeated fixes were") + " read once");
   }
 }
 
@@ -115,7 +113,7 @@ void add_import_verb(CLI::App& app, int&) {
       "  kinex import ships.csv --polygons hulls.csv --bearing heading -o harbour.json\n"
       "  kinex import stars.csv --fixed Sun,0,0,0 -o stars.json --maintain \\\n"
       "    '{\"structure\": \"minimum_tournament\", \"key\": {\"squared_distance_to\": \"Sun\"}}'");
-  verb->callback([options] { import_file(*options); });
+  verb->callback([options, verb] { import_file(*options, voice_of(*verb)); });
 }
 
 }  // namespace kinex::verbs

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex reproduce: the figures and claims of a paper, run again.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
 #include "experiments/lab/claim_check.h"
 #include "experiments/lab/progress.h"
 #include "experiments/reproduce/paper_files.h"
@@ -16,6 +16,7 @@
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -33,23 +34,29 @@ struct Options {
   bool force = false;
   bool fresh = false;
   bool json = false;
+  Voice voice;
 };
 
 const lab::Paper& paper_named(const std::string& name) {
   std::string names;
+  std::vector<std::string> known;
   for (const lab::Paper& paper : reproduce::papers()) {
     if (paper.name == name) return paper;
+    known.emplace_back(paper.name);
     names += (names.empty() ? "" : ", ") + std::string(paper.name);
   }
-  throw formats::InputError("PAPER", "", "\"" + name + "\": there is no such paper", "write " + names);
+  throw formats::InputError("PAPER", "", "\"" + name + "\": there is no such paper",
+                            formats::did_you_mean(name, known, "write " + names));
 }
 
 std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
                                           const std::vector<std::string>& names) {
   std::vector<const lab::PaperPart*> parts;
   std::string known;
+  std::vector<std::string> part_names;
   for (const lab::PaperPart& part : paper.parts) {
     known += (known.empty() ? "" : ", ") + std::string(part.name);
+    part_names.emplace_back(part.name);
     if (names.empty()) parts.push_back(&part);
   }
   for (const std::string& name : names) {
@@ -59,7 +66,8 @@ std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
     }
     if (parts.size() == before) {
       throw formats::InputError("PART", "", "\"" + name + "\": the paper has no such part",
-                       "write " + known + ", or nothing for all of them");
+                                formats::did_you_mean(name, part_names,
+                                                      "write " + known + ", or nothing for all of them"));
     }
   }
   return parts;
@@ -153,7 +161,7 @@ void reproduce(Options options, int& exit_code) {
   for (const lab::PaperPart* part : parts) {
     done.push_back(run_part(*part, options, store, interrupt));
     const reproduce::ReproducedPart& one = done.back();
-    if (!options.json) tell(one);
+    if (!options.json && !options.voice.quiet) tell(one);
     figures.insert(figures.end(), one.report.figures.begin(), one.report.figures.end());
     interrupted = interrupted || one.interrupted;
     failed = failed || !one.troubles.empty();
@@ -182,11 +190,10 @@ void reproduce(Options options, int& exit_code) {
   readme.write(reproduce::paper_readme(paper, done, facts, drawings.problem.empty()));
   readme.commit();
   if (!drawings.problem.empty()) {
-    std::fprintf(stderr, "kinex: no figures: %s\n", drawings.problem.c_str());
+    options.voice.note("no figures: " + drawings.problem);
   }
-  std::fprintf(
-      stderr, "kinex: claims.json and README.md are in %s%s\n", options.folder.c_str(),
-      interrupted ? "; interrupted: the same command with --force resumes" : "");
+  options.voice.note("claims.json and README.md are in " + options.folder +
+                     (interrupted ? "; interrupted: the same command with --force resumes" : ""));
   if (failed || refuted) {
     exit_code = kExitFailed;
   } else if (interrupted) {
@@ -220,7 +227,10 @@ void add_reproduce_verb(CLI::App& app, int& exit_code) {
       "refused;\n"
       "3 interrupted.\n"
       "Example:\n  kinex reproduce kds-report-1998 figure-3 --quick -o figure");
-  verb->callback([options, &exit_code] { reproduce(*options, exit_code); });
+  verb->callback([options, verb, &exit_code] {
+    options->voice = voice_of(*verb);
+    reproduce(*options, exit_code);
+  });
 }
 
 }  // namespace kinex::verbs

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/verbs/verbs.h"
 
+#include "experiments/verbs/voice.h"
+
 namespace kinex::verbs {
 
 void add_verbs(CLI::App& app, int& exit_code) {
@@ -16,6 +18,10 @@ void add_verbs(CLI::App& app, int& exit_code) {
   add_sweep_verb(app, exit_code);
   add_view_verb(app, exit_code);
   add_ccd_verb(app, exit_code);
+  add_list_verb(app, exit_code);
+  add_explain_verb(app, exit_code);
+  add_help_verb(app, exit_code);
+  add_voice_options(app);
 }
 
 }  // namespace kinex::verbs

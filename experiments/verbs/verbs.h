@@ -30,8 +30,11 @@ void add_reproduce_verb(CLI::App& app, int& exit_code);
 void add_sweep_verb(CLI::App& app, int& exit_code);
 void add_view_verb(CLI::App& app, int& exit_code);
 void add_ccd_verb(CLI::App& app, int& exit_code);
+void add_list_verb(CLI::App& app, int& exit_code);
+void add_explain_verb(CLI::App& app, int& exit_code);
+void add_help_verb(CLI::App& app, int& exit_code);
 
-// Adds all verbs.
+// Adds all verbs, and the options that all of them have.
 void add_verbs(CLI::App& app, int& exit_code);
 
 }  // namespace kinex::verbs

@@ -29,7 +29,7 @@ TEST(CsvTable, FollowsRfc4180) {
   EXPECT_EQ(table.rows[1].line, 4u);
   EXPECT_INPUT_ERROR(formats::parse_csv("", "t.csv"), "t.csv: the file is empty");
   EXPECT_INPUT_ERROR(formats::parse_csv("a,a\n", "t.csv"), "column \"a\" stands twice");
-  EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n1,2\n3\n", "t.csv"), "t.csv: line 3: 1 fields");
+  EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n1,2\n3\n", "t.csv"), "t.csv: line 3: 1 field in a table");
   EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n\"1,2\n3\n", "t.csv"), "t.csv: line 2: a quote is not closed");
   EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n\"1\"2,2\n", "t.csv"), "text after a closing quote");
 }
@@ -140,7 +140,7 @@ TEST(CsvImport, FixedObjectsAreRefusedWithARemedy) {
   EXPECT_NO_THROW(fixed("Sun,0,0"));
   EXPECT_INPUT_ERROR(fixed("Sun,0"), "--fixed: \"Sun,0\" has 2 fields, not 3; write ID,X,Y");
   EXPECT_INPUT_ERROR(fixed("Sun,0,0,0"), "--fixed: \"Sun,0,0,0\" has 4 fields, not 3");
-  EXPECT_INPUT_ERROR(fixed(""), "--fixed: \"\" has 1 fields, not 3");
+  EXPECT_INPUT_ERROR(fixed(""), "--fixed: \"\" has 1 field, not 3");
   EXPECT_INPUT_ERROR(fixed(",0,0"), "--fixed: an empty id; write a name");
   EXPECT_INPUT_ERROR(fixed("a,0,0"), "--fixed: there is an object \"a\" already; ids are unique");
   EXPECT_INPUT_ERROR(fixed("first,1,0"), "there is an object \"first\" already");
