@@ -58,16 +58,27 @@ std::string effect_of(Effect effect) {
   return "";
 }
 
-// "{0} is left of {1}" with the arguments' roles in it.
+constexpr std::string_view kLetters = "abcdefgh";  // of the arguments, kMaxArity
+
+// "{0} is left of {1}" with letters in it: "a is left of b".
 std::string claim_in_words(const ClaimForm& form) {
   std::string text(form.says);
-  for (std::size_t i = 0; i < form.roles.size(); ++i) {
+  for (std::size_t i = 0; i < kLetters.size(); ++i) {
     const std::string place = "{" + std::to_string(i) + "}";
     for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place)) {
-      text.replace(at, place.size(), form.roles[i].name);
+      text.replace(at, place.size(), 1, kLetters[i]);
     }
   }
   return text;
+}
+
+// "in_circle_2(a, b, c, d)"
+std::string with_letters(const Predicate& predicate) {
+  std::string text(predicate.name());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(predicate.arity()); ++i) {
+    text += (i == 0 ? "(" : ", ") + std::string(1, kLetters[i]);
+  }
+  return text + ")";
 }
 
 // For points: as a multiple of d, the degree of the motions.
@@ -84,9 +95,8 @@ Lines predicates_of(const StructureInfo& info, const Simulator& simulator) {
   for (PredicateId id = 0; id < numbers.predicates(); ++id) {
     const Predicate& predicate = numbers.predicate(id);
     const std::string words = claim_in_words(predicate.form());
-    std::string line = std::string(predicate.name()) + " of " +
-                       formats::counted(static_cast<std::uint64_t>(predicate.arity()), "object", "objects") + ", " +
-                       degree_of(predicate, info, std::max(1, numbers.needs().degree));
+    std::string line =
+        with_letters(predicate) + ", " + degree_of(predicate, info, std::max(1, numbers.needs().degree));
     if (!words.empty()) line += ": " + words;
     if (told.insert(line).second) lines.push_back(std::move(line));
   }

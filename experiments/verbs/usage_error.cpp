@@ -123,7 +123,8 @@ const CLI::App& innermost(const CLI::App& app) {
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const std::string kind = error.get_name(), message = error.what();
   const CLI::App& verb = innermost(app);
-  if (kind == "ExtrasError") return unknown_argument(app, app.remaining(true));
+  // Its name is that of the verb.
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return unknown_argument(app, app.remaining(true));
   if (kind == "RequiredError") return missing_argument(app, message);
   if (kind == "ConversionError") return conversion_problem(app, message);
   if (kind == "ArgumentMismatch" && message.find(" missing") != std::string::npos) {

@@ -66,11 +66,12 @@ std::string Voice::heading(const std::string& text) const {
 
 void add_voice_options(CLI::App& app) {
   const std::string group = "Messages";
-  CLI::Option* const quiet =
-      app.add_flag("-q,--quiet", "Print errors and what was asked for, nothing else");
-  quiet->group(group);
-  app.add_flag("-v,--verbose", "Say more, on standard error")->group(group)->excludes(quiet);
-  app.add_option("--color", "auto (default: on terminals), always or never")
+  const std::string less = "Print errors and what was asked for, nothing else";
+  const std::string more = "Say more, on standard error";
+  const std::string when = "auto (default: on terminals), always or never";
+  CLI::Option* const quiet = app.add_flag("-q,--quiet", less)->group(group);
+  app.add_flag("-v,--verbose", more)->group(group)->excludes(quiet);
+  app.add_option("--color", when)
       ->check(CLI::IsMember({"auto", "always", "never"}, CLI::ignore_case))
       ->type_name("WHEN")
       ->group(group);
