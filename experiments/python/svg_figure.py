@@ -82,10 +82,11 @@ class Figure:
         self.series = []
 
     def points(self, name, data):
-        self.series.append(("points", name, list(data)))
+        self._add("points", name, data)
 
-    def line(self, name, data, dashed=False):
-        self.series.append(("dashed" if dashed else "line", name, list(data)))
+    def line(self, name, data, dashed=False, like=None):
+        """`like`: the name of the series whose colour it takes."""
+        self._add("dashed" if dashed else "line", name, data, like)
 
     def steps(self, name, data):
         """A staircase: the value of a point holds from there on."""
@@ -94,10 +95,15 @@ class Figure:
             if stairs:
                 stairs.append((x, stairs[-1][1]))
             stairs.append((x, y))
-        self.series.append(("line", name, stairs))
+        self._add("line", name, stairs)
+
+    def _add(self, form, name, data, like=None):
+        colours = {other: colour for _, other, _, colour in self.series}
+        colour = colours.get(like, COLOURS[len(set(colours.values())) % len(COLOURS)])
+        self.series.append((form, name, list(data), colour))
 
     def text(self):
-        for _, _, data in self.series:
+        for _, _, data, _ in self.series:
             self.x.take(x for x, _ in data)
             self.y.take(y for _, y in data)
         self.x.settle()
@@ -137,8 +143,7 @@ class Figure:
         out.append(f'<text x="16" y="{middle}" text-anchor="middle" '
                    f'transform="rotate(-90 16 {middle})">{escape(self.y.label)}</text>')
 
-    def _draw(self, out, i, form, name, data):
-        colour = COLOURS[i % len(COLOURS)]
+    def _draw(self, out, i, form, name, data, colour):
         at = [self._at(x, y) for x, y in data]
         dash = ' stroke-dasharray="6 4"' if form == "dashed" else ""
         if form == "points":

@@ -5,7 +5,7 @@
     kinex run near.json --maintain sorted_list --events near.log
     python3 close_instants.py near.log close.svg
 
-Doubles near t = 1/2 are 2^-54 apart: what is below that line no double can tell apart.
+Doubles just below t = 1/2 are 2^-54 apart: they cannot tell instants apart that are nearer.
 """
 import argparse
 import math
@@ -50,7 +50,7 @@ def main():
     figure = Figure("Gaps between neighbouring instants", Axis("place of the gap in the run"),
                     Axis("log2 of the gap"))
     figure.points("a gap", list(enumerate(gaps, 1)))
-    figure.line("2^-54: distance of doubles below t = 1", [(1, -54), (len(gaps), -54)], dashed=True)
+    figure.line("2^-54: distance of doubles just below t = 1/2", [(1, -54), (len(gaps), -54)], dashed=True)
     figure.write(options.figure, options.force)
 
 

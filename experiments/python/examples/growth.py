@@ -26,8 +26,9 @@ def main():
     for run, value in kinex.counters(options.results, options.counter):
         if value > 0 and run.arithmetic == "exact":
             by_structure.setdefault(run.structure, []).append((run.objects, value))
-    figure = Figure(f"Growth of {options.counter}", Axis("objects n", log=True),
-                    Axis(options.counter + " in a run", log=True))
+    what = {"external": "external events", "processed": "events"}.get(options.counter, options.counter)
+    figure = Figure(f"Growth of the number of {what}", Axis("objects n", log=True),
+                    Axis(f"{what} of a run", log=True))
     for structure, points in sorted(by_structure.items()):
         figure.points(structure, points)
         sizes = sorted({n for n, _ in points})
@@ -36,7 +37,8 @@ def main():
         fit = kinex.fit_power(points)
         error = "" if fit.error is None else f" \u00b1 {fit.error:.3f}"
         print(f"{structure}: {len(points)} runs, {options.counter} ~ n^{fit.exponent:.3f}{error}")
-        figure.line(f"{fit.factor:.3g} n^{fit.exponent:.3f}{error} (95 %)", [(n, fit(n)) for n in sizes])
+        figure.line(f"{fit.factor:.3g} n^{fit.exponent:.3f}{error} (95 %)", [(n, fit(n)) for n in sizes],
+                    like=structure)
     figure.write(options.figure, options.force)
 
 
