@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex import: a table of traces or velocities to a scene of points or bodies.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -23,7 +24,9 @@ namespace kinex::verbs {
 namespace {
 
 struct ImportVerbOptions {
-  std::string file, start, end, name, output;
+  std::string file, start, end, time_zero, separator, name, output;
+  std::vector<std::string> columns;
+  bool ignore_columns = false;
   std::optional<std::string> polygons, heading, bearing, overlapping_starts;
   std::vector<std::string> maintain, fixed;
   bool force = false;
@@ -41,19 +44,53 @@ OverlappingStarts overlapping_starts(const ImportVerbOptions& options) {
                    "write refused or contact");
 }
 
+// "MEANING=COLUMN"
+formats::NamedColumn named_column(const std::string& text) {
+  static const std::vector<std::string> kMeanings{"id", "t", "x", "y", "z", "vx", "vy", "vz"};
+  const std::size_t equals = text.find('=');
+  const std::string meaning = text.substr(0, equals);
+  if (equals == std::string::npos || equals + 1 == text.size()) {
+    throw formats::InputError("--column", "", show_text(text) + " names no column",
+                              "write MEANING=COLUMN, as id=trackId");
+  }
+  if (std::find(kMeanings.begin(), kMeanings.end(), meaning) == kMeanings.end()) {
+    throw formats::InputError("--column", "", show_text(meaning) + " is not a meaning",
+                              "write one of id, t, x, y, z, vx, vy, vz before the =");
+  }
+  return {meaning, text.substr(equals + 1)};
+}
+
+char separator_option(const std::string& text) {
+  if (text.empty()) return formats::kGuessedSeparator;
+  if (text == "comma" || text == ",") return ',';
+  if (text == "semicolon" || text == ";") return ';';
+  if (text == "tab" || text == "\t" || text == "\\t") return '\t';
+  throw formats::InputError("--separator", "", show_text(text) + " is not a separator",
+                            "write comma, semicolon or tab");
+}
+
+formats::ImportOptions read_options(const ImportVerbOptions& options) {
+  formats::ImportOptions read;
+  if (!options.start.empty()) read.start_time = {"--start", options.start};
+  if (!options.end.empty()) read.end_time = {"--end", options.end};
+  if (!options.time_zero.empty()) read.time_zero = {"--time-zero", options.time_zero};
+  for (const std::string& text : options.columns) read.columns.push_back(named_column(text));
+  read.ignore_columns = options.ignore_columns;
+  read.separator = separator_option(options.separator);
+  read.fixed = options.fixed;
+  read.overlapping_starts = overlapping_starts(options);
+  if (options.heading) read.heading = {*options.heading, false};
+  if (options.bearing) read.heading = {*options.bearing, true};
+  return read;
+}
+
 void import_file(const ImportVerbOptions& options, const Voice& voice) {
   keep_input("--output", options.output, options.file);
-  formats::ImportOptions import_options;
-  if (!options.start.empty()) import_options.start = rational_option("--start", options.start);
-  if (!options.end.empty()) import_options.end = rational_option("--end", options.end);
-  import_options.fixed = options.fixed;
+  formats::ImportOptions import_options = read_options(options);
   if (options.polygons) {
     keep_input("--output", options.output, *options.polygons);
     import_options.polygons = formats::parse_polygons(formats::read_text_file(*options.polygons), *options.polygons);
   }
-  import_options.overlapping_starts = overlapping_starts(options);
-  if (options.heading) import_options.heading = {*options.heading, false};
-  if (options.bearing) import_options.heading = {*options.bearing, true};
   const std::string text = formats::read_text_file(options.file);
   formats::ImportReport report = formats::import_csv(text, options.file, import_options);
   Scene& scene = report.scene;
@@ -65,6 +102,10 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
   write_result(options.output, options.force, formats::write_scene(scene));
   voice.note(formats::counted(report.rows, "row", "rows") + ", " +
              formats::counted(scene.objects.size(), "object", "objects"));
+  if (!report.time_zero.empty()) voice.note("t is in seconds, 0 is " + report.time_zero);
+  if (report.ignored_columns > 0) {
+    voice.note(formats::counted(report.ignored_columns, "column was", "columns were") + " ignored");
+  }
   if (report.single_fixes > 0) {
     voice.note(formats::counted(report.single_fixes, "trace of a single fix was", "traces of a single fix were") +
                " left out");
@@ -83,8 +124,16 @@ void add_import_verb(CLI::App& app, int&) {
                    "Columns id,t,x,y[,z] (traces, linear between fixes; a single fix is left out) "
                    "or id,x,y[,z],vx,vy[,vz] (linear)")
       ->required();
+  verb->add_option("--column", options->columns,
+                   "MEANING=COLUMN, as id=trackId: the column for id, t, x, y, z, vx, vy or vz, where it has "
+                   "another name; can be given several times")
+      ->allow_extra_args(false);
+  verb->add_flag("--ignore-columns", options->ignore_columns, "Ignore columns without a meaning");
+  verb->add_option("--separator", options->separator,
+                   "comma, semicolon or tab (default: that of the first line)");
   verb->add_option("--start", options->start, "Start of the scene (first fix; 0 for velocities)");
   verb->add_option("--end", options->end, "End of the scene (last fix; none for velocities)");
+  verb->add_option("--time-zero", options->time_zero, "The date at which t = 0 (first fix), if times are dates");
   add_maintain_option(*verb, options->maintain, "What to maintain");
   verb->add_option("--fixed", options->fixed,
                    "Add an object at rest: ID,X[,Y[,Z]]; can be given several times")
@@ -108,9 +157,11 @@ void add_import_verb(CLI::App& app, int&) {
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
   verb->footer(
+      "Times are numbers, or dates as 2024-05-01T12:30:05Z (ISO 8601): t is then in seconds.\n"
       "Example:\n"
       "  kinex import storms.csv --maintain sorted_list:x -o storms.json\n"
       "  kinex import ships.csv --polygons hulls.csv --bearing heading -o harbour.json\n"
+      "  kinex import tracks.csv --column id=trackId --column t=time --ignore-columns -o tracks.json\n"
       "  kinex import stars.csv --fixed Sun,0,0,0 -o stars.json --maintain \\\n"
       "    '{\"structure\": \"minimum_tournament\", \"key\": {\"squared_distance_to\": \"Sun\"}}'");
   verb->callback([options, verb] { import_file(*options, voice_of(*verb)); });

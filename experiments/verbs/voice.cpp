@@ -18,11 +18,13 @@ constexpr const char* kQuiet = "--quiet";
 constexpr const char* kVerbose = "--verbose";
 constexpr const char* kColour = "--color";
 
-// "auto" if nobody has chosen.
+// "auto" if nobody has chosen, or what is not there.
 std::string colour_of(const CLI::App& verb) {
   for (const CLI::App* app = &verb; app != nullptr; app = app->get_parent()) {
     const CLI::Option* option = app->get_option_no_throw(kColour);
-    if (option != nullptr && option->count() > 0) return option->as<std::string>();
+    if (option == nullptr || option->count() == 0) continue;
+    const std::string& choice = option->results().front();
+    if (choice == "always" || choice == "never") return choice;
   }
   return "auto";
 }
