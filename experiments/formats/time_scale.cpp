@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/numbers/show_text.h"
 #include "experiments/formats/csv_fields.h"
 #include "experiments/formats/input_error.h"
 

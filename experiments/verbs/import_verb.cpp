@@ -6,12 +6,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/csv_import.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/moving_features.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/lab/family.h"
@@ -29,6 +31,8 @@ struct ImportVerbOptions {
   bool ignore_columns = false;
   std::optional<std::string> polygons, heading, bearing, overlapping_starts;
   std::vector<std::string> maintain, fixed;
+  std::optional<std::string> local;
+  bool linear = false, planar = false;
   bool force = false;
 };
 
@@ -84,6 +88,31 @@ formats::ImportOptions read_options(const ImportVerbOptions& options) {
   return read;
 }
 
+formats::ImportReport import_table(const std::string& text, const ImportVerbOptions& options,
+                                   const formats::ImportOptions& read) {
+  for (const auto& [given, option] :
+       {std::pair(options.linear, "--linear"), {options.planar, "--planar"}, {options.local.has_value(), "--local"}}) {
+    if (given) throw formats::InputError(option, "", "it is for Moving Features and GeoJSON", "leave it out");
+  }
+  return formats::import_csv(text, options.file, read);
+}
+
+formats::ImportReport import_json(const std::string& text, const ImportVerbOptions& options,
+                                  const formats::ImportOptions& read) {
+  if (!options.separator.empty()) {
+    throw formats::InputError("--separator", "", "it is for tables", "leave it out");
+  }
+  formats::MovingFeaturesOptions features;
+  features.common = read;
+  features.linear = options.linear;
+  if (options.planar && options.local) {
+    throw formats::InputError("--local", "", "it does not go with --planar", "leave one of them out");
+  }
+  if (options.planar) features.plane = formats::Plane::as_they_are();
+  if (options.local) features.plane = formats::Plane::around(*options.local);
+  return formats::import_moving_features(text, options.file, features);
+}
+
 void import_file(const ImportVerbOptions& options, const Voice& voice) {
   keep_input("--output", options.output, options.file);
   formats::ImportOptions import_options = read_options(options);
@@ -92,17 +121,22 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
     import_options.polygons = formats::parse_polygons(formats::read_text_file(*options.polygons), *options.polygons);
   }
   const std::string text = formats::read_text_file(options.file);
-  formats::ImportReport report = formats::import_csv(text, options.file, import_options);
+  formats::ImportReport report = formats::looks_like_json(text) ? import_json(text, options, import_options)
+                                                                : import_table(text, options, import_options);
   Scene& scene = report.scene;
-  scene.name = name_option(
-      options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
-  std::vector<std::string> maintain = options.maintain;
+  if (scene.name.empty() || !options.name.empty()) {
+    scene.name = name_option(
+        options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
+  }
+  std::vector<std::string> maintain = options.maintain.empty() ? report.maintain : options.maintain;
   if (maintain.empty()) maintain = {lab::usual_structure(scene.has_bodies(), scene.dimension)};
   formats::set_maintain(scene, maintain);
   write_result(options.output, options.force, formats::write_scene(scene));
-  voice.note(formats::counted(report.rows, "row", "rows") + ", " +
+  const bool features = formats::looks_like_json(text);
+  voice.note(formats::counted(report.rows, features ? "feature" : "row", features ? "features" : "rows") + ", " +
              formats::counted(scene.objects.size(), "object", "objects"));
   if (!report.time_zero.empty()) voice.note("t is in seconds, 0 is " + report.time_zero);
+  for (const std::string& note : report.notes) voice.note(note);
   if (report.ignored_columns > 0) {
     voice.note(formats::counted(report.ignored_columns, "column was", "columns were") + " ignored");
   }
@@ -119,10 +153,10 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
 
 void add_import_verb(CLI::App& app, int&) {
   auto options = std::make_shared<ImportVerbOptions>();
-  CLI::App* verb = app.add_subcommand("import", "Makes a scene from a CSV file");
+  CLI::App* verb = app.add_subcommand("import", "Makes a scene from a CSV file, GeoJSON or Moving Features");
   verb->add_option("FILE", options->file,
                    "Columns id,t,x,y[,z] (traces, linear between fixes; a single fix is left out) "
-                   "or id,x,y[,z],vx,vy[,vz] (linear)")
+                   "or id,x,y[,z],vx,vy[,vz] (linear); or GeoJSON with times; or OGC Moving Features JSON")
       ->required();
   verb->add_option("--column", options->columns,
                    "MEANING=COLUMN, as id=trackId: the column for id, t, x, y, z, vx, vy or vz, where it has "
@@ -153,6 +187,10 @@ void add_import_verb(CLI::App& app, int&) {
       "--overlapping-starts", options->overlapping_starts,
       "Bodies that overlap when they are first seen: refused (default) or contact (they "
       "begin in contact)");
+  verb->add_flag("--linear", options->linear, "Of Moving Features: read Discrete as Linear");
+  verb->add_option("--local", options->local,
+                   "Of GeoJSON and Moving Features in degrees: metres around LON,LAT");
+  verb->add_flag("--planar", options->planar, "Of the same: coordinates are planar, whatever the file says");
   verb->add_option("--name", options->name, "Name of the scene (the file's)");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
@@ -162,6 +200,7 @@ void add_import_verb(CLI::App& app, int&) {
       "  kinex import storms.csv --maintain sorted_list:x -o storms.json\n"
       "  kinex import ships.csv --polygons hulls.csv --bearing heading -o harbour.json\n"
       "  kinex import tracks.csv --column id=trackId --column t=time --ignore-columns -o tracks.json\n"
+      "  kinex import tram.mfjson --local 13.4,52.5 -o tram.json\n"
       "  kinex import stars.csv --fixed Sun,0,0,0 -o stars.json --maintain \\\n"
       "    '{\"structure\": \"minimum_tournament\", \"key\": {\"squared_distance_to\": \"Sun\"}}'");
   verb->callback([options, verb] { import_file(*options, voice_of(*verb)); });
