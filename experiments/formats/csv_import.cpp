@@ -159,7 +159,7 @@ class Importer {
                        std::string(kColumns) + ", or give --ignore-columns for the others");
     }
     throw InputError(file_, "line 1", problem,
-                     "remove it, give --ignore-columns, or name it with --heading or --bearing; a body that turns is "
+                     "remove it, or name it with --heading or --bearing, or give --ignore-columns; a body that turns is "
                      "written as traces, for no rotor that is polynomial turns at a constant rate");
   }
 

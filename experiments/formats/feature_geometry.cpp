@@ -168,7 +168,13 @@ void sort_runs(FeatureGeometry& geometry, const JsonNode& node) {
 }  // namespace
 
 Rational read_datetime(const JsonNode& node, FeatureReading& reading) {
-  if (node.is(Kind::kNumber)) return reading.scale.read_seconds(node.rational() / Rational(1000));
+  if (node.is(Kind::kNumber)) {
+    Rational seconds = node.rational() / Rational(1000);
+    if (!has_iso_text(seconds)) {
+      node.refuse("a number of milliseconds since 1970", "write one of the years 1 to 9999, or a date");
+    }
+    return reading.scale.read_seconds(std::move(seconds));
+  }
   const std::string_view text = node.string();
   if (!looks_like_date(text)) {
     node.refuse("a date", "write it as \"2024-05-01T12:30:05Z\", or as a number of milliseconds since 1970");

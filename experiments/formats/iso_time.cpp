@@ -11,6 +11,7 @@ namespace kinex::formats {
 namespace {
 
 constexpr std::int64_t kDay = 86400;
+constexpr std::size_t kMostFractionDigits = 1000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -99,9 +100,8 @@ class Parser {
       const std::size_t begin = at_;
       while (!done() && is_digit(text_[at_])) ++at_;
       if (at_ == begin) return wrong("after its point there are no digits");
-      const auto fraction = Rational::parse("0." + std::string(text_.substr(begin, at_ - begin)));
-      if (!fraction) return wrong("its fraction is too long");
-      time.seconds += *fraction;
+      if (at_ - begin > kMostFractionDigits) return wrong("its fraction is too long");
+      time.seconds += *Rational::parse("0." + std::string(text_.substr(begin, at_ - begin)));
     }
     if (done()) return true;
     time.has_offset = true;
@@ -152,6 +152,11 @@ std::optional<std::string> finite_decimal(const Rational& value, int digits) {
     scaled *= Rational(10);
   }
   return decimal(value, places);
+}
+
+bool has_iso_text(const Rational& seconds) {
+  return Rational(days_before(1) * kDay) <= seconds && seconds < Rational(days_before(10000) * kDay) &&
+         finite_decimal(seconds).has_value();
 }
 
 std::string iso_text(const Rational& seconds) {

@@ -21,12 +21,13 @@ bool looks_like_date(std::string_view text);
 
 //   2024-05-01T12:30:05.25Z   2024-05-01 12:30:05,25+02:00   2024-05-01T12:30   2024-05-01
 //   20240501T123005Z
-// Years 0001 to 9999 (Gregorian); fractions of seconds of any length, exact. nullopt, and the reason in
+// Years 0001 to 9999 (Gregorian); fractions of seconds of up to 1000 digits, exact. nullopt, and the reason in
 // `problem` ("there is no month 13"), for anything else; leap seconds are refused.
 std::optional<IsoTime> parse_iso_time(std::string_view text, std::string& problem);
 
-// The time as "2024-05-01T12:30:05.25Z". Requires years 0001 to 9999 and seconds with a finite decimal of
-// at most 1000 digits after the point (finite_decimal).
+// True for years 0001 to 9999, and seconds with a finite decimal of at most 1000 digits after the point.
+bool has_iso_text(const Rational& seconds);
+// The time as "2024-05-01T12:30:05.25Z". Requires that it has one.
 std::string iso_text(const Rational& seconds);
 
 // The number as a decimal, exactly: "-0.25". nullopt if it has none, or one of more than `digits` digits

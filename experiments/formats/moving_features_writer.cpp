@@ -101,8 +101,7 @@ class Writer {
   }
 
   std::string date(const Rational& seconds) const {
-    static const Rational kFirst = *Rational::parse("-62135596800"), kLast = *Rational::parse("253402300800");
-    if (kFirst <= seconds && seconds < kLast) return iso_text(seconds);
+    if (has_iso_text(seconds)) return iso_text(seconds);
     throw InputError(file_, "/time", "it reaches beyond the years 1 to 9999 as dates in seconds",
                      "give another --time-zero, or a shorter --until");
   }

@@ -25,7 +25,7 @@ class TimeScale {
   // (the line, or a JSON path) and `field` ("\"noon\" in column \"t\"").
   Rational read(std::string_view text, const std::string& file, const std::string& place,
                 const std::string& field);
-  // The same for seconds since 1970 that a file has as a number.
+  // The same for seconds since 1970 that a file has as a number (has_iso_text()).
   Rational read_seconds(Rational seconds);
 
   // When all times have been read: sets the time zero, and gives the number that is subtracted from

@@ -127,10 +127,11 @@ TEST(MovingFeatures, PolygonsAreBodies) {
 
 // Linear scenes of decimals: written and read, they are the same, byte by byte.
 TEST(MovingFeatures, RoundTripIsTheIdentity) {
-  for (const char* workload : {"uniform-square", "grid", "lattice", "meet", "walks", "new-plans", "come-and-go", "sort-worst"}) {
+  for (const char* workload : {"uniform-square", "grid", "lattice", "meet", "walks", "new-plans", "come-and-go"}) {
     SCOPED_TRACE(workload);
     lab::WorkloadParameters parameters;
     parameters.n = 9;
+    if (std::string(workload) == "meet") parameters.dimension = 1;
     const Scene scene = lab::generate_scene(*lab::find_workload(workload), parameters);
     const WrittenFeatures features = write_moving_features(scene, "s.json", form());
     if (features.inexact > 0) continue;  // plans at thirds, ..
@@ -144,7 +145,7 @@ TEST(MovingFeatures, RoundTripIsTheIdentity) {
   const Scene scene = parse_scene(
       R"({"kinex": 1, "name": "late", "dimension": 2, "time": {"start": "5/2", "end": 4}, "objects": [)"
       R"({"id": "a", "weight": "1/3", "motion": [[1, 2], ["0.25"]]}, {"id": "b", "motion": [)"
-      R"({"from": "5/2", "to": 3, "coordinates": [[0, 1], [3]]}, {"from": "7/2", "to": 4, "coordinates": [[1], [1, 1]]}]}], )"
+      R"({"to": 3, "coordinates": [[0, 1], [3]]}, {"from": "7/2", "coordinates": [[1], [1, 1]]}]}], )"
       R"("maintain": ["sorted_list", {"structure": "sorted_list", "key": "y", "as": "up"}]})",
       "s");
   EXPECT_EQ(write_scene(again(write_moving_features(scene, "s", form()).text)), write_scene(scene));
