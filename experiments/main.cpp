@@ -55,17 +55,23 @@ int main(int argc, char** argv) {
   int exit_code = verbs::kExitFine;
   describe(app);
   verbs::add_verbs(app, exit_code);
-  const auto tell = [&app](const std::string& text) { verbs::voice_of(verbs::innermost(app)).error(text); };
+  const auto tell = [&app](const std::string& text) {
+    verbs::voice_of(verbs::innermost(app)).error(text);
+  };
   try {
     return run(app, argc, argv, exit_code);
   } catch (const kinex::formats::InputError& error) {
     tell(error.what());
     return verbs::kExitBadInput;
   } catch (const kinex::Stopped&) {
-    tell("stopped before there was anything to write; run it again, with a larger limit if it had one");
+    tell(
+        "stopped before there was anything to write; run it again, with a larger limit if it had "
+        "one");
     return verbs::kExitGaveUp;
   } catch (const std::bad_alloc&) {
-    tell("gave up: there is not enough memory; make the scene smaller, or run it on a larger machine");
+    tell(
+        "gave up: there is not enough memory; make the scene smaller, or run it on a larger "
+        "machine");
     return verbs::kExitGaveUp;
   } catch (const std::invalid_argument& error) {
     // A run detects errors that no reader can, such as bodies that turn against each other.

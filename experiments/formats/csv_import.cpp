@@ -64,7 +64,8 @@ class Importer {
     if (report_.scene.objects.empty()) {
       throw InputError(file_, "", "no object has two fixes", "write at least two fixes of one id");
     }
-    for (const std::string& row : options_.fixed) add_fixed(report_.scene, row, options_.polygons.has_value());
+    for (const std::string& row : options_.fixed)
+      add_fixed(report_.scene, row, options_.polygons.has_value());
     check_time(report_.scene, file_);
     report_.scene.overlapping_starts = options_.overlapping_starts;
     if (options_.polygons) make_bodies(report_.scene, *options_.polygons, {file_, lines_});
@@ -81,13 +82,18 @@ class Importer {
     for (std::size_t i = 0; i < options_.columns.size(); ++i) {
       const NamedColumn& one = options_.columns[i];
       if (!table_.column(one.column)) {
-        throw InputError(file_, "line 1", "there is no column " + show_text(one.column) + ", that of --column " + one.meaning,
-                         did_you_mean(one.column, table_.columns, "name a column of the table"));
+        throw InputError(
+            file_, "line 1",
+            "there is no column " + show_text(one.column) + ", that of --column " + one.meaning,
+            did_you_mean(one.column, table_.columns, "name a column of the table"));
       }
       for (std::size_t j = 0; j < i; ++j) {
-        if (options_.columns[j].meaning != one.meaning && options_.columns[j].column != one.column) continue;
-        throw InputError("--column", "", one.meaning + "=" + one.column + " after " + options_.columns[j].meaning +
-                             "=" + options_.columns[j].column, "give every meaning one column of its own");
+        if (options_.columns[j].meaning != one.meaning && options_.columns[j].column != one.column)
+          continue;
+        throw InputError("--column", "",
+                         one.meaning + "=" + one.column + " after " + options_.columns[j].meaning +
+                             "=" + options_.columns[j].column,
+                         "give every meaning one column of its own");
       }
     }
   }
@@ -106,8 +112,9 @@ class Importer {
   std::size_t required(const std::string& name) const {
     const auto found = column(name);
     if (!found) {
-      throw InputError(file_, "line 1", "there is no column " + show_text(name),
-                       std::string(kColumns) + ", or say which they are: --column " + name + "=NAME");
+      throw InputError(
+          file_, "line 1", "there is no column " + show_text(name),
+          std::string(kColumns) + ", or say which they are: --column " + name + "=NAME");
     }
     return *found;
   }
@@ -159,7 +166,8 @@ class Importer {
                        std::string(kColumns) + ", or give --ignore-columns for the others");
     }
     throw InputError(file_, "line 1", problem,
-                     "remove it, or name it with --heading or --bearing, or give --ignore-columns; a body that turns is "
+                     "remove it, or name it with --heading or --bearing, or give --ignore-columns; "
+                     "a body that turns is "
                      "written as traces, for no rotor that is polynomial turns at a constant rate");
   }
 

@@ -46,8 +46,8 @@ struct ImportReport {
   std::size_t single_fixes = 0;    // traces of one fix: they have no duration, and are left out
   std::size_t repeated_fixes = 0;  // identical rows of one id and time: read once
   std::size_t ignored_columns = 0;
-  std::string time_zero;           // of dates: the date at which t = 0; otherwise empty
-  std::vector<std::string> notes;  // what somebody should know
+  std::string time_zero;              // of dates: the date at which t = 0; otherwise empty
+  std::vector<std::string> notes;     // what somebody should know
   std::vector<std::string> maintain;  // as set_maintain() takes it, if the file says so
 };
 

@@ -28,7 +28,8 @@ struct CsvTable {
 // The separator is that of the first line: a comma if there is one outside of quotes, else a semicolon,
 // else a tab.
 inline constexpr char kGuessedSeparator = '\0';
-CsvTable parse_csv(std::string_view text, const std::string& file, char separator = kGuessedSeparator);
+CsvTable parse_csv(std::string_view text, const std::string& file,
+                   char separator = kGuessedSeparator);
 
 // The fields of one row; `source` is for messages. A line end outside of quotes is refused.
 std::vector<std::string> parse_csv_row(std::string_view text, const std::string& source);

@@ -22,7 +22,8 @@ std::string interpolation_of(const JsonNode& node) {
     if (!member) continue;
     if (!member->is(Kind::kArray)) return std::string(member->string());
     if (member->size() != 1) {
-      member->fail(counted(member->size(), "interpolation", "interpolations") + " in one array", "write one");
+      member->fail(counted(member->size(), "interpolation", "interpolations") + " in one array",
+                   "write one");
     }
     return std::string(member->at(0).string());
   }
@@ -54,8 +55,9 @@ std::vector<Rational> read_times(const JsonNode& node, FeatureReading& reading) 
   for (std::size_t i = 0; i < node.size(); ++i) {
     times.push_back(read_datetime(node.at(i), reading));
     if (i == 0 || times[i - 1] < times[i]) continue;
-    node.at(i).fail(times[i - 1] == times[i] ? "the time before it is the same" : "the time before it is later",
-                    "write times in ascending order, each once");
+    node.at(i).fail(
+        times[i - 1] == times[i] ? "the time before it is the same" : "the time before it is later",
+        "write times in ascending order, each once");
   }
   return times;
 }
@@ -63,8 +65,9 @@ std::vector<Rational> read_times(const JsonNode& node, FeatureReading& reading) 
 void require_one_each(const JsonNode& times, const JsonNode& places) {
   places.require_array();
   if (times.size() == places.size()) return;
-  places.fail(counted(places.size(), "place", "places") + " for " + counted(times.size(), "time", "times"),
-              "write one place for each time");
+  places.fail(
+      counted(places.size(), "place", "places") + " for " + counted(times.size(), "time", "times"),
+      "write one place for each time");
 }
 
 // The only ring of a polygon, without its last vertex, which is the first.
@@ -72,21 +75,25 @@ std::vector<Vertex2> read_ring(const JsonNode& polygon, FeatureReading& reading)
   polygon.require_array();
   if (polygon.size() == 0) polygon.fail("a polygon without rings", "write its exterior ring");
   // [[x, y], ..]: the ring itself, as some programs write it.
-  const bool bare = polygon.at(0).is(Kind::kArray) && polygon.at(0).size() > 0 && !polygon.at(0).at(0).is(Kind::kArray);
+  const bool bare = polygon.at(0).is(Kind::kArray) && polygon.at(0).size() > 0 &&
+                    !polygon.at(0).at(0).is(Kind::kArray);
   if (!bare && polygon.size() != 1) {
-    polygon.fail(counted(polygon.size(), "ring", "rings") + " in a polygon, but bodies have no holes",
-                 "keep the exterior ring");
+    polygon.fail(
+        counted(polygon.size(), "ring", "rings") + " in a polygon, but bodies have no holes",
+        "keep the exterior ring");
   }
   const JsonNode ring = bare ? polygon : polygon.at(0);
   ring.require_array();
   std::vector<Vertex2> vertices;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::vector<Rational> position = read_position(ring.at(i), reading);
-    if (position.size() != 2) ring.at(i).fail("a vertex with 3 axes", "bodies are plane; write two");
+    if (position.size() != 2)
+      ring.at(i).fail("a vertex with 3 axes", "bodies are plane; write two");
     vertices.push_back({position[0], position[1]});
   }
   if (vertices.size() < 4 || vertices.front() != vertices.back()) {
-    ring.fail("a ring that is not closed", "write three vertices or more, and the first one again at the end");
+    ring.fail("a ring that is not closed",
+              "write three vertices or more, and the first one again at the end");
   }
   vertices.pop_back();
   return vertices;
@@ -114,34 +121,37 @@ std::vector<std::vector<Rational>> read_polygons(const JsonNode& places, Feature
     if (polygon.empty()) polygon = ring;
     if (ring != polygon) {
       places.at(i).fail("the polygon turns or deforms",
-                        "polygons that are moved without turning are bodies; give points and --polygons for others");
+                        "polygons that are moved without turning are bodies; give points and "
+                        "--polygons for others");
     }
     origins.push_back({origin[0], origin[1]});
   }
   return origins;
 }
 
-FeatureRun make_run(const JsonNode& times, const JsonNode& places, bool step, Shape shape, FeatureReading& reading,
-                    std::vector<Vertex2>& polygon) {
+FeatureRun make_run(const JsonNode& times, const JsonNode& places, bool step, Shape shape,
+                    FeatureReading& reading, std::vector<Vertex2>& polygon) {
   require_one_each(times, places);
   std::vector<Rational> ts = read_times(times, reading);
   std::vector<std::vector<Rational>> positions;
   if (shape == Shape::kPolygon) {
     positions = read_polygons(places, reading, polygon);
   } else {
-    for (std::size_t i = 0; i < places.size(); ++i) positions.push_back(read_position(places.at(i), reading));
+    for (std::size_t i = 0; i < places.size(); ++i)
+      positions.push_back(read_position(places.at(i), reading));
   }
   FeatureRun run{{}, step, times.path()};
-  for (std::size_t i = 0; i < ts.size(); ++i) run.fixes.push_back({std::move(ts[i]), std::move(positions[i]), {}});
+  for (std::size_t i = 0; i < ts.size(); ++i)
+    run.fixes.push_back({std::move(ts[i]), std::move(positions[i]), {}});
   return run;
 }
 
 // A MovingPoint or MovingPolygon; or a sequence of one, which has the interpolation of `outer`.
-void read_primitive(const JsonNode& node, const JsonNode& outer, Shape shape, FeatureReading& reading,
-                    FeatureGeometry& geometry) {
+void read_primitive(const JsonNode& node, const JsonNode& outer, Shape shape,
+                    FeatureReading& reading, FeatureGeometry& geometry) {
   const bool step = is_step(outer, reading, geometry.assumed_linear);
-  geometry.runs.push_back(
-      make_run(node.member("datetimes"), node.member("coordinates"), step, shape, reading, geometry.polygon));
+  geometry.runs.push_back(make_run(node.member("datetimes"), node.member("coordinates"), step,
+                                   shape, reading, geometry.polygon));
 }
 
 Shape shape_of(const JsonNode& node) {
@@ -171,13 +181,15 @@ Rational read_datetime(const JsonNode& node, FeatureReading& reading) {
   if (node.is(Kind::kNumber)) {
     Rational seconds = node.rational() / Rational(1000);
     if (!has_iso_text(seconds)) {
-      node.refuse("a number of milliseconds since 1970", "write one of the years 1 to 9999, or a date");
+      node.refuse("a number of milliseconds since 1970",
+                  "write one of the years 1 to 9999, or a date");
     }
     return reading.scale.read_seconds(std::move(seconds));
   }
   const std::string_view text = node.string();
   if (!looks_like_date(text)) {
-    node.refuse("a date", "write it as \"2024-05-01T12:30:05Z\", or as a number of milliseconds since 1970");
+    node.refuse("a date",
+                "write it as \"2024-05-01T12:30:05Z\", or as a number of milliseconds since 1970");
   }
   return reading.scale.read(text, reading.file, node.path(), show_text(text));
 }
@@ -186,23 +198,26 @@ std::vector<Rational> read_position(const JsonNode& node, FeatureReading& readin
   node.require_array();
   const int dimension = static_cast<int>(node.size());
   if (dimension != 2 && dimension != 3) {
-    node.fail("a position of " + counted(node.size(), "number", "numbers"), "write [x, y] or [x, y, z]");
+    node.fail("a position of " + counted(node.size(), "number", "numbers"),
+              "write [x, y] or [x, y, z]");
   }
   if (reading.dimension.value_or(dimension) != dimension) {
-    node.fail("a position of " + std::to_string(dimension) + " numbers in a file with positions of " +
-                  std::to_string(*reading.dimension),
+    node.fail("a position of " + std::to_string(dimension) +
+                  " numbers in a file with positions of " + std::to_string(*reading.dimension),
               "write all with the same axes");
   }
   reading.dimension = dimension;
   std::vector<Rational> position;
-  for (std::size_t axis = 0; axis < node.size(); ++axis) position.push_back(node.at(axis).rational());
+  for (std::size_t axis = 0; axis < node.size(); ++axis)
+    position.push_back(node.at(axis).rational());
   reading.plane.project(position);
   return position;
 }
 
 FeatureGeometry read_temporal_geometry(const JsonNode& node, const std::optional<JsonNode>& crs,
                                        FeatureReading& reading) {
-  if (!node.is(Kind::kObject)) node.refuse("a moving geometry", "write {\"type\": \"MovingPoint\", ..}");
+  if (!node.is(Kind::kObject))
+    node.refuse("a moving geometry", "write {\"type\": \"MovingPoint\", ..}");
   const std::optional<JsonNode> own = node.find("crs");
   reading.plane.check(own ? own : crs, node);
   FeatureGeometry geometry;
@@ -213,7 +228,8 @@ FeatureGeometry read_temporal_geometry(const JsonNode& node, const std::optional
     const Shape shape = shape_of(prisms.at(0));
     for (std::size_t i = 0; i < prisms.size(); ++i) {
       const JsonNode prism = prisms.at(i);
-      if (shape_of(prism) != shape) prism.fail("points and polygons in one collection", "write one kind of them");
+      if (shape_of(prism) != shape)
+        prism.fail("points and polygons in one collection", "write one kind of them");
       read_primitive(prism, prism, shape, reading, geometry);
     }
   } else if (const auto sequences = node.find("sequences")) {
@@ -228,9 +244,11 @@ FeatureGeometry read_temporal_geometry(const JsonNode& node, const std::optional
   return geometry;
 }
 
-FeatureGeometry read_trajectory(const JsonNode& geometry, const JsonNode& times, FeatureReading& reading) {
+FeatureGeometry read_trajectory(const JsonNode& geometry, const JsonNode& times,
+                                FeatureReading& reading) {
   FeatureGeometry result;
-  result.runs.push_back(make_run(times, geometry.member("coordinates"), false, Shape::kPoint, reading, result.polygon));
+  result.runs.push_back(make_run(times, geometry.member("coordinates"), false, Shape::kPoint,
+                                 reading, result.polygon));
   return result;
 }
 

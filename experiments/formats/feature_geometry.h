@@ -34,7 +34,7 @@ struct FeatureReading {
   TimeScale& scale;
   const Plane& plane;
   const std::string& file;
-  bool linear = false;              // Discrete is read as Linear
+  bool linear = false;                // Discrete is read as Linear
   std::optional<int> dimension = {};  // of the positions so far
 };
 
@@ -42,7 +42,8 @@ struct FeatureReading {
 FeatureGeometry read_temporal_geometry(const JsonNode& node, const std::optional<JsonNode>& crs,
                                        FeatureReading& reading);
 // A LineString and its times.
-FeatureGeometry read_trajectory(const JsonNode& geometry, const JsonNode& times, FeatureReading& reading);
+FeatureGeometry read_trajectory(const JsonNode& geometry, const JsonNode& times,
+                                FeatureReading& reading);
 // [x, y] or [x, y, z], in the scene's plane.
 std::vector<Rational> read_position(const JsonNode& node, FeatureReading& reading);
 // A string with a date, or a number: milliseconds since 1970.

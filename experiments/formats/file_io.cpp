@@ -153,8 +153,9 @@ void OutputFile::fail(const char* what) {
                      "make room, and run it again");
   }
   throw InputError(path_, "", problem,
-                   standard_output_ ? "check the target of its redirection, and the room for temporary files"
-                                    : "give a name in a folder that exists and can be written");
+                   standard_output_
+                       ? "check the target of its redirection, and the room for temporary files"
+                       : "give a name in a folder that exists and can be written");
 }
 
 void OutputFile::copy_to_standard_output(std::size_t bytes) {

@@ -108,9 +108,11 @@ class Parser {
     if (take('Z') || take('z')) return done() || wrong("after its Z there is more");
     const int sign = take('+') ? 1 : take('-') ? -1 : 0;
     int hours = 0, minutes_off = 0;
-    if (sign == 0 || !number(2, hours)) return wrong("its offset from UTC is not of the form Z or +02:00");
+    if (sign == 0 || !number(2, hours))
+      return wrong("its offset from UTC is not of the form Z or +02:00");
     take(':');
-    if (!done() && !number(2, minutes_off)) return wrong("its offset from UTC is not of the form Z or +02:00");
+    if (!done() && !number(2, minutes_off))
+      return wrong("its offset from UTC is not of the form Z or +02:00");
     if (!done() || hours > 23 || minutes_off > 59) {
       return wrong("its offset from UTC is not of the form Z or +02:00");
     }
@@ -155,8 +157,8 @@ std::optional<std::string> finite_decimal(const Rational& value, int digits) {
 }
 
 bool has_iso_text(const Rational& seconds) {
-  return Rational(days_before(1) * kDay) <= seconds && seconds < Rational(days_before(10000) * kDay) &&
-         finite_decimal(seconds).has_value();
+  return Rational(days_before(1) * kDay) <= seconds &&
+         seconds < Rational(days_before(10000) * kDay) && finite_decimal(seconds).has_value();
 }
 
 std::string iso_text(const Rational& seconds) {
@@ -173,7 +175,8 @@ std::string iso_text(const Rational& seconds) {
   const std::size_t point = clock.find('.');
   const std::int64_t whole = std::stoll(clock.substr(0, point));
   std::string text = padded(year, 4) + "-" + padded(month, 2) + "-" + padded(day + 1, 2) + "T" +
-                     padded(whole / 3600, 2) + ":" + padded(whole / 60 % 60, 2) + ":" + padded(whole % 60, 2);
+                     padded(whole / 3600, 2) + ":" + padded(whole / 60 % 60, 2) + ":" +
+                     padded(whole % 60, 2);
   if (point != std::string::npos) text += clock.substr(point);
   return text + "Z";
 }

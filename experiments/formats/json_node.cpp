@@ -110,7 +110,9 @@ void JsonNode::require_object(std::initializer_list<std::string_view> allowed) c
   const std::span<const JsonValue> keys = value_->keys();
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (std::find(allowed.begin(), allowed.end(), keys[i].text()) != allowed.end()) continue;
-    at(i).fail(show_text(keys[i].text()) + " is not a known field", did_you_mean(keys[i].text(), {allowed.begin(), allowed.end()}, "known are " + listed(allowed)));
+    at(i).fail(show_text(keys[i].text()) + " is not a known field",
+               did_you_mean(keys[i].text(), {allowed.begin(), allowed.end()},
+                            "known are " + listed(allowed)));
   }
 }
 

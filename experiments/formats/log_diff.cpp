@@ -237,7 +237,8 @@ LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std:
   if (structures.empty() && !(result.only_a.empty() && result.only_b.empty())) {
     throw InputError(file_b, "line 1",
                      "it has no structure in common with " + file_a + ": it maintains " +
-                         structures_of(reader_b.header()) + ", the other " + structures_of(reader_a.header()),
+                         structures_of(reader_b.header()) + ", the other " +
+                         structures_of(reader_a.header()),
                      "compare runs with a structure in common, of the same label and key");
   }
   Names names;

@@ -80,7 +80,8 @@ std::string read_key(const JsonNode& node) {
     return text;
   }
   node.require_object({"direction", "squared_distance_to"});
-  if (node.size() != 1) node.fail("a key with " + counted(node.size(), "member", "members"), remedy);
+  if (node.size() != 1)
+    node.fail("a key with " + counted(node.size(), "member", "members"), remedy);
   json.begin_object();
   if (const auto direction = node.find("direction")) {
     direction->require_array();

@@ -68,8 +68,9 @@ void append_csv_row(std::string& text, const std::vector<std::string>& fields) {
 
 const std::vector<std::string>& csv_columns() {
   static const std::vector<std::string> kColumns{
-      "seq",  "time", "polynomial", "root",      "lower",           "upper", "structure", "kind",
-      "ids",  "external",           "predicate", "certificate_ids", "gone",  "came",      "reason"};
+      "seq",       "time", "polynomial", "root",     "lower",     "upper",
+      "structure", "kind", "ids",        "external", "predicate", "certificate_ids",
+      "gone",      "came", "reason"};
   return kColumns;
 }
 
@@ -105,7 +106,8 @@ std::vector<std::string> csv_row(const LogRecord& record, const LogHeader& heade
 
 PlainRow plain_row(const LogRecord& record, const LogHeader& header) {
   std::string certificate;
-  if (record.certificate) certificate = record.certificate->predicate + "(" + ids_text(record.certificate->ids) + ")";
+  if (record.certificate)
+    certificate = record.certificate->predicate + "(" + ids_text(record.certificate->ids) + ")";
   std::string ids = ids_text(record.ids);
   if (record.change) {
     if (!ids.empty()) ids += ' ';
@@ -152,7 +154,8 @@ std::string instant_words(const LogInstant& instant, const LogHeader& header) {
   const std::string root = "root " + std::to_string(instant.root) + " of ";
   const std::string words = polynomial_words(instant.polynomial);
   if (words.size() <= kLongestExact) return root + words;
-  return root + "a polynomial of degree " + std::to_string(instant.polynomial.coefficients().size() - 1);
+  return root + "a polynomial of degree " +
+         std::to_string(instant.polynomial.coefficients().size() - 1);
 }
 
 LogTable log_table(LogReader& reader, const LogFilter& filter, LogTableForm form) {
@@ -162,8 +165,8 @@ LogTable log_table(LogReader& reader, const LogFilter& filter, LogTableForm form
   if (form == LogTableForm::kCsv) {
     append_csv_row(table.text, csv_columns());
   } else {
-    rows.push_back({"seq", header.has_times() ? "time" : "", header.has_names() ? "exactly" : "", "structure", "kind",
-                    "ids", "effect", "certificate"});
+    rows.push_back({"seq", header.has_times() ? "time" : "", header.has_names() ? "exactly" : "",
+                    "structure", "kind", "ids", "effect", "certificate"});
   }
   LogRecord record;
   while (reader.next(record)) {

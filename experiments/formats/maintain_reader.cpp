@@ -81,7 +81,8 @@ std::optional<Refusal> complaint_about_number(const Scene& scene) {
 Key read_direction(const JsonNode& node, int dimension) {
   node.require_array();
   if (node.size() != static_cast<std::size_t>(dimension)) {
-    node.fail("a direction of " + counted(node.size(), "entry", "entries") + " in a scene of dimension " + std::to_string(dimension),
+    node.fail("a direction of " + counted(node.size(), "entry", "entries") +
+                  " in a scene of dimension " + std::to_string(dimension),
               "write one number per axis");
   }
   Key key;

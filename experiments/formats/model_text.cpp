@@ -138,11 +138,11 @@ std::string explain_model(const Scene& scene, const Simulator& simulator) {
   std::set<std::string> told;  // structures may use the same predicate
   for (PredicateId id = 0; id < numbers.predicates(); ++id) {
     const Predicate& predicate = numbers.predicate(id);
-    const std::string line = std::string(predicate.name()) + " of " +
-                             counted(static_cast<std::size_t>(predicate.arity()), "object", "objects") +
-                             ": degree " +
-                             std::to_string(predicate.degree(std::max(1, numbers.needs().degree))) +
-                             " in t, " + numbers.polynomial_model(id);
+    const std::string line =
+        std::string(predicate.name()) + " of " +
+        counted(static_cast<std::size_t>(predicate.arity()), "object", "objects") + ": degree " +
+        std::to_string(predicate.degree(std::max(1, numbers.needs().degree))) + " in t, " +
+        numbers.polynomial_model(id);
     if (told.insert(line).second) text += "          " + line + "\n";
   }
   for (std::size_t i = 0; i < numbers.needs().derived.size(); ++i) {

@@ -43,8 +43,8 @@ std::vector<Rational> read_coefficients(const JsonNode& list, int max_degree,
 void read_coordinates(const JsonNode& node, int dimension, std::size_t axes, Trajectory& trajectory) {
   node.require_array();
   if (node.size() != static_cast<std::size_t>(dimension)) {
-    node.fail(counted(node.size(), "coefficient list", "coefficient lists") + " in a scene of dimension " +
-                  std::to_string(dimension),
+    node.fail(counted(node.size(), "coefficient list", "coefficient lists") +
+                  " in a scene of dimension " + std::to_string(dimension),
               "write one list per axis");
   }
   trajectory.coordinates.reserve(axes);
@@ -124,8 +124,8 @@ void check_seam(const MotionPiece& before, const MotionPiece& after, const JsonN
     const Rational there = before.trajectory.position(axis, seam);
     const Rational here = after.trajectory.position(axis, seam);
     if (there == here) continue;
-    node.fail("the object jumps at " + time_text(seam) + " from " + time_text(there) + " to " + time_text(here) +
-                  " on axis " + std::to_string(axis),
+    node.fail("the object jumps at " + time_text(seam) + " from " + time_text(there) + " to " +
+                  time_text(here) + " on axis " + std::to_string(axis),
               "make the pieces meet, or say \"jumps\": true in the scene");
   }
   const auto rotor = [&](const Trajectory& trajectory) {

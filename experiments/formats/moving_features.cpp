@@ -31,11 +31,14 @@ struct Track {
 class Reader {
  public:
   Reader(std::string_view text, const std::string& file, const MovingFeaturesOptions& options)
-      : text_(text), file_(file), options_(options), reading_{scale_, options.plane, file, options.linear, {}} {
+      : text_(text),
+        file_(file),
+        options_(options),
+        reading_{scale_, options.plane, file, options.linear, {}} {
     if (!options_.common.columns.empty()) check_columns();
     if (options_.common.heading) {
-      throw InputError(options_.common.heading->compass ? "--bearing" : "--heading", "", "it is for tables",
-                       "leave it out");
+      throw InputError(options_.common.heading->compass ? "--bearing" : "--heading", "",
+                       "it is for tables", "leave it out");
     }
   }
 
@@ -43,10 +46,12 @@ class Reader {
     const JsonDocument document = parse_json(text_, file_);
     const JsonSource source{file_, text_};
     const JsonNode root(*document, source);
-    if (!root.is(Kind::kObject)) root.refuse("a Feature or a FeatureCollection", "write {\"type\": ..}");
+    if (!root.is(Kind::kObject))
+      root.refuse("a Feature or a FeatureCollection", "write {\"type\": ..}");
     const std::optional<JsonNode> form = root.find("kinex");
     if (form && form->is(Kind::kNumber)) {
-      throw InputError(file_, "/kinex", "it is a scene already", "use it as it is, or give a table or features");
+      throw InputError(file_, "/kinex", "it is a scene already",
+                       "use it as it is, or give a table or features");
     }
     const std::string type(root.member("type").string());
     if (type == "FeatureCollection" || type == "MovingFeatureCollection") {
@@ -57,7 +62,8 @@ class Reader {
     } else if (type == "Feature" || type == "MovingFeature") {
       read_feature(root, std::nullopt);
     } else {
-      root.member("type").refuse("a kind of file that can be read", "write Feature or FeatureCollection");
+      root.member("type").refuse("a kind of file that can be read",
+                                 "write Feature or FeatureCollection");
     }
     if (tracks_.empty()) root.fail("there are no features", "write one for each object");
     const std::optional<JsonNode> own = root.find("kinex");
@@ -70,7 +76,8 @@ class Reader {
   void check_columns() const {
     for (const NamedColumn& one : options_.common.columns) {
       if (one.meaning == "id" || one.meaning == "t") continue;
-      throw InputError("--column", "", one.meaning + "=" + one.column + ": places are not in properties here",
+      throw InputError("--column", "",
+                       one.meaning + "=" + one.column + ": places are not in properties here",
                        "name the properties for id and t");
     }
   }
@@ -92,15 +99,20 @@ class Reader {
     const std::string* const name = property_for("id");
     if (name != nullptr) {
       const auto value = properties ? properties->find(*name) : std::nullopt;
-      if (!value) feature.fail("there is no property " + show_text(*name), "name that of the ids with --column id=NAME");
+      if (!value)
+        feature.fail("there is no property " + show_text(*name),
+                     "name that of the ids with --column id=NAME");
       return word(*value);
     }
     if (const auto id = feature.find("id")) return word(*id);
     if (const auto id = properties ? properties->find("id") : std::nullopt) return word(*id);
-    feature.fail("the feature has no id", "give it an \"id\", or name a property: --column id=NAME");
+    feature.fail("the feature has no id",
+                 "give it an \"id\", or name a property: --column id=NAME");
   }
 
-  std::size_t line_of(const JsonNode& node) const { return position_in(text_, node.value().offset()).line; }
+  std::size_t line_of(const JsonNode& node) const {
+    return position_in(text_, node.value().offset()).line;
+  }
 
   // The place of a new track; of an old one if both are of fixes.
   Track& track(const std::string& id, const JsonNode& feature, bool of_fixes) {
@@ -109,14 +121,16 @@ class Reader {
     if (is_new) {
       tracks_.push_back({id, line_of(feature), {}, of_fixes, {}, {}});
     } else if (!of_fixes || !tracks_[at->second].of_fixes) {
-      feature.fail("the id " + show_text(id) + " is that of line " + std::to_string(tracks_[at->second].line) + " too",
+      feature.fail("the id " + show_text(id) + " is that of line " +
+                       std::to_string(tracks_[at->second].line) + " too",
                    "ids are unique; several prisms of one object are a MovingGeometryCollection");
     }
     return tracks_[at->second];
   }
 
   void read_feature(const JsonNode& feature, const std::optional<JsonNode>& outer) {
-    if (!feature.is(Kind::kObject)) feature.refuse("a feature", "write {\"type\": \"Feature\", ..}");
+    if (!feature.is(Kind::kObject))
+      feature.refuse("a feature", "write {\"type\": \"Feature\", ..}");
     const std::optional<JsonNode> own = feature.find("crs");
     const std::optional<JsonNode> crs = own ? own : outer;
     std::optional<JsonNode> properties = feature.find("properties");
@@ -132,17 +146,21 @@ class Reader {
       return;
     }
     const JsonNode geometry = feature.member("geometry");
-    if (!geometry.is(Kind::kObject)) geometry.fail("the feature has no place", "give it a geometry, or leave it out");
+    if (!geometry.is(Kind::kObject))
+      geometry.fail("the feature has no place", "give it a geometry, or leave it out");
     options_.plane.check(crs, feature);
     const JsonNode type = geometry.member("type");
     const std::string* const name = property_for("t");
-    const std::string times_name = name != nullptr ? *name : type.string() == "Point" ? "t" : "datetimes";
+    const std::string times_name = name != nullptr            ? *name
+                                   : type.string() == "Point" ? "t"
+                                                              : "datetimes";
     const std::optional<JsonNode> times = properties ? properties->find(times_name) : std::nullopt;
     if (type.string() != "Point" && type.string() != "LineString") {
       type.refuse("a geometry that moves", "give points, line strings or a \"temporalGeometry\"");
     }
     if (!times) {
-      feature.fail("there is no property " + show_text(times_name) + ", the times of a " + std::string(type.string()),
+      feature.fail("there is no property " + show_text(times_name) + ", the times of a " +
+                       std::string(type.string()),
                    "name that of the times with --column t=NAME");
     }
     if (type.string() == "LineString") {
@@ -153,10 +171,12 @@ class Reader {
     }
   }
 
-  void read_fix(const std::string& id, const JsonNode& feature, const JsonNode& geometry, const JsonNode& time) {
+  void read_fix(const std::string& id, const JsonNode& feature, const JsonNode& geometry,
+                const JsonNode& time) {
     const std::string text = word(time);
     Fix fix{scale_.read(text, file_, time.path(), show_text(text)),
-            read_position(geometry.member("coordinates"), reading_), {}};
+            read_position(geometry.member("coordinates"), reading_),
+            {}};
     Track& one = track(id, feature, true);
     if (one.geometry.runs.empty()) one.geometry.runs.emplace_back();
     one.geometry.runs.front().fixes.push_back(std::move(fix));
@@ -174,14 +194,17 @@ class Reader {
   void sort_fixes(Track& track) {
     std::vector<std::pair<Fix, std::string>> fixes;
     std::vector<Fix>& all = track.geometry.runs.front().fixes;
-    for (std::size_t i = 0; i < all.size(); ++i) fixes.emplace_back(std::move(all[i]), track.places[i]);
-    std::stable_sort(fixes.begin(), fixes.end(), [](const auto& a, const auto& b) { return a.first.t < b.first.t; });
+    for (std::size_t i = 0; i < all.size(); ++i)
+      fixes.emplace_back(std::move(all[i]), track.places[i]);
+    std::stable_sort(fixes.begin(), fixes.end(),
+                     [](const auto& a, const auto& b) { return a.first.t < b.first.t; });
     all.clear();
     for (std::size_t i = 0; i < fixes.size(); ++i) {
       if (i > 0 && fixes[i].first.t == all.back().t) {
         if (fixes[i].first.position != all.back().position) {
           throw InputError(file_, fixes[i].second,
-                           show_text(track.id) + " is at another place at the same time in " + fixes[i - 1].second,
+                           show_text(track.id) + " is at another place at the same time in " +
+                               fixes[i - 1].second,
                            "remove one of the two features");
         }
         ++report_.repeated_fixes;
@@ -199,7 +222,8 @@ class Reader {
       for (Fix& fix : run.fixes) fix.t -= zero;
       // Where one run ends and the next begins elsewhere at the same time, the object jumps.
       const Fix& first = run.fixes.front();
-      if (last != nullptr && last->t == first.t && last->position != first.position) report_.scene.jumps = true;
+      if (last != nullptr && last->t == first.t && last->position != first.position)
+        report_.scene.jumps = true;
       if (run.step) {
         append_steps(motion, run.fixes, body);
         for (std::size_t i = 1; i + 1 < run.fixes.size(); ++i) {
@@ -218,8 +242,9 @@ class Reader {
     scene.dimension = reading_.dimension.value_or(2);
     scene.overlapping_starts = options_.common.overlapping_starts;
     const Rational zero = settle(own);
-    const bool polygons = std::any_of(tracks_.begin(), tracks_.end(),
-                                      [](const Track& track) { return !track.geometry.polygon.empty(); });
+    const bool polygons = std::any_of(tracks_.begin(), tracks_.end(), [](const Track& track) {
+      return !track.geometry.polygon.empty();
+    });
     const bool body = polygons || options_.common.polygons;
     bool assumed = false;
     std::optional<Rational> first, last;
@@ -244,11 +269,13 @@ class Reader {
       }
       scene.objects.push_back({track.id, std::move(motion), {}, track.weight});
     }
-    if (scene.objects.empty()) throw InputError(file_, "", "no object has two times", "write at least two of one id");
+    if (scene.objects.empty())
+      throw InputError(file_, "", "no object has two times", "write at least two of one id");
     set_time(own, *first, *last);
     for (const std::string& row : options_.common.fixed) add_fixed(scene, row, body);
     if (assumed) report_.notes.push_back("no interpolation is named, Linear is assumed");
-    if (const std::string plane = options_.plane.text(); !plane.empty()) report_.notes.push_back(plane);
+    if (const std::string plane = options_.plane.text(); !plane.empty())
+      report_.notes.push_back(plane);
     restore(own);
     if (body) make_bodies(scene, polygons ? table : *options_.common.polygons, {file_, lines});
   }
@@ -271,7 +298,9 @@ class Reader {
     Scene& scene = report_.scene;
     const ImportOptions& common = options_.common;
     const std::optional<JsonNode> start = member(own, "start"), end = member(own, "end");
-    scene.start = common.start_time ? scale_.read(*common.start_time) : start ? start->rational() : first;
+    scene.start = common.start_time ? scale_.read(*common.start_time)
+                  : start           ? start->rational()
+                                    : first;
     scene.end = common.end_time ? scale_.read(*common.end_time) : end ? end->rational() : last;
     check_time(scene, file_);
     // What is there for the whole time has no ends of its own.
@@ -291,14 +320,16 @@ class Reader {
     if (const auto name = member(own, "scene")) scene.name = name->string();
     if (const auto entries = member(own, "maintain")) {
       entries->require_array();
-      for (std::size_t i = 0; i < entries->size(); ++i) report_.maintain.emplace_back(entries->at(i).string());
+      for (std::size_t i = 0; i < entries->size(); ++i)
+        report_.maintain.emplace_back(entries->at(i).string());
     }
     const auto dimension = member(own, "dimension");
     if (!dimension || dimension->integer(1, kMaxDimension) != 1 || scene.dimension != 2) return;
     for (SceneObject& object : scene.objects) {
       for (MotionPiece& piece : object.motion.pieces) {
         if (piece.trajectory.coordinates[1] != std::vector<Rational>{0}) {
-          dimension->fail("one axis, but there are places with y other than 0", "remove it, or write 2");
+          dimension->fail("one axis, but there are places with y other than 0",
+                          "remove it, or write 2");
         }
         piece.trajectory.coordinates.pop_back();
       }

@@ -17,9 +17,9 @@ namespace kinex::formats {
 
 namespace {
 
-constexpr int kMostDigits = 60;    // after the point, of numbers that are written exactly
-constexpr int kTimeDigits = 12;    // of other times
-constexpr int kPlaceDigits = 15;   // of other places
+constexpr int kMostDigits = 60;   // after the point, of numbers that are written exactly
+constexpr int kTimeDigits = 12;   // of other times
+constexpr int kPlaceDigits = 15;  // of other places
 constexpr std::int64_t kMostSamples = std::int64_t{1} << 20;  // of one piece
 constexpr double kRoundedUp = 1.00001;  // for an error that is written in 6 digits
 
@@ -55,7 +55,8 @@ Rational derivative_bound(const std::vector<Rational>& coefficients, const Span&
   Rational sum, power = 1;
   for (std::size_t k = static_cast<std::size_t>(order); k < coefficients.size(); ++k) {
     const auto degree = static_cast<std::int64_t>(k);
-    sum += magnitude(coefficients[k]) * power * Rational(order == 1 ? degree : degree * (degree - 1));
+    sum +=
+        magnitude(coefficients[k]) * power * Rational(order == 1 ? degree : degree * (degree - 1));
     power *= reach;
   }
   return sum;
@@ -119,7 +120,9 @@ class Writer {
   bool goes_on(const Span& before, const Span& after) const {
     if (before.to != after.from) return false;
     for (int axis = 0; axis < axes_; ++axis) {
-      if (before.trajectory->position(axis, after.from) != after.trajectory->position(axis, after.from)) return false;
+      if (before.trajectory->position(axis, after.from) !=
+          after.trajectory->position(axis, after.from))
+        return false;
     }
     return true;
   }
@@ -138,7 +141,11 @@ class Writer {
     json_.line(2).begin_object().key("type").string("Feature").key("id").string(object.id);
     json_.key("temporalGeometry");
     if (runs.size() > 1) {
-      json_.begin_object().key("type").string("MovingGeometryCollection").key("prisms").begin_array();
+      json_.begin_object()
+          .key("type")
+          .string("MovingGeometryCollection")
+          .key("prisms")
+          .begin_array();
     }
     for (const std::vector<Span>& run : runs) write_run(run, polygon);
     if (runs.size() > 1) json_.end_array().end_object();
@@ -162,10 +169,13 @@ class Writer {
     for (const Span& span : spans) {
       const std::vector<std::vector<Rational>>& axes = span.trajectory->coordinates;
       if (axes[2].size() == 1 && axes[3].size() == 1 && axes[2][0] * q == axes[3][0] * p) continue;
-      throw InputError(file_, "", "the body " + show_text(object.id) + " turns, which no MovingPolygon does exactly",
-                       "export scenes of points, or of bodies that do not turn");
+      throw InputError(
+          file_, "",
+          "the body " + show_text(object.id) + " turns, which no MovingPolygon does exactly",
+          "export scenes of points, or of bodies that do not turn");
     }
-    const Rational norm = p * p + q * q, cosine = (p * p - q * q) / norm, sine = Rational(2) * p * q / norm;
+    const Rational norm = p * p + q * q, cosine = (p * p - q * q) / norm,
+                   sine = Rational(2) * p * q / norm;
     std::vector<Vertex2> polygon;
     for (const Vertex2& v : object.polygon) {
       Written x = written(cosine * v[0] - sine * v[1], kPlaceDigits);
@@ -185,21 +195,27 @@ class Writer {
   std::vector<Rational> sample_times(const Span& span, Rational& bend) const {
     Rational most;
     for (int axis = 0; axis < axes_; ++axis) {
-      most = std::max(most, derivative_bound(span.trajectory->coordinates[static_cast<std::size_t>(axis)], span, 2));
+      most = std::max(
+          most,
+          derivative_bound(span.trajectory->coordinates[static_cast<std::size_t>(axis)], span, 2));
     }
     // Lines over steps of length h are within h^2 most / 8.
     const Rational length = span.to - span.from;
     std::int64_t count = 1;
-    const auto error = [&] { return length * length * most / Rational(8 * count) / Rational(count); };
+    const auto error = [&] {
+      return length * length * most / Rational(8 * count) / Rational(count);
+    };
     while (error() > form_.tolerance) {
       count *= 2;
       if (count <= kMostSamples) continue;
-      throw InputError("--tolerance", "", "a piece would take more than " + std::to_string(kMostSamples) + " samples",
+      throw InputError("--tolerance", "",
+                       "a piece would take more than " + std::to_string(kMostSamples) + " samples",
                        "give a larger one");
     }
     bend = std::max(bend, error());
     std::vector<Rational> times;
-    for (std::int64_t i = 0; i < count; ++i) times.push_back(span.from + length * Rational(i) / Rational(count));
+    for (std::int64_t i = 0; i < count; ++i)
+      times.push_back(span.from + length * Rational(i) / Rational(count));
     return times;
   }
 
@@ -211,9 +227,12 @@ class Writer {
     std::vector<Sample> samples;
     Rational bend, speed;
     for (const Span& span : run) {
-      for (Rational& t : sample_times(span, bend)) samples.push_back({std::move(t), span.trajectory});
+      for (Rational& t : sample_times(span, bend))
+        samples.push_back({std::move(t), span.trajectory});
       for (int axis = 0; axis < axes_; ++axis) {
-        speed = std::max(speed, derivative_bound(span.trajectory->coordinates[static_cast<std::size_t>(axis)], span, 1));
+        speed = std::max(
+            speed, derivative_bound(span.trajectory->coordinates[static_cast<std::size_t>(axis)],
+                                    span, 1));
       }
     }
     samples.push_back({run.back().to, run.back().trajectory});
@@ -225,14 +244,17 @@ class Writer {
       const Written t = written(form_.time_zero + sample.t, kTimeDigits);
       exact_times = exact_times && t.exact;
       if (last && t.value <= *last) {
-        throw InputError(file_, "", "a piece of a motion is shorter than 1e-" + std::to_string(kTimeDigits) + " seconds",
-                         "leave it out");
+        throw InputError(
+            file_, "",
+            "a piece of a motion is shorter than 1e-" + std::to_string(kTimeDigits) + " seconds",
+            "leave it out");
       }
       last = t.value;
       json_.string(date(t.value));
     }
     json_.end_array().key("coordinates").begin_array();
-    for (const Sample& sample : samples) write_place(*sample.trajectory, sample.t, polygon, exact_places);
+    for (const Sample& sample : samples)
+      write_place(*sample.trajectory, sample.t, polygon, exact_places);
     json_.end_array().key("interpolation").string("Linear").end_object();
     // Errors of the prisms of one object are not summed, but those of one kind and another are.
     Rational error = bend;
@@ -244,7 +266,8 @@ class Writer {
   }
 
   // A position, or a polygon around it.
-  void write_place(const Trajectory& trajectory, const Rational& t, const std::vector<Vertex2>& polygon, bool& exact) {
+  void write_place(const Trajectory& trajectory, const Rational& t,
+                   const std::vector<Vertex2>& polygon, bool& exact) {
     std::vector<Written> place;
     for (int axis = 0; axis < axes_; ++axis) {
       place.push_back(written(trajectory.position(axis, t), kPlaceDigits));
@@ -259,7 +282,8 @@ class Writer {
       for (std::size_t i = 0; i <= polygon.size(); ++i) {
         const Vertex2& v = polygon[i % polygon.size()];
         json_.begin_array();
-        for (std::size_t axis = 0; axis < 2; ++axis) json_.raw(*finite_decimal(place[axis].value + v[axis]));
+        for (std::size_t axis = 0; axis < 2; ++axis)
+          json_.raw(*finite_decimal(place[axis].value + v[axis]));
         json_.end_array();
       }
       json_.end_array();
@@ -281,7 +305,8 @@ class Writer {
 
 }  // namespace
 
-WrittenFeatures write_moving_features(const Scene& scene, const std::string& file, const MovingFeaturesForm& form) {
+WrittenFeatures write_moving_features(const Scene& scene, const std::string& file,
+                                      const MovingFeaturesForm& form) {
   return Writer(scene, file, form).write();
 }
 

@@ -21,8 +21,8 @@
 namespace kinex::formats {
 
 struct MovingFeaturesForm {
-  Rational time_zero;            // seconds since 1970 at t = 0
-  Rational tolerance;            // > 0: of the straight lines in place of curves
+  Rational time_zero;             // seconds since 1970 at t = 0
+  Rational tolerance;             // > 0: of the straight lines in place of curves
   std::optional<Rational> until;  // in place of the scene's end
 };
 
@@ -34,7 +34,8 @@ struct WrittenFeatures {
 
 // Throws InputError, with `file` as its file, for a scene without an end (and no `until`), for dates beyond
 // the years 1 to 9999, for bodies that turn, and where a tolerance takes too many samples.
-WrittenFeatures write_moving_features(const Scene& scene, const std::string& file, const MovingFeaturesForm& form);
+WrittenFeatures write_moving_features(const Scene& scene, const std::string& file,
+                                      const MovingFeaturesForm& form);
 
 }  // namespace kinex::formats
 

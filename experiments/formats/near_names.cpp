@@ -50,7 +50,8 @@ std::vector<std::string> near_names(std::string_view name, const std::vector<std
     if (distance < nearest) near.clear();
     if (distance <= nearest) near.push_back(other);
     nearest = std::min(nearest, distance);
-    const bool part = name.size() >= kShortestPart && plain(other).find(plain(name)) != std::string::npos;
+    const bool part =
+        name.size() >= kShortestPart && plain(other).find(plain(name)) != std::string::npos;
     if (part) holding.push_back(other);
   }
   if (near.empty()) near = std::move(holding);

@@ -17,7 +17,8 @@ Rational date_of(const OptionTime& option) {
   std::string problem;
   const std::optional<IsoTime> time = parse_iso_time(option.text, problem);
   if (time) return time->seconds;
-  throw InputError(option.option, "", show_text(option.text) + " is not a date: " + problem, kDateRemedy);
+  throw InputError(option.option, "", show_text(option.text) + " is not a date: " + problem,
+                   kDateRemedy);
 }
 
 }  // namespace
@@ -29,8 +30,9 @@ Rational TimeScale::read(std::string_view text, const std::string& file, const s
     form_ = date ? Form::kDates : Form::kNumbers;
     first_ = text;
   } else if (date != (form_ == Form::kDates)) {
-    throw InputError(file, place, field + (date ? " is a date, " : " is no date, ") + show_text(first_) +
-                                      (date ? " is none" : " is one"),
+    throw InputError(file, place,
+                     field + (date ? " is a date, " : " is no date, ") + show_text(first_) +
+                         (date ? " is none" : " is one"),
                      "write all times as dates, or all as numbers");
   }
   if (!date) {
@@ -46,7 +48,8 @@ Rational TimeScale::read(std::string_view text, const std::string& file, const s
   if (!time) throw InputError(file, place, field + " is not a date: " + problem, kDateRemedy);
   if (earliest_ && time->has_offset != offsets_) {
     throw InputError(file, place,
-                     field + (offsets_ ? " has no offset from UTC, " : " has an offset from UTC, ") +
+                     field +
+                         (offsets_ ? " has no offset from UTC, " : " has an offset from UTC, ") +
                          show_text(first_) + (offsets_ ? " has one" : " has none"),
                      "write all with one (Z is that of UTC), or all without");
   }
@@ -71,20 +74,20 @@ Rational TimeScale::settle(const std::optional<OptionTime>& zero) {
 Rational TimeScale::read(const OptionTime& option) const {
   if (looks_like_date(option.text)) {
     if (form_ != Form::kDates) {
-      throw InputError(option.option, "", show_text(option.text) + " is a date, the file's times are numbers",
+      throw InputError(option.option, "",
+                       show_text(option.text) + " is a date, the file's times are numbers",
                        "write a number");
     }
     return date_of(option) - zero_;
   }
   std::optional<Rational> value = Rational::parse(option.text);
   if (!value) {
-    throw InputError(option.option, "", show_text(option.text) + " is not a number", kCsvNumberRemedy);
+    throw InputError(option.option, "", show_text(option.text) + " is not a number",
+                     kCsvNumberRemedy);
   }
   return *std::move(value);
 }
 
-std::string TimeScale::zero_text() const {
-  return form_ == Form::kDates ? iso_text(zero_) : "";
-}
+std::string TimeScale::zero_text() const { return form_ == Form::kDates ? iso_text(zero_) : ""; }
 
 }  // namespace kinex::formats

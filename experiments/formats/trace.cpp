@@ -60,8 +60,8 @@ void add_fixed(Scene& scene, const std::string& text, bool body) {
   const auto axes = static_cast<std::size_t>(scene.dimension);
   if (fields.size() != axes + 1) {
     throw InputError(option, "",
-                     show_text(text) + " has " + counted(fields.size(), "field", "fields") + ", not " +
-                         std::to_string(axes + 1),
+                     show_text(text) + " has " + counted(fields.size(), "field", "fields") +
+                         ", not " + std::to_string(axes + 1),
                      "write " + std::string("ID,X,Y,Z").substr(0, 2 + 2 * axes));
   }
   check_csv_id(fields[0], option, "");

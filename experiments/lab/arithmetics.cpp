@@ -15,11 +15,11 @@ const std::vector<ArithmeticInfo>& arithmetic_infos() {
        "none: a carefully written floating-point structure",
        "finding out whether doubles would do for a scene", "double"},
       {"gsl", "doubles, roots by the polynomial solvers of the GNU Scientific Library",
-       "none: the textbook floating-point structure",
-       "comparing with what is usually written", "gsl"},
+       "none: the textbook floating-point structure", "comparing with what is usually written",
+       "gsl"},
       {"mpfr:P", "MPFR numbers of P bits (2 to 100000), rounded to nearest, without error bounds",
-       "none; more bits make errors rarer",
-       "finding the number of bits that a scene takes", "mpfr:100"}};
+       "none; more bits make errors rarer", "finding the number of bits that a scene takes",
+       "mpfr:100"}};
   return kInfos;
 }
 

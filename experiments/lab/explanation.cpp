@@ -27,7 +27,8 @@ std::string shape_of(const StructureInfo& info) {
     case Attribute::Shape::kObject:
       return "one id";
     case Attribute::Shape::kTuples:
-      return info.width == 2 ? "a set of pairs of ids" : "a set of tuples of " + std::to_string(info.width) + " ids";
+      return info.width == 2 ? "a set of pairs of ids"
+                             : "a set of tuples of " + std::to_string(info.width) + " ids";
     case Attribute::Shape::kCycle:
       return "a cycle of ids, counter-clockwise";
   }
@@ -43,7 +44,8 @@ std::string domain_of(const StructureInfo& info) {
   if (info.largest_degree != StructureInfo::kAnyDegree) {
     return text + ", motions of degree " + std::to_string(info.largest_degree) + " at most";
   }
-  return text + (info.bodies ? ", rigid motions of every degree" : ", polynomial motions of every degree");
+  return text +
+         (info.bodies ? ", rigid motions of every degree" : ", polynomial motions of every degree");
 }
 
 std::string effect_of(Effect effect) {
@@ -84,7 +86,8 @@ std::string with_letters(const Predicate& predicate) {
 // For points: as a multiple of d, the degree of the motions.
 std::string degree_of(const Predicate& predicate, const StructureInfo& info, int held) {
   const int one = predicate.degree(1), two = predicate.degree(2);
-  if (info.bodies || two != 2 * one) return "degree " + std::to_string(predicate.degree(held)) + " in t there";
+  if (info.bodies || two != 2 * one)
+    return "degree " + std::to_string(predicate.degree(held)) + " in t there";
   return "degree " + (one == 1 ? std::string() : std::to_string(one)) + "d in t";
 }
 
@@ -95,15 +98,16 @@ Lines predicates_of(const StructureInfo& info, const Simulator& simulator) {
   for (PredicateId id = 0; id < numbers.predicates(); ++id) {
     const Predicate& predicate = numbers.predicate(id);
     const std::string words = claim_in_words(predicate.form());
-    std::string line =
-        with_letters(predicate) + ", " + degree_of(predicate, info, std::max(1, numbers.needs().degree));
+    std::string line = with_letters(predicate) + ", " +
+                       degree_of(predicate, info, std::max(1, numbers.needs().degree));
     if (!words.empty()) line += ": " + words;
     if (told.insert(line).second) lines.push_back(std::move(line));
   }
   return lines;
 }
 
-Lines bounds_of(const Simulator& simulator, const formats::RunOutcome& outcome, std::string_view structure) {
+Lines bounds_of(const Simulator& simulator, const formats::RunOutcome& outcome,
+                std::string_view structure) {
   Lines lines;
   for (StructureId id = 0; id < simulator.structures(); ++id) {
     if (simulator.structure(id).name() != structure) continue;
@@ -128,7 +132,8 @@ Lines claims_of(std::string_view structure) {
   };
   for (const Cell& cell : catalogue.cells) {
     if (cell.structure != structure) continue;
-    for (const Expectation& expectation : cell.expectations) add(expectation.claim, expectation.source);
+    for (const Expectation& expectation : cell.expectations)
+      add(expectation.claim, expectation.source);
   }
   for (const GrowthClaim& growth : catalogue.growths) {
     if (growth.structure == structure) add(growth.claim, growth.source);
@@ -137,7 +142,8 @@ Lines claims_of(std::string_view structure) {
 }
 
 std::string command_of(const Workload& workload, const WorkloadParameters& parameters) {
-  std::string command = "kinex gen " + std::string(workload.name) + " --n " + std::to_string(parameters.n);
+  std::string command =
+      "kinex gen " + std::string(workload.name) + " --n " + std::to_string(parameters.n);
   if (workload.random) command += " --seed " + std::to_string(parameters.seed);
   return command;
 }
@@ -190,13 +196,17 @@ Explanation explain(const StructureInfo& info) {
   const auto add = [&](const char* heading, Lines lines) {
     if (!lines.empty()) result.parts.emplace_back(heading, std::move(lines));
   };
-  const auto text = [](std::string_view line) { return line.empty() ? Lines{} : Lines{std::string(line)}; };
+  const auto text = [](std::string_view line) {
+    return line.empty() ? Lines{} : Lines{std::string(line)};
+  };
   add("maintains", {shape_of(info)});
   add("for", {domain_of(info)});
-  if (info.uses_key) add("key", {"x (default), y, z, a direction, or the squared distance to an object"});
+  if (info.uses_key)
+    add("key", {"x (default), y, z, a direction, or the squared distance to an object"});
   add("reads", text(info.reads));
-  add("family", {std::string(family_of(info.name)) +
-                 (info.group.empty() ? "" : "; one of the structures for " + std::string(info.group))});
+  add("family",
+      {std::string(family_of(info.name)) +
+       (info.group.empty() ? "" : "; one of the structures for " + std::string(info.group))});
   add("certificates", text(info.certificates));
   const ExampleScene example = example_scene(info);
   Lines bounds;
@@ -208,15 +218,17 @@ Explanation explain(const StructureInfo& info) {
     bounds = bounds_of(*simulator, outcome, info.name);
   }
   Lines events;
-  for (const KindRule& rule : info.kinds) events.push_back(std::string(rule.kind) + ": " + effect_of(rule.effect));
+  for (const KindRule& rule : info.kinds)
+    events.push_back(std::string(rule.kind) + ": " + effect_of(rule.effect));
   add("events", std::move(events));
   add("ties", text(info.ties));
   add("bounds", std::move(bounds));
   add("verified", claims_of(info.name));
   add("source", text(info.source));
   if (example.workload != nullptr) {
-    add("example", {example.command + " --maintain " + name + " -o " + name + ".json",
-                    "kinex run " + name + ".json --audit events", "kinex verify " + name + " --quick"});
+    add("example",
+        {example.command + " --maintain " + name + " -o " + name + ".json",
+         "kinex run " + name + ".json --audit events", "kinex verify " + name + " --quick"});
   }
   return result;
 }
@@ -231,30 +243,39 @@ Explanation explain(const Workload& workload) {
   const auto from = [](int value, int low) {
     return std::to_string(value) + " by default, " + std::to_string(low) + " at least";
   };
-  Lines options{std::string(workload.bodies ? "--n  size: " : "--n  objects: ") + from(defaults.n, workload.min_n)};
+  Lines options{std::string(workload.bodies ? "--n  size: " : "--n  objects: ") +
+                from(defaults.n, workload.min_n)};
   if (workload.takes_m) {
-    options.push_back("--m  second size: " + (workload.default_m == 0 ? "that of --n by default, " +
-                                                                            std::to_string(workload.min_m) + " at least"
-                                                                      : from(workload.default_m, workload.min_m)));
+    options.push_back("--m  second size: " + (workload.default_m == 0
+                                                  ? "that of --n by default, " +
+                                                        std::to_string(workload.min_m) + " at least"
+                                                  : from(workload.default_m, workload.min_m)));
   }
   if (workload.random) options.push_back("--seed  1 by default");
   if (workload.takes_degree) {
-    options.push_back("--degree  of the motions: 1 by default, " + std::to_string(kMaxWorkloadDegree) + " at most");
+    options.push_back("--degree  of the motions: 1 by default, " +
+                      std::to_string(kMaxWorkloadDegree) + " at most");
   }
   if (workload.min_dimension < workload.max_dimension) {
-    options.push_back("--dimension  axes: " + std::to_string(workload.default_dimension) + " by default, " +
-                      std::to_string(workload.min_dimension) + " to " + std::to_string(workload.max_dimension));
+    options.push_back("--dimension  axes: " + std::to_string(workload.default_dimension) +
+                      " by default, " + std::to_string(workload.min_dimension) + " to " +
+                      std::to_string(workload.max_dimension));
   }
   if (workload.separation) {
-    options.push_back("--separation  distance of the bodies: " + workload.separation->to_string() + " by default");
+    options.push_back("--separation  distance of the bodies: " + workload.separation->to_string() +
+                      " by default");
   }
   if (workload.takes_turns) {
     options.push_back("--turns  1 by default, " + std::to_string(workload.min_turns) + " at least");
   }
-  const auto add = [&](const char* heading, Lines lines) { result.parts.emplace_back(heading, std::move(lines)); };
-  add("objects", {std::string(workload.bodies ? "rigid convex polygons" : "points") + " in " +
-                  formats::counted(static_cast<std::uint64_t>(workload.default_dimension), "axis", "axes")});
-  add("scenes", {workload.random ? "random, the same for a seed on every machine" : "one for its parameters"});
+  const auto add = [&](const char* heading, Lines lines) {
+    result.parts.emplace_back(heading, std::move(lines));
+  };
+  add("objects",
+      {std::string(workload.bodies ? "rigid convex polygons" : "points") + " in " +
+       formats::counted(static_cast<std::uint64_t>(workload.default_dimension), "axis", "axes")});
+  add("scenes", {workload.random ? "random, the same for a seed on every machine"
+                                 : "one for its parameters"});
   add("options", std::move(options));
   const std::string structure = workload.maintain.empty()
                                     ? usual_structure(workload.bodies, workload.default_dimension)
@@ -265,7 +286,8 @@ Explanation explain(const Workload& workload) {
   const std::string name(workload.name);
   WorkloadParameters few = defaults;
   few.n = std::max(kFewObjects, workload.min_n);
-  add("example", {command_of(workload, few) + " -o " + name + ".json", "kinex run " + name + ".json"});
+  add("example",
+      {command_of(workload, few) + " -o " + name + ".json", "kinex run " + name + ".json"});
   return result;
 }
 

@@ -166,8 +166,8 @@ void add_runs(const std::vector<Trial>& trials, std::vector<Check>& checks) {
       audit.source = run.violations.empty() ? run.ledger.corruption : run.violations.front();
     }
   }
-  audit.observed =
-      formats::counted(violations, "violation", "violations") + " in " + formats::counted(checked, "check", "checks");
+  audit.observed = formats::counted(violations, "violation", "violations") + " in " +
+                   formats::counted(checked, "check", "checks");
   checks.push_back(std::move(audit));
   if (stopped) checks.push_back(*std::move(stopped));
 }

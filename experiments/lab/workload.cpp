@@ -45,7 +45,8 @@ void check_body_parameters(const Workload& workload, const WorkloadParameters& p
   }
   if (!workload.takes_turns) return;
   if (parameters.turns < workload.min_turns || parameters.turns > kMaxWorkloadTurns) {
-    refuse(workload, "--turns", formats::counted(static_cast<std::uint64_t>(parameters.turns), "turn", "turns"),
+    refuse(workload, "--turns",
+           formats::counted(static_cast<std::uint64_t>(parameters.turns), "turn", "turns"),
            range(workload.min_turns, kMaxWorkloadTurns));
   }
 }

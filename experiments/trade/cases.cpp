@@ -117,8 +117,9 @@ TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, lab::E
         names += ", " + std::string(plan.structure);
         choices.emplace_back(plan.structure);
       }
-      throw formats::InputError("trade", "", show_text(name) + " is neither a file nor a structure here",
-                                formats::did_you_mean(name, choices, "name a scene, or choose one of " + names));
+      throw formats::InputError(
+          "trade", "", show_text(name) + " is neither a file nor a structure here",
+          formats::did_you_mean(name, choices, "name a scene, or choose one of " + names));
     }
     add_file(catalogue, name);
   }

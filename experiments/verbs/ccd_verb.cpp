@@ -136,7 +136,8 @@ void add_ccd_verb(CLI::App& app, int& exit_code) {
       "Example: answers, and differences from the files' truth columns\n"
       "  kinex ccd spikes/edge-edge/data_0_0.csv spikes/vertex-face/data_0_0.csv --tally\n"
       "  kinex ccd queries.csv --kind vertex-face --json");
-  verb->callback([options, verb, &exit_code] { answer_files(*options, voice_of(*verb), exit_code); });
+  verb->callback(
+      [options, verb, &exit_code] { answer_files(*options, voice_of(*verb), exit_code); });
 }
 
 }  // namespace kinex::verbs

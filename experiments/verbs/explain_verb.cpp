@@ -44,10 +44,12 @@ lab::Explanation explain_group(std::string_view group) {
   lab::Explanation result{name, "all structures for one attribute, which they report alike", {}};
   std::vector<std::string> members;
   for (const StructureInfo& info : structure_infos()) {
-    if (info.group == group) members.push_back(std::string(info.name) + ": " + std::string(info.summary));
+    if (info.group == group)
+      members.push_back(std::string(info.name) + ": " + std::string(info.summary));
   }
   result.parts.emplace_back("structures", std::move(members));
-  result.parts.emplace_back("example", std::vector<std::string>{"kinex verify " + name + " --quick"});
+  result.parts.emplace_back("example",
+                            std::vector<std::string>{"kinex verify " + name + " --quick"});
   return result;
 }
 
@@ -70,7 +72,8 @@ lab::Explanation explanation_of(const std::string& name) {
   for (const lab::Paper& paper : reproduce::papers()) {
     if (paper.name == name) return explain_paper(paper);
   }
-  if (const lab::ArithmeticInfo* arithmetic = lab::find_arithmetic_info(name)) return lab::explain(*arithmetic);
+  if (const lab::ArithmeticInfo* arithmetic = lab::find_arithmetic_info(name))
+    return lab::explain(*arithmetic);
   throw formats::InputError(
       "explain", "", show_text(name) + " is no name of a structure, workload, paper or arithmetic",
       formats::did_you_mean(name, known_names(), "kinex list structures, and so on, names them"));
@@ -96,8 +99,10 @@ void add_explain_verb(CLI::App& app, int&) {
       app.add_subcommand("explain", "Explains a structure, workload, paper or arithmetic");
   verb->add_option("NAME", *name, "As kinex list gives it")->required();
   verb->footer(
-      "Of a structure: what it maintains and for which scenes, its certificates with their degrees\n"
-      "(d is that of the motions), events, ties, hard bounds with sources and their values in a run\n"
+      "Of a structure: what it maintains and for which scenes, its certificates with their "
+      "degrees\n"
+      "(d is that of the motions), events, ties, hard bounds with sources and their values in a "
+      "run\n"
       "of the example scene, what kinex verify expects of it, and example commands.\n"
       "Example:\n  kinex explain delaunay_2\n  kinex explain uniform-square");
   verb->callback([name, verb] { print(text_of(explanation_of(*name), voice_of(*verb))); });

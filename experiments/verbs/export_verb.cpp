@@ -35,7 +35,8 @@ void export_scene(const ExportOptions& options, const Voice& voice) {
   std::string problem;
   const auto zero = formats::parse_iso_time(options.time_zero, problem);
   if (!zero) {
-    throw formats::InputError("--time-zero", "", show_text(options.time_zero) + " is not a date: " + problem,
+    throw formats::InputError("--time-zero", "",
+                              show_text(options.time_zero) + " is not a date: " + problem,
                               "write it as 2024-05-01T12:30:05Z");
   }
   form.time_zero = zero->seconds;
@@ -48,12 +49,14 @@ void export_scene(const ExportOptions& options, const Voice& voice) {
   if (!options.until.empty()) {
     form.until = rational_option("--until", options.until);
     if (*form.until <= scene.start || (scene.end && *form.until > *scene.end)) {
-      throw formats::InputError("--until", "", show_text(options.until) + " is outside of the scene's time",
+      throw formats::InputError("--until", "",
+                                show_text(options.until) + " is outside of the scene's time",
                                 "write a time after " + time_text(scene.start) +
                                     (scene.end ? ", at most " + time_text(*scene.end) : ""));
     }
   }
-  const formats::WrittenFeatures features = formats::write_moving_features(scene, options.scene, form);
+  const formats::WrittenFeatures features =
+      formats::write_moving_features(scene, options.scene, form);
   write_result(options.output, options.force, features.text);
   std::string note = formats::counted(scene.objects.size(), "object", "objects");
   if (features.inexact > 0) {
@@ -72,16 +75,20 @@ void add_export_verb(CLI::App& app, int&) {
   auto options = std::make_shared<ExportOptions>();
   CLI::App* verb = app.add_subcommand("export", "Writes a scene for other programs");
   verb->add_option("SCENE", options->scene, "Scene file, - reads standard input")->required();
-  verb->add_flag("--mf-json", options->mf_json,
-                 "OGC Moving Features JSON: MovingPoint, or MovingPolygon for bodies that do not turn");
+  verb->add_flag(
+      "--mf-json", options->mf_json,
+      "OGC Moving Features JSON: MovingPoint, or MovingPolygon for bodies that do not turn");
   verb->add_option("--until", options->until, "Up to this time (the scene's end)");
-  verb->add_option("--time-zero", options->time_zero, "The date of t = 0 (1970-01-01T00:00:00Z); t is in seconds");
-  verb->add_option("--tolerance", options->tolerance,
-                   "Motions of higher degree become straight lines that are this near on every axis (1e-9)");
+  verb->add_option("--time-zero", options->time_zero,
+                   "The date of t = 0 (1970-01-01T00:00:00Z); t is in seconds");
+  verb->add_option(
+      "--tolerance", options->tolerance,
+      "Motions of higher degree become straight lines that are this near on every axis (1e-9)");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
   verb->footer(
-      "Linear motions with decimals are written as they are: kinex import gives the same scene again.\n"
+      "Linear motions with decimals are written as they are: kinex import gives the same scene "
+      "again.\n"
       "Elsewhere properties.kinex.error_at_most of a feature bounds the error of its places.\n"
       "Example:\n  kinex export square.json --mf-json -o square.mfjson");
   verb->callback([options, verb] { export_scene(*options, voice_of(*verb)); });

@@ -87,16 +87,17 @@ void generate(const GenOptions& options, const Voice& voice) {
   if (workload == nullptr) {
     std::vector<std::string> known;
     for (const lab::Workload& one : lab::workloads()) known.emplace_back(one.name);
-    throw formats::InputError("gen", "", show_text(options.workload) + " is not a workload",
-                              formats::did_you_mean(options.workload, known, "kinex list workloads names them"));
+    throw formats::InputError(
+        "gen", "", show_text(options.workload) + " is not a workload",
+        formats::did_you_mean(options.workload, known, "kinex list workloads names them"));
   }
   Scene scene = lab::generate_scene(*workload, parameters_of(options, *workload));
   if (!options.name.empty()) scene.name = name_option(options.name);
   if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);
   if (scene.has_bodies()) check_bodies(scene, *workload);
   write_result(options.output, options.force, formats::write_scene(scene));
-  voice.detail(scene.name + ", " + formats::counted(scene.objects.size(), "object", "objects") + ", hash " +
-               formats::scene_hash(scene));
+  voice.detail(scene.name + ", " + formats::counted(scene.objects.size(), "object", "objects") +
+               ", hash " + formats::scene_hash(scene));
 }
 
 }  // namespace

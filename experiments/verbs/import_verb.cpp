@@ -90,9 +90,12 @@ formats::ImportOptions read_options(const ImportVerbOptions& options) {
 
 formats::ImportReport import_table(const std::string& text, const ImportVerbOptions& options,
                                    const formats::ImportOptions& read) {
-  for (const auto& [given, option] :
-       {std::pair(options.linear, "--linear"), {options.planar, "--planar"}, {options.local.has_value(), "--local"}}) {
-    if (given) throw formats::InputError(option, "", "it is for Moving Features and GeoJSON", "leave it out");
+  for (const auto& [given, option] : {std::pair(options.linear, "--linear"),
+                                      {options.planar, "--planar"},
+                                      {options.local.has_value(), "--local"}}) {
+    if (given)
+      throw formats::InputError(option, "", "it is for Moving Features and GeoJSON",
+                                "leave it out");
   }
   return formats::import_csv(text, options.file, read);
 }
@@ -106,7 +109,8 @@ formats::ImportReport import_json(const std::string& text, const ImportVerbOptio
   features.common = read;
   features.linear = options.linear;
   if (options.planar && options.local) {
-    throw formats::InputError("--local", "", "it does not go with --planar", "leave one of them out");
+    throw formats::InputError("--local", "", "it does not go with --planar",
+                              "leave one of them out");
   }
   if (options.planar) features.plane = formats::Plane::as_they_are();
   if (options.local) features.plane = formats::Plane::around(*options.local);
@@ -121,8 +125,9 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
     import_options.polygons = formats::parse_polygons(formats::read_text_file(*options.polygons), *options.polygons);
   }
   const std::string text = formats::read_text_file(options.file);
-  formats::ImportReport report = formats::looks_like_json(text) ? import_json(text, options, import_options)
-                                                                : import_table(text, options, import_options);
+  formats::ImportReport report = formats::looks_like_json(text)
+                                     ? import_json(text, options, import_options)
+                                     : import_table(text, options, import_options);
   Scene& scene = report.scene;
   if (scene.name.empty() || !options.name.empty()) {
     scene.name = name_option(
@@ -133,19 +138,22 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
   formats::set_maintain(scene, maintain);
   write_result(options.output, options.force, formats::write_scene(scene));
   const bool features = formats::looks_like_json(text);
-  voice.note(formats::counted(report.rows, features ? "feature" : "row", features ? "features" : "rows") + ", " +
-             formats::counted(scene.objects.size(), "object", "objects"));
+  voice.note(
+      formats::counted(report.rows, features ? "feature" : "row", features ? "features" : "rows") +
+      ", " + formats::counted(scene.objects.size(), "object", "objects"));
   if (!report.time_zero.empty()) voice.note("t is in seconds, 0 is " + report.time_zero);
   for (const std::string& note : report.notes) voice.note(note);
   if (report.ignored_columns > 0) {
     voice.note(formats::counted(report.ignored_columns, "column was", "columns were") + " ignored");
   }
   if (report.single_fixes > 0) {
-    voice.note(formats::counted(report.single_fixes, "trace of a single fix was", "traces of a single fix were") +
+    voice.note(formats::counted(report.single_fixes, "trace of a single fix was",
+                                "traces of a single fix were") +
                " left out");
   }
   if (report.repeated_fixes > 0) {
-    voice.note(formats::counted(report.repeated_fixes, "repeated fix was", "repeated fixes were") + " read once");
+    voice.note(formats::counted(report.repeated_fixes, "repeated fix was", "repeated fixes were") +
+               " read once");
   }
 }
 
@@ -153,13 +161,16 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
 
 void add_import_verb(CLI::App& app, int&) {
   auto options = std::make_shared<ImportVerbOptions>();
-  CLI::App* verb = app.add_subcommand("import", "Makes a scene from a CSV file, GeoJSON or Moving Features");
-  verb->add_option("FILE", options->file,
-                   "Columns id,t,x,y[,z] (traces, linear between fixes; a single fix is left out) "
-                   "or id,x,y[,z],vx,vy[,vz] (linear); or GeoJSON with times; or OGC Moving Features JSON")
+  CLI::App* verb =
+      app.add_subcommand("import", "Makes a scene from a CSV file, GeoJSON or Moving Features");
+  verb->add_option(
+          "FILE", options->file,
+          "Columns id,t,x,y[,z] (traces, linear between fixes; a single fix is left out) "
+          "or id,x,y[,z],vx,vy[,vz] (linear); or GeoJSON with times; or OGC Moving Features JSON")
       ->required();
   verb->add_option("--column", options->columns,
-                   "MEANING=COLUMN, as id=trackId: the column for id, t, x, y, z, vx, vy or vz, where it has "
+                   "MEANING=COLUMN, as id=trackId: the column for id, t, x, y, z, vx, vy or vz, "
+                   "where it has "
                    "another name; can be given several times")
       ->allow_extra_args(false);
   verb->add_flag("--ignore-columns", options->ignore_columns, "Ignore columns without a meaning");
@@ -167,7 +178,8 @@ void add_import_verb(CLI::App& app, int&) {
                    "comma, semicolon or tab (default: that of the first line)");
   verb->add_option("--start", options->start, "Start of the scene (first fix; 0 for velocities)");
   verb->add_option("--end", options->end, "End of the scene (last fix; none for velocities)");
-  verb->add_option("--time-zero", options->time_zero, "The date at which t = 0 (first fix), if times are dates");
+  verb->add_option("--time-zero", options->time_zero,
+                   "The date at which t = 0 (first fix), if times are dates");
   add_maintain_option(*verb, options->maintain, "What to maintain");
   verb->add_option("--fixed", options->fixed,
                    "Add an object at rest: ID,X[,Y[,Z]]; can be given several times")
@@ -190,7 +202,8 @@ void add_import_verb(CLI::App& app, int&) {
   verb->add_flag("--linear", options->linear, "Of Moving Features: read Discrete as Linear");
   verb->add_option("--local", options->local,
                    "Of GeoJSON and Moving Features in degrees: metres around LON,LAT");
-  verb->add_flag("--planar", options->planar, "Of the same: coordinates are planar, whatever the file says");
+  verb->add_flag("--planar", options->planar,
+                 "Of the same: coordinates are planar, whatever the file says");
   verb->add_option("--name", options->name, "Name of the scene (the file's)");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
@@ -199,7 +212,8 @@ void add_import_verb(CLI::App& app, int&) {
       "Example:\n"
       "  kinex import storms.csv --maintain sorted_list:x -o storms.json\n"
       "  kinex import ships.csv --polygons hulls.csv --bearing heading -o harbour.json\n"
-      "  kinex import tracks.csv --column id=trackId --column t=time --ignore-columns -o tracks.json\n"
+      "  kinex import tracks.csv --column id=trackId --column t=time --ignore-columns -o "
+      "tracks.json\n"
       "  kinex import tram.mfjson --local 13.4,52.5 -o tram.json\n"
       "  kinex import stars.csv --fixed Sun,0,0,0 -o stars.json --maintain \\\n"
       "    '{\"structure\": \"minimum_tournament\", \"key\": {\"squared_distance_to\": \"Sun\"}}'");

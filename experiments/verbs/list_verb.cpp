@@ -32,7 +32,8 @@ struct Listed {
 };
 
 const std::vector<std::string>& subjects() {
-  static const std::vector<std::string> kSubjects{"structures", "workloads", "papers", "arithmetics"};
+  static const std::vector<std::string> kSubjects{"structures", "workloads", "papers",
+                                                  "arithmetics"};
   return kSubjects;
 }
 
@@ -56,9 +57,10 @@ std::vector<Listed> names_of(const std::string& what) {
   if (what == "workloads") return listed(lab::workloads());
   if (what == "papers") return listed_papers();
   if (what == "arithmetics") return listed(lab::arithmetic_infos());
-  throw formats::InputError("list", "", show_text(what) + " is nothing that is listed",
-                            formats::did_you_mean(what, subjects(),
-                                                  "write structures, workloads, papers or arithmetics"));
+  throw formats::InputError(
+      "list", "", show_text(what) + " is nothing that is listed",
+      formats::did_you_mean(what, subjects(),
+                            "write structures, workloads, papers or arithmetics"));
 }
 
 std::string json_text(const std::vector<Listed>& all) {
@@ -66,7 +68,12 @@ std::string json_text(const std::vector<Listed>& all) {
   formats::JsonWriter json(text);
   json.begin_array();
   for (const Listed& one : all) {
-    json.begin_object().key("name").string(one.name).key("summary").string(one.summary).end_object();
+    json.begin_object()
+        .key("name")
+        .string(one.name)
+        .key("summary")
+        .string(one.summary)
+        .end_object();
   }
   json.end_array();
   return text + "\n";
@@ -77,7 +84,8 @@ std::string plain_text(const std::vector<Listed>& all, const Voice& voice) {
   for (const Listed& one : all) width = std::max(width, one.name.size());
   std::string text;
   for (const Listed& one : all) {
-    text += voice.heading(one.name) + std::string(width - one.name.size() + 2, ' ') + one.summary + "\n";
+    text += voice.heading(one.name) + std::string(width - one.name.size() + 2, ' ') + one.summary +
+            "\n";
   }
   return text;
 }
@@ -87,7 +95,8 @@ std::string plain_text(const std::vector<Listed>& all, const Voice& voice) {
 void add_list_verb(CLI::App& app, int&) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* verb = app.add_subcommand("list", "Lists structures, workloads, papers or arithmetics");
-  verb->add_option("WHAT", options->what, "structures, workloads, papers or arithmetics")->required();
+  verb->add_option("WHAT", options->what, "structures, workloads, papers or arithmetics")
+      ->required();
   verb->add_flag("--json", options->json, "Print a JSON array of names and summaries");
   verb->footer("kinex explain NAME says more of each.\nExample:\n  kinex list structures");
   verb->callback([options, verb] {

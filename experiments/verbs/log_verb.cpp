@@ -37,7 +37,8 @@ void show_log(const LogOptions& options, const Voice& voice) {
                formats::counted(table.records, "log record", "log records"));
   }
   if (!table.complete) {
-    voice.note(options.file + ": the log has no last line, its run was cut off; kinex check tells what it holds");
+    voice.note(options.file +
+               ": the log has no last line, its run was cut off; kinex check tells what it holds");
   }
 }
 
@@ -48,16 +49,19 @@ void add_log_verb(CLI::App& app, int&) {
   CLI::App* verb = app.add_subcommand("log", "Shows the records of an event log as a table");
   verb->add_option("LOG", options->file, "An event log, - reads standard input")->required();
   CLI::Option* const table = verb->add_flag("--table", options->table, "Aligned columns (default)");
-  verb->add_flag("--csv", options->csv, "Comma-separated values, with the exact instants")->excludes(table);
-  verb->add_option("--filter", options->filters,
-                   "Only records with KEY=VALUE,..; KEY is kind, structure, object, predicate or external; "
-                   "values of one key are alternatives; can be given several times")
+  verb->add_flag("--csv", options->csv, "Comma-separated values, with the exact instants")
+      ->excludes(table);
+  verb->add_option(
+          "--filter", options->filters,
+          "Only records with KEY=VALUE,..; KEY is kind, structure, object, predicate or external; "
+          "values of one key are alternatives; can be given several times")
       ->allow_extra_args(false);
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
   verb->footer(
       "Ids in one field have spaces between them; an id with a space is a JSON string.\n"
-      "Columns of --csv: seq, time (decimal), polynomial (coefficients, low degree first), root (its\n"
+      "Columns of --csv: seq, time (decimal), polynomial (coefficients, low degree first), root "
+      "(its\n"
       "number), lower and upper (an interval that isolates it), structure, kind, ids, external,\n"
       "predicate and certificate_ids (of the certificate that failed), gone, came, reason.\n"
       "Example:\n  kinex log square.log --filter kind=flip,object=p7\n"

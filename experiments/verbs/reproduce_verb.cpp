@@ -65,9 +65,10 @@ std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
       if (part.name == name) parts.push_back(&part);
     }
     if (parts.size() == before) {
-      throw formats::InputError("PART", "", "\"" + name + "\": the paper has no such part",
-                                formats::did_you_mean(name, part_names,
-                                                      "write " + known + ", or nothing for all of them"));
+      throw formats::InputError(
+          "PART", "", "\"" + name + "\": the paper has no such part",
+          formats::did_you_mean(name, part_names,
+                                "write " + known + ", or nothing for all of them"));
     }
   }
   return parts;

@@ -18,10 +18,12 @@ void ResultFile::write(std::string_view text) const {
   file.commit();
 }
 
-void tell_what_is_found(const sweep::Journal& journal, const char* one, const char* many, const Voice& voice) {
+void tell_what_is_found(const sweep::Journal& journal, const char* one, const char* many,
+                        const Voice& voice) {
   if (!journal.runs() || journal.found() == 0) return;
   voice.note("going on: " + formats::counted(journal.found(), one, many) +
-             (journal.found() == 1 ? " is" : " are") + " finished already; --fresh runs them again");
+             (journal.found() == 1 ? " is" : " are") +
+             " finished already; --fresh runs them again");
 }
 
 }  // namespace kinex::verbs

@@ -27,7 +27,8 @@ class ResultFile {
 };
 
 // A note, if there are any: "12 experiments are finished already".
-void tell_what_is_found(const sweep::Journal& journal, const char* one, const char* many, const Voice& voice);
+void tell_what_is_found(const sweep::Journal& journal, const char* one, const char* many,
+                        const Voice& voice);
 
 }  // namespace kinex::verbs
 

@@ -80,8 +80,8 @@ void shorten(Scene& scene, const std::string& until) {
   const Rational end = rational_option("--until", until);
   if (end <= scene.start || (scene.end && end > *scene.end)) {
     throw formats::InputError("--until", "", show_text(until) + " is outside of the scene's time",
-                     "write a time after " + time_text(scene.start) +
-                         (scene.end ? ", at most " + time_text(*scene.end) : ""));
+                              "write a time after " + time_text(scene.start) +
+                                  (scene.end ? ", at most " + time_text(*scene.end) : ""));
   }
   scene.end = end;
 }
@@ -103,7 +103,8 @@ std::vector<Rational> sample_times(const Scene& scene, const std::vector<std::st
 // Two results in one file would overwrite each other; a device (/dev/null) takes both.
 void check_outputs(const RunOptions& options) {
   if (options.events == "-" && (options.json || options.summary == "-")) {
-    throw formats::InputError(options.json ? "--json" : "--summary", "", "standard output has the event log",
+    throw formats::InputError(options.json ? "--json" : "--summary", "",
+                              "standard output has the event log",
                               "give one of the two the name of a file");
   }
   keep_input("--events", options.events, options.scene);
@@ -123,14 +124,16 @@ void check_outputs(const RunOptions& options) {
 // A killed run has left its lines under another name.
 void tell_leftovers(const formats::OutputFile& file, const Voice& voice) {
   for (const std::string& name : file.leftovers()) {
-    voice.note(name + " is of a run that was cut off (or that goes on): its whole lines can be read; remove it "
-                      "when you need it no more");
+    voice.note(
+        name +
+        " is of a run that was cut off (or that goes on): its whole lines can be read; remove it "
+        "when you need it no more");
   }
 }
 
 // Runs, and keeps the lines of the log written so far if that fails.
 formats::RunOutcome run_keeping(Simulator& simulator, const std::vector<Rational>& times,
-                       std::optional<formats::OutputFile>& events, const Voice& voice) {
+                                std::optional<formats::OutputFile>& events, const Voice& voice) {
   try {
     return lab::run_scene(simulator, times);
   } catch (const formats::InputError&) {
@@ -228,8 +231,9 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
     };
     simulator = lab::make_simulator(scene, options.arithmetic, simulator_options);
     if (!refused) {  // else it has been printed
-      const std::string numbers = voice.verbose ? formats::explain_model(scene, *simulator)
-                                                : "numbers   " + simulator->arithmetic().name() + "\n";
+      const std::string numbers = voice.verbose
+                                      ? formats::explain_model(scene, *simulator)
+                                      : "numbers   " + simulator->arithmetic().name() + "\n";
       report(formats::describe_model(scene, hash) + numbers);
     }
     if (events_file || summary_file || json) {

@@ -176,7 +176,8 @@ void run(const RunOptions& options, int& exit_code) {
   const std::size_t finished = work.shard.size() - work.rest.size();
   if (finished > 0) {
     options.voice.note("going on: " + formats::counted(finished, "cell", "cells") +
-                       (finished == 1 ? " is" : " are") + " finished already; --fresh runs them again");
+                       (finished == 1 ? " is" : " are") +
+                       " finished already; --fresh runs them again");
   }
   std::deque<Record> records;
   const bool whole = work.rest.empty() || run_rest(plan, work, options, records, settled);

@@ -168,9 +168,11 @@ void trade(const Options& options, int& exit_code) {
   if (!drawings.problem.empty()) {
     options.voice.note("no plots: " + drawings.problem);
   }
-  options.voice.note(database.path() + " and " + page.path() + " are written" +
-                     (result.interrupted ? "; interrupted: they have the finished part, and the same command resumes"
-                                         : ""));
+  options.voice.note(
+      database.path() + " and " + page.path() + " are written" +
+      (result.interrupted
+           ? "; interrupted: they have the finished part, and the same command resumes"
+           : ""));
   if (!result.faults().empty()) {
     exit_code = kExitFailed;
   } else if (result.interrupted || result.gave_up()) {

@@ -138,9 +138,11 @@ void verify(const Options& options, int& exit_code) {
   if (!drawings.problem.empty()) {
     options.voice.note("no plots: " + drawings.problem);
   }
-  options.voice.note(database.path() + " and " + page.path() + " are written" +
-                     (result.interrupted ? "; interrupted: they have the finished part, and the same command resumes"
-                                         : ""));
+  options.voice.note(
+      database.path() + " and " + page.path() + " are written" +
+      (result.interrupted
+           ? "; interrupted: they have the finished part, and the same command resumes"
+           : ""));
   exit_code = exit_code_of(result);
 }
 

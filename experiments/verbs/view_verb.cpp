@@ -62,8 +62,8 @@ Rational time_option(const char* option, const std::string& text, const Scene& s
   const Rational t = rational_option(option, text);
   if (t < scene.start || (scene.end && t > *scene.end)) {
     throw formats::InputError(option, "", show_text(text) + " is outside of the scene's time",
-                     "write a time from " + time_text(scene.start) +
-                         (scene.end ? " to " + time_text(*scene.end) : " on"));
+                              "write a time from " + time_text(scene.start) +
+                                  (scene.end ? " to " + time_text(*scene.end) : " on"));
   }
   return t;
 }
@@ -253,8 +253,9 @@ void view(const Options& options, const Voice& voice, int& exit_code) {
   }
   for (const view::RecordedRun& run : runs) {
     if (run.complete || run.stopped == view::kLogEnds) continue;
-    voice.error("the page holds the first " + formats::counted(run.events.size(), "log record", "log records") +
-                " of the " + run.arithmetic + " run: " + run.stopped +
+    voice.error("the page holds the first " +
+                formats::counted(run.events.size(), "log record", "log records") + " of the " +
+                run.arithmetic + " run: " + run.stopped +
                 "; choose others with --from and --until, or more with --max-events");
     exit_code = kExitGaveUp;
   }

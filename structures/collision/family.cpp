@@ -47,10 +47,12 @@ StructureFamily collision_family() {
   base.bodies = true;
   base.shape = Attribute::Shape::kTuples;
   base.derives = derive_poses;
-  base.ties = "a touch without penetration is one graze and no contact (exact arithmetics); bodies that "
-              "touch when they appear do not graze";
-  base.source = "Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for convex "
-                "objects (1999)";
+  base.ties =
+      "a touch without penetration is one graze and no contact (exact arithmetics); bodies that "
+      "touch when they appear do not graze";
+  base.source =
+      "Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for convex "
+      "objects (1999)";
 
   std::vector<StructureInfo> structures;
   const auto add = [&](StructureInfo info, std::string_view name, std::string_view summary,
@@ -62,20 +64,23 @@ StructureFamily collision_family() {
   };
   StructureInfo tiles = base;
   tiles.kinds = kinds({"side", "flip", "cell"});
-  tiles.certificates = "at most 6 for a pair apart, the sides of its tile and two orders of normals; 5 for "
-                       "a pair in contact";
+  tiles.certificates =
+      "at most 6 for a pair apart, the sides of its tile and two orders of normals; 5 for "
+      "a pair in contact";
   add(tiles, "separation_mixed", "collisions of convex polygons, by the mixed hierarchy",
       make_plain<SeparationMixed>);
   StructureInfo unturned = tiles;
   unturned.refuse = refuse_turning;
-  unturned.certificates = "at most 3 for a pair apart, the sides of its tile; 5 for a pair in contact";
+  unturned.certificates =
+      "at most 3 for a pair apart, the sides of its tile; 5 for a pair in contact";
   unturned.instead = "separation_mixed";
   add(unturned, "separation_minkowski",
       "collisions of convex polygons that do not turn, by the hierarchy of their Minkowski sum",
       make_plain<SeparationMinkowski>);
   StructureInfo wedges = base;
-  wedges.certificates = "3 for a pair apart, a line and two tangents; 5 where the bodies are too near for "
-                        "wedges, and for a pair in contact";
+  wedges.certificates =
+      "3 for a pair apart, a line and two tangents; 5 where the bodies are too near for "
+      "wedges, and for a pair in contact";
   wedges.kinds = kinds({"change", "wedge"});
   add(wedges, "separation_hysteresis", "collisions of convex polygons, by wedges that last",
       make_plain<SeparationHysteresis>);
@@ -86,7 +91,8 @@ StructureFamily collision_family() {
   add(features, "closest_features", "collisions of convex polygons, by the closest features",
       make_plain<ClosestFeatures>);
   StructureInfo tangents = features;
-  tangents.certificates = "8 for a pair apart, four for each inner tangent; 5 for a pair in contact";
+  tangents.certificates =
+      "8 for a pair apart, four for each inner tangent; 5 for a pair in contact";
   tangents.source = "the classic proof of separation by tangents";
   add(tangents, "inner_tangents", "collisions of convex polygons, by the inner common tangents",
       make_plain<InnerTangents>);

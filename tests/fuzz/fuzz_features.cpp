@@ -36,16 +36,23 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.plane = size % 2 == 0 ? formats::Plane::as_they_are() : formats::Plane();
   options.linear = size % 3 == 0;
   Scene scene;
-  if (!works([&] { scene = formats::import_moving_features(text, "fuzz", options).scene; })) return 0;
-  fuzz_require(works([&] { formats::parse_scene(formats::write_scene(scene), "again"); }), "no scene");
+  if (!works([&] { scene = formats::import_moving_features(text, "fuzz", options).scene; }))
+    return 0;
+  fuzz_require(works([&] { formats::parse_scene(formats::write_scene(scene), "again"); }),
+               "no scene");
   formats::MovingFeaturesForm form;
   form.tolerance = Rational(1);
   formats::WrittenFeatures features;
-  if (!works([&] { features = formats::write_moving_features(scene, "fuzz", form); }) || features.inexact > 0) return 0;
+  if (!works([&] { features = formats::write_moving_features(scene, "fuzz", form); }) ||
+      features.inexact > 0)
+    return 0;
   Scene back;
-  fuzz_require(works([&] { back = formats::import_moving_features(features.text, "again", {}).scene; }), "not read again");
+  fuzz_require(
+      works([&] { back = formats::import_moving_features(features.text, "again", {}).scene; }),
+      "not read again");
   formats::WrittenFeatures again;
-  fuzz_require(works([&] { again = formats::write_moving_features(back, "again", form); }), "not written again");
+  fuzz_require(works([&] { again = formats::write_moving_features(back, "again", form); }),
+               "not written again");
   fuzz_require(again.text == features.text, "features change when read and written");
   return 0;
 }

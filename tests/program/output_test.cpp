@@ -242,7 +242,8 @@ TEST_F(Output, TheLogOnStandardOutput) {
     if (both.back() == "--summary") both.emplace_back("-");
     const Finished refused = run_kinex(both);
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.err, HasSubstr(std::string(second) + ": standard output has the event log; give"));
+    EXPECT_THAT(refused.err,
+                HasSubstr(std::string(second) + ": standard output has the event log; give"));
     EXPECT_EQ(refused.out, "");
   }
   const Finished full = run_kinex({"run", scene_, "--events", "-"}, "", "/dev/full");

@@ -19,7 +19,8 @@ using Words = std::vector<std::string>;
 std::vector<std::string> first_words(const std::string& text) {
   std::vector<std::string> words;
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) words.push_back(line.substr(0, line.find(' ')));
+  for (std::string line; std::getline(lines, line);)
+    words.push_back(line.substr(0, line.find(' ')));
   return words;
 }
 
@@ -38,20 +39,24 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{}, "no verb is given; write one of run, check"},
       {{"rnu"}, "\"rnu\" is not a verb; did you mean run? kinex help lists them"},
       {{"swim"}, "\"swim\" is not a verb; write one of run"},
-      {{"sweep", "lst"}, "sweep: \"lst\" is not a verb; did you mean list? kinex help sweep lists them"},
+      {{"sweep", "lst"},
+       "sweep: \"lst\" is not a verb; did you mean list? kinex help sweep lists them"},
       {{"sweep"}, "sweep: no verb is given; write one of list"},
       {{"run"}, "run: SCENE is missing; write kinex run SCENE"},
       {{"view", scene_}, "view: --output is missing; give it"},
       {{"run", scene_, "--maximum"}, "run: \"--maximum\" is not an option; "},
-      {{"run", scene_, "--untli", "1"}, "run: \"--untli\" is not an option; did you mean --until? kinex help run"},
+      {{"run", scene_, "--untli", "1"},
+       "run: \"--untli\" is not an option; did you mean --until? kinex help run"},
       {{"gen", "grid", "--sead=3"}, "gen: \"--sead\" is not an option; did you mean --seed?"},
       {{"diff", scene_, scene_, scene_}, "is more than it takes; leave it out"},
       {{"gen", "grid", "--n"}, "gen: --n has no value; write --n VALUE"},
-      {{"gen", "grid", "--n", "many"}, "--n: \"many\" is not a whole number that fits; write one, as 100"},
+      {{"gen", "grid", "--n", "many"},
+       "--n: \"many\" is not a whole number that fits; write one, as 100"},
       {{"run", scene_, "--color", "pink"}, "--color"},
       {{"run", scene_, "-q", "-v"}, "does not go with"},
       {{"gen", "unifrom-square"}, "is not a workload; did you mean uniform-square?"},
-      {{"run", scene_, "--maintain", "delauney_2"}, "is not a known structure; did you mean delaunay_2?"},
+      {{"run", scene_, "--maintain", "delauney_2"},
+       "is not a known structure; did you mean delaunay_2?"},
       {{"run", scene_, "--arithmetic", "exat"}, "did you mean exact?"},
       {{"verify", "delaunay"}, "is not a structure; did you mean delaunay_2?"},
       {{"reproduce", "kds-report"}, "there is no such paper; did you mean kds-report-1998?"},
@@ -74,9 +79,11 @@ TEST_F(Typing, ListsAndTheirExplanations) {
     const Finished list = run_kinex({"list", what});
     EXPECT_EQ(list.exit_code, 0);
     const std::vector<std::string> names = first_words(list.out);
-    const formats::JsonDocument json = formats::parse_json(run_kinex({"list", what, "--json"}).out, "out");
+    const formats::JsonDocument json =
+        formats::parse_json(run_kinex({"list", what, "--json"}).out, "out");
     ASSERT_EQ(json->items().size(), names.size());
-    for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(json->items()[i].find("name")->text(), names[i]);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      EXPECT_EQ(json->items()[i].find("name")->text(), names[i]);
     for (const std::string& name : {names.front(), names.back()}) {
       const Finished explained = run_kinex({"explain", name});
       EXPECT_EQ(explained.exit_code, 0) << name << explained.err;
@@ -118,7 +125,8 @@ TEST_F(Typing, QuietAndVerbose) {
 
 TEST_F(Typing, Colours) {
   EXPECT_THAT(run_kinex({"rnu"}).err, Not(HasSubstr("\x1b")));
-  EXPECT_THAT(run_kinex({"--color", "always", "rnu"}).err, StartsWith("\x1b[1;31mkinex:\x1b[0m \"rnu\""));
+  EXPECT_THAT(run_kinex({"--color", "always", "rnu"}).err,
+              StartsWith("\x1b[1;31mkinex:\x1b[0m \"rnu\""));
   EXPECT_THAT(run_kinex({"list", "papers", "--color", "always"}).out, StartsWith("\x1b[1m"));
   EXPECT_THAT(run_kinex({"list", "papers", "--color", "never"}).out, Not(HasSubstr("\x1b")));
 }
@@ -136,12 +144,15 @@ TEST_F(Typing, LogsAsTables) {
   const std::string file = scratch_.file("log.csv");
   EXPECT_EQ(run_kinex({"log", log_, "--csv", "-o", file}).exit_code, 0);
   EXPECT_THAT(read_file(file), StartsWith("seq,time,polynomial"));
-  EXPECT_THAT(run_kinex({"log", log_, "--csv", "-o", file}).err, HasSubstr("exists already; give another name"));
+  EXPECT_THAT(run_kinex({"log", log_, "--csv", "-o", file}).err,
+              HasSubstr("exists already; give another name"));
   EXPECT_EQ(run_kinex({"log", log_, "--csv", "-o", file, "--force"}).exit_code, 0);
-  EXPECT_THAT(run_kinex({"log", log_, "-o", log_, "--force"}).err, HasSubstr("is the input itself"));
+  EXPECT_THAT(run_kinex({"log", log_, "-o", log_, "--force"}).err,
+              HasSubstr("is the input itself"));
   EXPECT_THAT(run_kinex({"log", log_, "--csv", "--table"}).err, HasSubstr("does not go with"));
   EXPECT_THAT(run_kinex({"log", scene_}).err, HasSubstr("does not begin an event log"));
-  EXPECT_THAT(run_kinex({"log", log_, "--filter", "kind=filp"}).err, HasSubstr("did you mean flip?"));
+  EXPECT_THAT(run_kinex({"log", log_, "--filter", "kind=filp"}).err,
+              HasSubstr("did you mean flip?"));
   // The log of a run that was cut off is shown as far as it goes.
   const std::string text = read_file(log_);
   write_file(log_, text.substr(0, text.find("\n{\"end\"") + 1));
@@ -154,9 +165,14 @@ TEST_F(Typing, LogsAsTables) {
 // Logs of different structures: what both have is compared, the rest is named.
 TEST_F(Typing, DiffOfOtherStructures) {
   const std::string other = scratch_.file("other.log"), third = scratch_.file("third.log");
-  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "delaunay_2,sorted_list", "--events", log_}).exit_code, 0);
-  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list,maximum_heap", "--events", other}).exit_code, 0);
-  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "bounding_box", "--events", third}).exit_code, 0);
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "delaunay_2,sorted_list", "--events", log_})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list,maximum_heap", "--events", other})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "bounding_box", "--events", third}).exit_code,
+            0);
   const Finished diff = run_kinex({"diff", log_, other});
   EXPECT_EQ(diff.exit_code, 0) << diff.out;
   EXPECT_THAT(diff.out, HasSubstr("only in " + log_ + ", not compared: delaunay_2\n"));
@@ -164,16 +180,18 @@ TEST_F(Typing, DiffOfOtherStructures) {
   EXPECT_THAT(diff.out, HasSubstr("equal: "));
   const Finished none = run_kinex({"diff", log_, third});
   EXPECT_EQ(none.exit_code, 2);
-  EXPECT_THAT(none.err, HasSubstr("it has no structure in common with " + log_ +
-                                  ": it maintains bounding_box, the other delaunay_2, sorted_list; compare"));
+  EXPECT_THAT(none.err,
+              HasSubstr("it has no structure in common with " + log_ +
+                        ": it maintains bounding_box, the other delaunay_2, sorted_list; compare"));
   EXPECT_EQ(run_kinex({"diff", "-q", log_, other}).out, "");
 }
 
 // A time in a message is short, however it was written.
 TEST_F(Typing, TimesInMessages) {
   const std::string digits(300, '7');
-  const std::string scene = R"({"kinex": 1, "dimension": 1, "time": {"start": 0, "end": "1)" + digits + "/" + digits +
-                            R"("}, "objects": [{"id": "a", "motion": [[0, 1]]}], "maintain": ["sorted_list"]})";
+  const std::string scene =
+      R"({"kinex": 1, "dimension": 1, "time": {"start": 0, "end": "1)" + digits + "/" + digits +
+      R"("}, "objects": [{"id": "a", "motion": [[0, 1]]}], "maintain": ["sorted_list"]})";
   write_file(log_, scene);
   for (const char* option : {"--until", "--at"}) {
     const Finished run = run_kinex({"run", log_, option, "5"});

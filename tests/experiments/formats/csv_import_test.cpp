@@ -29,7 +29,8 @@ TEST(CsvTable, FollowsRfc4180) {
   EXPECT_EQ(table.rows[1].line, 4u);
   EXPECT_INPUT_ERROR(formats::parse_csv("", "t.csv"), "t.csv: the file is empty");
   EXPECT_INPUT_ERROR(formats::parse_csv("a,a\n", "t.csv"), "column \"a\" stands twice");
-  EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n1,2\n3\n", "t.csv"), "t.csv: line 3: 1 field in a table");
+  EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n1,2\n3\n", "t.csv"),
+                     "t.csv: line 3: 1 field in a table");
   EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n\"1,2\n3\n", "t.csv"), "t.csv: line 2: a quote is not closed");
   EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n\"1\"2,2\n", "t.csv"), "text after a closing quote");
 }
@@ -186,7 +187,8 @@ TEST(CsvTable, SeparatorsOfTheFirstLine) {
   EXPECT_EQ(formats::parse_csv("id;x\n\"a;b\";1\n", "t").rows[0].fields[0], "a;b");
 }
 
-formats::ImportReport import_with(std::string_view text, const std::vector<formats::NamedColumn>& columns,
+formats::ImportReport import_with(std::string_view text,
+                                  const std::vector<formats::NamedColumn>& columns,
                                   bool ignore = false) {
   formats::ImportOptions options;
   options.columns = columns;
@@ -201,20 +203,26 @@ TEST(CsvImport, ColumnsByName) {
   EXPECT_EQ(report.ignored_columns, 2u);
   const Trajectory& a = report.scene.objects[0].motion.pieces[0].trajectory;
   EXPECT_EQ(a.coordinates, (std::vector<std::vector<Rational>>{{1, 2}}));
-  EXPECT_INPUT_ERROR(import_with(table, {{"id", "trackId"}, {"t", "when"}}), "the column \"east\" means nothing here; ");
+  EXPECT_INPUT_ERROR(import_with(table, {{"id", "trackId"}, {"t", "when"}}),
+                     "the column \"east\" means nothing here; ");
   EXPECT_INPUT_ERROR(import_with(table, {{"id", "trackId"}, {"t", "when"}}), "--ignore-columns");
   EXPECT_INPUT_ERROR(import_with(table, {}), "there is no column \"id\"; ");
   EXPECT_INPUT_ERROR(import_with(table, {}), "--column id=NAME");
-  EXPECT_INPUT_ERROR(import_with(table, {{"id", "trakId"}}),
-                     "line 1: there is no column \"trakId\", that of --column id; did you mean trackId?");
-  EXPECT_INPUT_ERROR(import_with(table, {{"id", "trackId"}, {"t", "trackId"}}),
-                     "--column: t=trackId after id=trackId; give every meaning one column of its own");
-  EXPECT_INPUT_ERROR(import_with(table, {{"id", "trackId"}, {"id", "when"}}), "--column: id=when after id=trackId");
+  EXPECT_INPUT_ERROR(
+      import_with(table, {{"id", "trakId"}}),
+      "line 1: there is no column \"trakId\", that of --column id; did you mean trackId?");
+  EXPECT_INPUT_ERROR(
+      import_with(table, {{"id", "trackId"}, {"t", "trackId"}}),
+      "--column: t=trackId after id=trackId; give every meaning one column of its own");
+  EXPECT_INPUT_ERROR(import_with(table, {{"id", "trackId"}, {"id", "when"}}),
+                     "--column: id=when after id=trackId");
 }
 
 TEST(CsvImport, DatesAreSecondsFromTheFirst) {
-  const std::string table = "id,t,x\nb,2024-05-01T12:00:10.5Z,0\nb,2024-05-01T14:01:00+02:00,99\na,2024-05-01T12:00:00Z,0\n"
-                            "a,2024-05-01T12:01:00Z,6\n";
+  const std::string table =
+      "id,t,x\nb,2024-05-01T12:00:10.5Z,0\nb,2024-05-01T14:01:00+02:00,99\na,2024-05-01T12:00:00Z,"
+      "0\n"
+      "a,2024-05-01T12:01:00Z,6\n";
   const formats::ImportReport report = import(table);
   EXPECT_EQ(report.time_zero, "2024-05-01T12:00:00Z");
   EXPECT_EQ(report.scene.start, Rational(0));
@@ -230,7 +238,8 @@ TEST(CsvImport, DatesAreSecondsFromTheFirst) {
   EXPECT_EQ(scene.start, Rational(43220));
   EXPECT_EQ(*scene.end, Rational(43260));
   options.time_zero = formats::OptionTime{"--time-zero", "yesterday"};
-  EXPECT_INPUT_ERROR(formats::import_csv(table, "t.csv", options), "--time-zero: \"yesterday\" is not a date");
+  EXPECT_INPUT_ERROR(formats::import_csv(table, "t.csv", options),
+                     "--time-zero: \"yesterday\" is not a date");
   EXPECT_INPUT_ERROR(formats::import_csv("id,t,x\na,0,0\na,1,1\n", "t.csv", options),
                      "--time-zero: the file's times are numbers; leave it out");
   options.time_zero.reset();

@@ -27,10 +27,12 @@ MovingFeaturesOptions planar() {
 }
 
 ImportReport import(const std::string& features, const MovingFeaturesOptions& options = planar()) {
-  return import_moving_features(R"({"type": "FeatureCollection", "features": [)" + features + "]}", "f.json", options);
+  return import_moving_features(R"({"type": "FeatureCollection", "features": [)" + features + "]}",
+                                "f.json", options);
 }
 
-std::string moving_point(const std::string& id, const std::string& places, const std::string& interpolation = "Linear") {
+std::string moving_point(const std::string& id, const std::string& places,
+                         const std::string& interpolation = "Linear") {
   return R"({"type": "Feature", "id": ")" + id +
          R"(", "temporalGeometry": {"type": "MovingPoint", "datetimes": ["2024-01-01T00:00:00Z", )"
          R"("2024-01-01T00:00:00.5Z", "2024-01-01T00:00:02Z"], "coordinates": )" +
@@ -57,7 +59,8 @@ TEST(MovingFeatures, TimesAreSecondsFromTheFirstDate) {
   EXPECT_EQ(scene.end, Rational(2));
   const std::vector<MotionPiece>& pieces = scene.objects[0].motion.pieces;
   ASSERT_EQ(pieces.size(), 2u);
-  EXPECT_EQ(pieces[0].trajectory.coordinates[0], (std::vector<Rational>{0, number("1/5")}));  // 0.1 is 1/10
+  EXPECT_EQ(pieces[0].trajectory.coordinates[0],
+            (std::vector<Rational>{0, number("1/5")}));  // 0.1 is 1/10
   EXPECT_EQ(pieces[1].trajectory.position(1, number("3/2")), Rational(3));
   MovingFeaturesOptions later = planar();
   later.common.time_zero = OptionTime{"--time-zero", "2023-12-31T23:59:00Z"};
@@ -79,15 +82,19 @@ TEST(MovingFeatures, StepsJump) {
 
 TEST(MovingFeatures, DiscreteIsReadAsLinearIfAsked) {
   MovingFeaturesOptions options = planar();
-  EXPECT_INPUT_ERROR(import(moving_point("a", "[[0, 0], [7, 1], [9, 9]]", "Discrete"), options), "--linear");
+  EXPECT_INPUT_ERROR(import(moving_point("a", "[[0, 0], [7, 1], [9, 9]]", "Discrete"), options),
+                     "--linear");
   options.linear = true;
-  EXPECT_EQ(import(moving_point("a", "[[0, 0], [7, 1], [9, 9]]", "Discrete"), options).scene.objects.size(), 1u);
+  EXPECT_EQ(import(moving_point("a", "[[0, 0], [7, 1], [9, 9]]", "Discrete"), options)
+                .scene.objects.size(),
+            1u);
 }
 
 TEST(MovingFeatures, DegreesBecomeMetresByStatedFactors) {
   MovingFeaturesOptions options;
   options.plane = Plane::around("13.4,60");
-  const ImportReport report = import(moving_point("a", "[[13.4, 60], [13.5, 60], [13.5, 60.1]]"), options);
+  const ImportReport report =
+      import(moving_point("a", "[[13.4, 60], [13.5, 60], [13.5, 60.1]]"), options);
   const Trajectory& last = report.scene.objects[0].motion.pieces.back().trajectory;
   // A degree of the sphere's meridian is 111195.08 m; on its parallel of 60 degrees half of that.
   EXPECT_NEAR(last.position(0, Rational(2)).to_double(), 5559.754, 0.001);
@@ -102,15 +109,18 @@ TEST(MovingFeatures, PropertiesByName) {
   options.common.columns = {{"id", "trackId"}, {"t", "when"}};
   const auto fix = [](int id, const std::string& x, const std::string& t) {
     return R"({"type": "Feature", "geometry": {"type": "Point", "coordinates": [)" + x +
-           R"(, 0]}, "properties": {"trackId": )" + std::to_string(id) + R"(, "when": )" + t + R"(, "speed": 3}})";
+           R"(, 0]}, "properties": {"trackId": )" + std::to_string(id) + R"(, "when": )" + t +
+           R"(, "speed": 3}})";
   };
-  const ImportReport report = import(fix(7, "0", "0") + "," + fix(7, "3", "1.5") + "," + fix(8, "1", "0"), options);
+  const ImportReport report =
+      import(fix(7, "0", "0") + "," + fix(7, "3", "1.5") + "," + fix(8, "1", "0"), options);
   ASSERT_EQ(report.scene.objects.size(), 1u);
   EXPECT_EQ(report.scene.objects[0].id, "7");
   EXPECT_EQ(report.scene.end, number("3/2"));
   EXPECT_EQ(report.single_fixes, 1u);
   options.common.columns = {{"x", "east"}};
-  EXPECT_INPUT_ERROR(import(fix(7, "0", "0"), options), "--column: x=east: places are not in properties here");
+  EXPECT_INPUT_ERROR(import(fix(7, "0", "0"), options),
+                     "--column: x=east: places are not in properties here");
 }
 
 TEST(MovingFeatures, PolygonsAreBodies) {
@@ -127,7 +137,8 @@ TEST(MovingFeatures, PolygonsAreBodies) {
 
 // Linear scenes of decimals: written and read, they are the same, byte by byte.
 TEST(MovingFeatures, RoundTripIsTheIdentity) {
-  for (const char* workload : {"uniform-square", "grid", "lattice", "meet", "walks", "new-plans", "come-and-go"}) {
+  for (const char* workload :
+       {"uniform-square", "grid", "lattice", "meet", "walks", "new-plans", "come-and-go"}) {
     SCOPED_TRACE(workload);
     lab::WorkloadParameters parameters;
     parameters.n = 9;
@@ -138,7 +149,8 @@ TEST(MovingFeatures, RoundTripIsTheIdentity) {
     EXPECT_EQ(features.error, Rational(0));
     const std::string back = write_moving_features(again(features.text), "s.json", form()).text;
     EXPECT_EQ(back, features.text);
-    if (std::string(workload) != "come-and-go" && std::string(workload) != "walks" && std::string(workload) != "new-plans") {
+    if (std::string(workload) != "come-and-go" && std::string(workload) != "walks" &&
+        std::string(workload) != "new-plans") {
       EXPECT_EQ(write_scene(again(features.text)), write_scene(scene));
     }
   }
@@ -158,12 +170,14 @@ void expect_near(const Scene& scene, const WrittenFeatures& features) {
   Rational worst;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     for (int k = 0; k < 1000; ++k) {
-      const Rational t = scene.start + (*scene.end - scene.start) * Rational(Integer(2 * k + 1), Integer(2000));
+      const Rational t =
+          scene.start + (*scene.end - scene.start) * Rational(Integer(2 * k + 1), Integer(2000));
       const MotionPiece* const exact = scene.objects[i].motion.piece_after(t);
       const MotionPiece* const read = back.objects[i].motion.piece_after(t);
       ASSERT_NE(read, nullptr);
       for (int axis = 0; axis < scene.dimension; ++axis) {
-        const Rational off = exact->trajectory.position(axis, t) - read->trajectory.position(axis, t);
+        const Rational off =
+            exact->trajectory.position(axis, t) - read->trajectory.position(axis, t);
         worst = std::max(worst, off.sign() < 0 ? -off : off);
       }
     }
@@ -182,7 +196,8 @@ TEST(MovingFeatures, CurvesAreSampledWithinTheirBound) {
   EXPECT_LE(features.error, number("1/1000") + number("1e-11"));
   EXPECT_THAT(features.text, HasSubstr("\"error_at_most\": "));
   expect_near(scene, features);
-  EXPECT_INPUT_ERROR(write_moving_features(scene, "s.json", form("1e-15")), "--tolerance: a piece would take more than");
+  EXPECT_INPUT_ERROR(write_moving_features(scene, "s.json", form("1e-15")),
+                     "--tolerance: a piece would take more than");
 }
 
 // Plans that change at thirds: times and places are rounded.
@@ -206,9 +221,11 @@ TEST(MovingFeatures, BodiesThatDoNotTurn) {
     std::string text = body;
     return parse_scene(text.replace(text.find("ROTOR"), 5, rotor), "s");
   };
-  const Scene back = again(write_moving_features(scene("[[1], [1]]"), "s", form()).text);  // by 90 degrees
+  const Scene back =
+      again(write_moving_features(scene("[[1], [1]]"), "s", form()).text);  // by 90 degrees
   EXPECT_EQ(back.objects[0].polygon, (std::vector<Vertex2>{{0, 0}, {0, 1}, {-1, 0}}));
-  EXPECT_INPUT_ERROR(write_moving_features(scene("[[1], [0, 1]]"), "s", form()), "the body \"a\" turns");
+  EXPECT_INPUT_ERROR(write_moving_features(scene("[[1], [0, 1]]"), "s", form()),
+                     "the body \"a\" turns");
 }
 
 TEST(MovingFeatures, WhatCannotBeWritten) {
@@ -217,7 +234,8 @@ TEST(MovingFeatures, WhatCannotBeWritten) {
   late.time_zero = number("253402300799.5");
   EXPECT_INPUT_ERROR(write_moving_features(scene, "s.json", late), "the years 1 to 9999");
   scene.end.reset();
-  EXPECT_INPUT_ERROR(write_moving_features(scene, "s.json", form()), "s.json: /time: the scene has no end");
+  EXPECT_INPUT_ERROR(write_moving_features(scene, "s.json", form()),
+                     "s.json: /time: the scene has no end");
   MovingFeaturesForm until = form();
   until.until = Rational(1);
   EXPECT_NO_THROW(parse_json(write_moving_features(scene, "s.json", until).text, "f"));

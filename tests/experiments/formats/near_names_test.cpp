@@ -10,7 +10,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const std::vector<std::string> kNames{"sorted_list", "delaunay_2", "convex_hull_2", "maximum_heap", "maximum_hanger"};
+const std::vector<std::string> kNames{"sorted_list", "delaunay_2", "convex_hull_2", "maximum_heap",
+                                      "maximum_hanger"};
 
 TEST(NearNames, Distances) {
   EXPECT_EQ(name_distance("", ""), 0u);
@@ -25,7 +26,7 @@ TEST(NearNames, Distances) {
 TEST(NearNames, TheNearestFirstAndNothingThatIsFar) {
   EXPECT_THAT(near_names("delauney_2", kNames), ElementsAre("delaunay_2"));
   EXPECT_THAT(near_names("sortedlist", kNames), ElementsAre("sorted_list"));
-  EXPECT_THAT(near_names("hull", kNames), ElementsAre("convex_hull_2"));       // a part
+  EXPECT_THAT(near_names("hull", kNames), ElementsAre("convex_hull_2"));  // a part
   EXPECT_THAT(near_names("maximum", kNames), ElementsAre("maximum_heap", "maximum_hanger"));
   EXPECT_THAT(near_names("voronoi", kNames), IsEmpty());
   EXPECT_THAT(near_names("", kNames), IsEmpty());

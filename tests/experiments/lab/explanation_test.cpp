@@ -28,7 +28,8 @@ TEST(Explanation, EveryStructureSaysWhatItIs) {
   for (const StructureInfo& info : structure_infos()) {
     SCOPED_TRACE(info.name);
     const Explanation explanation = explain(info);
-    for (const char* heading : {"maintains", "for", "certificates", "ties", "bounds", "source", "example"}) {
+    for (const char* heading :
+         {"maintains", "for", "certificates", "ties", "bounds", "source", "example"}) {
       const std::vector<std::string>* const lines = part(explanation, heading);
       ASSERT_NE(lines, nullptr) << heading;
       for (const std::string& line : *lines) {
@@ -41,14 +42,16 @@ TEST(Explanation, EveryStructureSaysWhatItIs) {
       EXPECT_NE(part(explanation, "predicates"), nullptr);
       EXPECT_EQ(part(explanation, "events")->size(), info.kinds.size());
     }
-    EXPECT_THAT(part(explanation, "example")->front(), HasSubstr("--maintain " + std::string(info.name)));
+    EXPECT_THAT(part(explanation, "example")->front(),
+                HasSubstr("--maintain " + std::string(info.name)));
   }
 }
 
 TEST(Explanation, DegreesAndBoundsOfTheTriangulation) {
   const Explanation explanation = explain(*find_structure_info("delaunay_2"));
   EXPECT_THAT(*part(explanation, "predicates"),
-              AllOf(Contains(HasSubstr("in_circle_2(a, b, c, d), degree 4d in t: d is not inside the circle")),
+              AllOf(Contains(HasSubstr(
+                        "in_circle_2(a, b, c, d), degree 4d in t: d is not inside the circle")),
                     Contains(HasSubstr("orientation_2(a, b, c), degree 2d in t"))));
   EXPECT_THAT(*part(explanation, "bounds"), Contains(HasSubstr("delaunay_2.compactness: ")));
   EXPECT_THAT(*part(explanation, "verified"), Contains(HasSubstr("delaunay_2.uniform.growth: ")));
