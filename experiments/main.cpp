@@ -1,57 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program `kinex`: parses the command line, runs one verb, and turns errors into exit codes.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string>
 
 #include "core/numbers/stop.h"
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/gmp_memory.h"
+#include "experiments/verbs/usage_error.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace {
 
-// The message says "Could not convert: OPTION = TEXT".
-std::string conversion_problem(const CLI::App& app, const std::string& message) {
-  const std::size_t colon = message.find(": "), equals = message.find(" = ");
-  if (colon == std::string::npos || equals == std::string::npos || equals < colon) return message;
-  const std::string name = message.substr(colon + 2, equals - colon - 2);
-  std::string type;
-  for (const CLI::App* verb : app.get_subcommands()) {
-    const CLI::Option* option = verb->get_option_no_throw(name);
-    if (option != nullptr) type = option->get_type_name();
-  }
-  return name + ": " + kinex::show_text(message.substr(equals + 3)) +
-         (type == "FLOAT" ? " is not a number; write one, as 2.5"
-                          : " is not a whole number that fits; write one, as 100");
-}
+namespace verbs = kinex::verbs;
 
-int run(int argc, char** argv) {
-  CLI::App app(
-      "kinex: kinetic data structures in exact arithmetic.\n"
-      "Exit codes: 0 fine; 1 a claim, bound or audit failed; 2 bad input or usage; 3 gave up at a "
-      "stated limit.",
-      "kinex");
-  app.set_version_flag("--version", kinex::formats::build_name());
+void describe(CLI::App& app) {
+  app.set_version_flag("-V,--version", kinex::formats::build_name());
   app.require_subcommand(1);
   app.footer(
-      "Example: a scene, its run, and how floating point differs (kinex VERB --help has more)\n"
+      "Example: a scene, its run, and how floating point differs (kinex help VERB has more)\n"
       "  kinex gen uniform-square --n 100 --seed 7 -o square.json\n"
       "  kinex run square.json --events exact.jsonl\n"
       "  kinex run square.json --arithmetic double --events double.jsonl\n"
       "  kinex diff exact.jsonl double.jsonl");
-  int exit_code = kinex::verbs::kExitFine;
-  kinex::verbs::add_verbs(app, exit_code);
+}
+
+// The exit code of the command line that `app` has been given.
+int run(CLI::App& app, int argc, char** argv, int& exit_code) {
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ConversionError& error) {
-    std::fprintf(stderr, "kinex: %s\n", conversion_problem(app, error.what()).c_str());
-    return kinex::verbs::kExitBadInput;
+  } catch (const CLI::Success& success) {
+    app.exit(success);  // --help, --version
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kinex::verbs::kExitFine : kinex::verbs::kExitBadInput;
+    verbs::voice_of(verbs::innermost(app)).error(verbs::usage_message(app, error));
+    return verbs::kExitBadInput;
   }
   return exit_code;
 }
@@ -61,24 +47,38 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   kinex::lab::install_gmp_memory();
   const kinex::lab::GmpGuard guard;
+  CLI::App app(
+      "kinex: kinetic data structures in exact arithmetic.\n"
+      "Exit codes: 0 fine; 1 a claim, bound or audit failed; 2 bad input or usage; 3 gave up at a "
+      "stated limit.",
+      "kinex");
+  int exit_code = verbs::kExitFine;
+  describe(app);
+  verbs::add_verbs(app, exit_code);
+  const auto tell = [&app](const std::string& text) {
+    verbs::voice_of(verbs::innermost(app)).error(text);
+  };
   try {
-    return run(argc, argv);
+    return run(app, argc, argv, exit_code);
   } catch (const kinex::formats::InputError& error) {
-    std::fprintf(stderr, "kinex: %s\n", error.what());
-    return kinex::verbs::kExitBadInput;
+    tell(error.what());
+    return verbs::kExitBadInput;
   } catch (const kinex::Stopped&) {
-    std::fprintf(stderr, "kinex: stopped before there was anything to write\n");
-    return kinex::verbs::kExitGaveUp;
+    tell(
+        "stopped before there was anything to write; run it again, with a larger limit if it had "
+        "one");
+    return verbs::kExitGaveUp;
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "kinex: gave up: there is not enough memory\n");
-    return kinex::verbs::kExitGaveUp;
+    tell(
+        "gave up: there is not enough memory; make the scene smaller, or run it on a larger "
+        "machine");
+    return verbs::kExitGaveUp;
   } catch (const std::invalid_argument& error) {
     // A run detects errors that no reader can, such as bodies that turn against each other.
-    std::fprintf(stderr, "kinex: %s\n", error.what());
-    return kinex::verbs::kExitBadInput;
+    tell(error.what());
+    return verbs::kExitBadInput;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "kinex: internal error: %s; please report it with the input\n",
-                 error.what());
-    return kinex::verbs::kExitFailed;
+    tell(std::string("internal error: ") + error.what() + "; please report it with the input");
+    return verbs::kExitFailed;
   }
 }

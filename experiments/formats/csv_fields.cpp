@@ -23,7 +23,8 @@ Rational csv_number(const CsvTable& table, const CsvRow& row, std::size_t column
   throw InputError(
       file, place_of_row(row),
       show_text(field) + " in column " + show_text(table.columns[column]) + " is not a number",
-      kCsvNumberRemedy);
+      field.find(',') == std::string::npos ? kCsvNumberRemedy
+                                           : "write decimals with a point, not with a comma");
 }
 
 void check_csv_id(const std::string& id, const std::string& file, const std::string& where) {

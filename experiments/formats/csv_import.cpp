@@ -10,6 +10,8 @@
 #include "experiments/formats/csv_table.h"
 #include "experiments/formats/heading.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
+#include "experiments/formats/trace.h"
 
 namespace kinex::formats {
 
@@ -18,19 +20,15 @@ namespace {
 constexpr const char* kColumns =
     "name the columns id,t,x[,y[,z]] (traces) or id,x[,y[,z]],vx[,vy[,vz]] (velocities)";
 
-// Makes a trajectory that of a body.
-void add_rotor(Trajectory& trajectory, RotorMotion rotor) {
-  for (std::vector<Rational>& part : rotor) trajectory.coordinates.push_back(std::move(part));
-}
-
 class Importer {
  public:
   Importer(CsvTable table, const std::string& file, const ImportOptions& options)
       : table_(std::move(table)), file_(file), options_(options) {
+    check_names();
     id_ = required("id");
-    time_ = table_.column("t");
+    time_ = column("t");
     for (const char* axis : {"x", "y", "z"}) {
-      const auto coordinate = table_.column(axis);
+      const auto coordinate = column(axis);
       if (!coordinate) break;
       coordinates_.push_back(*coordinate);
     }
@@ -48,7 +46,8 @@ class Importer {
     if (options_.polygons) check_plane();
     if (options_.heading) find_heading(used);
     const auto unused = std::find(used.begin(), used.end(), false);
-    if (unused != used.end()) {
+    report_.ignored_columns = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+    if (unused != used.end() && !options_.ignore_columns) {
       fail_unused(table_.columns[static_cast<std::size_t>(unused - used.begin())]);
     }
   }
@@ -65,27 +64,72 @@ class Importer {
     if (report_.scene.objects.empty()) {
       throw InputError(file_, "", "no object has two fixes", "write at least two fixes of one id");
     }
-    for (const std::string& row : options_.fixed) add_fixed(row);
-    check_time();
+    for (const std::string& row : options_.fixed)
+      add_fixed(report_.scene, row, options_.polygons.has_value());
+    check_time(report_.scene, file_);
     report_.scene.overlapping_starts = options_.overlapping_starts;
     if (options_.polygons) make_bodies(report_.scene, *options_.polygons, {file_, lines_});
     return std::move(report_);
   }
 
  private:
-  struct Fix {
-    Rational t;
-    std::vector<Rational> position;
-    Rational heading;  // in [0, 360)
+  struct FixOfRow : Fix {
     const CsvRow* row;
   };
 
-  std::size_t required(const std::string& name) const {
-    const auto column = table_.column(name);
-    if (!column) {
-      throw InputError(file_, "line 1", "there is no column " + show_text(name), kColumns);
+  // Those of --column name a meaning and a column of the table, once each.
+  void check_names() const {
+    for (std::size_t i = 0; i < options_.columns.size(); ++i) {
+      const NamedColumn& one = options_.columns[i];
+      if (!table_.column(one.column)) {
+        throw InputError(
+            file_, "line 1",
+            "there is no column " + show_text(one.column) + ", that of --column " + one.meaning,
+            did_you_mean(one.column, table_.columns, "name a column of the table"));
+      }
+      for (std::size_t j = 0; j < i; ++j) {
+        if (options_.columns[j].meaning != one.meaning && options_.columns[j].column != one.column)
+          continue;
+        throw InputError("--column", "",
+                         one.meaning + "=" + one.column + " after " + options_.columns[j].meaning +
+                             "=" + options_.columns[j].column,
+                         "give every meaning one column of its own");
+      }
     }
-    return *column;
+  }
+
+  // The column for a meaning: that of --column, else that of this name, if it has no other meaning.
+  std::optional<std::size_t> column(const std::string& meaning) const {
+    for (const NamedColumn& one : options_.columns) {
+      if (one.meaning == meaning) return table_.column(one.column);
+    }
+    for (const NamedColumn& one : options_.columns) {
+      if (one.column == meaning) return std::nullopt;
+    }
+    return table_.column(meaning);
+  }
+
+  std::size_t required(const std::string& name) const {
+    const auto found = column(name);
+    if (!found) {
+      throw InputError(
+          file_, "line 1", "there is no column " + show_text(name),
+          std::string(kColumns) + ", or say which they are: --column " + name + "=NAME");
+    }
+    return *found;
+  }
+
+  std::optional<Rational> start() const {
+    return options_.start_time ? scale_.read(*options_.start_time) : options_.start;
+  }
+  std::optional<Rational> end() const {
+    return options_.end_time ? scale_.read(*options_.end_time) : options_.end;
+  }
+
+  Rational time(const CsvRow& row) {
+    const std::string& field = row.fields[*time_];
+    return scale_.read(field, file_, place_of_row(row),
+                       show_text(field) + " in column " + show_text(table_.columns[*time_]));
   }
 
   void check_plane() const {
@@ -117,9 +161,13 @@ class Importer {
 
   [[noreturn]] void fail_unused(const std::string& column) const {
     const std::string problem = "the column " + show_text(column) + " means nothing here";
-    if (!options_.polygons) throw InputError(file_, "line 1", problem, kColumns);
+    if (!options_.polygons) {
+      throw InputError(file_, "line 1", problem,
+                       std::string(kColumns) + ", or give --ignore-columns for the others");
+    }
     throw InputError(file_, "line 1", problem,
-                     "remove it, or name it with --heading or --bearing; a body that turns is "
+                     "remove it, or name it with --heading or --bearing, or give --ignore-columns; "
+                     "a body that turns is "
                      "written as traces, for no rotor that is polynomial turns at a constant rate");
   }
 
@@ -147,8 +195,9 @@ class Importer {
 
   void import_velocities() {
     Scene& scene = report_.scene;
-    scene.start = options_.start.value_or(Rational(0));
-    scene.end = options_.end;
+    scale_.settle(options_.time_zero);
+    scene.start = start().value_or(Rational(0));
+    scene.end = end();
     for (const CsvRow& row : table_.rows) {
       const auto [other, is_new] = lines_.emplace(id(row), row.line);
       if (!is_new) {
@@ -171,20 +220,23 @@ class Importer {
   }
 
   void import_traces() {
-    std::vector<std::pair<std::string, std::vector<Fix>>> traces;  // in order of first rows
+    std::vector<std::pair<std::string, std::vector<FixOfRow>>> traces;  // in order of first rows
     std::unordered_map<std::string, std::size_t> numbers;
     for (const CsvRow& row : table_.rows) {
       const auto [entry, is_new] = numbers.emplace(id(row), traces.size());
       if (is_new) {
-        traces.emplace_back(id(row), std::vector<Fix>{});
+        traces.emplace_back(id(row), std::vector<FixOfRow>{});
         lines_.emplace(id(row), row.line);
       }
-      Fix fix{number(row, *time_), {}, heading(row), &row};
+      FixOfRow fix{{time(row), {}, heading(row)}, &row};
       for (const std::size_t column : coordinates_) fix.position.push_back(number(row, column));
       traces[entry->second].second.push_back(std::move(fix));
     }
+    const Rational zero = scale_.settle(options_.time_zero);
+    report_.time_zero = scale_.zero_text();
     std::optional<Rational> first, last;
     for (auto& [name, fixes] : traces) {
+      for (FixOfRow& fix : fixes) fix.t -= zero;
       sort_fixes(fixes);
       if (!first || fixes.front().t < *first) first = fixes.front().t;
       if (!last || fixes.back().t > *last) last = fixes.back().t;
@@ -192,18 +244,21 @@ class Importer {
         ++report_.single_fixes;
         continue;
       }
-      report_.scene.objects.push_back({name, motion_through(fixes)});
+      Motion motion;
+      append_linear(motion, {fixes.begin(), fixes.end()}, options_.polygons.has_value());
+      report_.scene.objects.push_back({name, std::move(motion)});
     }
-    report_.scene.start = options_.start.value_or(*first);
-    report_.scene.end = options_.end ? options_.end : last;
+    report_.scene.start = start().value_or(*first);
+    const std::optional<Rational> until = end();
+    report_.scene.end = until ? until : last;
   }
 
   // Ascending in time, each time once.
-  void sort_fixes(std::vector<Fix>& fixes) {
+  void sort_fixes(std::vector<FixOfRow>& fixes) {
     std::stable_sort(fixes.begin(), fixes.end(),
-                     [](const Fix& a, const Fix& b) { return a.t < b.t; });
-    std::vector<Fix> kept;
-    for (Fix& fix : fixes) {
+                     [](const FixOfRow& a, const FixOfRow& b) { return a.t < b.t; });
+    std::vector<FixOfRow> kept;
+    for (FixOfRow& fix : fixes) {
       if (kept.empty() || kept.back().t != fix.t) {
         kept.push_back(std::move(fix));
         continue;
@@ -221,80 +276,13 @@ class Importer {
     fixes = std::move(kept);
   }
 
-  // Linear between fixes; fixes on one straight flight at one speed are one piece.
-  Motion motion_through(const std::vector<Fix>& fixes) const {
-    Motion motion;
-    for (std::size_t i = 0; i + 1 < fixes.size(); ++i) {
-      const Fix& from = fixes[i];
-      const Fix& to = fixes[i + 1];
-      Trajectory trajectory;
-      for (std::size_t axis = 0; axis < from.position.size(); ++axis) {
-        const Rational velocity = (to.position[axis] - from.position[axis]) / (to.t - from.t);
-        trajectory.coordinates.push_back({from.position[axis] - velocity * from.t, velocity});
-      }
-      if (options_.polygons) {
-        add_rotor(trajectory, turning_rotor(from.heading, from.t, to.heading, to.t));
-      }
-      trajectory.normalise();
-      if (!motion.pieces.empty() && motion.pieces.back().trajectory == trajectory) {
-        motion.pieces.back().to = to.t;
-      } else {
-        motion.pieces.push_back({from.t, to.t, std::move(trajectory)});
-      }
-    }
-    return motion;
-  }
-
-  // An object at rest, at all times.
-  void add_fixed(const std::string& text) {
-    const std::string option = "--fixed";
-    Scene& scene = report_.scene;
-    const std::vector<std::string> fields = parse_csv_row(text, option);
-    const auto axes = static_cast<std::size_t>(scene.dimension);
-    if (fields.size() != axes + 1) {
-      throw InputError(option, "",
-                       show_text(text) + " has " + std::to_string(fields.size()) + " fields, not " +
-                           std::to_string(axes + 1),
-                       "write " + std::string("ID,X,Y,Z").substr(0, 2 + 2 * axes));
-    }
-    check_csv_id(fields[0], option, "");
-    for (const SceneObject& object : scene.objects) {
-      if (object.id != fields[0]) continue;
-      throw InputError(option, "", "there is an object " + show_text(fields[0]) + " already",
-                       "ids are unique; give another name");
-    }
-    Trajectory trajectory;
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-      std::optional<Rational> value = csv_number(fields[axis + 1]);
-      if (!value) {
-        throw InputError(
-            option, "", show_text(fields[axis + 1]) + " in " + show_text(text) + " is not a number",
-            kCsvNumberRemedy);
-      }
-      trajectory.coordinates.push_back({*std::move(value)});
-    }
-    if (options_.polygons) add_rotor(trajectory, fixed_rotor(0));
-    trajectory.normalise();
-    Motion motion;
-    motion.pieces.push_back({std::nullopt, std::nullopt, std::move(trajectory)});
-    scene.objects.push_back({fields[0], std::move(motion)});
-  }
-
-  void check_time() const {
-    const Scene& scene = report_.scene;
-    if (!scene.end || *scene.end > scene.start) return;
-    throw InputError(file_, "",
-                     "the scene would end at " + scene.end->to_string() +
-                         ", not after its start at " + scene.start.to_string(),
-                     "give --start and --end");
-  }
-
   CsvTable table_;
   const std::string& file_;
   const ImportOptions& options_;
   std::size_t id_;
   std::optional<std::size_t> time_, heading_;
   std::vector<std::size_t> coordinates_, velocities_;
+  TimeScale scale_;
   std::unordered_map<std::string, std::size_t> lines_;  // of the first row of each id
   ImportReport report_;
 };
@@ -303,7 +291,7 @@ class Importer {
 
 ImportReport import_csv(std::string_view text, const std::string& file,
                         const ImportOptions& options) {
-  return Importer(parse_csv(text, file), file, options).import();
+  return Importer(parse_csv(text, file, options.separator), file, options).import();
 }
 
 }  // namespace kinex::formats

@@ -12,6 +12,8 @@
 
 #include "core/motion/scene.h"
 #include "experiments/formats/csv_polygons.h"
+#include "experiments/formats/csv_table.h"
+#include "experiments/formats/time_scale.h"
 
 namespace kinex::formats {
 
@@ -20,8 +22,18 @@ struct HeadingColumn {
   bool compass = false;  // clockwise from the y axis, not counter-clockwise from the x axis
 };
 
+// The column of a meaning: "id", "t", "x", "vx", ..
+struct NamedColumn {
+  std::string meaning, column;
+};
+
 struct ImportOptions {
-  std::optional<Rational> start, end;    // of the scene; default below
+  std::optional<Rational> start, end;              // of the scene; default below
+  std::optional<OptionTime> start_time, end_time;  // the same as they are written, dates too
+  std::optional<OptionTime> time_zero;             // of dates; default: the first one
+  std::vector<NamedColumn> columns;                // of other names than their meanings
+  bool ignore_columns = false;                     // others may be there
+  char separator = kGuessedSeparator;
   std::vector<std::string> fixed;        // rows "id,x[,y[,z]]" of objects that stand still
   std::optional<PolygonTable> polygons;  // makes every object a body; 2 axes
   std::optional<HeadingColumn> heading;  // of bodies; without it they do not turn
@@ -33,6 +45,10 @@ struct ImportReport {
   std::size_t rows = 0;
   std::size_t single_fixes = 0;    // traces of one fix: they have no duration, and are left out
   std::size_t repeated_fixes = 0;  // identical rows of one id and time: read once
+  std::size_t ignored_columns = 0;
+  std::string time_zero;              // of dates: the date at which t = 0; otherwise empty
+  std::vector<std::string> notes;     // what somebody should know
+  std::vector<std::string> maintain;  // as set_maintain() takes it, if the file says so
 };
 
 // The first line names the columns, in any order; the coordinates are a prefix of x, y, z. Numbers
@@ -40,7 +56,8 @@ struct ImportReport {
 // rows, fixed objects last. Defaults can be overridden by the options.
 //   traces      An object exists from its first to its last fix and moves linearly between two
 //               fixes; rows need not be in the order of time. Two fixes of one id at one time must
-//               be identical. Default time of the scene: that of all fixes together.
+//               be identical. Default time of the scene: that of all fixes together. Times are
+//               numbers, or dates (time_scale.h).
 //   velocities  x(t) = x + vx t, by default from time 0 on; without an end the scene runs until no
 //               event is left.
 //   fixed       Objects that exist at all times.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/utf8.h"
 
@@ -13,7 +14,8 @@ namespace {
 
 class CsvParser {
  public:
-  CsvParser(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  CsvParser(std::string_view text, const std::string& file, char separator)
+      : text_(text), file_(file), separator_(separator) {}
 
   // The next row with at least one character; false at the end.
   bool next(CsvRow& row) {
@@ -36,7 +38,7 @@ class CsvParser {
       row.fields.push_back(at_ < text_.size() && text_[at_] == '"' ? quoted_field()
                                                                    : plain_field());
       if (at_line_end()) break;
-      ++at_;  // the comma
+      ++at_;  // the separator
     }
     if (at_ < text_.size()) at_ += text_[at_] == '\r' ? 2 : 1;
     ++line_;
@@ -44,7 +46,7 @@ class CsvParser {
 
   std::string plain_field() {
     const std::size_t begin = at_;
-    while (!at_line_end() && text_[at_] != ',') ++at_;
+    while (!at_line_end() && text_[at_] != separator_) ++at_;
     return std::string(text_.substr(begin, at_ - begin));
   }
 
@@ -54,7 +56,7 @@ class CsvParser {
     for (++at_; at_ < text_.size(); ++at_) {
       if (text_[at_] == '"') {
         ++at_;
-        if (at_line_end() || text_[at_] == ',') return field;
+        if (at_line_end() || text_[at_] == separator_) return field;
         if (text_[at_] != '"')
           fail(line_, "text after a closing quote", "double quotes inside quotes");
       }
@@ -70,9 +72,23 @@ class CsvParser {
 
   std::string_view text_;
   const std::string& file_;
+  char separator_;
   std::size_t at_ = 0;
   std::size_t line_ = 1;
 };
+
+// Of the first line, quotes aside.
+char separator_of(std::string_view text) {
+  bool quoted = false, semicolon = false, tab = false;
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == '\n' || c == ',') return c == ',' ? ',' : semicolon ? ';' : tab ? '\t' : ',';
+    semicolon = semicolon || c == ';';
+    tab = tab || c == '\t';
+  }
+  return semicolon ? ';' : tab ? '\t' : ',';
+}
 
 std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t");
@@ -88,10 +104,10 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const {
   return static_cast<std::size_t>(at - columns.begin());
 }
 
-CsvTable parse_csv(std::string_view text, const std::string& file) {
+CsvTable parse_csv(std::string_view text, const std::string& file, char separator) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.substr(0, 3) == kByteOrderMark) text.remove_prefix(3);
-  CsvParser parser(text, file);
+  CsvParser parser(text, file, separator == kGuessedSeparator ? separator_of(text) : separator);
   CsvTable table;
   CsvRow row;
   if (!parser.next(row))
@@ -111,8 +127,8 @@ CsvTable parse_csv(std::string_view text, const std::string& file) {
   while (parser.next(row)) {
     if (row.fields.size() != table.columns.size()) {
       throw InputError(file, "line " + std::to_string(row.line),
-                       std::to_string(row.fields.size()) + " fields in a table of " +
-                           std::to_string(table.columns.size()) + " columns",
+                       counted(row.fields.size(), "field", "fields") + " in a table of " +
+                           counted(table.columns.size(), "column", "columns"),
                        "write one field per column");
     }
     table.rows.push_back(std::move(row));
@@ -121,7 +137,7 @@ CsvTable parse_csv(std::string_view text, const std::string& file) {
 }
 
 std::vector<std::string> parse_csv_row(std::string_view text, const std::string& source) {
-  CsvParser parser(text, source);
+  CsvParser parser(text, source, ',');
   CsvRow row{1, {}}, other;
   if (!parser.next(row)) row.fields.assign(1, "");
   if (parser.next(other)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CsvTable: a CSV text (RFC 4180) as rows of fields that know their line.
+// CsvTable: a CSV text (RFC 4180; the separator may be another) as rows of fields that know their line.
 #ifndef KINEX_EXPERIMENTS_FORMATS_CSV_TABLE_H
 #define KINEX_EXPERIMENTS_FORMATS_CSV_TABLE_H
 
@@ -25,7 +25,11 @@ struct CsvTable {
 
 // Throws InputError for an empty file, a column named twice, a row with another number of fields
 // than there are columns, or a quote that is not closed. Empty lines are skipped; CRLF is fine.
-CsvTable parse_csv(std::string_view text, const std::string& file);
+// The separator is that of the first line: a comma if there is one outside of quotes, else a semicolon,
+// else a tab.
+inline constexpr char kGuessedSeparator = '\0';
+CsvTable parse_csv(std::string_view text, const std::string& file,
+                   char separator = kGuessedSeparator);
 
 // The fields of one row; `source` is for messages. A line end outside of quotes is refused.
 std::vector<std::string> parse_csv_row(std::string_view text, const std::string& source);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -54,28 +53,34 @@ std::vector<std::string> partial_files(const std::string& path) {
   return found;
 }
 
-// Cuts the file after its last newline; false if there is none.
-bool cut_after_last_line(const std::string& path) {
-  std::error_code error;
-  std::uintmax_t size = fs::file_size(path, error);
-  std::unique_ptr<std::FILE, CloseFile> file(error ? nullptr : std::fopen(path.c_str(), "rb"));
-  if (!file) return false;
+// The number of bytes up to and including the last newline; 0 if there is none.
+std::size_t end_of_last_line(std::FILE* file) {
+  if (std::fseek(file, 0, SEEK_END) != 0) return 0;
+  const long bytes = std::ftell(file);
+  std::size_t size = bytes < 0 ? 0 : static_cast<std::size_t>(bytes);
   char block[4096];
   while (size > 0) {
-    const std::uintmax_t from = size - std::min<std::uintmax_t>(size, sizeof block);
-    const std::size_t wanted = static_cast<std::size_t>(size - from);
-    if (std::fseek(file.get(), static_cast<long>(from), SEEK_SET) != 0 ||
-        std::fread(block, 1, wanted, file.get()) != wanted) {
-      return false;
+    const std::size_t from = size - std::min(size, sizeof block);
+    if (std::fseek(file, static_cast<long>(from), SEEK_SET) != 0 ||
+        std::fread(block, 1, size - from, file) != size - from) {
+      return 0;
     }
-    for (std::size_t i = wanted; i > 0; --i) {
-      if (block[i - 1] != '\n') continue;
-      fs::resize_file(path, from + i, error);
-      return !error;
+    for (std::size_t i = size - from; i > 0; --i) {
+      if (block[i - 1] == '\n') return from + i;
     }
     size = from;
   }
-  return false;
+  return 0;
+}
+
+// Cuts the file after its last newline; false if there is none.
+bool cut_after_last_line(const std::string& path) {
+  std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+  const std::size_t end = file ? end_of_last_line(file.get()) : 0;
+  if (end == 0) return false;
+  std::error_code error;
+  fs::resize_file(path, end, error);
+  return !error;
 }
 
 }  // namespace
@@ -109,6 +114,13 @@ std::string read_text_file(const std::string& path) {
 
 OutputFile::OutputFile(std::string path, bool force, Unfinished unfinished)
     : path_(std::move(path)), force_(force), unfinished_(unfinished) {
+  if (path_ == "-") {
+    standard_output_ = true;
+    path_ = "standard output";
+    file_ = std::tmpfile();
+    if (file_ == nullptr) fail(std::strerror(errno));
+    return;
+  }
   std::error_code error;
   const fs::file_status status = fs::status(path_, error);
   if (fs::is_directory(status)) {
@@ -140,10 +152,31 @@ void OutputFile::fail(const char* what) {
     throw InputError(path_, "", problem + "; the lines that were written are in " + kept,
                      "make room, and run it again");
   }
-  throw InputError(path_, "", problem, "give a name in a folder that exists and can be written");
+  throw InputError(path_, "", problem,
+                   standard_output_
+                       ? "check the target of its redirection, and the room for temporary files"
+                       : "give a name in a folder that exists and can be written");
+}
+
+void OutputFile::copy_to_standard_output(std::size_t bytes) {
+  unfinished_ = Unfinished::kRemoved;  // fail() copies nothing again
+  std::rewind(file_);
+  char buffer[1 << 16];
+  for (std::size_t left = bytes; left > 0;) {
+    const std::size_t got = std::fread(buffer, 1, std::min(left, sizeof buffer), file_);
+    if (got == 0 || std::fwrite(buffer, 1, got, stdout) != got) fail(std::strerror(errno));
+    left -= got;
+  }
+  if (std::fflush(stdout) != 0) fail(std::strerror(errno));
 }
 
 std::string OutputFile::keep_lines() {
+  if (standard_output_) {
+    if (file_ == nullptr || std::fflush(file_) != 0) return "";
+    const std::size_t bytes = end_of_last_line(file_);
+    copy_to_standard_output(bytes);
+    return "";
+  }
   if (file_ != nullptr) std::fclose(std::exchange(file_, nullptr));
   if (temporary_.empty() || !cut_after_last_line(temporary_)) return "";
   std::string name = path_ + ".partial";
@@ -161,6 +194,12 @@ void OutputFile::write(std::string_view text) {
 }
 
 void OutputFile::commit() {
+  if (standard_output_) {
+    const long size = std::fflush(file_) == 0 ? std::ftell(file_) : -1;
+    if (size < 0) fail(std::strerror(errno));
+    copy_to_standard_output(static_cast<std::size_t>(size));
+    return;
+  }
   const bool flushed = std::fclose(std::exchange(file_, nullptr)) == 0;
   if (!flushed) fail(std::strerror(errno));
   if (temporary_.empty()) return;

@@ -27,6 +27,8 @@ enum class Unfinished {
 // is never replaced unless `force`. Devices (/dev/null) are written directly. Without commit() the
 // temporary file is removed. Every failure throws InputError. If writing fails (a full disk) and
 // lines are kept, the message names the file that has them.
+// "-" is standard output: it gets the text when the file is committed, or its whole lines when these
+// are kept.
 class OutputFile {
  public:
   OutputFile(std::string path, bool force, Unfinished unfinished = Unfinished::kRemoved);
@@ -45,9 +47,12 @@ class OutputFile {
 
  private:
   [[noreturn]] void fail(const char* what);
+  // Of a file for standard output: copies `bytes` of it there.
+  void copy_to_standard_output(std::size_t bytes);
 
   std::string path_;
-  std::string temporary_;  // empty: written directly
+  std::string temporary_;  // empty: written directly, or a file without a name
+  bool standard_output_ = false;
   bool force_;
   Unfinished unfinished_;
   std::vector<std::string> leftovers_;

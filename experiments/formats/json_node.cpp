@@ -7,6 +7,7 @@
 #include "core/numbers/short_rational.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_defect.h"
+#include "experiments/formats/near_names.h"
 
 namespace kinex::formats {
 
@@ -109,7 +110,9 @@ void JsonNode::require_object(std::initializer_list<std::string_view> allowed) c
   const std::span<const JsonValue> keys = value_->keys();
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (std::find(allowed.begin(), allowed.end(), keys[i].text()) != allowed.end()) continue;
-    at(i).fail(show_text(keys[i].text()) + " is not a known field", "known are " + listed(allowed));
+    at(i).fail(show_text(keys[i].text()) + " is not a known field",
+               did_you_mean(keys[i].text(), {allowed.begin(), allowed.end()},
+                            "known are " + listed(allowed)));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "core/numbers/real_root.h"
+#include "experiments/formats/counted.h"
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/log_digest.h"
@@ -248,7 +249,7 @@ class Checker {
     if (!arity) return complain("there is no predicate " + quoted(predicate));
     const std::vector<std::string>& ids = record.certificate->ids;
     if (ids.size() != *arity) {
-      complain(predicate + " takes " + std::to_string(*arity) + " objects, not " +
+      complain(predicate + " takes " + counted(*arity, "object", "objects") + ", not " +
                std::to_string(ids.size()));
     }
     std::unordered_set<std::string_view> seen;

@@ -11,6 +11,7 @@
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/log_instant.h"
 #include "experiments/formats/log_reader.h"
+#include "experiments/formats/log_scene.h"
 
 namespace kinex::formats {
 
@@ -234,8 +235,11 @@ LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std:
   const std::set<std::string> structures =
       common_structures(reader_a.header(), reader_b.header(), result);
   if (structures.empty() && !(result.only_a.empty() && result.only_b.empty())) {
-    throw InputError(file_b, "line 1", "it has no structure in common with " + file_a,
-                     "compare runs that maintain the same");
+    throw InputError(file_b, "line 1",
+                     "it has no structure in common with " + file_a + ": it maintains " +
+                         structures_of(reader_b.header()) + ", the other " +
+                         structures_of(reader_a.header()),
+                     "compare runs with a structure in common, of the same label and key");
   }
   Names names;
   const Log a = read_log(reader_a, structures, names);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "experiments/formats/counted.h"
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_node.h"
@@ -79,7 +80,8 @@ std::string read_key(const JsonNode& node) {
     return text;
   }
   node.require_object({"direction", "squared_distance_to"});
-  if (node.size() != 1) node.fail("a key with " + std::to_string(node.size()) + " members", remedy);
+  if (node.size() != 1)
+    node.fail("a key with " + counted(node.size(), "member", "members"), remedy);
   json.begin_object();
   if (const auto direction = node.find("direction")) {
     direction->require_array();

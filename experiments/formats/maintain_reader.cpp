@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
 #include "experiments/formats/scene_parts.h"
 #include "experiments/formats/scene_reader.h"
 #include "structures/plan.h"
@@ -26,6 +28,12 @@ std::string known_structures() {
     result += info.name;
   }
   return "known are " + result;
+}
+
+std::vector<std::string> structure_names() {
+  std::vector<std::string> names;
+  for (const StructureInfo& info : structure_infos()) names.emplace_back(info.name);
+  return names;
 }
 
 std::optional<int> axis_of(std::string_view name, int dimension) {
@@ -48,7 +56,8 @@ std::string axes_of(int dimension) {
 std::optional<Refusal> complaint_about(const std::string& name, const Scene& scene) {
   const StructureInfo* info = find_structure_info(name);
   if (info == nullptr)
-    return Refusal{show_text(name) + " is not a known structure", known_structures()};
+    return Refusal{show_text(name) + " is not a known structure",
+                   did_you_mean(name, structure_names(), known_structures())};
   std::optional<Refusal> refusal = refusal_of(*info, scene);
   if (refusal) refusal->problem = show_text(name) + " " + refusal->problem;
   return refusal;
@@ -72,8 +81,8 @@ std::optional<Refusal> complaint_about_number(const Scene& scene) {
 Key read_direction(const JsonNode& node, int dimension) {
   node.require_array();
   if (node.size() != static_cast<std::size_t>(dimension)) {
-    node.fail("a direction of " + std::to_string(node.size()) +
-                  " entries in a scene of dimension " + std::to_string(dimension),
+    node.fail("a direction of " + counted(node.size(), "entry", "entries") +
+                  " in a scene of dimension " + std::to_string(dimension),
               "write one number per axis");
   }
   Key key;
@@ -116,7 +125,7 @@ Key read_key(const JsonNode& node, const Scene& scene) {
   }
   if (!node.is(JsonValue::Kind::kObject)) node.refuse("a key", remedy);
   node.require_object({"direction", "squared_distance_to"});
-  if (node.size() != 1) node.fail("a key with " + std::to_string(node.size()) + " fields", remedy);
+  if (node.size() != 1) node.fail("a key with " + counted(node.size(), "field", "fields"), remedy);
   if (const auto direction = node.find("direction"))
     return read_direction(*direction, scene.dimension);
   return read_distance(node.member("squared_distance_to"), scene);

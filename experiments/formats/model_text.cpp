@@ -95,7 +95,7 @@ std::string described_bodies(const Scene& scene) {
       rotors = std::max(rotors, piece.trajectory.degree_of_axes(2, kBodyAxes));
     }
   }
-  return "bodies    convex polygons of " + std::to_string(vertices) + " vertices, " +
+  return "bodies    convex polygons of " + counted(vertices, "vertex", "vertices") + ", " +
          std::to_string(largest) + " at most; positions of degree " + std::to_string(positions) +
          ", rotors of degree " + std::to_string(rotors) + "\n";
 }
@@ -138,10 +138,11 @@ std::string explain_model(const Scene& scene, const Simulator& simulator) {
   std::set<std::string> told;  // structures may use the same predicate
   for (PredicateId id = 0; id < numbers.predicates(); ++id) {
     const Predicate& predicate = numbers.predicate(id);
-    const std::string line = std::string(predicate.name()) + " of " +
-                             std::to_string(predicate.arity()) + " objects: degree " +
-                             std::to_string(predicate.degree(std::max(1, numbers.needs().degree))) +
-                             " in t, " + numbers.polynomial_model(id);
+    const std::string line =
+        std::string(predicate.name()) + " of " +
+        counted(static_cast<std::size_t>(predicate.arity()), "object", "objects") + ": degree " +
+        std::to_string(predicate.degree(std::max(1, numbers.needs().degree))) + " in t, " +
+        numbers.polynomial_model(id);
     if (told.insert(line).second) text += "          " + line + "\n";
   }
   for (std::size_t i = 0; i < numbers.needs().derived.size(); ++i) {

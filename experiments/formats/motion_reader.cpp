@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/numbers/short_rational.h"
+#include "core/numbers/time_text.h"
+#include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/scene_parts.h"
 #include "experiments/formats/scene_reader.h"
@@ -41,8 +43,8 @@ std::vector<Rational> read_coefficients(const JsonNode& list, int max_degree,
 void read_coordinates(const JsonNode& node, int dimension, std::size_t axes, Trajectory& trajectory) {
   node.require_array();
   if (node.size() != static_cast<std::size_t>(dimension)) {
-    node.fail(std::to_string(node.size()) + " coefficient lists in a scene of dimension " +
-                  std::to_string(dimension),
+    node.fail(counted(node.size(), "coefficient list", "coefficient lists") +
+                  " in a scene of dimension " + std::to_string(dimension),
               "write one list per axis");
   }
   trajectory.coordinates.reserve(axes);
@@ -110,9 +112,9 @@ void check_seam(const MotionPiece& before, const MotionPiece& after, const JsonN
                 const Scene& scene) {
   const Rational& seam = *after.from;
   if (seam < *before.to) {
-    node.member("from").fail("the piece begins at " + show_text(seam.to_string()) +
+    node.member("from").fail("the piece begins at " + time_text(seam) +
                                  ", before the end of the piece before it at " +
-                                 show_text(before.to->to_string()),
+                                 time_text(*before.to),
                              "pieces ascend in time and do not overlap");
   }
   if (scene.jumps || seam != *before.to) return;
@@ -122,16 +124,14 @@ void check_seam(const MotionPiece& before, const MotionPiece& after, const JsonN
     const Rational there = before.trajectory.position(axis, seam);
     const Rational here = after.trajectory.position(axis, seam);
     if (there == here) continue;
-    node.fail("the object jumps at " + show_text(seam.to_string()) + " from " +
-                  show_text(there.to_string()) + " to " + show_text(here.to_string()) +
-                  " on axis " + std::to_string(axis),
+    node.fail("the object jumps at " + time_text(seam) + " from " + time_text(there) + " to " +
+                  time_text(here) + " on axis " + std::to_string(axis),
               "make the pieces meet, or say \"jumps\": true in the scene");
   }
   const auto rotor = [&](const Trajectory& trajectory) {
-    return show_text(trajectory.position(2, seam).to_string()) + ", " +
-           show_text(trajectory.position(3, seam).to_string());
+    return time_text(trajectory.position(2, seam)) + ", " + time_text(trajectory.position(3, seam));
   };
-  node.fail("the object turns suddenly at " + show_text(seam.to_string()) + " from the rotor " +
+  node.fail("the object turns suddenly at " + time_text(seam) + " from the rotor " +
                 rotor(before.trajectory) + " to " + rotor(after.trajectory),
             "make the rotors equal up to a factor, or say \"jumps\": true in the scene");
 }
@@ -142,7 +142,7 @@ std::vector<std::vector<Rational>> read_rotor(const std::optional<JsonNode>& nod
   if (!node) return {{Rational(1)}, {Rational(0)}};
   node->require_array();
   if (node->size() != 2) {
-    node->fail(std::to_string(node->size()) + " coefficient lists in a rotor",
+    node->fail(counted(node->size(), "coefficient list", "coefficient lists") + " in a rotor",
                "write two, [[p0, p1, ..], [q0, q1, ..]]");
   }
   return {read_coefficients(node->at(0), kMaxRotorDegree, "rotor"),

@@ -149,6 +149,13 @@ std::string write_scene(const Scene& scene) {
 
 std::string scene_hash(const Scene& scene) { return sha256_hex(write_scene(scene)); }
 
+std::string request_json(const Request& request, const Scene& scene) {
+  std::string text;
+  JsonWriter json(text);
+  write_request(json, request, scene);
+  return text;
+}
+
 std::string key_json(const Key& key, const Scene& scene) {
   std::string text;
   JsonWriter json(text);

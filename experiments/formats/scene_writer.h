@@ -16,6 +16,8 @@ std::string write_scene(const Scene& scene);
 // SHA-256 of write_scene: independent of formatting and of how numbers were written in the file.
 std::string scene_hash(const Scene& scene);
 
+// An entry of "maintain" as JSON.
+std::string request_json(const Request& request, const Scene& scene);
 // A key as JSON: "x", {"direction": [..]}, {"squared_distance_to": ID}.
 std::string key_json(const Key& key, const Scene& scene);
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "experiments/formats/counted.h"
 #include "experiments/lab/scene_run.h"
 
 namespace kinex::lab {
@@ -165,8 +166,8 @@ void add_runs(const std::vector<Trial>& trials, std::vector<Check>& checks) {
       audit.source = run.violations.empty() ? run.ledger.corruption : run.violations.front();
     }
   }
-  audit.observed =
-      std::to_string(violations) + " violations in " + std::to_string(checked) + " checks";
+  audit.observed = formats::counted(violations, "violation", "violations") + " in " +
+                   formats::counted(checked, "check", "checks");
   checks.push_back(std::move(audit));
   if (stopped) checks.push_back(*std::move(stopped));
 }

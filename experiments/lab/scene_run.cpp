@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
+#include "experiments/lab/arithmetics.h"
 #include "experiments/lab/gmp_memory.h"
 #include "structures/plan.h"
 
@@ -18,7 +20,10 @@ std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Sce
     const std::string message = error.what();
     const std::size_t end = message.find("; ");
     if (end == std::string::npos) throw formats::InputError("--arithmetic", "", message, "write exact");
-    throw formats::InputError("--arithmetic", "", message.substr(0, end), message.substr(end + 2));
+    std::vector<std::string> names;
+    for (const ArithmeticInfo& info : arithmetic_infos()) names.emplace_back(info.name);
+    throw formats::InputError("--arithmetic", "", message.substr(0, end),
+                              formats::did_you_mean(name, names, message.substr(end + 2)));
   }
 }
 

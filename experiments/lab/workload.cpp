@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/family.h"
 
@@ -44,7 +45,8 @@ void check_body_parameters(const Workload& workload, const WorkloadParameters& p
   }
   if (!workload.takes_turns) return;
   if (parameters.turns < workload.min_turns || parameters.turns > kMaxWorkloadTurns) {
-    refuse(workload, "--turns", std::to_string(parameters.turns) + " turns",
+    refuse(workload, "--turns",
+           formats::counted(static_cast<std::uint64_t>(parameters.turns), "turn", "turns"),
            range(workload.min_turns, kMaxWorkloadTurns));
   }
 }

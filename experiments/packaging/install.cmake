@@ -16,6 +16,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/experiments/schemas ${PROJECT_SOURCE_DIR
 # Sweeps: example plans, and scripts for machines of many nodes.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/experiments/sweep/plans ${PROJECT_SOURCE_DIR}/experiments/cluster
   DESTINATION ${CMAKE_INSTALL_DATADIR}/kinex USE_SOURCE_PERMISSIONS)
+# What reads results in Python, with its examples.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/experiments/python DESTINATION ${CMAKE_INSTALL_DATADIR}/kinex
+  PATTERN __pycache__ EXCLUDE)
 # The second program that checks logs: a folder of Python, and a script that starts it.
 file(GLOB logcheck ${PROJECT_SOURCE_DIR}/experiments/logcheck/*.py)
 install(FILES ${logcheck} ${PROJECT_SOURCE_DIR}/experiments/logcheck/README.md

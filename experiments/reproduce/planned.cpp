@@ -6,6 +6,7 @@
 
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
+#include "experiments/formats/near_names.h"
 #include "experiments/lab/cell_record.h"
 #include "experiments/reproduce/papers.h"
 #include "experiments/sweep/canonical_json.h"
@@ -100,20 +101,24 @@ std::string no_result(const sweep::Record& record) {
 
 const lab::Paper& paper_named(const std::string& name) {
   std::string names;
+  std::vector<std::string> known;
   for (const lab::Paper& paper : papers()) {
     if (paper.name == name) return paper;
+    known.emplace_back(paper.name);
     names += (names.empty() ? "" : ", ") + std::string(paper.name);
   }
   throw formats::InputError("PAPER", "",
                             name.empty() ? "there is none" : "\"" + name + "\": there is no such paper",
-                            "write " + names);
+                            formats::did_you_mean(name, known, "write " + names));
 }
 
 std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
                                                const std::vector<std::string>& names) {
   std::vector<const lab::PaperPart*> parts;
   std::string known;
+  std::vector<std::string> part_names;
   for (const lab::PaperPart& part : paper.parts) {
+    part_names.emplace_back(part.name);
     known += (known.empty() ? "" : ", ") + std::string(part.name);
     if (names.empty()) parts.push_back(&part);
   }
@@ -124,7 +129,8 @@ std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
     }
     if (parts.size() == before) {
       throw formats::InputError("PART", "", "\"" + name + "\": the paper has no such part",
-                                "write " + known + ", or nothing for all of them");
+                                formats::did_you_mean(name, part_names,
+                                                      "write " + known + ", or nothing for all of them"));
     }
   }
   return parts;

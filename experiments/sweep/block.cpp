@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/sweep/canonical_json.h"
 
@@ -39,7 +40,13 @@ std::string quoted_list(std::initializer_list<const char*> names) {
   return text;
 }
 
-std::string workload_names() {
+std::vector<std::string> workload_names() {
+  std::vector<std::string> names;
+  for (const lab::Workload& workload : lab::workloads()) names.emplace_back(workload.name);
+  return names;
+}
+
+std::string known_workloads() {
   std::string text = "known are ";
   for (const lab::Workload& workload : lab::workloads()) {
     text += (&workload == &lab::workloads().front() ? "" : ", ") + std::string(workload.name);
@@ -174,7 +181,9 @@ class BlockReader {
   void read_workloads(const formats::JsonNode& given) {
     add("workload", given, [](const formats::JsonNode& node) {
       const std::string_view name = node.string();
-      if (lab::find_workload(name) == nullptr) node.refuse("a workload", workload_names());
+      if (lab::find_workload(name) == nullptr) {
+        node.refuse("a workload", formats::did_you_mean(name, workload_names(), known_workloads()));
+      }
       return [name](RunCell& cell) { cell.workload = name; };
     });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/sweep/run_cell.h"
 
+#include "core/numbers/time_text.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/scene_reader.h"
@@ -98,9 +99,9 @@ void shorten(Scene& scene, const RunCell& cell) {
   if (!cell.until) return;
   if (*cell.until <= scene.start || (scene.end && *cell.until > *scene.end)) {
     throw formats::InputError(cell.workload, "--until",
-                              cell.until->to_string() + " is outside of the scene's time",
-                              "write a time after " + scene.start.to_string() +
-                                  (scene.end ? ", at most " + scene.end->to_string() : ""));
+                              time_text(*cell.until) + " is outside of the scene's time",
+                              "write a time after " + time_text(scene.start) +
+                                  (scene.end ? ", at most " + time_text(*scene.end) : ""));
   }
   scene.end = cell.until;
 }

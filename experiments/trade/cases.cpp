@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/lab/family.h"
 
@@ -111,9 +112,14 @@ TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, lab::E
     if (known) continue;
     if (!is_file(name)) {
       std::string names = "all";
-      for (const lab::TradePlan& plan : plans()) names += ", " + std::string(plan.structure);
-      throw formats::InputError("trade", "", show_text(name) + " is neither a file nor a structure here",
-                       "name a scene, or choose one of " + names);
+      std::vector<std::string> choices{"all"};
+      for (const lab::TradePlan& plan : plans()) {
+        names += ", " + std::string(plan.structure);
+        choices.emplace_back(plan.structure);
+      }
+      throw formats::InputError(
+          "trade", "", show_text(name) + " is neither a file nor a structure here",
+          formats::did_you_mean(name, choices, "name a scene, or choose one of " + names));
     }
     add_file(catalogue, name);
   }

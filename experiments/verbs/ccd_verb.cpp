@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex ccd: continuous collision detection, exactly.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -95,7 +95,7 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
   return tally.queries == queries.queries.size();
 }
 
-void answer_files(const Options& options, int& exit_code) {
+void answer_files(const Options& options, const Voice& voice, int& exit_code) {
   for (const std::string& file : options.files) kind_of(options, file);
   InterruptGuard interrupt;
   bool differs = false;
@@ -104,8 +104,8 @@ void answer_files(const Options& options, int& exit_code) {
     const bool finished = answer_file(options, file, interrupt, tally);
     differs = differs || tally.differs();
     if (finished) continue;
-    std::fprintf(stderr, "kinex: interrupted; the tally is that of the first %llu queries\n",
-                 static_cast<unsigned long long>(tally.queries));
+    voice.error("interrupted; the tally is that of the first " +
+                (tally.queries == 1 ? "query" : std::to_string(tally.queries) + " queries"));
     exit_code = kExitGaveUp;
     break;
   }
@@ -136,7 +136,8 @@ void add_ccd_verb(CLI::App& app, int& exit_code) {
       "Example: answers, and differences from the files' truth columns\n"
       "  kinex ccd spikes/edge-edge/data_0_0.csv spikes/vertex-face/data_0_0.csv --tally\n"
       "  kinex ccd queries.csv --kind vertex-face --json");
-  verb->callback([options, &exit_code] { answer_files(*options, exit_code); });
+  verb->callback(
+      [options, verb, &exit_code] { answer_files(*options, voice_of(*verb), exit_code); });
 }
 
 }  // namespace kinex::verbs

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex check: validates a scene, or re-verifies an event log.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "experiments/formats/scene_writer.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -100,11 +100,14 @@ std::string scene_json(const Scene& scene) {
   return text + "\n";
 }
 
-void report_log(const formats::LogVerdict& verdict, const std::string& path, bool json, int& exit_code) {
-  print(json ? log_json(verdict) : log_text(verdict));
-  for (const std::string& problem : verdict.problems) {
-    std::fprintf(stderr, "kinex: %s: %s\n", path.c_str(), problem.c_str());
+void report_log(const formats::LogVerdict& verdict, const CheckOptions& options, const Voice& voice,
+                int& exit_code) {
+  if (options.json) {
+    print(log_json(verdict));
+  } else {
+    voice.report(log_text(verdict));
   }
+  for (const std::string& problem : verdict.problems) voice.error(options.file + ": " + problem);
   if (!verdict.problems.empty()) exit_code = kExitFailed;
 }
 
@@ -124,7 +127,7 @@ std::optional<Scene> scene_beside(const std::string& text, const std::string& pa
   return std::nullopt;
 }
 
-void check(const CheckOptions& options, int& exit_code) {
+void check(const CheckOptions& options, const Voice& voice, int& exit_code) {
   const std::string text = formats::read_text_file(options.file);
   if (formats::looks_like_log(text)) {
     std::optional<Scene> scene;
@@ -135,7 +138,7 @@ void check(const CheckOptions& options, int& exit_code) {
     }
     const formats::LogVerdict verdict = scene ? formats::check_log(text, options.file, &*scene, formats::scene_hash(*scene))
                                      : formats::check_log(text, options.file);
-    report_log(verdict, options.file, options.json, exit_code);
+    report_log(verdict, options, voice, exit_code);
     return;
   }
   if (!options.scene.empty()) {
@@ -143,7 +146,11 @@ void check(const CheckOptions& options, int& exit_code) {
                      "leave it out, or give an event log first");
   }
   const Scene scene = formats::parse_scene(text, options.file);
-  print(options.json ? scene_json(scene) : formats::describe_model(scene, formats::scene_hash(scene)) + "valid\n");
+  if (options.json) {
+    print(scene_json(scene));
+  } else {
+    voice.report(formats::describe_model(scene, formats::scene_hash(scene)) + "valid\n");
+  }
 }
 
 }  // namespace
@@ -163,7 +170,7 @@ void add_check_verb(CLI::App& app, int& exit_code) {
       "with the scene also that each certificate's polynomial, made anew, vanishes at its instant\n"
       "and is negative right after it (level 2, points). kinex-logcheck replays the events.\n"
       "Example:\n  kinex check square.log --scene square.json");
-  verb->callback([options, &exit_code] { check(*options, exit_code); });
+  verb->callback([options, verb, &exit_code] { check(*options, voice_of(*verb), exit_code); });
 }
 
 }  // namespace kinex::verbs

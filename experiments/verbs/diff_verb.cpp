@@ -13,6 +13,7 @@
 #include "experiments/formats/log_diff.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -113,11 +114,15 @@ std::string json_text(const formats::LogDifference& difference) {
   return text + "\n";
 }
 
-void diff(const DiffOptions& options, int& exit_code) {
+void diff(const DiffOptions& options, const Voice& voice, int& exit_code) {
   const std::string a = formats::read_text_file(options.a);
   const std::string b = formats::read_text_file(options.b);
   const formats::LogDifference difference = formats::diff_logs(a, options.a, b, options.b);
-  print(options.json ? json_text(difference) : plain_text(difference, options));
+  if (options.json) {
+    print(json_text(difference));
+  } else {
+    voice.report(plain_text(difference, options));
+  }
   if (!difference.equal()) exit_code = kExitFailed;
 }
 
@@ -133,7 +138,7 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
       "Exit code 0: equal, 1: different. Compared are the events, external and internal, of the\n"
       "structures that both logs have; instants between two exact logs only, as numbers.\n"
       "Example:\n  kinex diff exact.log double.log");
-  verb->callback([options, &exit_code] { diff(*options, exit_code); });
+  verb->callback([options, verb, &exit_code] { diff(*options, voice_of(*verb), exit_code); });
 }
 
 }  // namespace kinex::verbs

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
 #include "experiments/reproduce/planned.h"
 #include "experiments/trade/planned.h"
 #include "experiments/verify/planned.h"
@@ -54,8 +55,12 @@ sweep::Plan PlanWords::plan() const {
     return sweep::plan_of(selection, experiments());
   }
   if (words.size() > 1 || quick || !seeds.empty() || !arithmetics.empty()) {
-    throw formats::InputError("PLAN", "", show_text(words.front()) + " is not an experiment",
-                              "write a plan's file alone; kinex sweep list names the experiments");
+    std::vector<std::string> known;
+    for (const sweep::Experiment& one : experiments().all) known.push_back(one.name);
+    throw formats::InputError(
+        "PLAN", "", show_text(words.front()) + " is not an experiment",
+        formats::did_you_mean(words.front(), known,
+                              "write a plan's file alone; kinex sweep list names the experiments"));
   }
   return sweep::read_plan(words.front(), experiments());
 }

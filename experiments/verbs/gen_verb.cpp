@@ -7,12 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/lab/workload.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -75,21 +78,26 @@ void check_bodies(const Scene& scene, const lab::Workload& workload) {
   }
 }
 
-void generate(const GenOptions& options) {
+void generate(const GenOptions& options, const Voice& voice) {
   if (options.list) {
     print(listed());
     return;
   }
   const lab::Workload* workload = lab::find_workload(options.workload);
   if (workload == nullptr) {
-    throw formats::InputError("gen", "", show_text(options.workload) + " is not a workload",
-                     "known are:\n" + listed());
+    std::vector<std::string> known;
+    for (const lab::Workload& one : lab::workloads()) known.emplace_back(one.name);
+    throw formats::InputError(
+        "gen", "", show_text(options.workload) + " is not a workload",
+        formats::did_you_mean(options.workload, known, "kinex list workloads names them"));
   }
   Scene scene = lab::generate_scene(*workload, parameters_of(options, *workload));
   if (!options.name.empty()) scene.name = name_option(options.name);
   if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);
   if (scene.has_bodies()) check_bodies(scene, *workload);
   write_result(options.output, options.force, formats::write_scene(scene));
+  voice.detail(scene.name + ", " + formats::counted(scene.objects.size(), "object", "objects") +
+               ", hash " + formats::scene_hash(scene));
 }
 
 }  // namespace
@@ -112,9 +120,9 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_flag("--force", options->force, "Replace the file if it exists");
   verb->footer("Families:\n" + listed() +
                "\nExample:\n  kinex gen uniform-square --n 100 --seed 7 -o square.json");
-  verb->callback([options] {
+  verb->callback([options, verb] {
     if (options->workload.empty() && !options->list) throw CLI::RequiredError("WORKLOAD");
-    generate(*options);
+    generate(*options, voice_of(*verb));
   });
 }
 

@@ -1,31 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex import: a table of traces or velocities to a scene of points or bodies.
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/csv_import.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/moving_features.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/lab/family.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
 namespace {
 
 struct ImportVerbOptions {
-  std::string file, start, end, name, output;
+  std::string file, start, end, time_zero, separator, name, output;
+  std::vector<std::string> columns;
+  bool ignore_columns = false;
   std::optional<std::string> polygons, heading, bearing, overlapping_starts;
   std::vector<std::string> maintain, fixed;
+  std::optional<std::string> local;
+  bool linear = false, planar = false;
   bool force = false;
 };
 
@@ -41,38 +48,112 @@ OverlappingStarts overlapping_starts(const ImportVerbOptions& options) {
                    "write refused or contact");
 }
 
-void import_file(const ImportVerbOptions& options) {
+// "MEANING=COLUMN"
+formats::NamedColumn named_column(const std::string& text) {
+  static const std::vector<std::string> kMeanings{"id", "t", "x", "y", "z", "vx", "vy", "vz"};
+  const std::size_t equals = text.find('=');
+  const std::string meaning = text.substr(0, equals);
+  if (equals == std::string::npos || equals + 1 == text.size()) {
+    throw formats::InputError("--column", "", show_text(text) + " names no column",
+                              "write MEANING=COLUMN, as id=trackId");
+  }
+  if (std::find(kMeanings.begin(), kMeanings.end(), meaning) == kMeanings.end()) {
+    throw formats::InputError("--column", "", show_text(meaning) + " is not a meaning",
+                              "write one of id, t, x, y, z, vx, vy, vz before the =");
+  }
+  return {meaning, text.substr(equals + 1)};
+}
+
+char separator_option(const std::string& text) {
+  if (text.empty()) return formats::kGuessedSeparator;
+  if (text == "comma" || text == ",") return ',';
+  if (text == "semicolon" || text == ";") return ';';
+  if (text == "tab" || text == "\t" || text == "\\t") return '\t';
+  throw formats::InputError("--separator", "", show_text(text) + " is not a separator",
+                            "write comma, semicolon or tab");
+}
+
+formats::ImportOptions read_options(const ImportVerbOptions& options) {
+  formats::ImportOptions read;
+  if (!options.start.empty()) read.start_time = {"--start", options.start};
+  if (!options.end.empty()) read.end_time = {"--end", options.end};
+  if (!options.time_zero.empty()) read.time_zero = {"--time-zero", options.time_zero};
+  for (const std::string& text : options.columns) read.columns.push_back(named_column(text));
+  read.ignore_columns = options.ignore_columns;
+  read.separator = separator_option(options.separator);
+  read.fixed = options.fixed;
+  read.overlapping_starts = overlapping_starts(options);
+  if (options.heading) read.heading = {*options.heading, false};
+  if (options.bearing) read.heading = {*options.bearing, true};
+  return read;
+}
+
+formats::ImportReport import_table(const std::string& text, const ImportVerbOptions& options,
+                                   const formats::ImportOptions& read) {
+  for (const auto& [given, option] : {std::pair(options.linear, "--linear"),
+                                      {options.planar, "--planar"},
+                                      {options.local.has_value(), "--local"}}) {
+    if (given)
+      throw formats::InputError(option, "", "it is for Moving Features and GeoJSON",
+                                "leave it out");
+  }
+  return formats::import_csv(text, options.file, read);
+}
+
+formats::ImportReport import_json(const std::string& text, const ImportVerbOptions& options,
+                                  const formats::ImportOptions& read) {
+  if (!options.separator.empty()) {
+    throw formats::InputError("--separator", "", "it is for tables", "leave it out");
+  }
+  formats::MovingFeaturesOptions features;
+  features.common = read;
+  features.linear = options.linear;
+  if (options.planar && options.local) {
+    throw formats::InputError("--local", "", "it does not go with --planar",
+                              "leave one of them out");
+  }
+  if (options.planar) features.plane = formats::Plane::as_they_are();
+  if (options.local) features.plane = formats::Plane::around(*options.local);
+  return formats::import_moving_features(text, options.file, features);
+}
+
+void import_file(const ImportVerbOptions& options, const Voice& voice) {
   keep_input("--output", options.output, options.file);
-  formats::ImportOptions import_options;
-  if (!options.start.empty()) import_options.start = rational_option("--start", options.start);
-  if (!options.end.empty()) import_options.end = rational_option("--end", options.end);
-  import_options.fixed = options.fixed;
+  formats::ImportOptions import_options = read_options(options);
   if (options.polygons) {
     keep_input("--output", options.output, *options.polygons);
     import_options.polygons = formats::parse_polygons(formats::read_text_file(*options.polygons), *options.polygons);
   }
-  import_options.overlapping_starts = overlapping_starts(options);
-  if (options.heading) import_options.heading = {*options.heading, false};
-  if (options.bearing) import_options.heading = {*options.bearing, true};
   const std::string text = formats::read_text_file(options.file);
-  formats::ImportReport report = formats::import_csv(text, options.file, import_options);
+  formats::ImportReport report = formats::looks_like_json(text)
+                                     ? import_json(text, options, import_options)
+                                     : import_table(text, options, import_options);
   Scene& scene = report.scene;
-  scene.name = name_option(
-      options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
-  std::vector<std::string> maintain = options.maintain;
+  if (scene.name.empty() || !options.name.empty()) {
+    scene.name = name_option(
+        options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name);
+  }
+  std::vector<std::string> maintain = options.maintain.empty() ? report.maintain : options.maintain;
   if (maintain.empty()) maintain = {lab::usual_structure(scene.has_bodies(), scene.dimension)};
   formats::set_maintain(scene, maintain);
   write_result(options.output, options.force, formats::write_scene(scene));
-  std::fprintf(stderr, "kinex: %s, %s\n", formats::counted(report.rows, "row", "rows").c_str(),
-               formats::counted(scene.objects.size(), "object", "objects").c_str());
+  const bool features = formats::looks_like_json(text);
+  voice.note(
+      formats::counted(report.rows, features ? "feature" : "row", features ? "features" : "rows") +
+      ", " + formats::counted(scene.objects.size(), "object", "objects"));
+  if (!report.time_zero.empty()) voice.note("t is in seconds, 0 is " + report.time_zero);
+  for (const std::string& note : report.notes) voice.note(note);
+  if (report.ignored_columns > 0) {
+    voice.note(formats::counted(report.ignored_columns, "column was", "columns were") + " ignored");
+  }
   if (report.single_fixes > 0) {
-    std::fprintf(
-        stderr, "kinex: %s left out\n",
-        formats::counted(report.single_fixes, "trace of a single fix was", "traces of a single fix were")
-            .c_str());
+    voice.note(formats::counted(report.single_fixes, "trace of a single fix was",
+                                "traces of a single fix were") +
+               " left out");
   }
   if (report.repeated_fixes > 0) {
-    std::fprintf(stderr, "kinex: %zu identical fixes were read once\n", report.repeated_fixes);
+    voice.note(formats::counted(report.repeated_fixes, "repeated fix was", "repeated fixes were") +
+               " read once");
   }
 }
 
@@ -80,13 +161,25 @@ void import_file(const ImportVerbOptions& options) {
 
 void add_import_verb(CLI::App& app, int&) {
   auto options = std::make_shared<ImportVerbOptions>();
-  CLI::App* verb = app.add_subcommand("import", "Makes a scene from a CSV file");
-  verb->add_option("FILE", options->file,
-                   "Columns id,t,x,y[,z] (traces, linear between fixes; a single fix is left out) "
-                   "or id,x,y[,z],vx,vy[,vz] (linear)")
+  CLI::App* verb =
+      app.add_subcommand("import", "Makes a scene from a CSV file, GeoJSON or Moving Features");
+  verb->add_option(
+          "FILE", options->file,
+          "Columns id,t,x,y[,z] (traces, linear between fixes; a single fix is left out) "
+          "or id,x,y[,z],vx,vy[,vz] (linear); or GeoJSON with times; or OGC Moving Features JSON")
       ->required();
+  verb->add_option("--column", options->columns,
+                   "MEANING=COLUMN, as id=trackId: the column for id, t, x, y, z, vx, vy or vz, "
+                   "where it has "
+                   "another name; can be given several times")
+      ->allow_extra_args(false);
+  verb->add_flag("--ignore-columns", options->ignore_columns, "Ignore columns without a meaning");
+  verb->add_option("--separator", options->separator,
+                   "comma, semicolon or tab (default: that of the first line)");
   verb->add_option("--start", options->start, "Start of the scene (first fix; 0 for velocities)");
   verb->add_option("--end", options->end, "End of the scene (last fix; none for velocities)");
+  verb->add_option("--time-zero", options->time_zero,
+                   "The date at which t = 0 (first fix), if times are dates");
   add_maintain_option(*verb, options->maintain, "What to maintain");
   verb->add_option("--fixed", options->fixed,
                    "Add an object at rest: ID,X[,Y[,Z]]; can be given several times")
@@ -106,16 +199,25 @@ void add_import_verb(CLI::App& app, int&) {
       "--overlapping-starts", options->overlapping_starts,
       "Bodies that overlap when they are first seen: refused (default) or contact (they "
       "begin in contact)");
+  verb->add_flag("--linear", options->linear, "Of Moving Features: read Discrete as Linear");
+  verb->add_option("--local", options->local,
+                   "Of GeoJSON and Moving Features in degrees: metres around LON,LAT");
+  verb->add_flag("--planar", options->planar,
+                 "Of the same: coordinates are planar, whatever the file says");
   verb->add_option("--name", options->name, "Name of the scene (the file's)");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
   verb->footer(
+      "Times are numbers, or dates as 2024-05-01T12:30:05Z (ISO 8601): t is then in seconds.\n"
       "Example:\n"
       "  kinex import storms.csv --maintain sorted_list:x -o storms.json\n"
       "  kinex import ships.csv --polygons hulls.csv --bearing heading -o harbour.json\n"
+      "  kinex import tracks.csv --column id=trackId --column t=time --ignore-columns -o "
+      "tracks.json\n"
+      "  kinex import tram.mfjson --local 13.4,52.5 -o tram.json\n"
       "  kinex import stars.csv --fixed Sun,0,0,0 -o stars.json --maintain \\\n"
       "    '{\"structure\": \"minimum_tournament\", \"key\": {\"squared_distance_to\": \"Sun\"}}'");
-  verb->callback([options] { import_file(*options); });
+  verb->callback([options, verb] { import_file(*options, voice_of(*verb)); });
 }
 
 }  // namespace kinex::verbs

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex reproduce: the figures and claims of a paper, run again.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -15,6 +14,7 @@
 #include "experiments/verbs/resumed_work.h"
 #include "experiments/verbs/swept_work.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -33,6 +33,7 @@ struct Options {
   bool force = false;
   bool fresh = false;
   bool json = false;
+  Voice voice;
 };
 
 std::string command_of(const Options& options, std::string_view part) {
@@ -104,7 +105,7 @@ void reproduce(Options options, int& exit_code) {
   for (const lab::PaperPart* part : parts) {
     done.push_back(run_part(*part, options, journal, interrupt));
     const reproduce::ReproducedPart& one = done.back();
-    if (!options.json) tell(one);
+    if (!options.json && !options.voice.quiet) tell(one);
     figures.insert(figures.end(), one.report.figures.begin(), one.report.figures.end());
     interrupted = interrupted || one.interrupted;
     failed = failed || !one.troubles.empty();
@@ -129,11 +130,10 @@ void reproduce(Options options, int& exit_code) {
   readme.write(reproduce::paper_readme(paper, done, facts, drawings.problem.empty()));
   if (!interrupted) journal.remove();
   if (!drawings.problem.empty()) {
-    std::fprintf(stderr, "kinex: no figures: %s\n", drawings.problem.c_str());
+    options.voice.note("no figures: " + drawings.problem);
   }
-  std::fprintf(
-      stderr, "kinex: claims.json and README.md are in %s%s\n", options.folder.c_str(),
-      interrupted ? "; interrupted: the same command resumes" : "");
+  options.voice.note("claims.json and README.md are in " + options.folder +
+                     (interrupted ? "; interrupted: the same command resumes" : ""));
   if (failed || refuted) {
     exit_code = kExitFailed;
   } else if (interrupted) {
@@ -172,7 +172,10 @@ void add_reproduce_verb(CLI::App& app, int& exit_code) {
       "Example:\n  kinex reproduce kds-report-1998 figure-3 --quick -o figure\n"
       "  kinex sweep run reproduce kds-report-1998 --jobs 2 -o out && kinex reproduce "
       "kds-report-1998 --from out");
-  verb->callback([options, &exit_code] { reproduce(*options, exit_code); });
+  verb->callback([options, verb, &exit_code] {
+    options->voice = voice_of(*verb);
+    reproduce(*options, exit_code);
+  });
 }
 
 }  // namespace kinex::verbs

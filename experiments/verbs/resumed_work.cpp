@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/verbs/resumed_work.h"
 
-#include <cstdio>
-
 #include "experiments/formats/counted.h"
 #include "experiments/formats/file_io.h"
 
@@ -20,12 +18,12 @@ void ResultFile::write(std::string_view text) const {
   file.commit();
 }
 
-void tell_what_is_found(const sweep::Journal& journal, const char* one, const char* many) {
+void tell_what_is_found(const sweep::Journal& journal, const char* one, const char* many,
+                        const Voice& voice) {
   if (!journal.runs() || journal.found() == 0) return;
-  std::fprintf(
-      stderr, "kinex: going on: %s finished already; --fresh runs them again\n",
-      (formats::counted(journal.found(), one, many) + (journal.found() == 1 ? " is" : " are"))
-          .c_str());
+  voice.note("going on: " + formats::counted(journal.found(), one, many) +
+             (journal.found() == 1 ? " is" : " are") +
+             " finished already; --fresh runs them again");
 }
 
 }  // namespace kinex::verbs

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/sweep/journal.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -25,8 +26,9 @@ class ResultFile {
   sweep::Journal& journal_;
 };
 
-// On stderr, if there are any: "12 experiments are finished already".
-void tell_what_is_found(const sweep::Journal& journal, const char* one, const char* many);
+// A note, if there are any: "12 experiments are finished already".
+void tell_what_is_found(const sweep::Journal& journal, const char* one, const char* many,
+                        const Voice& voice);
 
 }  // namespace kinex::verbs
 

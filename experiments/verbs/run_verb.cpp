@@ -14,6 +14,7 @@
 
 #include "core/engine/refused_change.h"
 #include "core/numbers/stop.h"
+#include "core/numbers/time_text.h"
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
@@ -28,6 +29,7 @@
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -78,8 +80,8 @@ void shorten(Scene& scene, const std::string& until) {
   const Rational end = rational_option("--until", until);
   if (end <= scene.start || (scene.end && end > *scene.end)) {
     throw formats::InputError("--until", "", show_text(until) + " is outside of the scene's time",
-                     "write a time after " + scene.start.to_string() +
-                         (scene.end ? ", at most " + scene.end->to_string() : ""));
+                              "write a time after " + time_text(scene.start) +
+                                  (scene.end ? ", at most " + time_text(*scene.end) : ""));
   }
   scene.end = end;
 }
@@ -100,13 +102,15 @@ std::vector<Rational> sample_times(const Scene& scene, const std::vector<std::st
 
 // Two results in one file would overwrite each other; a device (/dev/null) takes both.
 void check_outputs(const RunOptions& options) {
-  if (options.events == "-") {
-    throw formats::InputError("--events", "", "\"-\": standard output has the report",
-                     "give the event log the name of a file");
+  if (options.events == "-" && (options.json || options.summary == "-")) {
+    throw formats::InputError(options.json ? "--json" : "--summary", "",
+                              "standard output has the event log",
+                              "give one of the two the name of a file");
   }
   keep_input("--events", options.events, options.scene);
   keep_input("--summary", options.summary, options.scene);
   if (options.events.empty() || options.summary.empty()) return;
+  if (options.events == "-" || options.summary == "-") return;
   std::error_code error;
   const auto events = std::filesystem::weakly_canonical(options.events, error);
   const auto summary = std::filesystem::weakly_canonical(options.summary, error);
@@ -118,18 +122,18 @@ void check_outputs(const RunOptions& options) {
 }
 
 // A killed run has left its lines under another name.
-void tell_leftovers(const formats::OutputFile& file) {
+void tell_leftovers(const formats::OutputFile& file, const Voice& voice) {
   for (const std::string& name : file.leftovers()) {
-    std::fprintf(stderr,
-                 "kinex: %s is of a run that was cut off (or that goes on): its whole lines can be "
-                 "read; remove it when you need it no more\n",
-                 name.c_str());
+    voice.note(
+        name +
+        " is of a run that was cut off (or that goes on): its whole lines can be read; remove it "
+        "when you need it no more");
   }
 }
 
 // Runs, and keeps the lines of the log written so far if that fails.
 formats::RunOutcome run_keeping(Simulator& simulator, const std::vector<Rational>& times,
-                       std::optional<formats::OutputFile>& events) {
+                                std::optional<formats::OutputFile>& events, const Voice& voice) {
   try {
     return lab::run_scene(simulator, times);
   } catch (const formats::InputError&) {
@@ -139,13 +143,13 @@ formats::RunOutcome run_keeping(Simulator& simulator, const std::vector<Rational
   } catch (...) {
     const std::string kept = events ? events->keep_lines() : "";
     if (!kept.empty()) {
-      std::fprintf(stderr, "kinex: %s has the lines of the log up to the failure\n", kept.c_str());
+      voice.note(kept + " has the lines of the log up to the failure");
     }
     throw;
   }
 }
 
-void run(const RunOptions& options, int& exit_code) {
+void run(const RunOptions& options, const Voice& voice, int& exit_code) {
   if (std::isnan(options.max_seconds)) {
     throw formats::InputError("--max-seconds", "", "it is not a number",
                      "write a number from 0 on, 0 for no limit");
@@ -189,7 +193,7 @@ void run(const RunOptions& options, int& exit_code) {
   std::optional<formats::OutputFile> events_file, summary_file;
   if (!options.events.empty()) {
     events_file.emplace(options.events, options.force, formats::Unfinished::kLinesKept);
-    tell_leftovers(*events_file);
+    tell_leftovers(*events_file, voice);
   }
   const bool json = options.json || options.summary == "-";
   if (!options.summary.empty() && options.summary != "-") {
@@ -205,6 +209,15 @@ void run(const RunOptions& options, int& exit_code) {
       unprinted = error;
     }
   };
+  // For people: on standard error where standard output has the log or the summary.
+  const auto report = [&](const std::string& text) {
+    if (voice.quiet) return;
+    if (json || options.events == "-") {
+      std::fputs(text.c_str(), stderr);
+    } else {
+      print_or_keep(text);
+    }
+  };
   formats::RunOutcome outcome;
   std::unique_ptr<Simulator> simulator;
   std::optional<formats::EventLog> log;
@@ -217,21 +230,18 @@ void run(const RunOptions& options, int& exit_code) {
       return true;
     };
     simulator = lab::make_simulator(scene, options.arithmetic, simulator_options);
-    const std::string model =
-        formats::describe_model(scene, hash) + "numbers   " + simulator->arithmetic().name() + "\n";
-    if (refused) {
-      // It has been printed.
-    } else if (json) {
-      std::fputs(model.c_str(), stderr);
-    } else {
-      print_or_keep(model);
+    if (!refused) {  // else it has been printed
+      const std::string numbers = voice.verbose
+                                      ? formats::explain_model(scene, *simulator)
+                                      : "numbers   " + simulator->arithmetic().name() + "\n";
+      report(formats::describe_model(scene, hash) + numbers);
     }
     if (events_file || summary_file || json) {
       log.emplace(*simulator, hash, events_file ? &*events_file : nullptr, instants);
       if (!events_file) log->charge_to(simulator->clock());
       simulator->set_sink(&*log, events_file.has_value());
     }
-    outcome = run_keeping(*simulator, times, events_file);
+    outcome = run_keeping(*simulator, times, events_file, voice);
   };
   try {
     simulate();
@@ -256,22 +266,21 @@ void run(const RunOptions& options, int& exit_code) {
     }
     if (json) print_or_keep(summary);
   }
-  if (!json) print_or_keep(formats::describe_results(*simulator, outcome));
+  report(formats::describe_results(*simulator, outcome));
   if (outcome.status != RunStatus::kDone) {
     const std::string why =
         simulator->out_of_memory() ? "memory" : std::string(formats::status_name(outcome.status));
-    std::fprintf(stderr, "kinex: the run was stopped (%s); what was finished is written\n",
-                 why.c_str());
+    voice.error("the run was stopped (" + why + "); what was finished is written");
     exit_code = kExitGaveUp;
   }
   if (!outcome.clean(*simulator)) {
     for (const std::string& problem : formats::failures_of(*simulator, outcome)) {
-      std::fprintf(stderr, "kinex: %s\n", problem.c_str());
+      voice.error(problem);
     }
     exit_code = kExitFailed;
   }
   if (refused) {
-    std::fprintf(stderr, "kinex: %s\n", refused->c_str());
+    voice.error(*refused);
     exit_code = kExitBadInput;
   }
   if (unprinted) throw *unprinted;
@@ -289,7 +298,7 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--scheduling", options->scheduling,
                    "lazy (default: failure times are searched for within a window) or eager");
   verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
-  verb->add_option("--events", options->events, "Write the event log to this file");
+  verb->add_option("--events", options->events, "Write the event log to this file, - prints it");
   verb->add_option("--instants", options->instants,
                    "Detail of the log's instants: names (default: exact), intervals or none");
   verb->add_option("--summary", options->summary, "Write the summary to this file, - prints it");
@@ -307,9 +316,10 @@ void add_run_verb(CLI::App& app, int& exit_code) {
                    "Give up after this time, reading included (no limit)");
   verb->add_flag("--force", options->force, "Replace output files that exist");
   verb->footer(
+      "Where the log or the summary is printed, the report is on standard error.\n"
       "Example:\n  kinex run square.json --arithmetic exact --events square.log --at 1/3\n"
       "  kinex run square.json --explain");
-  verb->callback([options, &exit_code] { run(*options, exit_code); });
+  verb->callback([options, verb, &exit_code] { run(*options, voice_of(*verb), exit_code); });
 }
 
 }  // namespace kinex::verbs

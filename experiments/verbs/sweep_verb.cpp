@@ -23,6 +23,7 @@
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/swept_work.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -41,6 +42,7 @@ struct RunOptions {
   std::string shard = "0/1", folder;
   int jobs = 1;
   bool fresh = false, retry = false;
+  Voice voice;
 };
 
 std::string fill(std::string_view text, std::size_t width) {
@@ -173,16 +175,16 @@ void run(const RunOptions& options, int& exit_code) {
   const Work work = work_of(plan, settled, options);
   const std::size_t finished = work.shard.size() - work.rest.size();
   if (finished > 0) {
-    std::fprintf(stderr, "kinex: going on: %s finished already; --fresh runs them again\n",
-                 (formats::counted(finished, "cell", "cells") + (finished == 1 ? " is" : " are")).c_str());
+    options.voice.note("going on: " + formats::counted(finished, "cell", "cells") +
+                       (finished == 1 ? " is" : " are") +
+                       " finished already; --fresh runs them again");
   }
   std::deque<Record> records;
   const bool whole = work.rest.empty() || run_rest(plan, work, options, records, settled);
   const Tally counts = tally(work.shard, settled);
-  std::fprintf(stderr, "kinex: shard %s of %s: %s: %s%s\n", options.shard.c_str(),
-               plan.name.c_str(), formats::counted(work.shard.size(), "cell", "cells").c_str(),
-               counts.text().c_str(),
-               whole ? "" : "; interrupted: the same command resumes");
+  options.voice.note("shard " + options.shard + " of " + plan.name + ": " +
+                     formats::counted(work.shard.size(), "cell", "cells") + ": " + counts.text() +
+                     (whole ? "" : "; interrupted: the same command resumes"));
   exit_code = whole ? exit_code_of(counts) : std::max(exit_code_of(counts), kExitGaveUp);
 }
 
@@ -307,7 +309,10 @@ void add_run(CLI::App& sweep, int& exit_code) {
       "Example:\n  kinex sweep run plan.json --jobs 4 -o out\n"
       "  seq 0 63 | parallel kinex sweep run plan.json --shard {}/64 -o out\n"
       "  kinex sweep run verify delaunay_2 --quick --shard 1/2 -o out");
-  verb->callback([options, &exit_code] { run(*options, exit_code); });
+  verb->callback([options, verb, &exit_code] {
+    options->voice = voice_of(*verb);
+    run(*options, exit_code);
+  });
 }
 
 void add_cell(CLI::App& sweep) {

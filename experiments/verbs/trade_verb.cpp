@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -27,6 +26,7 @@
 #include "experiments/verbs/resumed_work.h"
 #include "experiments/verbs/swept_work.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -44,6 +44,7 @@ struct Options {
   bool force = false;
   bool fresh = false;
   bool json = false;
+  Voice voice;
 };
 
 std::string command_of(const Options& options) {
@@ -112,7 +113,7 @@ trade::TradeResult run(const trade::TradeCatalogue& catalogue, const Options& op
   bool first_bits = true;
   const auto show = [&](const std::string& text) {
     progress.wipe();
-    print(text);
+    if (options.json || !options.voice.quiet) print(text);
   };
   trade::TradeWatch watch;
   watch.on_work = [&](std::size_t index, const std::string& what) {
@@ -149,7 +150,7 @@ void trade(const Options& options, int& exit_code) {
   const ResultFile page(options.folder + "/trade.html", options.force, journal);
   std::optional<ResultFile> markdown;
   if (!options.markdown.empty()) markdown.emplace(options.markdown, options.force, journal);
-  tell_what_is_found(journal, "scene", "scenes");
+  tell_what_is_found(journal, "scene", "scenes", options.voice);
 
   InterruptGuard interrupt;
   const trade::TradeResult result = run(catalogue, options, journal, interrupt);
@@ -165,13 +166,13 @@ void trade(const Options& options, int& exit_code) {
   if (markdown) markdown->write(trade::trade_markdown(result, facts));
   if (!result.interrupted) journal.remove();
   if (!drawings.problem.empty()) {
-    std::fprintf(stderr, "kinex: no plots: %s\n", drawings.problem.c_str());
+    options.voice.note("no plots: " + drawings.problem);
   }
-  std::fprintf(stderr, "kinex: %s and %s are written%s\n", database.path().c_str(),
-               page.path().c_str(),
-               result.interrupted ? "; interrupted: they have the finished part, and the same "
-                                    "command resumes"
-                                  : "");
+  options.voice.note(
+      database.path() + " and " + page.path() + " are written" +
+      (result.interrupted
+           ? "; interrupted: they have the finished part, and the same command resumes"
+           : ""));
   if (!result.faults().empty()) {
     exit_code = kExitFailed;
   } else if (result.interrupted || result.gave_up()) {
@@ -209,7 +210,10 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
       "run was stopped at the limit.\n"
       "Example:\n  kinex trade --quick -o results\n"
       "  kinex trade square.json --arithmetic gsl,mpfr:80,mpfr:120");
-  verb->callback([options, &exit_code] { trade(*options, exit_code); });
+  verb->callback([options, verb, &exit_code] {
+    options->voice = voice_of(*verb);
+    trade(*options, exit_code);
+  });
 }
 
 }  // namespace kinex::verbs

@@ -23,6 +23,7 @@ void add_check_verb(CLI::App& app, int& exit_code);
 void add_diff_verb(CLI::App& app, int& exit_code);
 void add_gen_verb(CLI::App& app, int& exit_code);
 void add_import_verb(CLI::App& app, int& exit_code);
+void add_export_verb(CLI::App& app, int& exit_code);
 void add_roots_verb(CLI::App& app, int& exit_code);
 void add_verify_verb(CLI::App& app, int& exit_code);
 void add_trade_verb(CLI::App& app, int& exit_code);
@@ -30,8 +31,12 @@ void add_reproduce_verb(CLI::App& app, int& exit_code);
 void add_sweep_verb(CLI::App& app, int& exit_code);
 void add_view_verb(CLI::App& app, int& exit_code);
 void add_ccd_verb(CLI::App& app, int& exit_code);
+void add_log_verb(CLI::App& app, int& exit_code);
+void add_list_verb(CLI::App& app, int& exit_code);
+void add_explain_verb(CLI::App& app, int& exit_code);
+void add_help_verb(CLI::App& app, int& exit_code);
 
-// Adds all verbs.
+// Adds all verbs, and the options that all of them have.
 void add_verbs(CLI::App& app, int& exit_code);
 
 }  // namespace kinex::verbs

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -19,6 +18,7 @@
 #include "experiments/verbs/resumed_work.h"
 #include "experiments/verbs/swept_work.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 #include "experiments/verify/catalogue.h"
 #include "experiments/verify/database.h"
 #include "experiments/verify/page.h"
@@ -45,6 +45,7 @@ struct Options {
   bool force = false;
   bool fresh = false;
   bool json = false;
+  Voice voice;
 };
 
 std::string command_of(const Options& options) {
@@ -74,9 +75,12 @@ void verify(const Options& options, int& exit_code) {
       verify::selection_of(options.structure, options.quick, options.seeds), options.fresh);
   const ResultFile database(options.folder + "/verify.sqlite", options.force, journal);
   const ResultFile page(options.folder + "/verify.html", options.force, journal);
-  tell_what_is_found(journal, "experiment", "experiments");
+  tell_what_is_found(journal, "experiment", "experiments", options.voice);
 
   const bool bounds = verify::shows_bounds(catalogue.cells);
+  const auto show = [&options](const std::string& text) {
+    if (options.json || !options.voice.quiet) print(text);
+  };
   InterruptGuard interrupt;
   verify::VerifyResult result;
   {
@@ -101,18 +105,18 @@ void verify(const Options& options, int& exit_code) {
     running.on_cell = [&](std::size_t index, const lab::CellResult& cell) {
       pieces.finished(index);
       progress.wipe();
-      print(options.json ? verify::json_row(cell) : verify::table_row(cell, bounds));
+      show(options.json ? verify::json_row(cell) : verify::table_row(cell, bounds));
     };
-    if (!options.json) print(verify::table_header(bounds));
+    if (!options.json) show(verify::table_header(bounds));
     result = verify::run_catalogue(catalogue, running);
   }
   for (const lab::GrowthResult& growth : result.growths) {
-    print(options.json ? verify::json_row(growth) : verify::table_row(growth));
+    show(options.json ? verify::json_row(growth) : verify::table_row(growth));
   }
   for (const lab::StudyResult& study : result.studies) {
-    print(options.json ? verify::json_row(study) : verify::table_row(study));
+    show(options.json ? verify::json_row(study) : verify::table_row(study));
   }
-  if (!options.json) {
+  if (!options.json && !options.voice.quiet) {
     print(verify::closing_line(result));
     for (const lab::Table& table : verify::neighbours_tables(result.growths)) {
       print(lab::markdown(table));
@@ -132,13 +136,13 @@ void verify(const Options& options, int& exit_code) {
   page.write(verify::verify_page(result, figures, drawings, facts));
   if (!result.interrupted) journal.remove();
   if (!drawings.problem.empty()) {
-    std::fprintf(stderr, "kinex: no plots: %s\n", drawings.problem.c_str());
+    options.voice.note("no plots: " + drawings.problem);
   }
-  std::fprintf(stderr, "kinex: %s and %s are written%s\n", database.path().c_str(),
-               page.path().c_str(),
-               result.interrupted ? "; interrupted: they have the finished part, and the same "
-                                    "command resumes"
-                                  : "");
+  options.voice.note(
+      database.path() + " and " + page.path() + " are written" +
+      (result.interrupted
+           ? "; interrupted: they have the finished part, and the same command resumes"
+           : ""));
   exit_code = exit_code_of(result);
 }
 
@@ -172,7 +176,10 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
       "3 interrupted, stopped at a limit, or not enough seeds to tell.\n"
       "Example:\n  kinex verify delaunay_2 --quick -o results\n  kinex verify maximum --quick\n"
       "  kinex sweep run verify all --jobs 2 -o out && kinex verify all --from out -o results");
-  verb->callback([options, &exit_code] { verify(*options, exit_code); });
+  verb->callback([options, verb, &exit_code] {
+    options->voice = voice_of(*verb);
+    verify(*options, exit_code);
+  });
 }
 
 }  // namespace kinex::verbs

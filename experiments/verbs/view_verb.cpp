@@ -2,13 +2,13 @@
 // kinex view: a run as one page that can be played, stepped through and compared with another.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/numbers/time_text.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
@@ -19,6 +19,7 @@
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 #include "experiments/view/log_follower.h"
 #include "experiments/view/page.h"
 #include "experiments/view/page_data.h"
@@ -61,8 +62,8 @@ Rational time_option(const char* option, const std::string& text, const Scene& s
   const Rational t = rational_option(option, text);
   if (t < scene.start || (scene.end && t > *scene.end)) {
     throw formats::InputError(option, "", show_text(text) + " is outside of the scene's time",
-                     "write a time from " + scene.start.to_string() +
-                         (scene.end ? " to " + scene.end->to_string() : " on"));
+                              "write a time from " + time_text(scene.start) +
+                                  (scene.end ? " to " + time_text(*scene.end) : " on"));
   }
   return t;
 }
@@ -220,12 +221,12 @@ std::string report(const Viewed& viewed, const std::vector<view::RecordedRun>& r
   return text + "page      " + file + ", " + std::to_string((bytes + 1023) / 1024) + " kB\n";
 }
 
-void view(const Options& options, int& exit_code) {
+void view(const Options& options, const Voice& voice, int& exit_code) {
   check(options);
   const Viewed viewed = read_input(options);
   if (viewed.scene.objects.size() > kMostObjects) {
-    std::fprintf(stderr, "kinex: gave up: %zu objects, and a page draws %zu at most\n",
-                 viewed.scene.objects.size(), kMostObjects);
+    voice.error("gave up: " + formats::counted(viewed.scene.objects.size(), "object", "objects") +
+                ", and a page draws " + std::to_string(kMostObjects) + " at most");
     exit_code = kExitGaveUp;
     return;
   }
@@ -236,7 +237,7 @@ void view(const Options& options, int& exit_code) {
   for (const Wanted& wanted : viewed.runs) {
     const std::string problem = record(viewed, wanted, options, interrupt, runs.emplace_back());
     if (!problem.empty()) {
-      std::fprintf(stderr, "kinex: %s; no page was written\n", problem.c_str());
+      voice.error(problem + "; no page was written");
       exit_code = kExitFailed;
       return;
     }
@@ -248,15 +249,14 @@ void view(const Options& options, int& exit_code) {
   } else {
     output->write(page);
     output->commit();
-    print(report(viewed, runs, output->path(), page.size()));
+    voice.report(report(viewed, runs, output->path(), page.size()));
   }
   for (const view::RecordedRun& run : runs) {
     if (run.complete || run.stopped == view::kLogEnds) continue;
-    std::fprintf(
-        stderr,
-        "kinex: the page holds the first %zu log records of the %s run: %s; choose others with "
-        "--from and --until, or more with --max-events\n",
-        run.events.size(), run.arithmetic.c_str(), run.stopped.c_str());
+    voice.error("the page holds the first " +
+                formats::counted(run.events.size(), "log record", "log records") + " of the " +
+                run.arithmetic + " run: " + run.stopped +
+                "; choose others with --from and --until, or more with --max-events");
     exit_code = kExitGaveUp;
   }
 }
@@ -293,7 +293,7 @@ void add_view_verb(CLI::App& app, int& exit_code) {
       "Example:\n  kinex view square.json -o square.html\n"
       "  kinex view square.exact.jsonl --scene square.json --with square.gsl.jsonl -o parted.html\n"
       "  kinex view square.json --with double --from 1/3 --until 1/2 -o middle.html");
-  verb->callback([options, &exit_code] { view(*options, exit_code); });
+  verb->callback([options, verb, &exit_code] { view(*options, voice_of(*verb), exit_code); });
 }
 
 }  // namespace kinex::verbs

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
 #include "experiments/lab/family.h"
 #include "structures/registry.h"
 
@@ -70,11 +71,13 @@ void count_sizes(lab::Catalogue& catalogue) {
 
 lab::Catalogue make_catalogue(std::string_view structure, lab::Extent extent) {
   if (!is_group(structure) && find_structure_info(structure) == nullptr) {
-    std::string names = "all";
-    for (const std::string_view group : structure_groups()) names += ", " + std::string(group);
-    for (const StructureInfo& info : structure_infos()) names += ", " + std::string(info.name);
+    std::vector<std::string> known{"all"};
+    for (const std::string_view group : structure_groups()) known.emplace_back(group);
+    for (const StructureInfo& info : structure_infos()) known.emplace_back(info.name);
+    std::string names;
+    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
     throw formats::InputError("verify", "", show_text(structure) + " is not a structure",
-                     "choose one of " + names);
+                              formats::did_you_mean(structure, known, "choose one of " + names));
   }
   lab::Catalogue catalogue;
   for (const lab::FamilyExperiments& family : lab::experiment_families()) {

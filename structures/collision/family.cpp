@@ -47,6 +47,12 @@ StructureFamily collision_family() {
   base.bodies = true;
   base.shape = Attribute::Shape::kTuples;
   base.derives = derive_poses;
+  base.ties =
+      "a touch without penetration is one graze and no contact (exact arithmetics); bodies that "
+      "touch when they appear do not graze";
+  base.source =
+      "Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for convex "
+      "objects (1999)";
 
   std::vector<StructureInfo> structures;
   const auto add = [&](StructureInfo info, std::string_view name, std::string_view summary,
@@ -58,24 +64,39 @@ StructureFamily collision_family() {
   };
   StructureInfo tiles = base;
   tiles.kinds = kinds({"side", "flip", "cell"});
+  tiles.certificates =
+      "at most 6 for a pair apart, the sides of its tile and two orders of normals; 5 for "
+      "a pair in contact";
   add(tiles, "separation_mixed", "collisions of convex polygons, by the mixed hierarchy",
       make_plain<SeparationMixed>);
   StructureInfo unturned = tiles;
   unturned.refuse = refuse_turning;
+  unturned.certificates =
+      "at most 3 for a pair apart, the sides of its tile; 5 for a pair in contact";
   unturned.instead = "separation_mixed";
   add(unturned, "separation_minkowski",
       "collisions of convex polygons that do not turn, by the hierarchy of their Minkowski sum",
       make_plain<SeparationMinkowski>);
   StructureInfo wedges = base;
+  wedges.certificates =
+      "3 for a pair apart, a line and two tangents; 5 where the bodies are too near for "
+      "wedges, and for a pair in contact";
   wedges.kinds = kinds({"change", "wedge"});
   add(wedges, "separation_hysteresis", "collisions of convex polygons, by wedges that last",
       make_plain<SeparationHysteresis>);
   StructureInfo features = base;
   features.kinds = kinds({"change"});
+  features.certificates = "4 or 5 for a pair apart; 5 for a pair in contact";
+  features.source = "Lin, Canny, A fast algorithm for incremental distance calculation (1991)";
   add(features, "closest_features", "collisions of convex polygons, by the closest features",
       make_plain<ClosestFeatures>);
-  add(features, "inner_tangents", "collisions of convex polygons, by the inner common tangents",
+  StructureInfo tangents = features;
+  tangents.certificates =
+      "8 for a pair apart, four for each inner tangent; 5 for a pair in contact";
+  tangents.source = "the classic proof of separation by tangents";
+  add(tangents, "inner_tangents", "collisions of convex polygons, by the inner common tangents",
       make_plain<InnerTangents>);
+  features.certificates = "1 for a pair far apart, 6 for one that is near; 5 for a pair in contact";
   add(features, "bounding_volumes",
       "collisions of convex polygons, by boxes, discs and closest features",
       make_plain<BoundingVolumes>);
@@ -83,6 +104,8 @@ StructureFamily collision_family() {
   hierarchies.group = {};
   hierarchies.has_events = false;
   hierarchies.derives = nullptr;
+  hierarchies.certificates = "none, it follows no motion";
+  hierarchies.ties = "none arise, a polygon is constant in its own frame";
   hierarchies.shape = Attribute::Shape::kSequence;
   add(hierarchies, "outer_hierarchy",
       "the hierarchies of the bodies' polygons under every policy of cuts, held to their bounds",

@@ -11,6 +11,10 @@ StructureFamily extent_family() {
   box.any_dimension = true;
   box.shape = Attribute::Shape::kSequence;
   box.kinds = {{"replace", Effect::kSometimes}, {"tie", Effect::kNever}};
+  box.certificates = "n - 1 for each side of the box, one for each match of its tournament";
+  box.ties = "of points with identically equal coordinates the smallest id is on the side";
+  box.source =
+      "Guibas, Kinetic data structures: a state of the art report (1998), sections 5 and 6.7";
   box.make = make_plain<BoundingBox>;
   return {"extent", {box}};
 }

@@ -35,16 +35,25 @@ StructureFamily hull_family() {
   base.group = "convex_hull";
   base.min_dimension = 2;
   base.shape = Attribute::Shape::kCycle;
+  base.ties = "only strict vertices are on the hull; of identically equal points the smallest id";
+  base.source =
+      "Guibas, Kinetic data structures: a state of the art report (1998), sections 6 and 11";
 
   StructureInfo local = base;
   local.name = "convex_hull_2";
   local.summary = "the convex hull of points in the plane, by divide and conquer";
   local.kinds = kinds({"x", "yl", "yr", "yb", "yt", "sl", "sr", "st", "end"});
+  local.certificates =
+      "O(n log n): orders of corners, corners above or below the other chain, orders "
+      "of slopes, at every node of the tree";
   local.make = make_divided<ConvexHull2::Variant::kLocal>;
 
   StructureInfo naive = base;
   naive.name = "convex_hull_2_naive";
   naive.summary = "the same with certificates that are not local";
+  naive.certificates =
+      "O(n log n), up to n of one point: as convex_hull_2, but every corner has one "
+      "against the other chain";
   naive.kinds = local.kinds;
   naive.make = make_divided<ConvexHull2::Variant::kNaive>;
 
@@ -53,6 +62,9 @@ StructureFamily hull_family() {
   brute_force.summary = "the convex hull, every point against every hull edge";
   brute_force.fails_at_touch = true;
   brute_force.kinds = kinds({"reflex", "outside", "between"});
+  brute_force.certificates =
+      "(n - h) h + h for h hull vertices: every point inside every hull edge, and "
+      "a left turn at every vertex";
   brute_force.make = make_plain<ConvexHull2BruteForce>;
 
   StructureInfo reader = base;
@@ -60,6 +72,7 @@ StructureFamily hull_family() {
   reader.summary = "the convex hull, read off the Delaunay triangulation";
   reader.reads = "delaunay_2";
   reader.kinds = kinds({});
+  reader.certificates = "none of its own, it reads the 3n - 3 of delaunay_2";
   reader.make = make_of_triangulation;
 
   return {"hull", {local, naive, brute_force, reader}};

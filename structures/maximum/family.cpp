@@ -32,6 +32,8 @@ class Family {
     info.any_dimension = true;
     info.uses_key = true;
     info.shape = Attribute::Shape::kObject;
+    info.ties = "of objects with identically equal keys the smallest id wins";
+    info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 5";
     return info;
   }
   void add(StructureInfo info, std::string_view maximum, std::string_view of_largest,
@@ -67,30 +69,37 @@ StructureFamily maximum_family() {
   const StructureInfo base = family.base();
   StructureInfo tournament = base;
   tournament.kinds = {{"replace", Effect::kSometimes}, {"tie", Effect::kNever}};
+  tournament.certificates = "n - 1, one for each match";
   family.add<MaximumTournament>(
       tournament, "maximum_tournament", "the object with the largest key, by a tournament tree",
       "minimum_tournament", "the object with the smallest key, by a tournament tree");
   StructureInfo heap = base;
+  heap.certificates = "n - 1, every parent against its child";
   heap.kinds = {
       {"swap", Effect::kSometimes}, {"tie", Effect::kNever}, {"replace", Effect::kAlways}};
   family.add<MaximumHeap>(heap, "maximum_heap", "the object with the largest key, by a binary heap",
                           "minimum_heap", "the object with the smallest key, by a binary heap");
+  StructureInfo hanger = heap;
+  hanger.source = "da Fonseca, de Figueiredo, Carvalho, Kinetic hanger (2004)";
   family.add<MaximumHanger>(
-      heap, "maximum_hanger", "the object with the largest key, by a randomised hanger",
+      hanger, "maximum_hanger", "the object with the largest key, by a randomised hanger",
       "minimum_hanger", "the object with the smallest key, by a randomised hanger");
   StructureInfo envelope = base;
+  envelope.certificates = "1, the winner against the next one of the envelope";
   envelope.kinds = {{"replace", Effect::kAlways}, {"tie", Effect::kAlways}};
   family.add<MaximumEnvelope>(
       envelope, "maximum_envelope", "the object with the largest key, by the upper envelope ahead",
       "minimum_envelope", "the object with the smallest key, by the lower envelope ahead");
   StructureInfo linear = envelope;
   linear.largest_degree = 1;
+  linear.certificates = "1, the winner against the next vertex of the dual hull";
   family.add<MaximumDualHull>(
       linear, "maximum_dual_hull",
       "the object with the largest key, by the dual hull of linear motions", "minimum_dual_hull",
       "the object with the smallest key, by the dual hull of linear motions");
   StructureInfo reader = base;
   reader.reads = "sorted_list";
+  reader.certificates = "none of its own, it reads the n - 1 of sorted_list";
   reader.kinds = {{"replace", Effect::kAlways}};
   family.add(
       reader, "maximum_sorted_list", "the object with the largest key, read off a sorted list",

@@ -13,6 +13,9 @@ StructureFamily order_family() {
   list.uses_key = true;
   list.shape = Attribute::Shape::kSequence;
   list.kinds = {{"swap", Effect::kAlways}, {"tie", Effect::kAlways}};
+  list.certificates = "n - 1, one for each pair of neighbours";
+  list.ties = "objects with identically equal keys are in the order of their ids";
+  list.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 5";
   list.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
     return std::make_unique<SortedList>(in.kernel, in.id, in.request.key, in.scene);
   };

@@ -69,6 +69,10 @@ struct StructureInfo {
   // for scenes that all fields above allow.
   std::optional<Refusal> (*refuse)(const Scene& scene) = nullptr;
   std::unique_ptr<Structure> (*make)(const MakerInput& input) = nullptr;
+  // For people (kinex explain): lines without a full stop.
+  std::string_view certificates = {};  // how many there are, and of what; n objects
+  std::string_view ties = {};          // what it does with what is identically equal
+  std::string_view source = {};        // where it is described
 
   static constexpr int kAnyDegree = 1 << 30;
   bool linear() const { return largest_degree == 1; }

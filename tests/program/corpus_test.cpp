@@ -16,12 +16,13 @@ namespace kinex {
 namespace {
 
 const std::filesystem::path kCorpus = std::filesystem::path(KINEX_SOURCE_DIR) / "tests" / "corpus";
-constexpr std::size_t kFewestBadScenes = 80, kFewestBadTraces = 40, kFewestBadQueries = 30;
+constexpr std::size_t kFewestBadScenes = 80, kFewestBadTraces = 40, kFewestBadFeatures = 40,
+                      kFewestBadQueries = 30;
 
 // The verb that reads such a file.
 std::string verb_for(const std::string& file) {
   if (file.rfind("polynomials/", 0) == 0) return "roots";
-  if (file.rfind("traces/", 0) == 0) return "import";
+  if (file.rfind("traces/", 0) == 0 || file.rfind("features/", 0) == 0) return "import";
   if (file.rfind("queries/", 0) == 0) return "ccd";
   return "check";
 }
@@ -76,7 +77,7 @@ class CorpusTest : public testing::Test {
 TEST(Corpus, IsWhatTheIndexSays) {
   const std::vector<Entry> entries = read_index();
   std::set<std::string> listed, found;
-  std::size_t bad_scenes = 0, bad_traces = 0, bad_queries = 0;
+  std::size_t bad_scenes = 0, bad_traces = 0, bad_features = 0, bad_queries = 0;
   for (const Entry& entry : entries) {
     EXPECT_TRUE(listed.insert(entry.file).second) << entry.file << " is listed twice";
     const bool in_bad = entry.file.find("/bad/") != std::string::npos;
@@ -84,6 +85,7 @@ TEST(Corpus, IsWhatTheIndexSays) {
     EXPECT_EQ(entry.message.empty(), !in_bad) << entry.file;
     if (entry.file.rfind("scenes/bad/", 0) == 0) ++bad_scenes;
     if (entry.file.rfind("traces/bad/", 0) == 0) ++bad_traces;
+    if (entry.file.rfind("features/bad/", 0) == 0) ++bad_features;
     if (entry.file.rfind("queries/bad/", 0) == 0) ++bad_queries;
   }
   for (const auto& file : std::filesystem::recursive_directory_iterator(kCorpus)) {
@@ -94,6 +96,7 @@ TEST(Corpus, IsWhatTheIndexSays) {
   EXPECT_EQ(listed, found);
   EXPECT_GE(bad_scenes, kFewestBadScenes);
   EXPECT_GE(bad_traces, kFewestBadTraces);
+  EXPECT_GE(bad_features, kFewestBadFeatures);
   EXPECT_GE(bad_queries, kFewestBadQueries);
 }
 

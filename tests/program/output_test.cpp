@@ -223,12 +223,32 @@ TEST_F(Output, LeftoversAreTold) {
   EXPECT_EQ(read_file(left), "{}\n");
 }
 
-TEST_F(Output, ALogGoesToAFile) {
+// The log is that of the file, byte by byte; the report is on standard error.
+TEST_F(Output, TheLogOnStandardOutput) {
+  const std::string log = scratch_.file("run.log");
+  ASSERT_EQ(run_kinex({"run", scene_, "--events", log}).exit_code, 0);
   const Finished run = run_kinex({"run", scene_, "--events", "-"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.err, HasSubstr("--events: \"-\": standard output has the report; give"));
-  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, read_file(log));
+  EXPECT_THAT(run.err, HasSubstr("left out"));
+  EXPECT_THAT(run.err, HasSubstr("certificate failures"));
   EXPECT_FALSE(std::filesystem::exists("-"));
+  EXPECT_EQ(run_kinex({"check", "-"}, run.out).exit_code, 0);
+  const Finished quiet = run_kinex({"run", "-q", scene_, "--events", "-"});
+  EXPECT_EQ(quiet.out, run.out);
+  EXPECT_EQ(quiet.err, "");
+  for (const char* second : {"--json", "--summary"}) {
+    Words both{"run", scene_, "--events", "-", second};
+    if (both.back() == "--summary") both.emplace_back("-");
+    const Finished refused = run_kinex(both);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err,
+                HasSubstr(std::string(second) + ": standard output has the event log; give"));
+    EXPECT_EQ(refused.out, "");
+  }
+  const Finished full = run_kinex({"run", scene_, "--events", "-"}, "", "/dev/full");
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_THAT(full.err, HasSubstr("standard output: cannot be written: No space left"));
   EXPECT_EQ(run_kinex({"trade", scene_, "--markdown", "-"}).exit_code, 2);
 }
 

@@ -23,7 +23,9 @@ TEST(ReproduceVerb, NamesWhatThereIs) {
   EXPECT_THAT(paper.err, HasSubstr("kds-report-1998"));
   const Finished part = run_kinex({"reproduce", "kds-report-1998", "figure-9"});
   EXPECT_EQ(part.exit_code, 2);
-  EXPECT_THAT(part.err, HasSubstr("figure-3, large-runs, section-9"));
+  EXPECT_THAT(part.err, HasSubstr("the paper has no such part; did you mean figure-3?"));
+  const Finished other = run_kinex({"reproduce", "kds-report-1998", "tables"});
+  EXPECT_THAT(other.err, HasSubstr("figure-3, large-runs, section-9"));
 }
 
 TEST(ReproduceVerb, WritesItsFilesOnceAndGoesOn) {

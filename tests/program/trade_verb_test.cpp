@@ -87,7 +87,8 @@ void expect_refused(std::vector<std::string> arguments, const std::string& messa
 }
 
 TEST_F(TradeVerb, RefusesBadInput) {
-  expect_refused({"delauney_2"}, "\"delauney_2\" is neither a file nor a structure here; name a ");
+  expect_refused({"delauney_2"},
+                 "\"delauney_2\" is neither a file nor a structure here; did you mean delaunay_2?");
   expect_refused({scene_, "--arithmetic", "decimal"}, "--arithmetic: ");
   expect_refused({scene_, "--arithmetic", "mpfr:1"}, "--arithmetic: ");
   expect_refused({scene_, "--jobs", "0"}, "--jobs: 0 is out of range");

@@ -29,7 +29,8 @@ TEST(CsvTable, FollowsRfc4180) {
   EXPECT_EQ(table.rows[1].line, 4u);
   EXPECT_INPUT_ERROR(formats::parse_csv("", "t.csv"), "t.csv: the file is empty");
   EXPECT_INPUT_ERROR(formats::parse_csv("a,a\n", "t.csv"), "column \"a\" stands twice");
-  EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n1,2\n3\n", "t.csv"), "t.csv: line 3: 1 fields");
+  EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n1,2\n3\n", "t.csv"),
+                     "t.csv: line 3: 1 field in a table");
   EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n\"1,2\n3\n", "t.csv"), "t.csv: line 2: a quote is not closed");
   EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n\"1\"2,2\n", "t.csv"), "text after a closing quote");
 }
@@ -140,7 +141,7 @@ TEST(CsvImport, FixedObjectsAreRefusedWithARemedy) {
   EXPECT_NO_THROW(fixed("Sun,0,0"));
   EXPECT_INPUT_ERROR(fixed("Sun,0"), "--fixed: \"Sun,0\" has 2 fields, not 3; write ID,X,Y");
   EXPECT_INPUT_ERROR(fixed("Sun,0,0,0"), "--fixed: \"Sun,0,0,0\" has 4 fields, not 3");
-  EXPECT_INPUT_ERROR(fixed(""), "--fixed: \"\" has 1 fields, not 3");
+  EXPECT_INPUT_ERROR(fixed(""), "--fixed: \"\" has 1 field, not 3");
   EXPECT_INPUT_ERROR(fixed(",0,0"), "--fixed: an empty id; write a name");
   EXPECT_INPUT_ERROR(fixed("a,0,0"), "--fixed: there is an object \"a\" already; ids are unique");
   EXPECT_INPUT_ERROR(fixed("first,1,0"), "there is an object \"first\" already");
@@ -171,6 +172,79 @@ TEST(CsvImport, Stars) {
   EXPECT_EQ(scene.objects[0].id, "Proxima Cen");
   EXPECT_EQ(scene.objects[0].motion.pieces[0].trajectory.coordinates[0][0],
             Rational(Integer(-474539), Integer(1000000)));
+}
+
+// ---- other separators, columns by name, dates
+
+TEST(CsvTable, SeparatorsOfTheFirstLine) {
+  const auto columns = [](std::string_view text) { return formats::parse_csv(text, "t").columns; };
+  using Columns = std::vector<std::string>;
+  EXPECT_EQ(columns("id;x\na;1\n"), (Columns{"id", "x"}));
+  EXPECT_EQ(columns("id\tx\na\t1\n"), (Columns{"id", "x"}));
+  EXPECT_EQ(columns("\"a,b\";x\n1;2\n"), (Columns{"a,b", "x"}));
+  EXPECT_EQ(columns("id;x,y\n1,2\n"), (Columns{"id;x", "y"}));  // a comma decides
+  EXPECT_EQ(formats::parse_csv("id;x,y\n1;2\n", "t", ';').columns, (Columns{"id", "x,y"}));
+  EXPECT_EQ(formats::parse_csv("id;x\n\"a;b\";1\n", "t").rows[0].fields[0], "a;b");
+}
+
+formats::ImportReport import_with(std::string_view text,
+                                  const std::vector<formats::NamedColumn>& columns,
+                                  bool ignore = false) {
+  formats::ImportOptions options;
+  options.columns = columns;
+  options.ignore_columns = ignore;
+  return formats::import_csv(text, "t.csv", options);
+}
+
+TEST(CsvImport, ColumnsByName) {
+  const std::string table = "trackId,when,x,east,speed\na,0,99,1,7\na,2,98,5,7\n";
+  const formats::ImportReport report =
+      import_with(table, {{"id", "trackId"}, {"t", "when"}, {"x", "east"}}, true);
+  EXPECT_EQ(report.ignored_columns, 2u);
+  const Trajectory& a = report.scene.objects[0].motion.pieces[0].trajectory;
+  EXPECT_EQ(a.coordinates, (std::vector<std::vector<Rational>>{{1, 2}}));
+  EXPECT_INPUT_ERROR(import_with(table, {{"id", "trackId"}, {"t", "when"}}),
+                     "the column \"east\" means nothing here; ");
+  EXPECT_INPUT_ERROR(import_with(table, {{"id", "trackId"}, {"t", "when"}}), "--ignore-columns");
+  EXPECT_INPUT_ERROR(import_with(table, {}), "there is no column \"id\"; ");
+  EXPECT_INPUT_ERROR(import_with(table, {}), "--column id=NAME");
+  EXPECT_INPUT_ERROR(
+      import_with(table, {{"id", "trakId"}}),
+      "line 1: there is no column \"trakId\", that of --column id; did you mean trackId?");
+  EXPECT_INPUT_ERROR(
+      import_with(table, {{"id", "trackId"}, {"t", "trackId"}}),
+      "--column: t=trackId after id=trackId; give every meaning one column of its own");
+  EXPECT_INPUT_ERROR(import_with(table, {{"id", "trackId"}, {"id", "when"}}),
+                     "--column: id=when after id=trackId");
+}
+
+TEST(CsvImport, DatesAreSecondsFromTheFirst) {
+  const std::string table =
+      "id,t,x\nb,2024-05-01T12:00:10.5Z,0\nb,2024-05-01T14:01:00+02:00,99\na,2024-05-01T12:00:00Z,"
+      "0\n"
+      "a,2024-05-01T12:01:00Z,6\n";
+  const formats::ImportReport report = import(table);
+  EXPECT_EQ(report.time_zero, "2024-05-01T12:00:00Z");
+  EXPECT_EQ(report.scene.start, Rational(0));
+  EXPECT_EQ(*report.scene.end, Rational(60));
+  EXPECT_EQ(*report.scene.objects[0].motion.pieces[0].from, *Rational::parse("10.5"));
+  EXPECT_EQ(report.scene.objects[1].motion.pieces[0].trajectory.coordinates[0],
+            (std::vector<Rational>{0, *Rational::parse("1/10")}));
+  formats::ImportOptions options;
+  options.time_zero = formats::OptionTime{"--time-zero", "2024-05-01"};
+  options.start_time = formats::OptionTime{"--start", "2024-05-01T12:00:20Z"};
+  options.end_time = formats::OptionTime{"--end", "43260"};
+  const Scene scene = formats::import_csv(table, "t.csv", options).scene;
+  EXPECT_EQ(scene.start, Rational(43220));
+  EXPECT_EQ(*scene.end, Rational(43260));
+  options.time_zero = formats::OptionTime{"--time-zero", "yesterday"};
+  EXPECT_INPUT_ERROR(formats::import_csv(table, "t.csv", options),
+                     "--time-zero: \"yesterday\" is not a date");
+  EXPECT_INPUT_ERROR(formats::import_csv("id,t,x\na,0,0\na,1,1\n", "t.csv", options),
+                     "--time-zero: the file's times are numbers; leave it out");
+  options.time_zero.reset();
+  EXPECT_INPUT_ERROR(formats::import_csv("id,t,x\na,0,0\na,1,1\n", "t.csv", options),
+                     "--start: \"2024-05-01T12:00:20Z\" is a date, the file's times are numbers");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(SceneReader, GapsSeparateLivesAndSeamsMustMeet) {
   EXPECT_NO_THROW(pieces("1", "1", ""));
   EXPECT_NO_THROW(pieces("2", "7", ""));
   EXPECT_NO_THROW(pieces("1", "7", ", \"jumps\": true"));
-  EXPECT_INPUT_ERROR(pieces("1", "7", ""), "/objects/0/motion/1: the object jumps at \"1\"");
+  EXPECT_INPUT_ERROR(pieces("1", "7", ""), "/objects/0/motion/1: the object jumps at 1 from");
   EXPECT_INPUT_ERROR(pieces("0.5", "7", ", \"jumps\": true"), "/objects/0/motion/1/from");
 }
 

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/log_filter.h"
+
+#include <algorithm>
+#include <array>
+
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
+
+namespace kinex::formats {
+
+namespace {
+
+constexpr const char* kOption = "--filter";
+constexpr std::array<std::string_view, 5> kKeys{"kind", "structure", "object", "predicate",
+                                                "external"};
+
+std::vector<std::string> keys() { return {kKeys.begin(), kKeys.end()}; }
+
+// True if a condition begins here.
+bool begins_condition(std::string_view text) {
+  return std::any_of(kKeys.begin(), kKeys.end(), [&](std::string_view key) {
+    return text.substr(0, key.size()) == key && text.substr(key.size(), 1) == "=";
+  });
+}
+
+std::vector<std::string_view> split(std::string_view text) {
+  std::vector<std::string_view> parts;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != ',' || !begins_condition(text.substr(i + 1))) continue;
+    parts.push_back(text.substr(begin, i - begin));
+    begin = i + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+bool has(const std::vector<std::string>& values, std::string_view value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+bool shares(const std::vector<std::string>& values, const std::vector<std::string>& ids) {
+  return std::any_of(ids.begin(), ids.end(),
+                     [&](const std::string& id) { return has(values, id); });
+}
+
+bool is_about(const std::vector<std::string>& objects, const LogRecord& record) {
+  if (shares(objects, record.ids)) return true;
+  if (record.certificate && shares(objects, record.certificate->ids)) return true;
+  return record.change &&
+         (shares(objects, record.change->gone) || shares(objects, record.change->came));
+}
+
+std::vector<std::string> kinds_of(const LogHeader& header) {
+  std::vector<std::string> kinds;
+  for (const LogStructure& structure : header.structures) {
+    for (const std::string& kind : structure.kinds) {
+      if (!has(kinds, kind)) kinds.push_back(kind);
+    }
+  }
+  return kinds;
+}
+
+std::vector<std::string> labels_of(const LogHeader& header) {
+  std::vector<std::string> labels;
+  for (const LogStructure& structure : header.structures) labels.push_back(structure.label);
+  return labels;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 20;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kMost; ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  return text + (names.size() > kMost ? ", .." : "");
+}
+
+void check_values(const char* key, const std::vector<std::string>& values,
+                  const std::vector<std::string>& known, const std::string& file) {
+  for (const std::string& value : values) {
+    if (has(known, value)) continue;
+    throw InputError(kOption, "",
+                     std::string("there is no ") + key + " " + show_text(value) + " in " + file,
+                     did_you_mean(value, known, "it has " + joined(known)));
+  }
+}
+
+}  // namespace
+
+void LogFilter::add(std::string_view text) {
+  for (const std::string_view part : split(text)) {
+    const std::size_t equals = part.find('=');
+    const std::string key(part.substr(0, equals));
+    if (equals == std::string_view::npos) {
+      throw InputError(
+          kOption, "", show_text(part) + " is no condition",
+          "write KEY=VALUE, as kind=flip; keys are kind, structure, object, predicate, external");
+    }
+    if (!has(keys(), key)) {
+      throw InputError(
+          kOption, "", show_text(key) + " is not a key",
+          did_you_mean(key, keys(), "write kind, structure, object, predicate or external"));
+    }
+    std::string value(part.substr(equals + 1));
+    if (key == "external" && value != "true" && value != "false") {
+      throw InputError(kOption, "", show_text(value) + " is neither true nor false",
+                       "write external=true or external=false");
+    }
+    const auto known =
+        std::find_if(conditions_.begin(), conditions_.end(),
+                     [&](const Condition& condition) { return condition.key == key; });
+    if (known == conditions_.end()) {
+      conditions_.push_back({key, {std::move(value)}});
+    } else {
+      known->values.push_back(std::move(value));
+    }
+  }
+}
+
+const std::vector<std::string>* LogFilter::values_of(std::string_view key) const {
+  for (const Condition& condition : conditions_) {
+    if (condition.key == key) return &condition.values;
+  }
+  return nullptr;
+}
+
+void LogFilter::check(const LogHeader& header, const std::string& file) const {
+  if (const auto* kinds = values_of("kind")) check_values("kind", *kinds, kinds_of(header), file);
+  if (const auto* labels = values_of("structure"))
+    check_values("structure", *labels, labels_of(header), file);
+  if (const auto* objects = values_of("object"))
+    check_values("object", *objects, header.objects, file);
+}
+
+bool LogFilter::wants(const LogRecord& record) const {
+  for (const Condition& condition : conditions_) {
+    const std::vector<std::string>& values = condition.values;
+    const bool wanted = condition.key == "kind"        ? has(values, record.kind)
+                        : condition.key == "structure" ? has(values, record.structure)
+                        : condition.key == "object"    ? is_about(values, record)
+                        : condition.key == "external"
+                            ? has(values, record.external ? "true" : "false")
+                            : record.certificate && has(values, record.certificate->predicate);
+    if (!wanted) return false;
+  }
+  return true;
+}
+
+}  // namespace kinex::formats

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/trace.h"
+
+#include <optional>
+#include <utility>
+
+#include "core/numbers/time_text.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/csv_fields.h"
+#include "experiments/formats/csv_table.h"
+#include "experiments/formats/input_error.h"
+
+namespace kinex::formats {
+
+namespace {
+
+// From `from` to `to`; where it goes on from the last piece it is a part of that.
+void append_piece(Motion& motion, const Rational& from, const Rational& to, Trajectory trajectory) {
+  trajectory.normalise();
+  const bool goes_on = !motion.pieces.empty() && motion.pieces.back().to == from;
+  if (goes_on && motion.pieces.back().trajectory == trajectory) {
+    motion.pieces.back().to = to;
+  } else {
+    motion.pieces.push_back({from, to, std::move(trajectory)});
+  }
+}
+
+}  // namespace
+
+void add_rotor(Trajectory& trajectory, RotorMotion rotor) {
+  for (std::vector<Rational>& part : rotor) trajectory.coordinates.push_back(std::move(part));
+}
+
+void append_linear(Motion& motion, const std::vector<Fix>& fixes, bool body) {
+  for (std::size_t i = 0; i + 1 < fixes.size(); ++i) {
+    const Fix& from = fixes[i];
+    const Fix& to = fixes[i + 1];
+    Trajectory trajectory;
+    for (std::size_t axis = 0; axis < from.position.size(); ++axis) {
+      const Rational velocity = (to.position[axis] - from.position[axis]) / (to.t - from.t);
+      trajectory.coordinates.push_back({from.position[axis] - velocity * from.t, velocity});
+    }
+    if (body) add_rotor(trajectory, turning_rotor(from.heading, from.t, to.heading, to.t));
+    append_piece(motion, from.t, to.t, std::move(trajectory));
+  }
+}
+
+void append_steps(Motion& motion, const std::vector<Fix>& fixes, bool body) {
+  for (std::size_t i = 0; i + 1 < fixes.size(); ++i) {
+    Trajectory trajectory;
+    for (const Rational& x : fixes[i].position) trajectory.coordinates.push_back({x});
+    if (body) add_rotor(trajectory, fixed_rotor(fixes[i].heading));
+    append_piece(motion, fixes[i].t, fixes[i + 1].t, std::move(trajectory));
+  }
+}
+
+void add_fixed(Scene& scene, const std::string& text, bool body) {
+  const std::string option = "--fixed";
+  const std::vector<std::string> fields = parse_csv_row(text, option);
+  const auto axes = static_cast<std::size_t>(scene.dimension);
+  if (fields.size() != axes + 1) {
+    throw InputError(option, "",
+                     show_text(text) + " has " + counted(fields.size(), "field", "fields") +
+                         ", not " + std::to_string(axes + 1),
+                     "write " + std::string("ID,X,Y,Z").substr(0, 2 + 2 * axes));
+  }
+  check_csv_id(fields[0], option, "");
+  for (const SceneObject& object : scene.objects) {
+    if (object.id != fields[0]) continue;
+    throw InputError(option, "", "there is an object " + show_text(fields[0]) + " already",
+                     "ids are unique; give another name");
+  }
+  Trajectory trajectory;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    std::optional<Rational> value = csv_number(fields[axis + 1]);
+    if (!value) {
+      throw InputError(option, "",
+                       show_text(fields[axis + 1]) + " in " + show_text(text) + " is not a number",
+                       kCsvNumberRemedy);
+    }
+    trajectory.coordinates.push_back({*std::move(value)});
+  }
+  if (body) add_rotor(trajectory, fixed_rotor(0));
+  trajectory.normalise();
+  Motion motion;
+  motion.pieces.push_back({std::nullopt, std::nullopt, std::move(trajectory)});
+  scene.objects.push_back({fields[0], std::move(motion)});
+}
+
+void check_time(const Scene& scene, const std::string& file) {
+  if (!scene.end || *scene.end > scene.start) return;
+  throw InputError(file, "",
+                   "the scene would end at " + time_text(*scene.end) + ", not after its start at " +
+                       time_text(scene.start),
+                   "give --start and --end");
+}
+
+}  // namespace kinex::formats

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/lab/explanation.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string_view>
+
+#include "experiments/formats/counted.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/lab/family.h"
+#include "experiments/lab/scene_run.h"
+#include "structures/registry.h"
+
+namespace kinex::lab {
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr int kFewObjects = 8;
+
+std::string shape_of(const StructureInfo& info) {
+  switch (info.shape) {
+    case Attribute::Shape::kSequence:
+      return "a sequence of ids";
+    case Attribute::Shape::kObject:
+      return "one id";
+    case Attribute::Shape::kTuples:
+      return info.width == 2 ? "a set of pairs of ids"
+                             : "a set of tuples of " + std::to_string(info.width) + " ids";
+    case Attribute::Shape::kCycle:
+      return "a cycle of ids, counter-clockwise";
+  }
+  return "";
+}
+
+std::string domain_of(const StructureInfo& info) {
+  std::string text = info.bodies ? "rigid convex polygons" : "points";
+  text += " in " + formats::counted(static_cast<std::uint64_t>(info.min_dimension), "axis", "axes");
+  if (info.any_dimension) text += " or more";
+  if (!info.has_events) return text + "; it follows no motion";
+  if (info.linear()) return text + ", linear motions";
+  if (info.largest_degree != StructureInfo::kAnyDegree) {
+    return text + ", motions of degree " + std::to_string(info.largest_degree) + " at most";
+  }
+  return text +
+         (info.bodies ? ", rigid motions of every degree" : ", polynomial motions of every degree");
+}
+
+std::string effect_of(Effect effect) {
+  switch (effect) {
+    case Effect::kNever:
+      return "internal";
+    case Effect::kSometimes:
+      return "internal or external";
+    case Effect::kAlways:
+      return "external";
+  }
+  return "";
+}
+
+constexpr std::string_view kLetters = "abcdefgh";  // of the arguments, kMaxArity
+
+// "{0} is left of {1}" with letters in it: "a is left of b".
+std::string claim_in_words(const ClaimForm& form) {
+  std::string text(form.says);
+  for (std::size_t i = 0; i < kLetters.size(); ++i) {
+    const std::string place = "{" + std::to_string(i) + "}";
+    for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place)) {
+      text.replace(at, place.size(), 1, kLetters[i]);
+    }
+  }
+  return text;
+}
+
+// "in_circle_2(a, b, c, d)"
+std::string with_letters(const Predicate& predicate) {
+  std::string text(predicate.name());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(predicate.arity()); ++i) {
+    text += (i == 0 ? "(" : ", ") + std::string(1, kLetters[i]);
+  }
+  return text + ")";
+}
+
+// For points: as a multiple of d, the degree of the motions.
+std::string degree_of(const Predicate& predicate, const StructureInfo& info, int held) {
+  const int one = predicate.degree(1), two = predicate.degree(2);
+  if (info.bodies || two != 2 * one)
+    return "degree " + std::to_string(predicate.degree(held)) + " in t there";
+  return "degree " + (one == 1 ? std::string() : std::to_string(one)) + "d in t";
+}
+
+Lines predicates_of(const StructureInfo& info, const Simulator& simulator) {
+  const Arithmetic& numbers = simulator.arithmetic();
+  Lines lines;
+  std::set<std::string> told;
+  for (PredicateId id = 0; id < numbers.predicates(); ++id) {
+    const Predicate& predicate = numbers.predicate(id);
+    const std::string words = claim_in_words(predicate.form());
+    std::string line = with_letters(predicate) + ", " +
+                       degree_of(predicate, info, std::max(1, numbers.needs().degree));
+    if (!words.empty()) line += ": " + words;
+    if (told.insert(line).second) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+Lines bounds_of(const Simulator& simulator, const formats::RunOutcome& outcome,
+                std::string_view structure) {
+  Lines lines;
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    if (simulator.structure(id).name() != structure) continue;
+    for (const BoundCheck& bound : outcome.bounds[id]) {
+      lines.push_back(bound.id + ": " + bound.source + " (there " + bound.observed.to_string() +
+                      " <= " + bound.bound.to_string() + ")");
+    }
+  }
+  return lines;
+}
+
+// What kinex verify expects of it: growth claims, and the claims of single counts.
+Lines claims_of(std::string_view structure) {
+  const FamilyExperiments* const family = experiments_on(structure);
+  if (family == nullptr || family->add_cells == nullptr) return {};
+  Catalogue catalogue;
+  family->add_cells(catalogue, Extent::kQuick);
+  Lines lines;
+  std::set<std::string> told;
+  const auto add = [&](const std::string& claim, const std::string& source) {
+    if (told.insert(claim).second) lines.push_back(claim + (source.empty() ? "" : ": " + source));
+  };
+  for (const Cell& cell : catalogue.cells) {
+    if (cell.structure != structure) continue;
+    for (const Expectation& expectation : cell.expectations)
+      add(expectation.claim, expectation.source);
+  }
+  for (const GrowthClaim& growth : catalogue.growths) {
+    if (growth.structure == structure) add(growth.claim, growth.source);
+  }
+  return lines;
+}
+
+std::string command_of(const Workload& workload, const WorkloadParameters& parameters) {
+  std::string command =
+      "kinex gen " + std::string(workload.name) + " --n " + std::to_string(parameters.n);
+  if (workload.random) command += " --seed " + std::to_string(parameters.seed);
+  return command;
+}
+
+// Of all families, for one structure after the other.
+std::set<std::string> structures_verified_on(std::string_view workload) {
+  std::set<std::string> names;
+  for (const FamilyExperiments& family : experiment_families()) {
+    if (family.add_cells == nullptr) continue;
+    Catalogue catalogue;
+    family.add_cells(catalogue, Extent::kQuick);
+    for (const Cell& cell : catalogue.cells) {
+      if (cell.workload == workload) names.insert(cell.structure);
+    }
+  }
+  return names;
+}
+
+std::string joined(const std::set<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+ExampleScene example_scene(const StructureInfo& structure) {
+  for (const bool random : {true, false}) {
+    for (const Workload& workload : workloads()) {
+      if (workload.random != random || workload.bodies != structure.bodies) continue;
+      ExampleScene example;
+      example.workload = &workload;
+      example.parameters.n = std::max(kFewObjects, workload.min_n);
+      try {
+        const Scene scene = generate_scene(workload.name, example.parameters, structure.name);
+        if (refusal_of(structure, scene)) continue;
+      } catch (const formats::InputError&) {
+        continue;  // it cannot be of this size
+      }
+      example.command = command_of(workload, example.parameters);
+      return example;
+    }
+  }
+  return {};
+}
+
+Explanation explain(const StructureInfo& info) {
+  const std::string name(info.name);
+  Explanation result{name, std::string(info.summary), {}};
+  const auto add = [&](const char* heading, Lines lines) {
+    if (!lines.empty()) result.parts.emplace_back(heading, std::move(lines));
+  };
+  const auto text = [](std::string_view line) {
+    return line.empty() ? Lines{} : Lines{std::string(line)};
+  };
+  add("maintains", {shape_of(info)});
+  add("for", {domain_of(info)});
+  if (info.uses_key)
+    add("key", {"x (default), y, z, a direction, or the squared distance to an object"});
+  add("reads", text(info.reads));
+  add("family",
+      {std::string(family_of(info.name)) +
+       (info.group.empty() ? "" : "; one of the structures for " + std::string(info.group))});
+  add("certificates", text(info.certificates));
+  const ExampleScene example = example_scene(info);
+  Lines bounds;
+  if (example.workload != nullptr) {
+    const Scene scene = generate_scene(example.workload->name, example.parameters, info.name);
+    const std::unique_ptr<Simulator> simulator = make_simulator(scene, "exact", {});
+    const formats::RunOutcome outcome = run_scene(*simulator, {});
+    add("predicates", predicates_of(info, *simulator));
+    bounds = bounds_of(*simulator, outcome, info.name);
+  }
+  Lines events;
+  for (const KindRule& rule : info.kinds)
+    events.push_back(std::string(rule.kind) + ": " + effect_of(rule.effect));
+  add("events", std::move(events));
+  add("ties", text(info.ties));
+  add("bounds", std::move(bounds));
+  add("verified", claims_of(info.name));
+  add("source", text(info.source));
+  if (example.workload != nullptr) {
+    add("example",
+        {example.command + " --maintain " + name + " -o " + name + ".json",
+         "kinex run " + name + ".json --audit events", "kinex verify " + name + " --quick"});
+  }
+  return result;
+}
+
+Explanation explain(const Workload& workload) {
+  Explanation result{std::string(workload.name), std::string(workload.summary), {}};
+  const WorkloadParameters defaults = [&] {
+    WorkloadParameters parameters;
+    parameters.n = std::max(parameters.n, workload.min_n);
+    return resolved(workload, parameters);
+  }();
+  const auto from = [](int value, int low) {
+    return std::to_string(value) + " by default, " + std::to_string(low) + " at least";
+  };
+  Lines options{std::string(workload.bodies ? "--n  size: " : "--n  objects: ") +
+                from(defaults.n, workload.min_n)};
+  if (workload.takes_m) {
+    options.push_back("--m  second size: " + (workload.default_m == 0
+                                                  ? "that of --n by default, " +
+                                                        std::to_string(workload.min_m) + " at least"
+                                                  : from(workload.default_m, workload.min_m)));
+  }
+  if (workload.random) options.push_back("--seed  1 by default");
+  if (workload.takes_degree) {
+    options.push_back("--degree  of the motions: 1 by default, " +
+                      std::to_string(kMaxWorkloadDegree) + " at most");
+  }
+  if (workload.min_dimension < workload.max_dimension) {
+    options.push_back("--dimension  axes: " + std::to_string(workload.default_dimension) +
+                      " by default, " + std::to_string(workload.min_dimension) + " to " +
+                      std::to_string(workload.max_dimension));
+  }
+  if (workload.separation) {
+    options.push_back("--separation  distance of the bodies: " + workload.separation->to_string() +
+                      " by default");
+  }
+  if (workload.takes_turns) {
+    options.push_back("--turns  1 by default, " + std::to_string(workload.min_turns) + " at least");
+  }
+  const auto add = [&](const char* heading, Lines lines) {
+    result.parts.emplace_back(heading, std::move(lines));
+  };
+  add("objects",
+      {std::string(workload.bodies ? "rigid convex polygons" : "points") + " in " +
+       formats::counted(static_cast<std::uint64_t>(workload.default_dimension), "axis", "axes")});
+  add("scenes", {workload.random ? "random, the same for a seed on every machine"
+                                 : "one for its parameters"});
+  add("options", std::move(options));
+  const std::string structure = workload.maintain.empty()
+                                    ? usual_structure(workload.bodies, workload.default_dimension)
+                                    : std::string(workload.maintain);
+  add("maintains", {structure + " unless --maintain says otherwise"});
+  const std::set<std::string> verified = structures_verified_on(workload.name);
+  if (!verified.empty()) add("verified", {"by kinex verify: " + joined(verified)});
+  const std::string name(workload.name);
+  WorkloadParameters few = defaults;
+  few.n = std::max(kFewObjects, workload.min_n);
+  add("example",
+      {command_of(workload, few) + " -o " + name + ".json", "kinex run " + name + ".json"});
+  return result;
+}
+
+Explanation explain(const ArithmeticInfo& arithmetic) {
+  const std::string example(arithmetic.example);
+  return {std::string(arithmetic.name),
+          std::string(arithmetic.summary),
+          {{"promise", {std::string(arithmetic.promise)}},
+           {"for", {std::string(arithmetic.use)}},
+           {"example",
+            {"kinex gen uniform-square --n 20 -o square.json",
+             "kinex run square.json --arithmetic " + example + " --events square.log"}}}};
+}
+
+}  // namespace kinex::lab

@@ -1,0 +1,499 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results of kinex in Python: runs, counters, exact numbers, event logs, instants.
+
+Standard library only; pandas is imported by frame() alone. One import:
+
+    import kinex_results as kinex
+    for run in kinex.runs("results.sqlite"):           # or verify.sqlite, summary.json, runs.jsonl
+        print(run.structure, run.objects, run.counters["external"])
+    log = kinex.read_log("square.log")
+    first = log.records[0].instant                     # exact: compare it, refine it
+    print(first.refine(200).lower, first.decimal(50))
+
+Counts are int, exact numbers Fraction, seconds float.
+"""
+import functools
+import json
+import math
+import sqlite3
+from dataclasses import dataclass, field
+from fractions import Fraction
+from pathlib import Path
+from typing import Any, Optional
+
+
+class ResultsError(Exception):
+    """A file that cannot be used: "FILE: PROBLEM; REMEDY"."""
+
+
+exact = Fraction  # of a number as kinex writes it: "-7", "1/3", "0.25", "1e-9"
+
+
+# ---- instants: roots of integer polynomials, coefficients low degree first ---------------------------
+
+def value_at(polynomial, t):
+    """The exact value at a Fraction (or integer)."""
+    result = Fraction(0)
+    for coefficient in reversed(polynomial):
+        result = result * t + coefficient
+    return result
+
+
+def _sign(number):
+    return (number > 0) - (number < 0)
+
+
+def _trimmed(polynomial):
+    while len(polynomial) > 1 and polynomial[-1] == 0:
+        polynomial = polynomial[:-1]
+    return polynomial
+
+
+def _remainder(a, b):
+    a = [Fraction(c) for c in a]
+    while len(a) >= len(b) and any(a):
+        factor = a[-1] / b[-1]
+        for k in range(len(b)):
+            a[len(a) - len(b) + k] -= factor * b[k]
+        a = _trimmed(a[:-1]) if len(a) > 1 else [Fraction(0)]
+    return a
+
+
+def greatest_common_divisor(a, b):
+    """Of two polynomials, up to a factor; a constant if they have no root in common."""
+    while any(b):
+        a, b = b, _trimmed(_remainder(a, b))
+    return a
+
+
+@functools.total_ordering
+class Instant:
+    """One real root of a square-free polynomial, alone in [lower, upper].
+
+    Equal ends: the instant is that rational number. Other ends are no roots of the polynomial.
+    Comparisons are exact, with other instants and with numbers.
+    """
+
+    def __init__(self, polynomial, root, lower, upper):
+        self.polynomial = [int(c) for c in polynomial]
+        self.root = int(root)
+        self.lower, self.upper = Fraction(lower), Fraction(upper)
+        if self.upper < self.lower:
+            raise ValueError(f"the interval [{lower}, {upper}] is empty; give its ends in order")
+
+    @classmethod
+    def from_log(cls, time):
+        """From the "time" of a record. Raises ValueError where the log does not name instants."""
+        if "polynomial" not in time:
+            raise ValueError("the log does not name its instants; run kinex in an exact arithmetic, "
+                             "with --instants names (the default)")
+        return cls(time["polynomial"], time["root"], *time["interval"])
+
+    @property
+    def is_rational(self):
+        """True if it is known to be rational: then lower is its value."""
+        return self.lower == self.upper
+
+    def refine(self, bits):
+        """The same instant in an interval of length 2^-bits or less, by bisection."""
+        lower, upper = self.lower, self.upper
+        most = Fraction(1, 2 ** bits) if bits >= 0 else Fraction(2 ** -bits)
+        if upper - lower <= most:
+            return self
+        sign = _sign(value_at(self.polynomial, lower))
+        while upper - lower > most:
+            middle = (lower + upper) / 2
+            there = _sign(value_at(self.polynomial, middle))
+            if there == 0:
+                lower = upper = middle
+            elif there == sign:
+                lower = middle
+            else:
+                upper = middle
+        return Instant(self.polynomial, self.root, lower, upper)
+
+    def __float__(self):
+        instant = self
+        for bits in range(64, 2200, 64):
+            instant = instant.refine(bits)
+            if float(instant.lower) == float(instant.upper):
+                break
+        return float(instant.lower)
+
+    def decimal(self, digits):
+        """With this many digits after the point, truncated towards zero."""
+        instant, scale = self, 10 ** digits
+        while True:
+            low, high = int(instant.lower * scale), int(instant.upper * scale)
+            if high == low + 1:  # the limit between the two decides
+                if high > 0:
+                    low = high if instant >= Fraction(high, scale) else low
+                else:
+                    low = low if instant <= Fraction(low, scale) else high
+                break
+            if low == high:
+                break
+            instant = instant.refine(instant._bits() + 8)
+        sign = "-" if low < 0 else ""
+        text = str(abs(low)).rjust(digits + 1, "0")
+        return sign + (text[:-digits] + "." + text[-digits:] if digits else text)
+
+    def _bits(self):
+        width = self.upper - self.lower
+        return 0 if width == 0 else max(0, width.denominator.bit_length() - width.numerator.bit_length())
+
+    def _compare(self, other):
+        if not isinstance(other, Instant):
+            number = Fraction(other)
+            other = Instant([-number.numerator, number.denominator], 1, number, number)
+        a, b = self, other
+        if a.is_rational and b.is_rational:
+            return _sign(a.lower - b.lower)
+        if a._is_same(b):
+            return 0
+        bits = max(a._bits(), b._bits())
+        while not (a.upper < b.lower or b.upper < a.lower):
+            bits += 16
+            a, b = a.refine(bits), b.refine(bits)
+            if a.is_rational and b.is_rational:
+                return _sign(a.lower - b.lower)
+        return -1 if a.upper < b.lower else 1
+
+    def _is_same(self, other):
+        if self.is_rational or other.is_rational:
+            rational, root = (self, other) if self.is_rational else (other, self)
+            return (root.lower <= rational.lower <= root.upper
+                    and value_at(root.polynomial, rational.lower) == 0)
+        lower, upper = max(self.lower, other.lower), min(self.upper, other.upper)
+        if lower >= upper:
+            return False
+        common = greatest_common_divisor(self.polynomial, other.polynomial)
+        # Ends are no roots; within an isolating interval there is one root at most.
+        return len(common) > 1 and _sign(value_at(common, lower)) != _sign(value_at(common, upper))
+
+    def __eq__(self, other):
+        if not isinstance(other, (Instant, int, Fraction)):
+            return NotImplemented
+        return self._compare(other) == 0
+
+    def __lt__(self, other):
+        return self._compare(other) < 0
+
+    def __le__(self, other):
+        return self._compare(other) <= 0
+
+    __hash__ = None  # equal instants may have different polynomials
+
+    def __repr__(self):
+        if self.is_rational:
+            return f"Instant({self.lower})"
+        return f"Instant(root {self.root} of {self.polynomial}, about {float(self):.12g})"
+
+
+# ---- what files hold -----------------------------------------------------------------------------
+
+@dataclass
+class Run:
+    """One run of one structure. What a file does not say is None or empty."""
+    source: str                       # the file
+    structure: str                    # its label: in "maintain"
+    workload: Optional[str] = None
+    parameters: dict = field(default_factory=dict)  # n, degree, ..; separation is a Fraction
+    scene: Optional[str] = None
+    scene_hash: Optional[str] = None
+    arithmetic: Optional[str] = None
+    seed: Optional[int] = None
+    objects: Optional[int] = None
+    status: Optional[str] = None      # done, limit or interrupted
+    digest: Optional[str] = None      # of the event log
+    seconds: Optional[float] = None   # CPU time
+    counters: dict = field(default_factory=dict)    # name -> int; a sum over stages where there are any
+    extremes: dict = field(default_factory=dict)    # name -> int
+    bounds: list = field(default_factory=list)      # Bound
+
+    def row(self):
+        """Flat, for tables."""
+        flat = {name: value for name, value in vars(self).items()
+                if name not in ("parameters", "counters", "extremes", "bounds")}
+        return {**self.parameters, **flat, **self.counters, **self.extremes}
+
+
+@dataclass
+class Bound:
+    """A hard bound that was checked at the end of a run."""
+    id: str
+    bound: int
+    observed: int
+    holds: bool
+    source: str
+
+
+@dataclass
+class Record:
+    """One line of an event log."""
+    seq: int
+    structure: str
+    kind: str
+    ids: list
+    external: bool
+    predicate: Optional[str]          # of the certificate that failed
+    certificate_ids: list
+    instant: Optional[Instant]        # exact logs with --instants names
+    time: Optional[float]             # a decimal; None where the log has no times
+    gone: Any = None
+    came: Any = None
+    reason: Optional[str] = None
+
+    def row(self):
+        return {**vars(self), "ids": " ".join(self.ids), "certificate_ids": " ".join(self.certificate_ids)}
+
+
+@dataclass
+class Log:
+    """An event log: header (as written), records, last line (None: the run was cut off)."""
+    header: dict
+    records: list
+    end: Optional[dict]
+
+    def of(self, structure=None, kind=None, object=None, external=None):
+        """The records that have all of these."""
+        return [r for r in self.records
+                if structure in (None, r.structure) and kind in (None, r.kind)
+                and external in (None, r.external)
+                and (object is None or object in r.ids or object in r.certificate_ids)]
+
+
+# ---- runs and counters ----------------------------------------------------------------------------
+
+def runs(path):
+    """All runs of a file: verify.sqlite, the database of kinex sweep merge, a summary of kinex run
+    (one Run for each structure), or the runs.jsonl of kinex reproduce."""
+    path = Path(path)
+    with _opened(path) as file:
+        begin = file.read(16)
+    if begin.startswith(b"SQLite format 3"):
+        return _runs_of_database(path)
+    text = path.read_text(encoding="utf-8")
+    try:
+        if text.startswith('{"kinex-runs"') or path.suffix == ".jsonl":
+            return _runs_of_lines(path, text)
+        return _runs_of_summary(path, json.loads(text))
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise ResultsError(f"{path}: it holds no runs ({error}); give verify.sqlite, a merged sweep, a "
+                           "summary of kinex run or runs.jsonl of kinex reproduce") from error
+
+
+def counters(path, name):
+    """[(run, value)] of all runs of the file that have the counter or extreme `name`."""
+    found = []
+    for run in runs(path):
+        value = run.counters.get(name, run.extremes.get(name))
+        if value is not None:
+            found.append((run, value))
+    if not found:
+        known = sorted({key for run in runs(path) for key in (*run.counters, *run.extremes)})
+        raise ResultsError(f"{path}: no run has {name!r}; known are {', '.join(known) or 'none'}")
+    return found
+
+
+def _opened(path):
+    try:
+        return open(path, "rb")
+    except OSError as error:
+        raise ResultsError(f"{path}: cannot be read: {error.strerror}; check the name") from error
+
+
+def _parameters(text):
+    parameters = json.loads(text)
+    return {name: exact(value) if name == "separation" else value for name, value in parameters.items()}
+
+
+def _runs_of_database(path):
+    base = sqlite3.connect(f"file:{path.resolve()}?mode=ro", uri=True)
+    base.row_factory = sqlite3.Row
+    try:
+        tables = {row[0] for row in base.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+        if not {"run", "cell", "counter", "extreme"} <= tables:
+            raise ResultsError(f"{path}: it has no table of runs; give verify.sqlite or the database of "
+                               "kinex sweep merge")
+        swept = "attempt" in tables
+        return (_swept_runs if swept else _verified_runs)(path, base)
+    finally:
+        base.close()
+
+
+def _sums(rows, key):
+    """{key: {name: sum}}"""
+    sums = {}
+    for row in rows:
+        of = sums.setdefault(key(row), {})
+        of[row["name"]] = of.get(row["name"], 0) + int(row["value"])
+    return sums
+
+
+def _verified_runs(path, base):
+    counts = _sums(base.execute("SELECT run_id, name, value FROM counter"), lambda r: r["run_id"])
+    largest = _sums(base.execute("SELECT run_id, name, value_text AS value FROM extreme"), lambda r: r["run_id"])
+    result = []
+    for row in base.execute("SELECT run.*, cell.workload, cell.params_json FROM run "
+                            "JOIN cell ON cell.id = run.cell_id ORDER BY run.id"):
+        result.append(Run(str(path), row["structure"], row["workload"], _parameters(row["params_json"]),
+                          row["scene"], row["scene_hash"], row["number_mode"], int(row["seed"]),
+                          row["objects"], row["status"], None, row["cpu_s"],
+                          counts.get(row["id"], {}), largest.get(row["id"], {})))
+    return result
+
+
+def _swept_runs(path, base):
+    def key(row):
+        return row["run_id"], row["structure"]
+    counts = _sums(base.execute("SELECT run_id, structure, name, value FROM counter"), key)
+    largest = _sums(base.execute("SELECT run_id, structure, name, value_text AS value FROM extreme"), key)
+    bounds = {}
+    for row in base.execute("SELECT * FROM bound ORDER BY number"):
+        bounds.setdefault(key(row), []).append(
+            Bound(row["bound_id"], int(row["bound"]), int(row["observed"]), bool(row["holds"]), row["source"]))
+    seconds = dict(base.execute("SELECT cell_id, min(cpu_s) FROM attempt WHERE status = 'done' GROUP BY cell_id"))
+    labels = {}
+    for run_id, structure in sorted(set(counts) | set(largest) | set(bounds)):
+        labels.setdefault(run_id, []).append(structure)
+    result = []
+    for row in base.execute("SELECT run.*, cell.structure, cell.workload, cell.params_json FROM run "
+                            "JOIN cell ON cell.id = run.cell_id ORDER BY run.id"):
+        whole = counts.get((row["id"], ""), {})
+        for label in [one for one in labels.get(row["id"], []) if one] or [row["structure"]]:
+            at = (row["id"], label)
+            result.append(Run(str(path), label, row["workload"], _parameters(row["params_json"]),
+                              row["scene"], row["scene_hash"], row["number_mode"],
+                              None if row["seed"] is None else int(row["seed"]), row["objects"],
+                              row["status"], row["digest"], seconds.get(row["cell_id"]),
+                              {**whole, **counts.get(at, {})}, largest.get(at, {}), bounds.get(at, [])))
+    return result
+
+
+def _runs_of_summary(path, summary):
+    result = []
+    for label, one in summary["structures"].items():
+        names = ("processed", "external", "internal", "failures", "rebuilds", "simultaneous_groups")
+        counts = {name: one[name] for name in names if name in one}
+        counts.update({"kind." + kind: value for kind, value in one.get("by_kind", {}).items()})
+        largest = {name: value for name, value in one.get("certificates", {}).items() if isinstance(value, int)}
+        bounds = [Bound(b["id"], int(b["bound"]), int(b["observed"]), b["holds"], b.get("source", ""))
+                  for b in one.get("bounds", [])]
+        seconds = summary.get("seconds", {}).get("structures", {}).get(label)
+        result.append(Run(str(path), label, None, {}, summary["scene"], summary["scene_hash"],
+                          summary["arithmetic"], None, summary["objects"], summary["status"],
+                          summary["log_digest"], seconds, counts, largest, bounds))
+    return result
+
+
+def _runs_of_lines(path, text):
+    result = []
+    for line in text.splitlines():
+        if not line.endswith("}"):
+            continue  # the last line of a run that was cut off
+        record = json.loads(line)
+        if "key" not in record or "processed" not in record:
+            continue
+        structure, workload, *words = record["key"].split(" ")
+        parameters = dict(word.split("=", 1) for word in words if "=" in word)
+        seed = parameters.pop("seed", None)
+        parameters = {name: exact(value) if name == "separation" else int(value)
+                      for name, value in parameters.items()}
+        if "d" in parameters:
+            parameters["dimension"] = parameters.pop("d")
+        counts = {name: record[name] for name in ("processed", "external", "signs") if name in record}
+        counts.update({"kind." + kind: value for kind, value in record.get("kinds", {}).items()})
+        largest = {name: record[name] for name in ("max_live", "max_per_object") if name in record}
+        result.append(Run(str(path), structure, workload, parameters, arithmetic="exact",
+                          seed=None if seed is None else int(seed), objects=parameters.get("n"),
+                          seconds=record.get("seconds"), counters=counts, extremes=largest))
+    return result
+
+
+# ---- event logs -------------------------------------------------------------------------------------
+
+def read_log(path):
+    """An event log of kinex run --events, whole or cut off."""
+    with _opened(path) as file:
+        lines = file.read().decode("utf-8").splitlines()
+    try:
+        header = json.loads(lines[0])
+        if header["format"] != "kinex-log" or header["version"] != 2:
+            raise ValueError("another format")
+    except (IndexError, ValueError, KeyError, TypeError) as error:
+        raise ResultsError(f"{path}: line 1: it does not begin an event log of version 2; make one with "
+                           "kinex run SCENE --events FILE") from error
+    named = header["exact"] and header["instants"] == "names"
+    records, end, instants = [], None, {}
+    for number, line in enumerate(lines[1:], 2):
+        try:
+            record = json.loads(line)
+            if "end" in record:
+                end = record
+                break
+            records.append(_record(record, named, instants))
+        except (ValueError, KeyError, TypeError) as error:
+            if number == len(lines):
+                break  # cut off in the midst of a line
+            raise ResultsError(f"{path}: line {number}: it is no record ({error}); kinex check tells more") from error
+    return Log(header, records, end)
+
+
+def _record(record, named, instants):
+    certificate = record["certificate"] or {"predicate": None, "ids": []}
+    time = record.get("time")
+    instant = None
+    if named:
+        text = json.dumps(time)
+        if text not in instants:  # records of one instant share it
+            instants.clear()
+            instants[text] = Instant.from_log(time)
+        instant = instants[text]
+    return Record(record["seq"], record["structure"], record["kind"], record["ids"], record["external"],
+                  certificate["predicate"], certificate["ids"], instant,
+                  None if time is None else float(time["decimal"]),
+                  record.get("gone"), record.get("came"), record.get("reason"))
+
+
+# ---- tables and fits ---------------------------------------------------------------------------------
+
+def frame(things):
+    """Runs or records as a pandas.DataFrame. Needs pandas; nothing else here does."""
+    import pandas
+    return pandas.DataFrame([thing.row() for thing in things])
+
+
+@dataclass
+class PowerFit:
+    """y = factor x^exponent, by least squares of the logarithms; 95 % of the exponent if there are
+    three points or more (normal errors are assumed)."""
+    factor: float
+    exponent: float
+    error: Optional[float]            # half the length of the 95 % interval
+
+    def __call__(self, x):
+        return self.factor * x ** self.exponent
+
+
+# 0.975 quantiles of Student's t for 1, 2, .. degrees of freedom
+_STUDENT = (12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228)
+
+
+def fit_power(points):
+    """Through positive (x, y) with two different x or more."""
+    logs = [(math.log(x), math.log(y)) for x, y in points]
+    if len({x for x, _ in logs}) < 2:
+        raise ResultsError("a power has to be fitted to two sizes or more; give more runs")
+    mean_x = sum(x for x, _ in logs) / len(logs)
+    mean_y = sum(y for _, y in logs) / len(logs)
+    spread = sum((x - mean_x) ** 2 for x, _ in logs)
+    exponent = sum((x - mean_x) * (y - mean_y) for x, y in logs) / spread
+    offset = mean_y - exponent * mean_x
+    degrees = len(logs) - 2
+    error = None
+    if degrees > 0:
+        rest = sum((y - offset - exponent * x) ** 2 for x, y in logs)
+        quantile = _STUDENT[degrees - 1] if degrees <= len(_STUDENT) else 2.0
+        error = quantile * math.sqrt(rest / degrees / spread)
+    return PowerFit(math.exp(offset), exponent, error)

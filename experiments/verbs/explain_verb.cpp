@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex explain: what a name stands for.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
+#include "experiments/lab/explanation.h"
+#include "experiments/reproduce/papers.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
+#include "structures/registry.h"
+
+namespace kinex::verbs {
+
+namespace {
+
+constexpr std::size_t kHeading = 14;  // characters, with the space after it
+
+lab::Explanation explain_paper(const lab::Paper& paper) {
+  const std::string name(paper.name);
+  lab::Explanation result{name, std::string(paper.title), {}};
+  std::vector<std::string> parts;
+  for (const lab::PaperPart& part : paper.parts) {
+    parts.push_back(std::string(part.name) + ": " + std::string(part.summary));
+  }
+  result.parts.emplace_back("parts", std::move(parts));
+  std::vector<std::string> example{"kinex reproduce " + name + " --quick"};
+  if (!paper.parts.empty()) {
+    const std::string part(paper.parts.front().name);
+    example.insert(example.begin(), "kinex reproduce " + name + " " + part + " --quick -o " + part);
+  }
+  result.parts.emplace_back("example", std::move(example));
+  return result;
+}
+
+lab::Explanation explain_group(std::string_view group) {
+  const std::string name(group);
+  lab::Explanation result{name, "all structures for one attribute, which they report alike", {}};
+  std::vector<std::string> members;
+  for (const StructureInfo& info : structure_infos()) {
+    if (info.group == group)
+      members.push_back(std::string(info.name) + ": " + std::string(info.summary));
+  }
+  result.parts.emplace_back("structures", std::move(members));
+  result.parts.emplace_back("example",
+                            std::vector<std::string>{"kinex verify " + name + " --quick"});
+  return result;
+}
+
+std::vector<std::string> known_names() {
+  std::vector<std::string> names;
+  for (const StructureInfo& info : structure_infos()) names.emplace_back(info.name);
+  for (const std::string_view group : structure_groups()) names.emplace_back(group);
+  for (const lab::Workload& workload : lab::workloads()) names.emplace_back(workload.name);
+  for (const lab::Paper& paper : reproduce::papers()) names.emplace_back(paper.name);
+  for (const lab::ArithmeticInfo& info : lab::arithmetic_infos()) names.emplace_back(info.name);
+  return names;
+}
+
+lab::Explanation explanation_of(const std::string& name) {
+  if (const StructureInfo* structure = find_structure_info(name)) return lab::explain(*structure);
+  for (const std::string_view group : structure_groups()) {
+    if (group == name) return explain_group(group);
+  }
+  if (const lab::Workload* workload = lab::find_workload(name)) return lab::explain(*workload);
+  for (const lab::Paper& paper : reproduce::papers()) {
+    if (paper.name == name) return explain_paper(paper);
+  }
+  if (const lab::ArithmeticInfo* arithmetic = lab::find_arithmetic_info(name))
+    return lab::explain(*arithmetic);
+  throw formats::InputError(
+      "explain", "", show_text(name) + " is no name of a structure, workload, paper or arithmetic",
+      formats::did_you_mean(name, known_names(), "kinex list structures, and so on, names them"));
+}
+
+std::string text_of(const lab::Explanation& explanation, const Voice& voice) {
+  std::string text = voice.heading(explanation.name) + "  " + explanation.summary + "\n\n";
+  for (const auto& [heading, lines] : explanation.parts) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::string left = i == 0 ? voice.heading(heading) : "";
+      const std::size_t width = i == 0 ? heading.size() : 0;
+      text += left + std::string(kHeading - std::min(kHeading - 1, width), ' ') + lines[i] + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_explain_verb(CLI::App& app, int&) {
+  auto name = std::make_shared<std::string>();
+  CLI::App* verb =
+      app.add_subcommand("explain", "Explains a structure, workload, paper or arithmetic");
+  verb->add_option("NAME", *name, "As kinex list gives it")->required();
+  verb->footer(
+      "Of a structure: what it maintains and for which scenes, its certificates with their "
+      "degrees\n"
+      "(d is that of the motions), events, ties, hard bounds with sources and their values in a "
+      "run\n"
+      "of the example scene, what kinex verify expects of it, and example commands.\n"
+      "Example:\n  kinex explain delaunay_2\n  kinex explain uniform-square");
+  verb->callback([name, verb] { print(text_of(explanation_of(*name), voice_of(*verb))); });
+}
+
+}  // namespace kinex::verbs

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex help: the help of the program or of a verb, as --help prints it.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/near_names.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+
+namespace kinex::verbs {
+
+namespace {
+
+const CLI::App& verb_named(const CLI::App& app, const std::string& name) {
+  std::vector<std::string> known;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (verb->get_name() == name) return *verb;
+    known.push_back(verb->get_name());
+  }
+  throw formats::InputError("help", "", show_text(name) + " is not a verb",
+                            formats::did_you_mean(name, known, "kinex help lists them"));
+}
+
+std::string help_of(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* at = &app;
+  std::string before;
+  for (const std::string& word : words) {
+    before += (before.empty() ? "" : " ") + at->get_name();
+    at = &verb_named(*at, word);
+  }
+  // CLI::App::help() would print that of the verb in the command line, which is this one.
+  if (!before.empty()) return at->help(before);
+  return app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal);
+}
+
+}  // namespace
+
+void add_help_verb(CLI::App& app, int&) {
+  auto words = std::make_shared<std::vector<std::string>>();
+  CLI::App* verb = app.add_subcommand("help", "Prints the help of the program or of a verb");
+  verb->add_option("VERB", *words, "A verb, and a verb of that: sweep run");
+  verb->footer("Example:\n  kinex help run");
+  verb->callback([words, &app] { print(help_of(app, *words)); });
+}
+
+}  // namespace kinex::verbs

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex log: the records of an event log as a table.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/formats/log_table.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
+
+namespace kinex::verbs {
+
+namespace {
+
+struct LogOptions {
+  std::string file, output;
+  std::vector<std::string> filters;
+  bool table = false, csv = false, force = false;
+};
+
+void show_log(const LogOptions& options, const Voice& voice) {
+  keep_input("--output", options.output, options.file);
+  formats::LogFilter filter;
+  for (const std::string& text : options.filters) filter.add(text);
+  const std::string text = formats::read_text_file(options.file);
+  formats::LogReader reader(text, options.file);
+  filter.check(reader.header(), options.file);
+  const formats::LogTable table = formats::log_table(
+      reader, filter, options.csv ? formats::LogTableForm::kCsv : formats::LogTableForm::kPlain);
+  write_result(options.output, options.force, table.text);
+  if (!filter.wants_all()) {
+    voice.note(std::to_string(table.shown) + " of " +
+               formats::counted(table.records, "log record", "log records"));
+  }
+  if (!table.complete) {
+    voice.note(options.file +
+               ": the log has no last line, its run was cut off; kinex check tells what it holds");
+  }
+}
+
+}  // namespace
+
+void add_log_verb(CLI::App& app, int&) {
+  auto options = std::make_shared<LogOptions>();
+  CLI::App* verb = app.add_subcommand("log", "Shows the records of an event log as a table");
+  verb->add_option("LOG", options->file, "An event log, - reads standard input")->required();
+  CLI::Option* const table = verb->add_flag("--table", options->table, "Aligned columns (default)");
+  verb->add_flag("--csv", options->csv, "Comma-separated values, with the exact instants")
+      ->excludes(table);
+  verb->add_option(
+          "--filter", options->filters,
+          "Only records with KEY=VALUE,..; KEY is kind, structure, object, predicate or external; "
+          "values of one key are alternatives; can be given several times")
+      ->allow_extra_args(false);
+  verb->add_option("-o,--output", options->output, "File to write (standard output)");
+  verb->add_flag("--force", options->force, "Replace the file if it exists");
+  verb->footer(
+      "Ids in one field have spaces between them; an id with a space is a JSON string.\n"
+      "Columns of --csv: seq, time (decimal), polynomial (coefficients, low degree first), root "
+      "(its\n"
+      "number), lower and upper (an interval that isolates it), structure, kind, ids, external,\n"
+      "predicate and certificate_ids (of the certificate that failed), gone, came, reason.\n"
+      "Example:\n  kinex log square.log --filter kind=flip,object=p7\n"
+      "  kinex log square.log --csv --filter external=true -o changes.csv");
+  verb->callback([options, verb] { show_log(*options, voice_of(*verb)); });
+}
+
+}  // namespace kinex::verbs

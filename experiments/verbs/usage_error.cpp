@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/verbs/usage_error.h"
+
+#include <CLI/CLI.hpp>
+#include <string_view>
+#include <vector>
+
+#include "core/numbers/show_text.h"
+#include "experiments/formats/near_names.h"
+
+namespace kinex::verbs {
+
+namespace {
+
+// "kinex sweep run"; "kinex" for no verb.
+std::string command_of(const CLI::App& verb) {
+  if (verb.get_parent() == nullptr) return verb.get_name();
+  return command_of(*verb.get_parent()) + " " + verb.get_name();
+}
+
+// "kinex help sweep".
+std::string help_of(const CLI::App& verb) {
+  const CLI::App* top = &verb;
+  while (top->get_parent() != nullptr && top->get_parent()->get_parent() != nullptr)
+    top = top->get_parent();
+  return top->get_parent() == nullptr ? "kinex help" : "kinex help " + top->get_name();
+}
+
+// "run: "; empty for no verb.
+std::string place_of(const CLI::App& verb) {
+  return verb.get_parent() == nullptr
+             ? ""
+             : command_of(verb).substr(std::string_view("kinex ").size()) + ": ";
+}
+
+std::vector<std::string> names_of_verbs(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb :
+       app.get_subcommands([](const CLI::App* a) { return !a->get_group().empty(); })) {
+    names.push_back(verb->get_name());
+  }
+  return names;
+}
+
+std::vector<std::string> names_of_options(const CLI::App& verb) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : verb.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+// `near`: "did you mean a?" or another remedy.
+std::string with_help(const std::string& near, const CLI::App& verb, const std::string& what) {
+  return "; " + near + (near.back() == '?' ? " " : ", ") + help_of(verb) + " lists " + what;
+}
+
+std::string unknown_verb(const CLI::App& app, const std::string& name) {
+  const std::vector<std::string> known = names_of_verbs(app);
+  return place_of(app) + show_text(name) + " is not a verb" +
+         with_help(formats::did_you_mean(name, known, "write one of " + joined(known)), app,
+                   "them");
+}
+
+std::string unknown_argument(const CLI::App& app, const std::vector<std::string>& extras) {
+  const CLI::App& verb = innermost(app);
+  for (const std::string& extra : extras) {
+    if (extra.size() < 2 || extra[0] != '-') continue;
+    const std::string name = extra.substr(0, extra.find('='));
+    return place_of(verb) + show_text(name) + " is not an option" +
+           with_help(formats::did_you_mean(name, names_of_options(verb), "leave it out"), verb,
+                     "all options");
+  }
+  const std::string name = extras.empty() ? "" : extras.front();
+  if (!names_of_verbs(verb).empty()) return unknown_verb(verb, name);
+  return place_of(verb) + show_text(name) + " is more than it takes" +
+         with_help("leave it out", verb, "what it takes");
+}
+
+// "SCENE is required"
+std::string missing_argument(const CLI::App& app, const std::string& message) {
+  const CLI::App& verb = innermost(app);
+  const std::vector<std::string> extras = app.remaining(true);
+  if (message.find("ubcommand") != std::string::npos) {
+    if (!extras.empty()) return unknown_argument(app, extras);
+    return place_of(verb) + "no verb is given; write one of " + joined(names_of_verbs(verb)) +
+           ", " + help_of(verb) + " tells what they do";
+  }
+  const std::string name = message.substr(0, message.find(' '));
+  if (name.starts_with("--")) {
+    return place_of(verb) + name + " is missing; give it, " + help_of(verb) + " tells what it is";
+  }
+  return place_of(verb) + name + " is missing; write " + command_of(verb) + " " + name + " .., " +
+         help_of(verb) + " tells what it is";
+}
+
+// "Could not convert: OPTION = TEXT"
+std::string conversion_problem(const CLI::App& app, const std::string& message) {
+  const std::size_t colon = message.find(": "), equals = message.find(" = ");
+  const CLI::App& verb = innermost(app);
+  if (colon == std::string::npos || equals == std::string::npos || equals < colon)
+    return place_of(verb) + message;
+  const std::string name = message.substr(colon + 2, equals - colon - 2);
+  const CLI::Option* const option = verb.get_option_no_throw(name);
+  const bool real = option != nullptr && option->get_type_name() == "FLOAT";
+  return name + ": " + show_text(message.substr(equals + 3)) +
+         (real ? " is not a number; write one, as 2.5"
+               : " is not a whole number that fits; write one, as 100");
+}
+
+// "NAME: 1 required TYPE missing"
+std::string missing_value(const CLI::App& verb, const std::string& message) {
+  const std::string name = message.substr(0, message.find(": "));
+  return place_of(verb) + name + " has no value; write " + name + " VALUE, " + help_of(verb) +
+         " tells which";
+}
+
+}  // namespace
+
+const CLI::App& innermost(const CLI::App& app) {
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().back();
+  return *at;
+}
+
+std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string kind = error.get_name(), message = error.what();
+  const CLI::App& verb = innermost(app);
+  // Its name is that of the verb.
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    return unknown_argument(app, app.remaining(true));
+  if (kind == "RequiredError") return missing_argument(app, message);
+  if (kind == "ConversionError") return conversion_problem(app, message);
+  if (kind == "ArgumentMismatch" && message.find(" missing") != std::string::npos) {
+    return missing_value(verb, message);
+  }
+  const std::size_t excludes = message.find(" excludes ");
+  if (kind == "ExcludesError" && excludes != std::string::npos) {
+    return place_of(verb) + message.substr(0, excludes) + " does not go with " +
+           message.substr(excludes + 10) + "; leave one of them out";
+  }
+  return place_of(verb) + message + "; " + help_of(verb) + " tells what it takes";
+}
+
+}  // namespace kinex::verbs

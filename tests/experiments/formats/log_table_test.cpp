@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/formats/log_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/experiments/expect_input_error.h"
+
+namespace kinex::formats {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kHeader =
+    R"({"format": "kinex-log", "version": 2, "scene": "s", "scene_hash": ")" +
+    std::string(64, '0') +
+    R"(", "arithmetic": "exact", "exact": true, "instants": "names", "build": "kinex 0", "structures": [)"
+    R"({"label": "list", "structure": "sorted_list", "key": "x", "kinds": ["swap", "tie", "motion", "insert", )"
+    R"("erase", "settled", "rebuild"]}], "objects": ["a", "b c", "d,e", "\"f\""]})"
+    "\n";
+
+std::string record(int seq, const std::string& ids, const std::string& certificate,
+                   const std::string& time, const std::string& change = "") {
+  return "{\"seq\": " + std::to_string(seq) + R"(, "structure": "list", "kind": ")" +
+         (change.empty() ? "swap" : "settled") + R"(", "ids": )" + ids + R"(, "certificate": )" +
+         certificate + R"(, "external": true)" + change + R"(, "time": )" + time + "}\n";
+}
+
+const std::string kThird =
+    R"({"polynomial": ["-1", "3"], "root": 1, "interval": ["1/3", "1/3"], "decimal": "0.333333333333"})";
+const std::string kRoot =
+    R"({"polynomial": ["-2", "0", "1"], "root": 2, "interval": ["1", "2"], "decimal": "1.41421356237"})";
+const std::string kLog =
+    kHeader +
+    record(1, R"(["a", "b c"])", R"({"predicate": "order_x", "ids": ["a", "b c"]})", kThird) +
+    record(2, R"(["d,e", "\"f\""])", R"({"predicate": "order_x", "ids": ["d,e", "\"f\""]})",
+           kRoot) +
+    record(3, "[]", "null", kRoot, R"(, "gone": ["a"], "came": ["b c"])");
+
+LogTable table(LogTableForm form, const std::vector<std::string>& filters = {}) {
+  LogReader reader(kLog, "t.log");
+  LogFilter filter;
+  for (const std::string& text : filters) filter.add(text);
+  filter.check(reader.header(), "t.log");
+  return log_table(reader, filter, form);
+}
+
+TEST(LogTable, AlignedColumns) {
+  const LogTable plain = table(LogTableForm::kPlain);
+  EXPECT_EQ(
+      plain.text,
+      "seq  time            exactly             structure  kind     ids            effect    "
+      "certificate\n"
+      "  1  0.333333333333  1/3                 list       swap     a \"b c\"        external  "
+      "order_x(a \"b c\")\n"
+      "  2  1.41421356237   root 2 of -2 + t^2  list       swap     d,e \"\\\"f\\\"\"    external  "
+      "order_x(d,e \"\\\"f\\\"\")\n"
+      "  3  1.41421356237   root 2 of -2 + t^2  list       settled  -[a] +[\"b c\"]  external\n")
+      << plain.text;
+  EXPECT_EQ(plain.records, 3u);
+  EXPECT_EQ(plain.shown, 3u);
+  EXPECT_FALSE(plain.complete);
+}
+
+TEST(LogTable, CsvQuotesWhatNeedsIt) {
+  EXPECT_EQ(table(LogTableForm::kCsv).text,
+            "seq,time,polynomial,root,lower,upper,structure,kind,ids,external,predicate,"
+            "certificate_ids,gone,came,"
+            "reason\n"
+            "1,0.333333333333,-1 3,1,1/3,1/3,list,swap,\"a \"\"b c\"\"\",true,order_x,\"a \"\"b "
+            "c\"\"\",,,\n"
+            "2,1.41421356237,-2 0 1,2,1,2,list,swap,\"d,e \"\"\\\"\"f\\\"\"\"\"\",true,order_x,"
+            "\"d,e \"\"\\\"\"f\\\"\"\"\"\",,,\n"
+            "3,1.41421356237,-2 0 1,2,1,2,list,settled,,true,,,a,\"\"\"b c\"\"\",\n");
+}
+
+TEST(LogTable, Filters) {
+  const auto shown = [](const std::vector<std::string>& filters) {
+    return table(LogTableForm::kCsv, filters).shown;
+  };
+  EXPECT_EQ(shown({"kind=swap"}), 2u);
+  EXPECT_EQ(shown({"kind=swap,kind=settled"}), 3u);  // alternatives
+  EXPECT_EQ(shown({"kind=swap", "object=a"}), 1u);   // both
+  EXPECT_EQ(shown({"object=a"}), 2u);                // also what was gone
+  EXPECT_EQ(shown({"object=d,e"}), 1u);              // a comma in an id
+  EXPECT_EQ(shown({"object=d,e,kind=settled"}), 0u);
+  EXPECT_EQ(shown({"external=false"}), 0u);
+  EXPECT_EQ(shown({"predicate=order_x"}), 2u);
+  EXPECT_EQ(shown({"structure=list"}), 3u);
+}
+
+TEST(LogTable, FiltersThatCannotBe) {
+  LogFilter filter;
+  EXPECT_INPUT_ERROR(filter.add("swap"), "--filter: \"swap\" is no condition; write KEY=VALUE");
+  EXPECT_INPUT_ERROR(filter.add("knid=swap"),
+                     "--filter: \"knid\" is not a key; did you mean kind?");
+  EXPECT_INPUT_ERROR(filter.add("external=yes"), "neither true nor false");
+  EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"kind=sawp"}),
+                     "--filter: there is no kind \"sawp\" in t.log; did you mean swap?");
+  EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"structure=hull"}), "it has list");
+  EXPECT_INPUT_ERROR(table(LogTableForm::kCsv, {"object=z"}), "there is no object \"z\" in t.log");
+}
+
+TEST(LogTable, LongInstantsAreAbridged) {
+  LogHeader header;
+  LogInstant instant;
+  instant.lower = instant.upper = *Rational::parse("1/" + std::string(60, '7'));
+  EXPECT_EQ(instant_words(instant, header), "a fraction of 61 digits");
+  header.instants = InstantDetail::kInterval;
+  EXPECT_EQ(instant_words(instant, header), "");
+}
+
+}  // namespace
+}  // namespace kinex::formats

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that is listed can be explained, and nothing essential is missing.
+#include "experiments/lab/explanation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "structures/registry.h"
+
+namespace kinex::lab {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+
+const std::vector<std::string>* part(const Explanation& explanation, const std::string& heading) {
+  for (const auto& [name, lines] : explanation.parts) {
+    if (name == heading) return &lines;
+  }
+  return nullptr;
+}
+
+TEST(Explanation, EveryStructureSaysWhatItIs) {
+  ASSERT_FALSE(structure_infos().empty());
+  for (const StructureInfo& info : structure_infos()) {
+    SCOPED_TRACE(info.name);
+    const Explanation explanation = explain(info);
+    for (const char* heading :
+         {"maintains", "for", "certificates", "ties", "bounds", "source", "example"}) {
+      const std::vector<std::string>* const lines = part(explanation, heading);
+      ASSERT_NE(lines, nullptr) << heading;
+      for (const std::string& line : *lines) {
+        EXPECT_FALSE(line.empty()) << heading;
+        EXPECT_NE(line.back(), '.') << line;
+        EXPECT_EQ(line.find('{'), std::string::npos) << line;  // all arguments are named
+      }
+    }
+    if (info.has_events) {
+      EXPECT_NE(part(explanation, "predicates"), nullptr);
+      EXPECT_EQ(part(explanation, "events")->size(), info.kinds.size());
+    }
+    EXPECT_THAT(part(explanation, "example")->front(),
+                HasSubstr("--maintain " + std::string(info.name)));
+  }
+}
+
+TEST(Explanation, DegreesAndBoundsOfTheTriangulation) {
+  const Explanation explanation = explain(*find_structure_info("delaunay_2"));
+  EXPECT_THAT(*part(explanation, "predicates"),
+              AllOf(Contains(HasSubstr(
+                        "in_circle_2(a, b, c, d), degree 4d in t: d is not inside the circle")),
+                    Contains(HasSubstr("orientation_2(a, b, c), degree 2d in t"))));
+  EXPECT_THAT(*part(explanation, "bounds"), Contains(HasSubstr("delaunay_2.compactness: ")));
+  EXPECT_THAT(*part(explanation, "verified"), Contains(HasSubstr("delaunay_2.uniform.growth: ")));
+}
+
+TEST(Explanation, EveryWorkloadAndItsOptions) {
+  for (const Workload& workload : workloads()) {
+    SCOPED_TRACE(workload.name);
+    const Explanation explanation = explain(workload);
+    const std::vector<std::string>& options = *part(explanation, "options");
+    const auto has = [&](const std::string& option) {
+      return std::any_of(options.begin(), options.end(),
+                         [&](const std::string& line) { return line.starts_with(option + " "); });
+    };
+    EXPECT_TRUE(has("--n"));
+    EXPECT_EQ(has("--seed"), workload.random);
+    EXPECT_EQ(has("--m"), workload.takes_m);
+    EXPECT_EQ(has("--degree"), workload.takes_degree);
+    EXPECT_EQ(has("--separation"), workload.separation.has_value());
+    EXPECT_EQ(has("--turns"), workload.takes_turns);
+  }
+}
+
+TEST(Explanation, Arithmetics) {
+  for (const ArithmeticInfo& info : arithmetic_infos()) {
+    EXPECT_EQ(find_arithmetic_info(info.name), &info);
+    EXPECT_EQ(find_arithmetic_info(info.example), &info);
+    EXPECT_NE(part(explain(info), "promise"), nullptr);
+  }
+  EXPECT_EQ(find_arithmetic_info("abacus"), nullptr);
+}
+
+}  // namespace
+}  // namespace kinex::lab

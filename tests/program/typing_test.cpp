@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person types, mistypes and reads: list, explain, help, log, messages, -q, -v, --color.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "experiments/formats/json_document.h"
+#include "tests/program/spawn.h"
+
+namespace kinex {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+using Words = std::vector<std::string>;
+
+std::vector<std::string> first_words(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    words.push_back(line.substr(0, line.find(' ')));
+  return words;
+}
+
+class Typing : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(run_kinex({"gen", "uniform-square", "--n", "12", "-o", scene_}).exit_code, 0);
+  }
+  ScratchFolder scratch_;
+  const std::string scene_ = scratch_.file("scene.json"), log_ = scratch_.file("run.log");
+};
+
+// One line that begins "kinex: ", and says what to do instead.
+TEST_F(Typing, MistakesOnTheCommandLine) {
+  const std::vector<std::pair<Words, std::string>> mistakes{
+      {{}, "no verb is given; write one of run, check"},
+      {{"rnu"}, "\"rnu\" is not a verb; did you mean run? kinex help lists them"},
+      {{"swim"}, "\"swim\" is not a verb; write one of run"},
+      {{"sweep", "lst"},
+       "sweep: \"lst\" is not a verb; did you mean list? kinex help sweep lists them"},
+      {{"sweep"}, "sweep: no verb is given; write one of list"},
+      {{"run"}, "run: SCENE is missing; write kinex run SCENE"},
+      {{"view", scene_}, "view: --output is missing; give it"},
+      {{"run", scene_, "--maximum"}, "run: \"--maximum\" is not an option; "},
+      {{"run", scene_, "--untli", "1"},
+       "run: \"--untli\" is not an option; did you mean --until? kinex help run"},
+      {{"gen", "grid", "--sead=3"}, "gen: \"--sead\" is not an option; did you mean --seed?"},
+      {{"diff", scene_, scene_, scene_}, "is more than it takes; leave it out"},
+      {{"gen", "grid", "--n"}, "gen: --n has no value; write --n VALUE"},
+      {{"gen", "grid", "--n", "many"},
+       "--n: \"many\" is not a whole number that fits; write one, as 100"},
+      {{"run", scene_, "--color", "pink"}, "--color"},
+      {{"run", scene_, "-q", "-v"}, "does not go with"},
+      {{"gen", "unifrom-square"}, "is not a workload; did you mean uniform-square?"},
+      {{"run", scene_, "--maintain", "delauney_2"},
+       "is not a known structure; did you mean delaunay_2?"},
+      {{"run", scene_, "--arithmetic", "exat"}, "did you mean exact?"},
+      {{"verify", "delaunay"}, "is not a structure; did you mean delaunay_2?"},
+      {{"reproduce", "kds-report"}, "there is no such paper; did you mean kds-report-1998?"},
+      {{"list", "structure"}, "did you mean structures?"},
+      {{"explain", "sorted"}, "did you mean sorted_list"},
+      {{"help", "rn"}, "\"rn\" is not a verb; did you mean run?"}};
+  for (const auto& [words, message] : mistakes) {
+    const Finished finished = run_kinex(words);
+    SCOPED_TRACE(testing::PrintToString(words));
+    EXPECT_EQ(finished.exit_code, 2);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_THAT(finished.err, StartsWith("kinex: "));
+    EXPECT_THAT(finished.err, HasSubstr(message));
+    EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1);
+  }
+}
+
+TEST_F(Typing, ListsAndTheirExplanations) {
+  for (const char* what : {"structures", "workloads", "papers", "arithmetics"}) {
+    const Finished list = run_kinex({"list", what});
+    EXPECT_EQ(list.exit_code, 0);
+    const std::vector<std::string> names = first_words(list.out);
+    const formats::JsonDocument json =
+        formats::parse_json(run_kinex({"list", what, "--json"}).out, "out");
+    ASSERT_EQ(json->items().size(), names.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+      EXPECT_EQ(json->items()[i].find("name")->text(), names[i]);
+    for (const std::string& name : {names.front(), names.back()}) {
+      const Finished explained = run_kinex({"explain", name});
+      EXPECT_EQ(explained.exit_code, 0) << name << explained.err;
+      EXPECT_THAT(explained.out, StartsWith(name + "  "));
+      EXPECT_THAT(explained.out, HasSubstr("\nexample       kinex "));
+    }
+  }
+  EXPECT_THAT(run_kinex({"explain", "maximum"}).out, HasSubstr("maximum_heap: "));
+  EXPECT_THAT(run_kinex({"explain", "mpfr:80"}).out, StartsWith("mpfr:P  "));
+}
+
+// kinex help VERB is kinex VERB --help.
+TEST_F(Typing, Help) {
+  EXPECT_EQ(run_kinex({"help"}).out, run_kinex({"--help"}).out);
+  EXPECT_EQ(run_kinex({"help", "run"}).out, run_kinex({"run", "--help"}).out);
+  EXPECT_EQ(run_kinex({"help", "sweep", "run"}).out, run_kinex({"sweep", "run", "--help"}).out);
+  EXPECT_EQ(run_kinex({"-V"}).out, run_kinex({"--version"}).out);
+}
+
+TEST_F(Typing, QuietAndVerbose) {
+  const Finished usual = run_kinex({"run", scene_});
+  const Finished quiet = run_kinex({"run", scene_, "-q"});
+  EXPECT_EQ(quiet.exit_code, 0);
+  EXPECT_EQ(quiet.out + quiet.err, "");
+  EXPECT_EQ(run_kinex({"-q", "run", scene_}).out, "");  // before the verb, too
+  EXPECT_THAT(usual.out, Not(HasSubstr("schedules lazily")));
+  EXPECT_THAT(run_kinex({"run", scene_, "-v"}).out, HasSubstr("schedules lazily"));
+  const Finished check = run_kinex({"check", "-q", scene_});
+  EXPECT_EQ(check.exit_code, 0);
+  EXPECT_EQ(check.out + check.err, "");
+  // Results and errors stay.
+  EXPECT_THAT(run_kinex({"check", "-q", "--json", scene_}).out, HasSubstr("\"valid\": true"));
+  EXPECT_THAT(run_kinex({"gen", "-q", "grid"}).out, HasSubstr("\"kinex\": 1"));
+  EXPECT_THAT(run_kinex({"check", "-q", scratch_.file("none")}).err, StartsWith("kinex: "));
+  EXPECT_EQ(run_kinex({"import", "-q", "-"}, "id,x,vx\na,0,1\n").err, "");
+  EXPECT_EQ(run_kinex({"import", "-"}, "id,x,vx\na,0,1\n").err, "kinex: 1 row, 1 object\n");
+  EXPECT_THAT(run_kinex({"gen", "-v", "grid", "--n", "1"}).err, HasSubstr("1 object, hash "));
+}
+
+TEST_F(Typing, Colours) {
+  EXPECT_THAT(run_kinex({"rnu"}).err, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(run_kinex({"--color", "always", "rnu"}).err,
+              StartsWith("\x1b[1;31mkinex:\x1b[0m \"rnu\""));
+  EXPECT_THAT(run_kinex({"list", "papers", "--color", "always"}).out, StartsWith("\x1b[1m"));
+  EXPECT_THAT(run_kinex({"list", "papers", "--color", "never"}).out, Not(HasSubstr("\x1b")));
+}
+
+TEST_F(Typing, LogsAsTables) {
+  ASSERT_EQ(run_kinex({"run", scene_, "--events", log_}).exit_code, 0);
+  const Finished all = run_kinex({"log", log_});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_EQ(all.err, "");
+  EXPECT_EQ(run_kinex({"log", log_, "--table"}).out, all.out);
+  EXPECT_THAT(all.out, HasSubstr("seq  time"));
+  const Finished flips = run_kinex({"log", log_, "--filter", "kind=flip"});
+  EXPECT_THAT(flips.err, testing::MatchesRegex("kinex: [0-9]+ of [0-9]+ log records\n"));
+  EXPECT_LT(flips.out.size(), all.out.size());
+  const std::string file = scratch_.file("log.csv");
+  EXPECT_EQ(run_kinex({"log", log_, "--csv", "-o", file}).exit_code, 0);
+  EXPECT_THAT(read_file(file), StartsWith("seq,time,polynomial"));
+  EXPECT_THAT(run_kinex({"log", log_, "--csv", "-o", file}).err,
+              HasSubstr("exists already; give another name"));
+  EXPECT_EQ(run_kinex({"log", log_, "--csv", "-o", file, "--force"}).exit_code, 0);
+  EXPECT_THAT(run_kinex({"log", log_, "-o", log_, "--force"}).err,
+              HasSubstr("is the input itself"));
+  EXPECT_THAT(run_kinex({"log", log_, "--csv", "--table"}).err, HasSubstr("does not go with"));
+  EXPECT_THAT(run_kinex({"log", scene_}).err, HasSubstr("does not begin an event log"));
+  EXPECT_THAT(run_kinex({"log", log_, "--filter", "kind=filp"}).err,
+              HasSubstr("did you mean flip?"));
+  // The log of a run that was cut off is shown as far as it goes.
+  const std::string text = read_file(log_);
+  write_file(log_, text.substr(0, text.find("\n{\"end\"") + 1));
+  const Finished cut = run_kinex({"log", log_});
+  EXPECT_EQ(cut.exit_code, 0);
+  EXPECT_EQ(cut.out, all.out);
+  EXPECT_THAT(cut.err, HasSubstr("its run was cut off"));
+}
+
+// Logs of different structures: what both have is compared, the rest is named.
+TEST_F(Typing, DiffOfOtherStructures) {
+  const std::string other = scratch_.file("other.log"), third = scratch_.file("third.log");
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "delaunay_2,sorted_list", "--events", log_})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list,maximum_heap", "--events", other})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "bounding_box", "--events", third}).exit_code,
+            0);
+  const Finished diff = run_kinex({"diff", log_, other});
+  EXPECT_EQ(diff.exit_code, 0) << diff.out;
+  EXPECT_THAT(diff.out, HasSubstr("only in " + log_ + ", not compared: delaunay_2\n"));
+  EXPECT_THAT(diff.out, HasSubstr("only in " + other + ", not compared: maximum_heap\n"));
+  EXPECT_THAT(diff.out, HasSubstr("equal: "));
+  const Finished none = run_kinex({"diff", log_, third});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err,
+              HasSubstr("it has no structure in common with " + log_ +
+                        ": it maintains bounding_box, the other delaunay_2, sorted_list; compare"));
+  EXPECT_EQ(run_kinex({"diff", "-q", log_, other}).out, "");
+}
+
+// A time in a message is short, however it was written.
+TEST_F(Typing, TimesInMessages) {
+  const std::string digits(300, '7');
+  const std::string scene =
+      R"({"kinex": 1, "dimension": 1, "time": {"start": 0, "end": "1)" + digits + "/" + digits +
+      R"("}, "objects": [{"id": "a", "motion": [[0, 1]]}], "maintain": ["sorted_list"]})";
+  write_file(log_, scene);
+  for (const char* option : {"--until", "--at"}) {
+    const Finished run = run_kinex({"run", log_, option, "5"});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_LT(run.err.size(), 200u) << run.err;
+  }
+  EXPECT_THAT(run_kinex({"run", log_, "--until", "5"}).err, HasSubstr("at most about 2.28"));
+}
+
+}  // namespace
+}  // namespace kinex
