@@ -16,23 +16,23 @@ import tempfile
 from fractions import Fraction
 
 PICTURE = pathlib.Path(__file__).resolve().parent / "moving.svg"
-WORKLOAD = ["gen", "uniform-square", "--n", "14", "--seed", "3", "--maintain", "delaunay_2"]
+WORKLOAD = ["gen", "uniform-square", "--n", "9", "--seed", "13", "--maintain", "delaunay_2"]
 
 SECONDS = 20  # one turn of the picture
 REST = 0.04  # of it: what is shown at the end stands still
-FLASH = 0.5  # seconds that a failure is shown before and after it
+FLASH = 0.35  # seconds that a failure is shown before and after it
 SIZE, MARGIN, TOP = 420, 18, 16  # of the square with the points
-WIDTH, HEIGHT = SIZE + 2 * MARGIN, SIZE + 112
+WIDTH, HEIGHT = SIZE + 2 * MARGIN, SIZE + 126
 LINE = SIZE + TOP + 44  # the line of time
 
 STYLE = """
 svg{font:13px system-ui,sans-serif;color:#24292f;background:#fff}
 .e{stroke:#8c959f;stroke-width:1.4;fill:none}.old{stroke:#cf222e;stroke-width:3;fill:none}
 .new{stroke:#1a7f37;stroke-width:3;fill:none}.c{fill:#bf8700;fill-opacity:.1;stroke:#bf8700;stroke-width:1.3}
-.p{fill:#0969da}.hit{fill:#bf8700}.axis,.tick{stroke:currentColor;stroke-width:1}.tick{stroke-width:1.6;opacity:.55}
+.p{fill:#0969da}.n{font-weight:600}.axis,.tick{stroke:currentColor;stroke-width:1}.tick{stroke-width:1.6;opacity:.55}
 .now{fill:#bf8700}text{fill:currentColor}.small{font-size:12px;opacity:.75}
 @media(prefers-color-scheme:dark){svg{color:#e6edf3;background:#0d1117}.e{stroke:#6e7681}.old{stroke:#ff7b72}
-.new{stroke:#3fb950}.c{fill:#d29922;stroke:#d29922}.p{fill:#58a6ff}.hit,.now{fill:#d29922}}
+.new{stroke:#3fb950}.c{fill:#d29922;stroke:#d29922}.p{fill:#58a6ff}.now{fill:#d29922}}
 """
 
 
@@ -65,10 +65,9 @@ class Event:
         self.kind, self.ids = record["kind"], ids
         self.of = record["certificate"]["ids"] if record["certificate"] else ids
         self.predicate = record["certificate"]["predicate"]
-        low, high = map(Fraction, record["time"]["interval"])
-        self.time = (low + high) / 2
+        self.time = Fraction(record["time"]["decimal"])  # to 12 digits: for drawing
         self.degree = len(record["time"]["polynomial"]) - 1
-        self.decimal = record["time"]["decimal"]
+        self.decimal, self.root = record["time"]["decimal"], record["time"]["root"]
 
 
 def read(program):
@@ -158,6 +157,8 @@ class Picture:
         paths = ["M{:.1f} {:.1f}L{:.1f} {:.1f}".format(*self.place(u, t), *self.place(v, t))
                  for t in (since, until)]
         k, l = self.key(since), self.key(until)
+        if k >= l:
+            return  # it goes at the instant at which it comes
         a, b = (k if a is None else a), (b if b is not None else l if l < 1 - REST else 1.0)
         self.parts.append(f'<path class="{kind}" d="{paths[0]}">{self.moves("d", paths, k, l)}{self.shown(a, b)}</path>')
 
@@ -166,7 +167,10 @@ class Picture:
             (x, y), (z, w) = self.place(name, self.start), self.place(name, self.end)
             self.parts.append(f'<circle class="p" r="4" cx="{x:.1f}" cy="{y:.1f}">'
                               f'{self.moves("cx", [f"{x:.1f}", f"{z:.1f}"], 0, 1 - REST)}'
-                              f'{self.moves("cy", [f"{y:.1f}", f"{w:.1f}"], 0, 1 - REST)}</circle>')
+                              f'{self.moves("cy", [f"{y:.1f}", f"{w:.1f}"], 0, 1 - REST)}</circle>'
+                              f'<text class="n" x="{x + 7:.1f}" y="{y - 6:.1f}">{letter(name)}'
+                              f'{self.moves("x", [f"{x + 7:.1f}", f"{z + 7:.1f}"], 0, 1 - REST)}'
+                              f'{self.moves("y", [f"{y - 6:.1f}", f"{w - 6:.1f}"], 0, 1 - REST)}</text>')
 
     def failure(self, event, change):
         """What fails (its circle), what goes (before), and what comes (after)."""
@@ -191,17 +195,25 @@ class Picture:
         self.parts.append(f'<circle class="now" r="5" cx="{MARGIN}" cy="{LINE}">'
                           f'{self.moves("cx", [str(MARGIN), str(right)], 0, 1 - REST)}</circle>')
 
+    @staticmethod
+    def claim(event):
+        """What its certificate has claimed until now."""
+        names = [letter(name) for name in event.of]
+        if event.predicate == "in_circle_2":
+            return f"{names[3]} is outside the circle through {names[0]}, {names[1]}, {names[2]}"
+        return f"{names[0]}, {names[1]}, {names[2]} is a left turn"
+
     def words(self):
         y = LINE + 32
         total = len(self.events)
         keys = [0.0] + [self.key(e.time) for e in self.events] + [1.0]
         for k in range(total + 1):
             if k == 0:
-                text, small = f"event 0 of {total}: every certificate holds", "an edge is in the triangulation while its circle is empty"
+                text, small = f"event 0 of {total}: every certificate holds", "a certificate is a claim about four points, or three of the hull"
             else:
                 event = self.events[k - 1]
-                text = f"event {k} of {total}: {event.predicate.replace('_', ' ')} fails for {', '.join(event.of)}"
-                small = f"t = {event.decimal}, known exactly: a root of a polynomial of degree {event.degree}"
+                text = f"event {k} of {total}: no longer true: {self.claim(event)}"
+                small = f"t = {event.decimal}.. = root {event.root} of a known polynomial of degree {event.degree}"
             self.parts.append(f'<g visibility="{"hidden" if k else "visible"}"><text x="{MARGIN}" y="{y}">{text}</text>'
                               f'<text class="small" x="{MARGIN}" y="{y + 18}">{small}</text>{self.shown(keys[k], keys[k + 1])}</g>')
 
@@ -221,6 +233,11 @@ class Picture:
 
     def clipped(self):
         return "".join(part.replace('class="c"', 'class="c" clip-path="url(#b)"', 1) + "\n" for part in self.parts)
+
+
+def letter(name):
+    """p0 is a, p1 is b, .."""
+    return chr(ord("a") + int(name[1:]))
 
 
 def circle_through(places):
