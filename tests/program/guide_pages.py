@@ -23,7 +23,6 @@ kinex() {
   status=$?
   [ "$1" = diff ] && [ $status -eq 1 ]
 }
-kinex-logcheck() { python3 "$KINEX_SOURCE/experiments/logcheck" "$@"; }
 """
 MARK = "== end of a block =="
 KNOWN = ("sh", "text", "json", "console", "cpp", "cmake", "sql", "python")
@@ -36,17 +35,11 @@ def checkout(source, folder):
         (folder / name).symlink_to(source.resolve() / name)
 
 
-def shell():
-    # The function kinex-logcheck needs a shell that allows its name.
-    return ["bash", "--norc", "-c"]
-
-
-def run_once(commands, folder, program, source):
+def run_once(commands, folder, program):
     script = PRELUDE + "".join(f"{text}\necho '{MARK}'\n" for text in commands)
-    environment = {**os.environ, "PATH": f"{program.parent}:{os.environ['PATH']}",
-                   "KINEX_SOURCE": str(source.resolve())}
+    environment = {**os.environ, "PATH": f"{program.parent}:{os.environ['PATH']}"}
     environment.pop("KINEX", None)
-    done = subprocess.run([*shell(), script], cwd=folder, env=environment, text=True,
+    done = subprocess.run(["sh", "-c", script], cwd=folder, env=environment, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     outputs = done.stdout.split(MARK + "\n")[:-1]
     if done.returncode != 0 or len(outputs) != len(commands):
@@ -64,15 +57,14 @@ def main():
         if language == "json":
             json.loads(text)
     commands = [text for language, text in blocks if language == "sh"]
-    number = sum("kinex" in line for text in commands for line in text.splitlines())
-    if number == 0:
+    if not commands:
         sys.exit(f"{page} has no commands")
     shown = 0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         checkout(source, folder)
         for _ in range(TIMES):
-            outputs = run_once(commands, folder, program, source)
+            outputs = run_once(commands, folder, program)
             at = -1
             before = None
             for language, text in blocks:
@@ -84,7 +76,7 @@ def main():
                     shown += 1
                     same_output(text, outputs[at], commands[at], page)
                 before = language
-    print(f"{page}: {number} commands run {TIMES} times, {shown // TIMES} outputs as shown")
+    print(f"{page}: {len(commands)} blocks run {TIMES} times, {shown // TIMES} outputs as shown")
 
 
 main()
