@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""README's commands for the libraries, in a clone of the sources as they are, with the packages hidden
+"""The guide's commands for the libraries, in a clone of the sources as they are, with the packages hidden
 that only tests need.
 
 usage: fresh_clone.py CMAKE SOURCE_FOLDER CXX_COMPILER configure|build
 
 configure: the first command only, and a look at what it searched for. build: all of them, installed
-into a fresh folder, and README's project.
+into a fresh folder, and the guide's project.
 """
 import os
 import pathlib
@@ -16,8 +16,9 @@ import subprocess
 import sys
 import tempfile
 
-from readme_blocks import blocks_of, same_output
+from page_blocks import blocks_of, same_output
 
+PAGE = "experiments/guide/libraries.md"
 TEST_PACKAGES = ("GTest", "RAPIDCHECK", "FLINT", "ARB")
 
 
@@ -44,11 +45,11 @@ def copy_sources(source, clone):
 
 
 def commands_of(source):
-    text = (pathlib.Path(source) / "README.md").read_text()
+    text = (pathlib.Path(source) / PAGE).read_text()
     section = text[text.index("## Use the libraries"):]
     line = re.search(r"^    (cmake -S .*)$", section, re.MULTILINE)
     if line is None:
-        sys.exit("README has no commands under \"Use the libraries\"")
+        sys.exit(f"{PAGE} has no commands under \"Use the libraries\"")
     return [shlex.split(one) for one in line.group(1).split("&&")]
 
 
@@ -72,7 +73,7 @@ def main():
         for command in commands[1:]:
             run([cmake] + [str(prefix) if word == "/usr/local" else word for word in command[1:]],
                 cwd=clone, env=environment)
-        files = dict(blocks_of(source, "Use the libraries"))
+        files = dict(blocks_of(source, PAGE, "Use the libraries"))
         project = folder / "project"
         project.mkdir()
         (project / "CMakeLists.txt").write_text(files["cmake"])
@@ -81,7 +82,7 @@ def main():
              "-DCMAKE_BUILD_TYPE=Release"], env=environment)
         run([cmake, "--build", project / "build"], env=environment)
         same_output(files["text"], run([project / "build" / "mine"]), "the project")
-        print("README's commands build, install and run in a fresh clone without test packages")
+        print("The guide's commands build, install and run in a fresh clone without test packages")
 
 
 main()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Installs the build into a fresh folder, and builds and runs README's project against it.
+"""Installs the build into a fresh folder, and builds and runs the guide's project against it.
 
 usage: installed_package.py CMAKE BUILD_FOLDER SOURCE_FOLDER CXX_COMPILER CXX_FLAGS
 """
@@ -8,7 +8,9 @@ import subprocess
 import sys
 import tempfile
 
-from readme_blocks import blocks_of, same_output
+from page_blocks import blocks_of, same_output
+
+PAGE = "experiments/guide/libraries.md"
 
 
 def run(*command, **options):
@@ -21,7 +23,7 @@ def run(*command, **options):
 
 def main():
     cmake, build, source, compiler, flags = sys.argv[1:6]
-    files = dict(blocks_of(source, "Use the libraries"))
+    files = dict(blocks_of(source, PAGE, "Use the libraries"))
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         prefix = folder / "prefix"
@@ -49,7 +51,7 @@ def main():
         run(prefix / "bin" / "kinex", "gen", "uniform-square", "--n", "6", "-o", square)
         run(prefix / "bin" / "kinex", "run", square, "--maintain", "sorted_list", "--events", log)
         run(prefix / "bin" / "kinex-logcheck", log, "--scene", square)
-        print(f"installed {version}, built and ran README's project")
+        print(f"installed {version}, built and ran the guide's project")
 
 
 main()

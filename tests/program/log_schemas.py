@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Event logs and summaries of real runs, and the good logs of the corpus, are valid by their schemas.
+"""Event logs and summaries of real runs, the good logs of the corpus, the claims of papers, and the examples on
+the pages of the formats are valid by their schemas.
 
 usage: log_schemas.py PROGRAM SOURCE_FOLDER
 Exit code 77: jsonschema is not there.
@@ -16,6 +17,10 @@ except ImportError:
     print("skipped: this Python has no jsonschema (Debian: python3-jsonschema)")
     sys.exit(77)
 
+from page_blocks import blocks_of
+
+PAPERS = [("kds-report-1998", "section-9"), ("separation-sensitive-1999", "translation")]
+PAGES = ("scene", "log", "plan")  # each with examples of the schema of its name
 RUNS = [  # gen arguments, run arguments
     (["come-and-go", "--n", "12"], ["--maintain", "sorted_list,delaunay_2"]),
     (["grid", "--n", "16"], ["--maintain", "delaunay_2,convex_hull_2,maximum_tournament"]),
@@ -32,11 +37,11 @@ RUNS = [  # gen arguments, run arguments
 def main():
     program, source = sys.argv[1], pathlib.Path(sys.argv[2])
     validators = {}
-    for name in ("log", "summary"):
+    for name in ("scene", "log", "summary", "claims", "plan"):
         schema = json.loads((source / f"experiments/schemas/{name}.schema.json").read_text())
         jsonschema.Draft7Validator.check_schema(schema)
         validators[name] = jsonschema.Draft7Validator(schema)
-    wrong, counts = [], {"log": 0, "summary": 0}
+    wrong, counts = [], {name: 0 for name in validators}
 
     def check(name, text, where):
         counts[name] += 1
@@ -56,6 +61,23 @@ def main():
             for text in pathlib.Path(log).read_text().splitlines():
                 check("log", text, f"{generate} {run}")
             check("summary", pathlib.Path(summary).read_text(), f"{generate} {run}")
+        # A paper's part as the program writes it now, without and with a second program, and all as committed.
+        for number, (paper, part) in enumerate(PAPERS):
+            out = pathlib.Path(folder) / paper
+            checker = "kinex-logcheck" if number == 0 else "no-such-program"
+            done = subprocess.run([program, "reproduce", paper, part, "--quick", "--logcheck", checker, "-o", str(out)],
+                                  capture_output=True, text=True)
+            if done.returncode != 0:
+                wrong.append(f"{paper} {part}: exit code {done.returncode}: {done.stderr[-500:]}")
+                continue
+            check("claims", (out / "claims.json").read_text(), f"{paper} {part}")
+            check("claims", (source / f"papers/{paper}/claims.json").read_text(), f"papers/{paper}")
+    for page in PAGES:
+        for language, text in blocks_of(source, f"experiments/guide/formats/{page}.md"):
+            if language == "json":
+                check(page, text, f"formats/{page}.md")
+    for path in sorted((source / "experiments/sweep/plans").glob("*.json")):
+        check("plan", path.read_text(), path.name)
     for path in sorted((source / "tests/corpus/logs/good").glob("*.jsonl")):
         for text in path.read_text().splitlines():
             check("log", text, path.name)
@@ -65,9 +87,13 @@ def main():
             wrong.append(f"valid: {text}")
     if validators["summary"].is_valid({"scene": "s"}):
         wrong.append("a summary of one member is valid")
-    if counts["log"] < 200 or counts["summary"] < len(RUNS):
+    claims = json.loads((source / f"papers/{PAPERS[0][0]}/claims.json").read_text())
+    claims["claims"][0]["verdict"] = "true"
+    if validators["claims"].is_valid(claims) or validators["claims"].is_valid({"paper": "p"}):
+        wrong.append("claims with a verdict of another word, or without claims, are valid")
+    if counts["log"] < 200 or counts["summary"] < len(RUNS) or min(counts.values()) < 2:
         wrong.append(f"only {counts}")
-    print("\n".join(wrong[:20]) or f"{counts['log']} lines of logs, {counts['summary']} summaries")
+    print("\n".join(wrong[:20]) or ", ".join(f"{count} of {name}" for name, count in counts.items()))
     return 1 if wrong else 0
 
 
