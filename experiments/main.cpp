@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "core/numbers/stop.h"
-#include "experiments/formats/event_log.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/gmp_memory.h"
+#include "experiments/lab/machine.h"
 #include "experiments/verbs/verbs.h"
 
 namespace {
@@ -35,7 +35,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 fine; 1 a claim, bound or audit failed; 2 bad input or usage; 3 gave up at a "
       "stated limit.",
       "kinex");
-  app.set_version_flag("--version", kinex::formats::build_name());
+  app.set_version_flag("--version", kinex::lab::version_text);
   app.require_subcommand(1);
   app.footer(
       "Example: a scene, its run, and how floating point differs (kinex VERB --help has more)\n"

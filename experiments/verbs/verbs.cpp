@@ -16,6 +16,7 @@ void add_verbs(CLI::App& app, int& exit_code) {
   add_sweep_verb(app, exit_code);
   add_view_verb(app, exit_code);
   add_ccd_verb(app, exit_code);
+  add_completion_verb(app, exit_code);
 }
 
 }  // namespace kinex::verbs

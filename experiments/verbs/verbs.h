@@ -30,6 +30,7 @@ void add_reproduce_verb(CLI::App& app, int& exit_code);
 void add_sweep_verb(CLI::App& app, int& exit_code);
 void add_view_verb(CLI::App& app, int& exit_code);
 void add_ccd_verb(CLI::App& app, int& exit_code);
+void add_completion_verb(CLI::App& app, int& exit_code);
 
 // Adds all verbs.
 void add_verbs(CLI::App& app, int& exit_code);
