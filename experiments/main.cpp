@@ -7,9 +7,9 @@
 #include <string>
 
 #include "core/numbers/stop.h"
-#include "experiments/formats/event_log.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/gmp_memory.h"
+#include "experiments/lab/machine.h"
 #include "experiments/verbs/usage_error.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
@@ -19,7 +19,7 @@ namespace {
 namespace verbs = kinex::verbs;
 
 void describe(CLI::App& app) {
-  app.set_version_flag("-V,--version", kinex::formats::build_name());
+  app.set_version_flag("-V,--version", kinex::lab::version_text);
   app.require_subcommand(1);
   app.footer(
       "Example: a scene, its run, and how floating point differs (kinex help VERB has more)\n"

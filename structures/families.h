@@ -16,6 +16,7 @@
 
 namespace kinex {
 
+// All families, as the functions that describe them.
 inline constexpr std::array kStructureFamilies{&order_family, &maximum_family,
                                                &triangulation_family, &hull_family,
                                                &collision_family, &extent_family,

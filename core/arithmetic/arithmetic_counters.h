@@ -11,17 +11,17 @@ namespace kinex {
 
 // The stages that can answer a query, cheapest first.
 enum class Stage : std::uint8_t { kDouble, kWide, kMultiprecision, kExact };
-inline constexpr int kStages = 4;
-using StageCounts = std::array<std::uint64_t, kStages>;
+inline constexpr int kStages = 4;  // the number of stages
+using StageCounts = std::array<std::uint64_t, kStages>;  // a count per stage
 
-struct PredicateCounters {
+struct PredicateCounters {  // the queries of one predicate
   StageCounts signs{};
   StageCounts failures{};     // failure times computed
   StageCounts looks{};        // lazy scheduling: windows after the first one
   StageCounts comparisons{};  // of a failure time (the first of two) with overlapping enclosures
 };
 
-struct ArithmeticCounters {
+struct ArithmeticCounters {  // all queries of a run
   std::vector<PredicateCounters> by_predicate;  // indexed by PredicateId
   StageCounts comparisons{};                    // of overlapping enclosures
   // polynomials_solved[d]: failure times computed for polynomials of degree d (the cost in the

@@ -12,7 +12,7 @@
 namespace kinex {
 
 std::unique_ptr<Arithmetic> make_double_arithmetic(const Scene& scene,
-                                                  const NumberNeeds& needs);
+                                                  const NumberNeeds& needs);  // `double`
 
 }  // namespace kinex
 

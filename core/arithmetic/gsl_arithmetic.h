@@ -14,7 +14,7 @@
 namespace kinex {
 
 std::unique_ptr<Arithmetic> make_gsl_arithmetic(const Scene& scene,
-                                                  const NumberNeeds& needs);
+                                                  const NumberNeeds& needs);  // `gsl`
 
 }  // namespace kinex
 

@@ -18,7 +18,7 @@
 
 namespace kinex {
 
-using PredicateId = std::uint16_t;
+using PredicateId = std::uint16_t;  // given by Arithmetic::bind
 
 // No predicate takes more objects than this.
 inline constexpr int kMaxArity = 8;

@@ -36,7 +36,7 @@
 
 namespace kinex {
 
-template <class R, int D>
+template <class R, int D>  // arguments of a formula, of fixed degree D
 struct FixedPoints {
   const MotionView<R>* points;
   int arity = 0;
@@ -48,7 +48,7 @@ struct FixedPoints {
   FixedPolynomial<R, 0> unit() const { return {{*points[arity]}}; }
 };
 
-template <class R>
+template <class R>  // arguments of a formula, of any degree
 struct DynamicPoints {
   const MotionView<R>* points;
   int degree;

@@ -22,7 +22,7 @@ void square_of(const R* p, R* out) {
   }
 }
 
-template <int D, class R>
+template <int D, class R>  // the coefficients of p^h
 void power_of(const R* p, int h, R* out) {
   R squared[2 * D + 1];
   square_of<D>(p, squared);

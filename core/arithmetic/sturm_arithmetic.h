@@ -17,7 +17,7 @@
 namespace kinex {
 
 std::unique_ptr<Arithmetic> make_sturm_arithmetic(const Scene& scene,
-                                                  const NumberNeeds& needs);
+                                                  const NumberNeeds& needs);  // `sturm`
 
 }  // namespace kinex
 

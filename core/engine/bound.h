@@ -28,7 +28,7 @@ struct BoundContext {
 // A count of a ledger, as an integer.
 inline Integer counted(std::uint64_t k) { return Integer(static_cast<std::int64_t>(k)); }
 
-struct BoundCheck {
+struct BoundCheck {  // a hard bound, and what was observed
   std::string id;      // stable name, for example "sorted_list.swaps"
   std::string source;  // of the bound, for people
   Integer bound;

@@ -10,9 +10,9 @@
 
 namespace kinex {
 
-using CertificateId = std::uint32_t;
-inline constexpr CertificateId kNoCertificate = 0xffffffffu;
-using StructureId = std::uint8_t;
+using CertificateId = std::uint32_t;  // reused after a certificate is retracted
+inline constexpr CertificateId kNoCertificate = 0xffffffffu;  // none
+using StructureId = std::uint8_t;  // in the order in which structures were added
 // A part of a structure (Kernel::add_part), numbered from 0; 0 for a structure without parts.
 using PartId = std::uint8_t;
 

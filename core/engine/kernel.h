@@ -84,7 +84,7 @@ class Kernel {
   };
   NewPart add_part(StructureId structure, std::string name);
 
-  struct Created {
+  struct Created {  // the result of create()
     CertificateId id;
     Outlook outlook;
   };

@@ -39,7 +39,7 @@ struct PartLedger {
   std::uint64_t max_live = 0;
 };
 
-struct StructureLedger {
+struct StructureLedger {  // the counts of one structure
   // processed = external + internal.
   //   external  reported changes of the attribute, as many as the event log marks so: from
   //             failures, ends of instants ("settled"), rebuilds, and watched structures
@@ -85,7 +85,7 @@ struct StructureLedger {
   }
 };
 
-struct RunLedger {
+struct RunLedger {  // the counts of all structures together
   std::uint64_t max_queue = 0;
   std::uint64_t events = 0;  // certificate failures over all structures
   std::uint64_t instants = 0;

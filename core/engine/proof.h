@@ -24,7 +24,7 @@
 
 namespace kinex {
 
-struct ProofMark {
+struct ProofMark {  // a drawing that shows a part of a proof
   enum class Shape : std::uint8_t {
     kChain,    // `objects`, joined in this order
     kJoin,     // the shortest segment between `features`
@@ -42,7 +42,7 @@ struct ProofMark {
   friend bool operator==(const ProofMark&, const ProofMark&) = default;
 };
 
-struct ProofGroup {
+struct ProofGroup {  // certificates that prove one thing together
   static constexpr std::uint64_t kNoPlace = ~std::uint64_t{};
   std::string_view kind;        // "edge", "match", "tile"
   std::vector<ObjectId> about;  // objects of the scene
@@ -56,7 +56,7 @@ struct ProofGroup {
   friend bool operator==(const ProofGroup&, const ProofGroup&) = default;
 };
 
-class ProofVisitor {
+class ProofVisitor {  // receives a proof group by group
  public:
   virtual ~ProofVisitor() = default;
   // The certificates that follow belong to this group. It may have none.

@@ -25,7 +25,7 @@
 
 namespace kinex {
 
-struct Seconds {
+struct Seconds {  // a length of time by both clocks
   double cpu = 0;  // of the calling thread
   double wall = 0;
 
@@ -36,14 +36,14 @@ struct Seconds {
 // Both clocks, for differences.
 Seconds seconds_now();
 
-enum class RunPhase : std::uint8_t {
+enum class RunPhase : std::uint8_t {  // what the time of a run is spent on
   kOther,     // outside of the run
   kSetup,     // building the structures, and repairs at the scene's start
   kSimulate,  // events and flight-plan changes
   kReport,    // the event sink: digest, log
   kAudit,
 };
-inline constexpr std::size_t kRunPhases = 5;
+inline constexpr std::size_t kRunPhases = 5;  // the number of phases
 
 class RunClock {
  public:

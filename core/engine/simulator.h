@@ -42,14 +42,14 @@
 
 namespace kinex {
 
-enum class AuditLevel {
+enum class AuditLevel {  // how often a run is audited
   kNone,
   kEnd,     // one full audit at the end of the run
   kEvents,  // invariants and certificates after every instant, a full audit between every two
             // instants
 };
 
-struct SimulatorOptions {
+struct SimulatorOptions {  // limits and habits of a run
   AuditLevel audit = AuditLevel::kEnd;
   Scheduling scheduling = Scheduling::kLazy;
   std::uint64_t max_events = 0;  // stop with kLimit after this many failures; 0: no limit
@@ -64,7 +64,7 @@ struct SimulatorOptions {
   std::function<bool(const class Simulator&)> progress;
 };
 
-enum class RunStatus { kDone, kLimit, kInterrupted };
+enum class RunStatus { kDone, kLimit, kInterrupted };  // how a run ended
 
 class Simulator final : private EventReporter {
  public:

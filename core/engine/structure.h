@@ -45,7 +45,7 @@ struct Attribute {
 // every instant. (An insertion or erasure changes the attribute as the object's appearance or
 // disappearance does right after the instant.)
 enum class CommonEvent : std::uint8_t { kMotion, kInsert, kErase, kSettled, kRebuild };
-inline constexpr std::size_t kCommonEvents = 5;
+inline constexpr std::size_t kCommonEvents = 5;  // the number of them
 // `own` followed by "motion", "insert", "erase", "settled", "rebuild".
 std::vector<std::string_view> common_event_kinds(std::vector<std::string_view> own);
 

@@ -52,7 +52,7 @@ class DerivedObjects {
   explicit DerivedObjects(std::size_t objects)
       : first_(static_cast<ObjectId>(objects)), motions_(objects) {}
 
-  struct Object {
+  struct Object {  // a derived object
     std::string name;
     std::shared_ptr<const Construction> construction;  // nullptr: a constant
     std::vector<ObjectId> bases;

@@ -15,7 +15,7 @@ namespace kinex {
 
 // Objects are numbered in the scene's order; ties are resolved by this number.
 using ObjectId = std::uint32_t;
-inline constexpr ObjectId kNoObject = 0xffffffffu;
+inline constexpr ObjectId kNoObject = 0xffffffffu;  // none
 
 // A vertex of a polygon in the frame of the body that carries it.
 using Vertex2 = std::array<Rational, 2>;

@@ -10,7 +10,7 @@
 
 namespace kinex {
 
-struct ApproximateRoot {
+struct ApproximateRoot {  // a guess
   Integer center;  // the guess is center / 2^center_exponent
   long center_exponent;
   long log_error;  // its estimated error is 2^log_error

@@ -17,17 +17,17 @@ namespace kinex {
 
 namespace huge_pages {
 
-inline constexpr std::size_t kPage = std::size_t{1} << 21;
+inline constexpr std::size_t kPage = std::size_t{1} << 21;  // the bytes of a huge page
 // Arrays of fewer bytes come from the ordinary allocator.
 inline constexpr std::size_t kLeast = 2 * kPage;
 
 // Whole pages for at least `bytes`. Throws std::bad_alloc.
 void* allocate(std::size_t bytes);
-void release(void* memory) noexcept;
+void release(void* memory) noexcept;  // gives back what allocate() gave
 
 }  // namespace huge_pages
 
-template <class T>
+template <class T>  // large arrays in huge pages
 class HugePageAllocator {
  public:
   using value_type = T;
@@ -51,7 +51,7 @@ class HugePageAllocator {
   static bool is_large(std::size_t count) { return count >= huge_pages::kLeast / sizeof(T); }
 };
 
-template <class T>
+template <class T>  // a vector in huge pages once it is large
 using BigArray = std::vector<T, HugePageAllocator<T>>;
 
 }  // namespace kinex

@@ -9,7 +9,7 @@
 
 namespace kinex {
 
-inline Rational dyadic(const Integer& numerator, long exponent) {
+inline Rational dyadic(const Integer& numerator, long exponent) {  // numerator / 2^exponent
   Rational result(numerator);
   if (exponent >= 0) {
     mpq_div_2exp(result.raw(), result.raw(), static_cast<unsigned long>(exponent));
@@ -39,6 +39,7 @@ inline int compare_dyadic(const Integer& a, long a_exponent, const Integer& b, l
   return to_int(to_sign(mpz_cmp(a.raw(), scaled_by_power(b, a_exponent - b_exponent).raw())));
 }
 
+// The sign of p at numerator / 2^exponent.
 inline Sign sign_at_dyadic(const Polynomial& p, const Integer& numerator, long exponent) {
   if (exponent >= 0) return p.sign_at_dyadic(numerator, static_cast<unsigned long>(exponent));
   return p.sign_at_dyadic(numerator << static_cast<unsigned long>(-exponent), 0);

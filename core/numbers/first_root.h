@@ -46,16 +46,16 @@
 
 namespace kinex::filter {
 
-inline constexpr int kMaxFilterDegree = 100;
+inline constexpr int kMaxFilterDegree = 100;  // beyond it the filter abstains
 // 2^(600 / d) for the largest degree d.
 inline constexpr double kLeastTimeLimit = 0x1p6;
 static_assert(600 / kMaxFilterDegree == 6);
 // Nodes visited before the filter gives up; generic certificates need 1 to 3.
 inline constexpr int kMaxNodes = 96;
 
-enum class Search { kNone, kFound, kUnknown };
+enum class Search { kNone, kFound, kUnknown };  // no sign change; one; the filter cannot tell
 
-struct Enclosure {
+struct Enclosure {  // an interval [lo, hi]
   double lo;
   double hi;
 };
@@ -68,7 +68,7 @@ inline double next_up(double x) {
 }
 inline double next_down(double x) { return -next_up(-x); }
 
-constexpr double gamma(int d) { return (8 * d + 32) * 0x1p-53; }
+constexpr double gamma(int d) { return (8 * d + 32) * 0x1p-53; }  // bounds the rounding of a node
 
 // binomial(d, i)^-1 for i = 0..d.
 template <int D>

@@ -23,7 +23,7 @@ struct LaneSpan {
   Lanes length;   // of the nodes
 };
 
-struct LaneNodes {
+struct LaneNodes {  // the first nodes of four polynomials
   // Certainly positive on the interval and of full degree, and the node's coefficients have an error
   // bound.
   LaneMask positive;

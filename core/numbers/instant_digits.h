@@ -18,11 +18,11 @@
 
 namespace kinex {
 
-inline constexpr int kDecimalDigits = 12;
+inline constexpr int kDecimalDigits = 12;  // significant digits of a decimal
 // Significant bits of the interval for InstantDetail::kInterval.
 inline constexpr int kIntervalBits = 40;
 
-struct DyadicCell {
+struct DyadicCell {  // [mantissa, mantissa + 1] 2^exponent
   Integer mantissa;
   long exponent = 0;
 };
@@ -50,8 +50,8 @@ bool set_interval(double lo, double hi, Rational& lower, Rational& upper);
 
 namespace digits {
 
-Integer floor_of(const Rational& value);
-Rational power_of(int base, long exponent);
+Integer floor_of(const Rational& value);  // the largest integer <= value
+Rational power_of(int base, long exponent);  // base^exponent
 // The largest e with base^e <= value, off by at most one. Requires value > 0.
 long estimate_exponent(int base, const Rational& value);
 
@@ -104,7 +104,7 @@ int sign_of_instant(Instant& t, const Compare& compare, const Refine& refine) {
   return sign;
 }
 
-template <class Instant, class Compare, class Refine>
+template <class Instant, class Compare, class Refine>  // the decimal of t
 void set_exact_decimal(std::string& out, Instant& t, const Compare& compare, const Refine& refine) {
   const int sign = sign_of_instant(t, compare, refine);
   if (sign == 0) {
@@ -121,7 +121,7 @@ DyadicCell leading_bits(Instant& t, long bits, const Compare& compare, const Ref
   return digits::leading(t, sign_of_instant(t, compare, refine) < 0, 2, bits, compare, refine);
 }
 
-template <class Instant, class Compare, class Refine>
+template <class Instant, class Compare, class Refine>  // its cell of kIntervalBits bits
 void set_exact_interval(Instant& t, const Compare& compare, const Refine& refine, Rational& lower,
                         Rational& upper) {
   const int sign = sign_of_instant(t, compare, refine);

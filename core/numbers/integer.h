@@ -14,7 +14,7 @@
 
 namespace kinex {
 
-using Int128 = __int128;
+using Int128 = __int128;  // 128 bits; intermediate results
 
 // A value type: every operator returns an Integer (no expression templates leak into `auto`).
 // Cost: one allocation per non-zero value; additions are linear and products M(bits).
@@ -96,10 +96,10 @@ class Integer {
   mpz_t z_;
 };
 
-Integer abs(Integer a);
+Integer abs(Integer a);  // |a|
 Integer gcd(const Integer& a, const Integer& b);  // >= 0; gcd(0, 0) = 0
 Integer lcm(const Integer& a, const Integer& b);  // >= 0
-Integer power(const Integer& base, unsigned long exponent);
+Integer power(const Integer& base, unsigned long exponent);  // base^exponent
 Integer floor_divide(const Integer& a, const Integer& b);  // requires b != 0
 
 }  // namespace kinex

@@ -28,7 +28,7 @@
 
 namespace kinex {
 
-inline constexpr std::size_t kLanes = 4;
+inline constexpr std::size_t kLanes = 4;  // numbers side by side
 
 // The vector instructions that a function is compiled for.
 enum class Vectors : std::uint8_t { kBase, kAvx2 };

@@ -64,7 +64,7 @@ class PrimeSequence {
 
 using Residues = std::vector<std::uint64_t>;  // low degree first, no leading zeros
 
-Residues residues(const PrimeField& field, const Polynomial& p);
+Residues residues(const PrimeField& field, const Polynomial& p);  // p modulo the prime
 // A greatest common divisor, up to a unit; destroys its arguments.
 Residues gcd(const PrimeField& field, Residues a, Residues b);
 

@@ -85,8 +85,8 @@ class MpFloat {
   mpfr_t x_;
 };
 
-int compare(const MpFloat& a, const MpFloat& b);
-int compare(const MpFloat& a, const Rational& b);
+int compare(const MpFloat& a, const MpFloat& b);  // -1, 0, +1; exact
+int compare(const MpFloat& a, const Rational& b);  // -1, 0, +1; exact
 
 }  // namespace kinex
 

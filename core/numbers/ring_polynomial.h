@@ -75,13 +75,13 @@ struct WideRing {
   static Type widen(const R& a) { return a; }
   static Type product(const R& a, const R& b) { return a * b; }
 };
-template <>
+template <>  // 64-bit integers multiply to 128 bits
 struct WideRing<std::int64_t> {
   using Type = Int128;
   static Type widen(std::int64_t a) { return a; }
   static Type product(std::int64_t a, std::int64_t b) { return static_cast<Int128>(a) * b; }
 };
-template <>
+template <>  // a magnitude notes that it is wide
 struct WideRing<Magnitude> {
   using Type = Magnitude;
   static Type widen(Magnitude a) {
@@ -98,7 +98,7 @@ struct FixedPolynomial {
   R c[D + 1];
 };
 
-template <class R, int A, int B>
+template <class R, int A, int B>  // the sum
 constexpr auto operator+(const FixedPolynomial<R, A>& a, const FixedPolynomial<R, B>& b) {
   FixedPolynomial<R, (A > B ? A : B)> r;
   for (int i = 0; i <= (A > B ? A : B); ++i) {
@@ -151,7 +151,7 @@ constexpr auto wide_product(const FixedPolynomial<R, A>& a, const FixedPolynomia
   return r;
 }
 
-template <class R, int D>
+template <class R, int D>  // the same, in the wide ring
 constexpr auto widen(const FixedPolynomial<R, D>& a) {
   FixedPolynomial<typename WideRing<R>::Type, D> r;
   for (int i = 0; i <= D; ++i) r.c[i] = WideRing<R>::widen(a.c[i]);
@@ -165,7 +165,7 @@ struct DynamicPolynomial {
   std::vector<R> c;
 };
 
-template <class R>
+template <class R>  // the sum
 DynamicPolynomial<R> operator+(DynamicPolynomial<R> a, const DynamicPolynomial<R>& b) {
   const std::size_t common = std::min(a.c.size(), b.c.size());
   for (std::size_t i = 0; i < common; ++i) a.c[i] += b.c[i];
@@ -180,7 +180,7 @@ DynamicPolynomial<R> operator-(DynamicPolynomial<R> a, const DynamicPolynomial<R
   return a;
 }
 
-template <class R>
+template <class R>  // the product
 DynamicPolynomial<R> operator*(const DynamicPolynomial<R>& a, const DynamicPolynomial<R>& b) {
   DynamicPolynomial<R> r;
   r.c.reserve(a.c.size() + b.c.size() - 1);
@@ -194,11 +194,11 @@ DynamicPolynomial<R> operator*(const DynamicPolynomial<R>& a, const DynamicPolyn
   return r;
 }
 
-template <class R>
+template <class R>  // the product, in the wide ring, which is R
 DynamicPolynomial<R> wide_product(const DynamicPolynomial<R>& a, const DynamicPolynomial<R>& b) {
   return a * b;
 }
-template <class R>
+template <class R>  // the same, in the wide ring, which is R
 DynamicPolynomial<R> widen(DynamicPolynomial<R> a) {
   return a;
 }
@@ -241,12 +241,12 @@ class FormulaConstant {
   double approximate_;
 };
 
-template <class R, int D>
+template <class R, int D>  // times a constant
 constexpr auto scaled(FixedPolynomial<R, D> a, const FormulaConstant& k) {
   for (int i = 0; i <= D; ++i) a.c[i] = a.c[i] * k.in(a.c[i]);
   return a;
 }
-template <class R>
+template <class R>  // times a constant
 DynamicPolynomial<R> scaled(DynamicPolynomial<R> a, const FormulaConstant& k) {
   for (R& c : a.c) c = c * k.in(c);
   return a;

@@ -11,7 +11,7 @@
 
 namespace kinex {
 
-inline double rounded_down(double t) {
+inline double rounded_down(double t) {  // of a double
   constexpr int kBits = 40;
   if (t == 0 || !std::isfinite(t)) return t;
   int exponent = 0;

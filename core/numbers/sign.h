@@ -5,14 +5,14 @@
 
 namespace kinex {
 
-enum class Sign : signed char { kNegative = -1, kZero = 0, kPositive = 1 };
+enum class Sign : signed char { kNegative = -1, kZero = 0, kPositive = 1 };  // of a number
 
-constexpr Sign to_sign(int value) {
+constexpr Sign to_sign(int value) {  // the sign of an integer
   return value > 0 ? Sign::kPositive : value < 0 ? Sign::kNegative : Sign::kZero;
 }
-constexpr int to_int(Sign s) { return static_cast<int>(s); }
-constexpr Sign operator-(Sign s) { return to_sign(-to_int(s)); }
-constexpr Sign operator*(Sign a, Sign b) { return to_sign(to_int(a) * to_int(b)); }
+constexpr int to_int(Sign s) { return static_cast<int>(s); }  // -1, 0 or 1
+constexpr Sign operator-(Sign s) { return to_sign(-to_int(s)); }  // of the negated number
+constexpr Sign operator*(Sign a, Sign b) { return to_sign(to_int(a) * to_int(b)); }  // of a product
 
 }  // namespace kinex
 

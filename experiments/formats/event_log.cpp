@@ -95,7 +95,7 @@ std::string_view detail_name(InstantDetail detail) {
 }
 
 EventLog::EventLog(const Simulator& simulator, std::string_view scene_hash, OutputFile* file,
-                   InstantDetail instants)
+                   InstantDetail instants, const std::optional<Provenance>& provenance)
     : simulator_(simulator),
       file_(file),
       structures_(digested_structures(simulator)),
@@ -116,10 +116,11 @@ EventLog::EventLog(const Simulator& simulator, std::string_view scene_hash, Outp
     }
   }
   for (const SceneObject& object : simulator.scene().objects) names_.push_back(quoted(object.id));
-  write_header(scene_hash);
+  write_header(scene_hash, provenance);
 }
 
-void EventLog::write_header(std::string_view scene_hash) {
+void EventLog::write_header(std::string_view scene_hash,
+                            const std::optional<Provenance>& provenance) {
   const Arithmetic& arithmetic = simulator_.arithmetic();
   const Scene& scene = simulator_.scene();
   JsonWriter json(line_);
@@ -140,7 +141,9 @@ void EventLog::write_header(std::string_view scene_hash) {
   }
   json.end_array().key("objects").begin_array();
   for (const SceneObject& object : scene.objects) json.string(object.id);
-  json.end_array().end_object();
+  json.end_array();
+  if (provenance) write_provenance(json.key("provenance"), *provenance);
+  json.end_object();
   write_line();
 }
 

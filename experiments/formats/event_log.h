@@ -56,6 +56,7 @@
 
 #include <cstdint>
 #include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -65,6 +66,7 @@
 #include "core/numbers/instant_name.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/log_digest.h"
+#include "experiments/formats/provenance.h"
 #include "experiments/formats/sha256.h"
 
 namespace kinex::formats {
@@ -75,9 +77,10 @@ inline constexpr int kLogVersion = 2;
 class EventLog final : public EventSink {
  public:
   // Requires a simulator with its structures. Without a file only the digest is computed, and no
-  // instant is named.
+  // instant is named. A provenance goes into the header.
   EventLog(const Simulator& simulator, std::string_view scene_hash, OutputFile* file,
-           InstantDetail instants = InstantDetail::kName);
+           InstantDetail instants = InstantDetail::kName,
+           const std::optional<Provenance>& provenance = std::nullopt);
 
   // For a log without a file: pass it to Simulator::set_sink untimed, and let it charge the clock
   // for hashing.
@@ -93,7 +96,7 @@ class EventLog final : public EventSink {
   std::string digest() { return digest_.hex(); }
 
  private:
-  void write_header(std::string_view scene_hash);
+  void write_header(std::string_view scene_hash, const std::optional<Provenance>& provenance);
   // To pending_:
   void append_record(const Event& event, Arithmetic& arithmetic);
   void append_name(ObjectId id);

@@ -264,7 +264,7 @@ void LogReader::read_header(std::string_view line) {
     version.refuse("a version of the log that this program reads", "write 2");
   }
   require_members(node, {"format", "version", "scene", "scene_hash", "arithmetic", "exact",
-                         "instants", "build", "structures", "objects"});
+                         "instants", "build", "structures", "objects", "provenance"});
   header_.scene = node.member("scene").string();
   header_.scene_hash = read_digest(node.member("scene_hash"));
   header_.arithmetic = node.member("arithmetic").string();
@@ -277,6 +277,7 @@ void LogReader::read_header(std::string_view line) {
     header_.structures.push_back(read_structure(structures.at(i)));
   }
   header_.objects = read_strings(node.member("objects"));
+  if (const std::optional<JsonNode> made = node.find("provenance")) header_.provenance = read_provenance(*made);
 }
 
 bool LogReader::next(LogRecord& record) {

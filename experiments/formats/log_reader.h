@@ -12,6 +12,7 @@
 #include "core/numbers/instant_name.h"
 #include "core/numbers/polynomial.h"
 #include "core/numbers/rational.h"
+#include "experiments/formats/provenance.h"
 
 namespace kinex::formats {
 
@@ -28,6 +29,7 @@ struct LogHeader {
   InstantDetail instants = InstantDetail::kName;
   std::vector<LogStructure> structures;
   std::vector<std::string> objects;
+  std::optional<Provenance> provenance;  // if it was asked for
 
   bool has_names() const { return exact && instants == InstantDetail::kName; }
   bool has_intervals() const { return exact && instants != InstantDetail::kNone; }

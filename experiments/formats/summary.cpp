@@ -118,7 +118,8 @@ void write_phases(JsonWriter& json, const Simulator& simulator, double Seconds::
 }  // namespace
 
 std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
-                          const std::string& scene_hash, const std::string& log_digest) {
+                          const std::string& scene_hash, const std::string& log_digest,
+                          const Provenance& provenance) {
   const Scene& scene = simulator.scene();
   std::string text;
   JsonWriter json(text);
@@ -177,7 +178,9 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
   json.end_object().key("wall").begin_object();
   write_phases(json, simulator, &Seconds::wall);
   json.end_object().end_object();
-  json.key("peak_bytes").number(simulator.ledger().peak_bytes).end_object();
+  json.key("peak_bytes").number(simulator.ledger().peak_bytes);
+  write_provenance(json.line(1).key("provenance"), provenance);
+  json.end_object();
   text += '\n';
   return text;
 }

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "experiments/formats/provenance.h"
+
 namespace kinex::lab {
 
 struct BuildFacts {
@@ -32,6 +34,12 @@ MachineFacts machine_facts();
 
 // "34be52d..", or "34be52d.. with changes that are not committed".
 std::string commit_text(const BuildFacts& build);
+// The command of this process as a shell would read it: "kinex run 'a scene.json'".
+std::string command_line();
+// Of a result of this process.
+formats::Provenance run_provenance();
+// What --version prints: name and version in the first line, then the build and the processor.
+std::string version_text();
 // For documents, in Markdown: "`COMMAND`, kinex 0.1.0 at COMMIT, GCC 12.2.0, flags `..`; CPU, 2
 // cores, 24 GB".
 std::string provenance(const std::string& command, const BuildFacts& build,

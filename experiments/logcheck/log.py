@@ -123,7 +123,13 @@ class Log:
 
     def read_header(self, tree):
         members(tree, ["format", "version", "scene", "scene_hash", "arithmetic", "exact", "instants", "build",
-                       "structures", "objects"], [], "the header")
+                       "structures", "objects"], ["provenance"], "the header")
+        if "provenance" in tree:
+            made = tree["provenance"]
+            members(made, ["commit", "dirty", "compiler", "flags", "libraries", "cpu", "command"], [],
+                    "the header's provenance")
+            require(all(isinstance(value, bool if key == "dirty" else str) for key, value in made.items()),
+                    "the header's provenance is not written as one")
         for key in ("scene", "scene_hash", "arithmetic", "build"):
             require(isinstance(tree[key], str), "the header's %s is not a string" % key)
         require(HEX.match(tree["scene_hash"]), "the header's scene_hash is not a SHA-256")

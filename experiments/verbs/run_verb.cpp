@@ -24,6 +24,7 @@
 #include "experiments/formats/scene_writer.h"
 #include "experiments/formats/summary.h"
 #include "experiments/lab/gmp_memory.h"
+#include "experiments/lab/machine.h"
 #include "experiments/lab/progress.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/verbs/interrupt.h"
@@ -47,6 +48,7 @@ struct RunOptions {
   bool json = false;
   bool force = false;
   bool explain = false;
+  bool provenance = false;
 };
 
 // A limit that has been reached.
@@ -237,7 +239,8 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
       report(formats::describe_model(scene, hash) + numbers);
     }
     if (events_file || summary_file || json) {
-      log.emplace(*simulator, hash, events_file ? &*events_file : nullptr, instants);
+      log.emplace(*simulator, hash, events_file ? &*events_file : nullptr, instants,
+                  options.provenance ? std::optional(lab::run_provenance()) : std::nullopt);
       if (!events_file) log->charge_to(simulator->clock());
       simulator->set_sink(&*log, events_file.has_value());
     }
@@ -259,7 +262,8 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
   if (log) log->finish(outcome.status);
   const std::string digest = log ? log->digest() : "";
   if (summary_file || json) {
-    const std::string summary = formats::write_summary(*simulator, outcome, hash, digest);
+    const std::string summary =
+        formats::write_summary(*simulator, outcome, hash, digest, lab::run_provenance());
     if (summary_file) {
       summary_file->write(summary);
       summary_file->commit();
@@ -301,6 +305,8 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--events", options->events, "Write the event log to this file, - prints it");
   verb->add_option("--instants", options->instants,
                    "Detail of the log's instants: names (default: exact), intervals or none");
+  verb->add_flag("--provenance", options->provenance,
+                 "Name the build, the processor and this command in the log's header, too");
   verb->add_option("--summary", options->summary, "Write the summary to this file, - prints it");
   verb->add_option("--at", options->at, "Sample the attributes right after these times: T, ..")
       ->delimiter(',');

@@ -22,6 +22,7 @@ void add_verbs(CLI::App& app, int& exit_code) {
   add_log_verb(app, exit_code);
   add_list_verb(app, exit_code);
   add_explain_verb(app, exit_code);
+  add_completion_verb(app, exit_code);
   add_help_verb(app, exit_code);
   add_voice_options(app);
 }

@@ -35,6 +35,7 @@ void add_log_verb(CLI::App& app, int& exit_code);
 void add_list_verb(CLI::App& app, int& exit_code);
 void add_explain_verb(CLI::App& app, int& exit_code);
 void add_help_verb(CLI::App& app, int& exit_code);
+void add_completion_verb(CLI::App& app, int& exit_code);
 
 // Adds all verbs, and the options that all of them have.
 void add_verbs(CLI::App& app, int& exit_code);

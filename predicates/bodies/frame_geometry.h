@@ -34,7 +34,7 @@ struct FrameLine {
   std::vector<Rational> coordinates() const;  // three: nx, ny, h, times a positive number
 };
 
-FramePoint frame_point(const Rational& x, const Rational& y);
+FramePoint frame_point(const Rational& x, const Rational& y);  // the point (x, y)
 // The line of this normal, not zero, through a point.
 FrameLine frame_line(const Rational& nx, const Rational& ny, const FramePoint& through);
 // The points p with n.p = h.

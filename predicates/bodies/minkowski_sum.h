@@ -12,7 +12,7 @@
 
 namespace kinex {
 
-struct MinkowskiSum {
+struct MinkowskiSum {  // the sum, and where its edges come from
   FramePolygon polygon;  // in A's frame
   // Edge i of the sum is edge `edge` of polygon z (0: A, 1: B') translated by vertex `vertex` of
   // the other; vertex i is the sum of vertices a[i] and b[i]. Parallel edges are merged into A's.

@@ -38,7 +38,7 @@
 
 namespace kinex {
 
-inline constexpr int kPoseAxes = 7;
+inline constexpr int kPoseAxes = 7;  // the axes of a pose
 
 // The pose of the second base as seen from the first.
 std::shared_ptr<const Construction> make_pose_2();

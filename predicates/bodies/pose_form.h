@@ -30,13 +30,13 @@ struct Constant {
   const R& operator[](std::size_t axis) const { return first[axis * powers]; }
 };
 
-inline Ball minus(const Ball& b) { return {-b.value, b.error}; }
-template <class R>
+inline Ball minus(const Ball& b) { return {-b.value, b.error}; }  // -b
+template <class R>  // -r
 R minus(const R& r) {
   return -r;
 }
 
-template <class Form>
+template <class Form>  // a form as a formula of WidePredicate
 struct PoseFormula : Form {
   explicit PoseFormula(Form form) : Form(form) {}
 
@@ -62,7 +62,7 @@ struct PoseFormula : Form {
   }
 };
 
-template <class Form>
+template <class Form>  // a form as a predicate, which is linear in the pose
 class PosePredicate final : public WidePredicate<PoseFormula<Form>>, public LinearForm {
  public:
   explicit PosePredicate(Form form)
@@ -89,7 +89,7 @@ class PosePredicate final : public WidePredicate<PoseFormula<Form>>, public Line
   Form form_;
 };
 
-template <class Form>
+template <class Form>  // the predicate of a form
 std::shared_ptr<const Predicate> make_pose_form(Form form) {
   return std::make_shared<PosePredicate<Form>>(form);
 }

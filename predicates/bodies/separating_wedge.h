@@ -89,7 +89,7 @@ struct RoughPose {
   void forget();
 };
 
-struct WedgeBody {
+struct WedgeBody {  // a body for a wedge, exactly and in doubles
   const FramePolygon& polygon;
   const RoughPolygon& rough;
 };
@@ -99,7 +99,7 @@ bool is_too_rough(const RoughPose& pose, const RoughPolygon& a, const RoughPolyg
 
 // The separation of the bodies, and what a wedge of either role withstands; all in doubles.
 struct WedgePlan {
-  struct Role {
+  struct Role {  // what a wedge with this line withstands
     double half_angle = 0;  // +infinity: a disc, no tangents
     double loss = 0;        // by how much the wedge reaches beyond the body
   };
@@ -115,7 +115,7 @@ struct WedgePlan {
 std::optional<WedgePlan> plan_wedge(const RoughPolygon& a, const RoughPolygon& b,
                                     const RoughPose& pose);
 
-struct SeparatingWedge {
+struct SeparatingWedge {  // a line of one body, a cone around the other
   bool turns = false;  // false: g1 and g2 are not needed
   FrameLine line;      // normal m, slightly outside its body
   FrameLine g1, g2;    // of the other body, touching it

@@ -25,14 +25,15 @@
 
 namespace kinex {
 
+// Zero for certain.
 inline bool is_exactly_zero(const Ball& b) { return b.value == 0 && b.error == 0; }
 inline bool is_exactly_zero(double d) { return d == 0; }
 inline bool is_exactly_zero(const Integer& i) { return i.is_zero(); }
 inline bool is_exactly_zero(const Rational& q) { return q.is_zero(); }
 inline bool is_exactly_zero(const MpFloat& f) { return f.sign() == 0 && f.is_finite(); }
 
-struct FailsWhereNegative {};
-template <class Formula>
+struct FailsWhereNegative {};  // the failure rule of most formulas
+template <class Formula>  // a formula with kFailsAtTouch fails at touches, too
 using FailureRule = std::conditional_t < requires {
   Formula::kFailsAtTouch;
 }

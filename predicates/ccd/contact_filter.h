@@ -8,7 +8,7 @@
 
 namespace kinex {
 
-struct ContactVerdict {
+struct ContactVerdict {  // the answer of the filter
   enum class Kind : std::uint8_t {
     kNone,    // no contact in [0, 1]
     kFirst,   // the first contact is in (lower, upper), at the only root of the cubic there, and

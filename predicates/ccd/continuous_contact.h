@@ -45,7 +45,7 @@
 
 namespace kinex {
 
-enum class ContactKind : std::uint8_t {
+enum class ContactKind : std::uint8_t {  // which features may touch
   kVertexFace,  // points: the vertex, then the corners of the triangle
   kEdgeEdge     // points: the ends of one segment, then those of the other
 };

@@ -56,7 +56,7 @@
 
 namespace kinex {
 
-using PairId = std::uint32_t;
+using PairId = std::uint32_t;  // the index of a pair of bodies
 
 class CollisionPairs : public Structure {
  public:
@@ -97,7 +97,7 @@ class CollisionPairs : public Structure {
   bool in_contact(ObjectId a, ObjectId b) const;
 
  protected:
-  struct Pair {
+  struct Pair {  // two bodies that are followed
     ObjectId a = kNoObject, b = kNoObject;  // a < b; kNoObject: not in use
     ObjectId pose = kNoObject;
     bool touching = false;     // in contact
@@ -140,7 +140,7 @@ class CollisionPairs : public Structure {
     bool edge = false;
     std::uint32_t i = 0;
   };
-  struct Features {
+  struct Features {  // a feature of each body
     Feature of_a, of_b;
   };
   // The state of a proof of disjointness, for visit_proof: fills in kind, text and marks of the

@@ -8,7 +8,7 @@
 
 namespace kinex {
 
-StructureFamily collision_family();
+StructureFamily collision_family();  // the descriptors of its structures
 
 }  // namespace kinex
 

@@ -59,7 +59,7 @@ struct PosePredicates {
   PredicateId normal_order, normal_order_reversed, order_touch, order_touch_reversed;
 };
 
-struct Tile {
+struct Tile {  // a tile of the hierarchy, or a half-plane
   enum class Kind : std::uint8_t { kTriangle, kLeft, kRight, kHalf };
   Kind kind = Kind::kHalf;
   std::uint8_t x = 0;   // 0: A, 1: B'; the polygon that is cut, or whose edge bounds the half-plane
@@ -71,7 +71,7 @@ struct Tile {
 class MixedTiles {
  public:
   static constexpr std::uint32_t kMost = 6;
-  struct Certificates {
+  struct Certificates {  // those of a tile; the first `sides` are its sides
     std::array<Query, kMost> query;
     std::uint32_t count = 0, sides = 0;
   };

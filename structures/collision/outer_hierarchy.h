@@ -47,22 +47,22 @@
 
 namespace kinex {
 
-enum class CutPolicy : std::uint8_t { kMedian, kCompass, kDudley, kBalancedDudley };
-std::string_view cut_policy_name(CutPolicy policy);
+enum class CutPolicy : std::uint8_t { kMedian, kCompass, kDudley, kBalancedDudley };  // of corners
+std::string_view cut_policy_name(CutPolicy policy);  // its name
 
 class OuterHierarchy {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr int kNever = 0x3fffffff;
 
-  struct Edge {
+  struct Edge {  // an edge of a polygon of the hierarchy
     FrameLine line;
     int level = -1;                             // of the cut that made it; -1: an edge of the box
     std::uint32_t creator = kNone;              // the node that was cut; kNone: an edge of the box
     std::uint32_t polygon_edge = kNone;         // the edge of P on this line, if there is one
     std::uint32_t first = kNone, last = kNone;  // the nodes at its ends when it was made
   };
-  struct Node {
+  struct Node {  // a boomerang: a corner that may be cut
     FramePoint apex;
     std::uint32_t point = kNone;  // number of the apex among the distinct apexes
     std::uint32_t left_edge = kNone, right_edge = kNone;

@@ -8,7 +8,7 @@
 
 namespace kinex {
 
-StructureFamily extent_family();
+StructureFamily extent_family();  // the descriptors of its structures
 
 }  // namespace kinex
 

@@ -8,7 +8,7 @@
 
 namespace kinex {
 
-StructureFamily hull_family();
+StructureFamily hull_family();  // the descriptors of its structures
 
 }  // namespace kinex
 

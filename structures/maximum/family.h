@@ -8,7 +8,7 @@
 
 namespace kinex {
 
-StructureFamily maximum_family();
+StructureFamily maximum_family();  // the descriptors of its structures
 
 }  // namespace kinex
 

@@ -8,7 +8,7 @@
 
 namespace kinex {
 
-StructureFamily order_family();
+StructureFamily order_family();  // the descriptors of its structures
 
 }  // namespace kinex
 

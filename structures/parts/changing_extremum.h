@@ -38,7 +38,7 @@ template <class ValueClaims>
 class ChangingExtremum {
  public:
   using Value = typename ValueClaims::Value;
-  struct Duel {
+  struct Duel {  // two values whose order is to change
     Value before, after;
   };
 

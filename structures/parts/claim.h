@@ -16,8 +16,8 @@
 
 namespace kinex {
 
-using Item = ObjectId;
-inline constexpr Item kNoItem = kNoObject;
+using Item = ObjectId;  // whatever the owner compares
+inline constexpr Item kNoItem = kNoObject;  // none
 
 // For distinct items a and b:
 //   claim(a, b)       is >= 0 iff a is in front of b or level with it; it names no object twice

@@ -38,7 +38,7 @@ struct MakerInput {
 // Does an event of a kind change the attribute?
 enum class Effect { kNever, kSometimes, kAlways };
 
-struct KindRule {
+struct KindRule {  // what events of a kind do
   std::string_view kind;
   Effect effect;
 };

@@ -17,7 +17,7 @@
 
 namespace kinex {
 
-class KeyOrder {
+class KeyOrder {  // the smaller key comes first
  public:
   // Throws std::invalid_argument if the key is undefined in the scene.
   KeyOrder(Kernel& kernel, const Key& key, const Scene& scene);
@@ -54,7 +54,7 @@ class KeyOrder {
   PredicateId predicate_;
 };
 
-enum class Extremum { kMaximum, kMinimum };
+enum class Extremum { kMaximum, kMinimum };  // which end of an order
 
 // A key and its better end: the largest or the smallest key wins.
 class Contest {

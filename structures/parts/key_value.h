@@ -11,7 +11,7 @@
 
 namespace kinex {
 
-Rational key_value(const Key& key, const Snapshot& snapshot, ObjectId object);
+Rational key_value(const Key& key, const Snapshot& snapshot, ObjectId object);  // of one object
 // All living objects (of the `objects` in the scene) with their keys, sorted by (key, id), without
 // the object that squared distances are measured to.
 std::vector<std::pair<Rational, ObjectId>> sorted_keys(const Key& key, const Snapshot& snapshot,

@@ -8,7 +8,7 @@
 
 namespace kinex {
 
-StructureFamily proximity_family();
+StructureFamily proximity_family();  // the descriptors of its structures
 
 }  // namespace kinex
 

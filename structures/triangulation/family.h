@@ -8,7 +8,7 @@
 
 namespace kinex {
 
-StructureFamily triangulation_family();
+StructureFamily triangulation_family();  // the descriptors of its structures
 
 }  // namespace kinex
 

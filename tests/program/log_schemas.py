@@ -31,6 +31,7 @@ RUNS = [  # gen arguments, run arguments
     (["uniform-square", "--n", "10"], ["--instants", "intervals"]),
     (["uniform-square", "--n", "10"], ["--instants", "none", "--max-events", "5"]),
     (["uniform-square", "--n", "10"], ["--arithmetic", "mpfr:100"]),
+    (["uniform-square", "--n", "10"], ["--provenance"]),
 ]
 
 

@@ -44,7 +44,7 @@ Finished run(Scene scene, const std::string& arithmetic,
   Finished finished;
   finished.log = formats::read_text_file(path);
   finished.digest = log.digest();
-  finished.summary = formats::write_summary(*simulator, outcome, formats::scene_hash(scene), log.digest());
+  finished.summary = formats::write_summary(*simulator, outcome, formats::scene_hash(scene), log.digest(), {});
   std::filesystem::remove(path);
   EXPECT_TRUE(arithmetic != "exact" || outcome.clean(*simulator));
   return finished;
@@ -176,7 +176,7 @@ TEST(Summary, HasTheAgreedKeys) {
   const formats::JsonDocument summary_document = formats::parse_json(finished.summary, "summary");
   const formats::JsonValue& summary = *summary_document;
   for (const char* key : {"scene", "scene_hash", "arithmetic", "time", "objects", "log_digest",
-                          "structures", "samples", "seconds", "peak_bytes"}) {
+                          "structures", "samples", "seconds", "peak_bytes", "provenance"}) {
     EXPECT_NE(summary.find(key), nullptr) << key;
   }
   EXPECT_EQ(summary.find("arithmetic")->text(), "exact");

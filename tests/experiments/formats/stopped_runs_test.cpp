@@ -199,7 +199,7 @@ class StoppedRuns : public testing::Test {
   void check_summary(const Simulator& simulator, const formats::RunOutcome& outcome,
                      const std::string& digest) {
     const formats::JsonDocument summary =
-        formats::parse_json(formats::write_summary(simulator, outcome, "hash", digest), "summary");
+        formats::parse_json(formats::write_summary(simulator, outcome, "hash", digest, {}), "summary");
     EXPECT_EQ(summary->find("status")->text(), formats::status_name(outcome.status));
     for (const formats::JsonValue& structure : summary->find("structures")->items()) {
       const bool has_value = structure.find("attribute")->kind() != formats::JsonValue::Kind::kNull;
