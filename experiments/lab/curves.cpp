@@ -283,7 +283,7 @@ LegendPlan legend_below(const std::vector<std::string>& entries, int width) {
   std::size_t longest = 0;
   for (const std::string& entry : entries) longest = std::max(longest, read_length(entry));
   const double needed = kSample + kCharacter * static_cast<double>(longest);
-  const int columns = 2 * needed <= width - 20 && entries.size() > 1 ? 2 : 1;
+  const int columns = 2 * needed <= width - 140 && entries.size() > 1 ? 2 : 1;
   LegendPlan plan;
   plan.rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
   // A line of its own lies between the axis's name and the key.

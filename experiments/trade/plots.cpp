@@ -123,7 +123,7 @@ std::string error_tics(const Decades& decades) {
                     ")\nset arrow from graph 0, first {0:.6g} to graph 1, first {0:.6g} nohead dt "
                     "2 lw 1 lc rgb "
                     "'#888888'\n",
-                    std::pow(10, decades.low + 0.5));
+                    std::pow(10, decades.low + (decades.high - decades.low) / 28.0));
 }
 
 // One line below the plane.

@@ -134,19 +134,18 @@ std::string table_row(const BitsGrowth& growth) {
 }
 
 std::string verdict_line(const TradeResult& result, double seconds) {
-  std::string text =
-      formats::counted(result.cases.size(), "scene", "scenes") + ": right in all of them: ";
   std::string always, sometimes;
   for (const ArithmeticStandings& one : standings_of(result)) {
     const int right = one.cases[0] + one.cases[1], all = right + one.cases[2];
     if (right == all) {
       always += (always.empty() ? "" : ", ") + one.arithmetic;
     } else {
-      sometimes += fmt::format("{}{} in {}", sometimes.empty() ? "" : ", ", one.arithmetic, right);
+      sometimes += fmt::format("{}{} in {}", sometimes.empty() ? "; " : ", ", one.arithmetic, right);
     }
   }
-  text += always.empty() ? "none" : always;
-  if (!sometimes.empty()) text += "; " + sometimes;
+  std::string text =
+      fmt::format("{}: {} right in all of them{}", formats::counted(result.cases.size(), "scene", "scenes"),
+                  always.empty() ? "none" : always, sometimes);
   const std::size_t faults = result.faults().size();
   if (faults > 0) text += "; " + formats::counted(faults, "fault", "faults");
   if (result.interrupted) text += "; interrupted";
