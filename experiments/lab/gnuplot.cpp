@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/lab/gnuplot.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -25,6 +27,16 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
+// gnuplot names one font; a machine without it would take one with serifs.
+std::string with_known_fonts(std::string svg) {
+  const std::string one = "font-family=\"Helvetica\"";
+  const std::string several = "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\"";
+  for (std::size_t at = 0; (at = svg.find(one, at)) != std::string::npos; at += several.size()) {
+    svg.replace(at, one.size(), several);
+  }
+  return svg;
+}
+
 }  // namespace
 
 Drawings draw(const std::vector<Figure>& figures, const std::string& program,
@@ -38,9 +50,10 @@ Drawings draw(const std::vector<Figure>& figures, const std::string& program,
   }
   std::ofstream script(folder.path() / "plots.gp");
   for (std::size_t i = 0; i < figures.size(); ++i) {
+    // A picture has a size of its own: without, a page stretches it to its full width.
     // The folder's name is safe inside quotes: it comes from mkdtemp.
     script << "reset\nset encoding utf8\nset terminal svg size " << figures[i].width << ","
-           << figures[i].height << " dynamic enhanced font 'Helvetica,13' background 'white'\n"
+           << figures[i].height << " fixed enhanced font 'Helvetica,13' background 'white'\n"
            << "set output '" << (folder.path() / std::to_string(i)).string() << ".svg'\n"
            << figures[i].script << "\nunset output\n";
   }
@@ -50,7 +63,7 @@ Drawings draw(const std::vector<Figure>& figures, const std::string& program,
       run_helper(program, {(folder.path() / "plots.gp").string()}, log, log, go_on);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const std::string svg = read(folder.path() / (std::to_string(i) + ".svg"));
-    if (svg.find("</svg>") != std::string::npos) drawings.svg[i] = svg;
+    if (svg.find("</svg>") != std::string::npos) drawings.svg[i] = with_known_fonts(svg);
   }
   if (end.how == HelperEnd::How::kNotFound) {
     drawings.problem = program + " is not installed";
@@ -64,19 +77,48 @@ Drawings draw(const std::vector<Figure>& figures, const std::string& program,
 
 const Look& look(std::size_t i) { return kLooks[i % std::size(kLooks)]; }
 
-std::string quoted(const std::string& text) {
-  std::string result = "'";
+std::string marked(const std::string& text) {
+  std::string result;
   for (const char c : text) {
-    if (c == '\'' || c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&') {
-      if (c == '\'') {
-        result += "''";
-        continue;
-      }
-      result += '\\';
+    if (c == '\'') {
+      result += "''";
+      continue;
     }
+    if (c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&') result += '\\';
     result += c;
   }
-  return result + "'";
+  return result;
+}
+
+std::string quoted(const std::string& text) { return "'" + marked(text) + "'"; }
+
+std::string formula(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.compare(i, 5, "Theta") == 0) {
+      result += "\u0398";
+      i += 4;
+    } else if (text[i] == '^' && i + 1 < text.size()) {
+      const bool group = text[i + 1] == '(';
+      const std::size_t begin = i + (group ? 2 : 1);
+      std::size_t end = begin;
+      if (group) {
+        end = std::min(text.find(')', begin), text.size());
+      } else {
+        const auto is_part = [](char c) {
+          return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '/' ||
+                 c == '-';
+        };
+        while (end < text.size() && is_part(text[end])) ++end;
+        while (end > begin && text[end - 1] == '.') --end;  // a full stop
+      }
+      result += "^{" + marked(text.substr(begin, end - begin)) + "}";
+      i = group ? end : end - 1;
+    } else {
+      result += marked(std::string(1, text[i]));
+    }
+  }
+  return result;
 }
 
 }  // namespace kinex::lab

@@ -38,8 +38,12 @@ struct Look {
 };
 const Look& look(std::size_t i);
 
-// A string in gnuplot's notation, without markup.
+// A string in gnuplot's notation, without markup; `marked` without the quotes, to be put together
+// with markup.
 std::string quoted(const std::string& text);
+std::string marked(const std::string& text);
+// A formula in plain text ("Theta(n^(3/2)) log^2 n") with its markup: raised exponents, Greek letters.
+std::string formula(const std::string& text);
 
 }  // namespace kinex::lab
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of all pages of results: the head with its style, escaping, figures, and a foot that states
-// how the page was made. Pages are self-contained: no scripts, no files, no network.
+// Parts of all pages of results (html_page.h): escaping, figures, and how the page was made.
 #ifndef KINEX_EXPERIMENTS_LAB_HTML_H
 #define KINEX_EXPERIMENTS_LAB_HTML_H
 
@@ -20,11 +19,9 @@ struct PageFacts {
   MachineFacts machine;
 };
 
-// From the doctype to the heading.
-std::string html_head(const std::string& title);
 // Escapes text for HTML; "+-" becomes one character.
 std::string escape(std::string_view text);
-// A heading and the pictures, embedded, or the reason why there are none.
+// The pictures, embedded, and the reason why some are missing; empty if there are none to draw.
 std::string plots_part(const std::vector<Figure>& figures, const Drawings& drawings);
 // Command, build, machine.
 std::string facts_part(const PageFacts& facts);

@@ -117,14 +117,15 @@ std::vector<lab::Figure> crossover_tables(const BenchOptions& options, PeerQuest
                     "B goes round A once at this distance: microseconds a question, the building "
                     "of hierarchies and shapes included." +
                         right,
-                    "separation", "microseconds", by_gap.curves()),
+                    "separation (the bodies have radius 1)", "microseconds a question",
+                    by_gap.curves()),
           figure_of("Time against vertices", "The same at distance 0.01." + right,
-                    "vertices of each body", "microseconds", by_size.curves()),
+                    "vertices of each body", "microseconds a question", by_size.curves()),
           figure_of("Time against looks on the way",
                     "B passes A at 0.001: the whole pass, with so many poses looked at. kinex "
                     "certifies what is in between; poses do not." +
                         right,
-                    "looks", "microseconds", by_looks.curves())};
+                    "looks on the way", "microseconds a pass", by_looks.curves())};
 }
 
 }  // namespace kinex::peers

@@ -82,8 +82,7 @@ std::vector<lab::Figure> sample_tables(const BenchOptions& options, PeerQuestion
           table.row({family.name, module, method.steps, standing.asked, standing.missed,
                      standing.asked - standing.right - standing.missed, microseconds / asked});
         }
-        const double share = standing.missed / asked;
-        if (share > 0) curve.points.push_back({static_cast<double>(method.steps), share});
+        curve.points.push_back({static_cast<double>(method.steps), 100 * standing.missed / asked});
         if (standing.missed == 0) break;
       }
       if (std::string(module) == "bullet64") curves.push_back(std::move(curve));
@@ -91,9 +90,9 @@ std::vector<lab::Figure> sample_tables(const BenchOptions& options, PeerQuestion
   }
   return {figure_of("Overlaps missed by fixed steps",
                     "The share of overlaps that is missed, by the number of steps (bullet64; for "
-                    "the other libraries it is the same up to a step). A curve ends before the "
+                    "the other libraries it is the same up to a step). A curve ends at the "
                     "first number of steps that finds all.",
-                    "steps", "share missed", curves)};
+                    "steps", "overlaps missed, %", curves, false)};
 }
 
 }  // namespace kinex::peers

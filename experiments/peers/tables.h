@@ -29,9 +29,10 @@ struct Curve {
   std::string name;
   std::vector<std::array<double, 2>> points;
 };
-// On logarithmic axes; curves without points are left out.
-lab::Figure figure_of(const std::string& title, const std::string& caption, const std::string& x_label,
-                 const std::string& y_label, const std::vector<Curve>& curves);
+// On logarithmic axes, y also on a linear one; curves without points are left out.
+lab::Figure figure_of(const std::string& title, const std::string& caption,
+                      const std::string& x_label, const std::string& y_label,
+                      const std::vector<Curve>& curves, bool log_y = true);
 
 }  // namespace kinex::peers
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "experiments/lab/curves.h"
 #include "experiments/trade/labels.h"
 #include "experiments/trade/report.h"
 #include "experiments/trade/standings.h"
@@ -15,10 +16,6 @@
 namespace kinex::trade {
 
 namespace {
-
-constexpr const char* kCommon =
-    "set grid lc rgb '#e4e4e4' lw 0.7\nset border 3 lc rgb '#444444'\nset tics nomirror\n"
-    "set key outside below center horizontal Left reverse samplen 1.5 width 2\n";
 
 struct StandingLook {
   const char* style;
@@ -116,12 +113,17 @@ std::string error_tics(const Decades& decades) {
     step = candidate;
     if ((decades.high - decades.low) / step <= 10) break;
   }
-  std::string tics = fmt::format("set ytics ('0' 1e{}", decades.low);
+  std::string tics = fmt::format("set ytics ('none' 1e{}", decades.low);
   for (int k = decades.high - (decades.high % step + step) % step; k > decades.low + step / 2;
        k -= step) {
-    tics += k == 0 ? std::string(", '1' 1") : fmt::format(", '10^{{{0}}}' 1e{0}", k);
+    tics += fmt::format(", '10^{{{0}}}' 1e{0}", k);
   }
-  return tics + ")\n";
+  // No error is no number of this axis: a line parts it from those that are.
+  return tics + fmt::format(
+                    ")\nset arrow from graph 0, first {0:.6g} to graph 1, first {0:.6g} nohead dt "
+                    "2 lw 1 lc rgb "
+                    "'#888888'\n",
+                    std::pow(10, decades.low + (decades.high - decades.low) / 28.0));
 }
 
 // One line below the plane.
@@ -162,13 +164,14 @@ lab::Figure plane_figure(const TradeResult& result, const std::string& structure
     return error > 0 ? std::min(error, kLargestError) : zero;
   };
   std::string& script = figure.script;
-  script = kCommon;
+  script = lab::kFrame;
   script += fmt::format(
       "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin "
       "at screen {}\n",
       kLeft, kRight, kBelow, kAbove);
   script += "unset key\n" + legend();
-  script += "set logscale xy\nset xlabel 'time of the whole run / time in double'\n";
+  script += "set logscale xy\n" + lab::log_tics('x', low, high) +
+            "set xlabel 'time of the whole run / time in double'\n";
   script += "set ylabel 'largest error of an event time, in ulps of a double' offset 1,0\n";
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [1e{}:1e{}]\n", low, high,
                         decades.low, decades.high);
@@ -247,6 +250,7 @@ lab::Figure bits_figure(const TradeResult& result, const std::string& structure)
       "neighbours need (small, dotted). Lines: fits; the slope is the number of bits for every "
       "doubling of n.";
   std::string data, plot, tics;
+  std::vector<std::string> legend;
   double low = 1e300, high = 0;
   double most = kDoubleBits;
   std::size_t colour = 0;
@@ -268,11 +272,12 @@ lab::Figure bits_figure(const TradeResult& result, const std::string& structure)
     plot += fmt::format("{}{:.10g}*log(x)/log(2)+{:.10g} with lines lw 1.5 lc rgb '{}' notitle",
                         plot.empty() ? "plot " : ", \\\n  ", growth.most->b,
                         std::log2(growth.most->a), style.colour);
+    legend.push_back(fmt::format("{}: {:.2f} bits a doubling, 95% in [{:.2f}, {:.2f}]",
+                                 growth.family, growth.most->b, growth.most->lower,
+                                 growth.most->upper));
     plot += fmt::format(
         ", \\\n  ${} using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title {}", name,
-        style.symbol, style.colour,
-        lab::quoted(fmt::format("{}: {:.2f} bits a doubling, 95% in [{:.2f}, {:.2f}]", growth.family,
-                           growth.most->b, growth.most->lower, growth.most->upper)));
+        style.symbol, style.colour, lab::quoted(legend.back()));
     plot += fmt::format(
         ", \\\n  ${0} using 1:4 with linespoints dt 3 pt {1} ps 0.4 lw 1.3 lc rgb '{2}' notitle",
         name, style.symbol, style.colour);
@@ -283,17 +288,18 @@ lab::Figure bits_figure(const TradeResult& result, const std::string& structure)
     }
   }
   if (plot.empty()) return figure;
-  figure.script = std::string(kCommon) + "set logscale x 2\n" +
+  const lab::LegendPlan plan = lab::legend_below(legend, figure.width);
+  figure.script = lab::kFrame + plan.commands + "set logscale x 2\n" +
                   fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [0:{:.6g}]\n", low / 1.3,
                               high * 1.3, std::ceil(most / 10) * 10 + 5) +
-                  "set xtics (" + tics + ")\nset xlabel \"objects n\\n \"\nset ylabel 'bits'\n";
+                  "set xtics (" + tics + ")\nset xlabel 'objects n'\nset ylabel 'bits'\n";
   figure.script += fmt::format(
       "set arrow from graph 0, first {0} to graph 1, first {0} nohead dt 2 lw 1.3 lc rgb "
       "'#444444'\nset label 'a double has {0}' at graph 0.985, first {0} right offset 0,0.6 tc rgb "
       "'#444444'\n",
       kDoubleBits);
   figure.script += data + plot + "\n";
-  figure.height = 480;
+  figure.height = 400 + 20 * plan.rows;
   return figure;
 }
 

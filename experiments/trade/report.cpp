@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "experiments/formats/counted.h"
+#include "experiments/lab/scene_command.h"
 #include "experiments/trade/standings.h"
 
 namespace kinex::trade {
@@ -130,6 +131,25 @@ std::string table_row(const BitsGrowth& growth) {
       fmt::format("{:<18} {:<26} {}", growth.structure, growth.family, growth_text(*growth.most));
   if (growth.percentile_99) text += fmt::format("; 99 %: {:.2f}", growth.percentile_99->b);
   return text + "\n";
+}
+
+std::string verdict_line(const TradeResult& result, double seconds) {
+  std::string always, sometimes;
+  for (const ArithmeticStandings& one : standings_of(result)) {
+    const int right = one.cases[0] + one.cases[1], all = right + one.cases[2];
+    if (right == all) {
+      always += (always.empty() ? "" : ", ") + one.arithmetic;
+    } else {
+      sometimes += fmt::format("{}{} in {}", sometimes.empty() ? "; " : ", ", one.arithmetic, right);
+    }
+  }
+  std::string text =
+      fmt::format("{}: {} right in all of them{}", formats::counted(result.cases.size(), "scene", "scenes"),
+                  always.empty() ? "none" : always, sometimes);
+  const std::size_t faults = result.faults().size();
+  if (faults > 0) text += "; " + formats::counted(faults, "fault", "faults");
+  if (result.interrupted) text += "; interrupted";
+  return text + "; " + lab::duration_text(seconds);
 }
 
 std::string closing_lines(const TradeResult& result) {

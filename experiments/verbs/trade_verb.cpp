@@ -45,6 +45,7 @@ struct Options {
   bool fresh = false;
   bool json = false;
   Voice voice;
+  bool table = false;
 };
 
 std::string command_of(const Options& options) {
@@ -87,6 +88,7 @@ void check(const Options& options) {
     keep_input("--markdown", options.markdown, scene);
     keep_input("--output", options.folder + "/trade.sqlite", scene);
     keep_input("--output", options.folder + "/trade.html", scene);
+    keep_input("--output", options.folder + "/trade.txt", scene);
   }
 }
 
@@ -98,8 +100,10 @@ trade::TradeOptions limits_of(const Options& options) {
   return limits;
 }
 
+// Adds what is written to the table's file to `text`.
 trade::TradeResult run(const trade::TradeCatalogue& catalogue, const Options& options,
-                       sweep::Journal& journal, const InterruptGuard& interrupt) {
+                       sweep::Journal& journal, const InterruptGuard& interrupt,
+                       std::string& text) {
   std::vector<double> costs;
   for (const trade::TradeCase& one : catalogue.cases) costs.push_back(one.cost);
   for (const trade::BitsCase& one : catalogue.bits) costs.push_back(one.cost);
@@ -111,9 +115,11 @@ trade::TradeResult run(const trade::TradeCatalogue& catalogue, const Options& op
   running.go_on = [&] { return !interrupt.interrupted(); };
   running.interrupt = &interrupt.flag();
   bool first_bits = true;
-  const auto show = [&](const std::string& text) {
+  const auto show = [&](const std::string& row, const std::string& json) {
+    text += row;
+    if (!options.json && !options.table) return;
     progress.wipe();
-    if (options.json || !options.voice.quiet) print(text);
+    if (options.json || !options.voice.quiet) print(options.json ? json : row);
   };
   trade::TradeWatch watch;
   watch.on_work = [&](std::size_t index, const std::string& what) {
@@ -121,18 +127,18 @@ trade::TradeResult run(const trade::TradeCatalogue& catalogue, const Options& op
   };
   watch.on_finished = [&](std::size_t index) { pieces.finished(index); };
   watch.on_case = [&](const trade::CaseResult& one) {
-    show(options.json ? trade::json_row(one) : trade::table_of(one));
+    show(trade::table_of(one), trade::json_row(one));
   };
   watch.on_bits = [&](const trade::BitsResult& one) {
-    if (first_bits && !options.json) show(trade::bits_header());
+    if (first_bits) show(trade::bits_header(), "");
     first_bits = false;
-    show(options.json ? trade::json_row(one) : trade::table_row(one));
+    show(trade::table_row(one), trade::json_row(one));
   };
   trade::TradeResult result = trade::run_trade(catalogue, running, watch);
   for (const trade::BitsGrowth& growth : result.growths) {
-    show(options.json ? trade::json_row(growth) : trade::table_row(growth));
+    show(trade::table_row(growth), trade::json_row(growth));
   }
-  if (!options.json) show("\n" + trade::closing_lines(result));
+  show("\n" + trade::closing_lines(result), "");
   return result;
 }
 
@@ -148,12 +154,14 @@ void trade(const Options& options, int& exit_code) {
       trade::selection_of(options.what, options.quick, limits_of(options)), options.fresh);
   const ResultFile database(options.folder + "/trade.sqlite", options.force, journal);
   const ResultFile page(options.folder + "/trade.html", options.force, journal);
+  const ResultFile table(options.folder + "/trade.txt", options.force, journal);
   std::optional<ResultFile> markdown;
   if (!options.markdown.empty()) markdown.emplace(options.markdown, options.force, journal);
   tell_what_is_found(journal, "scene", "scenes", options.voice);
 
   InterruptGuard interrupt;
-  const trade::TradeResult result = run(catalogue, options, journal, interrupt);
+  std::string rows;
+  const trade::TradeResult result = run(catalogue, options, journal, interrupt, rows);
   lab::PageFacts facts;
   facts.build = lab::build_facts();
   facts.machine = lab::machine_facts();
@@ -164,15 +172,23 @@ void trade(const Options& options, int& exit_code) {
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   page.write(trade::trade_page(result, figures, drawings, facts));
   if (markdown) markdown->write(trade::trade_markdown(result, facts));
+  std::string verdict = trade::verdict_line(result, facts.seconds) + "\n";
+  for (const std::string& fault : result.faults()) verdict += "FAIL " + fault + "\n";
+  table.write(rows + verdict);
   if (!result.interrupted) journal.remove();
   if (!drawings.problem.empty()) {
     options.voice.note("no plots: " + drawings.problem);
   }
-  options.voice.note(
-      database.path() + " and " + page.path() + " are written" +
-      (result.interrupted
-           ? "; interrupted: they have the finished part, and the same command resumes"
-           : ""));
+  if (result.interrupted) {
+    options.voice.note("interrupted: the finished part is written, and the same command resumes");
+  }
+  const std::string files =
+      "page: " + page.path() + "; table: " + table.path() + "; database: " + database.path();
+  if (options.json) {  // its lines stay alone on standard output
+    options.voice.note(verdict + files);
+  } else {
+    options.voice.report(verdict + files + "\n");
+  }
   if (!result.faults().empty()) {
     exit_code = kExitFailed;
   } else if (result.interrupted || result.gave_up()) {
@@ -185,7 +201,8 @@ void trade(const Options& options, int& exit_code) {
 void add_trade_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand(
-      "trade", "Speed against accuracy over the arithmetics: writes trade.sqlite and trade.html");
+      "trade",
+      "Speed against accuracy over the arithmetics: writes trade.html, trade.txt and trade.sqlite");
   verb->add_option("WHAT", options->what, "Structures, scene files, or all (default)");
   verb->add_flag("--quick", options->quick, "Smaller scenes: less than a minute");
   verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
@@ -199,7 +216,8 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
                    "Report what a sweep has run (kinex sweep run trade ..), from its folders");
   verb->add_option("--max-seconds", options->max_seconds, "Give up a run after this time (120)");
   verb->add_option("--jobs", options->jobs, "Simultaneous scenes (1; more make time ratios noisy)");
-  verb->add_flag("--json", options->json, "Print a JSON object per scene instead of the tables");
+  verb->add_flag("--table", options->table, "Print all tables, not only the verdict");
+  verb->add_flag("--json", options->json, "Print a JSON object per scene instead");
   verb->footer(
       "Every run is compared with the exact one, event by event, and its states are audited\n"
       "exactly. An error of an inexact arithmetic is a result, not a failure of the command.\n"

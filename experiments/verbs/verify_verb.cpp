@@ -26,6 +26,7 @@
 #include "experiments/verify/plots.h"
 #include "experiments/verify/report_text.h"
 #include "experiments/verify/tables.h"
+#include "experiments/verify/verdict_lines.h"
 #include "structures/registry.h"
 
 namespace kinex::verbs {
@@ -46,6 +47,7 @@ struct Options {
   bool fresh = false;
   bool json = false;
   Voice voice;
+  bool table = false;
 };
 
 std::string command_of(const Options& options) {
@@ -75,11 +77,19 @@ void verify(const Options& options, int& exit_code) {
       verify::selection_of(options.structure, options.quick, options.seeds), options.fresh);
   const ResultFile database(options.folder + "/verify.sqlite", options.force, journal);
   const ResultFile page(options.folder + "/verify.html", options.force, journal);
+  const ResultFile table(options.folder + "/verify.txt", options.force, journal);
   tell_what_is_found(journal, "experiment", "experiments", options.voice);
 
   const bool bounds = verify::shows_bounds(catalogue.cells);
-  const auto show = [&options](const std::string& text) {
-    if (options.json || !options.voice.quiet) print(text);
+  std::string rows = verify::table_header(bounds);  // of the long table
+  // Of it the terminal has what did not pass, or all if requested.
+  const auto tell = [&](const std::string& row, lab::Verdict verdict, const std::string& json) {
+    rows += row;
+    if (options.json) {
+      print(json);
+    } else if (options.table || verdict != lab::Verdict::kConfirmed) {
+      options.voice.report(row);
+    }
   };
   InterruptGuard interrupt;
   verify::VerifyResult result;
@@ -105,25 +115,23 @@ void verify(const Options& options, int& exit_code) {
     running.on_cell = [&](std::size_t index, const lab::CellResult& cell) {
       pieces.finished(index);
       progress.wipe();
-      show(options.json ? verify::json_row(cell) : verify::table_row(cell, bounds));
+      tell(verify::table_row(cell, bounds), cell.verdict(), verify::json_row(cell));
     };
-    if (!options.json) show(verify::table_header(bounds));
+    if (options.table && !options.json) print(rows);
     result = verify::run_catalogue(catalogue, running);
   }
   for (const lab::GrowthResult& growth : result.growths) {
-    show(options.json ? verify::json_row(growth) : verify::table_row(growth));
+    tell(verify::table_row(growth), growth.check.verdict, verify::json_row(growth));
   }
   for (const lab::StudyResult& study : result.studies) {
-    show(options.json ? verify::json_row(study) : verify::table_row(study));
+    tell(verify::table_row(study), study.verdict(), verify::json_row(study));
   }
-  if (!options.json && !options.voice.quiet) {
-    print(verify::closing_line(result));
-    for (const lab::Table& table : verify::neighbours_tables(result.growths)) {
-      print(lab::markdown(table));
-    }
-    for (const lab::Table& table : verify::measures_tables(result.cells)) print(lab::markdown(table));
-    for (const lab::StudyResult& study : result.studies) print(lab::markdown(study.table));
-  }
+  std::string tables;
+  for (const lab::Table& one : verify::neighbours_tables(result.growths))
+    tables += lab::markdown(one);
+  for (const lab::Table& one : verify::measures_tables(result.cells)) tables += lab::markdown(one);
+  for (const lab::StudyResult& study : result.studies) tables += lab::markdown(study.table);
+  if (options.table && !options.json) print(tables);
 
   lab::PageFacts facts;
   facts.build = lab::build_facts();
@@ -134,15 +142,23 @@ void verify(const Options& options, int& exit_code) {
   const lab::Drawings drawings = lab::draw(figures, "gnuplot", interrupt.go_on_a_while());
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   page.write(verify::verify_page(result, figures, drawings, facts));
+  const std::string verdict =
+      verify::verdict_line(result, facts.seconds) + "\n" + verify::work_line(result) + "\n";
+  table.write(rows + tables + "\n" + verify::seeds_line(result) + verdict);
   if (!result.interrupted) journal.remove();
   if (!drawings.problem.empty()) {
     options.voice.note("no plots: " + drawings.problem);
   }
-  options.voice.note(
-      database.path() + " and " + page.path() + " are written" +
-      (result.interrupted
-           ? "; interrupted: they have the finished part, and the same command resumes"
-           : ""));
+  if (result.interrupted) {
+    options.voice.note("interrupted: the finished part is written, and the same command resumes");
+  }
+  const std::string files =
+      "page: " + page.path() + "; table: " + table.path() + "; database: " + database.path();
+  if (options.json) {  // its lines stay alone on standard output
+    options.voice.note(verdict + files);
+  } else {
+    options.voice.report(verify::seeds_line(result) + verdict + files + "\n");
+  }
   exit_code = exit_code_of(result);
 }
 
@@ -151,7 +167,8 @@ void verify(const Options& options, int& exit_code) {
 void add_verify_verb(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* verb = app.add_subcommand(
-      "verify", "The bound-verification experiments: writes verify.sqlite and verify.html");
+      "verify",
+      "The bound-verification experiments: writes verify.html, verify.txt and verify.sqlite");
   std::string groups;
   for (const std::string_view group : structure_groups()) groups += std::string(group) + ", ";
   verb->add_option("STRUCTURE", options->structure,
@@ -166,7 +183,8 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
                    "Number of scenes of every random experiment (default: as many as it needs)");
   verb->add_option("--from", options->from,
                    "Report what a sweep has run (kinex sweep run verify ..), from its folders");
-  verb->add_flag("--json", options->json, "Print a JSON object per row instead of the table");
+  verb->add_flag("--table", options->table, "Print the whole table, not only what did not pass");
+  verb->add_flag("--json", options->json, "Print a JSON object per row instead");
   verb->footer(
       "What is finished is kept in verify.unfinished until all is: after an interruption (Ctrl-C, "
       "a\n"

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "experiments/lab/curves.h"
 #include "experiments/lab/family.h"
 
 namespace kinex::verify {
@@ -19,11 +20,6 @@ struct Point {
   double n, count, error;
   double bound;  // 0: none
 };
-
-constexpr const char* kCommon =
-    "set logscale x\nset grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\n"
-    "set tics nomirror\nset xlabel \"objects n\\n \"\n"
-    "set key outside below center horizontal Left reverse samplen 2.5 maxcols 2 width 2\n";
 
 // "set xrange" a little beyond the points.
 std::string x_range(double low, double high) {
@@ -103,9 +99,20 @@ std::vector<Point> bound_curve(const Family& family) {
   return curve;
 }
 
-std::string fit_title(const lab::GrowthResult& growth) {
-  return fmt::format("fit n^{{{:.3f}}}, 95% in [{:.3f}, {:.3f}]", growth.fit->b, growth.fit->lower,
-                     growth.fit->upper);
+// The growth that was fitted to the family, or nullptr.
+const lab::GrowthResult* growth_of(const VerifyResult& result, const std::string& structure,
+                                   const std::string& family) {
+  for (const lab::GrowthResult& growth : result.growths) {
+    if (growth.claim.structure == structure && growth.claim.family == family && growth.fit)
+      return &growth;
+  }
+  return nullptr;
+}
+
+std::vector<lab::FitPoint> drawn(const std::vector<Point>& points) {
+  std::vector<lab::FitPoint> result;
+  for (const Point& point : points) result.push_back({point.n, point.count, point.error});
+  return result;
 }
 
 lab::Figure counts_figure(const VerifyResult& result, const std::string& structure) {
@@ -115,11 +122,9 @@ lab::Figure counts_figure(const VerifyResult& result, const std::string& structu
   figure.title = structure + ": events over n";
   figure.caption =
       "Points: observed events (mean over seeds, bars of two standard errors where they can be "
-      "seen). Dashed, in the colour of the family: the hard bounds that were checked in its runs, "
-      "which none may exceed.";
-  std::string& script = figure.script;
-  script = kCommon;
-  script += "set logscale y\nset format y '10^{%L}'\nset ylabel 'events'\n";
+      "seen). Lines: fitted powers, with their 95 % intervals. Dashed, in the colour of the "
+      "family: the "
+      "hard bounds that were checked in its runs, which none may exceed.";
   // Several families may differ only in the degree of the motion.
   const auto name_of = [&](const Family& family) {
     const bool alone = std::count_if(families.begin(), families.end(), [&](const Family& other) {
@@ -127,49 +132,39 @@ lab::Figure counts_figure(const VerifyResult& result, const std::string& structu
                        }) == 1;
     return alone ? family.name : fmt::format("{}, degree {}", family.name, family.degree);
   };
-  double low = families.front().points.front().n, high = low, most = 0, fewest = 1e300;
-  std::string plot;
-  const auto add = [&](const std::string& item) {
-    plot += (plot.empty() ? "plot " : ", \\\n  ") + item;
-  };
-  std::size_t curves = 0;
+  std::vector<lab::Curve> curves;
   for (std::size_t i = 0; i < families.size(); ++i) {
     const Family& family = families[i];
-    low = std::min(low, family.points.front().n);
-    high = std::max(high, family.points.back().n);
-    for (const Point& point : family.points) {
-      most = std::max({most, point.count, point.bound});
-      fewest = std::min(fewest, point.count);
+    lab::Curve curve{name_of(family), drawn(family.points), ""};
+    curve.look = i;
+    curve.joined = false;
+    if (const lab::GrowthResult* growth = growth_of(result, structure, family.name)) {
+      curve.line = growth->fit;
+      curve.line_from = growth->points.front().n;
+      curve.value = lab::power_value(*growth->fit, "n");
     }
-    script += data_block("family" + std::to_string(i), family.points);
-    if (const std::vector<Point> curve = bound_curve(family); !curve.empty()) {
-      script += data_block("bound" + std::to_string(i), curve);
-      add(fmt::format("$bound{} using 1:2 with lines lw 1.5 dt 2 lc rgb '{}' title {}", i,
-                      lab::look(i).colour, lab::quoted("hard bound, " + name_of(family))));
-      ++curves;
+    curves.push_back(std::move(curve));
+    if (const std::vector<Point> bound = bound_curve(family); !bound.empty()) {
+      curves.push_back({"hard bound, " + name_of(family), drawn(bound), ""});
+      curves.back().is_bound = true;
+      curves.back().look = i;
     }
-    for (const lab::GrowthResult& growth : result.growths) {
-      if (growth.claim.structure != structure || growth.claim.family != family.name) continue;
-      if (!growth.fit) continue;
-      add(fmt::format("[{:.6g}:{:.6g}] {:.17g}*x**{:.17g} with lines lw 1.5 lc rgb '{}' title '{}'",
-                      growth.points.front().n, growth.points.back().n, growth.fit->a, growth.fit->b,
-                      lab::look(i).colour, fit_title(growth)));
-    }
-    add(fmt::format(
-        "$family{} using 1:2:3 with yerrorbars pt {} ps 0.9 lw 1.2 lc rgb '{}' title {}", i,
-        lab::look(i).symbol, lab::look(i).colour, lab::quoted(name_of(family))));
   }
-  script += x_range(low, high);
-  script += fmt::format("set yrange [{:.6g}:{:.6g}]\n", fewest / 2, most * 3) + plot + "\n";
-  figure.height = 440 + 20 * static_cast<int>((families.size() + curves + 2) / 2);
+  lab::set_curves(figure, {"objects n", "events", true, true, {}}, curves);
   return figure;
 }
 
-// A tic at every size.
+// A tic at every size; of many sizes at those that are well apart.
 std::string size_tics(const std::vector<Point>& points) {
+  constexpr double kApart = 1.25;
   std::string text;
-  for (const Point& point : points)
-    text += fmt::format("{}{:.6g}", text.empty() ? "" : ", ", point.n);
+  double last = 0;
+  for (const Point& point : points) {
+    const bool labelled = point.n >= kApart * last;
+    text += fmt::format("{}{}{:.6g}{}", text.empty() ? "" : ", ", labelled ? "" : "'' ", point.n,
+                        labelled ? "" : " 1");
+    if (labelled) last = point.n;
+  }
   return "set xtics (" + text + ")\n";
 }
 
@@ -213,10 +208,14 @@ lab::Figure residual_figure(const VerifyResult& result, const lab::GrowthResult&
         {point.n, 100 * growth.fit->residuals[i], 100 * point.error / growth.fit->at(point.n), 0});
   }
   const std::vector<Point> references = references_of(result, growth);
-  figure.script = std::string(kCommon) + "set ylabel 'count / fit - 1, in %'\n" +
-                  "set samples 200\nset xlabel " + lab::quoted(lab::variable_name(growth.claim.variable)) +
-                  "\n" + x_range(points.front().n, points.back().n) + size_tics(points) +
-                  data_block("seen", points);
+  std::vector<std::string> legend{"95% interval of the exponent", "observed"};
+  if (!references.empty()) legend.push_back("reference");
+  const lab::LegendPlan plan = lab::legend_below(legend, figure.width);
+  figure.script =
+      lab::kFrame + plan.commands + "set logscale x\nset ylabel 'count / fit - 1, in %'\n" +
+      "set samples 200\nset xlabel " + lab::quoted(lab::variable_name(growth.claim.variable)) +
+      "\n" + x_range(points.front().n, points.back().n) + size_tics(points) +
+      data_block("seen", points);
   if (!references.empty()) figure.script += data_block("reference", references);
   // With the exponents at the ends of the interval, through the centre of the fit.
   const double centre = growth.fit->centre;
@@ -235,7 +234,7 @@ lab::Figure residual_figure(const VerifyResult& result, const lab::GrowthResult&
         lab::look(std::size_t{1}).symbol, lab::look(std::size_t{1}).colour);
   }
   figure.script += "\n";
-  figure.height = 380;
+  figure.height = 340 + 20 * plan.rows;
   return figure;
 }
 
@@ -257,7 +256,7 @@ std::vector<lab::Figure> verify_figures(const VerifyResult& result) {
     lab::Figure figure = counts_figure(result, structure);
     if (!figure.script.empty()) figures.push_back(std::move(figure));
     for (const lab::GrowthResult& growth : result.growths) {
-      if (growth.claim.structure == structure && growth.fit) {
+      if (growth.claim.structure == structure && growth.fit && !lab::is_exact(*growth.fit)) {
         figures.push_back(residual_figure(result, growth));
       }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plots of the results: for every structure the observed counts and the hard bounds over n, on
-// logarithmic axes, with fitted lines; and the residuals of every fit.
+// logarithmic axes, with fitted lines; and the residuals of every fit that leaves more than rounding.
 #ifndef KINEX_EXPERIMENTS_VERIFY_PLOTS_H
 #define KINEX_EXPERIMENTS_VERIFY_PLOTS_H
 

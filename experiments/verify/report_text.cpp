@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "experiments/formats/counted.h"
 #include "experiments/lab/family.h"
 
 namespace kinex::verify {
@@ -139,41 +137,6 @@ std::string seeds_line(const VerifyResult& result) {
       "without "
       "--seeds every experiment takes as many as it needs\n",
       open, open == 1 ? "" : "s", needed);
-}
-
-std::string closing_line(const VerifyResult& result) {
-  std::array<std::size_t, 4> by_verdict{};
-  std::size_t checks = result.growths.size(), runs = 0;
-  std::uint64_t failures = 0;
-  for (const lab::CellResult& cell : result.cells) {
-    ++by_verdict[static_cast<std::size_t>(cell.verdict())];
-    checks += cell.checks.size();
-    runs += cell.trials.size();
-    for (const lab::Trial& trial : cell.trials) failures += trial.measurement.run.events;
-  }
-  for (const lab::GrowthResult& growth : result.growths) {
-    ++by_verdict[static_cast<std::size_t>(growth.check.verdict)];
-  }
-  for (const lab::StudyResult& study : result.studies) {
-    checks += study.checks.size();
-    ++by_verdict[static_cast<std::size_t>(study.verdict())];
-  }
-  std::string text = fmt::format("{} and {}:", formats::counted(result.cells.size(), "cell", "cells"),
-                                 formats::counted(result.growths.size(), "fit", "fits"));
-  if (!result.studies.empty()) {
-    text = fmt::format("{}, {} and {}:", formats::counted(result.cells.size(), "cell", "cells"),
-                       formats::counted(result.growths.size(), "fit", "fits"),
-                       formats::counted(result.studies.size(), "study", "studies"));
-  }
-  for (const lab::Verdict verdict :
-       {lab::Verdict::kConfirmed, lab::Verdict::kOpen, lab::Verdict::kGaveUp, lab::Verdict::kRefuted}) {
-    text += fmt::format("{} {} {}", verdict == lab::Verdict::kConfirmed ? "" : ",",
-                        by_verdict[static_cast<std::size_t>(verdict)], lab::check_word(verdict));
-  }
-  text += fmt::format("; {}, {}, {}\n", formats::counted(checks, "check", "checks"),
-                      formats::counted(runs, "run", "runs"),
-                      formats::counted(failures, "certificate failure", "certificate failures"));
-  return text + seeds_line(result);
 }
 
 }  // namespace kinex::verify

@@ -33,8 +33,6 @@ std::string table_row(const lab::GrowthResult& growth);
 std::string table_row(const lab::StudyResult& study);
 // The remedy if scenes are too few to decide, with a newline; empty if they are not.
 std::string seeds_line(const VerifyResult& result);
-// Cells by verdict, checks, runs, and events over all of them; then the seeds line.
-std::string closing_line(const VerifyResult& result);
 
 // {"row": "cell", ..} and {"row": "growth", ..}, with a newline.
 std::string json_row(const lab::CellResult& cell);

@@ -92,14 +92,18 @@ lab::PartReport separation_hysteresis_report(const std::vector<lab::SeriesResult
   report.claims.push_back(std::move(cover));
   const auto kinks = [](const lab::SeriesResult& result) { return 1.0 * result.point.key.m; };
   report.figures = {curves_figure(
-      "Paths that are not smooth: events", "Means over random walks with kinks.",
-      "halvings of the distance, or kinks",
-      {{"hysteresis, approach", approach},
-       {"mixed, approach", points_of(results, "separation_mixed", "polygon-approach", halvings)},
-       {"hysteresis, kinks", points_of(results, own, "polygon-kinks", kinks)},
-       {"mixed, kinks", points_of(results, "separation_mixed", "polygon-kinks", kinks)},
-       {"hysteresis, trembling (none)", points_of(results, own, "polygon-jitter", kinks)},
-       {"mixed, trembling", points_of(results, "separation_mixed", "polygon-jitter", kinks)}})};
+      "Paths that are not smooth: events",
+      "Means over random walks with kinks, with bars of two standard errors; trembling: a polygon "
+      "trembles across the side of a tile. The legend has the power that fits, with its 95 % "
+      "interval.",
+      {"x = halvings of the distance, or kinks", "", true, true, {1}},
+      {{"hysteresis, approach", approach, ""},
+       {"mixed, approach", points_of(results, "separation_mixed", "polygon-approach", halvings),
+        ""},
+       {"hysteresis, kinks", points_of(results, own, "polygon-kinks", kinks), ""},
+       {"mixed, kinks", points_of(results, "separation_mixed", "polygon-kinks", kinks), ""},
+       {"hysteresis, trembling", points_of(results, own, "polygon-jitter", kinks), ""},
+       {"mixed, trembling", points_of(results, "separation_mixed", "polygon-jitter", kinks), ""}})};
   report.figure_names = {"hysteresis"};
   finish(report, results, command);
   return report;

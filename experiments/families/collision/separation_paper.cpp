@@ -71,34 +71,19 @@ lab::PaperClaim power_claim(std::string id, std::string statement, const std::ve
   return claim;
 }
 
-lab::Figure curves_figure(std::string title, std::string caption, const std::string& x,
-                     const std::vector<NamedCurve>& curves) {
+lab::Figure curves_figure(std::string title, std::string caption, lab::CurvesPicture picture,
+                          std::vector<lab::Curve> curves) {
   lab::Figure figure;
   figure.title = std::move(title);
   figure.caption = std::move(caption);
-  figure.height = 500;
-  std::string plot;
-  double low = 1e300, high = 0;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    figure.script += fmt::format("$curve{} << EOD\n", i);
-    for (const lab::FitPoint& point : curves[i].points) {
-      low = std::min(low, point.n);
-      high = std::max(high, point.n);
-      figure.script += fmt::format("{:.8g} {:.8g} {:.8g}\n", point.n, std::max(point.count, 0.5),
-                                   2 * point.error);
+  picture.y = "events";
+  for (lab::Curve& curve : curves) {
+    if (!curve.value.empty() || curve.is_bound) continue;
+    if (const std::optional<lab::Fit> fit = lab::fit_power(curve.points)) {
+      curve.value = lab::power_value(*fit, picture.x.substr(0, picture.x.find(' ')));
     }
-    figure.script += "EOD\n";
-    plot += fmt::format(
-        "{}$curve{} using 1:2 with linespoints lw 1.5 ps 0.8 pt {} lc rgb '{}' title {}",
-        plot.empty() ? "plot " : ", \\\n  ", i, lab::look(i).symbol, lab::look(i).colour,
-        lab::quoted(curves[i].name));
   }
-  figure.script +=
-      "set logscale xy\nset grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\n"
-      "set tics nomirror\nset format y '10^{%L}'\nset ylabel 'events'\n"
-      "set key below center horizontal Left reverse samplen 2.5 maxcols 2 width -4\n" +
-      fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.8 * low, 1.25 * high) + "set xlabel \"" + x +
-      "\\n \"\n" + plot + "\n";
+  lab::set_curves(figure, picture, curves);
   return figure;
 }
 

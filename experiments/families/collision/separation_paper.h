@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/numbers/rational.h"
+#include "experiments/lab/curves.h"
 #include "experiments/lab/fit.h"
 #include "experiments/lab/part.h"
 
@@ -31,13 +32,10 @@ std::vector<lab::FitPoint> points_of(const std::vector<lab::SeriesResult>& resul
 lab::PaperClaim power_claim(std::string id, std::string statement, const std::vector<lab::FitPoint>& points,
                        const std::string& name, double exponent);
 
-struct NamedCurve {
-  std::string name;
-  std::vector<lab::FitPoint> points;
-};
-// Logarithmic axes.
-lab::Figure curves_figure(std::string title, std::string caption, const std::string& x,
-                     const std::vector<NamedCurve>& curves);
+// Events against the variable that the picture's x axis begins with. The legend has the power of it
+// that fits, with its 95 % interval, unless the curve has a value of its own or is a bound.
+lab::Figure curves_figure(std::string title, std::string caption, lab::CurvesPicture picture,
+                          std::vector<lab::Curve> curves);
 
 // Sets the claim's small run, which a second program checks: one of the results for this structure
 // and workload, at a small size.

@@ -80,11 +80,13 @@ lab::PartReport separation_rigid_report(const std::vector<lab::SeriesResult>& re
   compact.verdict = certificates <= 6 ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted;
   set_small_run(compact, results, "separation_mixed", "polygon-spin-orbit");
   report.claims.push_back(std::move(compact));
-  report.figures = {
-      curves_figure("mu rounds in a turn: events against mu", "Separation 2 / mu^2.", "mu",
-                    {{"separation_mixed", mixed},
-                     {"separation_hysteresis",
-                      points_of(results, "separation_hysteresis", "polygon-spin-orbit", mu_of)}})};
+  report.figures = {curves_figure(
+      "mu rounds in a turn: events against mu",
+      "Separation 2 / mu^2. The legend has the power that fits, with its 95 % interval.",
+      {"mu = sqrt(D / separation)", "", true, true, {2}},
+      {{"separation_mixed", mixed, ""},
+       {"separation_hysteresis",
+        points_of(results, "separation_hysteresis", "polygon-spin-orbit", mu_of), ""}})};
   report.figure_names = {"rigid"};
   finish(report, results, command);
   return report;
@@ -112,7 +114,7 @@ std::vector<lab::SeriesPoint> separation_features_points(bool quick) {
 lab::PartReport separation_features_report(const std::vector<lab::SeriesResult>& results,
                                       const std::string& command) {
   lab::PartReport report;
-  std::vector<NamedCurve> curves;
+  std::vector<lab::Curve> curves;
   const auto size = [](const lab::SeriesResult& result) { return 1.0 * result.point.key.n; };
   for (const bool tangents : {false, true}) {
     const std::string workload = tangents ? "polygon-tangents" : "polygon-fan";
@@ -167,12 +169,16 @@ lab::PartReport separation_features_report(const std::vector<lab::SeriesResult>&
   }
   for (const char* method : {"separation_mixed", "closest_features", "inner_tangents"}) {
     curves.push_back(
-        {std::string(method) + ", fan", points_of(middle, method, "polygon-fan", size)});
+        {std::string(method) + ", fan", points_of(middle, method, "polygon-fan", size), ""});
     curves.push_back({std::string(method) + ", tangent fan",
-                      points_of(middle, method, "polygon-tangents", size)});
+                      points_of(middle, method, "polygon-tangents", size), ""});
   }
-  report.figures = {curves_figure("A turn before a fan: events against n",
-                                  "Separation 2, that is as much as the diameter.", "n", curves)};
+  report.figures = {curves_figure(
+      "A turn before a fan: events against n",
+      "Separation 2, that is as much as the diameter. Curves that run along each other are "
+      "drawn one inside the other. The legend has the power that fits, with its "
+      "95 % interval.",
+      {"n vertices", "", true, true, {1, 2}}, std::move(curves))};
   report.figure_names = {"features"};
   finish(report, results, command);
   return report;

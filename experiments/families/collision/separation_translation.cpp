@@ -88,7 +88,7 @@ lab::PartReport separation_translation_report(const std::vector<lab::SeriesResul
       kLinesOnly, "hierarchy of the Minkowski sum; every run also keeps to 2 events a level + 8"};
   set_small_run(line, results, "separation_minkowski", "polygon-line");
   report.claims.push_back(std::move(line));
-  std::vector<NamedCurve> rounds, lines;
+  std::vector<lab::Curve> rounds, lines;
   for (const char* method : kMethods) {
     const auto round = points_of(results, method, "polygon-orbit", mu_of);
     lab::PaperClaim claim =
@@ -101,24 +101,35 @@ lab::PartReport separation_translation_report(const std::vector<lab::SeriesResul
     }
     set_small_run(claim, results, method, "polygon-orbit");
     report.claims.push_back(std::move(claim));
-    rounds.push_back({method, round});
-    lines.push_back({method, points_of(results, method, "polygon-line", mu_of)});
+    rounds.push_back({method, round, ""});
+    lines.push_back({method, points_of(results, method, "polygon-line", mu_of), ""});
+    const auto by_log = points_of(results, method, "polygon-line", log_mu);
+    if (const std::optional<lab::Fit> fit = lab::fit_power(by_log)) {
+      lines.back().value = lab::power_value(*fit, "(log mu)");
+    }
   }
   report.claims.push_back(lower_bound(results));
   set_small_run(report.claims.back(), results, kMethods[0], "polygon-orbit");
-  NamedCurve least{"lower bound", {}};
+  lab::Curve least{"lower bound", {}, ""};
   for (const lab::SeriesResult& result : results) {
     const lab::RunKey& key = result.point.key;
     if (key.structure != kMethods[0] || key.workload != "polygon-orbit") continue;
     least.points.push_back({mu_of(result), fewest_certificates(result), 0});
   }
+  least.is_bound = true;
+  least.look = 3;
   rounds.push_back(std::move(least));
+  const std::string mu = "mu = min(n, sqrt(D / separation))";
   report.figures = {
-      curves_figure("Once round: events against mu",
-                    "Separation falls from left to right; and the least number of certificates.",
-                    "mu = min(n, sqrt(D / separation))", rounds),
-      curves_figure("Past on a line: events against mu", "Means over 16 directions.",
-                    "mu = min(n, sqrt(D / separation))", lines)};
+      curves_figure(
+          "Once round: events against mu",
+          "Separation falls from left to right. Dashed: the least number of certificates. "
+          "The legend has the power that fits, with its 95 % interval.",
+          {mu, "", true, true, {1}}, std::move(rounds)),
+      curves_figure("Past on a line: events against mu",
+                    "Means over 16 directions with bars of two standard errors; the legend has the "
+                    "power of log mu that fits, with its 95 % interval.",
+                    {mu, "", true, false, {}}, std::move(lines))};
   report.figure_names = {"translation-round", "translation-line"};
   finish(report, results, command);
   return report;

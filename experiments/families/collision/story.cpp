@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "experiments/lab/curves.h"
 #include "structures/collision/separation_mixed.h"
 #include "structures/registry.h"
 
@@ -57,8 +57,7 @@ std::vector<Curve> curves_of(const std::vector<lab::CellResult>& cells, const st
     if (variable == lab::Variable::kMu && cell.cell.variable != lab::Variable::kMu) continue;
     Curve& curve = curves[cell.cell.structure];
     curve.method = cell.cell.structure;
-    // A cell without events is drawn at the bottom.
-    curve.points.emplace_back(lab::variable_of(cell.cell, variable), std::max(events_of(cell), 0.5));
+    curve.points.emplace_back(lab::variable_of(cell.cell, variable), events_of(cell));
   }
   std::vector<Curve> result;
   for (const std::string& method : methods_of(cells)) {
@@ -70,33 +69,24 @@ std::vector<Curve> curves_of(const std::vector<lab::CellResult>& cells, const st
   return result;
 }
 
-// Lines differ by dashes and symbols as well as by colours.
-constexpr const char* kDashes[] = {"1", "2", "3", "4", "5", "(18,5)"};
-
-// One picture: data blocks first, then the plot. Curves that are no method are black.
-std::string panel(const std::vector<lab::CellResult>& cells, const std::vector<Curve>& curves,
-                  const std::string& tag) {
+// One picture: a curve by method, of the method's own look in all pictures.
+lab::Figure panel(lab::Figure figure, const std::vector<lab::CellResult>& cells,
+                  const lab::CurvesPicture& picture, const std::vector<Curve>& curves) {
   const std::vector<std::string> methods = methods_of(cells);
-  std::string data, plot;
-  double low = 1e300, high = 0;
+  std::vector<lab::Curve> drawn;
   for (const Curve& curve : curves) {
-    const auto i = static_cast<std::size_t>(
-        std::find(methods.begin(), methods.end(), curve.method) - methods.begin());
-    const bool is_bound = i == methods.size();
-    data += fmt::format("${}{} << EOD\n", tag, i);
-    for (const auto& [x, y] : curve.points) {
-      data += fmt::format("{:.8g} {:.8g}\n", x, y);
-      low = std::min(low, x);
-      high = std::max(high, x);
+    lab::Curve one{curve.method, {}, ""};
+    for (const auto& [x, y] : curve.points) one.points.push_back({x, y, 0});
+    const auto found = std::find(methods.begin(), methods.end(), curve.method);
+    one.is_bound = found == methods.end();
+    one.look = static_cast<std::size_t>(found - methods.begin());
+    if (const std::optional<lab::Fit> fit = lab::fit_power(one.points); fit && !one.is_bound) {
+      one.value = lab::power_value(*fit, picture.x.substr(0, picture.x.find(' ')));
     }
-    data += "EOD\n";
-    plot += fmt::format(
-        "{}${}{} using 1:2 with linespoints lw 1.5 dt {} ps 0.9 pt {} lc rgb '{}' title {}",
-        plot.empty() ? "plot " : ", \\\n  ", tag, i,
-        is_bound ? "1" : kDashes[i % std::size(kDashes)], is_bound ? 1 : lab::look(i).symbol,
-        is_bound ? "#000000" : lab::look(i).colour, lab::quoted(curve.method));
+    drawn.push_back(std::move(one));
   }
-  return data + fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.8 * low, 1.25 * high) + plot + "\n";
+  lab::set_curves(figure, picture, drawn);
+  return figure;
 }
 
 }  // namespace
@@ -210,28 +200,22 @@ std::vector<lab::Figure> collision_figures(const std::vector<lab::CellResult>& c
       "number "
       "of certificates for convex sets of positions. B4 and B5: a regular polygon of n vertices "
       "turns once before a fan of n edges, two radii away: the closest features (B4) or an inner "
-      "tangent (B5) change n^2 times; a count of 0 is drawn as 1/2.";
+      "tangent (B5) change n^2 times. The legend has the powers that fit, with their 95 % "
+      "intervals.";
   figure.width = 440;
-  figure.height = 470;
-  const std::string common =
-      "set logscale xy\nset grid lc rgb '#dddddd' lw 0.7\n"
-      "set border 3 lc rgb '#444444'\nset tics nomirror\nset format y '10^{%L}'\n"
-      "set key below center horizontal Left reverse samplen 4 maxcols 2 width -2\n"
-      "set ylabel 'events'\n";
+  const std::vector<double> sizes{8, 16, 32, 64, 128};
   std::vector<lab::Figure> figures;
-  const auto add = [&](const char* head, const std::vector<Curve>& curves, const char* tag) {
-    figure.script = common + head + panel(cells, curves, tag);
-    figures.push_back(figure);
-    figure.joins = true;
-  };
-  add("set xlabel \"mu = min(n, sqrt(D / separation))\\n \"\nset title 'B1: once round'\n", mu,
-      "mu");
-  add("set xlabel \"n\\n \"\nset xtics (8, 16, 32, 64, 128)\nset yrange [0.3:]\nset title 'B4: a "
-      "turn before a fan'\n",
-      fan, "fan");
-  add("set xlabel \"n\\n \"\nset xtics (8, 16, 32, 64, 128)\nset yrange [0.3:]\nset title 'B5: a "
-      "turn before a tangent fan'\n",
-      tangents, "tangents");
+  figures.push_back(panel(
+      figure, cells,
+      {"mu = min(n, sqrt(D / separation))", "events", true, true, {1}, {}, "B1: once round"}, mu));
+  figure.joins = true;
+  figures.push_back(
+      panel(figure, cells,
+            {"n vertices", "events", true, true, {1, 2}, sizes, "B4: a turn before a fan"}, fan));
+  figures.push_back(
+      panel(figure, cells,
+            {"n vertices", "events", true, true, {1, 2}, sizes, "B5: a turn before a tangent fan"},
+            tangents));
   return figures;
 }
 

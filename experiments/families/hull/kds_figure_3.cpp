@@ -19,6 +19,7 @@
 #include "experiments/families/hull/experiments.h"
 #include "experiments/families/hull/polynomial_weights.h"
 #include "experiments/lab/claim_check.h"
+#include "experiments/lab/curves.h"
 
 namespace kinex::families {
 
@@ -185,30 +186,37 @@ std::string table_text(const std::vector<lab::SeriesResult>& results,
   return text;
 }
 
-lab::Figure figure(const std::string& workload, const std::map<int, Costs>& costs) {
+lab::Figure figure(const std::string& workload, const std::vector<lab::SeriesResult>& results,
+                   const PolynomialWeights& weights) {
   lab::Figure figure;
   figure.title = "Cost of the kinetic convex hull: " + workload;
   figure.caption =
       "Equations solved, weighted by d^2, until no event is left; linear motion from random "
-      "origins "
-      "to random destinations.";
-  std::string data = "$costs << EOD\n";
-  for (const auto& [n, cost] : costs) {
-    data += fmt::format("{} {:.10g} {:.10g} {:.10g}\n", n, cost.kinetic, cost.brute, cost.delaunay);
+      "origins to random destinations. Means over seeds, with bars of two standard errors; the "
+      "power "
+      "that fits the larger half of the sizes, with its 95 % interval.";
+  std::vector<lab::Curve> curves;
+  for (const Method& method : kMethods) {
+    lab::Curve curve{method.title, {}, ""};
+    for (const lab::SeriesResult& result : results) {
+      const lab::RunKey& key = result.point.key;
+      if (key.workload != workload || key.structure != method.structure) continue;
+      lab::RunningMean mean;
+      for (const lab::RunRecord& run : result.runs) mean.add(cost_of(run, weights));
+      curve.points.push_back({static_cast<double>(key.n), mean.mean(), mean.standard_error()});
+    }
+    const auto half = static_cast<std::ptrdiff_t>(curve.points.size() / 2);
+    std::vector<lab::FitPoint> larger(curve.points.begin() + half, curve.points.end());
+    // The largest sizes have one seed: unweighted.
+    for (lab::FitPoint& point : larger) point.error = 0;
+    if (const std::optional<lab::Fit> fit = lab::fit_power(larger)) {
+      curve.value = lab::power_value(*fit, "n");
+    }
+    curves.push_back(std::move(curve));
   }
-  figure.script = data +
-                  "EOD\nset logscale xy\nset grid lc rgb '#dddddd' lw 0.7\n"
-                  "set border 3 lc rgb '#444444'\nset tics nomirror\n"
-                  "set format y '10^{%T}'\nset xlabel \"points n\\n \"\n"
-                  "set ylabel 'cost: equations solved, weighted by degree'\n"
-                  "set key right bottom Left reverse samplen 2.5\nset title " +
-                  lab::quoted(workload) + "\nset xrange [8:12500]\nplot ";
-  for (std::size_t i = 0; i < 3; ++i) {
-    figure.script += fmt::format(
-        "{}$costs using 1:{} with linespoints lw 1.6 ps 0.7 lc rgb '{}' pt {} title {}",
-        i == 0 ? "" : ", ", i + 2, lab::look(i).colour, lab::look(i).symbol, lab::quoted(kMethods[i].title));
-  }
-  figure.script += "\n";
+  lab::CurvesPicture picture{"points n", "cost: equations solved, times d^2", true, true, {1, 2}};
+  picture.title = workload;
+  lab::set_curves(figure, picture, curves);
   return figure;
 }
 
@@ -254,7 +262,7 @@ lab::PartReport kds_figure_3_report(const std::vector<lab::SeriesResult>& result
     }
     if (i > 0) continue;
     for (const auto& [workload, costs] : table) {
-      report.figures.push_back(figure(workload, costs));
+      report.figures.push_back(figure(workload, results, weights[i]));
       report.figure_names.push_back("figure-3-" + workload);
     }
   }

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "experiments/families/points/experiments.h"
+#include "experiments/families/points/law_figure.h"
 #include "experiments/families/points/reference_means.h"
 #include "experiments/families/points/uniform_lines.h"
 #include "experiments/lab/claim_check.h"
@@ -283,58 +284,6 @@ bool add_constant_claim(const Family& family, const std::vector<lab::FitPoint>& 
   return true;
 }
 
-lab::Figure figure(const Family& family, const std::vector<lab::FitPoint>& points,
-              const std::vector<lab::Fit>& fits) {
-  lab::Figure figure;
-  figure.title = fmt::format("{}: {} of {}", family.id, family.quantity, family.structure);
-  figure.caption = "Means with two standard errors, the fits, and what is left of each.";
-  figure.height = 620;
-  std::string script = "$means << EOD\n";
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    script +=
-        fmt::format("{:.10g} {:.10g} {:.10g}", points[i].n, points[i].count, 2 * points[i].error);
-    for (const lab::Fit& fit : fits)
-      script += fmt::format(" {:.6g}", fit.weighted ? fit.in_errors[i] : fit.residuals[i]);
-    script += "\n";
-  }
-  script += "EOD\n";
-  for (std::size_t k = 0; k < fits.size(); ++k) {
-    script += fmt::format("$fit{} << EOD\n", k);
-    const double low = std::log(points.front().n), high = std::log(points.back().n);
-    for (int i = 0; i <= 100; ++i) {
-      const double n = std::exp(low + (high - low) * i / 100);
-      script += fmt::format("{:.8g} {:.8g}\n", n, fits[k].at(n));
-    }
-    script += "EOD\n";
-  }
-  script +=
-      "set multiplot\nset logscale x\nset grid lc rgb '#dddddd' lw 0.7\n"
-      "set border 3 lc rgb '#444444'\nset tics nomirror\nset lmargin at screen 0.14\n"
-      "set rmargin at screen 0.96\n";
-  script +=
-      fmt::format("set xrange [{:.6g}:{:.6g}]\n", points.front().n * 0.8, points.back().n * 1.25);
-  script += "set tmargin at screen 0.93\nset bmargin at screen 0.42\nset format x ''\n";
-  if (family.law == Law::kPower || family.law == Law::kLinear) script += "set logscale y\n";
-  script += "set key left top Left reverse samplen 2.5\nset title " + lab::quoted(family.statement) +
-            "\nset ylabel " + lab::quoted(std::string("events counted: ") + family.quantity) +
-            "\nplot $means using 1:2:3 with yerrorbars lw 1.4 ps 0.8 pt 7 lc rgb '#222222' title "
-            "'mean, two standard errors'";
-  for (std::size_t k = 0; k < fits.size(); ++k) {
-    script += fmt::format(", $fit{} using 1:2 with lines lw 1.5 lc rgb '{}' title {}", k,
-                          lab::look(k).colour, lab::quoted(fits[k].law));
-  }
-  script +=
-      "\nset tmargin at screen 0.36\nset bmargin at screen 0.11\nunset title\nunset logscale "
-      "y\nset format x '%g'\nset xlabel 'objects n'\nset ylabel 'residual / standard error'\n"
-      "unset key\nplot 0 with lines lc rgb '#888888'";
-  for (std::size_t k = 0; k < fits.size(); ++k) {
-    script += fmt::format(", $means using 1:{} with linespoints lw 1.2 ps 0.7 pt {} lc rgb '{}'",
-                          k + 4, lab::look(k).symbol, lab::look(k).colour);
-  }
-  figure.script = script + "\nunset multiplot\n";
-  return figure;
-}
-
 }  // namespace
 
 std::vector<lab::SeriesPoint> kds_section_9_points(bool quick) {
@@ -383,7 +332,13 @@ lab::PartReport kds_section_9_report(const std::vector<lab::SeriesResult>& resul
       run.dimension = family.dimension;
       report.claims[i].small_run = lab::small_run(std::move(run));
     }
-    report.figures.push_back(figure(family, points, fits));
+    report.figures.push_back(
+        law_figure({fmt::format("{}: {} of {}", family.id, family.quantity, family.structure),
+                    family.statement,
+                    family.quantity == std::string("external") ? "external events of a run"
+                                                               : "events of a run",
+                    family.law == Law::kPower || family.law == Law::kLinear ? family.exponent : 0},
+                   points, fits));
     report.figure_names.push_back("section-" + std::string(family.id));
     std::replace(report.figure_names.back().begin(), report.figure_names.back().end(), '.', '-');
   }

@@ -12,6 +12,7 @@
 #include "experiments/verify/page.h"
 #include "experiments/verify/plots.h"
 #include "experiments/verify/report_text.h"
+#include "experiments/verify/verdict_lines.h"
 #include "tests/experiments/verify/cells.h"
 #include "tests/experiments/verify/folder.h"
 
@@ -33,11 +34,27 @@ TEST(Report, SaysHowManyScenesWouldDo) {
                  {"b", "mean", "processed", "1", "2", "", lab::Verdict::kOpen, {}, 40},
                  {"c", "exact", "processed", "1", "1", "", lab::Verdict::kConfirmed, {}, 0}};
   result.cells = {cell};
-  EXPECT_THAT(verify::closing_line(result), HasSubstr("for 2 checks: --seeds 40 would do"));
+  EXPECT_THAT(verify::seeds_line(result), HasSubstr("for 2 checks: --seeds 40 would do"));
+  EXPECT_EQ(verify::verdict_line(result, 3), "0 of 1 hold; 0 fail; 1 inconclusive; 3 s");
   result.cells.front().checks.resize(1);
-  EXPECT_THAT(verify::closing_line(result), HasSubstr("for 1 check: --seeds 12 would do"));
+  EXPECT_THAT(verify::seeds_line(result), HasSubstr("for 1 check: --seeds 12 would do"));
   result.cells.clear();
-  EXPECT_THAT(verify::closing_line(result), Not(HasSubstr("--seeds")));
+  EXPECT_EQ(verify::seeds_line(result), "");
+}
+
+TEST(Report, VerdictComesInOneLine) {
+  verify::VerifyResult result;
+  lab::CellResult good, bad;
+  good.checks = {{"a", "exact", "processed", "1", "1", "", lab::Verdict::kConfirmed, {}, 0}};
+  bad.checks = {{"b", "exact", "processed", "1", "2", "", lab::Verdict::kRefuted, {}, 0}};
+  result.cells = {good, good, bad};
+  EXPECT_EQ(verify::verdict_line(result, 300), "2 of 3 hold; 1 fails; 5 min");
+  result.cells = {good};
+  EXPECT_EQ(verify::verdict_line(result, 9000), "1 of 1 holds; 0 fail; 2.5 h");
+  EXPECT_EQ(verify::work_line(result),
+            "1 cell and 0 fits: 1 check, 0 runs, 0 certificate failures");
+  result.interrupted = true;
+  EXPECT_THAT(verify::verdict_line(result, 1), HasSubstr("; interrupted; "));
 }
 
 // A curve of hard bounds is that of one family, through the bounds of its own runs.
@@ -74,6 +91,49 @@ TEST(Figures, BoundsAreNotJoinedAcrossFamilies) {
   // A size without a bound: no curve is drawn through it.
   result.cells[1].trials[0].measurement.bounds.clear();
   EXPECT_THAT(verify::verify_figures(result)[0].script, Not(HasSubstr("$bound0")));
+}
+
+// A bound far above the counts does not flatten them; the legend tells where it is.
+TEST(Figures, DistantBoundsStayOutside) {
+  verify::VerifyResult result;
+  for (const int n : {10, 20, 40, 80}) {
+    lab::CellResult cell;
+    cell.cell.structure = "sorted_list";
+    cell.cell.family = "one";
+    lab::Trial trial;
+    trial.measurement.objects = static_cast<std::size_t>(n);
+    trial.measurement.costs.processed = static_cast<std::uint64_t>(n);
+    trial.measurement.bounds = {{"sorted_list.swaps", "", Integer(1000000 * n), Integer(n), true}};
+    cell.trials = {trial};
+    result.cells.push_back(cell);
+  }
+  const std::string script = verify::verify_figures(result).at(0).script;
+  EXPECT_THAT(script, HasSubstr("hard bound, one, above: 1e+07 at 10"));
+  const std::size_t at = script.find("set yrange [");
+  EXPECT_LT(std::stod(script.substr(script.find(':', at) + 1)), 10000);
+}
+
+// What is left of an exact power is rounding: no picture of it.
+TEST(Figures, RoundingIsNotDrawn) {
+  lab::GrowthClaim claim{"test.growth", "sorted_list", "constructed", "processed", 1, 2, 0.03, ""};
+  verify::VerifyResult result;
+  for (const int n : {10, 20, 40, 80}) {
+    lab::CellResult cell;
+    cell.cell.structure = "sorted_list";
+    cell.cell.family = "constructed";
+    lab::Trial trial;
+    trial.measurement.objects = static_cast<std::size_t>(n);
+    trial.measurement.costs.processed =
+        static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n);
+    cell.trials = {trial};
+    result.cells.push_back(cell);
+  }
+  result.growths = {lab::judge_growth(claim, result.cells)};
+  ASSERT_TRUE(result.growths[0].fit);
+  EXPECT_EQ(verify::verify_figures(result).size(), 1u);
+  ++result.cells[2].trials[0].measurement.costs.processed;
+  result.growths = {lab::judge_growth(claim, result.cells)};
+  EXPECT_EQ(verify::verify_figures(result).size(), 2u);
 }
 
 TEST(Figures, ChiSquareIsSaidOnlyOfCountsWithErrors) {
@@ -160,8 +220,13 @@ TEST(VerifyPage, HoldsTablesPlotsAndNothingFromOutside) {
   EXPECT_THAT(page, HasSubstr("sorted_list: events over n"));
   EXPECT_THAT(page, HasSubstr("sorted_list.swaps"));
   EXPECT_THAT(page, Not(HasSubstr("What did not pass")));
-  EXPECT_THAT(page, Not(HasSubstr("http")));
-  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("://")));
+  EXPECT_THAT(page, Not(HasSubstr("src=\"/")));
+  // The verdict comes first; every cell has an anchor, its scene and the command that makes it.
+  EXPECT_LT(page.find("5 of 5 hold; 0 fail"), page.find("<nav"));
+  EXPECT_THAT(page, HasSubstr("<tr id=\"cell-sorted_list-sort-worst-n-8\""));
+  EXPECT_THAT(page, HasSubstr("kinex gen sort-worst --n 8 --maintain sorted_list -o scene.json"));
+  EXPECT_THAT(page, HasSubstr(result.cells[0].trials[0].measurement.scene_hash));
 }
 
 TEST(VerifyPage, SaysWhatFailedAndThatThereAreNoPlots) {

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/lab/curves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kinex::lab {
+
+namespace {
+
+constexpr int kPlotHeight = 390;  // without the legend
+constexpr int kRowHeight = 20;
+constexpr double kCharacter = 7.6;  // pixels, of the widest font that stands in for Helvetica
+constexpr double kSample = 62;      // of a legend's entry, beside its text
+constexpr double kAboveData = 10;   // bounds beyond this multiple of the data leave the picture
+constexpr double kSame = 0.02;      // curves nearer than this share cover each other
+
+struct Range {
+  double low = 1e300, high = -1e300;
+  void add(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  bool empty() const { return low > high; }
+};
+
+// Length of a marked-up text as it is read.
+std::size_t read_length(const std::string& text) {
+  std::size_t length = 0;
+  for (const char c : text) {
+    if (c != '{' && c != '}' && c != '^' && c != '_' && c != '\\' && (c & 0xC0) != 0x80) ++length;
+  }
+  return length;
+}
+
+bool is_drawn(const CurvesPicture& picture, const FitPoint& point) {
+  return std::isfinite(point.count) && (!picture.log_y || point.count > 0) &&
+         (!picture.log_x || point.n > 0);
+}
+
+// True if every point of `a` is near a point of `b`.
+bool runs_along(const Curve& a, const Curve& b) {
+  if (a.points.empty()) return false;
+  return std::all_of(a.points.begin(), a.points.end(), [&](const FitPoint& p) {
+    return std::any_of(b.points.begin(), b.points.end(), [&](const FitPoint& q) {
+      return std::fabs(p.n - q.n) <= kSame * std::fabs(p.n) &&
+             std::fabs(p.count - q.count) <= kSame * std::fabs(p.count);
+    });
+  });
+}
+
+// What the legend says of points that the axis does not have.
+std::string left_out(const CurvesPicture& picture, const Curve& curve) {
+  std::size_t drawn = 0, zeros = 0;
+  for (const FitPoint& point : curve.points) {
+    drawn += is_drawn(picture, point) ? 1 : 0;
+    zeros += point.count == 0 ? 1 : 0;
+  }
+  if (drawn == curve.points.size() || zeros == 0) return "";
+  if (drawn == 0) return ": 0 throughout";
+  std::string at;
+  if (zeros <= 3) {
+    for (const FitPoint& point : curve.points) {
+      if (point.count == 0) at += fmt::format("{}{:.4g}", at.empty() ? " at " : ", ", point.n);
+    }
+  } else {
+    at = fmt::format(" at {} sizes", zeros);
+  }
+  return ": 0" + at;
+}
+
+class CurvesDrawing {
+ public:
+  CurvesDrawing(const CurvesPicture& picture, const std::vector<Curve>& curves)
+      : picture_(picture), curves_(curves) {
+    measure();
+  }
+
+  void draw(Figure& figure) {
+    for (std::size_t i = 0; i < curves_.size(); ++i) add_curve(i);
+    for (const double slope : picture_.slopes) add_guide(slope);
+    const LegendPlan legend = legend_below(entries_, figure.width);
+    std::string text = kFrame + legend.commands;
+    text += axis('x', picture_.x, picture_.log_x, x_);
+    text += axis('y', picture_.y, picture_.log_y, y_);
+    if (!picture_.x_tics.empty()) {
+      text += "set xtics (";
+      for (std::size_t i = 0; i < picture_.x_tics.size(); ++i) {
+        text += fmt::format("{}{:.6g}", i == 0 ? "" : ", ", picture_.x_tics[i]);
+      }
+      text += ")\n";
+    }
+    if (plot_.empty()) plot_ = "plot NaN notitle";  // nothing but zeros
+    if (!picture_.title.empty()) text += "set title " + quoted(picture_.title) + "\n";
+    figure.script = text + data_ + plot_ + "\n";
+    figure.height = kPlotHeight + kRowHeight * legend.rows;
+  }
+
+ private:
+  void measure() {
+    Range bound;
+    for (const Curve& curve : curves_) {
+      for (const FitPoint& point : curve.points) {
+        if (!is_drawn(picture_, point)) continue;
+        x_.add(point.n);
+        Range& y = curve.is_bound ? bound : y_;
+        y.add(point.count);
+        const double error = 2 * point.error;
+        y.add(point.count + error);
+        if (!picture_.log_y || point.count - error > 0) y.add(point.count - error);
+      }
+    }
+    if (y_.empty()) y_ = bound.empty() ? Range{1, 1} : bound;
+    if (x_.empty()) x_ = {1, 1};
+    if (!bound.empty()) {
+      const double low = picture_.log_y ? y_.low / kAboveData : bound.low;
+      y_.low = std::min(y_.low, std::max(bound.low, low));
+      y_.high = std::max(y_.high, std::min(bound.high, kAboveData * y_.high));
+    }
+    x_ = widened(x_, picture_.log_x, 1.25, 0.04);
+    y_ = widened(y_, picture_.log_y, 1.5, 0.06);
+  }
+
+  static Range widened(Range range, bool log, double factor, double share) {
+    if (log) return {range.low / factor, range.high * factor};
+    const double size = range.high > range.low ? range.high - range.low : 1;
+    const double low = range.low - share * size;
+    return {range.low >= 0 && low < 0 ? 0 : low, range.high + share * size};
+  }
+
+  static std::string axis(char name, const std::string& title, bool log, const Range& range) {
+    std::string text =
+        log ? fmt::format("set logscale {}\n", name) + log_tics(name, range.low, range.high)
+            : std::string();
+    text += fmt::format("set {}range [{:.8g}:{:.8g}]\n", name, range.low, range.high);
+    return text + fmt::format("set {}label {}\n", name, quoted(title));
+  }
+
+  void add(const std::string& item, const std::string& entry) {
+    plot_ += (plot_.empty() ? "plot " : ", \\\n  ") + item;
+    if (entry.empty()) {
+      plot_ += " notitle";
+    } else {
+      plot_ += " title '" + entry + "'";
+      entries_.push_back(entry);
+    }
+  }
+
+  void add_curve(std::size_t i) {
+    const Curve& curve = curves_[i];
+    const Look& style = look(curve.look.value_or(i));
+    const std::string block =
+        fmt::format("${}{}", curve.is_bound ? "bound" : "curve", curve.look.value_or(i));
+    std::size_t drawn = 0;
+    bool bars = false;
+    data_ += block + " << EOD\n";
+    for (const FitPoint& point : curve.points) {
+      if (!is_drawn(picture_, point)) continue;
+      ++drawn;
+      bars = bars || point.error > 0;
+      double below = point.count - 2 * point.error;
+      if (picture_.log_y && !(below > 0)) below = y_.low / 10;  // down to the edge and beyond
+      data_ += fmt::format("{:.10g} {:.10g} {:.10g} {:.10g}\n", point.n, point.count, below,
+                           point.count + 2 * point.error);
+    }
+    data_ += "EOD\n";
+    std::string entry = marked(curve.name) + left_out(picture_, curve);
+    if (drawn > 0 && !curve.value.empty()) entry += ": " + curve.value;
+    if (curve.is_bound) {
+      add_bound(curve, block, style, entry);
+      return;
+    }
+    if (drawn == 0) {
+      add(fmt::format("NaN with points pt {} ps 0.8 lc rgb '{}'", style.symbol, style.colour),
+          entry);
+      return;
+    }
+    std::size_t over = 0;  // later curves that would cover it
+    for (std::size_t j = i + 1; j < curves_.size(); ++j) {
+      over += !curves_[j].is_bound && runs_along(curve, curves_[j]) ? 1 : 0;
+    }
+    const double width = 1.5 + 4.5 * static_cast<double>(over);
+    const double size = 0.8 + 0.9 * static_cast<double>(over);
+    if (curve.line) add_line(curve, i, style);
+    const char* with = curve.joined ? (bars ? "yerrorlines" : "linespoints")
+                       : bars       ? "yerrorbars"
+                                    : "points";
+    add(fmt::format("{} using {} with {} lw {:.2g} ps {:.2g} pt {} lc rgb '{}'", block,
+                    bars ? "1:2:3:4" : "1:2", with, width, size,
+                    over > 0 ? style.symbol - 1 : style.symbol, style.colour),
+        entry);
+  }
+
+  // The symbols without filling are those before: a wide line below shows around the narrow one.
+  void add_line(const Curve& curve, std::size_t i, const Look& style) {
+    const double low = std::log(std::max(curve.points.front().n, curve.line_from)),
+                 high = std::log(curve.points.back().n);
+    data_ += fmt::format("$line{} << EOD\n", i);
+    for (int k = 0; k <= 60; ++k) {
+      const double n = std::exp(low + (high - low) * k / 60);
+      data_ += fmt::format("{:.8g} {:.8g}\n", n, curve.line->at(n));
+    }
+    data_ += "EOD\n";
+    add(fmt::format("$line{} using 1:2 with lines lw 1.4 lc rgb '{}'", i, style.colour), "");
+  }
+
+  void add_bound(const Curve& curve, const std::string& block, const Look& style,
+                 std::string entry) {
+    const FitPoint* first_above = nullptr;
+    bool below = false;
+    for (const FitPoint& point : curve.points) {
+      below = below || point.count <= y_.high;
+      if (point.count > y_.high && first_above == nullptr) first_above = &point;
+    }
+    if (first_above != nullptr) {
+      entry += below ? fmt::format(", above from {:.4g} on", first_above->n)
+                     : fmt::format(", above: {:.2g} at {:.4g}", curve.points.front().count,
+                                   curve.points.front().n);
+    }
+    add(fmt::format("{} using 1:2 with lines lw 1.5 dt 2 lc rgb '{}'", block, style.colour), entry);
+  }
+
+  // Below the last point of the curve that rises most like it.
+  void add_guide(double slope) {
+    const FitPoint* last = nullptr;
+    double nearest = 0;
+    for (const Curve& curve : curves_) {
+      const FitPoint *from = nullptr, *to = nullptr;
+      for (const FitPoint& point : curve.points) {
+        if (!is_drawn(picture_, point)) continue;
+        if (from == nullptr) from = &point;
+        to = &point;
+      }
+      if (curve.is_bound || from == to) continue;
+      const double own = std::log(to->count / from->count) / std::log(to->n / from->n);
+      if (last != nullptr && std::fabs(own - slope) >= nearest) continue;
+      nearest = std::fabs(own - slope);
+      last = to;
+    }
+    if (last == nullptr) return;
+    const double factor = 0.6 * last->count / std::pow(last->n, slope);
+    add(fmt::format("{:.10g}*x**{:.6g} with lines lw 1.2 dt {} lc rgb '#555555'", factor, slope,
+                    ++guides_ == 1 ? 3 : 4),
+        fmt::format("slope {:.4g}", slope));
+  }
+
+  const CurvesPicture& picture_;
+  const std::vector<Curve>& curves_;
+  Range x_, y_;
+  std::string data_, plot_;
+  std::vector<std::string> entries_;
+  int guides_ = 0;
+};
+
+}  // namespace
+
+void set_curves(Figure& figure, const CurvesPicture& picture, const std::vector<Curve>& curves) {
+  CurvesDrawing(picture, curves).draw(figure);
+}
+
+std::string log_tics(char axis, double low, double high) {
+  const double decades = std::log10(high / low);
+  if (decades >= 2) {
+    const int step = std::max(1, static_cast<int>(std::ceil(decades / 8)));
+    return fmt::format("set format {0} '10^{{%L}}'\nset {0}tics 1e{1}\n", axis, step);
+  }
+  std::string text = fmt::format("set {}tics (", axis);
+  bool first = true;
+  for (int k = static_cast<int>(std::floor(std::log10(low))); k <= std::log10(high); ++k) {
+    for (const int digit : {1, 2, 5}) {
+      const double value = digit * std::pow(10, k);
+      if (value < low || value > high) continue;
+      text += fmt::format("{}'{:.10g}' {:.10g}", first ? "" : ", ", value, value);
+      first = false;
+    }
+  }
+  return text + ")\n";
+}
+
+LegendPlan legend_below(const std::vector<std::string>& entries, int width) {
+  std::size_t longest = 0;
+  for (const std::string& entry : entries) longest = std::max(longest, read_length(entry));
+  const double needed = kSample + kCharacter * static_cast<double>(longest);
+  const int columns = 2 * needed <= width - 140 && entries.size() > 1 ? 2 : 1;
+  LegendPlan plan;
+  plan.rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
+  // A line of its own lies between the axis's name and the key.
+  plan.commands = fmt::format(
+      "set key at screen 0.5, screen 0.02 center bottom horizontal Left reverse samplen 2.5 "
+      "maxcols "
+      "{} width 2\nset bmargin {}\n",
+      columns, 3.2 + plan.rows * 1.13);
+  return plan;
+}
+
+std::string power_value(const Fit& fit, const std::string& variable) {
+  if (is_exact(fit) && std::fabs(fit.b) < 1e-9) return "constant";
+  if (fit.upper - fit.lower < 1e-3) return fmt::format("{}^{{{:.3f}}}", variable, fit.b);
+  return fmt::format("{}^{{{:.3f}}} [{:.3f}, {:.3f}]", variable, fit.b, fit.lower, fit.upper);
+}
+
+bool is_exact(const Fit& fit) {
+  constexpr double kRounding = 1e-9;
+  return std::all_of(fit.residuals.begin(), fit.residuals.end(),
+                     [](double residual) { return std::fabs(residual) < kRounding; });
+}
+
+}  // namespace kinex::lab

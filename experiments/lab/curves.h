@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves: a picture of named curves on logarithmic or linear axes, in gnuplot's commands. What all
+// pictures have in common is settled here: one form of numbers per axis, nothing hidden, no zero on
+// a logarithmic axis, room for every label.
+#ifndef KINEX_EXPERIMENTS_LAB_CURVES_H
+#define KINEX_EXPERIMENTS_LAB_CURVES_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/lab/fit.h"
+#include "experiments/lab/gnuplot.h"
+
+namespace kinex::lab {
+
+// A curve goes through its points in their order. A standard error above 0 is drawn as a bar of two
+// of them to each side.
+struct Curve {
+  std::string name;
+  std::vector<FitPoint> points;
+  std::string value;  // what was fitted, marked up; it follows the name in the legend
+  std::optional<Fit> line = std::nullopt;  // drawn to the last point
+  double line_from = 0;                    // from here, or from the first point
+  bool is_bound = false;                   // dashed, without symbols; it may leave the picture
+  bool joined = true;                      // its points, by lines
+  std::optional<std::size_t> look = std::nullopt;  // nullopt: its place among the curves
+};
+
+struct CurvesPicture {
+  std::string x, y;  // names of the axes, with units
+  bool log_x = true, log_y = true;
+  std::vector<double> slopes;       // guides n^slope, dotted; of logarithmic axes
+  std::vector<double> x_tics = {};  // these instead of round numbers
+  std::string title = {};           // above the picture; empty: none
+};
+
+// Sets the script, width and height of a figure. Of a value that a logarithmic axis does not
+// have, the legend tells. A curve that runs along a later one is drawn wider below it. Bounds more
+// than a decade above everything else do not stretch the picture; the legend names what is left out.
+void set_curves(Figure& figure, const CurvesPicture& picture, const std::vector<Curve>& curves);
+
+// ---- parts
+
+// Grid, borders and tics.
+inline constexpr const char* kFrame =
+    "set grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\nset tics nomirror\n";
+
+// Numbers of a logarithmic axis ('x' or 'y') with this range: powers of ten over two decades and
+// more, else 1, 2, 5, 10, ...
+std::string log_tics(char axis, double low, double high);
+
+// A key below the picture that its entries fit into, in one or two columns: its rows.
+struct LegendPlan {
+  std::string commands;
+  int rows = 0;
+};
+LegendPlan legend_below(const std::vector<std::string>& entries, int width);
+
+// "n^{1.51}" and the like, marked up: a power with its 95 % interval.
+std::string power_value(const Fit& fit, const std::string& variable);
+
+// A fit that leaves nothing but rounding: all residuals below 1e-9.
+bool is_exact(const Fit& fit);
+
+}  // namespace kinex::lab
+
+#endif

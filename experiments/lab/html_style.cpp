@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Style and script of the pages of results. Without the script everything is there, unfolded.
+#include "experiments/lab/html_style.h"
+
+namespace kinex::lab {
+
+const char* const kPageStyle = R"(
+:root { color-scheme: light dark; --back: #fff; --text: #1a1a1a; --quiet: #565b62; --line: #d9dce0;
+  --strong: #b4b8be; --panel: #f4f5f7; --link: #0b5394; --good: #00583f; --bad: #a33a00; --open: #6b5500;
+  --mark: #fff3c9; }
+@media (prefers-color-scheme: dark) {
+  :root { --back: #14161a; --text: #e7e9ec; --quiet: #a2a8b1; --line: #33383f; --strong: #565d67;
+    --panel: #1e2126; --link: #7db7f0; --good: #5fc795; --bad: #ff9a63; --open: #e0bb4e; --mark: #3f3710; }
+  figure img { filter: invert(1) hue-rotate(180deg); }
+}
+* { box-sizing: border-box; }
+body { font: 15px/1.45 system-ui, "Helvetica Neue", Arial, sans-serif; color: var(--text);
+  background: var(--back); margin: 1.2rem auto; padding: 0 1.2rem; max-width: 1360px; }
+a { color: var(--link); } h1 { font-size: 1.3rem; margin: 0; font-weight: 600; color: var(--quiet); }
+h2 { font-size: 1.2rem; margin: 2.2rem 0 .5rem; } h3 { font-size: 1rem; margin: 1.4rem 0 .3rem; }
+h2 a, h3 a { color: inherit; text-decoration: none; }
+h2 a:hover::after, h3 a:hover::after { content: " #"; color: var(--quiet); }
+:target { scroll-margin-top: 1rem; } h2:target, h3:target, tr:target td { background: var(--mark); }
+p.verdict { font-size: clamp(1.35rem, 4.5vw, 2.1rem); line-height: 1.2; font-weight: 600; margin: .3rem 0; }
+p.facts { color: var(--quiet); margin: .2rem 0; overflow-wrap: anywhere; }
+nav { margin: .8rem 0; padding: .5rem .8rem; background: var(--panel); border-radius: 6px; }
+nav a { margin-right: 1.1em; display: inline-block; }
+.v { font-weight: 600; white-space: nowrap; } .text { white-space: normal; }
+.PASS { color: var(--good); } .FAIL { color: var(--bad); } .INCONCLUSIVE, .GAVE { color: var(--open); }
+.grid { display: grid; gap: 1.2rem; align-items: start;
+  grid-template-columns: repeat(auto-fill, minmax(min(560px, 100%), 1fr)); }
+figure { margin: 0; border: 1px solid var(--line); border-radius: 6px; padding: .6rem; min-width: 0; }
+figure img { width: 100%; height: auto; display: block; }
+figure.row { grid-column: 1 / -1; }
+figure.row div { display: grid; gap: .6rem;
+  grid-template-columns: repeat(auto-fit, minmax(min(380px, 100%), 1fr)); }
+figcaption b { display: block; } figcaption { font-size: .87rem; margin-top: .4rem; }
+.wide { overflow-x: auto; } .wide table { min-width: 100%; }
+table { border-collapse: collapse; font-size: .84rem; }
+th, td { padding: .22rem .5rem; text-align: left; border-bottom: 1px solid var(--line);
+  vertical-align: top; }
+th { background: var(--panel); border-bottom: 2px solid var(--strong); }
+th button { all: unset; font: inherit; cursor: pointer; white-space: nowrap; }
+th button:focus-visible, .open:focus-visible { outline: 2px solid var(--link); }
+th[aria-sort=ascending] button::after { content: " \25B2"; }
+th[aria-sort=descending] button::after { content: " \25BC"; }
+td.r, th.r { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+tr.first td { border-top: 2px solid var(--strong); } tr.more > td { background: var(--panel); }
+.open { all: unset; cursor: pointer; color: var(--link); white-space: nowrap; }
+.filter { display: flex; gap: .6rem; align-items: baseline; flex-wrap: wrap; margin: .4rem 0; }
+.filter input { font: inherit; color: inherit; background: var(--back); border: 1px solid var(--strong);
+  border-radius: 5px; padding: .15rem .5rem; width: min(22rem, 100%); }
+.filter output { color: var(--quiet); font-size: .87rem; }
+code, pre { background: var(--panel); border-radius: 3px; font-size: .92em; }
+code { padding: .1rem .3rem; overflow-wrap: anywhere; }
+tr.more pre { background: var(--back); } pre { padding: .4rem .6rem; margin: .3rem 0; white-space: pre-wrap;
+  overflow-wrap: anywhere; }
+[hidden] { display: none !important; }
+@media print { .filter, nav { display: none; } }
+)";
+
+const char* const kPageScript = R"(
+"use strict";
+const numberOf = text => {
+  const found = text.replace(/\u2212/g, "-").match(/-?\d+(\.\d+)?(e[+-]?\d+)?/i);
+  return found ? parseFloat(found[0]) : NaN;
+};
+for (const table of document.querySelectorAll("table.data")) {
+  const body = table.tBodies[0];
+  // A row, and the one that belongs to it.
+  const rows = [...body.rows].filter(row => !row.classList.contains("more")).map(row => {
+    const next = row.nextElementSibling;
+    return { row, more: next && next.classList.contains("more") ? next : null,
+             text: row.textContent.toLowerCase() };
+  });
+  const show = (one, open) => {
+    if (!one.more) return;
+    one.more.hidden = !open;
+    const button = one.row.querySelector(".open");
+    if (button) button.setAttribute("aria-expanded", open);
+  };
+  for (const one of rows) {
+    show(one, false);
+    const button = one.row.querySelector(".open");
+    if (button) button.addEventListener("click", () => show(one, one.more.hidden));
+  }
+  const open = () => {
+    const at = rows.find(one => one.row.id && "#" + one.row.id === decodeURIComponent(location.hash));
+    if (!at) return;
+    show(at, true);
+    at.row.scrollIntoView({ block: "center" });
+  };
+  addEventListener("hashchange", open);
+  open();
+  if (rows.length >= 6) {
+    const box = document.createElement("div"), label = document.createElement("label");
+    const input = document.createElement("input"), count = document.createElement("output");
+    box.className = "filter";
+    input.type = "search";
+    input.placeholder = "words, -without";
+    label.append("Filter ", input);
+    box.append(label, count);
+    table.parentElement.before(box);
+    const filter = () => {
+      const words = input.value.toLowerCase().split(/\s+/).filter(word => word !== "" && word !== "-");
+      let shown = 0;
+      for (const one of rows) {
+        const is = words.every(word => word.startsWith("-") ? !one.text.includes(word.slice(1))
+                                                            : one.text.includes(word));
+        one.row.hidden = !is;
+        if (!is) show(one, false);
+        shown += is;
+      }
+      count.textContent = shown + " of " + rows.length + " rows";
+    };
+    input.addEventListener("input", filter);
+    filter();
+  }
+  [...table.tHead.rows[0].cells].forEach((head, column) => {
+    const button = document.createElement("button");
+    button.append(...head.childNodes);
+    head.append(button);
+    button.addEventListener("click", () => {
+      const up = head.getAttribute("aria-sort") !== "ascending";
+      for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
+      head.setAttribute("aria-sort", up ? "ascending" : "descending");
+      const numeric = head.classList.contains("r");
+      const key = one => {
+        const text = one.row.cells[column] ? one.row.cells[column].textContent : "";
+        return numeric ? numberOf(text) : text;
+      };
+      const order = (a, b) => numeric ? (isNaN(a) ? (isNaN(b) ? 0 : 1) : isNaN(b) ? -1 : up ? a - b : b - a)
+        : (up ? 1 : -1) * a.localeCompare(b, "en", { numeric: true });
+      const keyed = rows.map((one, i) => [key(one), i, one]);
+      keyed.sort((a, b) => order(a[0], b[0]) || a[1] - b[1]);
+      for (const [, , one] of keyed) {
+        one.row.classList.remove("first");
+        body.append(one.row);
+        if (one.more) body.append(one.more);
+      }
+    });
+  });
+}
+)";
+
+}  // namespace kinex::lab
