@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex reproduce: the figures and claims of a paper, run again.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "experiments/formats/input_error.h"
 #include "experiments/lab/progress.h"
 #include "experiments/reproduce/planned.h"
 #include "experiments/reproduce/runner.h"
@@ -83,6 +86,10 @@ void reproduce(Options options, int& exit_code) {
   check_range("--jobs", options.jobs, 1, kMostJobs);
   const lab::Paper& paper = reproduce::paper_named(options.paper);
   const std::vector<const lab::PaperPart*> parts = reproduce::parts_named(paper, options.parts);
+  if (!options.logcheck.empty() && ::access(options.logcheck.c_str(), X_OK) != 0) {
+    throw formats::InputError("--logcheck", "", show_text(options.logcheck) + " is no program that can be run",
+                              "give the path of kinex-logcheck alone, or leave the option out");
+  }
   if (options.folder.empty()) options.folder = options.paper + (options.quick ? "-quick" : "");
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);  // errors are reported below
@@ -91,7 +98,7 @@ void reproduce(Options options, int& exit_code) {
                  reproduce::selection_of(options.paper, options.parts, options.quick), options.fresh);
   const ResultFile claims(options.folder + "/claims.json", options.force, journal);
   const ResultFile readme(options.folder + "/README.md", options.force, journal);
-  tell_what_is_found(journal, "experiment", "experiments");
+  tell_what_is_found(journal, "experiment", "experiments", options.voice);
   reproduce::ReproductionFacts facts;
   facts.build = lab::build_facts();
   facts.machine = lab::machine_facts();

@@ -87,6 +87,15 @@ TEST(ReproduceVerb, WhatTheSecondProgramRefusesIsNotConfirmed) {
   EXPECT_THAT(read_file(folder + "/README.md"), HasSubstr("refused: an event is missing"));
 }
 
+TEST(ReproduceVerb, RefusesASecondProgramThatIsNone) {
+  const ScratchFolder scratch;
+  const Finished run = run_kinex({"reproduce", "separation-sensitive-1999", "features", "--quick", "-o",
+                                  scratch.file("x"), "--logcheck", "python3 logcheck"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("--logcheck: \"python3 logcheck\" is no program that can be run"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("x")));
+}
+
 // An interruption ends the second program too; what was run by then is kept and written.
 TEST(ReproduceVerb, IsInterruptedWhileTheSecondProgramRuns) {
   const ScratchFolder scratch;
