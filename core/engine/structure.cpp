@@ -7,25 +7,32 @@
 namespace kinex {
 namespace {
 
-// The tuples of `from` that are not in `in`; both ascending.
-std::vector<ObjectId> missing_tuples(const std::vector<ObjectId>& from,
-                                     const std::vector<ObjectId>& in, std::size_t width) {
-  std::vector<ObjectId> result;
-  const auto tuple = [width](const std::vector<ObjectId>& ids, std::size_t i) {
+// The tuples that only one of two ascending lists has. Most are in both: runs of equal ids are passed
+// over without a look at tuples.
+AttributeDifference difference_of_tuples(const std::vector<ObjectId>& before,
+                                         const std::vector<ObjectId>& after, std::size_t width) {
+  AttributeDifference result;
+  const auto at = [width](const std::vector<ObjectId>& ids, std::size_t i) {
     return std::span<const ObjectId>(ids).subspan(i, width);
   };
-  const auto before = [](std::span<const ObjectId> a, std::span<const ObjectId> b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  };
-  std::size_t k = 0;
-  for (std::size_t i = 0; i + width <= from.size(); i += width) {
-    const std::span<const ObjectId> one = tuple(from, i);
-    while (k + width <= in.size() && before(tuple(in, k), one)) k += width;
-    if (k + width <= in.size() && !before(one, tuple(in, k))) {
-      k += width;
-      continue;
-    }
-    result.insert(result.end(), one.begin(), one.end());
+  std::size_t b = 0, a = 0;
+  while (b + width <= before.size() || a + width <= after.size()) {
+    const auto first = before.begin() + static_cast<std::ptrdiff_t>(b);
+    const auto equal = static_cast<std::size_t>(
+        std::mismatch(first, before.end(), after.begin() + static_cast<std::ptrdiff_t>(a),
+                      after.end())
+            .first -
+        first);
+    b += equal / width * width;
+    a += equal / width * width;
+    const bool has_before = b + width <= before.size(), has_after = a + width <= after.size();
+    if (!has_before && !has_after) break;
+    const bool goes = !has_after || (has_before && std::ranges::lexicographical_compare(
+                                                       at(before, b), at(after, a)));
+    std::vector<ObjectId>& list = goes ? result.gone : result.came;
+    const std::span<const ObjectId> one = goes ? at(before, b) : at(after, a);
+    list.insert(list.end(), one.begin(), one.end());
+    (goes ? b : a) += width;
   }
   return result;
 }
@@ -42,8 +49,7 @@ std::vector<std::string_view> common_event_kinds(std::vector<std::string_view> o
 AttributeDifference difference_between(const Attribute& before, const Attribute& after) {
   if (before == after) return {};
   if (before.shape == Attribute::Shape::kTuples) {
-    return {missing_tuples(before.ids, after.ids, before.width),
-            missing_tuples(after.ids, before.ids, before.width)};
+    return difference_of_tuples(before.ids, after.ids, before.width);
   }
   return {before.ids, after.ids};
 }

@@ -260,23 +260,30 @@ void set_curves(Figure& figure, const CurvesPicture& picture, const std::vector<
   CurvesDrawing(picture, curves).draw(figure);
 }
 
-std::string log_tics(char axis, double low, double high) {
+std::string log_tics(char axis, double low, double high, bool labelled) {
   const double decades = std::log10(high / low);
-  if (decades >= 2) {
-    const int step = std::max(1, static_cast<int>(std::ceil(decades / 8)));
-    return fmt::format("set format {0} '10^{{%L}}'\nset {0}tics 1e{1}\n", axis, step);
-  }
-  std::string text = fmt::format("set {}tics (", axis);
-  bool first = true;
+  const bool powers = decades >= 2;
+  const int step = std::max(1, static_cast<int>(std::ceil(decades / 8)));
+  std::string text;
+  const auto add = [&](const std::string& name, int digit, int power) {
+    const double value = digit * std::pow(10, power);
+    if (value < low || value > high) return;
+    text += fmt::format("{}'{}' {}e{}{}", text.empty() ? "" : ", ", labelled ? name : "", digit,
+                        power, name.empty() ? " 1" : "");
+  };
+  // Every place is written out: gnuplot's own steps begin at the end of the range, wherever that is.
   for (int k = static_cast<int>(std::floor(std::log10(low))); k <= std::log10(high); ++k) {
-    for (const int digit : {1, 2, 5}) {
-      const double value = digit * std::pow(10, k);
-      if (value < low || value > high) continue;
-      text += fmt::format("{}'{:.10g}' {:.10g}", first ? "" : ", ", value, value);
-      first = false;
+    for (int digit = 1; digit < 10; ++digit) {
+      const bool round = digit == 1 || digit == 2 || digit == 5;
+      if (powers) {
+        if (digit > 1 && step > 1) continue;
+        add(digit == 1 && k % step == 0 ? fmt::format("10^{{{}}}", k) : "", digit, k);
+      } else {
+        add(round ? fmt::format("{:.10g}", digit * std::pow(10, k)) : "", digit, k);
+      }
     }
   }
-  return text + ")\n";
+  return fmt::format("set {}tics ({})\n", axis, text);
 }
 
 LegendPlan legend_below(const std::vector<std::string>& entries, int width) {

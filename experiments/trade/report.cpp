@@ -140,12 +140,13 @@ std::string verdict_line(const TradeResult& result, double seconds) {
     if (right == all) {
       always += (always.empty() ? "" : ", ") + one.arithmetic;
     } else {
-      sometimes += fmt::format("{}{} in {}", sometimes.empty() ? "; " : ", ", one.arithmetic, right);
+      sometimes +=
+          fmt::format("{}{} in {}", sometimes.empty() ? "; " : ", ", one.arithmetic, right);
     }
   }
-  std::string text =
-      fmt::format("{}: {} right in all of them{}", formats::counted(result.cases.size(), "scene", "scenes"),
-                  always.empty() ? "none" : always, sometimes);
+  std::string text = fmt::format("{}: {} right in all of them{}",
+                                 formats::counted(result.cases.size(), "scene", "scenes"),
+                                 always.empty() ? "none" : always, sometimes);
   const std::size_t faults = result.faults().size();
   if (faults > 0) text += "; " + formats::counted(faults, "fault", "faults");
   if (result.interrupted) text += "; interrupted";

@@ -31,7 +31,7 @@ namespace kinex::verbs {
 namespace {
 
 constexpr std::size_t kMostObjects = 20000;
-constexpr long long kMostEvents = 100000;
+constexpr long long kMostEvents = 200000;
 
 struct Options {
   std::string file, scene, with, output, arithmetic, from, until;
@@ -282,7 +282,7 @@ void add_view_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--from", options->from, "Show the run from this time on");
   verb->add_option("--until", options->until, "Stop at this time, before the scene's end");
   verb->add_option("--max-events", options->max_events,
-                   "The most log records of each run (100000)");
+                   "The most log records of each run (200000)");
   verb->add_flag("--force", options->force, "Replace a page that exists");
   verb->footer(
       "The scene is run again, and its states are recorded; a log is checked against that run.\n"

@@ -2,6 +2,7 @@
 #include "experiments/view/page_data.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/json_writer.h"
@@ -130,6 +131,21 @@ void write_structures(formats::JsonWriter& json, const RecordedRun& run, const S
   json.end_array();
 }
 
+// The places of ids in the certificate's, as digits; or the ids, where some are not there.
+template <class Range>
+void write_places(formats::JsonWriter& json, const Range& ids, const Query& certificate) {
+  static_assert(kMaxArity <= 10, "a place is a digit");
+  std::string places;
+  for (const ObjectId id : ids) {
+    const auto end = certificate.ids.begin() + certificate.arity;
+    const auto found = std::find(certificate.ids.begin(), end, id);
+    if (found == end) return write_ids(json, ids);
+    places += static_cast<char>('0' + (found - certificate.ids.begin()));
+  }
+  if (places.empty()) return write_ids(json, ids);
+  json.string(places);
+}
+
 void write_states(formats::JsonWriter& json, const RecordedRun& run) {
   json.key("states").begin_array();
   for (const RecordedStructure& structure : run.structures) {
@@ -138,8 +154,13 @@ void write_states(formats::JsonWriter& json, const RecordedRun& run) {
     json.key("changes").begin_array();
     for (const AttributeChange& change : structure.changes) {
       json.begin_array().number(change.event).number(std::uint64_t{change.at});
-      write_ids(json, change.removed);
-      write_ids(json, change.added);
+      const bool recorded =
+          change.event > run.before && change.event - run.before <= run.events.size();
+      const Query none{};
+      const Query& certificate =
+          recorded ? run.events[change.event - run.before - 1].event.certificate : none;
+      write_places(json, change.removed, certificate);
+      write_places(json, change.added, certificate);
       json.end_array();
     }
     json.end_array().key("corrupt");
@@ -164,8 +185,14 @@ void write_instants(formats::JsonWriter& json, const RecordedRun& run) {
   for (const auto& [name, near] : run.instants) {
     json.begin_array().string(name.decimal);
     if (name.exact) {
-      write_polynomial(json, name.polynomial);
-      json.number(name.root).string(name.lower.to_string()).string(name.upper.to_string());
+      std::string coefficients;
+      for (const Integer& c : name.polynomial.coefficients()) {
+        coefficients += (coefficients.empty() ? "" : " ") + c.to_string();
+      }
+      json.string(coefficients)
+          .number(name.root)
+          .string(name.lower.to_string())
+          .string(name.upper.to_string());
     }
     json.end_array();
   }
@@ -208,13 +235,21 @@ void write_events(formats::JsonWriter& json, const RecordedRun& run, std::size_t
     for (std::size_t i = 0; i < count; ++i) shown.push_back(things.shown(index, list[i]));
     return shown;
   };
+  const auto shown_certificate = [&](const RecordedEvent& e) {
+    Query shown = e.event.certificate;
+    for (std::size_t i = 0; i < shown.arity; ++i) shown.ids[i] = things.shown(index, shown.ids[i]);
+    return shown;
+  };
+  std::uint64_t last = 0;  // instant
   EventColumns(json, run)
       .column("u", [&](const RecordedEvent& e) { write_double(json, times[e.instant]); })
       .column("s", [&](const RecordedEvent& e) { json.number(int{e.event.structure}); })
       .column("k", [&](const RecordedEvent& e) { json.number(int{e.event.kind}); })
       .column("x", [&](const RecordedEvent& e) { json.number(e.event.external ? 1 : 0); })
       .column("ids",
-              [&](const RecordedEvent& e) { write_ids(json, ids(e.event.ids, e.event.count)); })
+              [&](const RecordedEvent& e) {
+                write_places(json, ids(e.event.ids, e.event.count), shown_certificate(e));
+              })
       .column("certificates",
               [&](const RecordedEvent& e) {
                 const Query& query = e.event.certificate;
@@ -226,7 +261,9 @@ void write_events(formats::JsonWriter& json, const RecordedRun& run, std::size_t
                 write_ids(json, ids(query.ids, query.arity));
                 json.end_array();
               })
-      .column("i", [&](const RecordedEvent& e) { json.number(std::uint64_t{e.instant}); })
+      .column(
+          "i",
+          [&](const RecordedEvent& e) { json.number(e.instant - std::exchange(last, e.instant)); })
       .column("p",
               [&](const RecordedEvent& e) {
                 if (e.event.certificate.arity == 0 || e.sign != 0) {

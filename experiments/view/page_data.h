@@ -15,6 +15,9 @@
 //     "instants": [[DECIMAL, POLYNOMIAL, ROOT, LOWER, UPPER]], "reasons": {EVENT: TEXT},
 //     "states": [{"initial": [..], "changes": [[EVENT, PLACE, [REMOVED], [ADDED]]], "corrupt"}]}],
 //  "divergence": EVENT or 0}
+// "i" has the differences of consecutive indices into "instants"; a POLYNOMIAL there is its coefficients with
+// blanks between them, lowest first. The ids of an event, and those that a change removes and adds, are
+// a text where all of them are in the certificate of its event: their places there, a digit each.
 // Objects are numbers, indices into "ids". A body has four axes; its rotor is divided by a number
 // of its own. Further members for proofs and bodies: proof_data.h. Readers: page/*.js.
 #ifndef KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H

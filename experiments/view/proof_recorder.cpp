@@ -7,8 +7,7 @@
 
 namespace kinex::view {
 
-std::size_t ProofRecorder::KeyHash::operator()(
-    const std::pair<std::uint64_t, std::vector<ObjectId>>& key) const {
+std::size_t ProofRecorder::KeyHash::operator()(const GroupKey& key) const {
   std::uint64_t hash = key.first;
   for (const ObjectId id : key.second) hash = (hash ^ id) * 0x9e3779b97f4a7c15u;
   return static_cast<std::size_t>(hash ^ (hash >> 32));
@@ -117,10 +116,7 @@ class ProofRecorder::Visit final : public ProofVisitor {
     } else {
       key_.second.clear();
     }
-    const auto [place, is_new] =
-        watched_.numbers.try_emplace(key_, static_cast<std::uint32_t>(watched_.groups.size()));
-    if (is_new) watched_.groups.emplace_back();
-    number_ = place->second;
+    number_ = number_of_key();
     slot_ = 0;
     of_sum_ = group.of_sum;
     groups_.push_back(number_);
@@ -182,11 +178,23 @@ class ProofRecorder::Visit final : public ProofVisitor {
   ProofChange change;
 
  private:
+  // Mostly it is the group that was shown at this place at the last look.
+  std::uint32_t number_of_key() {
+    if (groups_.size() < watched_.live_groups.size()) {
+      const std::uint32_t last = watched_.live_groups[groups_.size()];
+      if (*watched_.groups[last].key == key_) return last;
+    }
+    const auto [place, is_new] =
+        watched_.numbers.try_emplace(key_, static_cast<std::uint32_t>(watched_.groups.size()));
+    if (is_new) watched_.groups.emplace_back().key = &place->first;
+    return place->second;
+  }
+
   ProofRecorder& recorder_;
   RecordedProof& proof_;
   Watched& watched_;
   const std::uint64_t look_;
-  std::pair<std::uint64_t, std::vector<ObjectId>> key_;
+  GroupKey key_;
   std::uint32_t number_ = 0, slot_ = 0;
   bool of_sum_ = false;
   std::vector<CertificateId> live_;

@@ -36,12 +36,14 @@ class ProofRecorder {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
+  using GroupKey = std::pair<std::uint64_t, std::vector<ObjectId>>;  // its place, or its objects
   struct KeyHash {
-    std::size_t operator()(const std::pair<std::uint64_t, std::vector<ObjectId>>& key) const;
+    std::size_t operator()(const GroupKey& key) const;
   };
   struct KnownGroup {
     std::uint32_t state = kNone;  // place of its present state; kNone: it is not there
     std::uint64_t seen = 0;       // at this look
+    const GroupKey* key = nullptr;
   };
   struct KnownCertificate {
     std::uint32_t number = kNone;  // in the record; kNone: it is not there
@@ -52,8 +54,7 @@ class ProofRecorder {
     std::uint64_t created = ~std::uint64_t{};  // certificates, when it was last looked at
     std::uint64_t retracted = 0;
     std::uint64_t looks = 0, visits = 0;
-    std::unordered_map<std::pair<std::uint64_t, std::vector<ObjectId>>, std::uint32_t, KeyHash>
-        numbers;                                 // of groups, by place or objects
+    std::unordered_map<GroupKey, std::uint32_t, KeyHash> numbers;  // of groups
     std::vector<KnownGroup> groups;              // by number
     std::vector<KnownCertificate> certificates;  // by CertificateId
     std::vector<std::uint32_t> live_groups;

@@ -311,29 +311,36 @@ Attribute Delaunay2::attribute() const {
     return result;
   }
   const ObjectId infinity = store_.infinity();
-  const auto for_edges = [&](const auto& take) {
-    for (Triangulation2::Triangle t = 0; t < store_.triangle_capacity(); ++t) {
-      if (!store_.live(t)) continue;
-      const ObjectId a = store_.origin(3 * t), b = store_.origin(3 * t + 1);
-      const ObjectId c = store_.origin(3 * t + 2);
-      if (a < b && b != infinity) take(a, b);
-      if (b < c && c != infinity) take(b, c);
-      if (c < a && a != infinity) take(c, a);
-    }
+  // Of its two half-edges an edge has the one that begins at the smaller id. Which one that is cannot be
+  // foretold: it is written in any case, and counted without a branch.
+  std::vector<std::pair<ObjectId, ObjectId>> edges(3 * store_.triangle_capacity() + 1);
+  std::size_t count = 0;
+  const auto take = [&](ObjectId a, ObjectId b) {
+    edges[count] = {a, b};
+    count += static_cast<std::size_t>(a < b) & static_cast<std::size_t>(b != infinity);
   };
-  std::vector<std::uint32_t> place(infinity + std::size_t{2}, 0);
-  for_edges([&](ObjectId a, ObjectId) { ++place[a + 2]; });
-  for (std::size_t v = 2; v < place.size(); ++v) place[v] += place[v - 1];
-  std::vector<ObjectId> larger(place.back());
-  for_edges([&](ObjectId a, ObjectId b) { larger[place[a + 1]++] = b; });
-  result.ids.resize(2 * larger.size());
-  for (ObjectId v = 0; v < infinity; ++v) {  // place[v] .. place[v + 1] now belong to v
-    const auto first = larger.begin() + place[v], last = larger.begin() + place[v + 1];
-    if (last - first > 1) std::sort(first, last);
-    for (std::uint32_t i = place[v]; i < place[v + 1]; ++i) {
-      result.ids[2 * i] = v;
-      result.ids[2 * i + 1] = larger[i];
-    }
+  for (Triangulation2::Triangle t = 0; t < store_.triangle_capacity(); ++t) {
+    if (!store_.live(t)) continue;
+    const ObjectId a = store_.origin(3 * t), b = store_.origin(3 * t + 1);
+    const ObjectId c = store_.origin(3 * t + 2);
+    take(a, b);
+    take(b, c);
+    take(c, a);
+  }
+  // By the larger id, then by the smaller one: two passes that keep the order of equals.
+  std::vector<std::pair<ObjectId, ObjectId>> sorted(count);
+  const auto sort_by = [&](const auto& from, auto& to, const auto& key) {
+    std::vector<std::uint32_t> place(infinity + std::size_t{1}, 0);
+    for (std::size_t i = 0; i < count; ++i) ++place[key(from[i]) + 1];
+    for (std::size_t v = 1; v < place.size(); ++v) place[v] += place[v - 1];
+    for (std::size_t i = 0; i < count; ++i) to[place[key(from[i])]++] = from[i];
+  };
+  sort_by(edges, sorted, [](const auto& edge) { return edge.second; });
+  sort_by(sorted, edges, [](const auto& edge) { return edge.first; });
+  result.ids.resize(2 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    result.ids[2 * i] = edges[i].first;
+    result.ids[2 * i + 1] = edges[i].second;
   }
   return result;
 }

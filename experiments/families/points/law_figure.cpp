@@ -105,16 +105,15 @@ lab::Figure law_figure(const LawNames& names, const std::vector<lab::FitPoint>& 
   figure.title = names.title;
   figure.caption =
       "Means with two standard errors, the fits with their 95 % intervals, and below what is left "
-      "of "
-      "each; grey: two standard errors.";
+      "of each; grey: two standard errors.";
   figure.height = 620;
   const double low = points.front().n * 0.8, high = points.back().n * 1.25;
-  std::string tics = lab::log_tics('x', low, high);
-  const std::string blank = "set format x ''\n";
+  const std::string tics = lab::log_tics('x', low, high);
   figure.script = data_of(points, fits) + "set multiplot\nset logscale x\n" + lab::kFrame +
                   "set lmargin at screen 0.13\nset rmargin at screen 0.96\n" +
-                  fmt::format("set xrange [{:.6g}:{:.6g}]\n", low, high) + tics + blank +
-                  counts_part(names, points, fits) + tics + rest_part(fits) + "unset multiplot\n";
+                  fmt::format("set xrange [{:.6g}:{:.6g}]\n", low, high) +
+                  lab::log_tics('x', low, high, false) + counts_part(names, points, fits) + tics +
+                  rest_part(fits) + "unset multiplot\n";
   return figure;
 }
 

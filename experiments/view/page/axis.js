@@ -53,6 +53,9 @@ class KeyAxis {
     context.fillStyle = COLOUR.quiet;
     context.textAlign = "center";
     context.textBaseline = "top";
+    context.textAlign = "right";
+    context.fillText(keyName(key) + " \u2192", this.left + this.width, this.y + 30);
+    context.textAlign = "center";
     for (const value of ticks((middle - half) * scale, (middle + half) * scale, 8)) {
       const at = x(value / scale);
       context.fillRect(at - 0.5, this.y + 5, 1, 5);

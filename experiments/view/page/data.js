@@ -1,6 +1,7 @@
 "use strict";
 // What the page shows; its form is described in page_data.h.
-const DATA = JSON.parse(document.getElementById("data").textContent);
+const DATA = JSON.parse(window.kinexData || document.getElementById("data").textContent);
+for (const run of DATA.runs) unpackRun(run);
 const OBJECTS = DATA.ids.length;
 const RUNS = DATA.runs;
 const FIRST = RUNS[0];
@@ -51,4 +52,21 @@ function make(tag, text, name) {
   if (text !== undefined) element.textContent = text;
   if (name) element.className = name;
   return element;
+}
+
+// Ids that are told by their places in a certificate, differences of indices, and coefficients in one text.
+function unpackRun(run) {
+  const places = (ids, certificate) =>
+    (typeof ids === "string" ? Array.from(ids, digit => certificate[1][+digit]) : ids);
+  run.ids = run.ids.map((ids, e) => places(ids, run.certificates[e]));
+  for (const state of run.states) {
+    for (const change of state.changes) {
+      const certificate = run.certificates[change[0] - run.before - 1];
+      change[2] = places(change[2], certificate);
+      change[3] = places(change[3], certificate);
+    }
+  }
+  let last = 0;
+  run.i = run.i.map(step => (last += step));
+  for (const instant of run.instants) if (instant.length > 1) instant[1] = instant[1].split(" ");
 }

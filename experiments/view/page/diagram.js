@@ -77,6 +77,7 @@ class Diagram {
     context.lineWidth = 0.6;
     context.textAlign = "left";
     context.textBaseline = "bottom";
+    context.fillText(keyName(this.key) + " \u2191", axis.left + 3, 35);
     for (const value of ticks((middle - half) * scale, (middle + half) * scale, 5)) {
       const y = this.y(value / scale);
       if (y < 40) continue;

@@ -14,7 +14,7 @@ class Lanes extends TimeWindow {
   draw() {
     const { app, picture } = this;
     const context = picture.begin();
-    const axis = app.axis(picture.width);
+    const axis = app.windowAxis(picture.width);
     this.axis = axis;
     this.height = (picture.height - 26) / DATA.structures.length;
     DATA.structures.forEach((_, index) => this.drawLane(context, axis, index));
@@ -41,8 +41,8 @@ class Lanes extends TimeWindow {
     }
     context.strokeStyle = COLOUR.line;
     context.lineWidth = 1;
-    trace(context, [[axis.x(Math.max(0, axis.from)), base + 0.5],
-                    [axis.x(Math.min(1, axis.to)), base + 0.5]], false);
+    trace(context, [[axis.x(Math.max(axis.first, axis.from)), base + 0.5],
+                    [axis.x(Math.min(axis.last, axis.to)), base + 0.5]], false);
     context.stroke();
     this.laneBars(context, axis, FIRST, index, base, -long, colour, app.k);
     if (OTHER !== null) {
@@ -50,7 +50,7 @@ class Lanes extends TimeWindow {
     }
     const next = app.proofs[index].nextFailure(app.pair(), app.k);
     if (next === null) return;
-    const x = axis.x(timeOf(FIRST, next));
+    const x = axis.x(axis.placeOf(FIRST, next));
     if (x < axis.left || x > axis.right) return;
     context.strokeStyle = COLOUR.failed;
     context.lineWidth = shown ? 2 : 1.2;
@@ -63,31 +63,37 @@ class Lanes extends TimeWindow {
     const { app } = this;
     const { top } = this.parts(index);
     const counts = this.counts[0][index];
-    let text = DATA.structures[index].label + "  " + (placeUntil(counts.events, app.k) + 1) + " of " +
-      counts.events.length + (counts.events.length === 1 ? " log record" : " log records");
-    if (counts.external > 0) text += ", " + counts.external + " external";
-    if (OTHER !== null) text += " (" + OTHER.arithmetic + ": " + this.counts[1][index].events.length + ")";
+    const name = DATA.structures[index].label;
+    const done = (placeUntil(counts.events, app.k) + 1) + " of " + counts.events.length;
+    const records = done + (counts.events.length === 1 ? " log record" : " log records");
+    const more = (counts.external > 0 ? ", " + counts.external + " external" : "") +
+      (OTHER !== null ? " (" + OTHER.arithmetic + ": " + this.counts[1][index].events.length + ")" : "");
+    const room = axis.right - axis.left - 10, wide = text => context.measureText(text).width;
+    const text = [name + "  " + records + more, name + "  " + records, name + "  " + done]
+      .find(one => wide(one) <= room) || name;
     label(context, text, axis.left + 5, top + 9, app.colourOf(index));
-    if (index === 0 && app.partedAt === null) {
-      label(context, "long bars: external events, short: other log records; ring: fails next",
-            axis.right - 4, top + 9, COLOUR.quiet, "right");
+    const key = "long bars: external events, short: other log records; ring: fails next";
+    if (index === 0 && app.partedAt === null && wide(text) + wide(key) + 24 <= room) {
+      label(context, key, axis.right - 4, top + 9, COLOUR.quiet, "right");
     }
   }
 
   laneBars(context, axis, run, index, base, length, colour, now) {
     const { events } = this.counts[run === FIRST ? 0 : 1][index];
     const taken = [-9, -9];
-    let i = placeUntil(events, eventsUntil(run, axis.from - 1e-12)) + 1;
+    let i = placeUntil(events, axis.firstOf(run) - 1) + 1;
     for (; i < events.length; ++i) {
-      const k = events[i], u = timeOf(run, k);
-      if (u > axis.to) break;
-      const x = Math.round(axis.x(u)), long = run.x[at(run, k)];
+      const k = events[i], place = axis.placeOf(run, k);
+      if (place > axis.to) break;
+      const x = Math.round(axis.x(place)), long = run.x[at(run, k)];
       if (k !== now && taken[long] === x) continue;
       taken[long] = x;
       context.fillStyle = k === now ? COLOUR.failed : colour;
+      context.globalAlpha = run === FIRST && !this.app.filter.fits(k) ? 0.15 : 1;
       const wide = k === now ? 4 : events.length > 300 ? 1 : 2;
       context.fillRect(x - wide / 2, base, wide, length * (long === 1 ? 1 : 0.42));
     }
+    context.globalAlpha = 1;
   }
 
   laneAt(y) {
@@ -96,11 +102,12 @@ class Lanes extends TimeWindow {
   // The event of the lane whose bar is nearest to x, or null if none is near.
   eventAt(x, y) {
     const { events } = this.counts[0][this.laneAt(y)];
-    const near = placeUntil(events, eventsUntil(FIRST, this.axis.u(x)));
+    const place = this.axis.place(x);
+    const near = placeUntil(events, this.axis.records ? Math.floor(place) : eventsUntil(FIRST, place));
     let best = null, distance = 7;
     for (const k of [events[near], events[near + 1]]) {
       if (k === undefined) continue;
-      const d = Math.abs(this.axis.x(timeOf(FIRST, k)) - x);
+      const d = Math.abs(this.axis.x(this.axis.placeOf(FIRST, k)) - x);
       if (d < distance) { distance = d; best = k; }
     }
     return best;

@@ -19,6 +19,8 @@ class App {
     this.picture = new Picture("picture");
     this.selected = null;      // a certificate of the proof that is shown
     this.chosenGroup = null;   // a group without certificates
+    this.byRecord = false;     // the window's axis is numbers of log records
+    this.records = 24;         // as many of them
     this.all = null;           // all certificates are drawn; null: if they are few
     this.certificates = new Certificates(this);
     if (BODIES) return this.startBodies();
@@ -28,6 +30,7 @@ class App {
                       tree: new Tree(this) };
     this.window = new TimeWindow(this);
     this.panel = new Panel(this);
+    this.filter = new EventFilter(this);
   }
 
   startBodies() {
@@ -41,6 +44,7 @@ class App {
     this.drawings = { plane: new Arena(this) };
     this.window = new Lanes(this);
     this.panel = new PairPanel(this);
+    this.filter = new EventFilter(this);
   }
   // The pair of bodies that is shown: that of the event, or of the next one that is about a pair.
   pair() {
@@ -127,6 +131,28 @@ class App {
              u: x => from + (x - left) / (right - left) * this.span };
   }
 
+  // The axis of the window: time as above, or numbers of log records.
+  windowAxis(width) {
+    if (!this.byRecord) {
+      const axis = this.axis(width);
+      return { ...axis, records: false, name: "time t", first: 0, last: 1, now: this.u,
+               times: [axis.from, axis.to], place: axis.u, placeOf: timeOf,
+               firstOf: run => eventsUntil(run, axis.from - 1e-12) + 1 };
+    }
+    const left = 2, right = width - 18, count = Math.max(2, this.records);
+    // Between two records now is as far as time is.
+    const [u, v] = [timeOf(FIRST, this.k), this.k < LAST ? timeOf(FIRST, this.k + 1) : 1];
+    const now = this.k + (v > u ? Math.max(0, Math.min(1, (this.u - u) / (v - u))) : 0);
+    const from = Math.max(BEFORE + 0.4, Math.min(now - count / 2, LAST + 1 - count));
+    const to = from + count;
+    const time = place => timeOf(FIRST, Math.max(BEFORE, Math.min(LAST, Math.round(place))));
+    return { left, right, from, to, records: true, name: "log record", first: BEFORE + 0.5, last: LAST + 0.5, now,
+             times: [time(from), time(to)], placeOf: (run, k) => k,
+             firstOf: run => Math.max(run.before + 1, Math.floor(from)),
+             x: place => left + (place - from) / count * (right - left),
+             place: x => from + (x - left) / (right - left) * count };
+  }
+
   // ---- where to go
   setEvent(k) {
     this.k = Math.max(BEFORE, Math.min(LAST, k));
@@ -189,7 +215,16 @@ class App {
     this.drawControls();
   }
   setSpan(factor) {
-    this.span = Math.max(1e-9, Math.min(1.2, this.span * factor));
+    if (this.byRecord) {
+      this.records = Math.max(4, Math.min(LAST - BEFORE + 2, this.records * factor));
+    } else {
+      this.span = Math.max(1e-9, Math.min(1.2, this.span * factor));
+    }
+    this.changed();
+  }
+  setAxis(byRecord) {
+    this.byRecord = byRecord;
+    document.getElementById("window-axis").value = byRecord ? "record" : "time";
     this.changed();
   }
 

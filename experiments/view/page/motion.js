@@ -67,4 +67,9 @@ function keyDegree(key, piece) {
 // What a drawn key value is to be multiplied with.
 const keyScale = key => key.object !== undefined ? DATA.scale * DATA.scale
                       : DATA.scale * (key.weights ? key.size : 1);
+// For an axis.
+function keyName(key) {
+  if (key.axis !== undefined) return "xyz"[key.axis] || "coordinate " + (key.axis + 1);
+  return key.object !== undefined ? "squared distance to " + nameOf(key.object) : "key " + key.text;
+}
 const memberOf = (key, object) => key.object === undefined || key.object !== object;

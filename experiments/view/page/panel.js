@@ -35,6 +35,7 @@ class Panel {
     this.list = document.getElementById("list");
     this.rows = document.getElementById("rows");
     this.rows.style.height = (LAST - BEFORE + 1) * ROW + "px";
+    this.root = null;  // the picture of the event's polynomial
     this.list.addEventListener("scroll", () => this.drawRows());
     this.list.addEventListener("click", click => {
       const row = click.target.closest(".row");
@@ -74,6 +75,7 @@ class Panel {
   drawEvent() {
     const { app } = this;
     const k = app.k;
+    this.root = null;
     this.event.replaceChildren();
     if (k === BEFORE) {
       this.event.append(make("h2", BEFORE === 0 ? "Before the first log record"
@@ -84,6 +86,7 @@ class Panel {
     }
     this.event.append(make("h2", "Log record " + k + " of " + LAST));
     this.event.append(this.describe(FIRST, k));
+    this.drawRoot(k);
     this.drawLost();
     if (OTHER === null) return;
     const j = app.kOther();
@@ -91,6 +94,17 @@ class Panel {
       this.event.append(make("h2", OTHER.arithmetic + ", last log record by then: " + j, "other"));
       this.event.append(this.describe(OTHER, j));
     }
+  }
+
+  // The failed certificate's polynomial around its root; of exact runs.
+  drawRoot(k) {
+    const e = at(FIRST, k), instant = instantOf(FIRST, k), own = FIRST.p[e];
+    if (FIRST.certificates[e] === 0 || instant.length === 1) return;
+    const coefficients = Array.isArray(own) ? own : own > 0 ? instant[1] : negated(instant[1]);
+    if (coefficients.length < 2) return;
+    this.root = new RootPicture(coefficients, instant);
+    this.event.append(this.root.box);
+    this.root.draw();
   }
 
   drawLost() {
@@ -111,8 +125,11 @@ class Panel {
       list.append(make("dt", name), value);
     };
     const long = run.x[e] === 1;
-    row("kind", make("span", kindOf(run, k), "kind"), " ",
-        make("span", long ? "external" : "internal", long ? "external" : "internal"),
+    const kind = make("abbr", kindOf(run, k), "kind");
+    kind.title = kindText(run.s[e], kindOf(run, k));
+    const effect = make("abbr", long ? "external" : "internal", long ? "external" : "internal");
+    effect.title = long ? EXTERNAL_TEXT : INTERNAL_TEXT;
+    row("kind", kind, " ", effect,
         DATA.structures.length > 1 ? " \u00b7 " + DATA.structures[run.s[e]].label : "");
     if (run.ids[e].length > 0) row("objects", listOf(run.ids[e]));
     if (run.reasons[k]) row("reason", run.reasons[k]);
@@ -151,9 +168,13 @@ class Panel {
     row("time", "t \u2248 " + instant[0]);
     if (instant.length > 1) {
       const [, coefficients, root, lower, upper] = instant;
-      if (lower === upper) {
-        row("exactly", shortText(lower));
-      } else {
+      const exact = rationalOf(instant);
+      if (exact !== null) {
+        const fraction = make("span", shortText(exact));
+        fraction.title = exact;
+        row("exactly", "t = ", fraction);
+      }
+      if (lower !== upper) {
         row("interval", "[" + shortText(lower) + ", " + shortText(upper) + "] holds it alone");
       }
       const own = run.p[e];
@@ -210,18 +231,30 @@ class Panel {
   }
 
   scroll() {
-    const top = (this.app.k - BEFORE) * ROW, height = this.list.clientHeight;
+    const top = this.app.filter.rowOf(this.app.k) * ROW, height = this.list.clientHeight;
     if (top < this.list.scrollTop || top + ROW > this.list.scrollTop + height) {
       this.list.scrollTop = Math.max(0, top - height / 2);
     }
+  }
+
+  // Another choice of log records is shown.
+  filtered() {
+    this.rows.style.height = this.app.filter.rows * ROW + "px";
+    this.scroll();
+    this.drawRows();
+  }
+  // A page of rows up or down.
+  turn(step) {
+    this.list.scrollTop += step * Math.max(ROW, this.list.clientHeight - ROW);
+    this.drawRows();
   }
 
   drawRows() {
     const first = Math.max(0, Math.floor(this.list.scrollTop / ROW) - 2);
     const count = Math.ceil(this.list.clientHeight / ROW) + 4;
     const rows = [];
-    for (let i = first; i < first + count && i <= LAST - BEFORE; ++i) {
-      const row = this.row(BEFORE + i);
+    for (let i = first; i < first + count && i < this.app.filter.rows; ++i) {
+      const row = this.row(this.app.filter.recordAt(i));
       row.style.top = i * ROW + "px";
       rows.push(row);
     }
@@ -244,8 +277,8 @@ class Panel {
       row.append(make("span", String(k), "n"),
                  make("span", "", FIRST.x[e] === 1 ? "bar" : "bar short"),
                  make("b", kindOf(FIRST, k)), " " + listOf(FIRST.ids[e]) + " ",
-                 make("span", "t \u2248 " + instantOf(FIRST, k)[0].slice(0, 12), "n"));
-      row.title = kindOf(FIRST, k) + " " + listOf(FIRST.ids[e]);
+                 make("span", shortInstant(instantOf(FIRST, k)), "n"));
+      row.title = listOf(FIRST.ids[e]) + " \u2014 " + explain(FIRST, k);
     }
     row.className = name;
     return row;

@@ -50,6 +50,40 @@ function label(context, text, x, y, colour, align = "left") {
   context.fillStyle = colour;
   context.fillText(text, x, y);
 }
+// Places that labels have taken, so that none covers another. Boxes are [left, top, right, bottom].
+class Places {
+  constructor(room) {
+    this.room = room;
+    this.taken = [];
+  }
+  take(box) { this.taken.push(box); }
+  around(x, y, radius) { this.take([x - radius, y - radius, x + radius, y + radius]); }
+  covered([left, top, right, bottom]) {
+    const [a, b, c, d] = this.room;
+    const outside = left < a || top < b || right > c || bottom > d ? 1000 : 0;
+    return this.taken.reduce((sum, [l, t, r, e]) => sum + (left < r && l < right && top < e && t < bottom ? 1 : 0),
+                             outside);
+  }
+  // A label beside (x, y): at the first free place around it; where there is none it is left out, or, if
+  // it must be there, drawn over as few others as possible. True if it is drawn.
+  label(context, text, x, y, colour, must = false) {
+    const width = context.measureText(text).width;
+    let best = null, least = Infinity;
+    for (const [dx, dy] of [[8, -9], [-8, -9], [8, 10], [-8, 10], [0, -15], [0, 16], [14, 0], [-14, 0]]) {
+      const left = dx > 0 ? x + dx : dx < 0 ? x + dx - width : x - width / 2;
+      const box = [left - 1, y + dy - 7, left + width + 1, y + dy + 7];
+      const covered = this.covered(box);
+      if (covered >= least) continue;
+      least = covered;
+      best = [left, y + dy, box];
+      if (covered === 0) break;
+    }
+    if (least > 0 && !must) return false;
+    label(context, text, best[0], best[1], colour);
+    this.take(best[2]);
+    return true;
+  }
+}
 // Round numbers between two ends, about `count` of them.
 function ticks(low, high, count) {
   const rough = (high - low) / Math.max(1, count);

@@ -39,10 +39,13 @@ class Plane {
   project([left, top, width, height]) {
     const [x0, x1, y0, y1] = boxToShow();
     const room = Math.min(40, width / 8, height / 8);
+    this.places = new Places([left, top, left + width, top + height]);
     const fitted = Math.min((width - 2 * room) / (x1 - x0), (height - 2 * room) / (y1 - y0));
     const scale = this.zoom * (isFinite(fitted) && fitted > 0 ? fitted : 1);
     const cx = this.cx = left + width / 2, cy = this.cy = top + height / 2;
     const mx = (x0 + x1) / 2 || 0, my = (y0 + y1) / 2 || 0;
+    this.scale = scale;
+    this.middle = [mx, my];
     this.sx = this.sx || new Float64Array(OBJECTS);
     this.sy = this.sy || new Float64Array(OBJECTS);
     for (let object = 0; object < OBJECTS; ++object) {
@@ -66,6 +69,7 @@ class Plane {
     context.beginPath();
     context.rect(...rectangle);
     context.clip();
+    this.drawAxes(context);
     this.drawAttribute(context);
     this.drawProof(context);
     this.drawChange(context, marked);
@@ -83,6 +87,37 @@ class Plane {
     }
     this.drawNames(context, marked);
     context.restore();
+  }
+
+  // Scales at the lower and the left edge, with the names of the coordinates.
+  drawAxes(context) {
+    const [left, top, width, height] = this.rectangle, unit = DATA.scale;
+    if (unit === null || !(unit > 0) || !isFinite(this.scale)) return;
+    const [mx, my] = this.middle;
+    const x = value => this.cx + this.dx + (value / unit - mx) * this.scale;
+    const y = value => this.cy + this.dy - (value / unit - my) * this.scale;
+    const ends = [[left + 46, left + width - 26, px => (mx + (px - this.cx - this.dx) / this.scale) * unit],
+                  [top + height - 26, top + 24, py => (my - (py - this.cy - this.dy) / this.scale) * unit]];
+    context.fillStyle = COLOUR.line;
+    const bottom = top + height;
+    for (const value of ticks(ends[0][2](ends[0][0]), ends[0][2](ends[0][1]), width / 110)) {
+      context.fillStyle = COLOUR.quiet;
+      context.fillRect(x(value) - 0.5, bottom - 5, 1, 5);
+      this.tickLabel(context, shortNumber(value), x(value), bottom - 12, "center");
+    }
+    for (const value of ticks(ends[1][2](ends[1][0]), ends[1][2](ends[1][1]), height / 90)) {
+      context.fillStyle = COLOUR.quiet;
+      context.fillRect(left, y(value) - 0.5, 5, 1);
+      this.tickLabel(context, shortNumber(value), left + 8, y(value), "left");
+    }
+    this.tickLabel(context, "x \u2192", left + width - 6, bottom - 12, "right");
+    this.tickLabel(context, "y \u2191", left + 8, top + 10, "left");
+  }
+  tickLabel(context, text, x, y, align) {
+    const width = context.measureText(text).width;
+    const from = align === "left" ? x : align === "right" ? x - width : x - width / 2;
+    label(context, text, x, y, COLOUR.quiet, align);
+    this.places.take([from - 2, y - 7, from + width + 2, y + 7]);
   }
 
   segments(context, codes, colour, width, dash) {
@@ -225,9 +260,7 @@ class Plane {
   drawRoles(context, { form, ids }) {
     form.roles.forEach(({ name }, i) => {
       const [x, y] = this.at(ids[i]);
-      const [, top, , height] = this.rectangle;
-      label(context, name, x + 9, Math.max(top + 8, Math.min(top + height - 8, y + 11)),
-            COLOUR.selected);
+      this.places.label(context, name, x, y + 2, COLOUR.selected, true);
     });
   }
 
@@ -252,13 +285,15 @@ class Plane {
     if (OBJECTS <= 60) for (let object = 0; object < OBJECTS; ++object) named.add(object);
     if (this.app.replay.shape === "object") this.app.replay.ids.forEach(id => named.add(id));
     if (this.app.hovered !== null) named.add(this.app.hovered);
-    for (const object of named) {
+    const there = [...named].filter(object => {
       const x = this.sx[object], y = this.sy[object];
-      if (!alive[object] || x < left || y < top || x > left + width || y > top + height) continue;
+      return alive[object] && x >= left && y >= top && x <= left + width && y <= top + height;
+    });
+    for (const object of there) this.places.around(this.sx[object], this.sy[object], 3);
+    const asked = object => object === this.app.hovered || marked.includes(object);
+    for (const object of [...there.filter(asked), ...there.filter(object => !asked(object))]) {
       const colour = marked.includes(object) ? COLOUR.failed : COLOUR.text;
-      const before = x > left + width - 60;
-      label(context, nameOf(object), x + (before ? -8 : 8), y - 9, colour,
-            before ? "right" : "left");
+      this.places.label(context, nameOf(object), this.sx[object], this.sy[object], colour, asked(object));
     }
   }
 

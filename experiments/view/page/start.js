@@ -92,26 +92,42 @@ function listen() {
     app.setStructure(+e.target.value);
   });
   document.getElementById("drawing").addEventListener("change", e => app.setMode(e.target.value));
+  document.getElementById("window-axis").addEventListener("change", e => app.setAxis(e.target.value === "record"));
+  onClick("save-png", savePng);
+  onClick("save-svg", saveSvg);
+  onClick("rows-up", () => turnList(-1));
+  onClick("rows-down", () => turnList(1));
   onClick("show-records", () => showList(false));
   onClick("show-certificates", () => showList(true));
   const resized = new ResizeObserver(() => {
     app.panel.drawRows();
     app.certificates.drawRows();
     app.drawCanvases();  // at once: nothing else on the page depends on sizes
+    if (app.panel.root !== null) app.panel.root.draw();
   });
   for (const id of ["list", "certificates", "picture", "window"]) resized.observe(document.getElementById(id));
   addEventListener("hashchange", fromHash);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
     readColours();
+    app.panel.shownEvent = null;
     app.changed();
   });
   addEventListener("keydown", pressed);
+}
+
+// The list in sight a page up or down.
+function turnList(step) {
+  if (!document.getElementById("list").hidden) return app.panel.turn(step);
+  const box = app.certificates.box;
+  box.scrollTop += step * Math.max(ROW, box.clientHeight - ROW);
+  app.certificates.drawRows();
 }
 
 // The list of log records, or that of certificates.
 function showList(certificates) {
   document.getElementById("list").hidden = certificates;
   document.getElementById("certificates").hidden = !certificates;
+  document.getElementById("search-box").hidden = certificates;
   document.getElementById("show-records").setAttribute("aria-selected", !certificates);
   document.getElementById("show-certificates").setAttribute("aria-selected", certificates);
   app.certificates.known = null;
@@ -135,6 +151,9 @@ function pressed(key) {
     "[": () => app.setRate(0.5), "]": () => app.setRate(2),
     "+": () => zoom(1.25), "=": () => zoom(1.25), "-": () => zoom(0.8),
     f: () => { app.drawing.fit(); app.changed(); },
+    i: () => app.setAxis(!app.byRecord),
+    j: () => app.filter.go(1), k: () => app.filter.go(-1),
+    "/": () => document.getElementById("search").focus(),
     ",": () => app.setSpan(1.5), ".": () => app.setSpan(1 / 1.5),
     d: () => { if (PARTED > BEFORE) app.setEvent(PARTED); },
     t: () => { if (BODIES) app.drawing.chart.turnOver(); },
@@ -202,7 +221,7 @@ function listenToPointers() {
   bars.addEventListener("click", e => {
     const [x, y] = place(bars, e);
     const k = app.window.eventAt(x, y);
-    if (k !== null) app.setEvent(k); else app.setTime(app.window.axis.u(x));
+    if (k !== null) app.setEvent(k); else app.setTime(app.window.axis.place(x));
   });
   bars.addEventListener("wheel", e => {
     e.preventDefault();

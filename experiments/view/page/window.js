@@ -1,5 +1,6 @@
-// The time window: events around now as bars, long ones external, short ones internal; a second run
-// hangs below the line. And under it the whole run.
+// The window: events around now as bars, long ones external, short ones internal; a second run hangs
+// below the line. Its axis is time, or the number of the log record: there events that are close beyond
+// sight stand apart, and the time between them is told. And under it the whole run.
 class TimeWindow {
   constructor(app) {
     this.app = app;
@@ -10,7 +11,7 @@ class TimeWindow {
   draw() {
     const { app, picture } = this;
     const context = picture.begin();
-    const axis = app.axis(picture.width);
+    const axis = app.windowAxis(picture.width);
     this.axis = axis;
     const base = OTHER === null ? picture.height - 28 : picture.height * 0.52;
     const long = base - 26, depth = picture.height - 28 - base;
@@ -18,8 +19,8 @@ class TimeWindow {
     context.strokeStyle = COLOUR.line;
     context.lineWidth = 1;
     context.beginPath();
-    context.moveTo(axis.x(Math.max(0, axis.from)), base + 0.5);
-    context.lineTo(axis.x(Math.min(1, axis.to)), base + 0.5);
+    context.moveTo(axis.x(Math.max(axis.first, axis.from)), base + 0.5);
+    context.lineTo(axis.x(Math.min(axis.last, axis.to)), base + 0.5);
     context.stroke();
     this.drawTicks(context, axis, picture.height - 12);
     this.bars(context, axis, FIRST, base, -long, app.k, COLOUR.external, COLOUR.internal);
@@ -29,15 +30,28 @@ class TimeWindow {
       label(context, FIRST.arithmetic, axis.left + 4, base - 8, COLOUR.quiet);
       label(context, OTHER.arithmetic, axis.left + 4, base + 10, COLOUR.second);
     }
+    this.drawGaps(context, axis, base);
     this.drawNow(context, axis, base, long);
     this.drawDivergence(context, axis, base);
     this.drawKey(context, axis);
   }
 
   drawTicks(context, axis, y) {
-    context.textAlign = "center";
+    context.textAlign = "right";
     context.textBaseline = "middle";
     context.fillStyle = COLOUR.quiet;
+    const end = axis.right + 14 - context.measureText(axis.name).width - 8;
+    context.fillText(axis.name, axis.right + 14, y);
+    context.textAlign = "center";
+    if (axis.records) {
+      for (const value of ticks(Math.max(axis.first, axis.from), Math.min(axis.last, axis.to), (axis.right - axis.left) / 90)) {
+        if (value !== Math.round(value)) continue;
+        const x = axis.x(value), half = context.measureText(String(value)).width / 2;
+        context.fillRect(x - 0.5, y - 12, 1, 4);
+        if (x - half > 2 && x + half < end) context.fillText(String(value), x, y);
+      }
+      return;
+    }
     const from = timeNumber(Math.max(0, axis.from)), to = timeNumber(Math.min(1, axis.to));
     const values = from < to ? ticks(from, to, (axis.right - axis.left) / 110) : [];
     const step = values.length > 1 ? values[1] - values[0] : 0;
@@ -47,29 +61,42 @@ class TimeWindow {
       context.fillRect(x - 0.5, y - 12, 1, 4);
       const text = Math.abs(value) < 1e6 && digits < 8 ? value.toFixed(digits) : shortNumber(value);
       const half = context.measureText(text).width / 2;
-      if (x - half > 2 && x + half < axis.right) context.fillText(text, x, y);
+      if (x - half > 2 && x + half < end) context.fillText(text, x, y);
     }
-    context.textAlign = "right";
-    context.fillText("t", axis.right + 14, y);
+  }
+
+  // Between neighbours on the axis of records: how far apart they are in time, as a power of two.
+  drawGaps(context, axis, base) {
+    if (!axis.records || axis.x(1) - axis.x(0) < 30) return;
+    context.font = "10px system-ui, sans-serif";
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillStyle = COLOUR.quiet;
+    const first = Math.max(BEFORE + 1, Math.floor(axis.from));
+    for (let k = first; k < LAST && k <= axis.to; ++k) {
+      context.fillText(gapText(k), axis.x(k + 0.5), base - 7);
+    }
+    context.font = "12px system-ui, sans-serif";
   }
 
   // At most one bar of a kind in each pixel.
   bars(context, axis, run, base, length, now, external, internal) {
     const shown = this.app.shown();
-    const first = eventsUntil(run, axis.from - 1e-12) + 1;
-    let taken = [-9, -9, -9, -9];
+    const first = axis.firstOf(run);
+    const taken = [-9, -9, -9, -9, -9, -9, -9, -9];
     let highlighted = null;
     for (let k = first; k <= run.before + run.u.length; ++k) {
-      const u = run.u[at(run, k)];
-      if (u > axis.to) break;
-      const x = Math.round(axis.x(u));
+      const place = axis.placeOf(run, k);
+      if (place > axis.to) break;
+      const x = Math.round(axis.x(place));
       const long = run.x[at(run, k)] === 1;
       const own = run.s[at(run, k)] === shown;
+      const fits = run !== FIRST || this.app.filter.fits(k);
       if (k === now) highlighted = [x, long];
-      const kind = (long ? 1 : 0) + (own ? 2 : 0);
+      const kind = (long ? 1 : 0) + (own ? 2 : 0) + (fits ? 4 : 0);
       if (taken[kind] === x) continue;
       taken[kind] = x;
-      context.globalAlpha = own ? 1 : 0.3;
+      context.globalAlpha = !fits ? 0.12 : own ? 1 : 0.3;
       context.fillStyle = long ? external : internal;
       context.fillRect(x - 1, base, 2, length * (long ? 1 : 0.42));
     }
@@ -80,7 +107,7 @@ class TimeWindow {
   }
 
   drawNow(context, axis, base, long) {
-    const x = axis.x(this.app.u), top = base - long - 8;
+    const x = axis.x(axis.now), top = base - long - 8;
     context.strokeStyle = COLOUR.first;
     context.lineWidth = 1;
     context.beginPath();
@@ -96,9 +123,10 @@ class TimeWindow {
   }
 
   drawDivergence(context, axis, base) {
-    const u = this.app.partedAt;
-    if (u === null || u < axis.from || u > axis.to) return;
-    const x = axis.x(u);
+    if (this.app.partedAt === null) return;
+    const place = axis.records ? PARTED : this.app.partedAt;
+    if (place < axis.from || place > axis.to) return;
+    const x = axis.x(place);
     context.strokeStyle = COLOUR.second;
     context.lineWidth = 2;
     context.setLineDash([4, 3]);
@@ -117,8 +145,13 @@ class TimeWindow {
     context.textAlign = "right";
     context.textBaseline = "middle";
     context.fillStyle = COLOUR.quiet;
-    if (Math.abs(axis.x(this.app.u) - x) < 170) return;
-    context.fillText("long bars: external events, short: other log records", x, 6);
+    const text = "long bars: external events, short: other log records";
+    const width = context.measureText(text).width;
+    const now = axis.x(axis.now);
+    const parted = this.app.partedAt === null ? -1e9 : axis.x(axis.records ? PARTED : this.app.partedAt);
+    // Nothing of the window lies under it, or it is left out.
+    if (width > axis.right - axis.left - 20 || now > x - width - 12 || Math.abs(parted - x + width / 2) < width / 2 + 180) return;
+    context.fillText(text, x, 7);
   }
 
   drawOverview() {
@@ -132,7 +165,8 @@ class TimeWindow {
     counts.forEach((count, x) => {
       if (count > 0) context.fillRect(x, height, 1, -height * Math.log2(1 + count) / most);
     });
-    const from = Math.max(0, this.axis.from) * width, to = Math.min(1, this.axis.to) * width;
+    const [begin, end] = this.axis.times;
+    const from = Math.max(0, begin) * width, to = Math.min(1, end) * width;
     context.fillStyle = COLOUR.fill;
     context.fillRect(from, 0, to - from, height);
     context.strokeStyle = COLOUR.first;
@@ -146,14 +180,22 @@ class TimeWindow {
 
   // The event whose bar is nearest to x, or null if none is near.
   eventAt(x, y) {
-    const u = this.axis.u(x);
-    const k = eventsUntil(FIRST, u);
-    let best = null, distance = 7;
+    const place = this.axis.place(x);
+    const k = this.axis.records ? Math.floor(place) : eventsUntil(FIRST, place);
+    let best = null, distance = this.axis.records ? Infinity : 7;
     for (const candidate of [k, k + 1]) {
       if (candidate <= BEFORE || candidate > LAST) continue;
-      const d = Math.abs(this.axis.x(timeOf(FIRST, candidate)) - x);
+      const d = Math.abs(this.axis.x(this.axis.placeOf(FIRST, candidate)) - x);
       if (d < distance) { distance = d; best = candidate; }
     }
     return best;
   }
+}
+
+// The time from log record k to the next one, in short.
+function gapText(k) {
+  const [a, b] = [instantOf(FIRST, k), instantOf(FIRST, k + 1)];
+  if (a === b) return "same t";
+  const gap = gapBetween(a, b);
+  return Number.isNaN(gap) ? "?" : "2" + raised(Math.floor(gap));
 }

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
+
 namespace kinex::lab {
 namespace {
 
@@ -48,13 +50,48 @@ TEST(Curves, BarsWhereSeedsDiffer) {
 }
 
 TEST(Curves, OneFormOfNumbersPerAxis) {
-  EXPECT_EQ(log_tics('x', 1, 1000), "set format x '10^{%L}'\nset xtics 1e1\n");
-  EXPECT_EQ(log_tics('y', 1, 1e12), "set format y '10^{%L}'\nset ytics 1e2\n");
-  EXPECT_EQ(log_tics('x', 1.6, 40), "set xtics ('2' 2, '5' 5, '10' 10, '20' 20)\n");
+  const std::string two = log_tics('x', 8, 1000);
+  EXPECT_THAT(two, HasSubstr("'10^{1}' 1e1, '' 2e1 1, "));
+  EXPECT_THAT(two, HasSubstr("'10^{2}' 1e2"));
+  EXPECT_THAT(two, HasSubstr("'10^{3}' 1e3)"));
+  EXPECT_THAT(two, testing::StartsWith("set xtics ('' 8e0 1, '' 9e0 1, "));
+  EXPECT_EQ(log_tics('y', 1, 1.1e10),
+            "set ytics ('10^{0}' 1e0, '' 1e1 1, '10^{2}' 1e2, '' 1e3 1, '10^{4}' 1e4, '' 1e5 1, "
+            "'10^{6}' 1e6, '' 1e7 1, '10^{8}' 1e8, '' 1e9 1, '10^{10}' 1e10)\n");
+  EXPECT_EQ(log_tics('x', 1.6, 12),
+            "set xtics ('2' 2e0, '' 3e0 1, '' 4e0 1, '5' 5e0, '' 6e0 1, '' 7e0 1, '' 8e0 1, "
+            "'' 9e0 1, '10' 1e1)\n");
+}
+
+// What is drawn at a tic is what its label says: of a decade that begins anywhere.
+TEST(Curves, TicsAreWhereTheirLabelsSay) {
+  Figure figure;
+  set_curves(figure, {"n", "events", true, true, {}},
+             {{"one", {{12, 830, 0}, {100, 1e4, 0}, {1e5, 1e6, 0}}, ""}});
+  const Drawings drawings = draw({figure});
+  ASSERT_EQ(drawings.problem, "");
+  // Pixels of the points and of the labels on the x axis: log10 is linear in them.
+  const std::string& svg = drawings.svg.at(0);
+  std::vector<double> points, labels;
+  const std::regex mark("<use xlink:href='#gpPt6' transform='translate\\(([0-9.]+),");
+  for (std::sregex_iterator it(svg.begin(), svg.end(), mark), end; it != end; ++it)
+    points.push_back(std::stod((*it)[1]));
+  ASSERT_GE(points.size(), 3u);
+  const double decade = (points[2] - points[1]) / 3;
+  const std::regex label(
+      "translate\\(([0-9.]+),[0-9.]+\\)\" "
+      "stroke=\"none\"[^>]*text-anchor=\"middle\">\\s*<text><tspan[^>]*>10</"
+      "tspan><tspan[^>]*>([0-9]+)<");
+  std::size_t seen = 0;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), label), end; it != end; ++it, ++seen) {
+    const double power = std::stod((*it)[2]);
+    EXPECT_NEAR(std::stod((*it)[1]), points[1] + (power - 2) * decade, 1.0) << power;
+  }
+  EXPECT_EQ(seen, 5u);
 }
 
 TEST(Curves, LegendsOfLongEntriesHaveOneColumn) {
-  const std::string word = "twenty-five characters!!!";
+  const std::string word = "twenty characters!!!";
   EXPECT_EQ(legend_below({word, word, word}, 640).rows, 2);
   EXPECT_EQ(legend_below({word + word, word, word}, 640).rows, 3);
 }
