@@ -61,7 +61,7 @@ std::string zsh_text(std::string_view text) {
 }
 
 std::string zsh_action(const CommandValue& value) {
-  const std::string words = "(" + joined(value.words) + ")";
+  const std::string words = "(" + zsh_text(joined(value.words)) + ")";
   if (value.words.empty()) return value.files ? "_files" : " ";
   if (!value.files) return words;
   return "{_alternative \"names:name:" + words + "\" \"files:file:_files\"}";
