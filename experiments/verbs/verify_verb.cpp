@@ -66,7 +66,8 @@ int exit_code_of(const verify::VerifyResult& result) {
 }
 
 // The plots as files of their own, named after their titles.
-void write_plots(const Options& options, const std::vector<lab::Figure>& figures, const lab::Drawings& drawings) {
+void write_plots(const Options& options, const std::vector<lab::Figure>& figures,
+                 const lab::Drawings& drawings) {
   if (options.plots.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(options.plots, error);  // errors are reported below
@@ -77,8 +78,9 @@ void write_plots(const Options& options, const std::vector<lab::Figure>& figures
     const std::string name = lab::anchor_of(figures[i].title);
     panel = name == last ? panel + 1 : 1;
     last = name;
-    formats::OutputFile file(options.plots + "/" + name + (panel > 1 ? "-" + std::to_string(panel) : "") + ".svg",
-                             options.force);
+    formats::OutputFile file(
+        options.plots + "/" + name + (panel > 1 ? "-" + std::to_string(panel) : "") + ".svg",
+        options.force);
     file.write(drawings.svg[i]);
     file.commit();
   }
