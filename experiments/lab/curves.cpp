@@ -40,15 +40,15 @@ bool is_drawn(const CurvesPicture& picture, const FitPoint& point) {
          (!picture.log_x || point.n > 0);
 }
 
-// True if every point of `a` is near a point of `b`.
+// True if half of the points of `a`, or more, are near points of `b`.
 bool runs_along(const Curve& a, const Curve& b) {
-  if (a.points.empty()) return false;
-  return std::all_of(a.points.begin(), a.points.end(), [&](const FitPoint& p) {
+  const auto shared = std::count_if(a.points.begin(), a.points.end(), [&](const FitPoint& p) {
     return std::any_of(b.points.begin(), b.points.end(), [&](const FitPoint& q) {
       return std::fabs(p.n - q.n) <= kSame * std::fabs(p.n) &&
              std::fabs(p.count - q.count) <= kSame * std::fabs(p.count);
     });
   });
+  return shared > 0 && 2 * static_cast<std::size_t>(shared) >= a.points.size();
 }
 
 // What the legend says of points that the axis does not have.

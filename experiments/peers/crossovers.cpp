@@ -117,8 +117,7 @@ std::vector<lab::Figure> crossover_tables(const BenchOptions& options, PeerQuest
                     "B goes round A once at this distance: microseconds a question, the building "
                     "of hierarchies and shapes included." +
                         right,
-                    "separation (the bodies have radius 1)", "microseconds a question",
-                    by_gap.curves()),
+                    "separation of the bodies", "microseconds a question", by_gap.curves()),
           figure_of("Time against vertices", "The same at distance 0.01." + right,
                     "vertices of each body", "microseconds a question", by_size.curves()),
           figure_of("Time against looks on the way",

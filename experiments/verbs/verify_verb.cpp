@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "experiments/formats/file_io.h"
+#include "experiments/lab/html_page.h"
 #include "experiments/lab/measures.h"
 #include "experiments/lab/progress.h"
 #include "experiments/verbs/interrupt.h"
@@ -39,6 +40,7 @@ constexpr int kMostSeeds = 1000000;
 struct Options {
   std::string structure = "all";
   std::string folder = ".";
+  std::string plots;  // a folder; empty: none
   std::vector<std::string> from;
   int jobs = 1;
   std::optional<int> seeds;
@@ -62,6 +64,27 @@ int exit_code_of(const verify::VerifyResult& result) {
   if (result.verdict() == lab::Verdict::kRefuted) return kExitFailed;
   if (result.interrupted || result.verdict() != lab::Verdict::kConfirmed) return kExitGaveUp;
   return kExitFine;
+}
+
+// The plots as files of their own, named after their titles.
+void write_plots(const Options& options, const std::vector<lab::Figure>& figures,
+                 const lab::Drawings& drawings) {
+  if (options.plots.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(options.plots, error);  // errors are reported below
+  std::string last;
+  int panel = 0;
+  for (std::size_t i = 0; i < figures.size() && i < drawings.svg.size(); ++i) {
+    if (drawings.svg[i].empty()) continue;
+    const std::string name = lab::anchor_of(figures[i].title);
+    panel = name == last ? panel + 1 : 1;
+    last = name;
+    formats::OutputFile file(
+        options.plots + "/" + name + (panel > 1 ? "-" + std::to_string(panel) : "") + ".svg",
+        options.force);
+    file.write(drawings.svg[i]);
+    file.commit();
+  }
 }
 
 void verify(const Options& options, int& exit_code) {
@@ -140,6 +163,7 @@ void verify(const Options& options, int& exit_code) {
   database.write(verify::verify_database(result, facts.build, facts.machine));
   const std::vector<lab::Figure> figures = verify::verify_figures(result);
   const lab::Drawings drawings = lab::draw(figures, "gnuplot", interrupt.go_on_a_while());
+  write_plots(options, figures, drawings);
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   page.write(verify::verify_page(result, figures, drawings, facts));
   const std::string verdict =
@@ -175,6 +199,7 @@ void add_verify_verb(CLI::App& app, int& exit_code) {
                    "A structure; " + groups + "each all structures for it; or all (default)");
   verb->add_flag("--quick", options->quick, "Smaller sizes: a few minutes on one core");
   verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
+  verb->add_option("--plots", options->plots, "Write the plots as SVG files into this folder, too");
   verb->add_flag("--force", options->force, "Replace results that exist");
   verb->add_flag("--fresh", options->fresh, "Repeat also the finished part of an interrupted run");
   verb->add_option("--jobs", options->jobs,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws figures in Chromium and looks at their texts.
+"""Draws figures in Chromium and looks at their texts, of moving ones at their beginning.
 
 usage: committed_figures.py SOURCE_FOLDER [FIGURE.svg ..]
 Without figures: all SVG files that are committed. No text may leave its picture or cover another, and a
@@ -24,7 +24,7 @@ addEventListener("load", () => {
         return [b.left - all.left, b.top - all.top, b.right - all.left, b.bottom - all.top];
       };
       return { size: [all.width, all.height], texts: [...svg.querySelectorAll("text")]
-        .filter(t => t.textContent.trim()).map(t => [t.textContent.trim().replace(/\\s+/g, " "), box(t)]) };
+        .filter(t => t.textContent.trim() && t.checkVisibility({ opacityProperty: true, visibilityProperty: true })).map(t => [t.textContent.trim().replace(/\\s+/g, " "), box(t)]) };
     }));
 });
 </script>"""

@@ -41,6 +41,9 @@ class Arena {
     context.beginPath();
     context.rect(...this.frame.rectangle);
     context.clip();
+    const { frame } = this, [left, top, w, h] = frame.rectangle;
+    this.places = new Places([left, top, left + w, top + h]);
+    drawScales(context, frame.rectangle, frame.at([0, 0]), frame.scale, this.places);
     this.drawBodies(context);
     this.drawGroups(context);
     this.drawProof(context);
@@ -295,7 +298,10 @@ class Arena {
     this.outlines.forEach((outline, body) => {
       if (outline === null) return;
       if (OBJECTS > 40 && !pair.includes(body) && body !== this.app.hovered) return;
-      const [x, y] = middleOf(outline);
+      const [x, y] = middleOf(outline), half = context.measureText(nameOf(body)).width / 2 + 1;
+      const box = [x - half, y - 7, x + half, y + 7], asked = pair.includes(body) || body === this.app.hovered;
+      if (!asked && this.places.covered(box) > 0) return;
+      this.places.take(box);
       label(context, nameOf(body), x, y, pair.includes(body) ? COLOUR.text : COLOUR.quiet, "center");
     });
     this.drawFeatureNames(context, pair);

@@ -102,3 +102,29 @@ function spread(low, high, margin) {
   const size = high - low || Math.abs(high) || 1;
   return [low - margin * size, high + margin * size];
 }
+// Scales at the lower and the left edge of a picture of the plane, with the names of the coordinates.
+// `origin`: where (0, 0) is; `pixels`: of one drawn unit. Their labels are taken in `places`.
+function drawScales(context, [left, top, width, height], origin, pixels, places) {
+  const unit = DATA.scale, bottom = top + height;
+  if (unit === null || !(unit > 0) || !(pixels > 0) || !isFinite(pixels)) return;
+  const tick = (text, x, y, align) => {
+    const wide = context.measureText(text).width;
+    const from = align === "left" ? x : align === "right" ? x - wide : x - wide / 2;
+    label(context, text, x, y, COLOUR.quiet, align);
+    places.take([from - 2, y - 7, from + wide + 2, y + 7]);
+  };
+  const x = value => origin[0] + value / unit * pixels, y = value => origin[1] - value / unit * pixels;
+  const across = px => (px - origin[0]) / pixels * unit, up = py => (origin[1] - py) / pixels * unit;
+  for (const value of ticks(across(left + 46), across(left + width - 40), width / 110)) {
+    context.fillStyle = COLOUR.quiet;
+    context.fillRect(x(value) - 0.5, bottom - 5, 1, 5);
+    tick(shortNumber(value), x(value), bottom - 12, "center");
+  }
+  for (const value of ticks(up(bottom - 26), up(top + 24), height / 90)) {
+    context.fillStyle = COLOUR.quiet;
+    context.fillRect(left, y(value) - 0.5, 5, 1);
+    tick(shortNumber(value), left + 8, y(value), "left");
+  }
+  tick("x \u2192", left + width - 6, bottom - 12, "right");
+  tick("y \u2191", left + 8, top + 10, "left");
+}

@@ -89,35 +89,10 @@ class Plane {
     context.restore();
   }
 
-  // Scales at the lower and the left edge, with the names of the coordinates.
   drawAxes(context) {
-    const [left, top, width, height] = this.rectangle, unit = DATA.scale;
-    if (unit === null || !(unit > 0) || !isFinite(this.scale)) return;
     const [mx, my] = this.middle;
-    const x = value => this.cx + this.dx + (value / unit - mx) * this.scale;
-    const y = value => this.cy + this.dy - (value / unit - my) * this.scale;
-    const ends = [[left + 46, left + width - 26, px => (mx + (px - this.cx - this.dx) / this.scale) * unit],
-                  [top + height - 26, top + 24, py => (my - (py - this.cy - this.dy) / this.scale) * unit]];
-    context.fillStyle = COLOUR.line;
-    const bottom = top + height;
-    for (const value of ticks(ends[0][2](ends[0][0]), ends[0][2](ends[0][1]), width / 110)) {
-      context.fillStyle = COLOUR.quiet;
-      context.fillRect(x(value) - 0.5, bottom - 5, 1, 5);
-      this.tickLabel(context, shortNumber(value), x(value), bottom - 12, "center");
-    }
-    for (const value of ticks(ends[1][2](ends[1][0]), ends[1][2](ends[1][1]), height / 90)) {
-      context.fillStyle = COLOUR.quiet;
-      context.fillRect(left, y(value) - 0.5, 5, 1);
-      this.tickLabel(context, shortNumber(value), left + 8, y(value), "left");
-    }
-    this.tickLabel(context, "x \u2192", left + width - 6, bottom - 12, "right");
-    this.tickLabel(context, "y \u2191", left + 8, top + 10, "left");
-  }
-  tickLabel(context, text, x, y, align) {
-    const width = context.measureText(text).width;
-    const from = align === "left" ? x : align === "right" ? x - width : x - width / 2;
-    label(context, text, x, y, COLOUR.quiet, align);
-    this.places.take([from - 2, y - 7, from + width + 2, y + 7]);
+    const origin = [this.cx + this.dx - mx * this.scale, this.cy + this.dy + my * this.scale];
+    drawScales(context, this.rectangle, origin, this.scale, this.places);
   }
 
   segments(context, codes, colour, width, dash) {

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page of `kinex view` as people use it: filter, axes, exact numbers, sizes of windows, exports, long runs.
+
+usage: view_looks.py PROGRAM SOURCE_FOLDER
+Exit code 77 (skipped) where there is no Chromium.
+"""
+import base64
+import fractions
+import json
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+from chromium import browser
+from committed_figures import faults_of, look
+
+READY = "new Promise(done => { const wait = setInterval(() => { if (window.kinexState) { clearInterval(wait); done(); } }, 20); })"
+SETTLE = "new Promise(done => setTimeout(done, 80))"
+# Instants 1/2 and 1/2 + 2^-60, and one that is no fraction.
+CLOSE = {"kinex": 1, "name": "close", "dimension": 1, "time": {"start": 0, "end": 1}, "maintain": ["sorted_list"],
+         "objects": [{"id": "a", "motion": [[0, 1]]}, {"id": "b", "motion": [["1/2"]]},
+                     {"id": "c", "motion": [[10, 1]]},
+                     {"id": "d", "motion": [[str(fractions.Fraction(21, 2) + fractions.Fraction(1, 2**60))]]},
+                     {"id": "e", "motion": [[20, 0, 1]]}, {"id": "f", "motion": [["81/4", 0, "1/3"]]}]}
+
+
+def fail(text):
+    sys.exit(f"view_looks: {text}")
+
+
+class Viewer:
+    """A page in a browser."""
+
+    def __init__(self, program, folder, window):
+        self.program, self.folder, self.window = program, pathlib.Path(folder), window
+
+    def kinex(self, *arguments):
+        subprocess.run([self.program, *arguments], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
+
+    def open(self, name):
+        self.window.open((self.folder / name).as_uri())
+        self.ask(READY)
+
+    def ask(self, expression):
+        return self.window.evaluate(expression)
+
+    def say(self, statement):
+        self.ask(f"(() => {{ {statement} }})()")
+        self.ask(SETTLE)
+
+
+def check_filter(viewer, events):
+    """What the filter finds, against the log."""
+    def found(text, kind=""):
+        viewer.say(f"const box = document.getElementById('search'); box.value = {json.dumps(text)};"
+                   f"document.getElementById('search-kind').value = {json.dumps(kind)};"
+                   "box.dispatchEvent(new Event('input'));")
+        return viewer.ask("app.filter.found")
+
+    def names(event):
+        return event["ids"] + (event["certificate"]["ids"] if event["certificate"] else [])
+
+    cases = {("object:p3", ""): lambda e: "p3" in names(e),
+             ("kind:swap", ""): lambda e: e["kind"] == "swap",
+             ("structure:delaunay external", ""): lambda e: e["structure"] == "delaunay_2" and e["external"],
+             ("p3 -p4", ""): lambda e: "p3" in names(e) and "p4" not in names(e),
+             ("", "flip"): lambda e: e["kind"] == "flip",
+             ("in_circle", ""): lambda e: e["certificate"] and "in_circle" in e["certificate"]["predicate"]}
+    for (text, kind), fits in cases.items():
+        wanted = [e["seq"] for e in events if fits(e)]
+        if not wanted or found(text, kind) != wanted:
+            fail(f"{text!r} {kind!r} finds {found(text, kind)}, not {wanted}")
+    wanted = [e["seq"] for e in events if "p3" in names(e)]
+    found("object:p3")
+    viewer.say("app.setEvent(0); app.filter.go(1); app.filter.go(1);")
+    if viewer.ask("app.k") != wanted[1]:
+        fail(f"the second match is record {viewer.ask('app.k')}, not {wanted[1]}")
+    rows = viewer.ask("[...document.querySelectorAll('#rows .row')].map(r => +r.dataset.event)")
+    if not rows or any(k not in wanted for k in rows):
+        fail(f"the list has the rows {rows}")
+    if found("") is not None:
+        fail("no words choose all")
+
+
+def check_words(viewer, events):
+    """Kinds are explained, and rational instants are fractions."""
+    kinds = viewer.ask("DATA.structures.flatMap((s, i) => s.kinds.map(kind => [s.name, kind, kindText(i, kind)]))")
+    if any(not text for _, _, text in kinds):
+        fail(f"kinds without an explanation: {[k for k in kinds if not k[2]]}")
+    exact = 0
+    for event in events:
+        lower, upper = event["time"]["interval"]
+        shown = viewer.ask(f"rationalOf(instantOf(FIRST, {event['seq']}))")
+        if lower == upper and shown != lower:
+            fail(f"record {event['seq']} is at {lower}, shown as {shown}")
+        exact += shown is not None
+    if exact == 0:
+        fail("no instant is a fraction")
+    title = viewer.ask("app.setEvent(3), app.draw(), document.querySelector('#event abbr').title")
+    if not title:
+        fail("the kind of an event has no title")
+
+
+def check_close(viewer):
+    """Events that are too close for the time axis stand apart on that of records, with the gap between them."""
+    viewer.open("close.html")
+    texts = viewer.ask("[1, 2, 3].map(k => [rationalOf(instantOf(FIRST, k)), instantOf(FIRST, k)[0]])")
+    wanted = [str(fractions.Fraction(1, 2)), str(fractions.Fraction(1, 2) + fractions.Fraction(1, 2**60))]
+    if [texts[0][0], texts[1][0]] != wanted or texts[2][0] is not None:
+        fail(f"instants are shown as {texts}, not {wanted} and one that is no fraction")
+    places = "[1, 2].map(k => { const axis = app.windowAxis(800); return axis.x(axis.placeOf(FIRST, k)); })"
+    viewer.say("app.setAxis(false); app.setEvent(1);")
+    a, b = viewer.ask(places)
+    if b - a > 1:
+        fail(f"on the time axis the events are {b - a} pixels apart")
+    viewer.say("app.setAxis(true);")
+    a, b = viewer.ask(places)
+    if b - a < 20 or viewer.ask("gapText(1)") != "2\u207b\u2076\u2070":
+        fail(f"on the axis of records they are {b - a} pixels and {viewer.ask('gapText(1)')} apart")
+    # A click at the second bar goes to the second record.
+    viewer.say(f"const axis = app.window.axis; app.setEvent(app.window.eventAt(axis.x(2) + 3, 10));")
+    if viewer.ask("app.k") != 2:
+        fail(f"a click beside record 2 goes to {viewer.ask('app.k')}")
+
+
+def check_root(viewer, count):
+    """The polynomial is positive left of its root and negative right of it, and the interval holds the root."""
+    drawn = 0
+    for k in range(1, count + 1):
+        seen = viewer.ask(f"(() => {{ app.setEvent({k}); app.draw(); const root = app.panel.root; return root === null ? null"
+                          " : { ...root.sample(41), width: root.canvas.width }; })()")
+        if seen is None:
+            continue
+        drawn += 1
+        values, (low, high) = seen["values"], seen["ends"]
+        if values[19] < 0 or values[21] > 0 or not low <= 0.001 or not high >= -0.001 or seen["width"] < 50:
+            fail(f"record {k}: {values} with the interval [{low}, {high}]")
+    if drawn < count // 2:
+        fail(f"only {drawn} of {count} polynomials are drawn")
+
+
+def check_sizes(viewer, name):
+    """One thing scrolls, everything is inside of the page, in light and dark."""
+    viewer.open(name)
+    for width, height, dark in ((1024, 640, False), (1024, 640, True), (420, 800, False), (420, 800, True)):
+        viewer.window.size(width, height, dark)
+        viewer.say("app.setEvent(5);")
+        seen = viewer.ask("""({ width: document.documentElement.scrollWidth, window: innerWidth,
+          scrolling: [...document.querySelectorAll('body *')].filter(e => /auto|scroll/.test(getComputedStyle(e).overflowY) &&
+            e.scrollHeight > e.clientHeight + 1).map(e => e.id || e.tagName),
+          lost: [...document.querySelectorAll('button, input, select, canvas')].filter(e => e.offsetParent !== null)
+            .map(e => [e.id, e.getBoundingClientRect()]).filter(([, b]) => b.left < -1 || b.right > innerWidth + 1 || b.width < 8)
+            .map(([id]) => id),
+          pages: [document.getElementById('rows-up'), document.getElementById('rows-down')].every(b => b.offsetParent !== null),
+          back: getComputedStyle(document.body).backgroundColor })""")
+        if seen["width"] > seen["window"] or seen["scrolling"] or seen["lost"] or not seen["pages"]:
+            fail(f"{name} at {width} x {height}: {seen}")
+        if (seen["back"] == "rgb(255, 255, 255)") == dark:
+            fail(f"{name}: the background is {seen['back']}, dark: {dark}")
+    viewer.window.size(1400, 950)
+
+
+def check_pictures(viewer, chromium, name, records):
+    """SVG and PNG of the drawings: texts apart from one another, the names of the axes among them."""
+    viewer.open(name)
+    for k in records:
+        svg = viewer.ask(f"(app.setEvent({k}), app.draw(), pictureAsSvg(760, 520))")
+        xml.etree.ElementTree.fromstring(svg)
+        picture, = look(chromium, [f"<div>{svg}</div>"])
+        faults = list(faults_of(picture))
+        texts = [text for text, _ in picture["texts"]]
+        if faults or "x \u2192" not in texts or "y \u2191" not in texts:
+            fail(f"{name}, record {k}: {faults}, {texts}")
+    png = base64.b64decode(viewer.ask("kinexFrame({ u: 0.5, width: 300, height: 200 })").split(",")[1])
+    if struct.unpack(">II", png[16:24]) != (300, 200):
+        fail("a frame has another size")
+
+
+def check_animation(source, folder):
+    script = source / "experiments" / "view" / "animate.py"
+    page, frames, moving = folder / "square.html", folder / "frames", folder / "moving.png"
+    for output, more in ((frames, ["--records"]), (moving, ["--to", "0.5"])):
+        subprocess.run([sys.executable, "-B", script, page, output, "--frames", "4", "--size", "200x160", *more], check=True,
+                       stdout=subprocess.DEVNULL)
+    if sorted(p.name for p in frames.iterdir()) != [f"frame-000{i}.png" for i in range(1, 5)]:
+        fail("the folder has other files than four frames")
+    data = moving.read_bytes()
+    if data.count(b"fcTL") != 4 or b"acTL" not in data:
+        fail("the animated PNG does not have four frames")
+    again = subprocess.run([sys.executable, "-B", script, page, moving], stderr=subprocess.PIPE, text=True, check=False)
+    if again.returncode != 2 or "--force" not in again.stderr:
+        fail(f"an animation that exists is replaced: {again.stderr}")
+
+
+def check_long(viewer):
+    """A run whose data are packed opens and shows the same."""
+    viewer.kinex("gen", "uniform-square", "--n", "300", "--seed", "5", "--maintain", "delaunay_2", "-o", "long.json")
+    viewer.kinex("view", "long.json", "-o", "long.html")
+    viewer.kinex("run", "long.json", "--events", "long.jsonl", "--audit", "none")
+    text = (viewer.folder / "long.html").read_text(encoding="utf-8")
+    if "DecompressionStream" not in text:
+        fail("the data of a long run are not packed")
+    events = [json.loads(line) for line in (viewer.folder / "long.jsonl").read_text().splitlines()][1:-1]
+    viewer.open("long.html")
+    for k in (1, len(events) // 2, len(events)):
+        shown = viewer.ask(f"(app.setEvent({k}), [kindOf(FIRST, {k}), FIRST.ids[{k - 1}].map(nameOf),"
+                           f" instantOf(FIRST, {k})[0]])")
+        event = events[k - 1]
+        if shown != [event["kind"], event["ids"], event["time"]["decimal"]]:
+            fail(f"record {k} of a long run is {shown}")
+    return len(events), len(text)
+
+
+def main():
+    chromium = browser()
+    source = pathlib.Path(sys.argv[2])
+    sys.path.insert(0, str(source / "experiments" / "view"))
+    import devtools  # pylint: disable=import-outside-toplevel
+    with tempfile.TemporaryDirectory() as name, devtools.Browser(1400, 950) as window:
+        viewer = Viewer(sys.argv[1], name, window)
+        folder = viewer.folder
+        (folder / "close.json").write_text(json.dumps(CLOSE))
+        viewer.kinex("gen", "uniform-square", "--n", "24", "--seed", "3", "--maintain", "delaunay_2,maximum_heap,sorted_list",
+                     "-o", "square.json")
+        viewer.kinex("gen", "polygon-orbit", "--n", "12", "--separation", "1/4", "--maintain",
+                     "separation_mixed,closest_features", "-o", "bodies.json")
+        for scene in ("close", "square", "bodies"):
+            viewer.kinex("run", f"{scene}.json", "--events", f"{scene}.jsonl", "--audit", "none")
+            viewer.kinex("view", f"{scene}.json", "-o", f"{scene}.html")
+        events = [json.loads(line) for line in (folder / "square.jsonl").read_text().splitlines()][1:-1]
+        viewer.open("square.html")
+        check_filter(viewer, events)
+        check_words(viewer, events)
+        check_root(viewer, 30)
+        check_close(viewer)
+        for page in ("square.html", "bodies.html"):
+            check_sizes(viewer, page)
+        check_pictures(viewer, chromium, "square.html", [0, 5, 40, 90])
+        check_animation(source, folder)
+        records, size = check_long(viewer)
+    print(f"{len(events)} log records filtered; {records} packed into {size // 1024} kB")
+
+
+if __name__ == "__main__":
+    main()
