@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex reproduce: the figures and claims of a paper, run again.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "experiments/formats/input_error.h"
 #include "experiments/lab/progress.h"
 #include "experiments/reproduce/planned.h"
 #include "experiments/reproduce/runner.h"
@@ -86,10 +83,6 @@ void reproduce(Options options, int& exit_code) {
   check_range("--jobs", options.jobs, 1, kMostJobs);
   const lab::Paper& paper = reproduce::paper_named(options.paper);
   const std::vector<const lab::PaperPart*> parts = reproduce::parts_named(paper, options.parts);
-  if (!options.logcheck.empty() && ::access(options.logcheck.c_str(), X_OK) != 0) {
-    throw formats::InputError("--logcheck", "", show_text(options.logcheck) + " is no program that can be run",
-                              "give the path of kinex-logcheck alone, or leave the option out");
-  }
   if (options.folder.empty()) options.folder = options.paper + (options.quick ? "-quick" : "");
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);  // errors are reported below

@@ -96,7 +96,7 @@ TEST_F(Resume, AKilledRunGoesOn) {
     const Finished uninterrupted = run_kinex(in(verb, whole));
     ASSERT_EQ(uninterrupted.exit_code, 0) << uninterrupted.err << uninterrupted.out;
     const Words results = files_in(whole);
-    EXPECT_THAT(results, ElementsAre(verb.name + ".html", verb.name + ".sqlite"));
+    EXPECT_THAT(results, ElementsAre(verb.name + ".html", verb.name + ".sqlite", verb.name + ".txt"));
 
     const std::string folder = scratch_.file(verb.name);
     const std::string kept = folder + "/" + verb.name + ".unfinished";
@@ -183,7 +183,7 @@ TEST(Seeds, TooFewAreSaidToBeTooFew) {
     EXPECT_EQ(run.exit_code, 3) << seeds << run.out;
     EXPECT_THAT(run.out, Not(HasSubstr("inf ")));
     EXPECT_THAT(run.out, HasSubstr("needed)"));
-    EXPECT_THAT(run.out, HasSubstr(" 0 FAIL"));
+    EXPECT_THAT(run.out, HasSubstr(" 0 fail;"));
     EXPECT_THAT(run.out, HasSubstr("would do"));
   }
 }

@@ -58,7 +58,7 @@ TEST_F(TradeVerb, ComparesArithmeticsOnAScene) {
 
 TEST_F(TradeVerb, TableSaysHowManyBitsTheSceneNeeds) {
   const Finished finished =
-      run_kinex({"trade", scene_, "--arithmetic", "gsl", "-o", folder_, "--jobs", "2"});
+      run_kinex({"trade", scene_, "--arithmetic", "gsl", "-o", folder_, "--jobs", "2", "--table"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_THAT(finished.out, HasSubstr("sorted_list, near-one-point n=6"));
   EXPECT_THAT(finished.out,
@@ -107,7 +107,7 @@ TEST_F(TradeVerb, GivesUpAtItsLimit) {
                 .exit_code,
             0);
   const Finished finished =
-      run_kinex({"trade", scratch_.file("large.json"), "--max-seconds", "0.000001", "-o", folder_});
+      run_kinex({"trade", scratch_.file("large.json"), "--max-seconds", "0.000001", "-o", folder_, "--table"});
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_THAT(finished.out, HasSubstr("takes too long"));
   EXPECT_THAT(read_file(folder_ + "/trade.html"), HasSubstr("takes too long"));

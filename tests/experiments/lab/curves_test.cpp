@@ -38,8 +38,8 @@ TEST(Curves, CurvesThatRunAlongOthersAreWiderBelow) {
       same{"same", {{1, 4, 0}, {10, 40.1, 0}}, ""};
   const Curve other{"other", {{1, 4, 0}, {10, 60, 0}}, ""};
   const std::string script = script_of(kLogarithmic, {one, same, other});
-  EXPECT_THAT(script, HasSubstr("$curve0 using 1:2 with linespoints lw 6 "));
-  EXPECT_THAT(script, HasSubstr("$curve1 using 1:2 with linespoints lw 1.5 "));
+  EXPECT_THAT(script, HasSubstr("$curve0 using 1:2 with linespoints lw 10 "));
+  EXPECT_THAT(script, HasSubstr("$curve1 using 1:2 with linespoints lw 6 "));
   EXPECT_THAT(script, HasSubstr("$curve2 using 1:2 with linespoints lw 1.5 "));
 }
 
