@@ -55,8 +55,8 @@
 #define KINEX_EXPERIMENTS_FORMATS_EVENT_LOG_H
 
 #include <cstdint>
-#include <span>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>

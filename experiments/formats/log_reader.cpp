@@ -277,7 +277,9 @@ void LogReader::read_header(std::string_view line) {
     header_.structures.push_back(read_structure(structures.at(i)));
   }
   header_.objects = read_strings(node.member("objects"));
-  if (const std::optional<JsonNode> made = node.find("provenance")) header_.provenance = read_provenance(*made);
+  if (const std::optional<JsonNode> made = node.find("provenance")) {
+    header_.provenance = read_provenance(*made);
+  }
 }
 
 bool LogReader::next(LogRecord& record) {

@@ -98,7 +98,7 @@ std::string command_line() {
 
 formats::Provenance run_provenance() {
   const BuildFacts build = build_facts();
-  return {build.commit, build.dirty,           build.compiler, build.flags,
+  return {build.commit,    build.dirty,         build.compiler, build.flags,
           build.libraries, machine_facts().cpu, command_line()};
 }
 

@@ -101,7 +101,8 @@ std::string bash_completion(const Command& program) {
       for (const std::string& name : option.names) cases.push_back(quoted(path + " " + name, ""));
       values += "    " + joined(cases, " | ") + ") " + bash_offer(option.value) + "; return ;;\n";
     }
-    options += "      " + quoted(path, "") + ") " + bash_offer({option_names(*command), false}) + " ;;\n";
+    options +=
+        "      " + quoted(path, "") + ") " + bash_offer({option_names(*command), false}) + " ;;\n";
     const CommandValue offered =
         command->commands.empty() ? command->words : CommandValue{verbs_of(*command), false};
     words += "      " + quoted(path, "") + ") " + bash_offer(offered) + " ;;\n";
@@ -113,7 +114,8 @@ std::string bash_completion(const Command& program) {
          "  mapfile -t COMPREPLY < <(compgen -W \"$1\" -- \"$word\")\n"
          "  if [ \"${2-}\" = files ]; then\n"
          "    local file\n"
-         "    while IFS= read -r file; do COMPREPLY+=(\"$file\"); done < <(compgen -f -- \"$word\")\n"
+         "    while IFS= read -r file; do COMPREPLY+=(\"$file\"); done < <(compgen -f -- "
+         "\"$word\")\n"
          "    compopt -o filenames 2>/dev/null\n"
          "  fi\n"
          "}\n"
@@ -122,7 +124,9 @@ std::string bash_completion(const Command& program) {
          "  for ((i = 1; i < COMP_CWORD; ++i)); do\n"
          "    longer=${path:+$path }${COMP_WORDS[i]}\n"
          "    case $longer in\n"
-         "      " + known + ") path=$longer ;;\n"
+         "      " +
+         known +
+         ") path=$longer ;;\n"
          "    esac\n"
          "  done\n"
          "  # --option=value is three words.\n"
@@ -132,12 +136,15 @@ std::string bash_completion(const Command& program) {
          "    [ \"${COMP_WORDS[i]}\" = = ] || i=$((i - 1))\n"
          "    before=${COMP_WORDS[i-1]}\n"
          "  fi\n"
-         "  case \"$path $before\" in\n" + values +
+         "  case \"$path $before\" in\n" +
+         values +
          "  esac\n"
          "  case ${COMP_WORDS[COMP_CWORD]} in\n"
-         "    -*) case $path in\n" + options +
+         "    -*) case $path in\n" +
+         options +
          "    esac ;;\n"
-         "    *) case $path in\n" + words +
+         "    *) case $path in\n" +
+         words +
          "    esac ;;\n"
          "  esac\n"
          "}\n"
@@ -153,7 +160,8 @@ std::string zsh_completion(const Command& program) {
       continue;
     }
     text += "  local context state state_descr line\n  typeset -A opt_args\n";
-    text += zsh_arguments(*command) + "  case $state in\n    verb)\n      local -a verbs\n      verbs=(\n";
+    text += zsh_arguments(*command) +
+            "  case $state in\n    verb)\n      local -a verbs\n      verbs=(\n";
     for (const Command& below : command->commands) {
       text += "        " + quoted(below.path.back() + ":" + zsh_text(below.text), "'\\''") + "\n";
     }
@@ -163,7 +171,9 @@ std::string zsh_completion(const Command& program) {
     }
     text += "      esac ;;\n  esac\n}\n";
   }
-  return text + "if [ \"$funcstack[1]\" = _kinex ]; then\n  _kinex \"$@\"\nelse\n  compdef _kinex kinex\nfi\n";
+  return text +
+         "if [ \"$funcstack[1]\" = _kinex ]; then\n  _kinex \"$@\"\nelse\n  compdef _kinex "
+         "kinex\nfi\n";
 }
 
 std::string fish_completion(const Command& program) {
@@ -182,7 +192,9 @@ std::string fish_completion(const Command& program) {
       }
       if (option.takes_value) {
         rules += option.value.files ? " -r -F" : " -x";
-        if (!option.value.words.empty()) rules += " -a " + quoted(joined(option.value.words), "\\'");
+        if (!option.value.words.empty()) {
+          rules += " -a " + quoted(joined(option.value.words), "\\'");
+        }
       }
       rules += " -d " + quoted(option.text, "\\'") + "\n";
     }
@@ -199,13 +211,16 @@ std::string fish_completion(const Command& program) {
          "  set -l path ''\n"
          "  for word in $words\n"
          "    set -l longer (string trim -- \"$path $word\")\n"
-         "    if contains -- $longer" + known + "\n"
+         "    if contains -- $longer" +
+         known +
+         "\n"
          "      set path $longer\n"
          "    end\n"
          "  end\n"
          "  test \"$path\" = \"$argv\"\n"
          "end\n"
-         "complete -c kinex -f\n" + rules;
+         "complete -c kinex -f\n" +
+         rules;
 }
 
 }  // namespace kinex::verbs

@@ -44,8 +44,10 @@ void add_completion_verb(CLI::App& app, int&) {
   auto shell = std::make_shared<std::string>();
   CLI::App* verb = app.add_subcommand("completion", "Prints the completion script for a shell");
   verb->group("");
-  verb->add_option("SHELL", *shell, "bash, zsh or fish; or verbs: the verbs, one a line")->required();
-  verb->footer("Example:\n  kinex completion bash > ~/.local/share/bash-completion/completions/kinex");
+  verb->add_option("SHELL", *shell, "bash, zsh or fish; or verbs: the verbs, one a line")
+      ->required();
+  verb->footer(
+      "Example:\n  kinex completion bash > ~/.local/share/bash-completion/completions/kinex");
   verb->callback([&app, shell] { print(script(command_tree(app), *shell)); });
 }
 

@@ -309,7 +309,10 @@ std::string page_data(const Scene& scene, const std::string& hash,
   std::string text;
   formats::JsonWriter json(text);
   json.begin_object().key("format").string("kinex-view").key("version").number(1);
-  json.key("program").string(formats::build_name() + " at " + lab::commit_text(lab::build_facts())).key("scene").begin_object();
+  json.key("program")
+      .string(formats::build_name() + " at " + lab::commit_text(lab::build_facts()))
+      .key("scene")
+      .begin_object();
   json.key("name").string(scene.name).key("hash").string(hash);
   json.key("dimension").number(scene.dimension).end_object();
   json.key("time").begin_object().key("start").begin_array().string(start.to_string());

@@ -48,7 +48,8 @@ std::string digest_of(const std::string& log) {
 std::string version_line(const std::string& word) {
   std::istringstream lines(run_kinex({"--version"}).out);
   for (std::string line; std::getline(lines, line);) {
-    if (line.rfind(word + " ", 0) == 0) return line.substr(line.find_first_not_of(' ', word.size()));
+    if (line.rfind(word + " ", 0) == 0)
+      return line.substr(line.find_first_not_of(' ', word.size()));
   }
   return "";
 }
@@ -83,12 +84,14 @@ TEST_F(ProvenanceOfResults, LogsHaveItOnRequestOnly) {
   EXPECT_EQ(provenance.compiler, version_line("compiler"));
   EXPECT_EQ(provenance.flags, version_line("flags"));
   EXPECT_THAT(version_line("processor"), StartsWith(provenance.cpu + ", "));
-  EXPECT_EQ(provenance.command, "kinex run '" + scene_ + "' --events " + scratch_.file("made.jsonl") + " --provenance");
+  EXPECT_EQ(provenance.command,
+            "kinex run '" + scene_ + "' --events " + scratch_.file("made.jsonl") + " --provenance");
   // Its events are the same: digest and records; the whole is sealed.
   EXPECT_EQ(digest_of(made), digest_of(plain));
   EXPECT_EQ(made.substr(made.find('\n'), 200), plain.substr(plain.find('\n'), 200));
   EXPECT_EQ(run_kinex({"check", scratch_.file("made.jsonl"), "--scene", scene_}).exit_code, 0);
-  EXPECT_EQ(run_kinex({"diff", scratch_.file("made.jsonl"), scratch_.file("plain.jsonl")}).exit_code, 0);
+  EXPECT_EQ(
+      run_kinex({"diff", scratch_.file("made.jsonl"), scratch_.file("plain.jsonl")}).exit_code, 0);
   std::string forged = made;
   forged.replace(forged.find("\"cpu\": \"") + 8, 1, "?");
   write_file(scratch_.file("forged.jsonl"), forged);
