@@ -68,11 +68,20 @@ def self_test(chromium):
     assert "covers" in next(faults_of(covered)) and "leaves" in next(faults_of(outside))
 
 
+def drawn_by_older_code(file):
+    """Its page says that it is older than the code (experiments/packaging/stale-pages), and it was drawn before
+    figures had widths."""
+    page = file.parent / "README.md"
+    old = page.exists() and "*Older than the code:*" in page.read_text(encoding="utf-8")
+    return old and not re.search(r'<svg[^>]*\swidth="', file.read_text(encoding="utf-8"))
+
+
 def main():
     chromium = browser()
     self_test(chromium)
     root = pathlib.Path(sys.argv[1])
-    files = [pathlib.Path(name) for name in sys.argv[2:]] or committed(root)
+    files = [pathlib.Path(name) for name in sys.argv[2:]] or [
+        file for file in committed(root) if not drawn_by_older_code(file)]
     if not files:
         sys.exit("there are no figures")
     faults, texts = [], 0
