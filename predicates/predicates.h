@@ -10,6 +10,7 @@
 #ifndef KINEX_PREDICATES_PREDICATES_H
 #define KINEX_PREDICATES_PREDICATES_H
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -54,6 +55,18 @@ std::shared_ptr<const Predicate> make_squared_distance_order(int dimension);
 //       object
 std::shared_ptr<const Predicate> make_pair_distance_order(int dimension);
 
+// extent_order(a, b, c, d) = u.(a - b) - v.(c - d) for two constant vectors, one entry per axis;
+// both are replaced by integer vectors in the same ratio. Positive iff the extent from b to a along
+// u is larger than that from d to c along v. Degree 1 in the coordinates. `arguments`: the place of
+// a, b, c and d among the arguments, {0, 1, 2, 3} for four objects. Where two of them are one
+// object they have one place, so {0, 1, 0, 2} is over (a, b, d) with c = a. Throws
+// std::invalid_argument if fewer than two are left, or the value is zero for all of them.
+//   (1) value(b, a, d, c) = -value(a, b, c, d)
+//   (2) value(a, b, a, d) = direction_order(b, d) up to a positive factor, for u = v
+std::shared_ptr<const Predicate> make_extent_order(const std::vector<Rational>& u,
+                                                   const std::vector<Rational>& v,
+                                                   const std::array<int, 4>& arguments);
+
 // orientation_2(a, b, c) = (b - a) x (c - a), twice the signed area of the triangle.
 // Positive iff a, b, c turn counter-clockwise. Degree 2 in the coordinates.
 //   (1) alternating in all three
@@ -81,6 +94,15 @@ std::shared_ptr<const Predicate> make_slope_order_2();
 //   (2) zero if two arguments are equal
 //   (3) unchanged by a common translation
 std::shared_ptr<const Predicate> make_in_circle_2();
+
+// acute_angle_2(a, b, c) = (a - b) . (c - b), and obtuse_angle_2(a, b, c), its negation.
+// Positive iff the angle at b between a and c is acute, or obtuse. Degree 2 in the coordinates.
+//   (1) value(c, b, a) = value(a, b, c)
+//   (2) zero if b is a or c
+//   (3) acute_angle_2(a, b, c) + acute_angle_2(b, a, c) = |b - a|^2
+std::shared_ptr<const Predicate> make_acute_angle_2();
+// The same, negated.
+std::shared_ptr<const Predicate> make_obtuse_angle_2();
 
 // The order by a key: one of the first three predicates, over (a, b) or, for a squared distance,
 // (a, b, object). Positive iff key(a) < key(b). The degree is that of the key.

@@ -12,6 +12,7 @@
 #include "structures/maximum/family.h"
 #include "structures/order/family.h"
 #include "structures/proximity/family.h"
+#include "structures/range/family.h"
 #include "structures/triangulation/family.h"
 
 namespace kinex {
@@ -20,7 +21,7 @@ namespace kinex {
 inline constexpr std::array kStructureFamilies{&order_family, &maximum_family,
                                                &triangulation_family, &hull_family,
                                                &collision_family, &extent_family,
-                                               &proximity_family};
+                                               &proximity_family, &range_family};
 
 }  // namespace kinex
 

@@ -9,13 +9,17 @@
 namespace kinex {
 namespace {
 
+// Two requests for one structure, whatever it is called.
 bool same_work(const Request& a, const Request& b) {
-  return a.structure == b.structure && a.key == b.key;
+  return a.structure == b.structure && a.key == b.key && a.parameters == b.parameters &&
+         std::equal(a.over.begin(), a.over.end(), b.over.begin(), b.over.end(), same_work);
 }
 
 // A label that no request has.
-std::string unused_label(const Request& reader, std::string_view reads, const Scene& scene) {
-  std::string label = reader.label + "." + std::string(reads);
+std::string unused_label(const Request& reader, const Reading& reading, const Request& wanted,
+                         const Scene& scene) {
+  std::string label = reader.label + "." + wanted.structure;
+  if (reading.axis) label += std::string(":") + "xyz"[*reading.axis];
   while (std::any_of(scene.maintain.begin(), scene.maintain.end(),
                      [&label](const Request& r) { return r.label == label; })) {
     label += "'";
@@ -23,36 +27,77 @@ std::string unused_label(const Request& reader, std::string_view reads, const Sc
   return label;
 }
 
+class Planner {
+ public:
+  explicit Planner(const Scene& scene) : scene_(scene) {}
+
+  std::vector<PlannedStructure> plan() {
+    for (const Request& request : scene_.maintain) {
+      const auto there = std::find_if(plan_.begin(), plan_.end(), [&](const PlannedStructure& p) {
+        return p.request.label == request.label;  // added earlier, for a reader
+      });
+      if (there == plan_.end()) add(request, true);
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  // What the structure of `reader` reads there. Its label is empty.
+  static Request wanted_by(const Request& reader, const Reading& reading) {
+    if (!reading.role.empty() && !reader.over.empty()) {
+      Request wanted = reader.over.front();
+      wanted.label.clear();
+      return wanted;
+    }
+    Request wanted{std::string(reading.structure), "", {}};
+    if (reading.passes_over) wanted.over = reader.over;
+    if (reading.axis) {
+      wanted.key.axis = *reading.axis;
+    } else if (const StructureInfo* info = find_structure_info(wanted.structure);
+               info != nullptr && info->uses_key) {
+      wanted.key = reader.key;
+    }
+    return wanted;
+  }
+  StructureId add(const Request& request, bool asked) {
+    PlannedStructure planned{request, asked};
+    if (const StructureInfo* info = find_structure_info(request.structure)) {
+      for (const Reading& reading : info->reads) planned.watches.push_back(read(request, reading));
+    }
+    plan_.push_back(std::move(planned));
+    return static_cast<StructureId>(plan_.size() - 1);
+  }
+  StructureId read(const Request& reader, const Reading& reading) {
+    const Request wanted = wanted_by(reader, reading);
+    const auto is_wanted = [&wanted](const Request& r) { return same_work(r, wanted); };
+    const auto there = std::find_if(plan_.begin(), plan_.end(), [&](const PlannedStructure& p) {
+      return is_wanted(p.request);
+    });
+    auto id = static_cast<StructureId>(there - plan_.begin());
+    if (there == plan_.end()) {
+      const auto asked = std::find_if(scene_.maintain.begin(), scene_.maintain.end(), is_wanted);
+      Request base = wanted;
+      const bool is_asked = asked != scene_.maintain.end();
+      base.label = is_asked ? asked->label : unused_label(reader, reading, wanted, scene_);
+      id = add(base, is_asked);
+    }
+    ++plan_[id].readers;
+    return id;
+  }
+
+  const Scene& scene_;
+  std::vector<PlannedStructure> plan_;
+};
+
 }  // namespace
 
-std::vector<PlannedStructure> plan_structures(const Scene& scene) {
-  std::vector<PlannedStructure> plan;
-  const auto find = [&plan](const std::string& label) {
-    return std::find_if(plan.begin(), plan.end(),
-                        [&label](const PlannedStructure& p) { return p.request.label == label; });
-  };
-  for (const Request& request : scene.maintain) {
-    if (find(request.label) != plan.end()) continue;  // added earlier, for a reader
-    const StructureInfo* info = find_structure_info(request.structure);
-    std::optional<StructureId> watches;
-    if (info != nullptr && !info->reads.empty()) {
-      const Request wanted{std::string(info->reads), "", request.key};
-      const auto is_wanted = [&wanted](const Request& r) { return same_work(r, wanted); };
-      auto there = std::find_if(plan.begin(), plan.end(),
-                                [&](const PlannedStructure& p) { return is_wanted(p.request); });
-      if (there == plan.end()) {
-        const auto asked = std::find_if(scene.maintain.begin(), scene.maintain.end(), is_wanted);
-        PlannedStructure base{wanted, asked != scene.maintain.end(), {}, 0};
-        base.request.label = base.asked ? asked->label : unused_label(request, info->reads, scene);
-        plan.push_back(std::move(base));
-        there = plan.end() - 1;
-      }
-      ++there->readers;
-      watches = static_cast<StructureId>(there - plan.begin());
-    }
-    plan.push_back({request, true, watches, 0});
-  }
-  return plan;
+std::vector<PlannedStructure> plan_structures(const Scene& scene) { return Planner(scene).plan(); }
+
+std::vector<const Structure*> watched_by(const PlannedStructure& planned,
+                                         const Simulator& simulator) {
+  std::vector<const Structure*> watched;
+  for (const StructureId id : planned.watches) watched.push_back(&simulator.structure(id));
+  return watched;
 }
 
 NumberNeeds plan_numbers(const Scene& scene) {
@@ -81,12 +126,11 @@ StructureId asked_structure(const Scene& scene) {
 void add_structures(Simulator& simulator, const Scene& scene) {
   for (const PlannedStructure& planned : plan_structures(scene)) {
     const StructureId id = simulator.reserve();
-    const Structure* watched =
-        planned.watches ? &std::as_const(simulator).structure(*planned.watches) : nullptr;
-    std::vector<StructureId> watches;
-    if (planned.watches) watches.push_back(*planned.watches);
-    simulator.add(id, make_structure(planned.request, scene, simulator.kernel(), id, watched),
-                  planned.request.label, std::move(watches));
+    const std::vector<const Structure*> watched = watched_by(planned, simulator);
+    simulator.add(id,
+                  make_structure(planned.request, scene, simulator.kernel(), id, watched,
+                                 planned.watches),
+                  planned.request.label, planned.watches);
   }
 }
 

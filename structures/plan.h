@@ -6,7 +6,6 @@
 
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -21,13 +20,16 @@ inline constexpr std::size_t kMostStructures = std::numeric_limits<StructureId>:
 // A structure built for a scene: requested, or read by another one.
 struct PlannedStructure {
   Request request;
-  bool asked = true;                   // false: it exists for others to read only
-  std::optional<StructureId> watches;  // an earlier one of the plan
+  bool asked = true;                      // false: it exists for others to read only
+  std::vector<StructureId> watches = {};  // earlier ones of the plan, as its descriptor reads them
   int readers = 0;
 };
 // In the order of "maintain", except that a structure comes before its readers. A structure that is
 // read is shared by all its readers and by the requests for it. Ids are places in the plan.
 std::vector<PlannedStructure> plan_structures(const Scene& scene);
+// The structures that one of the plan watches, given those made before it.
+std::vector<const Structure*> watched_by(const PlannedStructure& planned,
+                                         const Simulator& simulator);
 // The place of the first structure of "maintain", which comes after what it reads. Requires a scene
 // with a request.
 StructureId asked_structure(const Scene& scene);

@@ -42,6 +42,15 @@ std::string maintain_instead(const StructureInfo& info, const char* what) {
   return "maintain " + std::string(info.instead) + what;
 }
 
+// A number of a descriptor.
+Rational number(std::string_view text) { return Rational::parse(text).value(); }
+
+bool can_be_read(const Reading& reading, const Structure& structure) {
+  if (structure.name() == reading.structure) return true;
+  const StructureInfo* info = find_structure_info(structure.name());
+  return !reading.role.empty() && info != nullptr && info->role == reading.role;
+}
+
 [[noreturn]] void refuse(const StructureInfo& info, const Refusal& refusal) {
   throw std::invalid_argument(std::string(info.name) + " " + refusal.problem + "; " +
                               refusal.remedy);
@@ -121,9 +130,73 @@ std::optional<Refusal> refusal_of_key(const StructureInfo& info, const Key& key)
   return std::nullopt;
 }
 
+std::optional<Refusal> refusal_of_parameter(const StructureInfo& info, const Parameter& parameter) {
+  std::string names;
+  for (const ParameterInfo& known : info.parameters) {
+    if (known.name != parameter.name) {
+      names += (names.empty() ? "" : ", ") + std::string(known.name);
+      continue;
+    }
+    const Rational least = number(known.least);
+    std::string range = (known.whole ? "an integer of at least " : "a number of at least ") +
+                        least.to_string();
+    bool fits = !(parameter.value < least) && (!known.whole || parameter.value.is_integer());
+    if (!known.most.empty()) {
+      const Rational most = number(known.most);
+      fits = fits && (known.most_is_allowed ? !(most < parameter.value) : parameter.value < most);
+      range += (known.most_is_allowed ? " and at most " : " and less than ") + most.to_string();
+    }
+    if (fits) return std::nullopt;
+    return Refusal{"cannot have " + std::string(known.name) + " = " + parameter.value.to_string(),
+                   "write " + range};
+  }
+  return Refusal{"has no parameter \"" + parameter.name + "\"",
+                 names.empty() ? "remove it" : "its parameters are " + names};
+}
+
+const Reading* reading_of_choice(const StructureInfo& info) {
+  for (const Reading& reading : info.reads) {
+    if (!reading.role.empty()) return &reading;
+    if (reading.passes_over) return reading_of_choice(*find_structure_info(reading.structure));
+  }
+  return nullptr;
+}
+
+std::optional<Refusal> refusal_of_over(const StructureInfo& info, const Request& over) {
+  const Reading* const reading = reading_of_choice(info);
+  if (reading == nullptr) {
+    return Refusal{info.reads.empty() ? "reads no other structure"
+                                      : "has no choice of what it reads",
+                   "remove \"over\""};
+  }
+  const StructureInfo* there = find_structure_info(over.structure);
+  if (there != nullptr && there->role == reading->role) return std::nullopt;
+  std::string names;
+  for (const StructureInfo& other : structure_infos()) {
+    if (other.role == reading->role) names += (names.empty() ? "" : ", ") + std::string(other.name);
+  }
+  return Refusal{"cannot read \"" + over.structure + "\"",
+                 "it reads a " + std::string(reading->role) + ": one of " + names};
+}
+
+Rational parameter_of(const StructureInfo& info, const Request& request, std::string_view name) {
+  for (const Parameter& given : request.parameters) {
+    if (given.name == name) return given.value;
+  }
+  for (const ParameterInfo& known : info.parameters) {
+    if (known.name == name) return number(known.usual);
+  }
+  throw std::logic_error("a parameter that is not in the descriptor");
+}
+
+Rational MakerInput::parameter(std::string_view name) const {
+  return parameter_of(*find_structure_info(request.structure), request, name);
+}
+
 std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene,
                                           Kernel& kernel, StructureId id,
-                                          const Structure* watched) {
+                                          std::span<const Structure* const> watched,
+                                          std::span<const StructureId> watched_ids) {
   const StructureInfo* info = find_structure_info(request.structure);
   if (info == nullptr) {
     throw std::invalid_argument("unknown structure \"" + request.structure + "\"; choose one of " +
@@ -131,10 +204,19 @@ std::unique_ptr<Structure> make_structure(const Request& request, const Scene& s
   }
   if (const auto refusal = refusal_of(*info, scene)) refuse(*info, *refusal);
   if (const auto refusal = refusal_of_key(*info, request.key)) refuse(*info, *refusal);
-  if (!info->reads.empty() && (watched == nullptr || watched->name() != info->reads)) {
-    throw std::invalid_argument(request.structure + " has to watch a " + std::string(info->reads));
+  for (const Parameter& given : request.parameters) {
+    if (const auto refusal = refusal_of_parameter(*info, given)) refuse(*info, *refusal);
   }
-  return info->make({request, scene, kernel, id, watched});
+  for (const Request& over : request.over) {
+    if (const auto refusal = refusal_of_over(*info, over)) refuse(*info, *refusal);
+  }
+  for (std::size_t i = 0; i < info->reads.size(); ++i) {
+    if (i >= watched.size() || !can_be_read(info->reads[i], *watched[i])) {
+      throw std::invalid_argument(request.structure + " has to watch a " +
+                                  std::string(info->reads[i].structure));
+    }
+  }
+  return info->make({request, scene, kernel, id, watched, watched_ids});
 }
 
 }  // namespace kinex

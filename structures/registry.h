@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -29,12 +30,21 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
 // Likewise for the key of a structure that uses one.
 std::optional<Refusal> refusal_of_key(const StructureInfo& info, const Key& key);
 
-// Makes the structure that `request` asks for, with id `id` in `kernel`. `watched`: the structure
-// that it reads (StructureInfo::reads), which outlives it. Throws std::invalid_argument, with
+// Likewise for the parameters, and for the structure that it is to read.
+std::optional<Refusal> refusal_of_parameter(const StructureInfo& info, const Parameter& parameter);
+// The reading that "over" replaces, of the structure or of one that it reads; nullptr: none.
+const Reading* reading_of_choice(const StructureInfo& info);
+std::optional<Refusal> refusal_of_over(const StructureInfo& info, const Request& over);
+// The value of a parameter in a request: the usual one if it is not given.
+Rational parameter_of(const StructureInfo& info, const Request& request, std::string_view name);
+
+// Makes the structure that `request` asks for, with id `id` in `kernel`. `watched`: the structures
+// that it reads, in the order of StructureInfo::reads, which outlive it. Throws std::invalid_argument, with
 // problem and remedy, for what the functions above refuse.
 std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene,
                                           Kernel& kernel, StructureId id,
-                                          const Structure* watched = nullptr);
+                                          std::span<const Structure* const> watched = {},
+                                          std::span<const StructureId> watched_ids = {});
 
 }  // namespace kinex
 

@@ -61,6 +61,9 @@ class Arithmetic {
   virtual void set_motion(ObjectId object, const Trajectory& trajectory,
                           const std::optional<Rational>& until) = 0;
 
+  // Prefetches the motions of objects that queries will name soon. Changes nothing.
+  virtual void prefetch(std::span<const ObjectId> objects) const { static_cast<void>(objects); }
+
   // now := t. Moving back is allowed (samples are not taken this way; see Simulator).
   virtual void set_now(const Rational& t) = 0;
   // now := the failure time of `query`. The arithmetic takes its number (time.root becomes 0).

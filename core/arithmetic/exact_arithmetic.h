@@ -6,13 +6,14 @@
 //   kDouble  The certificate polynomial in doubles; its sign or first root is certified in doubles.
 //              Scenes of small integers over a common denominator: plain doubles in t - origin, for
 //              an origin of few bits just before now. Shifted motions and their differences are
-//              exact; the rounding errors of the rest are bounded by the predicate's relative error
-//              times the reach of the points.
+//              exact; further rounding errors are bounded by the predicate's relative error
+//              (Predicate::reach_error) times the reach of the points.
 //              Other scenes: doubles with running error bounds.
 //              Signs of linear forms (linear_form.h) are first tried without the polynomial.
-//              Groups of queries: the polynomials and the filter's first step of all side by side
-//              (exact_arithmetic_group.cpp), with the same bits.
-//   kWide    As kDouble, with coefficients in t computed exactly in 128-bit integers.
+//              Groups of queries (begin_group): the polynomials and the first step of the filter
+//              are computed for all of them side by side (exact_arithmetic_group.cpp); every result
+//              is bit for bit that of one query by itself.
+//   kWide    As kDouble, but the coefficients, in t, are computed exactly in 128-bit integers.
 //   kExact   Integers of any size, isolating intervals, gcds.
 #ifndef KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H
 #define KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H
@@ -45,6 +46,9 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   }
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until) override;
+  void prefetch(std::span<const ObjectId> objects) const override {
+    for (const ObjectId object : objects) motions_.prefetch(object);
+  }
   void set_now(const Rational& t) override;
   void advance(const Query& query, FailureTime& time) override;
   void visit(const Query& query, const FailureTime& time) override;
@@ -69,14 +73,14 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   std::string number_model() const override;
   std::string polynomial_model(PredicateId id) const override;
 
-  // The vector instructions that groups are evaluated with: the best of the machine, unless a test
-  // wants others (which the machine must have).
+  // The vector instructions by which groups are evaluated. Default: the best of the machine. For
+  // tests; the machine must have them.
   void set_vectors(Vectors vectors) { vectors_ = vectors; }
 
-  // Set in FailureTime::root where [lo, hi] isolates no root of the certificate's own polynomial
-  // (it was negative when created and fails at that instant).
+  // Flags in FailureTime::root. Set if [lo, hi] isolates no root of the certificate's own
+  // polynomial: it was negative when created, and fails at that instant.
   static constexpr std::uint32_t kBornFailing = 0x80000000u;
-  // Set where [lo, hi] contains the root but is not proved to isolate it.
+  // Set if [lo, hi] contains the root but is not proved to isolate it.
   static constexpr std::uint32_t kLoose = 0x40000000u;
   static constexpr std::uint32_t kFlags = kBornFailing | kLoose;
 
@@ -104,18 +108,18 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     bool narrow = false;  // ... and 128-bit integers its coefficients
     int degree = 0;
     int homogeneity = 0;
-    std::size_t reads = 0;  // coefficients of one argument
+    std::size_t reads = 0;  // the number of coefficients that are read of one argument
     bool linear = false;     // a difference of linear motions: doubles hold the polynomial
     double reach_error = 0;  // Predicate::reach_error divided by gamma (core/numbers/first_root.h)
     bool touches = false;    // FailsAtTouch
     bool in_lanes = false;   // groups of its queries are evaluated side by side
-    const LinearForm* form = nullptr;  // if it is one
+    const LinearForm* form = nullptr;  // the predicate as a LinearForm, if it is one
   };
 
-  // The queries of begin_group, one in a lane. Only what the filter's first step answers, or can be
-  // continued from, is known; the others are asked for as if there were no group.
+  // The queries of begin_group, one per lane. A query is known if the filter's first step answers
+  // it or FirstRoot can continue from it; all others are answered as if there were no group.
   struct Group {
-    std::uint32_t known = 0;  // a bit for each
+    std::uint32_t known = 0;  // bit i: query i
     int degree = 0;
     double now_lo = 0, now_hi = 0, origin = 0;
     std::array<double, kLanes> horizon, node_end;

@@ -153,8 +153,9 @@ Outlook ExactArithmetic::exact_failure(const Query& query, FailureTime& time) {
   if (kinex::sign_after(p, now, root_counters_) == Sign::kNegative) {
     outlook = fails_now(time);
   } else if (auto root =
-                 first_sign_change_after(models_[query.predicate].touches ? square_free_part(p, deadline_) : p,
-                                         now, end_, root_counters_)) {
+                 first_sign_change_after(
+                     models_[query.predicate].touches ? square_free_part(p, deadline_) : p, now,
+                     end_, root_counters_)) {
     for (int bits = 0; !is_tight(*root) && bits < kEnclosureBits; ++bits)
       root->refine(root_counters_);
     time.lo = root->lower_double();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `gsl`: doubles with GSL's polynomial solvers, the usual floating-point kinetic arithmetic. No
-// guarantee, except that it never crashes, loops or returns a NaN.
+// `gsl`: doubles with GSL's polynomial solvers, the usual floating-point arithmetic of kinetic
+// software. It guarantees nothing but that it never crashes, loops or returns a NaN.
 //
-// GSL's error handler aborts the process by default, and is one pointer per process: making the
-// first arithmetic of this kind turns it off (once, thread-safe), and it stays off.
+// GSL's error handler is one pointer per process, and by default it aborts the process. Making the
+// first arithmetic of this kind turns it off for good (once, thread-safe).
 #ifndef KINEX_CORE_ARITHMETIC_GSL_ARITHMETIC_H
 #define KINEX_CORE_ARITHMETIC_GSL_ARITHMETIC_H
 

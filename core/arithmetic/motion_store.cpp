@@ -266,6 +266,25 @@ void MotionStore::grow(std::size_t objects) {
   if (model_.anchored) anchors_.resize(objects_, std::numeric_limits<double>::infinity());
 }
 
+// The value times the model's scale, if that is an integer of at most 53 bits.
+std::optional<double> MotionStore::scaled_integer(const Rational& value) const {
+  const mpz_srcptr n = mpq_numref(value.raw()), d = mpq_denref(value.raw());
+  const mpz_srcptr scale = model_.scale.raw();
+  constexpr long kMost = 1L << 53;
+  if (mpz_fits_slong_p(n) == 0 || mpz_fits_slong_p(d) == 0 || mpz_fits_slong_p(scale) == 0) {
+    const Rational scaled = value * Rational(model_.scale);
+    if (!scaled.is_integer() || !scaled.numerator().fits_int64()) return std::nullopt;
+    const std::int64_t whole = scaled.numerator().to_int64();
+    if (whole < -kMost || whole > kMost) return std::nullopt;
+    return static_cast<double>(whole);
+  }
+  const long factor = mpz_get_si(scale) / mpz_get_si(d);
+  if (factor * mpz_get_si(d) != mpz_get_si(scale)) return std::nullopt;
+  const Int128 whole = static_cast<Int128>(mpz_get_si(n)) * factor;
+  if (whole < -kMost || whole > kMost) return std::nullopt;
+  return static_cast<double>(whole);
+}
+
 void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anchor) {
   if (object >= objects_) grow(object + std::size_t{1});
   if (trajectory.degree() > model_.degree) grow_degree(trajectory.degree());
@@ -275,18 +294,15 @@ void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anch
   const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
   bool narrow = model_.narrow;
   if (narrow) {
-    const Rational scale(model_.scale);
     double* out = &narrow_[object * stride_];
     std::fill(out, out + stride_, 0.0);
     for (std::size_t a = 0; narrow && a < trajectory.coordinates.size(); ++a) {
       const auto& axis = trajectory.coordinates[a];
       for (std::size_t k = 0; narrow && k < axis.size(); ++k) {
         if (axis[k].is_zero()) continue;
-        const Rational scaled = axis[k] * scale;
-        const Integer n = scaled.numerator();
-        narrow = scaled.is_integer() && n.fits_int64() &&
-                 std::fabs(n.to_double()) <= model_.magnitude[k];
-        if (narrow) out[a * powers + k] = static_cast<double>(n.to_int64());
+        const std::optional<double> scaled = scaled_integer(axis[k]);
+        narrow = scaled && std::fabs(*scaled) <= model_.magnitude[k];
+        if (narrow) out[a * powers + k] = *scaled;
       }
     }
   }

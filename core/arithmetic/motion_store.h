@@ -46,6 +46,7 @@ class MotionStore {
   // Coefficients times the model's scale: integers of at most 2^52: exact, and so are
   // differences of two. Requires is_narrow(object).
   MotionView<double> narrow(ObjectId object) const { return &narrow_[object * stride_]; }
+  void prefetch(ObjectId object) const { __builtin_prefetch(&narrow_[object * stride_]); }
   // The unit of predicates (Predicate::has_unit): the model's scale, as a double and as a ball. It
   // is narrow, an integer of at most 2^52, if doubles hold it and its differences to coordinates
   // exactly.
@@ -73,6 +74,7 @@ class MotionStore {
   bool is_big(ObjectId object) const {
     return object < big_.size() && !big_[object].coefficients.empty();
   }
+  std::optional<double> scaled_integer(const Rational& value) const;
   void grow(std::size_t objects);
   void grow_degree(int degree);
   void set_big(ObjectId object, const Trajectory& trajectory);

@@ -21,7 +21,7 @@ namespace kinex {
 using PredicateId = std::uint16_t;  // given by Arithmetic::bind
 
 // No predicate takes more objects than this.
-inline constexpr int kMaxArity = 8;
+inline constexpr int kMaxArity = 10;
 // The motion degrees that have fixed-size polynomials; higher ones use dynamic sizes.
 inline constexpr int kMaxFixedDegree = 3;
 // Room for the coefficients of a certificate polynomial of fixed size: degree 8 * 3 plus one. A

@@ -2,9 +2,10 @@
 // RootNamer: the exact name (RootName in core/numbers/real_root.h) of a root that is already
 // enclosed in doubles, without isolating it again.
 //
-// A filtered Sturm sequence proves that the polynomial is square-free, counts the roots below, and
-// finds the coarsest cell that isolates the root. Roots modulo small primes prove that it is
-// irrational. If a proof fails no name is given; name_root() then gives the same name exactly.
+// A filtered Sturm sequence proves that the polynomial is square-free, counts the roots below this
+// one, and finds the coarsest cell (see RootName) that isolates it. A search for roots modulo small
+// primes proves that it is irrational. If a proof fails, no name is given; name_root()
+// (core/numbers/real_root.h) never fails and gives the same names, more slowly.
 // Cost: about one microsecond at degree 4, two at degree 8.
 #ifndef KINEX_CORE_ARITHMETIC_ROOT_NAMER_H
 #define KINEX_CORE_ARITHMETIC_ROOT_NAMER_H
@@ -18,13 +19,13 @@ namespace kinex {
 
 class RootNamer {
  public:
-  // Fills in polynomial, root, lower and upper: the name of the root of p in [lo, hi]. Requires: it
-  // is the only one there, and p changes sign at it. Consumes p. False: no name; the four are
-  // undefined.
+  // Fills in polynomial, root, lower and upper of `name` for the root of p in [lo, hi]. Requires
+  // that it is the only root there and that p changes sign at it. Consumes p. Returns false if
+  // there is no name; the four members are then undefined.
   bool name(std::vector<Integer>& p, double lo, double hi, InstantName& name);
 
  private:
-  // The sequence as one of t: x = (t - origin) / 2^scale.
+  // The variable x of the sequence: x = (t - origin) / 2^scale.
   struct Frame {
     double origin = 0;
     int scale = 0;
@@ -36,10 +37,10 @@ class RootNamer {
   std::vector<Integer> shifted_;
 };
 
-// p / +-content(p): primitive, positive leading coefficient. Requires p.back() != 0.
+// Divides p by its content and makes its leading coefficient positive. Requires p.back() != 0.
 void make_canonical(std::vector<Integer>& p);
 
-// The minimal name of a rational number: -num + den t, root 1, [value, value].
+// Sets the name of a rational number: the polynomial -num + den t, its root 1, [value, value].
 void set_rational_name(const Rational& value, InstantName& name);
 
 }  // namespace kinex

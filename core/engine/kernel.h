@@ -142,6 +142,14 @@ class Kernel {
   PartId part(CertificateId id) const { return queue_.certificate(id).part; }
   // Prefetches the memory of a certificate that will be replaced or retracted soon.
   void prefetch(CertificateId id) const { queue_.prefetch(id); }
+  // Prefetches what is kept for objects whose certificates of `structure` will be made or withdrawn
+  // soon. Objects of few scenes are near anyway: nothing is done for them.
+  void prefetch(StructureId structure, std::span<const ObjectId> objects) const {
+    if (objects_ < kManyObjects) return;
+    arithmetic_->prefetch(objects);
+    const std::uint32_t* const live = live_per_object_[structure].data();
+    for (const ObjectId object : objects) __builtin_prefetch(live + object, 1);
+  }
   // The tag of a certificate of `structure` that probably fails soon (EventQueue::upcoming); else
   // kNoTag.
   static constexpr std::uint32_t kNoTag = 0xffffffffu;
@@ -210,6 +218,7 @@ class Kernel {
   }
 
  protected:
+  static constexpr std::size_t kManyObjects = 8192;  // their motions exceed the nearest caches
   // Further looks at a certificate beyond its first window; the last one has no end.
   static constexpr int kMostLooks = 6;
 

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RunClock: the time of a run by phase and by structure.
 //
-// Every figure is CPU time of the thread, independent of the machine's load, with wall time beside
-// it. Reading the CPU clock is a system call (some hundred nanoseconds) and may cost more than an
-// event of a sorted list. Therefore
+// Figures are CPU time of the thread, which does not depend on the machine's load; phases have wall
+// time as well. Reading the CPU clock is a system call (a few hundred nanoseconds) and may cost
+// more than an event of a sorted list. Therefore
 //
 //   phases      read both clocks when the phase changes: a few times in a run without audits.
 //   structures  read the wall clock (no system call) when another structure is called; the CPU time
 //               of the whole stretch is divided in proportion.
 //   reports     (calls of the event sink) are sampled: all of the first kAlwaysMeasured, then one
-//               in g, where g keeps the cost of measuring below about 1/kShare of the sink's own.
-//               The gaps vary, so that a periodic pattern of events does not bias the sample. A
-//               measured call stands for itself and the calls since the one measured before. Their
-//               time is taken from the phase and the structure in which they were made.
+//               in g on average, where g keeps the cost of measuring below about 1/kShare of the
+//               sink's own. The gaps vary, so that a periodic pattern of events does not bias the
+//               sample. A measured call stands for itself and for the calls since the previous
+//               measured one. Their time is moved from the phase and the structure in which they
+//               were made to kReport.
 #ifndef KINEX_CORE_ENGINE_RUN_CLOCK_H
 #define KINEX_CORE_ENGINE_RUN_CLOCK_H
 
@@ -33,7 +34,7 @@ struct Seconds {  // a length of time by both clocks
   Seconds& operator-=(const Seconds& other);
 };
 
-// Both clocks, for differences.
+// Both clocks, read now; only differences mean anything.
 Seconds seconds_now();
 
 enum class RunPhase : std::uint8_t {  // what the time of a run is spent on
@@ -62,19 +63,20 @@ class RunClock {
 
   static constexpr StructureId kNoStructure = 0xff;
 
-  // Up to now.
+  // The time spent in this phase up to now.
   Seconds seconds(RunPhase phase) const;
   // CPU seconds of a structure in all stretches that have ended.
   double structure_seconds(StructureId id) const {
     return id < of_structure_.size() ? of_structure_[id] : 0.0;
   }
 
-  // From now on a structure is at work; kNoStructure ends the stretch.
+  // From now on this structure is at work. A stretch begins with the first structure and ends with
+  // kNoStructure.
   void charge(StructureId id) {
     if (id != charged_) charge_other(id);
   }
 
-  // Calls the event sink.
+  // Runs `call`, which calls the event sink; its time is measured or estimated.
   template <class Call>
   void report(const Call& call) {
     if (--until_measured_ > 0) {

@@ -7,19 +7,20 @@
 //
 //   motions -> failures -> erasures -> failures -> insertions -> failures
 //
-// All certificates of the objects with new motions are first scheduled anew, once. An update to
-// another position is an erasure and an insertion.
+// First of all the certificates of all objects with new motions are scheduled anew, each once. An
+// update that moves an object to another position is an erasure and an insertion.
 //
-// Guard against cycling: a structure may make 1000 + 64 c + c^2 repairs at one instant, where c is
-// the largest number of certificates that it has had. No correct structure needs more:
+// Guard against endless repairs: a structure may make 1000 + 64 c + c^2 repairs at one instant,
+// where c is the largest number of certificates that it has had. No correct structure needs more:
 //   sorted list       n keys have n - 1 certificates; each pair swaps at most once: C(n,2) <= c^2
 //   Delaunay flips    never restore an edge: C(n,2) <= c^2
-//   tournament, heap  winners only grow: at most c repairs per certificate
-// When the guard fires,
-//   exact arithmetic    the structure is rebuilt; std::logic_error if it fires again at the instant
-//   inexact arithmetic  the structure is corrupt. The guard is then 1000 + 8 c + most_repairs(c);
-//                       instants closer together than 2^-40 of the run, or 2^27 ulps, count as one
-//                       (at most 2^-8 of it).
+//   tournament, heap  winners only get better: at most c repairs per certificate
+// In an exact arithmetic the structure is rebuilt when the guard fires; if it fires again at the
+// same instant, std::logic_error is thrown.
+// In an inexact arithmetic the limit is 1000 + 8 c + Structure::most_repairs(c), and the structure
+// is corrupt when the guard fires. Repairs at different instants are counted together if these lie
+// in one short window of time. Relative to the length of the run (or to now, if that is larger) a
+// window is 2^27 ulps of the arithmetic, but at least 2^-40 and at most 2^-8.
 #ifndef KINEX_CORE_ENGINE_SIMULATOR_H
 #define KINEX_CORE_ENGINE_SIMULATOR_H
 
@@ -49,12 +50,12 @@ enum class AuditLevel {  // how often a run is audited
             // instants
 };
 
-struct SimulatorOptions {  // limits and habits of a run
+struct SimulatorOptions {  // limits of a run, its audits and its scheduling
   AuditLevel audit = AuditLevel::kEnd;
   Scheduling scheduling = Scheduling::kLazy;
   std::uint64_t max_events = 0;  // stop with kLimit after this many failures; 0: no limit
-  // Likewise for wall time from the simulator's construction on, set-up and audits included, idle
-  // time after the start excluded; 0: no limit.
+  // Likewise for wall time in seconds: from the simulator's construction to the end of start(), and
+  // within run_until(), audits included; 0: no limit.
   double max_seconds = 0;
   // Stop with kInterrupted before the first change of the scene at this time or later.
   std::optional<Rational> stop_before = std::nullopt;
@@ -89,8 +90,9 @@ class Simulator final : private EventReporter {
 
   // Reserves the id that a structure is constructed with; add() then takes the structure.
   StructureId reserve() { return kernel_.add_structure(); }
-  // `watches`: ids of structures whose external events are passed to it; they must be smaller than
-  // `id` and have been added.
+  // Hands over the structure for a reserved id. `label`: its name in summaries and logs. `watches`:
+  // ids of structures whose changes are reported to it (Structure::watched_changed); they must be
+  // smaller than `id` and have been added.
   void add(StructureId id, std::unique_ptr<Structure> structure, std::string label,
            std::vector<StructureId> watches = {});
   std::size_t structures() const { return entries_.size(); }
@@ -102,37 +104,41 @@ class Simulator final : private EventReporter {
     return id < scene_.objects.size() ? scene_.objects[id].id : kernel_.derived().object(id).name;
   }
   const std::string& label(StructureId id) const { return entries_[id].label; }
-  // All event kinds by rank, the common ones included.
+  // The names of all event kinds, indexed by Event::kind, the common ones last.
   std::vector<std::string_view> event_kinds(StructureId id) const;
 
-  // `timed`: the time of its calls is charged to RunPhase::kReport. Measuring costs more than a
-  // sink that only fills a buffer: such a sink is not timed, and charges the work on the buffer
-  // itself.
+  // The receiver of all events; nullptr: none. `timed`: the time of its calls is charged to
+  // RunPhase::kReport. Measuring costs more than a sink that only fills a buffer: such a sink
+  // should not be timed, and should charge the work on the full buffer itself.
   void set_sink(EventSink* sink, bool timed = true) {
     sink_ = sink;
     sink_timed_ = timed;
   }
 
   // Sets the motions in force right after the scene's start and builds every structure, in the
-  // order of ids. False if it was stopped: then run_until() returns why, and no attribute is known.
+  // order of ids. False if it was stopped: run_until() then returns why, and no attribute is known.
+  // Call it once, after every reserved id has its structure.
   bool start();
   // Handles all flight-plan changes and failures at instants <= t; then now = t. nullopt: up to the
   // scene's end, or all of them if it has none (now is then a rational time after the last). Can be
-  // called again with later times.
-  //   audits      at the scene's end (or, in a scene without end, at every t), by AuditLevel
-  //   early stop  between two instants; the run can be continued
-  //   abandoned   an instant (or audit) that takes too long or runs out of memory: its events and
-  //               failures are taken back, and the run is_broken()
-  // Throws std::invalid_argument if t is before reached() or after the scene's end, RefusedChange
-  // (a std::invalid_argument) for a change that cannot be made.
+  // called again with later times. Returns kDone if it got there.
+  //   audits      by AuditLevel; the final one at the scene's end, or, in a scene without an end,
+  //               at the end of every call
+  //   early stop  (kLimit, kInterrupted) is between two instants; the run can be continued
+  //   abandoned   is an instant (or audit) that takes too long or runs out of memory: its events
+  //               and failures are taken back, and the run is_broken()
+  // Throws std::invalid_argument if t is before reached() or after the scene's end, and
+  // RefusedChange (a std::invalid_argument) for a change that cannot be made.
   RunStatus run_until(const std::optional<Rational>& t);
-  // The full audit at a rational time right after now; adds to the ledgers. True: no violation.
+  // The full audit at a rational time right after now; adds to the ledgers and to violations().
+  // True: no violation.
   bool audit();
 
   // ---- changes from outside, at a rational instant t >= the time run so far ---------------------
-  // From t on they replace the scene's own flight plan for the object. They throw
-  // std::invalid_argument if t has passed or is after the scene's end; an impossible change (an
-  // insertion of an object that is alive) throws it from run_until.
+  // From t on these changes replace the scene's own flight plans for the object. The functions
+  // throw std::invalid_argument if t has passed or is after the scene's end. A change that turns
+  // out to be impossible (the insertion of an object that is alive) makes run_until() throw.
+
   // A flight-plan change; if the position is not continuous at t, an erasure and an insertion.
   void schedule_update(const Rational& t, ObjectId object, Trajectory trajectory);
   // The object appears with this motion; it must not be alive then.
@@ -142,28 +148,29 @@ class Simulator final : private EventReporter {
   // The exact time the run has reached (the last t of run_until, or, inside it, the last
   // flight-plan instant).
   const Rational& reached() const { return reached_; }
-  // The run was stopped within an instant or audit: its reports hold, but it cannot continue.
+  // The run was stopped within an instant or audit. What it has reported holds; it cannot continue.
   bool is_broken() const { return is_broken_; }
-  // ... and the attributes are not those of any instant.
+  // It was stopped within an instant: the attributes are not those of any time.
   bool is_torn() const { return is_broken_ && in_instant_; }
   // Memory was exhausted (kLimit).
   bool out_of_memory() const { return out_of_memory_; }
-  // Runs while start() or run_until() does, and from the beginning to start().
+  // The clock of max_seconds: it runs from the construction to the end of start(), and within
+  // run_until().
   Deadline& deadline() { return *deadline_; }
   bool alive(ObjectId object) const { return alive_[object]; }
   Snapshot snapshot(const Rational& t) const;
   const RunLedger& ledger() const { return ledger_; }
-  // Hard bounds of one structure for what has been run; none if the run is_torn().
+  // The hard bounds of one structure, checked for the run so far; none if the run is_torn().
   std::vector<BoundCheck> bounds(StructureId id) const;
-  // Violations found so far, for people (at most kMaxMessages are kept).
+  // Messages about the violations found so far (at most kMaxMessages are kept).
   static constexpr std::size_t kMaxMessages = 100;
   const std::vector<std::string>& violations() const { return violations_; }
-  // CPU time of the thread and wall time, by phase: run_clock.h. The event sink's time is kReport,
-  // apart from kSimulate. For work that belongs to the run but is done outside of it:
+  // CPU time of the thread and wall time, by phase: run_clock.h. The event sink's time is in
+  // kReport, not in kSimulate. Charge work that belongs to the run but is done outside of it by
   // RunClock::Scope scope(simulator.clock(), RunPhase::kReport).
   Seconds seconds(RunPhase phase) const { return clock_.seconds(phase); }
   RunClock& clock() { return clock_; }
-  // The CPU time.
+  // CPU seconds of each phase.
   double seconds_setup() const { return seconds(RunPhase::kSetup).cpu; }
   double seconds_simulate() const { return seconds(RunPhase::kSimulate).cpu; }
   double seconds_report() const { return seconds(RunPhase::kReport).cpu; }
@@ -176,7 +183,7 @@ class Simulator final : private EventReporter {
     std::vector<StructureId> watchers;
     std::vector<std::uint64_t*> kind_counts;  // by rank, into the ledger's by_kind
     std::uint8_t first_common = 0;            // rank of CommonEvent::kMotion
-    bool abandoned = false;                   // corrupt, and the consequences are dealt with
+    bool abandoned = false;                   // corrupt, and abandon() has been called
   };
   struct Change {
     enum class Kind { kUpdate, kErase, kInsert };
@@ -296,8 +303,8 @@ class Simulator final : private EventReporter {
   RunLedger ledger_;
   std::vector<std::string> violations_;
   RunClock clock_;
-  std::uint64_t next_look_ = 0;  // at limits and progress
-  std::uint64_t next_peak_ = 0;  // at the bytes in use
+  std::uint64_t next_look_ = 0;  // amount of work at which progress is reported next
+  std::uint64_t next_peak_ = 0;  // ... at which the bytes in use are counted next
   RunStatus status_ = RunStatus::kDone;
 };
 

@@ -251,16 +251,18 @@ void Simulator::settle() {
 }
 
 // Final reports on the instant by the structures that shared it. True if no watcher has work left.
+// A watcher, which has a larger id, hears of what its structure reports before it reports itself.
 bool Simulator::tell_what_changed() {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StructureId id = static_cast<StructureId>(i);
     if (!kernel_.instant_is_shared(id)) continue;
     call(id, [](Structure& s) { s.instant_over(); });
     kernel_.set_instant_shared(id, false);
+    if (notices_.empty()) continue;
+    tell_watchers();
+    return false;
   }
-  if (notices_.empty()) return true;
-  tell_watchers();
-  return false;
+  return true;
 }
 
 void Simulator::begin_instant() {
@@ -315,6 +317,8 @@ void Simulator::abandon_instant() {
     } catch (const Stopped&) {
       return;
     }
+    // The last instant is the end of the scene: no time is left between them.
+    if (!t && kernel_.is_exact() && change == nullptr) t = scene_.end;
   }
   if (t && !(*t < reached_)) reached_ = *std::move(t);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DerivedObjects: the motions in force, and the derived objects: those that a structure needs
-// beside the scene's, such as a tangent line, a vertex in its body's frame, one body as seen from
-// another, or a strip between three points.
+// DerivedObjects: the motions in force, and the derived objects. A derived object is one that a
+// structure needs and the scene does not have: a tangent line, a vertex in its body's frame, one
+// body as seen from another, a strip between three points.
 //
-// A structure requests a derived object by a construction over ids (Kernel::derive) or by exact
-// constants (Kernel::constant). Its id lies beyond those of the scene. Its bases may be derived
-// objects. When the motion of an object changes, the motions of all objects derived from it change
-// too, and their certificates are scheduled anew.
+// A structure requests a derived object by a construction over ids, its bases (Kernel::derive), or
+// by exact constants (Kernel::constant). Its id lies beyond those of the scene. Bases may be
+// derived objects themselves. When the motion of an object changes, the kernel renews all objects
+// derived from it and schedules their certificates anew.
 //
 //   scene      a     b     c          ids below `objects`
 //               \   / \   /
@@ -59,27 +59,32 @@ class DerivedObjects {
     // The scene's objects that it depends on, ascending, each once.
     std::vector<ObjectId> stands_for;
     Trajectory trajectory;
-    std::optional<Rational> until;  // the earliest end of their flight plans
+    std::optional<Rational> until;  // the earliest end of a base's flight plan; nullopt: none ends
     std::optional<PolygonFeature> feature;  // the feature that the object stands for in events
   };
 
-  // Sets the motion of an object of the scene. Objects derived from it have to be renewed.
+  // Below, "the dependents are left to renew": the caller must renew() all_dependents(), in order.
+  //
+  // Sets the motion of an object of the scene; the dependents are left to renew. `until`: the end
+  // of the flight plan; nullopt: none.
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until);
-  // The bases must have motions. The new object's trajectory is made at once.
+  // Adds a derived object and computes its trajectory at once; returns its id. The bases must exist
+  // and have motions.
   ObjectId add(std::string name, std::shared_ptr<const Construction> construction,
                std::span<const ObjectId> bases);
+  // Adds a constant.
   ObjectId add(std::string name, Trajectory constant,
                const std::optional<PolygonFeature>& feature = std::nullopt);
-  // Replaces a constant by another one. Objects derived from it have to be renewed.
+  // Replaces a constant by another one; the dependents are left to renew.
   void redefine(ObjectId id, std::string name, Trajectory constant);
-  // Gives the object other bases, under the same construction. Objects derived from it have to be
-  // renewed. Throws std::logic_error if it would be derived from itself.
+  // Gives the object other bases, under the same construction, and renews it; the dependents are
+  // left to renew. Throws std::logic_error if it would be derived from itself.
   void rebase(ObjectId id, std::string name, std::span<const ObjectId> bases);
-  // Computes the trajectory from the present trajectories of the bases.
+  // Computes the trajectory and `until` from the present ones of the bases. A constant stays.
   const Object& renew(ObjectId id);
   bool is_derived(ObjectId id) const { return id >= first_; }
-  // No motion of the scene changes it.
+  // True for a derived object that no motion of the scene can change.
   bool is_constant(ObjectId id) const { return is_derived(id) && object(id).stands_for.empty(); }
   // Requires is_derived(id).
   const Object& object(ObjectId id) const { return derived_[id - first_]; }
@@ -88,7 +93,8 @@ class DerivedObjects {
   }
   // The objects that have `object` as a base, ascending.
   std::span<const ObjectId> dependents(ObjectId object) const;
-  // All objects that depend on `object`, each after its bases: the order of renewal. O(1) for none.
+  // All objects that depend on `object`, each after its bases: the order of renewal. Cost: linear
+  // in their number, and O(size()) once some derived object has been a base.
   std::vector<ObjectId> all_dependents(ObjectId object) const;
   // The number of derived objects.
   std::size_t size() const { return derived_.size(); }

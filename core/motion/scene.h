@@ -29,7 +29,7 @@ struct SceneObject {
   std::optional<Rational> weight = {};  // of a point; none: 0
 };
 
-// What a 1-D structure orders.
+// The value by which a one-dimensional structure orders objects.
 struct Key {
   enum class Kind { kCoordinate, kDirection, kSquaredDistance };
   Kind kind = Kind::kCoordinate;
@@ -39,17 +39,32 @@ struct Key {
   friend bool operator==(const Key&, const Key&) = default;
 };
 
+// A value that a request gives to a parameter of its structure.
+struct Parameter {
+  std::string name;
+  Rational value;
+  friend bool operator==(const Parameter&, const Parameter&) = default;
+};
+
 // One entry of "maintain".
 struct Request {
   std::string structure;  // registered name, for example "delaunay_2"
   std::string label;      // names it in summaries and logs; default: the structure's name
   Key key;
+  std::vector<Request> over = {};          // what it reads, if not the default; at most one
+  std::vector<Parameter> parameters = {};  // those that do not have their default values
 };
 
-// The treatment of two bodies that overlap, or touch and penetrate at once, when one of them first
-// exists: at the scene's start, when it appears, or when it jumps.
+// "Which points are in this closed box right after `at`?"
+struct BoxQuery {
+  Rational at;
+  std::vector<std::array<Rational, 2>> box;  // per axis: least and largest coordinate
+};
+
+// The treatment of two bodies that overlap right after one of them first exists: at the scene's
+// start, when it appears, or when it jumps.
 enum class OverlappingStarts {
-  kRefused,
+  kRefused,  // as an error
   kContact,  // they begin in contact
 };
 
@@ -57,11 +72,12 @@ struct Scene {
   std::string name;
   int dimension = 1;
   Rational start;
-  std::optional<Rational> end;  // nullopt: until no event is left
+  std::optional<Rational> end;  // nullopt: none; a run ends when no event is left
   bool jumps = false;           // pieces need not be continuous
   OverlappingStarts overlapping_starts = OverlappingStarts::kRefused;
   std::vector<SceneObject> objects;
   std::vector<Request> maintain;
+  std::vector<BoxQuery> queries;
 
   // Largest degree of any motion.
   int degree() const;

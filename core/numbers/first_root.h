@@ -20,7 +20,8 @@
 //
 // Error model. The exact polynomial is sum p_j t^j with |p_j - c_j| <= e_j; u = 2^-53, d = degree.
 //   (1) Every quantity computed below is a sum of terms k c_j t^i with at most 5d + 8 roundings on
-//       each term: shift by a 2d, scaling 2d, division by a binomial 2, summation d (Horner: 2d).
+//       each term: 2d in the shift by a, 2d in the scaling, 2 in the division by a binomial, d in
+//       the summation (Horner's rule: 2d in all).
 //   (2) So it is off by at most
 //         sum_j ((5d + 8) u (1 + 2^-20) |c_j| + e_j) T^j,   T = |a| + length >= every |t| involved.
 //   (3) With gamma = (8d + 32) u and m_j = |c_j| + e_j / gamma this is at most gamma * m(T). The
@@ -47,7 +48,7 @@
 namespace kinex::filter {
 
 inline constexpr int kMaxFilterDegree = 100;  // beyond it the filter abstains
-// 2^(600 / d) for the largest degree d.
+// The bound on |t| at the largest degree d, 2^(600 / d); lower degrees have larger ones.
 inline constexpr double kLeastTimeLimit = 0x1p6;
 static_assert(600 / kMaxFilterDegree == 6);
 // Nodes visited before the filter gives up; generic certificates need 1 to 3.
@@ -68,7 +69,7 @@ inline double next_up(double x) {
 }
 inline double next_down(double x) { return -next_up(-x); }
 
-constexpr double gamma(int d) { return (8 * d + 32) * 0x1p-53; }  // bounds the rounding of a node
+constexpr double gamma(int d) { return (8 * d + 32) * 0x1p-53; }  // see the error model, (3)
 
 // binomial(d, i)^-1 for i = 0..d.
 template <int D>
@@ -88,7 +89,7 @@ template <int D, bool kCertify>
 class FirstRoot {
  public:
   static constexpr int kRoom = D >= 0 ? D + 1 : kMaxFilterDegree + 1;
-  // 2^floor(600 / D).
+  // The bound on |t| at this degree: 2^floor(600 / D).
   static constexpr double time_limit() {
     double p = 1;
     for (int i = 0; i < (D > 0 ? 600 / D : 600); ++i) p *= 2;
@@ -96,7 +97,8 @@ class FirstRoot {
   }
   static constexpr double kTimeLimit = time_limit();
 
-  // c, m: degree + 1 entries; m is not read without kCertify.
+  // c, m: the coefficients c_j and the magnitudes m_j of the error model, degree + 1 entries each,
+  // which must outlive this; m is not read without kCertify.
   FirstRoot(const double* c, const double* m, int degree, double origin)
       : c_(c), m_(m), degree_(degree), origin_(origin) {}
 
@@ -106,7 +108,8 @@ class FirstRoot {
   //             out.hi, and no sign change lies in (a, out.lo)
   //   kNone     it is positive on (a, b]
   //   kUnknown  not decided
-  // Requires: positive right after a; b - a finite. A root slightly beyond b may be found as well.
+  // Requires a polynomial that is positive right after a, and b - a finite. A root slightly beyond
+  // b may be found as well.
   Search operator()(double a, double b, Enclosure& out) const {
     const double end = first_end(a, b);
     std::array<double, kRoom> bernstein;
@@ -114,14 +117,15 @@ class FirstRoot {
     return from_first_node(a, end, bernstein, error, out);
   }
 
-  // The first node is [a, first_end(a, b)]. A node is taken slightly too long.
+  // The first node is [a, first_end(a, b)]. length_of(x, y): the length of a node, rounded up.
   static double first_end(double a, double b) {
     // Slightly beyond b, so that a root exactly at b is not at the end of the interval.
     return a + (b - a) * (1 + 0x1p-7);
   }
   static double length_of(double x, double y) { return next_up(y - x); }
 
-  // The same, of which the first node's coefficients and their error are known. Changes `bernstein`.
+  // The same search, continued from the first node: `bernstein` has its coefficients (and is
+  // overwritten), `error` bounds their errors (negative: no bound is known).
   Search from_first_node(double a, double end, std::array<double, kRoom>& bernstein, double error,
                          Enclosure& out) const {
     std::array<double, kMaxNodes + 1> pending;  // right ends of nodes still to be visited

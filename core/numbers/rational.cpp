@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/numbers/check.h"
 #include "core/numbers/short_rational.h"
@@ -15,9 +16,37 @@ namespace {
 
 constexpr mpfr_prec_t kDoubleBits = 53;
 
+// The numerator and the denominator as integers of at most 53 bits; false if they are longer.
+bool are_short(mpq_srcptr value, std::int64_t& n, std::int64_t& d) {
+  const auto is_short = [](mpz_srcptr z) {
+    return mpz_size(z) <= 1 && (mpz_getlimbn(z, 0) >> kDoubleBits) == 0;
+  };
+  if (!is_short(mpq_numref(value)) || !is_short(mpq_denref(value))) return false;
+  n = mpz_get_si(mpq_numref(value));
+  d = mpz_get_si(mpq_denref(value));
+  return true;
+}
+
+// A quotient of integers of at most 53 bits: the division of doubles rounds to nearest, and the
+// exact remainder tells to which side.
+double rounded_quotient(std::int64_t n, std::int64_t d, mpfr_rnd_t mode) {
+  const double q = static_cast<double>(n) / static_cast<double>(d);
+  if (d == 1 || mode == MPFR_RNDN) return q;
+  // q = m 2^-e with 0 <= e: |q| < 2^53. n 2^e and m d are below 2^108.
+  int exponent = 0;
+  const double fraction = std::frexp(q, &exponent);
+  const auto m = static_cast<std::int64_t>(std::ldexp(fraction, kDoubleBits));
+  const Int128 rest = n * (Int128{1} << (kDoubleBits - exponent)) - static_cast<Int128>(m) * d;
+  if (mode == MPFR_RNDD && rest < 0) return std::nextafter(q, -HUGE_VAL);
+  if (mode == MPFR_RNDU && rest > 0) return std::nextafter(q, HUGE_VAL);
+  return q;
+}
+
 // Both roundings go the same way and the grid of doubles (subnormal or not) is a part of the grid
 // of 53-bit numbers, so rounding twice is rounding once.
 double rounded_double(mpq_srcptr value, mpfr_rnd_t mode) {
+  std::int64_t n = 0, d = 1;
+  if (are_short(value, n, d)) return rounded_quotient(n, d, mode);
   MPFR_DECL_INIT(x, kDoubleBits);
   mpfr_set_q(x, value, mode);
   return mpfr_get_d(x, mode);

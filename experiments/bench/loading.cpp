@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: how fast is a scene read, and how much longer does that take than a plain parse of its bytes?
-// Workload: points with linear motions (uniform-square: an id and four numbers an object), and scenes full of new
-//   plans (walks, as recorded ten times a second: six numbers a plan).
+// Question: how fast is a scene read, and how much longer does that take than a plain parse of its
+//   bytes?
+// Workload: points with linear motions (uniform-square: an id and four numbers per object), and
+//   scenes full of new plans (walks, as recorded ten times a second: six numbers per plan).
 //   plain    rapidjson alone, to a handler that takes everything and keeps nothing
 //   tree     parse_json: the same text as a tree, checked (UTF-8, names, depth)
 //   scene    parse_scene: as an exact Scene, whose seams are checked
-// Ratio: time over that of `plain`. Rounds are interleaved; the best of each counts; thread CPU time. GMP's memory
-//   is the program's.
+// Ratio: time over that of `plain`. Rounds are interleaved; the best of each counts; thread CPU
+//   time. GMP's memory is the program's.
 // Output: see result_table.h; options: see options.h.
 #include <rapidjson/memorystream.h>
 #include <rapidjson/reader.h>

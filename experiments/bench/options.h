@@ -14,6 +14,7 @@ struct BenchOptions {
   std::string json;      // a file to which rows are appended as JSON lines; empty: none
   std::string markdown;  // a file to which tables are appended; empty: none
   bool smoke = false;    // tiny sizes, for the test suite
+  std::string rows;      // speed: only rows with this in "structure scene degree n"; empty: all
 };
 
 // nullopt, and a line on stderr, for any other argument.
@@ -25,10 +26,12 @@ inline std::optional<BenchOptions> bench_options(int argc, char** argv) {
       options.json = argv[++i];
     } else if (argument == "--markdown" && i + 1 < argc) {
       options.markdown = argv[++i];
+    } else if (argument == "--rows" && i + 1 < argc) {
+      options.rows = argv[++i];
     } else if (argument == "--smoke") {
       options.smoke = true;
     } else {
-      std::fprintf(stderr, "usage: %s [--json FILE] [--markdown FILE] [--smoke]\n", argv[0]);
+      std::fprintf(stderr, "usage: %s [--json FILE] [--markdown FILE] [--smoke] [--rows TEXT]\n", argv[0]);
       return std::nullopt;
     }
   }

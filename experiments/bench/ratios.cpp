@@ -54,7 +54,8 @@ std::vector<Ratio> exact_over_double(std::string_view lines, const std::string& 
   std::vector<Ratio> ratios;
   std::size_t begin = 0, number = 1;
   for (std::size_t end; (end = lines.find('\n', begin)) != lines.npos; begin = end + 1, ++number) {
-    const formats::JsonDocument row_document = formats::parse_json(lines.substr(begin, end - begin), file, number);
+    const formats::JsonDocument row_document =
+        formats::parse_json(lines.substr(begin, end - begin), file, number);
     const formats::JsonValue& row = *row_document;
     const auto text = [&](const char* key) {
       const formats::JsonValue* found = row.find(key);

@@ -160,6 +160,10 @@ int main(int argc, char** argv) {
   for (const lab::FamilyExperiments& family : lab::experiment_families()) {
     if (family.speed == nullptr) continue;
     for (const lab::SpeedRow& contest : family.speed(smoke ? 100 : 1)) {
+      const std::string row = std::string(contest.structure) + " " + std::string(contest.workload) +
+                              " " + std::to_string(contest.degree) + " " +
+                              std::to_string(contest.n);
+      if (row.find(options->rows) == row.npos) continue;
       run_contest(contest, smoke ? 1 : 3, smoke ? 0 : 0.3, table);
     }
   }

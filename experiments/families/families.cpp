@@ -7,6 +7,7 @@
 #include "experiments/families/order/family.h"
 #include "experiments/families/points/family.h"
 #include "experiments/families/proximity/family.h"
+#include "experiments/families/range/family.h"
 #include "experiments/families/triangulation/family.h"
 
 // Declared in experiments/lab/family.h: the laboratory walks over the list and does not know it.
@@ -17,7 +18,8 @@ const std::vector<lab::FamilyExperiments>& experiment_families() {
       families::point_experiments(),     families::order_experiments(),
       families::maximum_experiments(),   families::triangulation_experiments(),
       families::hull_experiments(),      families::collision_experiments(),
-      families::extent_experiments(),    families::proximity_experiments()};
+      families::extent_experiments(),    families::proximity_experiments(),
+      families::range_experiments()};
   return kFamilies;
 }
 

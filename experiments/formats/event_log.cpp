@@ -68,12 +68,10 @@ void set_instant_json(std::string& text, const InstantName& name) {
   text += "\"}";
 }
 
-// The key of the structure with this label; nullopt for one without.
-std::optional<Key> key_of(const DigestedStructure& structure, const Scene& scene) {
-  const StructureInfo* info = find_structure_info(structure.structure);
-  if (info == nullptr || !info->uses_key) return std::nullopt;
-  for (const PlannedStructure& planned : plan_structures(scene)) {
-    if (planned.request.label == structure.label) return planned.request.key;
+// The request of the structure with this label; nullopt for one outside the scene's plan.
+std::optional<Request> request_of(const DigestedStructure& structure, const Scene& scene) {
+  for (PlannedStructure& planned : plan_structures(scene)) {
+    if (planned.request.label == structure.label) return std::move(planned.request);
   }
   return std::nullopt;
 }
@@ -132,8 +130,11 @@ void EventLog::write_header(std::string_view scene_hash,
   for (const DigestedStructure& structure : structures_) {
     json.begin_object().key("label").string(structure.label);
     json.key("structure").string(structure.structure);
-    if (const std::optional<Key> key = key_of(structure, scene)) {
-      json.key("key").raw(key_json(*key, scene));
+    if (const std::optional<Request> request = request_of(structure, scene)) {
+      const StructureInfo* info = find_structure_info(structure.structure);
+      if (info != nullptr && info->uses_key) json.key("key").raw(key_json(request->key, scene));
+      const std::string options = options_json(*request, scene);
+      if (!options.empty()) json.key("options").raw(options);
     }
     json.key("kinds").begin_array();
     for (const std::string& kind : structure.kinds) json.string(kind);

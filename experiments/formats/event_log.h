@@ -10,8 +10,9 @@
 //   "arithmetic": A, "exact": BOOLEAN
 //   "instants": "names", "intervals" or "none"    the detail in which records give instants
 //   "build": "kinex VERSION"
-//   "structures": [{"label", "structure", "key", "kinds"}, ..]    in the order of the run
+//   "structures": [{"label", "structure", "key", "options", "kinds"}, ..]    in the order of the run
 //       "key": only for a structure that orders by a key, written as in a scene's "maintain"
+//       "options": {"over": .., PARAMETER: ..} as there; only if something is not as usual
 //       "kinds": its own, then "motion", "insert", "erase", "settled", "rebuild"
 //   "objects": [ID, ..]    the scene's, in its order
 //

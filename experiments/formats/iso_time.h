@@ -21,8 +21,8 @@ bool looks_like_date(std::string_view text);
 
 //   2024-05-01T12:30:05.25Z   2024-05-01 12:30:05,25+02:00   2024-05-01T12:30   2024-05-01
 //   20240501T123005Z
-// Years 0001 to 9999 (Gregorian); fractions of seconds of up to 1000 digits, exact. nullopt, and the reason in
-// `problem` ("there is no month 13"), for anything else; leap seconds are refused.
+// Years 0001 to 9999 (Gregorian); fractions of seconds of up to 1000 digits, exact. nullopt, and
+// the reason in `problem` ("there is no month 13"), for anything else; leap seconds are refused.
 std::optional<IsoTime> parse_iso_time(std::string_view text, std::string& problem);
 
 // True for years 0001 to 9999, and seconds with a finite decimal of at most 1000 digits after the point.

@@ -85,7 +85,9 @@ JsonDefect json_defect(std::string_view text, rapidjson::ParseErrorCode code, st
     case rapidjson::kParseErrorStringMissQuotationMark:  // rapidjson takes NUL for the end
       return not_allowed(text, offset, 1, "a control character in a string, write \\u0000");
     case rapidjson::kParseErrorStringEscapeInvalid:
-      if (byte < 0x20) return not_allowed(text, offset, 1, "a control character in a string, write an escape");
+      if (byte < 0x20) {
+        return not_allowed(text, offset, 1, "a control character in a string, write an escape");
+      }
       return escape_defect(text, offset, code);
     case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
     case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:

@@ -13,7 +13,7 @@ namespace kinex::formats {
 
 namespace {
 
-std::string listed(std::initializer_list<std::string_view> names) {
+std::string listed(std::span<const std::string_view> names) {
   std::string result;
   for (const std::string_view name : names) {
     if (!result.empty()) result += ", ";
@@ -46,7 +46,8 @@ std::string JsonNode::path() const {
   if (parent_ == nullptr) return "";
   const JsonValue& above = *parent_->value_;
   const std::string own =
-      above.kind() == JsonValue::Kind::kObject ? escaped(above.keys()[index_].text()) : std::to_string(index_);
+      above.kind() == JsonValue::Kind::kObject ? escaped(above.keys()[index_].text())
+                                               : std::to_string(index_);
   return parent_->path() + "/" + own;
 }
 
@@ -105,7 +106,7 @@ void JsonNode::require_array() const {
   if (!is(JsonValue::Kind::kArray)) refuse("an array", "write [ ... ]");
 }
 
-void JsonNode::require_object(std::initializer_list<std::string_view> allowed) const {
+void JsonNode::require_object(std::span<const std::string_view> allowed) const {
   if (!is(JsonValue::Kind::kObject)) refuse("an object", "write { ... } with " + listed(allowed));
   const std::span<const JsonValue> keys = value_->keys();
   for (std::size_t i = 0; i < keys.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -45,7 +46,10 @@ class JsonNode {
   // A JSON number that is an integer in [low, high].
   int integer(int low, int high) const;
   void require_array() const;
-  void require_object(std::initializer_list<std::string_view> allowed) const;
+  void require_object(std::initializer_list<std::string_view> allowed) const {
+    require_object(std::span(allowed.begin(), allowed.size()));
+  }
+  void require_object(std::span<const std::string_view> allowed) const;
 
   JsonNode at(std::size_t index) const;          // requires index < size()
   JsonNode member(std::string_view name) const;  // InputError if it is missing

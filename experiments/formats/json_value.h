@@ -39,7 +39,8 @@ class JsonValue {
   }
   // kArray, kObject: the values, in the order of the file; otherwise none.
   std::span<const JsonValue> items() const {
-    return has_items() ? std::span(static_cast<const JsonValue*>(data_), size_) : std::span<const JsonValue>();
+    return has_items() ? std::span(static_cast<const JsonValue*>(data_), size_)
+                       : std::span<const JsonValue>();
   }
   // kObject: the names of the items, as strings.
   std::span<const JsonValue> keys() const {

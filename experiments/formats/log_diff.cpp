@@ -211,7 +211,8 @@ std::set<std::string> common_structures(const LogHeader& a, const LogHeader& b,
       const bool there = std::any_of(
           other.structures.begin(), other.structures.end(), [&](const LogStructure& candidate) {
             return candidate.label == structure.label &&
-                   candidate.structure == structure.structure && candidate.key == structure.key;
+                   candidate.structure == structure.structure && candidate.key == structure.key &&
+                   candidate.options == structure.options;
           });
       if (there) {
         common.insert(structure.label);

@@ -37,7 +37,7 @@ class Simulator;
 
 namespace kinex::formats {
 
-// A log's description of a structure, without its key.
+// A log's description of a structure, without its key and options.
 struct DigestedStructure {
   std::string label, structure;
   std::vector<std::string> kinds;

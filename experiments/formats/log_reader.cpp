@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/input_error.h"
@@ -104,11 +105,18 @@ std::string read_key(const JsonNode& node) {
 }
 
 LogStructure read_structure(const JsonNode& node) {
-  require_members(node, {"label", "structure", "key", "kinds"});
+  require_members(node, {"label", "structure", "key", "options", "kinds"});
   LogStructure structure;
   structure.label = read_name(node.member("label"));
   structure.structure = read_name(node.member("structure"));
   if (const auto key = node.find("key")) structure.key = read_key(*key);
+  if (const auto options = node.find("options")) {
+    if (!options->is(JsonValue::Kind::kObject) || options->size() == 0) {
+      options->refuse("options of a structure",
+                      "write what it reads and its parameters, {\"over\": .., ..}");
+    }
+    structure.options = canonical_json(options->value());
+  }
   structure.kinds = read_strings(node.member("kinds"));
   return structure;
 }

@@ -21,6 +21,8 @@ struct LogStructure {
   std::string structure;
   std::string key;  // JSON, as key_json() writes it; empty: none
   std::vector<std::string> kinds;
+  // Canonical JSON of what it reads and of its parameters, as in "maintain"; empty: the usual.
+  std::string options = {};
 };
 
 struct LogHeader {

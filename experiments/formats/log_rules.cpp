@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/formats/log_rules.h"
 
+#include <algorithm>
+#include <string>
+
 #include "structures/registry.h"
 
 namespace kinex::formats {
@@ -22,6 +25,15 @@ constexpr Arity kArities[] = {
     {"orientation_2", 3},
     {"slope_order_2", 4},
     {"in_circle_2", 4},
+    {"acute_angle_2", 3},
+    {"obtuse_angle_2", 3},
+    {"edge_dot_2", 4},
+    {"order_extent", 4},
+    {"order_extent_3", 3},
+    {"order_extent_2", 2},
+    {"order_strip", 6},
+    {"order_rectangle_area", 10},
+    {"order_rectangle_perimeter", 10},
     {"line_slope_order", 2},
     {"line_turn", 3},
     {"line_meeting", 5},
@@ -55,7 +67,19 @@ const std::vector<KindRule>* own_kinds(std::string_view structure) {
   return info == nullptr ? nullptr : &info->kinds;
 }
 
+// "order_strip/012123": predicates/points/shared_arguments.h.
 std::optional<std::size_t> arity_of(std::string_view predicate) {
+  if (const std::size_t slash = predicate.find('/'); slash != std::string_view::npos) {
+    const std::string_view pattern = predicate.substr(slash + 1);
+    if (arity_of(predicate.substr(0, slash)) != pattern.size()) return std::nullopt;
+    std::string sorted(pattern);
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      const char least = i == 0 ? '0' : sorted[i - 1];
+      if (sorted[i] != least && (i == 0 || sorted[i] != least + 1)) return std::nullopt;
+    }
+    return static_cast<std::size_t>(sorted.back() - '0') + 1;
+  }
   for (const Arity& entry : kArities) {
     if (entry.predicate == predicate) return entry.objects;
   }

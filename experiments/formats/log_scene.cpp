@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/json_document.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
@@ -25,6 +27,9 @@ std::vector<LogStructure> planned_structures(const Scene& scene) {
     if (find_structure_info(one.request.structure)->uses_key) {
       structure.key = key_json(one.request.key, scene);
     }
+    if (const std::string options = options_json(one.request, scene); !options.empty()) {
+      structure.options = canonical_json(*parse_json(options, ""));
+    }
   }
   return planned;
 }
@@ -44,6 +49,9 @@ std::string entry_for(const LogStructure& logged) {
   json.begin_object().key("structure").string(logged.structure);
   if (!logged.key.empty()) json.key("key").raw(logged.key);
   json.key("as").string(logged.label).end_object();
+  if (!logged.options.empty()) {
+    text.insert(1, logged.options.substr(1, logged.options.size() - 2) + ", ");
+  }
   return text;
 }
 
@@ -61,7 +69,8 @@ bool maintains_as_logged(const Scene& scene, const LogHeader& header) {
   const std::vector<LogStructure> planned = planned_structures(scene);
   return std::equal(planned.begin(), planned.end(), header.structures.begin(),
                     header.structures.end(), [](const LogStructure& a, const LogStructure& b) {
-                      return a.label == b.label && a.structure == b.structure && a.key == b.key;
+                      return a.label == b.label && a.structure == b.structure && a.key == b.key &&
+                             a.options == b.options;
                     });
 }
 

@@ -6,7 +6,10 @@
 #include <span>
 
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/log_rules.h"
 #include "experiments/formats/log_scene.h"
+#include "predicates/points/edge_predicates.h"
+#include "predicates/points/shared_arguments.h"
 #include "predicates/predicates.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
@@ -138,6 +141,21 @@ std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string
   if (name == "orientation_2") return make_orientation_2();
   if (name == "slope_order_2") return make_slope_order_2();
   if (name == "in_circle_2") return make_in_circle_2();
+  if (name == "acute_angle_2") return make_acute_angle_2();
+  if (name == "obtuse_angle_2") return make_obtuse_angle_2();
+  if (name == "edge_dot_2") return make_edge_dot_2();
+  if (name == "order_strip") return make_strip_order_2();
+  if (name == "order_rectangle_area") return make_rectangle_area_order_2();
+  if (name == "order_rectangle_perimeter") return make_rectangle_perimeter_order_2();
+  if (const std::size_t slash = name.find('/'); slash != std::string::npos) {
+    const std::shared_ptr<const Predicate> whole = make_predicate(label, name.substr(0, slash));
+    if (whole == nullptr || !arity_of(name)) return nullptr;
+    std::vector<std::uint8_t> pattern;
+    for (const char c : name.substr(slash + 1)) {
+      pattern.push_back(static_cast<std::uint8_t>(c - '0'));
+    }
+    return make_shared_arguments(whole, pattern);
+  }
   const auto key = keys_.find(label);
   if (key == keys_.end()) return nullptr;
   if (!name.starts_with("order_")) return nullptr;  // of slopes and heights: no functions of time

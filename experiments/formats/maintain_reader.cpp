@@ -131,15 +131,41 @@ Key read_key(const JsonNode& node, const Scene& scene) {
   return read_distance(node.member("squared_distance_to"), scene);
 }
 
-void read_entry(const JsonNode& node, Scene& scene) {
+// The parameter, if the member gives it another value than usual.
+std::optional<Parameter> read_parameter(const JsonNode& member, const ParameterInfo& known,
+                                        const StructureInfo& info) {
+  Parameter given{std::string(known.name), member.rational()};
+  if (const auto refusal = refusal_of_parameter(info, given)) {
+    member.fail(show_text(info.name) + " " + refusal->problem, refusal->remedy);
+  }
+  if (given.value == Rational::parse(known.usual).value()) return std::nullopt;
+  return given;
+}
+
+Request read_request(const JsonNode& node, const Scene& scene);
+
+// The structure to be read in place of the usual one, if it is another one.
+std::optional<Request> read_over(const JsonNode& node, const StructureInfo& info,
+                                 const Scene& scene) {
+  Request over = read_request(node, scene);
+  if (const auto refusal = refusal_of_over(info, over)) {
+    node.fail(show_text(info.name) + " " + refusal->problem, refusal->remedy);
+  }
+  const Reading* const reading = reading_of_choice(info);
+  if (over.structure == reading->structure && over.key == Key{} && over.over.empty() &&
+      over.parameters.empty()) {
+    return std::nullopt;
+  }
+  over.label.clear();
+  return over;
+}
+
+// The request of an entry, not yet in the scene.
+Request read_request(const JsonNode& node, const Scene& scene) {
   Request request;
   const bool plain = node.is(JsonValue::Kind::kString);
-  if (!plain) {
-    if (!node.is(JsonValue::Kind::kObject)) {
-      node.refuse("an entry of \"maintain\"",
-                  "write a structure's name or {\"structure\": NAME, ..}");
-    }
-    node.require_object({"structure", "key", "as"});
+  if (!plain && !node.is(JsonValue::Kind::kObject)) {
+    node.refuse("an entry of \"maintain\"", "write a structure's name or {\"structure\": NAME, ..}");
   }
   const JsonNode name = plain ? node : node.member("structure");
   request.structure = name.string();
@@ -148,6 +174,11 @@ void read_entry(const JsonNode& node, Scene& scene) {
   }
   request.label = request.structure;
   if (!plain) {
+    std::vector<std::string_view> known{"structure", "key", "over", "as"};
+    for (const ParameterInfo& parameter : find_structure_info(request.structure)->parameters) {
+      known.push_back(parameter.name);
+    }
+    node.require_object(known);
     if (const auto key = node.find("key")) {
       if (!find_structure_info(request.structure)->uses_key) {
         key->fail(show_text(request.structure) + " takes no key", "remove it");
@@ -158,13 +189,29 @@ void read_entry(const JsonNode& node, Scene& scene) {
         key->fail(show_text(request.structure) + " " + refusal->problem, refusal->remedy);
       }
     }
+    const StructureInfo& info = *find_structure_info(request.structure);
+    if (const auto over = node.find("over")) {
+      if (auto read = read_over(*over, info, scene)) request.over.push_back(*std::move(read));
+    }
+    for (const ParameterInfo& parameter : info.parameters) {
+      const auto member = node.find(parameter.name);
+      if (!member) continue;
+      if (auto given = read_parameter(*member, parameter, info)) {
+        request.parameters.push_back(*std::move(given));
+      }
+    }
     if (const auto label = node.find("as")) {
       request.label = label->string();
-      if (request.label.empty() || request.label == "t") {
-        label->refuse("a usable label", "write a name other than \"\" and \"t\"");
+      if (request.label.empty() || request.label == "t" || request.label == "queries") {
+        label->refuse("a usable label", "write a name other than \"\", \"t\" and \"queries\"");
       }
     }
   }
+  return request;
+}
+
+void read_entry(const JsonNode& node, Scene& scene) {
+  Request request = read_request(node, scene);
   if (label_is_taken(scene, request.label)) {
     node.fail("the label " + show_text(request.label) + " is used twice",
               "give each a name of its own with \"as\"");

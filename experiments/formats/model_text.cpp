@@ -155,7 +155,9 @@ std::string explain_model(const Scene& scene, const Simulator& simulator) {
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const PlannedStructure& p = plan[i];
     text += (i == 0 ? "builds    " : "          ") + p.request.label;
-    if (p.watches) text += ", read off " + plan[*p.watches].request.label;
+    for (std::size_t j = 0; j < p.watches.size(); ++j) {
+      text += (j == 0 ? ", read off " : " and ") + plan[p.watches[j]].request.label;
+    }
     if (p.readers > 0) {
       const int users = p.readers + (p.asked ? 1 : 0);
       text += users > 1 ? ", shared by " + std::to_string(users) + " uses" : ", for that alone";

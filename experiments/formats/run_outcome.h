@@ -3,20 +3,34 @@
 #ifndef KINEX_EXPERIMENTS_FORMATS_RUN_OUTCOME_H
 #define KINEX_EXPERIMENTS_FORMATS_RUN_OUTCOME_H
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
 #include "core/engine/simulator.h"
+#include "structures/parts/range_search.h"
 
 namespace kinex::formats {
 
 // The attribute right after now; an empty object (null) for a corrupt structure.
 Attribute value_now(const Simulator& simulator, StructureId id);
 
+// The points in a box right after the time of a sample.
+struct BoxAnswer {
+  struct OfStructure {
+    StructureId structure;
+    std::vector<ObjectId> ids;  // ascending
+    QueryCounts counts;
+  };
+  std::vector<std::array<Rational, 2>> box;  // as in BoxQuery
+  std::vector<OfStructure> answers;          // of all structures that search and are not corrupt
+};
+
 struct Sample {
   Rational t;
   std::vector<Attribute> values;  // by StructureId, right after t
+  std::vector<BoxAnswer> queries;
 };
 
 struct RunOutcome {

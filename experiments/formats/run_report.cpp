@@ -46,6 +46,25 @@ std::string last_line(const Simulator& simulator, const RunOutcome& outcome) {
          counted(counts.records, "log record", "log records") + times;
 }
 
+// at 3  rank_kd_tree_2 in [20, 80] x [20, 80]: ["a", "b"] by 7 nodes and 12 signs
+std::string answer_lines(const Sample& sample, const BoxAnswer& query,
+                         const Simulator& simulator) {
+  std::string box, text;
+  for (const auto& [low, high] : query.box) {
+    box += std::string(box.empty() ? "" : " x ") + "[" + low.to_string() + ", " +
+           high.to_string() + "]";
+  }
+  for (const BoxAnswer::OfStructure& answer : query.answers) {
+    std::string ids;
+    JsonWriter json(ids);
+    write_attribute(json, {Attribute::Shape::kSequence, answer.ids}, simulator.scene());
+    text += "at " + sample.t.to_string() + "  " + simulator.label(answer.structure) + " in " + box +
+            ": " + ids + " by " + counted(answer.counts.nodes, "node", "nodes") + " and " +
+            counted(answer.counts.signs, "sign", "signs") + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string describe_results(const Simulator& simulator, const RunOutcome& outcome) {
@@ -83,6 +102,7 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
       write_attribute(json, sample.values[id], simulator.scene());
       text += "at " + sample.t.to_string() + "  " + simulator.label(id) + " " + value + "\n";
     }
+    for (const BoxAnswer& query : sample.queries) text += answer_lines(sample, query, simulator);
   }
   return text + last_line(simulator, outcome);
 }

@@ -4,6 +4,7 @@
 #define KINEX_EXPERIMENTS_FORMATS_SCENE_PARTS_H
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/motion/scene.h"
@@ -11,11 +12,11 @@
 
 namespace kinex::formats {
 
-// Fills `motion`, which must be empty, with the "motion" of an object, [[c0, c1, ..], ..] or a list of pieces {"from", "to", "coordinates"}:
-// ascending, not overlapping, continuous where two pieces meet unless the scene jumps. A gap
-// between two pieces is a time without the object. The motion of a body has kBodyAxes axes: the
-// "rotor" stands beside "motion" or inside each piece. The scene's dimension and time must have
-// been read.
+// Fills `motion`, which must be empty, with the "motion" of an object: [[c0, c1, ..], ..], or a
+// list of pieces {"from", "to", "coordinates"}, which must be ascending, not overlapping, and
+// continuous where two pieces meet unless the scene jumps. A gap between two pieces is a time
+// without the object. The motion of a body has kBodyAxes axes: the "rotor" stands beside "motion"
+// or inside each piece. The scene's dimension and time must have been read.
 void read_motion(const JsonNode& object, const Scene& scene, bool body, Motion& motion);
 
 // The two coefficient lists of a rotor; (1, 0), no turn, if there is no node.
@@ -36,6 +37,9 @@ void check_appearances(const JsonNode& objects, const Scene& scene);
 
 // Fills scene.maintain; the objects must have been read.
 void read_maintain(const JsonNode& node, Scene& scene);
+
+// Fills scene.queries; the time and "maintain" must have been read.
+void read_queries(const JsonNode& node, Scene& scene, const std::string& file);
 
 // True if the object exists at every instant of the scene's time.
 bool lives_throughout(const Motion& motion, const Scene& scene);

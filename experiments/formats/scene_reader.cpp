@@ -114,7 +114,8 @@ Scene make_scene(const JsonDocument& document, std::string_view text, const std:
   const JsonSource source{file, text, 1, deadline};
   const JsonNode root(*document, source);
   root.require_object({"kinex", "name", "dimension", "time", "objects", "maintain", "jumps",
-                       "overlapping_starts", "source", "description", "expect", "$schema"});
+                       "overlapping_starts", "queries", "source", "description", "expect",
+                       "$schema"});
   read_version(root);
   Scene scene;
   if (const auto name = root.find("name")) scene.name = name->string();
@@ -127,6 +128,7 @@ Scene make_scene(const JsonDocument& document, std::string_view text, const std:
   if (const auto starts = root.find("overlapping_starts")) read_overlapping_starts(*starts, scene);
   read_objects(root.member("objects"), scene);
   if (const auto maintain = root.find("maintain")) read_maintain(*maintain, scene);
+  if (const auto queries = root.find("queries")) read_queries(*queries, scene, file);
   return scene;
 }
 

@@ -90,9 +90,12 @@ void write_key(JsonWriter& json, const Key& key, const Scene& scene) {
   }
 }
 
+void write_options(JsonWriter& json, const Request& request, const Scene& scene);
+
 void write_request(JsonWriter& json, const Request& request, const Scene& scene) {
   const bool default_key = request.key.kind == Key::Kind::kCoordinate && request.key.axis == 0;
-  if (default_key && request.label == request.structure) {
+  const bool is_named = !request.label.empty() && request.label != request.structure;
+  if (default_key && !is_named && request.over.empty() && request.parameters.empty()) {
     json.string(request.structure);
     return;
   }
@@ -101,8 +104,17 @@ void write_request(JsonWriter& json, const Request& request, const Scene& scene)
     json.key("key");
     write_key(json, request.key, scene);
   }
-  if (request.label != request.structure) json.key("as").string(request.label);
+  write_options(json, request, scene);
+  if (is_named) json.key("as").string(request.label);
   json.end_object();
+}
+
+void write_options(JsonWriter& json, const Request& request, const Scene& scene) {
+  for (const Request& over : request.over) write_request(json.key("over"), over, scene);
+  for (const Parameter& parameter : request.parameters) {
+    json.key(parameter.name);
+    write_number(json, parameter.value);
+  }
 }
 
 }  // namespace
@@ -142,7 +154,19 @@ std::string write_scene(const Scene& scene) {
   json.end_array();
   json.line(1).key("maintain").begin_array();
   for (const Request& request : scene.maintain) write_request(json, request, scene);
-  json.end_array().end_object();
+  json.end_array();
+  if (!scene.queries.empty()) {
+    json.line(1).key("queries").begin_array();
+    for (const BoxQuery& query : scene.queries) {
+      json.line(2).begin_object().key("at");
+      write_number(json, query.at);
+      json.key("box").begin_array();
+      for (const auto& side : query.box) write_numbers(json, side);
+      json.end_array().end_object();
+    }
+    json.end_array();
+  }
+  json.end_object();
   text += '\n';
   return text;
 }
@@ -153,6 +177,15 @@ std::string request_json(const Request& request, const Scene& scene) {
   std::string text;
   JsonWriter json(text);
   write_request(json, request, scene);
+  return text;
+}
+
+std::string options_json(const Request& request, const Scene& scene) {
+  if (request.over.empty() && request.parameters.empty()) return "";
+  std::string text;
+  JsonWriter json(text);
+  write_options(json.begin_object(), request, scene);
+  json.end_object();
   return text;
 }
 

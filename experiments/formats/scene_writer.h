@@ -18,6 +18,8 @@ std::string scene_hash(const Scene& scene);
 
 // An entry of "maintain" as JSON.
 std::string request_json(const Request& request, const Scene& scene);
+// What the request says beside structure, key and label, as a JSON object; empty: nothing.
+std::string options_json(const Request& request, const Scene& scene);
 // A key as JSON: "x", {"direction": [..]}, {"squared_distance_to": ID}.
 std::string key_json(const Key& key, const Scene& scene);
 

@@ -75,6 +75,27 @@ void write_bounds(JsonWriter& json, const std::vector<BoundCheck>& bounds) {
   json.end_array();
 }
 
+// None if nothing was asked.
+void write_answers(JsonWriter& json, const Sample& sample, const Simulator& simulator) {
+  if (sample.queries.empty()) return;
+  json.key("queries").begin_array();
+  for (const BoxAnswer& query : sample.queries) {
+    json.begin_object().key("box").begin_array();
+    for (const auto& [low, high] : query.box) {
+      json.begin_array().quoted(low).quoted(high).end_array();
+    }
+    json.end_array();
+    for (const BoxAnswer::OfStructure& answer : query.answers) {
+      json.key(simulator.label(answer.structure)).begin_object().key("ids");
+      write_attribute(json, {Attribute::Shape::kSequence, answer.ids}, simulator.scene());
+      json.key("nodes").number(answer.counts.nodes).key("signs").number(answer.counts.signs);
+      json.end_object();
+    }
+    json.end_object();
+  }
+  json.end_array();
+}
+
 void write_stages(JsonWriter& json, const StageCounts& counts) {
   json.begin_array();
   for (const std::uint64_t count : counts) json.number(count);
@@ -156,6 +177,7 @@ std::string write_summary(const Simulator& simulator, const RunOutcome& outcome,
       json.key(simulator.label(id));
       write_attribute(json, sample.values[id], scene);
     }
+    write_answers(json, sample, simulator);
     json.end_object();
   }
   json.end_array().line(1);

@@ -60,7 +60,7 @@ std::string effect_of(Effect effect) {
   return "";
 }
 
-constexpr std::string_view kLetters = "abcdefgh";  // of the arguments, kMaxArity
+constexpr std::string_view kLetters = "abcdefghij";  // of the arguments, kMaxArity
 
 // "{0} is left of {1}" with letters in it: "a is left of b".
 std::string claim_in_words(const ClaimForm& form) {
@@ -102,6 +102,39 @@ Lines predicates_of(const StructureInfo& info, const Simulator& simulator) {
                        degree_of(predicate, info, std::max(1, numbers.needs().degree));
     if (!words.empty()) line += ": " + words;
     if (told.insert(line).second) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+Lines readings_of(const StructureInfo& info) {
+  Lines lines;
+  for (const Reading& reading : info.reads) {
+    std::string line(reading.structure);
+    if (reading.axis) line += std::string(" by ") + "xyz"[*reading.axis];
+    if (!reading.role.empty()) {
+      line += ", or another " + std::string(reading.role) + " that \"over\" names:";
+      for (const StructureInfo& other : structure_infos()) {
+        if (other.role == reading.role && other.name != reading.structure) {
+          line += " " + std::string(other.name);
+        }
+      }
+    }
+    if (reading.passes_over) line += "; \"over\" names what that one reads";
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+Lines parameters_of(const StructureInfo& info) {
+  Lines lines;
+  for (const ParameterInfo& one : info.parameters) {
+    std::string line = "\"" + std::string(one.name) + "\", " + std::string(one.summary) + ": " +
+                       (one.whole ? "an integer" : "a number") + " of at least " +
+                       std::string(one.least);
+    if (!one.most.empty()) {
+      line += (one.most_is_allowed ? ", at most " : ", less than ") + std::string(one.most);
+    }
+    lines.push_back(line + " (default " + std::string(one.usual) + ")");
   }
   return lines;
 }
@@ -203,7 +236,8 @@ Explanation explain(const StructureInfo& info) {
   add("for", {domain_of(info)});
   if (info.uses_key)
     add("key", {"x (default), y, z, a direction, or the squared distance to an object"});
-  add("reads", text(info.reads));
+  add("reads", readings_of(info));
+  add("parameters", parameters_of(info));
   add("family",
       {std::string(family_of(info.name)) +
        (info.group.empty() ? "" : "; one of the structures for " + std::string(info.group))});

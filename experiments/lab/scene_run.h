@@ -22,7 +22,7 @@ std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string&
                                           SimulatorOptions options);
 
 // Starts the simulator, runs it to the end of its scene, and takes a sample at each of `times`
-// (ascending, within the scene's time). Audits according to the simulator's options; a run that
+// and of the scene's queries (within the scene's time). Audits according to the simulator's options; a run that
 // stops at a limit is not audited at its end.
 formats::RunOutcome run_scene(Simulator& simulator, const std::vector<Rational>& times);
 

@@ -95,10 +95,14 @@ void read_report(const formats::JsonValue& report, CheckedBy& checked) {
   }
   name_undone();
   if (const formats::JsonValue* missing = report.find("not_followed")) {
-    for (const formats::JsonValue& label : missing->items()) leave_out(std::string(label.text()) + " has no replay");
+    for (const formats::JsonValue& label : missing->items()) {
+      leave_out(std::string(label.text()) + " has no replay");
+    }
   }
   if (const formats::JsonValue* partly = report.find("partly")) {
-    for (const formats::JsonValue& what : partly->items()) leave_out("not followed: " + std::string(what.text()));
+    for (const formats::JsonValue& what : partly->items()) {
+      leave_out("not followed: " + std::string(what.text()));
+    }
   }
 }
 
@@ -168,7 +172,8 @@ CheckedBy SecondProgram::check(const RunKey& run) const {
   }
   std::string told;  // the reason of a failure
   try {
-    const formats::JsonDocument report_document = formats::parse_json(formats::read_text_file(out.string()), name_);
+    const formats::JsonDocument report_document =
+        formats::parse_json(formats::read_text_file(out.string()), name_);
     const formats::JsonValue& report = *report_document;
     read_report(report, checked);
     if (const formats::JsonValue* message = text_member(report, "message")) told = message->text();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A database in memory, and statements on it whose values are bound from left to right: SQLiteCpp, and the two
-// things that it has not got.
+// A database in memory, and statements on it whose values are bound from left to right: SQLiteCpp,
+// and the two things that it lacks.
 #ifndef KINEX_EXPERIMENTS_LAB_SQLITE_H
 #define KINEX_EXPERIMENTS_LAB_SQLITE_H
 

@@ -7,14 +7,17 @@ attribute is computed from positions and compared with the attribute that the lo
 """
 
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, permutations
 
 from log import Wrong
+from replay_directions import all_directions, extent_query, half_directions, k_of
 from roots import Instant, all_roots, compare
+from static import spanning_tree
 from world import World
 
 MOST_OBJECTS = 12
 MOST_GAPS = 20000
+MOST_EXTENTS = 12000
 
 
 # ---- attributes from positions
@@ -114,6 +117,53 @@ def box_of(positions):
     return result
 
 
+def box_of_hull(positions):
+    """As box_of, among the vertices of the hull."""
+    return box_of({o: positions[o] for o in hull_of(positions)})
+
+
+def acute(a, b, c):
+    """Positive: the angle at b is acute."""
+    return (a[0] - b[0]) * (c[0] - b[0]) + (a[1] - b[1]) * (c[1] - b[1])
+
+
+def farthest_delaunay_of(positions):
+    """Every circle through three vertices of the hull that holds all of them gives the polygon of all vertices
+    on it, and the fan of its smallest number."""
+    cycle = hull_of(positions)
+    edges = {(min(e), max(e)) for e in zip(cycle, cycle[1:] + cycle[:1]) if e[0] != e[1]}
+    for a, b, c in combinations(cycle, 3):
+        signs = {d: in_circle(*(positions[o] for o in (a, b, c, d))) for d in cycle if d not in (a, b, c)}
+        if any(s < 0 for s in signs.values()):
+            continue
+        circle = {a, b, c} | {d for d, s in signs.items() if s == 0}
+        polygon = [o for o in cycle if o in circle]
+        least = min(polygon)
+        edges.update((min(e), max(e)) for e in zip(polygon, polygon[1:] + polygon[:1]))
+        edges.update((least, o) for o in polygon if o != least)
+    return sorted(edges)
+
+
+def circle_of(positions):
+    """The vertices on the smallest circle: that of two or three vertices which holds all."""
+    points = without_equals(positions)
+    if len(points) < 2:
+        return sorted(points)
+    for a, b in combinations(sorted(points), 2):
+        signs = {p: -acute(points[a], points[p], points[b]) for p in points if p not in (a, b)}
+        if all(s >= 0 for s in signs.values()):
+            return sorted([a, b] + [p for p, s in signs.items() if s == 0])
+    for a, b, c in combinations(sorted(points), 3):
+        u, v, w = points[a], points[b], points[c]
+        side = turn(u, v, w)
+        if side == 0 or min(acute(u, v, w), acute(v, w, u), acute(w, u, v)) < 0:
+            continue
+        signs = {p: side * in_circle(u, v, w, points[p]) for p in points if p not in (a, b, c)}
+        if all(s >= 0 for s in signs.values()):
+            return sorted([a, b, c] + [p for p, s in signs.items() if s == 0])
+    raise AssertionError("points without a smallest circle")
+
+
 def squared_distance(positions, pair):
     return sum((a - b) ** 2 for a, b in zip(positions[pair[0]], positions[pair[1]]))
 
@@ -121,6 +171,38 @@ def squared_distance(positions, pair):
 def closest_of(positions):
     pairs = list(combinations(sorted(positions), 2))
     return [min(pairs, key=lambda pair: squared_distance(positions, pair))] if pairs else []
+
+
+def tree_of(positions):
+    """Kruskal's algorithm; of equal lengths the smaller pair comes first."""
+    pairs = sorted(combinations(sorted(positions), 2), key=lambda pair: (squared_distance(positions, pair), pair))
+    return spanning_tree(pairs)
+
+
+def farthest_of(positions):
+    pairs = list(combinations(sorted(positions), 2))
+    return [max(pairs, key=lambda pair: (squared_distance(positions, pair), [-o for o in pair]))] if pairs else []
+
+
+def farthest(positions, u):
+    """The farthest along u; of those that are level the smallest number."""
+    return max(sorted(positions), key=lambda o: u[0] * positions[o][0] + u[1] * positions[o][1])
+
+
+def polygon_of(positions, directions):
+    if not positions:
+        return []
+    return hull_of({o: positions[o] for o in {farthest(positions, u) for u in directions}})
+
+
+def extent_of(positions, directions, largest):
+    best = None
+    for u in directions if positions else []:
+        a, b = farthest(positions, u), farthest(positions, (-u[0], -u[1]))
+        extent = sum(v * (p - q) for v, p, q in zip(u, positions[a], positions[b]))
+        if best is None or (extent > best[0] if largest else extent < best[0]):
+            best = (extent, a, b)
+    return [] if best is None or best[1] == best[2] else [tuple(sorted(best[1:]))]
 
 
 def attribute_of(structure, key, positions):
@@ -143,6 +225,24 @@ def attribute_of(structure, key, positions):
         return box_of(positions)
     if name == "closest_pair_delaunay":
         return closest_of(positions)
+    if name.startswith("emst_"):
+        return tree_of(positions)
+    if name in ("diameter_2", "diameter_all_pairs"):
+        return farthest_of(positions)
+    if name == "bounding_box_2_hull":
+        return box_of_hull(positions)
+    if name == "farthest_delaunay_2":
+        return farthest_delaunay_of(positions)
+    if name.startswith("min_circle_2"):
+        return circle_of(positions)
+    if name == "range_tree_2":
+        return ordered(("axis", 0), positions) + ordered(("axis", 1), positions)
+    if name.startswith("directions_2"):
+        return polygon_of(positions, all_directions(k_of(structure)))
+    if name in ("diameter_directions", "width_directions"):
+        if not few_extents(structure, positions):
+            return None
+        return extent_of(positions, half_directions(k_of(structure)), name == "diameter_directions")
     return None
 
 
@@ -159,24 +259,52 @@ def queries_of(structure, key, members, dimension):
         for a, b in combinations(sorted(members - {k.reference}), 2):
             yield k.claim(a, b)
         return
-    if name == "bounding_box":
+    if name in ("bounding_box", "range_tree_2", "rank_kd_tree_2", "pseudo_kd_tree_2"):
         for pair in combinations(sorted(members), 2):
             for axis in range(dimension):
                 yield (axis_order(axis), pair)
         return
-    if name == "closest_pair_delaunay":
+    if name in ("closest_pair_delaunay", "diameter_2", "diameter_all_pairs", "emst_list", "emst_cycles"):
         pairs = list(combinations(sorted(members), 2))
         for front, back in combinations(pairs, 2):
             yield distance_query(front, back)
+        return
+    if name.startswith("min_circle_2"):
+        for a, b, c in combinations(sorted(members), 3):
+            for triple in ((a, b, c), (b, c, a), (c, a, b)):
+                yield ("acute_angle_2", triple)
+    if name.startswith("directions_2") or name in ("diameter_directions", "width_directions"):
+        yield from along_directions(structure, members)
         return
     for pair in combinations(sorted(members), 2):
         yield ("order_x", pair)
         yield ("order_y", pair)
     for triple in combinations(sorted(members), 3):
         yield ("orientation_2", triple)
-    if name == "delaunay_2":
+    if name in ("delaunay_2", "farthest_delaunay_2") or name.startswith("min_circle_2"):
         for quad in combinations(sorted(members), 4):
             yield ("in_circle_2", quad)
+
+
+def few_extents(structure, members):
+    """Pairs of extents of other scenes are too many: their attribute is checked at levels 3 and 4 only."""
+    k, n = k_of(structure), len(members)
+    return k * (2 * k - 1) * (n * (n - 1)) ** 2 <= MOST_EXTENTS
+
+
+def along_directions(structure, members):
+    """Orders along every direction; for extents all pairs of extents, whatever their ends."""
+    half = half_directions(k_of(structure))
+    for u in half:
+        for pair in combinations(sorted(members), 2):
+            yield (("order_direction", u), pair)
+    if structure.name.startswith("directions_2") or not few_extents(structure, members):
+        return
+    pairs = list(permutations(sorted(members), 2))
+    for u, v in combinations(half, 2):
+        for a, b in pairs:
+            for c, d in pairs:
+                yield extent_query(u, v, a, b, c, d)
 
 
 def low_end(x):

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from instants import check_intervals, read_instants
 from log import Wrong
-from predicates import FORMULAS, LEAST_AXES, Key
+from predicates import LEAST_AXES, Key, formula_of, known
 from registry import BODY_STRUCTURES, replay_of
 from roots import Instant, compare
 from scene import BadInput
@@ -105,10 +105,12 @@ class Checker:
         """The certificate of a record as a query."""
         if r.predicate is None:
             return None
-        if r.predicate == "order_direction":
+        if hasattr(self.replays[r.structure.index], "meanings"):
+            predicate, arity = r.predicate, len(set(r.arguments))
+        elif r.predicate == "order_direction":
             predicate, arity = Key(self.key_of(r.structure)).predicate, 2
-        elif r.predicate in FORMULAS:
-            predicate, arity = r.predicate, FORMULAS[r.predicate][1]
+        elif known(r.predicate):
+            predicate, arity = r.predicate, formula_of(r.predicate)[1]
         else:
             raise Wrong("no predicate %s is known for points" % json.dumps(r.predicate))
         if len(r.arguments) != arity or len(set(r.arguments)) != arity and predicate != "slope_order_2":
@@ -125,6 +127,15 @@ class Checker:
         """Level 2."""
         query = self.query(r)
         if query is None:
+            return
+        replay = self.replays[r.structure.index]
+        if hasattr(replay, "meanings"):
+            meanings = [q for q in replay.meanings(*query) if self.world.sign_after(q, x) < 0]
+            if r.structure.index not in self.unsettled:
+                meanings = [q for q in meanings if self.world.vanishes(q, x)]
+            if not meanings:
+                raise Wrong("the certificate fails along none of the directions")
+            self.certificates += 1
             return
         sign = self.world.sign_after(query, x)
         touch = sign > 0 and r.structure.name in TOUCHING and r.predicate == TOUCHING[r.structure.name]

@@ -34,8 +34,9 @@ def rational(text):
 
 
 class Structure:
-    def __init__(self, index, label, name, key, kinds):
+    def __init__(self, index, label, name, key, kinds, options=None):
         self.index, self.label, self.name, self.key, self.kinds = index, label, name, key, kinds
+        self.options = options  # what it reads and its parameters
 
 
 class Record:
@@ -147,12 +148,13 @@ class Log:
         require(isinstance(tree["structures"], list) and tree["structures"], "the header names no structures")
         self.structures = []
         for i, s in enumerate(tree["structures"]):
-            members(s, ["label", "structure", "kinds"], ["key"], "a structure of the header")
+            members(s, ["label", "structure", "kinds"], ["key", "options"], "a structure of the header")
             require(isinstance(s["label"], str) and isinstance(s["structure"], str) and is_names(s["kinds"]),
                     "structure %d of the header is not written as one" % i)
             require(s["kinds"][-len(COMMON):] == COMMON and len(set(s["kinds"])) == len(s["kinds"]),
                     "the kinds of %s do not end with %s" % (s["label"], ", ".join(COMMON)))
-            self.structures.append(Structure(i, s["label"], s["structure"], s.get("key"), s["kinds"]))
+            self.structures.append(Structure(i, s["label"], s["structure"], s.get("key"), s["kinds"],
+                                             s.get("options")))
         self.labels = {s.label: s for s in self.structures}
         require(len(self.labels) == len(self.structures), "two structures have one label")
 

@@ -32,6 +32,22 @@ def order_direction(direction):
     return value
 
 
+def order_extent(weights):
+    """The sum of w.x over the arguments x and their vectors w, which add up to zero."""
+    common = lcm(*(c.denominator for w in weights for c in w))
+    whole = [[int(c * common) for c in w] for w in weights]
+
+    def value(points):
+        result = ()
+        for point, w in zip(points, whole):
+            for axis, factor in enumerate(w):
+                if factor:
+                    result = add(result, scaled(point[axis], factor))
+        return result
+
+    return value
+
+
 def squared_distance(a, b):
     result = ()
     for x, y in zip(a, b):
@@ -83,7 +99,66 @@ def in_circle_2(points):
                multiply(lifted(w), cross(u, v)))
 
 
+def acute_angle_2(points):
+    """The angle at b between a and c is acute."""
+    a, b, c = points
+    return dot(difference(a, b), difference(c, b))
+
+
+def obtuse_angle_2(points):
+    return scaled(acute_angle_2(points), -1)
+
+
+def dot(u, v):
+    return add(multiply(u[0], v[0]), multiply(u[1], v[1]))
+
+
+def edge_dot_2(points):
+    """The directions from a to b and from c to d form an acute angle."""
+    a, b, c, d = points
+    return dot(difference(b, a), difference(d, c))
+
+
+def fraction_order(extent):
+    """The order of two figures by extent / |b - a|^2, the smaller first."""
+
+    def value(points):
+        half = len(points) // 2
+        (n, d), (other_n, other_d) = (
+            (extent(p), squared_distance(p[0], p[1])) for p in (points[:half], points[half:]))
+        return subtract(multiply(other_n, d), multiply(n, other_d))
+
+    return value
+
+
+def height(points, c):
+    return cross(difference(points[1], points[0]), difference(points[c], points[0]))
+
+
+def width(points):
+    return dot(difference(points[1], points[0]), difference(points[2], points[4]))
+
+
+def strip(points):
+    """a, b, and c opposite."""
+    return multiply(height(points, 2), height(points, 2))
+
+
+def area(points):
+    """a, b, then right, opposite, left."""
+    return multiply(height(points, 3), width(points))
+
+
+def perimeter(points):
+    half = add(height(points, 3), width(points))
+    return multiply(half, half)
+
+
 FORMULAS = {
+    "edge_dot_2": (edge_dot_2, 4, 2),
+    "order_strip": (fraction_order(strip), 6, 1),
+    "order_rectangle_area": (fraction_order(area), 10, 1),
+    "order_rectangle_perimeter": (fraction_order(perimeter), 10, 1),
     "order_x": (order(0), 2, 2),
     "order_y": (order(1), 2, 2),
     "order_z": (order(2), 2, 2),
@@ -92,9 +167,12 @@ FORMULAS = {
     "orientation_2": (orientation_2, 3, 3),
     "slope_order_2": (slope_order_2, 4, 0),
     "in_circle_2": (in_circle_2, 4, 4),
+    "acute_angle_2": (acute_angle_2, 3, 1),
+    "obtuse_angle_2": (obtuse_angle_2, 3, 1),
 }
 # Axes that an argument must have.
-LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2}
+LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2,
+              "acute_angle_2": 2, "obtuse_angle_2": 2}
 
 
 def axis_order(axis):
@@ -135,13 +213,31 @@ class Key:
 
 def formula_of(predicate):
     """(value, number of arguments, alternating arguments) of a name, or of ("order_direction", v)."""
+    if isinstance(predicate, tuple) and predicate[0] == "order_extent":
+        return order_extent(predicate[1]), len(predicate[1]), 0
     if isinstance(predicate, tuple):
         return order_direction(predicate[1]), 2, 2
+    if "/" in predicate:
+        # Of fewer objects: digit i says which of them is argument i.
+        whole, pattern = predicate.split("/")
+        value = FORMULAS[whole][0]
+        return lambda points: value([points[int(i)] for i in pattern]), int(max(pattern)) + 1, 1
     return FORMULAS[predicate]
+
+
+def known(name):
+    """True for a name of a log that has a formula."""
+    whole, slash, pattern = name.partition("/")
+    if whole not in FORMULAS or not slash:
+        return name in FORMULAS
+    digits = sorted(set(pattern))
+    return len(pattern) == FORMULAS[whole][1] and digits == [str(i) for i in range(len(digits))]
 
 
 def normal_form(predicate, ids):
     """The ids of a query in the order in which its polynomial is stored, and the sign of that permutation."""
+    if isinstance(predicate, tuple) and predicate[0] == "order_extent":
+        return tuple(ids), 1
     alternating = formula_of(predicate)[2]
     if predicate == "order_pair_distance":
         # Either pair in ascending order, the smaller pair first.

@@ -1,18 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The replay of each structure."""
 
+from replay_calipers import Area, Perimeter, Width
+from replay_circle import BoxOfHull, FarthestDelaunay, MinCircle
 from replay_delaunay import Delaunay
+from replay_directions import Directions, Extent
 from replay_envelopes import Envelopes
 from replay_heaps import Hanger, Heap, Tournament
 from replay_hull import HullBruteForce, HullOfDelaunay
 from replay_list import SortedList
 from replay_maximum import Maximum, OfList
-from replay_scratch import BoundingBox, ClosestPair
+from replay_range import PseudoKdTree, RangeTree, RankKdTree
+from replay_scratch import BoundingBox, ClosestPair, FarthestPair, SpanningTree
 
 REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay,
             "convex_hull_2_brute_force": HullBruteForce, "convex_hull_2_delaunay": HullOfDelaunay,
             "convex_hull_2": Envelopes, "convex_hull_2_naive": Envelopes,
-            "bounding_box": BoundingBox, "closest_pair_delaunay": ClosestPair}
+            "bounding_box": BoundingBox, "closest_pair_delaunay": ClosestPair,
+            "emst_list": SpanningTree, "emst_cycles": SpanningTree,
+            "diameter_2": FarthestPair, "diameter_all_pairs": FarthestPair,
+            "bounding_box_2_hull": BoxOfHull, "farthest_delaunay_2": FarthestDelaunay,
+            "min_circle_2": MinCircle, "min_circle_2_brute_force": MinCircle,
+            "range_tree_2": RangeTree, "rank_kd_tree_2": RankKdTree, "pseudo_kd_tree_2": PseudoKdTree,
+            "width_2": Width, "min_area_rectangle_2": Area, "min_perimeter_rectangle_2": Perimeter,
+            "directions_2": Directions, "directions_2_tournament": Directions,
+            "diameter_directions": Extent, "width_directions": Extent}
 for extremum in ("maximum_", "minimum_"):
     REPLAYS.update({extremum + "sorted_list": OfList, extremum + "heap": Heap, extremum + "hanger": Hanger,
                     extremum + "tournament": Tournament, extremum + "envelope": Maximum,

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Small attributes that are computed from scratch, right after every instant that may change them:
-bounding_box and closest_pair_delaunay.
+bounding_box, closest_pair_delaunay, the diameter and the spanning trees.
 
 One external event an instant says what the attribute was and what it is. Internal events (another
 winner of a duel inside a tournament) are checked at level 2, as certificates that fail; which duels
 there are is not followed.
 """
 
+from functools import cmp_to_key
 from itertools import combinations
 
 from predicates import axis_order, distance_query
 from proof import Proof
 from replay_members import OfMembers
+from static import spanning_tree
 
 
 class Scratch(OfMembers):
@@ -131,3 +133,55 @@ class ClosestPair(Scratch):
                          r.short())
         elif self.query(r) is not None:
             self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two pairs", r.short())
+
+
+class SpanningTree(Scratch):
+    """The Euclidean minimum spanning tree; of equal lengths the smaller pair is the shorter one.
+
+    An instant may have several events "swap", each with one edge that is gone and one that came."""
+
+    claim = staticmethod(distance_query)
+
+    def current(self, x):
+        def order(one, other):
+            return -self.world.sign_after(self.claim(one, other), x) or (-1 if one < other else 1)
+
+        return spanning_tree(sorted(combinations(sorted(self.members), 2), key=cmp_to_key(order)))
+
+    def record(self, r, x):
+        self.look = True
+        if r.kind not in ("settled", "rebuild"):
+            self.require_members(r, 4)
+            old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
+            self.require(old[0] < old[1] and fresh[0] < fresh[1] and old != fresh, "%s: no two edges", r.short())
+            if r.kind == "tie":
+                self.require(self.world.is_zero(self.claim(old, fresh)), "%s: the lengths are not identically equal",
+                             r.short())
+            elif self.query(r) is not None and not r.external:
+                self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two edges", r.short())
+        if not r.external:
+            self.require(r.gone is None, "%s says nothing of the attribute", r.short())
+            return
+        ids = self.world.scene.ids
+        if r.kind == "swap":
+            sides = [[[ids[a], ids[b]]] for a, b in (old, fresh)]
+            self.require([r.gone, r.came] == sides, "%s: the tree changes from %s to %s", r.short(), *sides)
+        number = {name: o for o, name in enumerate(ids)}
+        gone, came = ({tuple(number[name] for name in edge) for edge in side} for side in (r.gone, r.came))
+        self.require(gone <= set(self.told), "%s: an edge is gone that was not there", r.short())
+        self.require(not came & set(self.told), "%s: an edge came that was there", r.short())
+        self.told = sorted(set(self.told) - gone | came)
+
+
+class FarthestPair(ClosestPair):
+    """Of equally distant pairs the smallest. The events of calipers are checked as failures only."""
+
+    CALIPERS = ("antiparallel", "perpendicular", "split", "merge", "renew")
+
+    @staticmethod
+    def claim(a, b):
+        return distance_query(b, a)
+
+    def event(self, r, x):
+        if r.kind not in self.CALIPERS:
+            super().event(r, x)

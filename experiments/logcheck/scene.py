@@ -12,6 +12,8 @@ import re
 from fractions import Fraction
 from math import lcm
 
+from parameters import unusual
+
 MOST_EXPONENT = 100000  # of a decimal number
 HEX = re.compile(r"([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+-]?\d+))?\Z")
 DECIMAL = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE]([+-]?\d+))?(?:/\d+)?\Z")
@@ -104,8 +106,9 @@ class Object:
 
 
 class Request:
-    def __init__(self, structure, key, label):
+    def __init__(self, structure, key, label, parameters=()):
         self.structure, self.key, self.label = structure, key, label
+        self.parameters = parameters  # (name, value), those that have another value than usual
 
 
 class Scene:
@@ -139,6 +142,9 @@ class Scene:
             raise BadInput("%s: two objects have one id" % self.path)
         self.bodies = any(o.polygon for o in self.objects)
         self.maintain = [self.read_request(r) for r in tree.get("maintain", [])]
+        self.queries = [(exact(q["at"], self.path + ": /queries"),
+                         [[exact(c, self.path + ": /queries") for c in side] for side in q["box"]])
+                        for q in tree.get("queries", [])]
         self.changes = self.plan()
 
     def read_object(self, tree, place):
@@ -184,7 +190,8 @@ class Scene:
         if isinstance(tree, str):
             return Request(tree, ("axis", 0), tree)
         return Request(tree["structure"], self.read_key(tree.get("key", "x")),
-                       tree.get("as", tree["structure"]))
+                       tree.get("as", tree["structure"]),
+                       unusual(tree["structure"], tree, lambda value: Fraction(str(value))))
 
     # ---- flight plans
 
@@ -284,11 +291,12 @@ def key_text(key, scene):
 
 def request_text(r, scene):
     plain = r.key == ("axis", 0)
-    if plain and r.label == r.structure:
+    if plain and r.label == r.structure and not r.parameters:
         return json_string(r.structure)
     members = ['"structure": ' + json_string(r.structure)]
     if not plain:
         members.append('"key": ' + key_text(r.key, scene))
+    members += [json_string(name) + ": " + number_text(value) for name, value in r.parameters]
     if r.label != r.structure:
         members.append('"as": ' + json_string(r.label))
     return "{" + ", ".join(members) + "}"
@@ -316,4 +324,6 @@ def canonical_text(scene):
             text += ', "polygon": ' + axes_text(o.polygon)
         objects.append(text + ', "motion": ' + motion_text(o) + "}")
     maintain = "[" + ", ".join(request_text(r, scene) for r in scene.maintain) + "]"
-    return '%s,\n "objects": %s,\n "maintain": %s}\n' % (head, lines(objects), maintain)
+    queries = ['{"at": %s, "box": %s}' % (number_text(t), axes_text(box)) for t, box in scene.queries]
+    asked = ',\n "queries": ' + lines(queries) if queries else ""
+    return '%s,\n "objects": %s,\n "maintain": %s%s}\n' % (head, lines(objects), maintain, asked)

@@ -63,3 +63,18 @@ def hull(world, members, x):
 def rotated(cycle):
     i = cycle.index(min(cycle)) if cycle else 0
     return cycle[i:] + cycle[:i]
+
+
+def spanning_tree(pairs):
+    """The edges of the minimum spanning forest, ascending, of pairs in the order of their lengths."""
+    component = {}
+    tree = []
+    for a, b in pairs:
+        one, other = component.setdefault(a, {a}), component.setdefault(b, {b})
+        if one is other:
+            continue
+        tree.append((a, b))
+        one |= other
+        for o in other:
+            component[o] = one
+    return sorted(tree)

@@ -4,12 +4,12 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/near_names.h"
 #include "experiments/lab/cell_record.h"
 #include "experiments/reproduce/papers.h"
-#include "experiments/sweep/canonical_json.h"
 #include "experiments/sweep/fields_report.h"
 
 namespace kinex::reproduce {
@@ -49,7 +49,7 @@ std::string series_json(const lab::SeriesPoint& point) {
 
 sweep::CellReport run_series(const formats::JsonNode& content) {
   const std::string text =
-      std::string("{\"") + kSeries + "\":" + sweep::canonical_json(content.value()) + "}";
+      std::string("{\"") + kSeries + "\":" + formats::canonical_json(content.value()) + "}";
   for (const lab::Paper& paper : papers()) {
     for (const lab::PaperPart& part : paper.parts) {
       for (const bool quick : {true, false}) {

@@ -11,10 +11,10 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/near_names.h"
 #include "experiments/lab/scene_run.h"
-#include "experiments/sweep/canonical_json.h"
 
 namespace kinex::sweep {
 
@@ -67,7 +67,7 @@ std::uint64_t read_seed(const formats::JsonNode& node) {
 
 // An entry of "maintain", as set_maintain takes it.
 std::string read_structure(const formats::JsonNode& node) {
-  if (node.is(formats::JsonValue::Kind::kObject)) return canonical_json(node.value());
+  if (node.is(formats::JsonValue::Kind::kObject)) return formats::canonical_json(node.value());
   if (!node.is(formats::JsonValue::Kind::kString) || node.string().empty() ||
       node.string().find_first_of(",{} \t\r\n") != std::string::npos) {
     node.refuse("a structure",
@@ -171,7 +171,7 @@ class BlockReader {
       }
       const bool alone = node.is(formats::JsonValue::Kind::kArray) && node.size() == 1;
       const formats::JsonValue& value = alone ? node.value().items()[0] : node.value();
-      return [text = canonical_json(value), entries](RunCell& cell) {
+      return [text = formats::canonical_json(value), entries](RunCell& cell) {
         cell.structure = text;
         cell.maintain = entries;
       };

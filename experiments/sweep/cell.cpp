@@ -3,16 +3,16 @@
 
 #include <utility>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/json_document.h"
 #include "experiments/formats/sha256.h"
-#include "experiments/sweep/canonical_json.h"
 
 namespace kinex::sweep {
 
 Cell make_cell(std::string kind, const std::string& json, std::uint64_t cost) {
   Cell cell;
   cell.kind = std::move(kind);
-  cell.text = canonical_json(*formats::parse_json(json, "a cell"));
+  cell.text = formats::canonical_json(*formats::parse_json(json, "a cell"));
   cell.key = formats::sha256_hex(cell.text);
   cell.cost = cost;
   return cell;

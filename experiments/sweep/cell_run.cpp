@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_node.h"
@@ -15,7 +16,6 @@
 #include "experiments/formats/scene_writer.h"
 #include "experiments/lab/child_process.h"
 #include "experiments/lab/scene_run.h"
-#include "experiments/sweep/canonical_json.h"
 
 namespace kinex::sweep {
 
@@ -81,7 +81,7 @@ std::string exact_text(const Simulator& simulator, const formats::RunOutcome& ou
   json.end_object().key("violations").begin_array();
   for (const std::string& violation : simulator.violations()) json.string(violation);
   json.end_array().end_object();
-  return canonical_json(*formats::parse_json(text, "the run's counts"));
+  return formats::canonical_json(*formats::parse_json(text, "the run's counts"));
 }
 
 CellReport run_whole(const RunCell& cell) {
@@ -167,7 +167,7 @@ CellReport parse_report(std::string_view text, const std::string& file) {
       std::strtol(std::string(root.member("peak_kb").value().text()).c_str(), nullptr, 10);
   report.times = root.member("times").string();
   const formats::JsonNode exact = root.member("exact");
-  if (!exact.is(formats::JsonValue::Kind::kNull)) report.exact = canonical_json(exact.value());
+  if (!exact.is(formats::JsonValue::Kind::kNull)) report.exact = formats::canonical_json(exact.value());
   return report;
 }
 

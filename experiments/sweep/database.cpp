@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/json_document.h"
 #include "experiments/lab/sqlite.h"
-#include "experiments/sweep/canonical_json.h"
 
 namespace kinex::sweep {
 
@@ -133,7 +133,7 @@ class Writer {
         structure == nullptr || structure->kind() == formats::JsonValue::Kind::kString;
     cell_.text(key).text(structure == nullptr ? ""
                          : is_name            ? std::string(structure->text())
-                                              : canonical_json(*structure));
+                                              : formats::canonical_json(*structure));
     cell_.text(text_of(within, "workload")).text(text);
     cell_.text(record == nullptr ? "missing" : outcome_name(record->outcome));
     // The messages of others depend on the machine: they are with the attempt.

@@ -6,13 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_node.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/sha256.h"
 #include "experiments/sweep/block.h"
-#include "experiments/sweep/canonical_json.h"
 
 namespace kinex::sweep {
 
@@ -119,7 +119,7 @@ Plan parse_plan(std::string_view text, const std::string& file, PlanCheck check,
     read_blocks(root.member("blocks"), check, plan.cells);
   }
   sort_and_unite(plan.cells);
-  plan.text = canonical_json(tree);
+  plan.text = formats::canonical_json(tree);
   plan.hash = formats::sha256_hex(plan.text);
   return plan;
 }
@@ -148,7 +148,7 @@ PlanText plan_text(const Selection& selection) {
   json.end_object().end_object().end_object();
   PlanText plan;
   plan.name = selection.command();
-  plan.text = canonical_json(*formats::parse_json(text, "a plan"));
+  plan.text = formats::canonical_json(*formats::parse_json(text, "a plan"));
   plan.hash = formats::sha256_hex(plan.text);
   return plan;
 }

@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
-#include "experiments/sweep/canonical_json.h"
 #include "experiments/sweep/record.h"
 
 namespace kinex::sweep {
@@ -84,7 +84,7 @@ Provenance parse_provenance(std::string_view line, const std::string& file) {
   Provenance provenance;
   provenance.plan_name = fields.text("plan_name");
   provenance.plan_hash = fields.text("plan_hash");
-  provenance.plan = canonical_json(fields.member("plan"));
+  provenance.plan = formats::canonical_json(fields.member("plan"));
   provenance.program = fields.text("program");
   provenance.build.program = fields.text("version");
   provenance.build.commit = fields.text("commit");

@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/sha256.h"
 #include "experiments/formats/utf8.h"
-#include "experiments/sweep/canonical_json.h"
 #include "experiments/sweep/cell_run.h"
 
 namespace kinex::sweep {
@@ -115,7 +115,7 @@ Record parse_record(std::string_view line, const std::string& file, std::size_t 
   const LineFields fields(value, file, number);
   Record record;
   record.key = fields.text("key");
-  record.cell = canonical_json(fields.member("cell"));
+  record.cell = formats::canonical_json(fields.member("cell"));
   if (record.key != formats::sha256_hex(record.cell)) {
     fields.fail("its key " + show_text(record.key) + " is not that of its cell");
   }
@@ -134,7 +134,7 @@ Record parse_record(std::string_view line, const std::string& file, std::size_t 
   record.ended = fields.text("ended");
   record.times = fields.text("times");
   const formats::JsonValue& exact = fields.member("exact");
-  if (exact.kind() != formats::JsonValue::Kind::kNull) record.exact = canonical_json(exact);
+  if (exact.kind() != formats::JsonValue::Kind::kNull) record.exact = formats::canonical_json(exact);
   return record;
 }
 

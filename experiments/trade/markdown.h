@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of the trade as Markdown, for a page in a repository.
+// The tables of `kinex trade` (speed against accuracy) as Markdown, for a page in a repository.
 #ifndef KINEX_EXPERIMENTS_TRADE_MARKDOWN_H
 #define KINEX_EXPERIMENTS_TRADE_MARKDOWN_H
 
@@ -10,9 +10,10 @@
 
 namespace kinex::trade {
 
-// A section for each structure: scenes over arithmetics, in one table each for standings, errors of
-// event times, and time and memory; then the bits. Everything but times is the same on every
-// machine; what depends on the machine is marked.
+// A table of standings, a section for each structure, and the growth of the bits needed. A section
+// has a table of the bits that its scenes need, then tables with a row per scene and a column per
+// arithmetic: the outcome, the first event that differs, the largest error of an event time, time
+// and memory. Everything but the times is the same on every machine; they are marked.
 std::string trade_markdown(const TradeResult& result, const lab::PageFacts& facts);
 
 }  // namespace kinex::trade

@@ -155,7 +155,8 @@ std::string verdict_line(const TradeResult& result, double seconds) {
 
 std::string closing_lines(const TradeResult& result) {
   std::string text =
-      fmt::format("{} cases; same events / other events, valid / wrong:\n", result.cases.size());
+      fmt::format("{}; same events / other events, valid / wrong:\n",
+                  formats::counted(result.cases.size(), "case", "cases"));
   for (const ArithmeticStandings& one : standings_of(result)) {
     text += fmt::format("  {:<10} {:>3} / {} / {}\n", one.arithmetic, one.cases[0], one.cases[1],
                         one.cases[2]);

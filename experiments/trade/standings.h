@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The standing of each arithmetic over all scenes.
+// Standings of `kinex trade`: for each arithmetic, how many of its runs were the same as the exact
+// run, valid, or wrong (Standing in case_run.h).
 #ifndef KINEX_EXPERIMENTS_TRADE_STANDINGS_H
 #define KINEX_EXPERIMENTS_TRADE_STANDINGS_H
 
@@ -15,9 +16,9 @@ std::string_view standing_name(Standing standing);  // "same", "valid", "wrong"
 
 struct ArithmeticStandings {
   std::string arithmetic;
-  std::array<int, 3> cases{};  // by Standing
+  std::array<int, 3> cases{};  // number of cases, indexed by Standing
 };
-// In the order of the first case's runs.
+// One entry for each arithmetic that was run, in the order of the first case's runs.
 std::vector<ArithmeticStandings> standings_of(const TradeResult& result);
 
 // Structures in the order of the cases, without repetitions.

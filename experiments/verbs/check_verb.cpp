@@ -136,8 +136,9 @@ void check(const CheckOptions& options, const Voice& voice, int& exit_code) {
     } else {
       scene = formats::read_scene(options.scene);
     }
-    const formats::LogVerdict verdict = scene ? formats::check_log(text, options.file, &*scene, formats::scene_hash(*scene))
-                                     : formats::check_log(text, options.file);
+    const formats::LogVerdict verdict =
+        scene ? formats::check_log(text, options.file, &*scene, formats::scene_hash(*scene))
+              : formats::check_log(text, options.file);
     report_log(verdict, options, voice, exit_code);
     return;
   }

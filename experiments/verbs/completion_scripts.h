@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Completion scripts: the tree of verbs and options as programs for bash, zsh and fish.
 //
-// The scripts need nothing but the shell (bash: without the package bash-completion). They offer verbs, the
-// options of a verb with their texts, names that the program knows (structures, workloads, papers, arithmetics,
-// ..), and files where files are due.
+// The scripts need nothing but the shell (bash: not even the package bash-completion). They offer
+// verbs, the options of a verb with their texts, names that the program knows (structures,
+// workloads, papers, arithmetics, ..), and files where a file is expected.
 #ifndef KINEX_EXPERIMENTS_VERBS_COMPLETION_SCRIPTS_H
 #define KINEX_EXPERIMENTS_VERBS_COMPLETION_SCRIPTS_H
 

@@ -122,7 +122,8 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
   formats::ImportOptions import_options = read_options(options);
   if (options.polygons) {
     keep_input("--output", options.output, *options.polygons);
-    import_options.polygons = formats::parse_polygons(formats::read_text_file(*options.polygons), *options.polygons);
+    import_options.polygons =
+        formats::parse_polygons(formats::read_text_file(*options.polygons), *options.polygons);
   }
   const std::string text = formats::read_text_file(options.file);
   formats::ImportReport report = formats::looks_like_json(text)

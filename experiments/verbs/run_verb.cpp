@@ -2,6 +2,7 @@
 // kinex run: simulates a scene and reports what happened.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -15,6 +16,7 @@
 #include "core/engine/refused_change.h"
 #include "core/numbers/stop.h"
 #include "core/numbers/time_text.h"
+#include "experiments/formats/box_queries.h"
 #include "experiments/formats/event_log.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
@@ -42,7 +44,7 @@ struct RunOptions {
   std::string audit = "end";
   std::string scheduling = "lazy";
   std::string instants = "names";
-  std::vector<std::string> maintain, at;
+  std::vector<std::string> maintain, at, query;
   long long max_events = 0;
   double max_seconds = 0;
   bool json = false;
@@ -100,6 +102,31 @@ std::vector<Rational> sample_times(const Scene& scene, const std::vector<std::st
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
+}
+
+// Every --query is asked at every --at, beside the queries of the scene.
+void add_queries(Scene& scene, const RunOptions& options, const std::vector<Rational>& times) {
+  for (std::size_t i = 0; i < scene.queries.size(); ++i) {
+    const Rational& at = scene.queries[i].at;
+    if (!scene.end || !(*scene.end < at)) continue;
+    throw formats::InputError("--until", "",
+                              "the scene's query " + std::to_string(i) + " is at " +
+                                  time_text(at) + ", after the end of the run",
+                              "write a time from " + time_text(at) + " on");
+  }
+  if (!options.query.empty() && times.empty()) {
+    throw formats::InputError("--query", "", "there is no time at which it is asked",
+                              "give --at, too");
+  }
+  std::vector<std::vector<std::array<Rational, 2>>> boxes;
+  for (const std::string& text : options.query) {
+    boxes.push_back(formats::read_box_option(text, scene));
+  }
+  const bool has_own = !scene.queries.empty();
+  for (const Rational& t : times) {
+    for (const auto& box : boxes) scene.queries.push_back({t, box});
+  }
+  formats::check_answered(scene, has_own ? options.scene : "--query", has_own ? "/queries/0" : "");
 }
 
 // Two results in one file would overwrite each other; a device (/dev/null) takes both.
@@ -185,6 +212,7 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
   }
   shorten(scene, options.until);
   const std::vector<Rational> times = sample_times(scene, options.at);
+  add_queries(scene, options, times);
   if (options.explain) {
     const auto planned = lab::make_simulator(scene, options.arithmetic, simulator_options);
     print(formats::describe_model(scene, hash) + formats::explain_model(scene, *planned));
@@ -310,6 +338,9 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--summary", options->summary, "Write the summary to this file, - prints it");
   verb->add_option("--at", options->at, "Sample the attributes right after these times: T, ..")
       ->delimiter(',');
+  verb->add_option("--query", options->query,
+                   "The points in this closed box, X1,X2,Y1,Y2, right after the times of --at")
+      ->allow_extra_args(false);
   verb->add_option("--audit", options->audit, "end (default), events (after every one) or none");
   verb->add_flag(
       "--explain", options->explain,

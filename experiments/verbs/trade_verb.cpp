@@ -115,9 +115,11 @@ trade::TradeResult run(const trade::TradeCatalogue& catalogue, const Options& op
   running.go_on = [&] { return !interrupt.interrupted(); };
   running.interrupt = &interrupt.flag();
   bool first_bits = true;
+  // One scene has one short table, which is what was asked for.
+  const bool tables = options.table || (catalogue.cases.size() == 1 && catalogue.bits.empty());
   const auto show = [&](const std::string& row, const std::string& json) {
     text += row;
-    if (!options.json && !options.table) return;
+    if (!options.json && !tables) return;
     progress.wipe();
     if (options.json || !options.voice.quiet) print(options.json ? json : row);
   };
@@ -216,7 +218,9 @@ void add_trade_verb(CLI::App& app, int& exit_code) {
                    "Report what a sweep has run (kinex sweep run trade ..), from its folders");
   verb->add_option("--max-seconds", options->max_seconds, "Give up a run after this time (120)");
   verb->add_option("--jobs", options->jobs, "Simultaneous scenes (1; more make time ratios noisy)");
-  verb->add_flag("--table", options->table, "Print all tables, not only the verdict");
+  verb->add_flag(
+      "--table", options->table,
+      "Print all tables, not only the verdict (those of a single scene are printed anyway)");
   verb->add_flag("--json", options->json, "Print a JSON object per scene instead");
   verb->footer(
       "Every run is compared with the exact one, event by event, and its states are audited\n"

@@ -12,6 +12,7 @@ void add_verbs(CLI::App& app, int& exit_code) {
   add_gen_verb(app, exit_code);
   add_import_verb(app, exit_code);
   add_export_verb(app, exit_code);
+  add_thin_verb(app, exit_code);
   add_roots_verb(app, exit_code);
   add_verify_verb(app, exit_code);
   add_trade_verb(app, exit_code);

@@ -24,6 +24,7 @@ void add_diff_verb(CLI::App& app, int& exit_code);
 void add_gen_verb(CLI::App& app, int& exit_code);
 void add_import_verb(CLI::App& app, int& exit_code);
 void add_export_verb(CLI::App& app, int& exit_code);
+void add_thin_verb(CLI::App& app, int& exit_code);
 void add_roots_verb(CLI::App& app, int& exit_code);
 void add_verify_verb(CLI::App& app, int& exit_code);
 void add_trade_verb(CLI::App& app, int& exit_code);

@@ -106,11 +106,14 @@ void verify(const Options& options, int& exit_code) {
   const bool bounds = verify::shows_bounds(catalogue.cells);
   std::string rows = verify::table_header(bounds);  // of the long table
   // Of it the terminal has what did not pass, or all if requested.
+  bool headed = options.table;
   const auto tell = [&](const std::string& row, lab::Verdict verdict, const std::string& json) {
     rows += row;
     if (options.json) {
       print(json);
     } else if (options.table || verdict != lab::Verdict::kConfirmed) {
+      if (!headed) options.voice.report("did not pass:\n" + verify::table_header(bounds));
+      headed = true;
       options.voice.report(row);
     }
   };

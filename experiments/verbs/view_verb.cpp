@@ -109,8 +109,9 @@ void set_structures(Viewed& viewed, const Options& options, const std::string& s
   if (!options.maintain.empty()) {
     formats::set_maintain(viewed.scene, options.maintain);
     if (log && !formats::maintains_as_logged(viewed.scene, *log)) {
-      throw formats::InputError("--maintain", "", first->file + " is a log of " + formats::structures_of(*log),
-                       "leave --maintain out, or give it as the run had it");
+      throw formats::InputError("--maintain", "",
+                                first->file + " is a log of " + formats::structures_of(*log),
+                                "leave --maintain out, or give it as the run had it");
     }
   } else if (log) {
     formats::maintain_as_logged(viewed.scene, *log, first->file);

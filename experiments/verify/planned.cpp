@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/lab/cell_record.h"
-#include "experiments/sweep/canonical_json.h"
 #include "experiments/sweep/fields_report.h"
 #include "experiments/sweep/parameters_json.h"
 #include "experiments/verify/catalogue.h"
@@ -62,7 +62,7 @@ std::string cell_json(const lab::Cell& cell, const std::optional<int>& seeds) {
 
 sweep::CellReport run_planned_cell(const formats::JsonNode& content) {
   const std::string text =
-      std::string("{\"") + kCell + "\":" + sweep::canonical_json(content.value()) + "}";
+      std::string("{\"") + kCell + "\":" + formats::canonical_json(content.value()) + "}";
   VerifyOptions options;
   if (const auto seeds = content.find("seeds")) options.seeds = seeds->integer(1, kMostSeeds);
   for (const lab::Extent extent : {lab::Extent::kQuick, lab::Extent::kFull}) {

@@ -1,25 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The data of the page of `kinex view`, as JSON.
 //
-// Combinatorics, polynomials and instants are exact, as in the run. Doubles are for drawing only:
-// times as u = (t - start) / span, and motions as polynomials in u, divided by one power of two so
-// that no coefficient is above 1 (a scene may have coordinates of 2^5000).
+// Combinatorial data, polynomials and instants are exact, as in the run. Doubles are for drawing
+// only: times as u = (t - start) / span, and motions as polynomials in u, divided by one power of
+// two so that no coefficient is above 1 (a scene may have coordinates of 2^5000).
 //
 // {"format": "kinex-view", "version": 1, "program": S,
 //  "scene": {"name", "hash", "dimension"},
 //  "time": {"start": [TEXT, NUMBER], "span": NUMBER}, "scale": NUMBER,
 //  "ids": [ID, ..], "motions": [[[FROM, TO, [[c0, c1, ..] per axis]], ..] per object],
-//  "structures": [{"label", "name", "shape", "key", "kinds"}],
+//  "structures": [{"label", "name", "shape", "width", "key", "kinds"}],
 //  "runs": [{"arithmetic", "exact", "before", "stopped", "predicates",
-//     "u", "s", "k", "x", "ids", "certificates", "i", "p", "g": an entry an event,
+//     "u", "s", "k", "x", "ids", "certificates", "i", "p", "g": lists with one entry per event,
 //     "instants": [[DECIMAL, POLYNOMIAL, ROOT, LOWER, UPPER]], "reasons": {EVENT: TEXT},
 //     "states": [{"initial": [..], "changes": [[EVENT, PLACE, [REMOVED], [ADDED]]], "corrupt"}]}],
 //  "divergence": EVENT or 0}
-// "i" has the differences of consecutive indices into "instants"; a POLYNOMIAL there is its coefficients with
-// blanks between them, lowest first. The ids of an event, and those that a change removes and adds, are
-// a text where all of them are in the certificate of its event: their places there, a digit each.
-// Objects are numbers, indices into "ids". A body has four axes; its rotor is divided by a number
-// of its own. Further members for proofs and bodies: proof_data.h. Readers: page/*.js.
+// An event has
+//   "u"             its time
+//   "s", "k", "x"   its structure, its kind (indices into "structures" and "kinds"), 1 if external
+//   "ids"           its objects
+//   "certificates"  0 or [PREDICATE, [ARGUMENTS]]
+//   "i"             its index into "instants" less that of the event before
+//   "p"             the certificate's polynomial, a list of coefficients as texts; 1 or -1 if it
+//                   is that of the instant or its negation; 0 without a certificate
+//   "g"             0, or the stages [FOUND, ORDERED] that its failure time needed (stage_watch.h)
+// In "instants" a POLYNOMIAL is a text, its coefficients with blanks between them, lowest first; an
+// inexact instant is [DECIMAL]. Objects are numbers, indices into "ids". Where all ids of an event,
+// or all that a change removes or adds, are arguments of the event's certificate, a text stands for
+// them: the place of each among the arguments, one digit each. A body has four axes; its rotor is
+// divided by a positive number of its own. Further members for bodies and proofs: proof_data.h.
+// Readers: page/*.js.
 #ifndef KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H
 #define KINEX_EXPERIMENTS_VIEW_PAGE_DATA_H
 
@@ -31,7 +41,7 @@
 
 namespace kinex::view {
 
-// One run, or two of the same scene that start at the same time. `hash`: of the scene's file.
+// `runs`: one run, or two of the same scene that start at the same time. `hash`: that of the scene.
 std::string page_data(const Scene& scene, const std::string& hash,
                       const std::vector<RecordedRun>& runs);
 

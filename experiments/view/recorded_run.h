@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// RecordedRun: a run as data: every event with its certificate and instant, and the attribute of
-// every structure and its proof after each of them. Nothing is recomputed: all data come from the
-// run.
+// RecordedRun: a run as data: every event with its certificate and instant, and every structure's
+// attribute and proof after each event. Nothing is recomputed: all data come from the run.
 #ifndef KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 #define KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 
@@ -22,16 +21,17 @@
 namespace kinex::view {
 
 struct RecordedInstant {
-  InstantName name;              // in every detail
+  InstantName name;              // in full detail (InstantDetail::kName)
   std::optional<Rational> near;  // a number near it, for drawing; nullopt: not finite
 };
 
 struct RecordedEvent {
-  Event event;              // without its reason
-  std::string reason;       // of a rebuild
+  Event event;              // its `reason` is not set; see below
+  std::string reason;       // of a rebuild; otherwise empty
   std::size_t instant = 0;  // index into RecordedRun::instants
-  // The certificate's polynomial under the motions in force, primitive; zero if it is `sign` times
-  // that of the instant, or if there is no certificate.
+  // The certificate's polynomial under the motions in force, primitive. If it is +1 or -1 times
+  // that of the instant, `sign` is that factor and `polynomial` is zero; otherwise `sign` is 0.
+  // Both are zero if there is no certificate.
   Polynomial polynomial;
   int sign = 0;
   std::optional<StagesUsed> stages;
@@ -44,7 +44,8 @@ struct RecordedStructure {
   std::vector<std::string> kinds;
   Attribute initial;                     // before the first recorded event
   std::vector<AttributeChange> changes;  // ascending in `event`
-  // Corrupt in an inexact arithmetic after this many events: no attribute from then on.
+  // The number of events after which an inexact arithmetic had corrupted the structure: it has no
+  // attribute from then on. nullopt: never.
   std::optional<std::uint64_t> corrupt_after;
   std::string corruption;
   RecordedProof proof;
@@ -56,26 +57,25 @@ struct RecordedRun {
   Rational start;            // of what is recorded
   std::uint64_t before = 0;  // events before it
   bool complete = true;      // recorded to the end of the scene
-  std::string stopped;       // the reason if it is not complete
+  std::string stopped;       // the reason why it is not complete
   std::vector<Event> all;    // every event from the start of the run on, recorded or not
   std::vector<RecordedEvent> events;
   std::vector<RecordedInstant> instants;
   std::vector<RecordedStructure> structures;
   std::vector<std::string> predicates;  // by PredicateId
   std::vector<ClaimForm> forms;         // likewise
-  // Derived objects that the record names; their ids are counted on from those of the scene.
-  std::size_t objects = 0;  // of the scene
-  std::vector<RecordedThing> things;
+  std::size_t objects = 0;  // number of the scene's objects
+  std::vector<RecordedThing> things;  // derived objects in the record; ids from `objects` on
   std::vector<RecordedClaim> claims;
-  std::string digest;  // of `all`, as an event log has it
+  std::string digest;  // of `all`, as in an event log
 };
 
 // The attribute of a structure after event `event` (numbered from 1 in the whole run, at least
 // run.before); nullopt where it is corrupt. Replays the changes.
 std::optional<Attribute> attribute_after(const RecordedStructure& structure, std::uint64_t event);
 
-// Index (from 1) of the first event in which two runs of one scene differ, in structure, kind or
-// ids; 0: they are equal, or one was stopped and is a prefix of the other.
+// Index (from 1) of the first event whose structure, kind or ids differ between two runs of one
+// scene; 0: the runs are equal, or one was stopped and is a prefix of the other.
 std::uint64_t first_divergence(const RecordedRun& a, const RecordedRun& b);
 
 }  // namespace kinex::view

@@ -140,14 +140,11 @@ class Recorder final : public EventSink {
     for (std::size_t i = 0; i < plan.size(); ++i) {
       const PlannedStructure& planned = plan[i];
       const StructureId id = simulator_->reserve();
-      const Structure* watched = nullptr;
-      std::vector<StructureId> watches;
-      if (planned.watches) {
-        watched = states_[*planned.watches].structure;
-        watches.push_back(*planned.watches);
-      }
+      std::vector<const Structure*> watched;
+      for (const StructureId read : planned.watches) watched.push_back(states_[read].structure);
       std::unique_ptr<Structure> structure =
-          make_structure(planned.request, scene_, simulator_->kernel(), id, watched);
+          make_structure(planned.request, scene_, simulator_->kernel(), id, watched,
+                         planned.watches);
       states_[i].structure = structure.get();
       RecordedStructure& record = run_.structures[i];
       record.label = planned.request.label;
@@ -155,10 +152,10 @@ class Recorder final : public EventSink {
       record.key = planned.request.key;
       const StructureInfo* info = find_structure_info(planned.request.structure);
       record.has_key = info != nullptr && info->uses_key;
-      record.proof.reads = planned.watches;
+      if (!planned.watches.empty()) record.proof.reads = planned.watches.front();
       simulator_->add(
           id, std::make_unique<WatchedStructure>(std::move(structure), [this, id] { look(id); }),
-          planned.request.label, std::move(watches));
+          planned.request.label, planned.watches);
       for (const std::string_view kind : simulator_->event_kinds(id)) {
         record.kinds.emplace_back(kind);
       }

@@ -3,9 +3,8 @@
 // The product form needs one multiplication per axis and cancels the quadratic terms exactly.
 // Degree 2 in the coordinates, 2d in t. Identities: predicates/predicates.h.
 #include <array>
-#include <stdexcept>
 
-#include "core/arithmetic/predicate_formula.h"
+#include "predicates/by_dimension.h"
 #include "predicates/predicates.h"
 
 namespace kinex {
@@ -28,31 +27,19 @@ struct SquaredDistanceOrder {
 
   template <class Points>
   auto value(const Points& p) const {
-    const auto term = [&p](int axis) {
+    return sum_over_axes<Dimension>([&p](int axis) {
       const auto a = p(0, axis);
       const auto b = p(1, axis);
       const auto o = p(2, axis);
       return wide_product(b - a, (b - o) + (a - o));
-    };
-    if constexpr (Dimension == 1) {
-      return term(0);
-    } else if constexpr (Dimension == 2) {
-      return term(0) + term(1);
-    } else {
-      return term(0) + term(1) + term(2);
-    }
+    });
   }
 };
 
 }  // namespace
 
 std::shared_ptr<const Predicate> make_squared_distance_order(int dimension) {
-  switch (dimension) {
-    case 1: return std::make_shared<FormulaPredicate<SquaredDistanceOrder<1>>>();
-    case 2: return std::make_shared<FormulaPredicate<SquaredDistanceOrder<2>>>();
-    case 3: return std::make_shared<FormulaPredicate<SquaredDistanceOrder<3>>>();
-    default: throw std::invalid_argument("squared distances are offered in 1 to 3 dimensions");
-  }
+  return make_by_dimension<SquaredDistanceOrder>(dimension, "squared distances");
 }
 
 }  // namespace kinex

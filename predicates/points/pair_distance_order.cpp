@@ -4,9 +4,8 @@
 // The product form needs one multiplication per axis.
 // Degree 2 in the coordinates, 2d in t. Identities: predicates/predicates.h.
 #include <array>
-#include <stdexcept>
 
-#include "core/arithmetic/predicate_formula.h"
+#include "predicates/by_dimension.h"
 #include "predicates/predicates.h"
 
 namespace kinex {
@@ -34,30 +33,18 @@ struct PairDistanceOrder {
 
   template <class Points>
   auto value(const Points& p) const {
-    const auto term = [&p](int axis) {
+    return sum_over_axes<Dimension>([&p](int axis) {
       const auto u = p(3, axis) - p(2, axis);
       const auto v = p(1, axis) - p(0, axis);
       return wide_product(u - v, u + v);
-    };
-    if constexpr (Dimension == 1) {
-      return term(0);
-    } else if constexpr (Dimension == 2) {
-      return term(0) + term(1);
-    } else {
-      return term(0) + term(1) + term(2);
-    }
+    });
   }
 };
 
 }  // namespace
 
 std::shared_ptr<const Predicate> make_pair_distance_order(int dimension) {
-  switch (dimension) {
-    case 1: return std::make_shared<FormulaPredicate<PairDistanceOrder<1>>>();
-    case 2: return std::make_shared<FormulaPredicate<PairDistanceOrder<2>>>();
-    case 3: return std::make_shared<FormulaPredicate<PairDistanceOrder<3>>>();
-    default: throw std::invalid_argument("distances of pairs are offered in 1 to 3 dimensions");
-  }
+  return make_by_dimension<PairDistanceOrder>(dimension, "distances of pairs");
 }
 
 }  // namespace kinex

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CollisionPairs: the common base class of all structures for collisions of convex polygons.
 //
-// Every pair that is not in contact has a proof of disjointness, kept by a derived class: up to
-// eight certificates in the pair's pose (predicates/bodies/pose_2.h). A pair in contact has an
-// overlap proof, the same in all structures (overlap_proof.h). The attribute is the set of pairs in
-// contact, that is, of the pairs that overlap right after now.
+// Every pair that is not in contact has a proof of disjointness, maintained by a derived class: up
+// to eight certificates on the pair's pose, one body as seen from the other
+// (predicates/bodies/pose_2.h). A pair in contact has an overlap proof, the same in all structures
+// (overlap_proof.h). The attribute is the set of pairs in contact, that is, of the pairs that
+// overlap right after now.
 //
 // External events: "contact", "graze", "separation" and "overlap". An "overlap" reports a pair that
 // overlaps right after one of its bodies is first seen: at the start, or when the body appears or
@@ -14,23 +15,23 @@
 // overlapping starts, a body that appears or jumps after the start must be apart from all others;
 // otherwise std::invalid_argument names both bodies and the time.
 //
-// Broad phase. With more than two bodies, in a scene that has an end, a uniform grid (body_grid.h).
-// Pairs in cells that do not touch have no proof of their own. Pairs in neighbouring cells have one
-// certificate as long as squares or discs around the bodies are apart, or discs within the bodies
-// overlap (body_volumes.h). In a scene without an end all pairs are followed. With two bodies there
-// is neither a grid nor a volume.
+// Broad phase. With more than two bodies, in a scene that has an end, it is a uniform grid
+// (body_grid.h). Pairs in cells that do not touch have no proof of their own. Pairs in neighbouring
+// cells have one certificate as long as squares or discs around the bodies are apart, or discs
+// within the bodies overlap (body_volumes.h). In a scene without an end all pairs are followed.
+// With two bodies there is neither a grid nor a volume.
 //
 // Ties. A pair that touches without penetrating (the distance is zero at one instant, or for a
 // while along an edge, and never negative) has no contact, since no certificate becomes negative.
 // It has one graze, at the instant at which the touch begins, however long the touch lasts and over
 // however many features.
-//   - A touch that ends in the other body ends with a contact.
-//   - Bodies that touch when they appear do not graze, nor do those that come out of a contact:
-//     these separate when they cease to overlap.
+//   - A touch that turns into penetration ends with a contact.
+//   - Bodies that touch when they appear do not graze. Nor do bodies that come out of a contact:
+//     they separate when they cease to overlap.
 //   - Bodies that overlap right before and right after an instant have no event at it.
-// A proof detects a touch by those of its certificates that are zero where the bodies touch: they
-// fail at touches too (core/arithmetic/touch.h). This holds in exact arithmetics only: doubles
-// cannot tell a touch from a near miss.
+// A proof detects a touch by those of its certificates that are zero when the bodies touch: these
+// fail at a touch too (core/arithmetic/touch.h). Only exact arithmetics detect touches: doubles
+// cannot tell one from a near miss.
 #ifndef KINEX_STRUCTURES_COLLISION_COLLISION_PAIRS_H
 #define KINEX_STRUCTURES_COLLISION_COLLISION_PAIRS_H
 
@@ -66,11 +67,11 @@ class CollisionPairs : public Structure {
   //                    "a.v3" is vertex 3 of body a, "a.e3" the edge from it to the next (counted
   //                    from 0 in the scene's order). In an exact arithmetic they depend on the
   //                    motion alone: two vertices if these meet, else a vertex and an edge
-  //   inside           another overlap proof of the pair: another edge ahead
-  //   volume           another one-certificate proof by volumes, or the end of the last one
-  //   grid             a body changes its cell
-  //   overlap          two bodies that overlap and have not come into contact: one of them is new
-  //                    (or an inexact arithmetic has missed the contact)
+  //   inside           the pair gets another overlap proof, with another edge ahead
+  //   volume           the pair gets another one-certificate proof by volumes, or loses it
+  //   grid             a body enters another cell
+  //   overlap          two bodies overlap without having come into contact: one of them is new (or
+  //                    an inexact arithmetic has missed the contact)
   static constexpr std::uint8_t kContact = 0, kGraze = 1, kSeparation = 2, kInside = 3, kVolume = 4,
                                 kGrid = 5, kOverlap = 6, kFirstOwn = 7;
   // The largest number of certificates of a proof.

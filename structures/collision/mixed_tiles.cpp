@@ -209,7 +209,8 @@ std::optional<MixedTiles::Move> MixedTiles::touch(const Tile& tile, When when) c
 MixedTiles::Certificates MixedTiles::slide(const Tile& tile) const {
   Certificates result;
   const Move at = inner_side(tile);
-  if (!supports(at.x, at.edge, at.node, When::kRightAfter) || sign(inner(tile), When::kRightAfter) != Sign::kZero) {
+  if (!supports(at.x, at.edge, at.node, When::kRightAfter) ||
+      sign(inner(tile), When::kRightAfter) != Sign::kZero) {
     return result;
   }
   const Face m = face(at, When::kRightAfter);

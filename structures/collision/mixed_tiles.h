@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MixedTiles: the mixed hierarchy of two convex polygons A and B', never built whole.
+// MixedTiles: the mixed hierarchy of two convex polygons A and B', never built as a whole.
 //
-// The cuts of the hierarchies of A and of B' (turned by R) are interleaved by level: operations
-// (A, 0), (B, 0), (A, 1), ... One cut removes a strip from the Minkowski sum of the two outer
-// polygons; the strip is tiled by one triangle and parallelograms. All tiles together tile the sum
-// of the boxes minus M = A + R B'; eight half-planes cover the rest. A tile is named by nodes and
-// edges of the two trees; its certificates and neighbours are computed from these names and from
-// signs right after now.
+// In the frame of A (predicates/bodies/pose_2.h), body B is turned by R, and its position is a
+// moving point. With B' = -B, the bodies meet iff the point lies in M = A + R B'. While they are
+// apart, the tile that holds the point is the proof.
+//
+// The cuts of the hierarchies of A and of B' (outer_hierarchy.h) are interleaved by level:
+// operations (A, 0), (B, 0), (A, 1), ... (the smaller polygon starts some levels later). One cut
+// removes a strip from the Minkowski sum of the two outer polygons; the strip is tiled by one
+// triangle and parallelograms. All tiles together tile the sum of the boxes minus M; eight
+// half-planes cover the rest. A tile is named by nodes and edges of the two trees; its certificates
+// and neighbours are computed from these names and from signs right after now.
 //
 // Let X be the polygon whose node v is cut (new edge c with normal m, children a on the left edge,
 // b on the right one), and Y the other polygon in its state before the cut. Tiles:
@@ -27,15 +31,16 @@
 //
 // Every side of a tile is a translate of an edge of one polygon by a node of the other.
 //
-// Certificates, all "non-negative inside", sides first:
+// Certificates, all non-negative while the point is inside, sides first:
 //   triangle        3 sides, 2 orders of normals
 //   parallelogram   4 sides, 2 orders of normals
 //   half-plane      1 side,  2 orders of normals
 //
-// Ties. Identically parallel normals: those of B' count as turned a little further. A point that
+// Ties. Of identically parallel normals those of B' count as turned a little further. A point that
 // stays on a side is inside.
 //
-// Cost: O(depth) signs for a neighbour; O(tiles) for locate().
+// Cost: O(depth) signs for a neighbour; O(tiles) for locate(), which next() calls where several
+// sides fail together.
 // Source: the mixed hierarchy of Erickson, Guibas, Stolfi, Zhang (1999); tiles, moves and flips are
 // worked out here.
 #ifndef KINEX_STRUCTURES_COLLISION_MIXED_TILES_H
@@ -59,7 +64,7 @@ struct PosePredicates {
   PredicateId normal_order, normal_order_reversed, order_touch, order_touch_reversed;
 };
 
-struct Tile {  // a tile of the hierarchy, or a half-plane
+struct Tile {  // the name of a tile of the hierarchy, or of a half-plane
   enum class Kind : std::uint8_t { kTriangle, kLeft, kRight, kHalf };
   Kind kind = Kind::kHalf;
   std::uint8_t x = 0;   // 0: A, 1: B'; the polygon that is cut, or whose edge bounds the half-plane
@@ -71,7 +76,7 @@ struct Tile {  // a tile of the hierarchy, or a half-plane
 class MixedTiles {
  public:
   static constexpr std::uint32_t kMost = 6;
-  struct Certificates {  // those of a tile; the first `sides` are its sides
+  struct Certificates {  // those of a tile; the first `sides` are about its sides
     std::array<Query, kMost> query;
     std::uint32_t count = 0, sides = 0;
   };
@@ -90,22 +95,22 @@ class MixedTiles {
 
   Certificates certificates(const Tile& tile) const;
   // Requires that certificate `slot` of the tile is negative right after now. Returns the tile
-  // across it, or the one that takes over after a flip; nullopt if a parallelogram has folded up
-  // (no moving point can ride through that): the point must be located anew.
+  // across that side or, for an order of normals, the new tile that holds the point; nullopt if a
+  // parallelogram has collapsed: the point must be located anew.
   std::optional<Move> next(const Tile& tile, std::uint32_t slot) const;
   // A tile that holds the point right after now; nullopt: it lies in M.
   std::optional<Tile> locate() const;
-  // As locate(), where the point has just left M across edge `edge` of polygon z at vertex `vertex`
-  // of the other: O(1) signs.
+  // As locate(), for a point that has just left M across edge `edge` of polygon z at vertex
+  // `vertex` of the other. O(1) signs.
   std::optional<Tile> leave(std::uint8_t z, std::uint32_t edge, std::uint32_t vertex) const;
-  // The side where the tile touches M, if the point is on M there (Move::tile is nullopt): right
-  // after now, or at now if `now` is given. Requires that the certificates hold right after now.
+  // Where the point is on the boundary of M, at `when`: the side of the tile there, as a Move
+  // without a tile; nullopt: it is not on M. Requires that the certificates hold right after now.
   std::optional<Move> touch(const Tile& tile, When when) const;
-  // While the point stays on the line of that side: certificates that fail where it comes to M or
-  // leaves it; at most two.
+  // For a point that stays on the line of that side: at most two certificates, which fail when it
+  // comes to M or leaves it along the line. None if it is not on the line right after now.
   Certificates slide(const Tile& tile) const;
-  // The same order of normals, failing at touches too: for one instant the side of M may reach the
-  // point on its line.
+  // The same order of normals, but failing at touches too: at an instant at which the normals are
+  // parallel the side of M is longer, and may reach the point on its line.
   Query order_at_touch(Query order) const;
   // The level of the operation that made the tile; 0 for half-planes.
   int level(const Tile& tile) const;

@@ -2,10 +2,11 @@
 // OuterHierarchy: the boomerang hierarchies of one convex polygon P. Starting from its bounding
 // box, vertices are cut off by lines tangent to P; the pieces cut off tile the box minus P.
 //
-// A node (boomerang) is a vertex of some stage: its apex, where its left edge and its right edge
-// meet (counter-clockwise), and its chain, the edges of P with normals strictly between theirs. A
-// leaf has an empty chain; its apex is a vertex of P. A cut makes one new edge with a child at each
-// end:
+// Level k performs all cuts of level k at once. Between two levels there is a polygon, a stage: it
+// is convex and holds P, and the next stage lies inside it. A node (boomerang) is a vertex of some
+// stage: the apex, where its left edge and its right edge meet (counter-clockwise), and the chain,
+// the edges of P with normals strictly between theirs. A leaf has an empty chain; its apex is a
+// vertex of P. A cut makes one new edge with a child at each end:
 //
 //     left edge .           . right edge     P lies above
 //                .         .
@@ -14,25 +15,24 @@
 //                   .   .
 //                     v                      v: the node that is cut
 //
-// Level k performs all cuts of that level at once: the polygon of a stage is convex and holds P,
-// and the next one lies inside it.
-//
-// Policies and their bounds (r: radius of a disc that holds P, D: its diameter, n: its vertices):
+// Policies, by the line that cuts a node, and their bounds (r: radius of a disc that holds P;
+// D: diameter of P; n: number of its vertices):
 //   kMedian          The line of the middle edge of the chain. Depth floor(log2 n) + 1.
-//   kCompass         The middle direction of a fixed dyadic set of directions.
-//   kDudley          The normal at the point of P nearest to a middle point of a square about P
-//                    (Dudley's approximation): a node below i such cuts has its apex within
-//                    5.5 r / 4^i of P.
-//   kBalancedDudley  Dudley's cut at even levels; at odd level 2i + 1 the middle edge, where the
-//                    chain has more than n / 2^(i+1) edges. Depth O(log min(n, sqrt(D / s))) for
-//                    nodes at distance s.
+//   kCompass         The tangent whose normal is the middle of the node's range of directions. The
+//                    range of a root is a quadrant; a cut halves it.
+//   kDudley          The tangent at the point of P nearest to the middle of the node's part of the
+//                    outline of a square about P (Dudley's approximation). A cut halves this part;
+//                    a node below i such cuts has its apex within 5.5 r / 4^i of P.
+//   kBalancedDudley  Dudley's cut at even levels. At odd level 2i + 1 nodes with more than
+//                    n / 2^(i+1) edges in the chain are cut along the middle edge, the others wait.
+//                    Depth O(log min(n, sqrt(D / s))) for nodes at distance s.
 // For every policy there are at most sqrt(2 pi D / s) pairwise disjoint nodes with apexes at
 // distance s or more. The bounds with constants are checked in every run: hierarchy_bounds.h. A cut
 // whose normal would split nothing off the chain takes the chain's first or last edge instead, so
 // there are at most 2 n cuts in all.
 //
-// Exactness: exact. Cost: built once per polygon in O(n depth) operations on rationals of a few
-// times the input's bits.
+// All numbers are exact. Cost: built once per polygon, in O(n depth) operations on rationals of a
+// few times the input's bits.
 // Source: Erickson, Guibas, Stolfi, Zhang, Separation-sensitive collision detection for convex
 // objects (1999), introduction; definitions, policies and constants are worked out here.
 #ifndef KINEX_STRUCTURES_COLLISION_OUTER_HIERARCHY_H
@@ -100,8 +100,8 @@ class OuterHierarchy {
   // A rational upper bound on the radius of the smallest disc about the box's centre that holds P,
   // at most a hundredth too large.
   const Rational& radius() const { return radius_; }
-  // The least k with 4^k times twice this radius beyond the other's: how often the larger polygon's
-  // error is quartered until it is like this one's.
+  // The least k with 2 radius() 4^k > larger.radius(): how often the larger polygon's error has to
+  // be quartered to be like this one's.
   int quarterings_below(const OuterHierarchy& larger) const;
   const FramePoint& centre() const { return centre_; }
   std::size_t bytes() const;

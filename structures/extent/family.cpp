@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/extent/family.h"
 
+#include <utility>
+
 #include "structures/extent/bounding_box.h"
+#include "structures/extent/calipers_family.h"
+#include "structures/extent/circle_family.h"
+#include "structures/extent/direction_structures.h"
 
 namespace kinex {
 
@@ -16,7 +21,11 @@ StructureFamily extent_family() {
   box.source =
       "Guibas, Kinetic data structures: a state of the art report (1998), sections 5 and 6.7";
   box.make = make_plain<BoundingBox>;
-  return {"extent", {box}};
+  StructureFamily family{"extent", {box}};
+  for (StructureInfo& info : caliper_structures()) family.structures.push_back(std::move(info));
+  for (StructureInfo& info : circle_structures()) family.structures.push_back(std::move(info));
+  for (StructureInfo& info : direction_structures()) family.structures.push_back(std::move(info));
+  return family;
 }
 
 }  // namespace kinex

@@ -56,6 +56,8 @@ std::vector<ObjectId> ConvexHull2::hull_cycle() const {
 
 Attribute ConvexHull2::attribute() const {
   if (corrupt_) return {Attribute::Shape::kCycle, {}};
+  // As last read: an inexact arithmetic might read another one now.
+  if (!kernel_->is_exact()) return told();
   return {Attribute::Shape::kCycle, hull_cycle()};
 }
 

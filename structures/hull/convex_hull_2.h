@@ -27,39 +27,42 @@
 //   x     a corner is left of the next one in the merged order,    slope_order_2,    degree 2d
 //         if the two have different colours
 //   y     a corner is above (or below) its contender: where the    orientation_2,    degree 2d
-//         chains cross beside it (yl, yr), or at a tangent corner
-//         (yt)
+//         chains cross on its left (event yl), on its right (yr)
+//         or on both sides (yb), or at a tangent corner (yt)
 //   s     the slope of a line is less than that of another         coordinate_order, degree d
 //   end   the order of the slopes of the two first lines, and of   coordinate_order, degree d
 //         the two last ones
-// There is an s for each line c over which the other colour runs without crossing it; it says where
-// along the run the slope of c falls: between the two lines of one corner, the tangent (slt, srt),
-// before the run (sr) or after it (sl).
-// x proves the merged order. Where red is above blue their difference has its minima at red corners
-// whose slopes enclose that of the contender: the tangents, which y proves to be above, while sl
-// and sr prove that there are none elsewhere. Crossings are proved by y on both sides.
+// Take a line c and the run of corners of the other colour over it. If the run is above c and does
+// not cross it, s says where in the order of the run's slopes that of c lies: between those of the
+// two lines of one corner, the tangent (st, two certificates), before the run (sr) or after it
+// (sl).
+// x proves the merged order. Where red is above blue, their difference has its minima at tangents:
+// red corners whose slopes enclose that of the contender (and likewise with the colours exchanged).
+// y proves that a tangent is above, sl and sr that there is no other. Crossings are proved by y on
+// both sides.
 //
 // Quality, for n points:
 //   compactness     O(n) certificates on random motions, O(n log n) always
 //   locality        a line has two corners, at most two crossings and one tangent per node: O(1)
 //                   certificates per node, O(log n) in all
-//   responsiveness  a failure is repaired in O(1) at its node; if it changes purple, one corner is
-//                   replaced by two or two by one, and likewise in place at every ancestor where it
-//                   shows. Insertion and erasure rebuild the chains on one path of the tree; new
-//                   motions leave the tree as it is
-// Events, linear motion: each pair of points fails s and end certificates at one instant and at one
-// node only, C(n,2); y at most 4 C(n,3) and x at most 4 C(n,4) in the two halves (four points have
-// one node at which two are red and two blue). In fact O(n^(2 + epsilon)).
+//   responsiveness  a failure is repaired in O(1) at its node. If purple changes, one corner is
+//                   replaced by two or two by one, and the same is done at every ancestor whose
+//                   chain changes too. Insertion and erasure rebuild the chains on one path of the
+//                   tree; new motions leave the tree as it is
+// Events, linear motion: two points have different colours at one node only, and the order of their
+// slopes changes once there: at most C(n,2) events s and end. In the two halves together there are
+// at most 4 C(n,3) events y and 4 C(n,4) events x (four points are two red and two blue ones at one
+// node only). The total is O(n^(2 + epsilon)).
 //
 // The naive variant has y at all corners and no s. Corners far from all crossings then depend on
 // their contender, and one line may be in n certificates: it is not local.
 //
-// Ties: see HullSigns. The hull is that of strict vertices; of equal points the smallest id.
+// Ties: see HullSigns. The hull has only strict vertices; of equal points it has the smallest id.
 //
 // Degenerate instants. Every claim that fails is repaired by itself; new claims that are negative
 // right after now fail next. Where no repair in place is possible (four lines through one point),
-// the node and its ancestors lose their certificates and are merged anew, just after now, when
-// everything below is right (node_rebuilds() counts these).
+// the node and its ancestors lose their certificates. They are merged anew, by signs right after
+// now, when everything below them is right (node_rebuilds() counts these).
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 6; Basch,
 // Guibas, Hershberger, "Data structures for mobile data" (1999). The local certificates are worked
@@ -84,10 +87,10 @@
 
 namespace kinex {
 
-class ConvexHull2 final : public Structure {
+class ConvexHull2 final : public Structure, public HullSource {
  public:
-  // Bound on the certificates of a point, per half and level. Observed: at most 4.1 (the benchmark
-  // hull_levels).
+  // Bound on the number of certificates that name a point, per half and level of the tree.
+  // Observed: at most 4.1 (the benchmark hull_levels).
   static constexpr int kPerLevel = 24;
 
   enum class Variant { kLocal, kNaive };
@@ -98,10 +101,10 @@ class ConvexHull2 final : public Structure {
     kYr,                      // ... on its right
     kYb,                      // ... on both sides
     kYt,                      // ... no crossing beside it
-    kSl,                      // a line whose slope passes that of another
-    kSr,
-    kSt,
-    kEnd,
+    kSl,                      // the slope of a line is no longer after its run: two lines
+    kSr,                      // ... no longer before its run
+    kSt,                      // ... no longer between the two slopes of its tangent
+    kEnd,                     // the first (or last) lines of the two chains: two lines
   };
 
   ConvexHull2(Kernel& kernel, StructureId id, const Scene& scene, Variant variant);
@@ -118,6 +121,8 @@ class ConvexHull2 final : public Structure {
   void motions_changed(std::span<const ObjectId> objects) override;
   void instant_settled() override;
   Attribute attribute() const override;
+  const HullRing& ring() const override { return events_.ring(); }
+  StructureId id() const override { return id_; }
   Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
@@ -142,7 +147,7 @@ class ConvexHull2 final : public Structure {
   static constexpr unsigned kHalves = 2;
   // The purpose of a certificate: tag = 8 * (edge or node) + slot.
   enum Slot : std::uint32_t { kSlotX, kSlotY, kSlotS1, kSlotS2, kSlotLeft, kSlotRight };
-  // Where the slope of a line falls in the run over it, as seen from the corner that claims it.
+  // Where the slope of a line lies in the run over it, as seen from the corner that claims it.
   enum Claim : std::uint8_t { kNoClaim, kAfter, kBefore, kTangent };
 
   // A line on the chain of a node, the corner at its right end, and the place of both in the merge

@@ -37,7 +37,7 @@
 
 namespace kinex {
 
-class ConvexHull2BruteForce final : public Structure {
+class ConvexHull2BruteForce final : public Structure, public HullSource {
  public:
   enum Kind : std::uint8_t {
     kTurn = HullEvents::kKinds,  // a hull vertex and its neighbours: before, vertex, after
@@ -63,6 +63,8 @@ class ConvexHull2BruteForce final : public Structure {
   void motions_changed(std::span<const ObjectId> objects) override;
   void instant_settled() override;
   Attribute attribute() const override { return {Attribute::Shape::kCycle, cycle_}; }
+  const HullRing& ring() const override { return events_.ring(); }
+  StructureId id() const override { return id_; }
   Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;

@@ -26,7 +26,7 @@
 
 namespace kinex {
 
-class ConvexHull2Delaunay final : public Structure {
+class ConvexHull2Delaunay final : public Structure, public HullSource {
  public:
   // `triangulation` outlives this structure and is watched by it.
   ConvexHull2Delaunay(Kernel& kernel, StructureId id, const Scene& scene,
@@ -44,6 +44,9 @@ class ConvexHull2Delaunay final : public Structure {
   void instant_settled() override { look(); }
   void watched_changed(const Event* event) override;
   // As last read: an inexact arithmetic might read another one now.
+  const HullRing& ring() const override { return events_.ring(); }
+  StructureId id() const override { return id_; }
+  bool is_settling() const override { return kernel_->instant_is_shared(triangulation_->id()); }
   Attribute attribute() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;

@@ -17,7 +17,7 @@ std::unique_ptr<Structure> make_divided(const MakerInput& in) {
 
 std::unique_ptr<Structure> make_of_triangulation(const MakerInput& in) {
   return std::make_unique<ConvexHull2Delaunay>(in.kernel, in.id, in.scene,
-                                               dynamic_cast<const Delaunay2&>(*in.watched));
+                                               dynamic_cast<const Delaunay2&>(*in.watched[0]));
 }
 
 // Of changes of the hull, then kinds of certificates that change nothing.
@@ -35,6 +35,7 @@ StructureFamily hull_family() {
   base.group = "convex_hull";
   base.min_dimension = 2;
   base.shape = Attribute::Shape::kCycle;
+  base.role = "hull";
   base.ties = "only strict vertices are on the hull; of identically equal points the smallest id";
   base.source =
       "Guibas, Kinetic data structures: a state of the art report (1998), sections 6 and 11";
@@ -70,7 +71,7 @@ StructureFamily hull_family() {
   StructureInfo reader = base;
   reader.name = "convex_hull_2_delaunay";
   reader.summary = "the convex hull, read off the Delaunay triangulation";
-  reader.reads = "delaunay_2";
+  reader.reads = {{"delaunay_2"}};
   reader.kinds = kinds({});
   reader.certificates = "none of its own, it reads the 3n - 3 of delaunay_2";
   reader.make = make_of_triangulation;

@@ -19,8 +19,7 @@
 // So does the "settled" that corrects a cycle which passes a point twice, in an inexact arithmetic.
 //
 // Cost: O(h log h) for h vertices per instant at which the hull may have changed, and O(h) for each
-// vertex that comes or goes; where one vertex has come or gone between two neighbours, one pass
-// over the ids.
+// vertex that comes or goes; where one vertex has come or gone between two neighbours, O(1).
 #ifndef KINEX_STRUCTURES_HULL_HULL_EVENTS_H
 #define KINEX_STRUCTURES_HULL_HULL_EVENTS_H
 
@@ -31,6 +30,7 @@
 
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
+#include "structures/hull/hull_ring.h"
 
 namespace kinex {
 
@@ -46,26 +46,28 @@ class HullEvents {
 
   // Sets the hull just before the next instant; nothing is reported. Cycles start at their smallest
   // id.
-  void begin(std::vector<ObjectId> cycle) { cycle_ = std::move(cycle); }
+  void begin(std::vector<ObjectId> cycle) { set(std::move(cycle)); }
   // The hull just after an instant at which it may have changed: reports the difference.
   void settle(std::vector<ObjectId> cycle);
   // As settle(), where the only change is that `point` came between `from` and `to`, or left from
   // between them. Returns false, with nothing done, if the cycle of before contradicts that.
   bool entered(ObjectId point, ObjectId from, ObjectId to);
   bool left(ObjectId point, ObjectId from, ObjectId to);
-  const std::vector<ObjectId>& cycle() const { return cycle_; }
+  // As reported so far. O(h).
+  std::vector<ObjectId> cycle() const { return crossed_.empty() ? ring_.cycle() : crossed_; }
+  const HullRing& ring() const { return ring_; }
   // A certificate was made that is negative right after now: the instant is not over.
   bool repairs_to_come() const { return kernel_->failure_is_due(); }
   std::size_t bytes() const;
 
  private:
-  void report_enter(ObjectId point, const std::vector<ObjectId>& cycle);
-  std::size_t only_place(ObjectId id) const;
-  void start_at_smallest();
+  void set(std::vector<ObjectId> cycle);
+  void report_enter(ObjectId point, std::vector<ObjectId>& told, const std::vector<ObjectId>& cycle);
 
   Kernel* kernel_;
   StructureId id_;
-  std::vector<ObjectId> cycle_;
+  HullRing ring_;
+  std::vector<ObjectId> crossed_;  // a cycle that passes a point twice; else empty
   std::vector<ObjectId> before_, after_;  // scratch
 };
 

@@ -19,7 +19,7 @@ std::unique_ptr<Structure> make_extremum(const MakerInput& in) {
 template <Extremum kExtremum>
 std::unique_ptr<Structure> make_of_list(const MakerInput& in) {
   return std::make_unique<MaximumOfList>(in.kernel, in.id,
-                                         dynamic_cast<const SortedList&>(*in.watched), kExtremum);
+                                         dynamic_cast<const SortedList&>(*in.watched[0]), kExtremum);
 }
 
 using Maker = std::unique_ptr<Structure> (*)(const MakerInput&);
@@ -98,7 +98,7 @@ StructureFamily maximum_family() {
       "the object with the largest key, by the dual hull of linear motions", "minimum_dual_hull",
       "the object with the smallest key, by the dual hull of linear motions");
   StructureInfo reader = base;
-  reader.reads = "sorted_list";
+  reader.reads = {{"sorted_list"}};
   reader.certificates = "none of its own, it reads the n - 1 of sorted_list";
   reader.kinds = {{"replace", Effect::kAlways}};
   family.add(

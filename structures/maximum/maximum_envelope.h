@@ -2,15 +2,21 @@
 // MaximumEnvelope: the object with the largest (or smallest) key, read off the upper envelope of
 // the keys, computed in advance.
 //
-// Certificates. One: the present winner is at least as good as the next one of the envelope; degree
-// D in t, that of the key. The envelope is the rest of the proof and needs no certificates while
-// the motions in force are those for which it was computed. None at the last winner.
+// Certificates. One: the present winner is at least as good as the next one of the envelope. Its
+// degree in t is D, the degree of the key. The last winner has none. The envelope is the rest of
+// the proof; it needs no certificates while the motions for which it was computed are in force.
 //
-// Quality, for n objects: compactness 1 certificate, locality 1, responsiveness 1 certificate;
-// every event is external, at most lambda_D(n) - 1. The price: the envelope takes O(lambda_D(n))
-// space and O(lambda_D(n) log n) failure times and comparisons of instants, and every flight-plan
-// change, insertion and erasure computes it anew. It is the offline baseline for kinetic
-// structures: as good while no motion changes, far more expensive when many do.
+// Quality, for n objects:
+//   compactness     1 certificate
+//   locality        1 certificate per object
+//   responsiveness  1 certificate per event; every flight-plan change, insertion and erasure
+//                   computes the envelope anew, O(lambda_D(n) log n) failure times and comparisons
+//                   of instants
+//   efficiency      every event is external, at most lambda_D(n) - 1
+//   space           O(lambda_D(n)) for the envelope
+// lambda_D(n) is the greatest length of a Davenport-Schinzel sequence of order D over n symbols (n
+// for D = 1). This is the offline baseline for kinetic structures: as good while no motion changes,
+// far more expensive when many do.
 //
 // Motions on intervals (flight plans, objects that come and go). The envelope is that of the
 // motions in force, each extended for all time; it is right until the first of them ends, and is
@@ -18,8 +24,8 @@
 // envelope of all of them, lambda_{D+2}(pieces) winners, could be computed at the start: a
 // structure learns of a flight plan only when it comes into force. So a run is the same whether a
 // change stands in the scene or comes from outside during the run, and a change from outside
-// replaces the planned one. The events are those of the envelope of all pieces: at most
-// lambda_{D+2}(m) - 1 for m pieces. The cost is that of m envelopes.
+// replaces the planned one. The events are nevertheless those of the envelope of all pieces: at
+// most lambda_{D+2}(m) - 1 for m pieces. The cost is that of m envelopes.
 //
 // Ties. Of identically equal keys the smallest id wins. Where several objects overtake the winner
 // at one instant, only the one that is best right after it becomes the winner.

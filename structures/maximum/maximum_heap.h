@@ -15,11 +15,11 @@
 // an insertion or an erasure makes at most as many such pairs as the objects that it changes or
 // moves are in, and the bound grows by these: O(log n) for an object at the bottom. (For m updates
 // the literature has O(m sqrt(m log m)).) For motions of higher degree no bound with known
-// constants is proven but one event per crossing. The maximum changes at most lambda_D(n) - 1
-// times.
+// constants is proven but one event per crossing. The maximum changes at most lambda_D(n) - 1 times
+// (lambda_D: see maximum_tournament.h).
 //
-// Ties. Of objects with identically equal keys the smaller id is above the larger, where one is
-// above the other; so the top is the smallest.
+// Ties. Where one of two objects with identically equal keys is an ancestor of the other, it has
+// the smaller id; so the smallest is at the top.
 //
 // Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 5; events:
 // Basch, Guibas, Ramkumar, "Reporting red-blue intersections between two sets of connected line

@@ -1,26 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MaximumTournament: the object with the largest (or smallest) key, by a tournament tree.
 //
-// Certificates. A KineticTournament (parts/kinetic_tournament.h): one per inner node, the winner of
-// one child is at least as good as the winner of the other; degree D in t, that of the key.
+// Certificates. Those of a KineticTournament (parts/kinetic_tournament.h), one per inner node: the
+// winner of one child is at least as good as the winner of the other. The degree in t is D, the
+// degree of the key.
 //
 // Quality, for n objects:
 //   compactness     n - 1 certificates
-//   locality        ceil(log2 n) certificates an object, the depth
-//   responsiveness  O(log n) certificates, those on the path; an insertion or erasure moves at most
-//                   two objects, O(log n) certificates
+//   locality        at most ceil(log2 n) certificates per object, the depth of the tree
+//   responsiveness  O(log n) certificates, those on one path to the root; an insertion or erasure
+//                   moves at most two objects, O(log n) certificates
 //   efficiency      not strongly efficient: the maximum may change O(1) times while Theta(n) events
 //                   are processed
+// lambda_D(n) is the greatest length of a Davenport-Schinzel sequence of order D over n symbols; it
+// is n for D = 1.
 // Events, without flight-plan changes: at most the sum over inner nodes v of lambda_D(m_v) - 1,
-// with m_v the number of leaves under v: n log2 n - n + 1 for lines and n a power of two, which is
-// reached. The maximum changes at most lambda_D(n) - 1 times. (Several failures at one instant
-// count one by one: the winners of a node still form a Davenport-Schinzel sequence of order D,
-// since each is strictly better than the last right after the instant and equal to it at the
-// instant; roots counted with multiplicity.)
+// with m_v the number of leaves under v. For lines and n a power of two this is n log2 n - n + 1,
+// and it is reached. The maximum changes at most lambda_D(n) - 1 times. (Several failures at one
+// instant count one by one: the winners of a node still form a Davenport-Schinzel sequence of order
+// D, since each is equal to the previous one at the instant and strictly better right after it;
+// roots are counted with multiplicity.)
 // A change of motion, an insertion or an erasure begins a new epoch of every node on the paths from
-// its leaves to the root. Each epoch of a node has at most lambda_D(m_v) - 1 events: the winner
+// its leaves to the root. Each epoch of a node v has at most lambda_D(m_v) - 1 events: the winner
 // from before the change is the first of the sequence, since its key is no less than the others' at
-// the instant. So an update adds the sum over its paths to the bound, about 2 n for lines.
+// the instant. So an update adds one such term for every node on its paths to the bound, for lines
+// about 2 n per path.
 //
 // Ties. Of objects with identically equal keys the smallest id wins.
 //

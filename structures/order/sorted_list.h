@@ -57,6 +57,7 @@ class SortedList final : public Structure {
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override { return list_.bytes(); }
 
+  StructureId id() const { return id_; }
   std::size_t size() const { return list_.size(); }
   // The number of objects of the scene, whether in the list or not.
   std::size_t objects() const { return list_.capacity(); }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,14 +26,36 @@ struct Refusal {
   std::string problem, remedy;
 };
 
-// The arguments of a maker. `request` is valid for `scene`. `watched` is the structure that the new
-// one reads (StructureInfo::reads) and that outlives it, or nullptr.
+// The arguments of a maker. `request` is valid for `scene`. `watched`: the structures that the new
+// one reads, in the order of StructureInfo::reads; they outlive it.
 struct MakerInput {
   const Request& request;
   const Scene& scene;
   Kernel& kernel;
   StructureId id;
-  const Structure* watched;
+  std::span<const Structure* const> watched;
+  std::span<const StructureId> watched_ids = {};  // of the same
+
+  // The value of a parameter of the descriptor.
+  Rational parameter(std::string_view name) const;
+};
+
+// A structure that another one watches.
+struct Reading {
+  std::string_view structure;      // the usual one
+  std::string_view role = {};      // "over" may name any structure that plays this role instead
+  std::optional<int> axis = {};    // it orders by this coordinate; none: by the reader's key
+  bool passes_over = false;        // the reader's "over" is meant for what this one reads
+};
+
+// A parameter of a structure: a member of its entry in "maintain". Numbers are written as in scenes.
+struct ParameterInfo {
+  std::string_view name, summary;
+  std::string_view usual;       // the value if none is given
+  std::string_view least;       // allowed
+  std::string_view most = {};   // allowed; empty: no limit
+  bool most_is_allowed = true;  // false: values are less than `most`
+  bool whole = true;            // an integer
 };
 
 // Does an event of a kind change the attribute?
@@ -60,8 +83,10 @@ struct StructureInfo {
   std::uint8_t width = 2;         // of the tuples of a set
   // The kinds of its events by rank (Structure::event_kinds), without the common ones.
   std::vector<KindRule> kinds = {};
-  std::string_view reads = {};    // the structure, of the same key, that it watches; empty: none
-  std::string_view instead = {};  // a structure of its group that takes every scene; empty: itself
+  std::vector<Reading> reads = {};  // the structures that it watches
+  std::string_view role = {};       // what it can be read as ("hull"); empty: by its name only
+  std::vector<ParameterInfo> parameters = {};
+  std::string_view instead = {};    // a structure of its group that takes every scene; empty: itself
   bool weights = false;             // it reads the weights of points
   // Adds the objects that it derives in the scene; nullptr: it derives none.
   void (*derives)(const Scene& scene, NumberNeeds& needs) = nullptr;

@@ -48,6 +48,7 @@ class KineticList {
         place_of_(items, kNone) {}
 
   const C& claims() const { return claims_; }
+  C& claims() { return claims_; }
   const Slots& slots() const { return slots_; }
   std::size_t size() const { return size_; }
   // Room is reserved for items below this number.

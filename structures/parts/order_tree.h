@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OrderTree: a balanced search tree over places in a sequence, not over keys. It does not know what
-// stands at a place, so two neighbours can change places without touching it.
+// OrderTree: a balanced search tree over the places of a sequence, not over keys. A place is a
+// number that the owner chooses. The tree does not know what stands at a place, so the owner can
+// exchange what stands at two places without touching the tree.
 //
 // A treap. Priorities are a fixed function of the place's number, so the shape depends on the
 // sequence alone; expected depth O(log n) (Seidel and Aragon, "Randomized search trees", 1996).
+// Place numbers should be small: the tree takes room up to the largest one.
 #ifndef KINEX_STRUCTURES_PARTS_ORDER_TREE_H
 #define KINEX_STRUCTURES_PARTS_ORDER_TREE_H
 
@@ -23,16 +25,17 @@ class OrderTree {
   Place left(Place p) const { return nodes_[p].left; }
   Place right(Place p) const { return nodes_[p].right; }
 
-  // Replaces the contents by these places in this order. O(n).
+  // Replaces the contents with these distinct places, in this order. O(n).
   void build(const std::vector<Place>& places);
-  // Adds a place right after `before`; kNone: in front of all. Expected O(log n), O(1) rotations.
+  // Adds `place`, which must not be in the tree, right after `before`, which must be; kNone: in
+  // front of all. Expected O(log n) time and O(1) rotations.
   void insert_after(Place before, Place place);
-  // Requires that the place is in the tree. Expected O(log n), O(1) rotations.
+  // Requires that the place is in the tree. Expected O(log n) time and O(1) rotations.
   void erase(Place place);
   void clear();
-  // The places in order, for invariants. O(n).
+  // All places in order, for audits. O(n).
   std::vector<Place> in_order() const;
-  // True if parents and children agree and priorities are heap-ordered.
+  // True if parents and children agree and priorities are heap-ordered. For audits; O(n).
   bool consistent() const;
   std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 

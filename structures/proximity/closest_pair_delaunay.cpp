@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "structures/parts/tournament_proof.h"
+#include "structures/proximity/delaunay_edges.h"
 #include "structures/proximity/static_closest_pair_audit.h"
 
 namespace kinex {
@@ -21,22 +22,8 @@ std::span<const ObjectId> ClosestPairDelaunay::closest() const {
   return front == nullptr ? std::span<const ObjectId>() : std::span<const ObjectId>(*front);
 }
 
-// The edges of the triangulation and the pairs of a vertex and a point hidden behind it, ascending.
-std::vector<ClosestPairDelaunay::Pair> ClosestPairDelaunay::pairs() const {
-  const std::vector<ObjectId> ids = triangulation_->attribute().ids;
-  std::vector<Pair> result;
-  for (std::size_t i = 0; i + 1 < ids.size(); i += 2) result.push_back({ids[i], ids[i + 1]});
-  for (ObjectId object = 0; object < triangulation_->objects(); ++object) {
-    const ObjectId vertex = triangulation_->representative(object);
-    if (vertex != object && vertex != kNoObject) result.push_back({vertex, object});
-  }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
 void ClosestPairDelaunay::begin() {
-  edges_.assign(pairs());
+  edges_.assign(delaunay_edges(*triangulation_));
   edges_.apply(tied());
   events_.begin(closest());
 }
@@ -44,18 +31,15 @@ void ClosestPairDelaunay::begin() {
 // Makes the change of edges that the event states; false if it is not one of a single edge, or
 // contradicts what is there.
 bool ClosestPairDelaunay::follow(const Event& event) {
-  const auto& ids = event.ids;
-  if (event.kind == Delaunay2::kFlip) {
-    return edges_.go({ids[0], ids[1]}) && edges_.come({ids[2], ids[3]});
-  }
-  if (event.kind == Delaunay2::kEnter) return edges_.go({ids[1], ids[2]});
-  return event.kind == Delaunay2::kLeave && edges_.come({ids[1], ids[2]});
+  const auto change = delaunay_edge_change(event);
+  if (!change) return false;
+  return (!change->gone || edges_.go(*change->gone)) && (!change->came || edges_.come(*change->came));
 }
 
 // Whether the pair is another one is seen when the instant is over: certificates of this structure
 // may fail at it, too.
 void ClosestPairDelaunay::watched_changed(const Event* event) {
-  if (event == nullptr || !follow(*event)) edges_.assign(pairs());
+  if (event == nullptr || !follow(*event)) edges_.assign(delaunay_edges(*triangulation_));
   edges_.apply(tied());
   if (!std::ranges::equal(closest(), events_.told().ids)) kernel_->settle_later(id_);
 }
@@ -80,7 +64,7 @@ std::vector<BoundCheck> ClosestPairDelaunay::bounds(const BoundContext& context)
       at_most("closest_pair_delaunay.events", "the epochs of the nodes of the tournament",
               edges_.most_failures(2 * context.degree), counted(ledger.failures))};
   if (context.plain() && n > 1) {
-    const Integer envelope = davenport_schinzel_bound(2 * context.degree, kinex::pairs(counted(n)));
+    const Integer envelope = davenport_schinzel_bound(2 * context.degree, pairs(counted(n)));
     result.push_back(at_most("closest_pair_delaunay.external",
                              "pieces of the lower envelope of the distances of all pairs",
                              envelope - Integer(1), counted(ledger.external)));
@@ -90,7 +74,7 @@ std::vector<BoundCheck> ClosestPairDelaunay::bounds(const BoundContext& context)
 
 void ClosestPairDelaunay::check_invariants(AuditReport& report) const {
   edges_.check(report, "edges");
-  report.check(edges_.values() == pairs(), [] { return "it has missed a change of the edges"; });
+  report.check(edges_.values() == delaunay_edges(*triangulation_), [] { return "it has missed a change of the edges"; });
   report.check(std::ranges::equal(closest(), events_.told().ids),
                [] { return "a change of the closest pair was not reported"; });
 }

@@ -83,7 +83,6 @@ class ClosestPairDelaunay final : public Structure {
  private:
   // The two ids, ascending; empty if there are fewer than two points.
   std::span<const ObjectId> closest() const;
-  std::vector<Pair> pairs() const;
   bool follow(const Event& event);
   void begin();
 

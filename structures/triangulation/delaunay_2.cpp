@@ -214,7 +214,9 @@ void Delaunay2::prefetch_next() const {
   }
   const std::uint32_t next = kernel_->upcoming_tag(id_, 0);
   if (next == Kernel::kNoTag || !store_.live(Triangulation2::triangle(next))) return;
-  for (const HalfEdge h : {next, store_.twin(next)}) {
+  const HalfEdge twin = store_.twin(next);
+  prefetch_points({store_.origin(next), store_.origin(twin), store_.apex(next), store_.apex(twin)});
+  for (const HalfEdge h : {next, twin}) {
     for (const HalfEdge side : {Triangulation2::next(h), Triangulation2::previous(h)}) {
       kernel_->prefetch(store_.label(side));
       store_.prefetch(store_.twin(side));
@@ -222,10 +224,28 @@ void Delaunay2::prefetch_next() const {
   }
 }
 
+// The points on the other side of the rim of the flip that comes now.
+void Delaunay2::prefetch_rim(HalfEdge h) const {
+  const HalfEdge g = store_.twin(h);
+  prefetch_points({store_.apex(store_.twin(Triangulation2::next(h))),
+                   store_.apex(store_.twin(Triangulation2::previous(h))),
+                   store_.apex(store_.twin(Triangulation2::next(g))),
+                   store_.apex(store_.twin(Triangulation2::previous(g)))});
+}
+
+void Delaunay2::prefetch_points(std::array<ObjectId, 4> points) const {
+  for (ObjectId& point : points) {
+    if (point == store_.infinity()) point = 0;
+    store_.prefetch_point(point);
+  }
+  kernel_->prefetch(id_, points);
+}
+
 void Delaunay2::certificate_failed(CertificateId failed) {
   if (corrupt_) return;
   const HalfEdge h = kernel_->tag(failed);
   if (on_line_) return pass(h);
+  prefetch_rim(h);
   prefetch_next();
   const bool shared = kernel_->instant_is_shared(id_);
   const HalfEdge g = store_.twin(h);

@@ -19,8 +19,8 @@
 //
 // Quality, for n points:
 //   compactness     3n - 3 certificates, exactly
-//   locality        not local: a point is in as many certificates as it has neighbours and link
-//                   edges, up to 2(n - 1) and more
+//   locality        not local: a point is in one certificate for each of its edges and one for each
+//                   edge of its link, up to 2 (n - 1) or more
 //   responsiveness  one flip, 5 certificates
 //   efficiency      every event is external (ratio 1)
 // Events, linear motion: each in_circle_2 changes sign at most 4 times and each orientation_2
@@ -34,19 +34,19 @@
 //   all identically on one line, or fewer than three points: a chain along the line, see line_
 //
 // Degenerate instants. A certificate that fails alone is one flip. Where several fail at one
-// instant, triangles may turn over without any certificate showing it (points that meet and pass
+// instant, triangles may turn over though no certificate shows it (points that meet and pass
 // through each other; all points on one line), or the hull may wind around twice afterwards. The
-// same may happen where one certificate fails alone while others, with two of its points, are zero
-// without a change of sign (three points that turn through one). At such an instant a certificate
-// of the flip's rim is zero.
+// same may happen where a single certificate fails while others that share two of its points are
+// zero without a change of sign (three points that pass through one place at once). At such an
+// instant a certificate of the flip's rim is zero.
 //   1. A flip is then made only if its edge does not exist yet and both new triangles are upright
-//      (positively oriented right after now); otherwise the edge goes without a certificate for the
-//      moment ("blocked").
+//      (positively oriented right after now); otherwise the edge has no certificate for the moment
+//      ("blocked").
 //   2. When the instant is settled, the triangles around all points that took part and the number
-//      of turns of the hull are checked. All triangles upright, left turns along the hull and one
-//      turn in all make a triangulation: otherwise the angles do not add up.
-//   3. Points of triangles that have turned over are taken out and put in again. Where that is not
-//      enough, or not possible, everything is built anew, with a reason in the ledger.
+//      of turns of the hull are checked. If all triangles are upright, the hull turns left at every
+//      vertex and it turns once in all, this is a triangulation: only then do the angles add up.
+//   3. The points of triangles that have turned over are removed and inserted again. Where that is
+//      not enough, or not possible, everything is rebuilt, with a reason in the ledger.
 //
 //           p                   p                   p                   p
 //         .'|'.               .'|'.               .'|'.               .'|'.
@@ -55,16 +55,16 @@
 //       '. \ / .'           '. \ / .'           '. \   .'           '. \ / .'
 //         '.|.'               '.|.'               '.|.'               '.|.'
 //           q                   q                   q                   q
-//        before             v has passed w:      v taken out, its    v put in again,
+//        before             v has passed w:      v removed, its      v inserted again,
 //                           pvw and qwv have     link filled by      where it is now
 //                           turned over          ears
 //
-// Reported events. An external event of the kinds "flip", "enter" and "leave" removes one edge, or
-// adds one, or both, as its ids say. A "pass" exchanges its two points in every edge. When points
-// are taken out and put in again, the net change of edges is reported by one "settled" at the end
-// of the instant, or by the "rebuild"; flips in between are then internal. (Flips to an edge that
-// exists already, or from one that exists twice, are internal, too.) Edges are collected where they
-// change: a degenerate instant costs no more than its repair.
+// Reported events. An external "flip", "enter" or "leave" removes one edge, adds one, or both, as
+// its ids say. A "pass" exchanges its two points in every edge. When points are removed and
+// inserted again, the net change of edges is reported by one "settled" at the end of the instant,
+// or by the "rebuild"; flips in between are then internal. (So are flips to an edge that exists
+// already, or from one that exists twice.) The net change is collected edge by edge as edges
+// change, so finding it costs no more than the repair.
 //
 // Sources: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7; Guibas,
 // Mitchell, Roos, "Voronoi diagrams of moving points in the plane" (1991); insertion: Bowyer
@@ -90,15 +90,15 @@ namespace kinex {
 
 class Delaunay2 final : public Structure {
  public:
-  // Events. Edges are written smaller id first. The first three are external (see above), and so is
-  // kPass if there are more than two points; the others are internal.
+  // Kinds of events and their ids. Edges are written smaller id first. The first three are external
+  // (see above), and so is kPass if there are more than two points; the others are internal.
   enum Kind : std::uint8_t {
     kFlip,      // removed edge, added edge
-    kEnter,     // a point becomes a hull vertex: the point, the hull edge that it splits (and ends)
-    kLeave,     // a point stops being a hull vertex: the point, the new hull edge (and edge)
+    kEnter,     // a point becomes a hull vertex: the point, the hull edge that is removed
+    kLeave,     // a point stops being a hull vertex: the point, the hull edge that is added
     kPass,      // on a line: two neighbours change places
-    kBlocked,   // at a degenerate instant: no flip repairs it yet; the certificate's points
-    kReinsert,  // when the instant is settled: a point was taken out and put in again
+    kBlocked,   // at a degenerate instant: no flip is possible yet; the certificate's points
+    kReinsert,  // when the instant is settled: a point that was removed and inserted again
   };
 
   Delaunay2(Kernel& kernel, StructureId id, const Scene& scene);
@@ -117,21 +117,22 @@ class Delaunay2 final : public Structure {
   Attribute told() const override { return untold_.undone(attribute()); }
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
-  // The common limit is already many times the flips of a lattice sheared through the square one.
+  // 1000 + 8 c, the part of the limit that all structures have, is already many times the number of
+  // flips at the instant at which a sheared lattice becomes square.
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
   StructureId id() const { return id_; }
-  // The number of the scene's objects, present or not.
+  // The number of the scene's objects, alive or not.
   std::size_t objects() const { return representative_.size(); }
   // Hull vertices counter-clockwise from the smallest id; on a line, the chain.
   std::vector<ObjectId> hull() const;
   // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
   ObjectId representative(ObjectId object) const { return representative_[object]; }
   bool on_line() const { return on_line_; }
-  // Points taken out and put in again at degenerate instants.
+  // The number of points removed and inserted again at degenerate instants.
   std::uint64_t reinsertions() const { return reinsertions_; }
 
  private:
@@ -147,6 +148,8 @@ class Delaunay2 final : public Structure {
   void drop_certificate(HalfEdge h);
   bool rim_vanishes(HalfEdge h);
   void prefetch_next() const;
+  void prefetch_rim(HalfEdge h) const;
+  void prefetch_points(std::array<ObjectId, 4> points) const;
   bool flippable(HalfEdge h) const;
   void flip(HalfEdge h);
   void settle_ties(bool report);

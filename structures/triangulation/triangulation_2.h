@@ -43,7 +43,12 @@ class Triangulation2 {
   void start(ObjectId a, ObjectId b, ObjectId c);
 
   // Prefetches the triangle of a half-edge that will be visited soon.
-  void prefetch(HalfEdge h) const { __builtin_prefetch(half_edges_.data() + 3 * triangle(h), 1); }
+  void prefetch(HalfEdge h) const {
+    const Record* const first = half_edges_.data() + 3 * triangle(h);
+    __builtin_prefetch(first, 1);
+    __builtin_prefetch(first + 2, 1);  // a triangle may be on two cache lines
+  }
+  void prefetch_point(ObjectId v) const { __builtin_prefetch(out_.data() + v, 1); }
 
   static HalfEdge next(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static HalfEdge previous(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }

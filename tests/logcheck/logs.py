@@ -12,7 +12,10 @@ LINE = ["sorted_list", "maximum_sorted_list", "minimum_sorted_list", "maximum_he
         "maximum_hanger", "minimum_hanger", "maximum_tournament", "minimum_tournament", "maximum_envelope",
         "minimum_envelope", "maximum_dual_hull", "minimum_dual_hull"]
 PLANE = ["convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force", "convex_hull_2_delaunay",
-         "delaunay_2", "bounding_box", "closest_pair_delaunay"]
+         "delaunay_2", "bounding_box", "closest_pair_delaunay", "emst_list", "emst_cycles",
+         "diameter_2", "diameter_all_pairs",
+         "bounding_box_2_hull", "farthest_delaunay_2",
+         "min_circle_2", "min_circle_2_brute_force"]
 BODIES = ["separation_mixed", "separation_minkowski", "separation_hysteresis", "closest_features",
           "inner_tangents", "bounding_volumes"]
 POINT_FAMILIES = ["uniform-square", "uniform-disk", "gaussian", "grid", "lattice", "meet", "through-one-point",

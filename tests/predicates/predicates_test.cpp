@@ -2,6 +2,9 @@
 // Every predicate in every ring: identities, agreement, and error bounds that hold.
 #include "predicates/predicates.h"
 
+#include "predicates/points/edge_predicates.h"
+#include "predicates/points/shared_arguments.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,11 +20,20 @@ struct Named {
   std::shared_ptr<const Predicate> predicate;
 };
 
+std::shared_ptr<const Predicate> shared(std::shared_ptr<const Predicate> whole,
+                                        std::vector<std::uint8_t> pattern) {
+  return make_shared_arguments(std::move(whole), pattern);
+}
+
 std::vector<Named> all_predicates() {
   return {{"order_x", make_coordinate_order(0)},
           {"order_y", make_coordinate_order(1)},
           {"direction_3_4", make_direction_order({Rational(3), Rational(4)})},
           {"direction_fraction", make_direction_order({*Rational::parse("1/3"), *Rational::parse("-2/7")})},
+          {"extent_4", make_extent_order({Rational(1), Rational(0)},
+                                         {*Rational::parse("3/5"), *Rational::parse("4/5")}, {0, 1, 2, 3})},
+          {"extent_3", make_extent_order({Rational(1), Rational(0)}, {Rational(0), Rational(1)}, {0, 1, 0, 2})},
+          {"extent_2", make_extent_order({Rational(1), Rational(2)}, {Rational(0), Rational(1)}, {0, 1, 0, 1})},
           {"distance_1", make_squared_distance_order(1)},
           {"distance_2", make_squared_distance_order(2)},
           {"distance_3", make_squared_distance_order(3)},
@@ -30,7 +42,17 @@ std::vector<Named> all_predicates() {
           {"pair_distance_2", make_pair_distance_order(2)},
           {"pair_distance_3", make_pair_distance_order(3)},
           {"slope_order_2", make_slope_order_2()},
-          {"in_circle_2", make_in_circle_2()}};
+          {"in_circle_2", make_in_circle_2()},
+          {"acute_angle_2", make_acute_angle_2()},
+          {"obtuse_angle_2", make_obtuse_angle_2()},
+          {"edge_dot_2", make_edge_dot_2()},
+          {"strip", make_strip_order_2()},
+          {"rectangle_area", make_rectangle_area_order_2()},
+          {"rectangle_perimeter", make_rectangle_perimeter_order_2()},
+          {"edge_dot_shared", shared(make_edge_dot_2(), {0, 1, 1, 2})},
+          {"strip_shared", shared(make_strip_order_2(), {0, 1, 2, 1, 3, 0})},
+          {"rectangle_shared",
+           shared(make_rectangle_area_order_2(), {0, 1, 1, 2, 3, 1, 4, 4, 0, 3})}};
 }
 
 // Motions of `arity` objects in `axes` axes, in every ring, from the same integers.
@@ -98,9 +120,10 @@ TEST_P(EveryPredicate, RingsAgreeAndErrorBoundsHold) {
   const auto [name, p] = all_predicates()[GetParam()];
   std::mt19937_64 random(GetParam() + 1);
   for (int d = 1; d <= 5; ++d) {
-    const std::vector<double> magnitude(static_cast<std::size_t>(d) + 1, 0x1p20);
+    const int bits = p->homogeneity() > 4 ? 13 : 20;  // so that 128 suffice
+    const std::vector<double> magnitude(static_cast<std::size_t>(d) + 1, std::ldexp(1.0, bits));
     for (int round = 0; round < 50; ++round) {
-      const Motions m(random, p->arity(), 3, d, 1 << 20);
+      const Motions m(random, p->arity(), 3, d, 1 << bits);
       std::vector<std::size_t> order;
       for (int i = 0; i < p->arity(); ++i) order.push_back(static_cast<std::size_t>(i));
       const Polynomial exact = p->exact(d, m.views(m.exact, order).data());
@@ -184,7 +207,7 @@ TEST_P(EveryPredicate, NarrowRefusesWhatMightOverflow) {
   for (int d = 1; d <= kMaxFixedDegree; ++d) EXPECT_FALSE(p->narrow_fits(d, huge.data(), 1)) << name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryPredicate, ::testing::Range<std::size_t>(0, 13),
+INSTANTIATE_TEST_SUITE_P(All, EveryPredicate, ::testing::Range<std::size_t>(0, all_predicates().size()),
                          [](const auto& one) { return all_predicates()[one.param].name; });
 
 // Static points with known answers: signs have the promised meaning.
@@ -214,6 +237,15 @@ TEST_F(KnownSigns, Orders) {
   EXPECT_EQ(sign(make_direction_order({Rational(4), Rational(-3)}), {{3, 4}, {0, 0}}), 0);
   EXPECT_EQ(sign(make_squared_distance_order(2), {{1, 0}, {3, 4}, {0, 0}}), 1);
   EXPECT_EQ(sign(make_squared_distance_order(2), {{5, 0}, {3, 4}, {0, 0}}), 0);
+}
+
+TEST_F(KnownSigns, Angles) {
+  EXPECT_EQ(sign(make_acute_angle_2(), {{4, 0}, {0, 0}, {3, 3}}), 1);
+  EXPECT_EQ(sign(make_acute_angle_2(), {{4, 0}, {0, 0}, {0, 3}}), 0);
+  EXPECT_EQ(sign(make_acute_angle_2(), {{4, 0}, {0, 0}, {-1, 3}}), -1);
+  EXPECT_EQ(sign(make_acute_angle_2(), {{4, 0}, {4, 0}, {-1, 3}}), 0);
+  EXPECT_EQ(sign(make_obtuse_angle_2(), {{4, 0}, {0, 0}, {3, 3}}), -1);
+  EXPECT_EQ(sign(make_obtuse_angle_2(), {{4, 0}, {0, 0}, {-1, 3}}), 1);
 }
 
 TEST_F(KnownSigns, Planar) {

@@ -4,7 +4,7 @@
 usage: pure_structures.py SOURCE_FOLDER
 
 No file in structures/ reaches through the kernel to an arithmetic or a queue, and none names a polynomial,
-a rational number or a double, but for audits, bounds, and the geometry of rigid bodies that is listed here.
+a rational number or a double, but for audits, bounds, makers, and the geometry of rigid bodies that is listed here.
 """
 import pathlib
 import re
@@ -17,8 +17,10 @@ COMPUTING = re.compile(r"(_audit|_bounds|key_value)\b")
 # The frames of bodies: polygons, hierarchies and radii are numbers that do not move.
 FRAMES = {"body_frames", "body_grid", "body_volumes", "outer_hierarchy", "outer_hierarchy_cuts",
           "separation_hysteresis"}
-# An audit needs the end of the scene.
-AUDITED = {"maximum_envelope"}
+# An audit needs the end of the scene, or a box.
+AUDITED = {"maximum_envelope", "range_structure"}
+# Descriptors and makers: the parameters of a request are numbers.
+MAKERS = {"descriptor", "registry", "family"}
 # The plan is no structure: it makes the arithmetic for what the structures declare.
 PLAN = {"plan"}
 NOISE = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*')
@@ -30,7 +32,7 @@ def faults_in(name, text):
         for word in REACHING.findall(line):
             if name not in PLAN:
                 yield number, word
-        if COMPUTING.search(name) or name in FRAMES | AUDITED:
+        if COMPUTING.search(name) or name in FRAMES | AUDITED | MAKERS:
             continue
         for word in NUMBERS.findall(line):
             yield number, word

@@ -25,7 +25,7 @@ SCENES = [
     ("order", POINTS, ["sorted_list"]),
     ("maxima", POINTS, [f"maximum_{name}" for name in MAXIMA]),
     ("minima", POINTS, [f"minimum_{name}" for name in MAXIMA]),
-    ("planes", POINTS, ["delaunay_2", "closest_pair_delaunay", "bounding_box"] + HULLS),
+    ("planes", POINTS, ["delaunay_2", "closest_pair_delaunay", "emst_list", "emst_cycles", "bounding_box"] + HULLS),
     ("bodies", BODIES, ["separation_mixed", "separation_hysteresis", "closest_features",
                         "inner_tangents", "bounding_volumes", "outer_hierarchy"]),
     ("level", LEVEL, ["separation_minkowski"]),

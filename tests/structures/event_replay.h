@@ -42,7 +42,10 @@ class ReplayedAttribute {
     if (event.has_difference()) return apply_difference(event);
     switch (value_.shape) {
       case Attribute::Shape::kSequence: {
-        const auto at = std::find(ids.begin(), ids.end(), id(0));
+        // Of two sequences, one behind the other, the second.
+        const std::size_t half = kind == "swap_y" ? ids.size() / 2 : 0;
+        const auto at =
+            std::find(ids.begin() + static_cast<std::ptrdiff_t>(half), ids.end(), id(0));
         if (at == ids.end() || at + 1 == ids.end() || *(at + 1) != id(1)) return "no neighbours";
         std::swap(*at, *(at + 1));
         return "";
@@ -182,12 +185,12 @@ class EventReplay final : public EventSink {
     std::vector<const Structure*> made;
     for (const PlannedStructure& planned : plan_structures(scene)) {
       const StructureId id = simulator_.reserve();
-      const Structure* watched = planned.watches ? made[*planned.watches] : nullptr;
-      auto inner = make_structure(planned.request, scene, simulator_.kernel(), id, watched);
+      std::vector<const Structure*> watched;
+      for (const StructureId read : planned.watches) watched.push_back(made[read]);
+      auto inner = make_structure(planned.request, scene, simulator_.kernel(), id, watched,
+                                  planned.watches);
       made.push_back(inner.get());
-      std::vector<StructureId> watches;
-      if (planned.watches) watches.push_back(*planned.watches);
-      simulator_.add(id, watch(id, std::move(inner)), planned.request.label, std::move(watches));
+      simulator_.add(id, watch(id, std::move(inner)), planned.request.label, planned.watches);
     }
   }
   std::unique_ptr<Structure> watch(StructureId id, std::unique_ptr<Structure> inner) {

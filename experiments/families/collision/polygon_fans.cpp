@@ -36,11 +36,13 @@ Rational spread(const Rational& low, const Rational& high, int k, int m) {
 // closest features per vertex, n (3m + 2) in the turn.
 void generate_polygon_fan(const lab::WorkloadParameters& parameters, Scene& scene) {
   const Rational gap = *parameters.separation, distance = Rational(1) + gap;
-  const Rational swing =
-      formats::rounded(formats::approximate_cos_sin(formats::approximate_pi() / Rational(parameters.n)).sin / distance, 60);
+  const Rational swing = formats::rounded(
+      formats::approximate_cos_sin(formats::approximate_pi() / Rational(parameters.n)).sin / distance,
+      60);
   const int m = parameters.m;
   const Rational steepest = lab::fraction(2, 5) * swing;
-  const Rational width = formats::rounded(lab::fraction(6, 25) * swing * gap, 60) / Rational(m);  // of an edge
+  const Rational width =  // of an edge
+      formats::rounded(lab::fraction(6, 25) * swing * gap, 60) / Rational(m);
   std::vector<Vertex2> fan{{width * lab::fraction(m, 2), 0}};
   for (int k = 0; k < m; ++k) {
     const Rational slope = spread(steepest, -steepest, k, m);
@@ -63,7 +65,8 @@ void generate_polygon_tangents(const lab::WorkloadParameters& parameters, Scene&
   const Rational distance = Rational(1) + *parameters.separation;
   const Rational cos = Rational(1) / distance;
   const Rational sin = formats::approximate_root(distance * distance - Rational(1)) / distance;
-  const formats::CosSin step = formats::approximate_cos_sin(formats::approximate_pi() / Rational(parameters.n));
+  const formats::CosSin step =
+      formats::approximate_cos_sin(formats::approximate_pi() / Rational(parameters.n));
   const auto slope_at = [&](const Rational& c, const Rational& s) { return s / (distance - c); };
   const Rational high = formats::rounded(slope_at(cos, sin), 64);
   const Rational low =

@@ -83,7 +83,8 @@ void generate_polygons_in_box(const lab::WorkloadParameters& parameters, Scene& 
     std::vector<Coefficients> way;
     for (const std::int64_t cell : {i % side, i / side}) {
       const std::int64_t origin =
-          cell * lab::kGridUnits + lab::kGridUnits / 2 + random.between(-lab::kGridUnits / 8, lab::kGridUnits / 8);
+          cell * lab::kGridUnits + lab::kGridUnits / 2 +
+          random.between(-lab::kGridUnits / 8, lab::kGridUnits / 8);
       const std::int64_t destination = random.between(0, side * lab::kGridUnits);
       way.push_back({lab::on_grid(origin), lab::on_grid(destination - origin)});
     }

@@ -43,7 +43,8 @@ std::vector<Vertex2> regular_polygon(int n, const Rational& radius) {
   polygon.reserve(static_cast<std::size_t>(n));
   for (std::int64_t k = 0; k < n; ++k) {
     const std::int64_t quadrant = 4 * k / n;
-    const Rational half = formats::approximate_pi() * lab::fraction(4 * k - quadrant * n, 4 * std::int64_t{n});
+    const Rational half =
+        formats::approximate_pi() * lab::fraction(4 * k - quadrant * n, 4 * std::int64_t{n});
     const formats::CosSin turn = formats::approximate_cos_sin(half);
     const Rational u = formats::rounded(turn.sin / turn.cos, kVertexBits);
     const Rational scale = radius / (Rational(1) + u * u);

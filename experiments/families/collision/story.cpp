@@ -159,7 +159,9 @@ std::optional<lab::Table> signs_table(const std::vector<lab::CellResult>& cells)
          fmt::format("{:.1f}", depth), std::to_string(cell.trials.size()), count_text(events),
          count_text(signs), cell.cell.structure, fmt::format("{:.1f}", signs / events),
          limit ? fmt::format("<= {:.1f}", *limit) : "-",
-         limit ? std::string(lab::check_word(holds ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted)) : "-",
+         limit ? std::string(lab::check_word(holds ? lab::Verdict::kConfirmed
+                                                   : lab::Verdict::kRefuted))
+               : "-",
          fmt::format("{:.2f}", constant)});
   }
   for (const std::string& method : methods) {

@@ -20,7 +20,8 @@ void generate_box_worst(const lab::WorkloadParameters& parameters, Scene& scene)
   for (int i = 0; i < n; ++i) {
     std::vector<std::vector<Rational>> axes;
     for (int k = 0; k < parameters.dimension; ++k) {
-      const Rational a = lab::fraction(6 - k, n) * (lab::fraction(2 * i - n + 1, 2) + lab::fraction(1, 7 - 2 * k));
+      const Rational a = lab::fraction(6 - k, n) *
+                         (lab::fraction(2 * i - n + 1, 2) + lab::fraction(1, 7 - 2 * k));
       const Rational all = Rational(1) + a * a;
       const Rational u = (Rational(1) - a * a) / all, v = Rational(2) * a / all;
       axes.push_back(k % 2 == 0 ? std::vector<Rational>{u, v} : std::vector<Rational>{v, u});

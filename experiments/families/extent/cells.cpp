@@ -10,10 +10,12 @@
 #include <string>
 #include <utility>
 
+#include "experiments/families/extent/calipers_experiments.h"
 #include "experiments/families/extent/experiments.h"
 #include "experiments/families/points/random_motion.h"
 #include "experiments/families/points/uniform_lines.h"
 #include "experiments/lab/cell_parts.h"
+#include "structures/registry.h"
 
 namespace kinex::families {
 namespace {
@@ -48,6 +50,16 @@ void add_extent_cells(lab::Catalogue& catalogue, lab::Extent extent) {
       add_worst(catalogue, n, dimension);
     }
     for (const int n : {16, 64, 256}) add_random(catalogue, n, dimension);
+  }
+  add_caliper_cells(catalogue, extent);
+  add_circle_cells(catalogue, extent);
+  add_direction_cells(catalogue, extent);
+  // The bounds on the events of what reads a hull are by kind, as those of the hull; all events of
+  // the circle by brute force are external, and bounded as such.
+  for (lab::Cell& cell : catalogue.cells) {
+    const StructureInfo* const info = find_structure_info(cell.structure);
+    if (family_of(cell.structure) != "extent") continue;
+    if (!info->reads.empty() || info->group == "min_circle") cell.bounded = false;
   }
 }
 

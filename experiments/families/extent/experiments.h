@@ -3,13 +3,28 @@
 #ifndef KINEX_EXPERIMENTS_FAMILIES_EXTENT_EXPERIMENTS_H
 #define KINEX_EXPERIMENTS_FAMILIES_EXTENT_EXPERIMENTS_H
 
+#include <functional>
+#include <vector>
+
 #include "experiments/lab/cell.h"
+#include "experiments/lab/judge.h"
+#include "experiments/lab/speed_row.h"
 #include "experiments/lab/workload.h"
 
 namespace kinex::families {
 
 // cells.cpp
 void add_extent_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// circle_cells.cpp
+void add_circle_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// seesaw.cpp
+void generate_seesaw(const lab::WorkloadParameters&, Scene&);
+// speed.cpp
+std::vector<lab::SpeedRow> extent_speed_rows(int scale);
+// direction_cells.cpp
+void add_direction_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// direction_study.cpp
+lab::StudyResult study_directions(bool quick, const std::function<bool()>& go_on);
 // box_worst.cpp
 void generate_box_worst(const lab::WorkloadParameters&, Scene&);
 

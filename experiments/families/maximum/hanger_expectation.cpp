@@ -150,7 +150,8 @@ lab::StudyResult study_hanger(bool quick, const std::function<bool()>& go_on) {
         {"hanger.expectation." + scenes, "mean", "processed", fmt::format("{:.1f}", expected),
          fmt::format("{} ({:.1f} se)", lab::mean_text(mean.mean(), mean.standard_error()), apart),
          "the sum of q(k) over all crossings with k lines above",
-         apart <= lab::allowed_errors(rows) ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted, std::nullopt});
+         apart <= lab::allowed_errors(rows) ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted,
+         std::nullopt});
     if (!row.worst) continue;
     result.checks.push_back({"hanger.n-log-n." + scenes, "bound", "processed", "<= n log2 n",
                              fmt::format("{:.3f} n log2 n", share),

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions: does the closest pair change exactly as often as counted by hand? Does it keep its
-//   bounds in random motion?
-// Source: pass_over_row.cpp counts n(m + 1) changes.
+// Questions: do the closest pair and the minimum spanning tree change exactly as often as counted by
+//   hand, or by brute force? Do they keep their bounds in random motion?
+// Sources: pass_over_row.cpp and pass_along_row.cpp count changes. Those of small integers were
+//   counted by brute force over exact positions between all critical times, by another program.
 // Expected: the integers below, in every run; every hard bound, and every audit.
-// Cost: about 5 s.
+// Cost: about 20 s.
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "experiments/families/points/random_motion.h"
@@ -11,6 +15,55 @@
 #include "experiments/lab/cell_parts.h"
 
 namespace kinex::families {
+namespace {
+
+constexpr const char* kTrees[] = {"emst_list", "emst_cycles"};
+
+void add_exact(lab::Catalogue& catalogue, lab::Cell cell, std::string claim, int count,
+               std::string source) {
+  cell.audit = AuditLevel::kEvents;
+  cell.expectations.push_back(lab::expect_exactly(std::move(claim), "external", Integer(count),
+                                                  std::move(source)));
+  catalogue.cells.push_back(std::move(cell));
+}
+
+// Every moving point meets every point of the row.
+void add_rows(lab::Catalogue& catalogue, int size) {
+  const auto cell_of = [size](const char* structure) {
+    lab::Cell cell = lab::worst_case_cell(structure, "pass-along-row", size, 1, 0.5);
+    cell.parameters.m = size;
+    return cell;
+  };
+  add_exact(catalogue, cell_of("closest_pair_delaunay"), "closest_pair.all_pairs", size * size - 1,
+            "all nm pairs are the closest in turn: nm - 1");
+  for (const char* tree : kTrees) {
+    add_exact(catalogue, cell_of(tree), "emst.rows", 2 * size * size - 2,
+              "two changes at every gap of the row: 2nm - 2");
+  }
+}
+
+void add_small_integers(lab::Catalogue& catalogue) {
+  struct Counted {
+    int n;
+    std::uint64_t seed;
+    int pair, tree;
+  };
+  for (const Counted& one : {Counted{6, 1, 4, 7}, {8, 1, 5, 14}, {10, 2, 8, 22}, {12, 3, 7, 20}}) {
+    const auto cell_of = [&one](const char* structure) {
+      lab::Cell cell = lab::worst_case_cell(structure, "small-integers", one.n, 1, 0.1);
+      cell.parameters.seed = one.seed;
+      return cell;
+    };
+    const char* const source = "counted by brute force over exact positions";
+    add_exact(catalogue, cell_of("closest_pair_delaunay"), "closest_pair.small_integers", one.pair,
+              source);
+    for (const char* tree : kTrees) {
+      add_exact(catalogue, cell_of(tree), "emst.small_integers", one.tree, source);
+    }
+  }
+}
+
+}  // namespace
 
 void add_proximity_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   for (const int size : {2, 3, 4, 6, 8, 12}) {
@@ -23,10 +76,18 @@ void add_proximity_cells(lab::Catalogue& catalogue, lab::Extent extent) {
                        "each of n points is nearest to each of m in turn, and leaves: n(m + 1)"));
     catalogue.cells.push_back(std::move(cell));
   }
-  for (const int n : {16, 64, 256}) {
-    lab::Cell cell = uniform_cell("closest_pair_delaunay", n, 2);
-    cell.cost = n / 100.0;
-    catalogue.cells.push_back(std::move(cell));
+  for (const int size : {3, 4, 5}) add_rows(catalogue, size);
+  add_small_integers(catalogue);
+  for (const char* structure : {"closest_pair_delaunay", "emst_list", "emst_cycles"}) {
+    for (const int n : {16, 64, 256}) {
+      // Most failures of the list exchange edges that are far apart: 200,000 a run at n = 256.
+      const bool long_run = std::string_view(structure) == "emst_list" && n > 64;
+      if (long_run && extent == lab::Extent::kQuick) continue;
+      lab::Cell cell = uniform_cell(structure, n, 2);
+      cell.precise = {{"external", kChangesError}};
+      cell.cost = n / 100.0;
+      catalogue.cells.push_back(std::move(cell));
+    }
   }
 }
 

@@ -3,13 +3,22 @@
 #ifndef KINEX_EXPERIMENTS_FAMILIES_PROXIMITY_EXPERIMENTS_H
 #define KINEX_EXPERIMENTS_FAMILIES_PROXIMITY_EXPERIMENTS_H
 
+#include <vector>
+
 #include "experiments/lab/cell.h"
+#include "experiments/lab/speed_row.h"
 #include "experiments/lab/workload.h"
 
 namespace kinex::families {
 
 // cells.cpp
 void add_proximity_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// speed.cpp
+std::vector<lab::SpeedRow> proximity_speed_rows(int scale);
+// pass_along_row.cpp
+void generate_pass_along_row(const lab::WorkloadParameters&, Scene&);
+// small_integers.cpp
+void generate_small_integers(const lab::WorkloadParameters&, Scene&);
 // pass_over_row.cpp
 void generate_pass_over_row(const lab::WorkloadParameters&, Scene&);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/families/proximity/family.h"
 
+#include <string_view>
+
 #include "experiments/families/proximity/experiments.h"
 
 namespace kinex::families {
@@ -10,7 +12,12 @@ lab::FamilyExperiments proximity_experiments() {
   family.name = "proximity";
   family.workloads = {
       {"pass-over-row", "--n points pass over a row of --m: n(m + 1) changes of the closest pair",
-       2, 2, 2, false, false, true, "closest_pair_delaunay", generate_pass_over_row, 1, 2}};
+       2, 2, 2, false, false, true, "closest_pair_delaunay", generate_pass_over_row, 1, 2},
+      {"pass-along-row",
+       "--n points pass along a row of --m: nm - 1 changes of the closest pair", 2, 2, 2, false,
+       false, true, "closest_pair_delaunay", generate_pass_along_row, 1, 2},
+      {"small-integers", "small integers from a generator that every program can repeat", 2, 1, 3,
+       true, false, false, "", generate_small_integers}};
   family.add_cells = add_proximity_cells;
   family.trade = {{"closest_pair_delaunay",
                    2,
@@ -20,6 +27,17 @@ lab::FamilyExperiments proximity_experiments() {
                    {16, 36},
                    {8, 16},
                    {{8, 16, 32}, {8, 16, 32, 64, 128}}}};
+  for (const std::string_view tree : {"emst_list", "emst_cycles"}) {
+    family.trade.push_back({tree,
+                            2,
+                            {12, 32},
+                            "pass-along-row",
+                            {4, 8},
+                            {16, 36},
+                            {8, 16},
+                            {{8, 16, 32}, {8, 16, 32, 64, 128}}});
+  }
+  family.speed = proximity_speed_rows;
   return family;
 }
 

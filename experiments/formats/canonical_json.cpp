@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/sweep/canonical_json.h"
+#include "experiments/formats/canonical_json.h"
 
 #include <algorithm>
 #include <numeric>
@@ -7,13 +7,13 @@
 
 #include "experiments/formats/json_writer.h"
 
-namespace kinex::sweep {
+namespace kinex::formats {
 
 namespace {
 
-void append(std::string& out, const formats::JsonValue& value);
+void append(std::string& out, const JsonValue& value);
 
-void append_object(std::string& out, const formats::JsonValue& value) {
+void append_object(std::string& out, const JsonValue& value) {
   std::vector<std::size_t> order(value.keys().size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
@@ -21,28 +21,28 @@ void append_object(std::string& out, const formats::JsonValue& value) {
   out += '{';
   for (const std::size_t i : order) {
     if (out.back() != '{') out += ',';
-    formats::append_json_string(out, value.key(i));
+    append_json_string(out, value.key(i));
     out += ':';
     append(out, value.items()[i]);
   }
   out += '}';
 }
 
-void append(std::string& out, const formats::JsonValue& value) {
+void append(std::string& out, const JsonValue& value) {
   switch (value.kind()) {
-    case formats::JsonValue::Kind::kNull:
+    case JsonValue::Kind::kNull:
       out += "null";
       break;
-    case formats::JsonValue::Kind::kBoolean:
+    case JsonValue::Kind::kBoolean:
       out += value.boolean() ? "true" : "false";
       break;
-    case formats::JsonValue::Kind::kNumber:
+    case JsonValue::Kind::kNumber:
       out += value.text();
       break;
-    case formats::JsonValue::Kind::kString:
-      formats::append_json_string(out, value.text());
+    case JsonValue::Kind::kString:
+      append_json_string(out, value.text());
       break;
-    case formats::JsonValue::Kind::kArray:
+    case JsonValue::Kind::kArray:
       out += '[';
       for (std::size_t i = 0; i < value.items().size(); ++i) {
         if (i > 0) out += ',';
@@ -50,7 +50,7 @@ void append(std::string& out, const formats::JsonValue& value) {
       }
       out += ']';
       break;
-    case formats::JsonValue::Kind::kObject:
+    case JsonValue::Kind::kObject:
       append_object(out, value);
       break;
   }
@@ -58,10 +58,10 @@ void append(std::string& out, const formats::JsonValue& value) {
 
 }  // namespace
 
-std::string canonical_json(const formats::JsonValue& value) {
+std::string canonical_json(const JsonValue& value) {
   std::string text;
   append(text, value);
   return text;
 }
 
-}  // namespace kinex::sweep
+}  // namespace kinex::formats

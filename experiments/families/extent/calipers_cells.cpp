@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions: do the diameter, the width and the rectangles change exactly as often as counted by
+//   hand? Does the baseline report the same changes? Are all bounds kept in random motion?
+// Source: vernier.cpp counts nm - 1 changes of the diameter, 2nm - n - m of the width and of both
+//   rectangles.
+// Expected: the integers below, in every run; every hard bound, and every audit.
+// Cost: about 20 s.
+#include <string>
+#include <utility>
+
+#include "experiments/families/extent/calipers_experiments.h"
+#include "experiments/families/points/random_motion.h"
+#include "experiments/lab/cell_parts.h"
+
+namespace kinex::families {
+namespace {
+
+void add_vernier(lab::Catalogue& catalogue, const std::string& structure, int size) {
+  lab::Cell cell = lab::worst_case_cell(structure, "vernier", size, 1, 0.3);
+  cell.parameters.m = size;
+  cell.audit = size <= 6 ? AuditLevel::kEvents : AuditLevel::kEnd;
+  cell.expectations.push_back(lab::expect_exactly(
+      structure + ".vernier", "external", Integer(size * size - 1),
+      "the nearest of nm angles to one that passes all of them: nm - 1 changes"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
+void add_comb(lab::Catalogue& catalogue, const std::string& structure, int size) {
+  lab::Cell cell = lab::worst_case_cell(structure, "comb", size, 1, 0.5);
+  cell.parameters.m = size;
+  cell.audit = size <= 4 ? AuditLevel::kEvents : AuditLevel::kEnd;
+  cell.expectations.push_back(lab::expect_exactly(
+      structure + ".comb", "external", Integer(2 * size * size - 2 * size),
+      "n tips pass m edges, and n - 1 edges of two tips pass m edges: 2nm - n - m changes"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
+void add_through_point(lab::Catalogue& catalogue, const std::string& structure) {
+  lab::Cell cell = lab::worst_case_cell(structure, "through-point", 8, 1, 0.1);
+  cell.audit = AuditLevel::kEvents;
+  cell.expectations.push_back(
+      lab::expect_exactly(structure + ".through_point", "external", Integer(0),
+                          "all points meet, and go on to the opposite sides"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
+}  // namespace
+
+std::vector<lab::Workload> caliper_workloads() {
+  lab::Workload vernier{"vernier",
+                        "--n points at rest, --m move: nm - 1 changes of the diameter",
+                        2, 2, 2, false, false, true, "diameter_2", generate_vernier, 2, 1};
+  lab::Workload comb{"comb",
+                     "--n tips pass --m edges: 2nm - n - m changes of width and rectangles",
+                     2, 2, 2, false, false, true, "width_2", generate_comb, 1, 2};
+  lab::Workload through{"through-point",
+                        "--n points pass through one point at one instant: no extent changes",
+                        2, 2, 2, false, false, false, "diameter_2", generate_through_point, 1};
+  return {vernier, comb, through};
+}
+
+std::vector<lab::TradePlan> caliper_trade() {
+  std::vector<lab::TradePlan> plans;
+  for (const char* diameter : {"diameter_2", "diameter_all_pairs"}) {
+    plans.push_back({diameter, 2, {12, 32}, "vernier", {4, 8}, {16, 36}, {8, 16},
+                     {{8, 16, 32}, {8, 16, 32, 64}}});
+  }
+  for (const char* flush : {"width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
+    plans.push_back({flush, 2, {8, 32}, "comb", {3, 6}, {9, 36}, {8, 16},
+                     {{8, 16}, {8, 16, 32, 64}}});
+  }
+  return plans;
+}
+
+std::vector<lab::SpeedRow> caliper_speed_rows(int scale) {
+  const auto n = [scale](int size) { return lab::scaled_size(size, scale); };
+  return {{"diameter_2", "uniform-square", 1, n(1000), {"exact", "double"}},
+          {"width_2", "uniform-square", 1, n(1000), {"exact", "double"}},
+          {"min_area_rectangle_2", "uniform-square", 1, n(1000), {"exact", "double"}}};
+}
+
+void add_caliper_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  for (const int size : {2, 3, 4, 6, 8, 12}) {
+    if (size > 6 && extent == lab::Extent::kQuick) continue;
+    for (const char* structure : {"diameter_2", "diameter_all_pairs"}) {
+      add_vernier(catalogue, structure, size);
+    }
+    for (const char* structure : {"width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
+      add_comb(catalogue, structure, size);
+    }
+  }
+  for (const char* structure :
+       {"diameter_2", "width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
+    add_through_point(catalogue, structure);
+    for (const int n : {16, 64}) {
+      lab::Cell cell = uniform_cell(structure, n, 2);
+      cell.cost = n / 50.0;
+      catalogue.cells.push_back(std::move(cell));
+    }
+  }
+}
+
+}  // namespace kinex::families

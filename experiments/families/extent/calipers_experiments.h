@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The experiments on rotating calipers: diameter, width, rectangles.
+#ifndef KINEX_EXPERIMENTS_FAMILIES_EXTENT_CALIPERS_EXPERIMENTS_H
+#define KINEX_EXPERIMENTS_FAMILIES_EXTENT_CALIPERS_EXPERIMENTS_H
+
+#include <vector>
+
+#include "experiments/lab/cell.h"
+#include "experiments/lab/speed_row.h"
+#include "experiments/lab/trade_plan.h"
+#include "experiments/lab/workload.h"
+
+namespace kinex::families {
+
+// vernier.cpp
+void generate_vernier(const lab::WorkloadParameters&, Scene&);
+void generate_comb(const lab::WorkloadParameters&, Scene&);
+void generate_through_point(const lab::WorkloadParameters&, Scene&);
+// calipers_cells.cpp
+std::vector<lab::Workload> caliper_workloads();
+std::vector<lab::TradePlan> caliper_trade();
+std::vector<lab::SpeedRow> caliper_speed_rows(int scale);
+void add_caliper_cells(lab::Catalogue& catalogue, lab::Extent extent);
+
+}  // namespace kinex::families
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rows of `bench/run speed` of this family. Each includes the triangulation that is read.
+#include "experiments/families/points/speed_rows.h"
+#include "experiments/families/proximity/experiments.h"
+
+namespace kinex::families {
+
+std::vector<lab::SpeedRow> proximity_speed_rows(int scale) {
+  const auto n = [scale](int size) { return lab::scaled_size(size, scale); };
+  std::vector<lab::SpeedRow> rows;
+  for (const char* structure : {"closest_pair_delaunay", "emst_list", "emst_cycles"}) {
+    rows.push_back(random_row(structure, 1, n(200)));
+    rows.push_back(random_row(structure, 1, n(1000)));
+  }
+  return rows;
+}
+
+}  // namespace kinex::families

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The experiments on moving points in boxes; each source file states its question.
+#ifndef KINEX_EXPERIMENTS_FAMILIES_RANGE_EXPERIMENTS_H
+#define KINEX_EXPERIMENTS_FAMILIES_RANGE_EXPERIMENTS_H
+
+#include <functional>
+#include <vector>
+
+#include "experiments/lab/cell.h"
+#include "experiments/lab/gnuplot.h"
+#include "experiments/lab/judge.h"
+#include "experiments/lab/speed_row.h"
+#include "experiments/lab/workload.h"
+
+namespace kinex::families {
+
+// cells.cpp
+void add_range_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// plane_sort_worst.cpp
+void generate_plane_sort_worst(const lab::WorkloadParameters&, Scene&);
+// query_cost.cpp
+lab::StudyResult study_query_cost(bool quick, const std::function<bool()>& go_on);
+std::vector<lab::Figure> query_cost_figures(const std::vector<lab::CellResult>& cells);
+// speed.cpp
+std::vector<lab::SpeedRow> range_speed_rows(int scale);
+
+}  // namespace kinex::families
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: how many nodes does a query look at, beside those of the points that it reports?
+// Sources: structures/range/*.h: O(log^2 n) of a range tree, O(sqrt(n)) of a kd-tree on ranks (50
+//   sqrt(N) + 1 at most), O(n^(1/2 + eps)) of a pseudo kd-tree.
+// Scene: n random points of the unit square; boxes whose sides are coordinates of points, at two
+//   times of their motion.
+// Expected: every hard bound.
+// Cost: seconds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "core/engine/simulator.h"
+#include "experiments/families/range/experiments.h"
+#include "experiments/lab/curves.h"
+#include "experiments/lab/workload_parts.h"
+#include "structures/plan.h"
+#include "structures/parts/range_search.h"
+
+namespace kinex::families {
+namespace {
+
+struct TreeName {
+  const char* label;
+  const char* structure;
+  const char* delta;  // empty: no parameter
+  int per_point;      // nodes for each point reported, at most
+};
+constexpr TreeName kTrees[] = {{"range tree", "range_tree_2", "", 1},
+                               {"kd-tree on ranks", "rank_kd_tree_2", "", 2},
+                               {"pseudo kd-tree, 1/4", "pseudo_kd_tree_2", "1/4", 2},
+                               {"kd-tree, exact medians", "pseudo_kd_tree_2", "0", 2}};
+
+struct QueryCost {  // of boxes on n points
+  int n = 0;
+  double nodes[std::size(kTrees)] = {};  // the mean of those beside the points'
+  double signs = 0;                      // the mean
+  std::vector<BoundCheck> broken;
+};
+
+QueryCost cost_of(int n) {
+  lab::WorkloadParameters parameters;
+  parameters.n = n;
+  Scene scene = lab::generate_scene("uniform-square", parameters, "sorted_list");
+  scene.maintain.clear();
+  for (const TreeName& tree : kTrees) {
+    scene.maintain.push_back({tree.structure, tree.label, {}});
+    if (*tree.delta == '\0') continue;
+    scene.maintain.back().parameters = {{"delta", *Rational::parse(tree.delta)}};
+  }
+  SimulatorOptions options;
+  options.audit = AuditLevel::kNone;
+  Simulator simulator(scene, planned_arithmetic("exact", scene), options);
+  add_structures(simulator, scene);
+  simulator.start();
+  std::vector<RangeSearch*> trees;
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    if (auto* tree = dynamic_cast<RangeSearch*>(&simulator.structure(id))) trees.push_back(tree);
+  }
+  Kernel& kernel = simulator.kernel();
+  const std::vector<Rational> origin{Rational(0), Rational(0)};
+  const ObjectId low = kernel.constant("low", origin), high = kernel.constant("high", origin);
+  lab::WorkloadRandom random(static_cast<std::uint64_t>(n));
+  QueryCost result;
+  result.n = n;
+  constexpr int kInstants = 2, kBoxes = 200;
+  for (int instant = 0; instant < kInstants; ++instant) {
+    // Few swaps: the scene's first part.
+    const Rational t = lab::fraction(instant, 64);
+    simulator.run_until(t);
+    const Snapshot now = simulator.snapshot(t);
+    for (int box = 0; box < kBoxes; ++box) {
+      std::vector<Rational> least, most;
+      for (const int axis : {0, 1}) {
+        const auto side = [&]() -> Rational {
+          return now.position(static_cast<ObjectId>(random.below(static_cast<std::uint64_t>(n))),
+                              axis);
+        };
+        Rational a = side(), b = side();
+        if (b < a) std::swap(a, b);
+        least.push_back(a);
+        most.push_back(b);
+      }
+      kernel.redefine(low, "low", least);
+      kernel.redefine(high, "high", most);
+      for (std::size_t i = 0; i < trees.size(); ++i) {
+        std::vector<ObjectId> found;
+        QueryCounts counts;
+        trees[i]->report(low, high, found, counts);
+        const auto nodes = static_cast<double>(counts.nodes);
+        const auto reported = static_cast<double>(found.size());
+        result.nodes[i] +=
+            std::max(0.0, nodes - kTrees[i].per_point * reported) / (kInstants * kBoxes);
+        if (i == 0) result.signs += static_cast<double>(counts.signs) / (kInstants * kBoxes);
+      }
+    }
+  }
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    for (const BoundCheck& bound : simulator.bounds(id)) {
+      if (!bound.holds) result.broken.push_back(bound);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+lab::StudyResult study_query_cost(bool quick, const std::function<bool()>& go_on) {
+  lab::StudyResult result;
+  result.name = "range_search";
+  result.table.title =
+      "range search: nodes that a query looks at, beside those of the points that it finds";
+  result.table.header = {"n", "signs"};
+  for (const TreeName& tree : kTrees) result.table.header.emplace_back(tree.label);
+  result.table.header.emplace_back("ranks: over sqrt(n)");
+  for (const int n : {64, 256, 1024, 4096}) {
+    if (quick && n > 1024) continue;
+    if (!go_on()) return result;
+    const QueryCost cost = cost_of(n);
+    std::vector<std::string> row{std::to_string(n), fmt::format("{:.1f}", cost.signs)};
+    for (const double nodes : cost.nodes) row.push_back(fmt::format("{:.1f}", nodes));
+    row.push_back(fmt::format("{:.2f}", cost.nodes[1] / std::sqrt(n)));
+    result.table.rows.push_back(std::move(row));
+    result.checks.push_back(
+        {fmt::format("range.queries.{}", n), "bound", "", "every hard bound",
+         cost.broken.empty()
+             ? "all hold"
+             : cost.broken.front().id + ": " + cost.broken.front().observed.to_string(),
+         "nodes looked at, touched by a swap, and stored: see structures/range",
+         cost.broken.empty() ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted, std::nullopt});
+  }
+  return result;
+}
+
+// Drawn from queries of its own: the cells have none.
+std::vector<lab::Figure> query_cost_figures(const std::vector<lab::CellResult>& cells) {
+  const bool is_asked = std::any_of(cells.begin(), cells.end(), [](const lab::CellResult& result) {
+    return result.cell.workload == "plane-sort-worst";
+  });
+  if (!is_asked) return {};
+  std::vector<lab::Curve> curves;
+  for (const TreeName& tree : kTrees) curves.push_back({tree.label, {}, ""});
+  for (const int n : {16, 64, 256, 1024}) {
+    const QueryCost cost = cost_of(n);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      if (cost.nodes[i] > 0) curves[i].points.push_back({static_cast<double>(n), cost.nodes[i], 0});
+    }
+  }
+  lab::Figure figure;
+  figure.title = "Range search: the cost of a query";
+  figure.caption =
+      "Nodes that a query looks at, beside those of the points that it finds (one each in the "
+      "range "
+      "tree, two in a kd-tree): means of 400 random boxes on n random points.";
+  lab::set_curves(figure, {.x = "points n", .y = "nodes a query", .slopes = {0.5}}, curves);
+  return {figure};
+}
+
+}  // namespace kinex::families

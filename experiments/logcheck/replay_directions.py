@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The structures that look along 4k directions, from scratch right after every instant that has a record:
+directions_2, its sibling by tournaments, diameter_directions and width_directions.
+
+Internal events (another extreme point, or a duel of two) are checked at level 2: a claim about one of the
+directions that fails at the instant.
+"""
+
+from fractions import Fraction
+from itertools import combinations
+
+from log import Wrong
+from parameters import value_of
+from proof import Proof
+from replay_hull import Hull
+from replay_scratch import Scratch
+from static import hull
+
+
+def half_directions(k):
+    """One of each pair of opposite directions."""
+    first = []
+    for i in range(k):
+        q = Fraction(i, k)
+        first.append(((1 - q * q) / (1 + q * q), 2 * q / (1 + q * q)))
+    return first + [(-y, x) for x, y in first]
+
+
+def all_directions(k):
+    half = half_directions(k)
+    return half + [(-x, -y) for x, y in half]
+
+
+def k_of(structure):
+    return int(value_of(structure.name, structure.options, "k", lambda x: Fraction(str(x))))
+
+
+def extreme(world, members, u, x):
+    """The farthest along u; of those that are level the smallest number."""
+    best = None
+    for o in sorted(members):
+        if best is None or world.sign_after((("order_direction", u), (best, o)), x) > 0:
+            best = o
+    return best
+
+
+def extent_query(u, v, a, b, c, d):
+    """u.(a - b) - v.(c - d) as a query, or None if it is zero for all motions."""
+    weights = {}
+    for o, w in ((a, u), (b, (-u[0], -u[1])), (c, (-v[0], -v[1])), (d, v)):
+        before = weights.get(o, (0, 0))
+        weights[o] = (before[0] + w[0], before[1] + w[1])
+    weights = {o: w for o, w in weights.items() if any(w)}
+    if not weights:
+        return None
+    return (("order_extent", tuple(weights.values())), tuple(weights))
+
+
+class Along:
+    """The predicates that a certificate of the log can mean: one for each direction, or two of them."""
+
+    PLACES = {2: ((0, 1, 0, 1), (0, 1, 1, 0)),
+              3: ((0, 1, 0, 2), (0, 1, 2, 0), (0, 1, 1, 2), (0, 1, 2, 1)), 4: ((0, 1, 2, 3),)}
+
+    NAMES = {4: "order_extent", 3: "order_extent_3", 2: "order_extent_2"}
+
+    def meanings(self, name, ids):
+        k = k_of(self.structure)
+        if name == "order_direction" and len(ids) == 2:
+            for u in all_directions(k):
+                yield (("order_direction", u), ids)
+        if name == self.NAMES.get(len(ids)):
+            for u, v in combinations(half_directions(k), 2):
+                for places in self.PLACES[len(ids)]:
+                    yield extent_query(u, v, *(ids[i] for i in places))
+
+
+class Directions(Along, Hull):
+    bound = ["order_direction"]
+
+    def begin(self, x):
+        self.cycle = self.current(x)
+
+    def start(self, x):
+        self.checker.note_partly(self.label, "internal events: the extreme points of single directions are not followed")
+        super().start(x)
+
+    def current(self, x):
+        if not self.members:
+            return []
+        found = {extreme(self.world, self.members, u, x) for u in all_directions(k_of(self.structure))}
+        return hull(self.world, found, x)
+
+    def internal(self, r, x):
+        self.require_members(r, 2)
+
+    def change(self, r, x):
+        fresh = self.current(x)
+        self.checker.check_change(self, r, self.cycle, fresh)
+        self.cycle = fresh
+        self.look = True
+
+    def record(self, r, x):
+        self.look = True
+        super().record(r, x)
+
+    def settle(self, x):
+        from replay_hull import changes
+
+        if not (self.look or self.events):
+            return
+        self.look = False
+        fresh = self.current(x)
+        due = changes(self.cycle, fresh)
+        if self.events != due:
+            self.wrong(self.events, due, fresh, x)
+        self.events = []
+        self.cycle = fresh
+
+    def finish(self, end):
+        super().finish(end)
+        if end is not None:
+            self.require(self.cycle == self.current(end), "%s: right after the end the polygon is another one",
+                         self.label)
+
+
+class Extent(Along, Scratch):
+    bound = ["order_direction", "order_extent", "order_extent_3", "order_extent_2"]
+
+    def larger(self, u, a, v, b, x):
+        query = extent_query(u, v, *a, *b)
+        return 0 if query is None else self.world.sign_after(query, x)
+
+    def current(self, x):
+        best = None
+        sign = 1 if self.structure.name == "diameter_directions" else -1
+        for u in half_directions(k_of(self.structure)) if self.members else []:
+            ends = (extreme(self.world, self.members, u, x),
+                    extreme(self.world, self.members, (-u[0], -u[1]), x))
+            if best is None or sign * self.larger(u, ends, *best, x) > 0:
+                best = (u, ends)
+        return [] if best is None or best[1][0] == best[1][1] else [tuple(sorted(best[1]))]
+
+    def check(self, r, before, after):
+        ids = self.world.scene.ids
+        sides = [[[ids[a], ids[b]] for a, b in side] for side in (before, after)]
+        if before == after:
+            self.require(r.gone is None, "%s: nothing has changed", r.short())
+        else:
+            self.require([r.gone, r.came] == sides, "%s: the pair was %s and is %s", r.short(), *sides)
+
+    def event(self, r, x):
+        if r.kind == "overtake" or len(r.ids) == 4:
+            self.require(len(r.ids) == 4 and set(r.ids) <= self.members, "%s: no two pairs", r.short())
+        else:
+            self.require_members(r, 2)

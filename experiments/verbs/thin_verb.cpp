@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex thin: the few points of a scene whose diameter is nearly that of all, at all times.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "experiments/formats/counted.h"
+#include "experiments/formats/input_error.h"
+#include "experiments/formats/scene_reader.h"
+#include "experiments/formats/scene_writer.h"
+#include "experiments/lab/trajectory_kernel.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
+
+namespace kinex::verbs {
+
+namespace {
+
+struct ThinOptions {
+  std::string scene, output, error = "1/50";
+  bool force = false;
+};
+
+void thin_scene(const ThinOptions& options, const Voice& voice) {
+  const Rational error = rational_option("--error", options.error);
+  if (error < lab::least_kernel_error() || !(error < Rational(1))) {
+    throw formats::InputError("--error", "", options.error + " is no error of a kernel",
+                              "write a number from " + lab::least_kernel_error().to_string() +
+                                  ", less than 1");
+  }
+  keep_input("--output", options.output, options.scene);
+  const Scene scene = formats::read_scene(options.scene);
+  const std::string refusal = lab::kernel_refusal(scene);
+  if (!refusal.empty()) {
+    const std::size_t end = refusal.find("; ");
+    throw formats::InputError(options.scene, "", refusal.substr(0, end), refusal.substr(end + 2));
+  }
+  const lab::TrajectoryKernel kernel = lab::trajectory_kernel(scene, error);
+  const Scene thin = lab::only_objects(scene, kernel.objects);
+  write_result(options.output, options.force, formats::write_scene(thin));
+  voice.note(std::to_string(thin.objects.size()) + " of " +
+             formats::counted(scene.objects.size(), "object", "objects"));
+  voice.note("at all times their diameter is at least " + (Rational(1) - error).to_string() +
+             " of that of all (by 2 * " + std::to_string(kernel.k) + " directions)");
+}
+
+}  // namespace
+
+void add_thin_verb(CLI::App& app, int&) {
+  auto options = std::make_shared<ThinOptions>();
+  CLI::App* verb =
+      app.add_subcommand("thin", "Leaves out points that hardly matter to the diameter");
+  verb->add_option("SCENE", options->scene,
+                   "Scene of points that move linearly in the plane, - reads standard input")
+      ->required();
+  verb->add_option("--error", options->error,
+                   "At all times the diameter of the points that are left is at least 1 - ERROR of "
+                   "that of all; from 1/100000, less than 1 (1/50)");
+  verb->add_option("-o,--output", options->output, "File to write (standard output)");
+  verb->add_flag("--force", options->force, "Replace the file if it exists");
+  verb->footer(
+      "The guarantee is a theorem, made in exact arithmetic; the width has none.\n"
+      "Points that the scene's keys refer to are kept.\n"
+      "Example:\n  kinex thin square.json --error 1/50 -o thin.json");
+  verb->callback([options, verb] { thin_scene(*options, voice_of(*verb)); });
+}
+
+}  // namespace kinex::verbs

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/extent/calipers_family.h"
+
+#include "structures/extent/caliper_extremum.h"
+#include "structures/extent/diameter_all_pairs.h"
+
+namespace kinex {
+namespace {
+
+template <CaliperMeasure kMeasure>
+constexpr std::string_view kName = "diameter_2";
+template <>
+constexpr std::string_view kName<CaliperMeasure::kWidth> = "width_2";
+template <>
+constexpr std::string_view kName<CaliperMeasure::kArea> = "min_area_rectangle_2";
+template <>
+constexpr std::string_view kName<CaliperMeasure::kPerimeter> = "min_perimeter_rectangle_2";
+
+template <CaliperMeasure kMeasure>
+std::unique_ptr<Structure> make_extremum(const MakerInput& in) {
+  return std::make_unique<CaliperExtremum>(in.kernel, in.id, kName<kMeasure>, kMeasure,
+                                           dynamic_cast<const HullSource&>(*in.watched[0]),
+                                           in.watched_ids[0]);
+}
+
+template <CaliperMeasure kMeasure>
+StructureInfo caliper_info(std::string_view summary) {
+  StructureInfo info;
+  info.name = kName<kMeasure>;
+  info.summary = summary;
+  info.min_dimension = 2;
+  info.shape = Attribute::Shape::kSequence;
+  info.reads = {{"convex_hull_2", "hull"}};
+  info.kinds = {{"antiparallel", Effect::kSometimes}, {"perpendicular", Effect::kSometimes},
+                {"split", Effect::kNever},            {"merge", Effect::kNever},
+                {"renew", Effect::kNever},            {"replace", Effect::kSometimes},
+                {"tie", Effect::kNever}};
+  info.certificates =
+      "at most 2h - 1 for h hull vertices: one for each two directions of edges that are "
+      "neighbours, and a tournament of the candidates of all edges; those of the hull besides";
+  info.ties = "of candidates that are identically equal that with the smallest edge is the best";
+  info.source =
+      "Agarwal, Guibas, Hershberger, Veach, Maintaining the extent of a moving point set (2001)";
+  info.make = make_extremum<kMeasure>;
+  return info;
+}
+
+}  // namespace
+
+std::vector<StructureInfo> caliper_structures() {
+  StructureInfo diameter = caliper_info<CaliperMeasure::kDiameter>(
+      "the farthest pair of points in the plane, among antipodal pairs of the hull");
+  diameter.group = "diameter";
+  diameter.shape = Attribute::Shape::kTuples;
+  diameter.ties = "of pairs with identically equal distances the lexicographically smallest one";
+
+  StructureInfo all_pairs{.name = "diameter_all_pairs",
+                          .summary = "the farthest pair of points, by a tournament of all pairs"};
+  all_pairs.group = "diameter";
+  all_pairs.any_dimension = true;
+  all_pairs.shape = Attribute::Shape::kTuples;
+  all_pairs.kinds = {{"replace", Effect::kSometimes}, {"tie", Effect::kNever}};
+  all_pairs.certificates = "n(n - 1)/2 - 1, one for each match of a tournament of all pairs";
+  all_pairs.ties = diameter.ties;
+  all_pairs.source =
+      "Guibas, Kinetic data structures: a state of the art report (1998), sections 5 and 6.7";
+  all_pairs.make = make_plain<DiameterAllPairs>;
+
+  return {diameter, all_pairs,
+          caliper_info<CaliperMeasure::kWidth>(
+              "the narrowest strip that holds all points of the plane: its edge of the hull and "
+              "the vertex opposite to it"),
+          caliper_info<CaliperMeasure::kArea>(
+              "the rectangle of least area that holds all points of the plane, in any direction"),
+          caliper_info<CaliperMeasure::kPerimeter>(
+              "the rectangle of least perimeter that holds all points of the plane, in any "
+              "direction")};
+}
+
+}  // namespace kinex

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ExtentDirections: the diameter or the width of moving points in the plane, to a proven error: the
+// largest or the smallest of their extents along 2k directions.
+//
+// Certificates. The extreme objects of 4k directions (DirectionMaxima), and a tournament of the 2k
+// extents u_i.(high - low): "the extent in u_i is at least (at most) that in u_j". All have degree
+// d in t for motions of degree d, so the failure times of linear motions are rational. (The exact
+// diameter needs 2d, the exact width 6d.)
+//
+//         :        high
+//         :       .  :          the extent in one direction: between two lines across it,
+//         :   .      :          through the extreme objects
+//        low   .  .  :
+//         :<-------->:
+//
+// Quality. For the true diameter D, the true width w and the extent E that is found, at all times:
+//
+//   diameter   D^2 k^2 / (k^2 + 1) <= E^2 <= |high - low|^2 <= D^2
+//   width      w <= E <= w + D / sqrt(k^2 + 1)
+//
+// Beside the certificates of the extreme objects 2k - 1. A failure renews O(log k) of them. For n
+// points that move linearly the diameter changes at most 4k(n + 1) times: each extent is convex and
+// piecewise linear with at most n + 1 pieces, so their maximum is the upper envelope of lines.
+//
+// Attribute. The two extreme objects of the direction, ascending; none if all points are one, or,
+// for the width, if all are on a line across a direction: then the extent is zero.
+//
+// Ties. Of objects that are identically level in a direction the smallest id is extreme; of extents
+// that are identically equal the one of the first direction counts.
+//
+// Source: Agarwal, Har-Peled, "Maintaining approximate extent measures of moving points" (2001).
+#ifndef KINEX_STRUCTURES_EXTENT_EXTENT_DIRECTIONS_H
+#define KINEX_STRUCTURES_EXTENT_EXTENT_DIRECTIONS_H
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/engine/structure.h"
+#include "structures/extent/direction_maxima.h"
+#include "structures/extent/extent_claims.h"
+#include "structures/parts/attribute_events.h"
+#include "structures/parts/changing_extremum.h"
+
+namespace kinex {
+
+class ExtentDirections final : public Structure {
+ public:
+  // kReplace: in a direction, or in a duel of its tournament, another object is ahead: the old one,
+  // the new one. kOvertake: another extent wins a duel: high and low of the old one, then of the
+  // new one. kTie: one of both, because the two have become identically level.
+  enum Kind : std::uint8_t { kReplace, kOvertake, kTie };
+
+  // k >= 1. kMaximum: the diameter; kMinimum: the width.
+  ExtentDirections(Kernel& kernel, StructureId id, const Scene& scene, int k, Extremum extremum);
+
+  std::string_view name() const override {
+    return maximum() ? "diameter_directions" : "width_directions";
+  }
+  std::vector<std::string_view> event_kinds() const override {
+    return common_event_kinds({"replace", "overtake", "tie"});
+  }
+  void build(std::span<const ObjectId> objects) override;
+  void rebuild() override;
+  void certificate_failed(CertificateId failed) override;
+  void insert(ObjectId object) override;
+  void erase(ObjectId object) override;
+  void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_over() override { events_.over(ends()); }
+  int largest_motion_degree() const override { return maxima_->largest_motion_degree(); }
+  Attribute attribute() const override { return {Attribute::Shape::kTuples, ends()}; }
+  Attribute told() const override { return events_.told(); }
+  void visit_proof(ProofVisitor& visitor) const override;
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  std::size_t bytes() const override {
+    return maxima_->bytes() + extents_.bytes() + events_.bytes() +
+           current_.capacity() * sizeof(ExtentClaims::Value);
+  }
+
+ private:
+  using Value = ExtentClaims::Value;
+  DirectionMaxima::Tied level() {
+    return [this](const DirectionMaxima::Duel& duel) {
+      kernel_->report(id_, kTie, {duel.before, duel.after}, false);
+    };
+  }
+  auto equal() {
+    return [this](const Value& a, const Value& b) {
+      kernel_->report(id_, kTie, {a[1], a[2], b[1], b[2]}, false);
+    };
+  }
+  bool maximum() const { return extents_.claims().extremum() == Extremum::kMaximum; }
+  std::size_t half() const { return maxima_->size() / 2; }
+  Value extent(std::size_t i) const;
+  bool is_point(const Value& extent) const { return extent[1] == extent[2]; }
+  void read(std::size_t i);
+  void read_all();
+  std::vector<ObjectId> ends() const;
+  void begin();
+
+  Kernel* kernel_;
+  StructureId id_;
+  int k_;
+  std::unique_ptr<DirectionMaxima> maxima_;
+  ChangingExtremum<ExtentClaims> extents_;
+  std::vector<Value> current_;  // by direction, those that are in extents_ and those of one object
+  AttributeEvents events_;
+};
+
+}  // namespace kinex
+
+#endif

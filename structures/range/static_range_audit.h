@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The points in a box by exact positions: for audits.
+#ifndef KINEX_STRUCTURES_RANGE_STATIC_RANGE_AUDIT_H
+#define KINEX_STRUCTURES_RANGE_STATIC_RANGE_AUDIT_H
+
+#include <array>
+#include <vector>
+
+#include "core/engine/audit.h"
+
+namespace kinex {
+
+// Per axis the least and the largest coordinate.
+using ExactBox = std::array<std::array<Rational, 2>, 2>;
+
+// The points in the closed box, ascending, by comparing the coordinates of all.
+std::vector<ObjectId> scanned_range(const Snapshot& snapshot, const ExactBox& box);
+// Likewise by CGAL's Kd_tree and Fuzzy_iso_box with epsilon 0 in an exact kernel. Requires a box
+// that is not empty.
+std::vector<ObjectId> cgal_range(const Snapshot& snapshot, const ExactBox& box);
+
+}  // namespace kinex
+
+#endif

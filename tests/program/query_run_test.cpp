@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// kinex run with queries for boxes: answers, and what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/program/spawn.h"
+
+namespace kinex {
+namespace {
+
+using testing::HasSubstr;
+
+// a = (t, 1), b = (2, 3 - t), 0 <= t <= 4.
+std::string scene_text(const std::string& maintain, const std::string& queries) {
+  return R"({"kinex": 1, "name": "asked", "dimension": 2, "time": {"start": 0, "end": 4},
+ "objects": [{"id": "a", "motion": [[0, 1], [1]]}, {"id": "b", "motion": [[2], [3, -1]]}],
+ "maintain": [)" +
+         maintain + "]" + (queries.empty() ? "" : ", \"queries\": " + queries) + "}\n";
+}
+
+TEST(QueryRun, Answers) {
+  ScratchFolder scratch;
+  const std::string scene = scratch.file("scene.json"), summary = scratch.file("summary.json");
+  write_file(scene, scene_text(R"("rank_kd_tree_2")", R"([{"at": 2, "box": [[2, 2], [1, 1]]}])"));
+  const Finished run = run_kinex({"run", scene, "--at", "1,2", "--query", "-1,2,1,2", "--query",
+                                  "0,1,0,1", "--summary", summary});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("at 1  rank_kd_tree_2 in [-1, 2] x [1, 2]: [\"a\", \"b\"] by "));
+  // a is on the side of the second box at 1, and has left it right after.
+  EXPECT_THAT(run.out, HasSubstr("at 1  rank_kd_tree_2 in [0, 1] x [0, 1]: [] by "));
+  // Both are in the first box at 2, and none right after.
+  EXPECT_THAT(run.out, HasSubstr("at 2  rank_kd_tree_2 in [2, 2] x [1, 1]: [] by "));
+  EXPECT_THAT(read_file(summary),
+              HasSubstr(R"("queries": [{"box": [["-1", "2"], ["1", "2"]], "rank_kd_tree_2": )"
+                        R"({"ids": ["a", "b"], "nodes": 3, "signs": )"));
+}
+
+TEST(QueryRun, BadQueriesAreRefused) {
+  ScratchFolder scratch;
+  const std::string good = scratch.file("good.json"), asked = scratch.file("asked.json");
+  const std::string list = scratch.file("list.json"), empty = scratch.file("empty.json");
+  const std::string late = R"([{"at": 3, "box": [[0, 1], [0, 1]]}])";
+  write_file(good, scene_text(R"("range_tree_2")", ""));
+  write_file(asked, scene_text(R"("range_tree_2")", late));
+  write_file(list, scene_text(R"("sorted_list")", late));
+  write_file(empty, scene_text(R"("range_tree_2")", R"([{"at": 3, "box": [[1, 0], [0, 1]]}])"));
+  struct Bad {
+    std::vector<std::string> arguments;
+    std::string says;
+  };
+  const std::vector<Bad> all{
+      {{good, "--query", "0,1,0,1"}, "--query: there is no time at which it is asked; give --at"},
+      {{good, "--at", "1", "--query", "0,1,0"}, "\"0,1,0\" has 3 numbers, the scene has 2 axes"},
+      {{good, "--at", "1", "--query", "0,1,0,x"}, "--query: \"x\" of \"0,1,0,x\" is no number"},
+      {{good, "--at", "1", "--query", "1,0,0,1"}, "is an empty box: along x it begins at 1"},
+      {{good, "--at", "1", "--query", ""}, "--query"},
+      {{good, "--at", "9", "--query", "0,1,0,1"}, "--at: \"9\" is outside of the run's time"},
+      {{good, "--at", "1", "--query", "0,1,0,1", "--maintain", "delaunay_2"},
+       "--query: a query that no structure answers; maintain one of range_tree_2"},
+      {{asked, "--maintain", "sorted_list"}, "/queries/0: a query that no structure answers"},
+      {{asked, "--until", "2"}, "--until: the scene's query 0 is at 3, after the end of the run"},
+      {{list}, "list.json: /queries/0: a query that no structure answers"},
+      {{empty}, "empty.json: /queries/0/box/0: an empty box: along x it begins at 1 and ends at 0"},
+  };
+  for (const Bad& bad : all) {
+    std::vector<std::string> arguments{"run"};
+    arguments.insert(arguments.end(), bad.arguments.begin(), bad.arguments.end());
+    const Finished run = run_kinex(arguments);
+    EXPECT_EQ(run.exit_code, 2) << bad.says;
+    EXPECT_THAT(run.err, HasSubstr(bad.says));
+  }
+}
+
+}  // namespace
+}  // namespace kinex

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Diameter, width and rectangles of random scenes, audited after every instant.
+#include <string>
+#include <vector>
+
+#include "tests/structures/extent/calipers_support.h"
+
+namespace kinex::test {
+namespace {
+
+class EveryCaliperStructure : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(EveryCaliperStructure, Lattices) {
+  std::uint64_t external = 0, shared = 0;
+  for (std::uint64_t seed = 1; seed <= 240; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = caliper_lattice(seed);
+    const CaliperRun run(scene, GetParam(), kHulls[seed % kHulls.size()]);
+    external += run.ledger().external;
+    shared += run.ledger().simultaneous_groups;
+    if (seed % 8 != 0) continue;
+    const CaliperRun twin(scene, GetParam(), kHulls[seed % kHulls.size()], "sturm");
+    EXPECT_EQ(run.sink.lines, twin.sink.lines);
+    EXPECT_EQ(run.values(), twin.values());
+  }
+  EXPECT_GT(external, 200u);
+  EXPECT_GT(shared, 10u);
+}
+
+TEST_P(EveryCaliperStructure, LatticesOfHigherDegree) {
+  std::uint64_t external = 0;
+  for (const int degree : {2, 3}) {
+    for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+      SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
+      const CaliperRun run(caliper_lattice(seed, degree), GetParam(), kHulls[seed % kHulls.size()]);
+      external += run.ledger().external;
+    }
+  }
+  EXPECT_GT(external, 100u);
+}
+
+TEST_P(EveryCaliperStructure, RandomFlights) {
+  std::uint64_t external = 0, updates = 0, insertions = 0;
+  for (const int degree : {1, 2}) {
+    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 48u : 8u); ++seed) {
+      SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
+      const CaliperRun run(random_flights(seed, 8, 2, degree, seed % 2 == 0), GetParam(),
+                           kHulls[seed % kHulls.size()]);
+      external += run.ledger().external;
+      updates += run.ledger().motion_updates;
+      insertions += run.ledger().insertions;
+    }
+  }
+  EXPECT_GT(external, 60u);
+  EXPECT_GT(updates, 100u);
+  EXPECT_GT(insertions, 10u);
+}
+
+// The same changes at the same instants over every hull.
+TEST_P(EveryCaliperStructure, HullsAgree) {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = seed % 2 == 0 ? caliper_lattice(seed + 1000) : random_flights(seed, 7, 2, 1, true);
+    const CaliperRun first(scene, GetParam(), kHulls[0]);
+    for (std::size_t i = 1; i < kHulls.size(); ++i) {
+      const CaliperRun other(scene, GetParam(), kHulls[i]);
+      EXPECT_EQ(first.values(), other.values()) << kHulls[i];
+      EXPECT_EQ(first.begins_with, other.begins_with) << kHulls[i];
+    }
+  }
+}
+
+// They come one by one and leave one by one; one jumps.
+TEST_P(EveryCaliperStructure, FromNothingToNothing) {
+  std::vector<Trajectory> t;
+  for (int i = 0; i < 7; ++i) t.push_back(path({{(i * 3) % 7, i - 3}, {(i * 5) % 7, 1}}));
+  Scene scene = scene_of(t, 0, Rational(20));
+  for (int i = 0; i < 7; ++i) {
+    auto& pieces = scene.objects[static_cast<std::size_t>(i)].motion.pieces;
+    pieces[0].from = Rational(i + 1);
+    pieces[0].to = Rational(19 - 2 * ((i * 4) % 7));
+    if (i != 3) continue;
+    const auto to = pieces[0].to;
+    pieces[0].to = Rational(5);
+    pieces.push_back({Rational(5), to, path({{40}, {-9, 1}})});
+  }
+  for (const std::string& hull : kHulls) {
+    const CaliperRun run(scene, GetParam(), hull);
+    EXPECT_EQ(run.begins_with, Ids{});
+    EXPECT_EQ(run.ids(), Ids{});
+    EXPECT_EQ(run.ledger().insertions, 8u);
+  }
+}
+
+// All points are on one line at one instant.
+TEST_P(EveryCaliperStructure, AllOnOneLineForAnInstant) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::vector<Trajectory> t;
+    for (int i = 0; i < 5; ++i) {
+      t.push_back(path({{random.between(-20, 20), random.between(-9, 9)},
+                        {0, random.between(-9, 9)}}));
+    }
+    const CaliperRun run(scene_of(t, -1, Rational(1)), GetParam(), kHulls[seed % kHulls.size()]);
+  }
+}
+
+TEST_P(EveryCaliperStructure, ExtremeNumbers) {
+  for (const char* size : {"1e150", "1e-150", "1e400", "1e-400"}) {
+    SCOPED_TRACE(size);
+    const Rational unit = *Rational::parse(size);
+    std::vector<Trajectory> t;
+    for (int i = 0; i < 7; ++i) {
+      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
+                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
+    }
+    const CaliperRun run(scene_of(t, 0, Rational(9)), GetParam());
+    EXPECT_GT(run.ledger().external, 0u);
+  }
+}
+
+// Corruption or an end, in an arithmetic that errs.
+TEST_P(EveryCaliperStructure, EndsInInexactArithmetics) {
+  std::uint64_t corrupt = 0;
+  for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
+    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+      SCOPED_TRACE(std::string(arithmetic) + ", seed " + std::to_string(seed));
+      const Scene scene = seed % 2 == 0 ? caliper_lattice(seed) : random_flights(seed, 8, 2, 2, true);
+      const CaliperRun run(scene, GetParam(), kHulls[seed % kHulls.size()], arithmetic);
+      corrupt += run.ledger().corrupt ? 1u : 0u;
+    }
+  }
+  RecordProperty("corrupt", static_cast<int>(corrupt));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryCaliperStructure, ::testing::ValuesIn(kCaliperStructures),
+                         [](const auto& one) { return one.param; });
+
+// The baseline changes at the same instants.
+TEST(Diameter, AllPairsAgree) {
+  std::uint64_t external = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = seed % 2 == 0 ? caliper_lattice(seed) : random_flights(seed, 7, 2, 2, true);
+    const CaliperRun fast(scene, "diameter_2", kHulls[seed % kHulls.size()]);
+    const CaliperRun slow(scene, "diameter_all_pairs", "");
+    EXPECT_EQ(fast.begins_with, slow.begins_with);
+    EXPECT_EQ(fast.values(), slow.values());
+    external += fast.ledger().external;
+  }
+  EXPECT_GT(external, 60u);
+}
+
+TEST(Diameter, AllPairsInOneAndThreeAxes) {
+  for (const int dimension : {1, 3}) {
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      SCOPED_TRACE(std::to_string(dimension) + " axes, seed " + std::to_string(seed));
+      const CaliperRun run(random_flights(seed, 7, dimension, 2, true), "diameter_all_pairs", "");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinex::test

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The smallest circle, the farthest-point triangulation and the box on a hull: points that jump,
+// come and go, all over every hull; and inexact arithmetics, which end.
+#include <string>
+#include <vector>
+
+#include "tests/sanitized.h"
+#include "tests/structures/extent/circle_support.h"
+
+namespace kinex::test {
+namespace {
+
+constexpr const char* kReaders[] = {"bounding_box_2_hull", "farthest_delaunay_2", "min_circle_2"};
+
+// Every hull gives the same history. That of the circle is the one by brute force.
+std::uint64_t expect_one_history(const Scene& scene) {
+  std::uint64_t changes = 0;
+  for (const char* reader : kReaders) {
+    SCOPED_TRACE(reader);
+    const LayeredRun first(scene, reader);
+    changes += first.external();
+    for (const char* hull : kHullsBelow) {
+      EXPECT_EQ(LayeredRun(scene, reader, hull).sink.history, first.sink.history) << hull;
+    }
+    if (std::string(reader) != "min_circle_2") continue;
+    EXPECT_EQ(LayeredRun(scene, "min_circle_2_brute_force").sink.history, first.sink.history);
+  }
+  return changes;
+}
+
+// Each point of a circle and one inside it jumps far away, or to the centre, or leaves for a while.
+TEST(MinCircleDynamic, EachPointJumpsOrGoes) {
+  const std::vector<std::pair<int, int>> start{{5, 0}, {-3, 4}, {-3, -4}, {0, 5}, {1, 1}, {4, -2}};
+  for (std::size_t moved = 0; moved < start.size(); ++moved) {
+    for (const auto& [x, y] : std::vector<std::pair<int, int>>{{40, 7}, {0, 0}, {-3, 4}}) {
+      std::vector<Trajectory> t;
+      for (std::size_t i = 0; i < start.size(); ++i) {
+        t.push_back(path({{start[i].first, i % 2 == 0 ? 1 : -1}, {start[i].second, 1}}));
+      }
+      Scene scene = scene_of(t, 0, Rational(6));
+      auto& pieces = scene.objects[moved].motion.pieces;
+      pieces[0].to = Rational(2);
+      pieces.push_back({Rational(2), Rational(4), path({{x, 1}, {y, -1}})});
+      pieces.push_back({Rational(4), std::nullopt, t[moved]});
+      SCOPED_TRACE(std::to_string(moved) + " to " + std::to_string(x));
+      expect_one_history(scene);
+      pieces.erase(pieces.begin() + 1);  // it is away from 2 to 4
+      expect_one_history(scene);
+    }
+  }
+}
+
+TEST(MinCircleDynamic, FromNothingToNothing) {
+  std::vector<Trajectory> t;
+  for (int i = 0; i < 7; ++i) t.push_back(path({{(i * 3) % 7, i - 3}, {(i * 5) % 7, 1}}));
+  Scene scene = scene_of(t, 0, Rational(20));
+  for (int i = 0; i < 7; ++i) {
+    auto& piece = scene.objects[static_cast<std::size_t>(i)].motion.pieces[0];
+    piece.from = Rational(i + 1);
+    piece.to = Rational(19 - 2 * ((i * 4) % 7));
+  }
+  EXPECT_GT(expect_one_history(scene), 1u);
+  const LayeredRun run(scene, "min_circle_2");
+  EXPECT_EQ(run.values().front(), std::vector<ObjectId>{});
+  EXPECT_EQ(run.values().back(), std::vector<ObjectId>{});
+}
+
+// All points are on one line for an instant, and pass through it.
+TEST(MinCircleDynamic, AllOnOneLineForAnInstant) {
+  std::uint64_t changes = 0;
+  for (std::uint64_t seed = 1; seed <= (kSanitized ? 3u : 25u); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::vector<Trajectory> t;
+    for (int i = 0; i < 6; ++i) {
+      const int slope = random.between(-9, 9);
+      t.push_back(path({{random.between(-9, 9), random.between(-9, 9)}, {0, slope}}));
+    }
+    changes += expect_one_history(scene_of(t, -1, Rational(1)));
+  }
+  EXPECT_GT(changes, 100u);
+}
+
+TEST(MinCircleDynamic, ExtremeNumbers) {
+  for (const char* size : {"1e150", "1e-150", "1e400", "1e-400"}) {
+    SCOPED_TRACE(size);
+    const Rational unit = *Rational::parse(size);
+    std::vector<Trajectory> t;
+    for (int i = 0; i < 6; ++i) {
+      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
+                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
+    }
+    EXPECT_GT(expect_one_history(scene_of(t, 0, Rational(9))), 0u);
+  }
+}
+
+TEST(MinCircleDynamic, EndsInInexactArithmetics) {
+  for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
+    for (const int degree : {1, 2}) {
+      for (std::uint64_t seed = 1; seed <= (kSanitized ? 1u : 4u); ++seed) {
+        const Scene scene = random_flights(seed, 9, 2, degree, seed % 2 == 0);
+        for (const char* reader : kReaders) {
+          for (const char* hull : kHullsBelow) LayeredRun(scene, reader, hull, arithmetic);
+        }
+        LayeredRun(scene, "min_circle_2_brute_force", "", arithmetic);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinex::test

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/range/axis_labels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/structures/test_scenes.h"
+
+namespace kinex::test {
+namespace {
+
+// Inserts `object` at this place of the order; returns the number of labels given.
+std::size_t insert_at(AxisLabels& labels, std::size_t place, ObjectId object) {
+  std::vector<ObjectId> order = labels.in_order();
+  const ObjectId previous = place == 0 ? kNoObject : order[place - 1];
+  const ObjectId next = place == order.size() ? kNoObject : order[place];
+  const auto moves = labels.room_between(previous, object, next);
+  order.insert(order.begin() + static_cast<std::ptrdiff_t>(place), object);
+  if (moves) {
+    labels.apply(*moves);
+  } else {
+    labels.assign(order, labels.bits() + 1);
+  }
+  EXPECT_TRUE(labels.consistent());
+  EXPECT_EQ(labels.in_order(), order);
+  return moves ? moves->size() : order.size();
+}
+
+TEST(AxisLabels, Bits) {
+  const std::vector<unsigned> expected{0, 0, 1, 2, 2, 3, 3, 3, 3, 4};
+  for (std::size_t n = 0; n < expected.size(); ++n) {
+    EXPECT_EQ(AxisLabels::bits_for(n), expected[n]) << n;
+  }
+}
+
+TEST(AxisLabels, SpreadEvenly) {
+  AxisLabels labels(4);
+  labels.assign({2, 0, 3}, 3);
+  EXPECT_EQ(labels.in_order(), (std::vector<ObjectId>{2, 0, 3}));
+  EXPECT_EQ(labels.of(2), 0u);
+  EXPECT_EQ(labels.of(0), 2u);
+  EXPECT_EQ(labels.of(3), 5u);
+  EXPECT_FALSE(labels.has(1));
+  EXPECT_EQ(labels.rank(3), 2u);
+  EXPECT_EQ(labels.of_rank(1), 0u);
+  labels.exchange(2, 0);
+  EXPECT_EQ(labels.in_order(), (std::vector<ObjectId>{0, 2, 3}));
+  EXPECT_TRUE(labels.consistent());
+}
+
+TEST(AxisLabels, InsertionsAnywhere) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    constexpr std::size_t kObjects = 60;
+    AxisLabels labels(kObjects);
+    for (int step = 0; step < 300; ++step) {
+      const auto object = static_cast<ObjectId>(random.between(0, kObjects - 1));
+      if (labels.has(object)) {
+        labels.erase(object);
+        EXPECT_TRUE(labels.consistent());
+      } else {
+        const int places = static_cast<int>(labels.count());
+        insert_at(labels, static_cast<std::size_t>(random.between(0, places)), object);
+      }
+    }
+  }
+}
+
+// At one end, the worst place: amortised O(log^2 n) moves.
+TEST(AxisLabels, InsertionsInFrontAreCheap) {
+  for (const std::size_t n : {64u, 512u}) {
+    AxisLabels labels(n);
+    std::size_t moves = 0;
+    for (ObjectId object = 0; object < n; ++object) moves += insert_at(labels, 0, object);
+    const std::size_t log = AxisLabels::bits_for(n);
+    EXPECT_LE(moves, 2 * n * log * log);
+    EXPECT_LE(labels.size(), 4 * n);
+  }
+}
+
+}  // namespace
+}  // namespace kinex::test
