@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Precompiled headers of the standard library and of the test framework: they are nothing to the code, which includes
-# what it uses (the build without KINEX_DEVELOPER has none), and a third of the time of a developer's build.
+# Precompiled headers of the standard library and of the test framework: a third of the time of a build. The code does
+# not know of them: it includes what it uses (tests/program/standard_includes.py), and -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+# builds it without.
 include_guard(GLOBAL)
 
 set(KINEX_STANDARD_HEADERS <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <optional> <span>

@@ -61,7 +61,9 @@ def main():
         clone, prefix = folder / "clone", folder / "prefix"
         copy_sources(source, clone)
         configure = commands[0] + ["-DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON"]
-        environment = dict(os.environ, CXX=compiler, CCACHE_BASEDIR=str(folder), CCACHE_NOHASHDIR="1")
+        environment = dict(os.environ, CXX=compiler, CCACHE_BASEDIR=str(clone), CCACHE_NOHASHDIR="1")
+        if shutil.which("ninja"):  # as tests/run: what it has compiled is found by ccache
+            environment["CMAKE_GENERATOR"] = "Ninja"
         run([cmake] + configure[1:], cwd=clone, env=environment)
         cache = (clone / "build" / "CMakeCache.txt").read_text()
         for package in TEST_PACKAGES:

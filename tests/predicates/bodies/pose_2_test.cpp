@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 namespace kinex {
 namespace {

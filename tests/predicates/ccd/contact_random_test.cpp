@@ -3,6 +3,7 @@
 // itself after changes that keep the answer, and the stages against each other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/numbers/rational_value.h"
