@@ -27,11 +27,13 @@ Measures measures_of(const CellResult& cell, std::size_t trials) {
       cell.trials.begin() + static_cast<std::ptrdiff_t>(std::min(trials, cell.trials.size())));
   Measures result;
   std::uint64_t changed = 0, events = 0, scene_changes = 0, asked_by_scene = 0, signs = 0;
+  double seconds = 0;
   for (const Trial& trial : first) {
     const StructureLedger& ledger = trial.measurement.costs;
     scene_changes += trial.measurement.scene_changes();
     asked_by_scene += trial.measurement.asked_by_scene();
     signs += trial.measurement.signs();
+    seconds += trial.measurement.seconds;
     // The largest numbers of both, which need not belong to one event, but do wherever every
     // certificate that goes is replaced.
     result.most_changed = std::max(result.most_changed,
@@ -51,8 +53,9 @@ Measures measures_of(const CellResult& cell, std::size_t trials) {
   }
   const double asked =
       result.events * static_cast<double>(first.size()) + static_cast<double>(scene_changes);
-  if (asked > 0 && cell.cell.audit != AuditLevel::kEvents)
-    result.signs = static_cast<double>(signs) / asked;
+  if (cell.cell.audit == AuditLevel::kEvents) return result;
+  if (asked > 0) result.signs = static_cast<double>(signs) / asked;
+  if (!first.empty()) result.seconds = seconds / static_cast<double>(first.size());
   return result;
 }
 
@@ -90,7 +93,8 @@ std::vector<Table> comparison_tables(const std::vector<CellResult>& cells) {
                     "signs per event or change",
                     "certificates per object",
                     "certificates",
-                    "internal per external"};
+                    "internal per external",
+                    "CPU seconds"};
     for (const CellResult* cell : rows) {
       const std::size_t scenes = seeds.at(place(cell));
       const Measures m = measures_of(*cell, scenes);
@@ -102,7 +106,8 @@ std::vector<Table> comparison_tables(const std::vector<CellResult>& cells) {
            m.asked_by_scene < 0 ? "-" : fmt::format("{:.1f}", m.asked_by_scene),
            m.signs < 0 ? "-" : fmt::format("{:.1f}", m.signs), std::to_string(m.per_object),
            std::to_string(m.certificates),
-           m.internal_per_external() < 0 ? "-" : fmt::format("{:.2f}", m.internal_per_external())});
+           m.internal_per_external() < 0 ? "-" : fmt::format("{:.2f}", m.internal_per_external()),
+           m.seconds < 0 ? "-" : fmt::format("{:.4f}", m.seconds)});
     }
     table.note =
         "Events are means over the runs; certificates are the most that any run had. Created and "

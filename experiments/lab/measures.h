@@ -29,6 +29,8 @@ struct Measures {
   // Mean number of signs computed per event or change of the scene. Negative if audits computed
   // signs, too.
   double signs = -1;
+  // Mean CPU seconds of a run, without set-up and audits. Negative if audits were made at events.
+  double seconds = -1;
   // Efficiency: internal events per external one; negative if there was no external one.
   double internal_per_external() const { return external > 0 ? internal / external : -1; }
 };

@@ -15,6 +15,9 @@ namespace kinex::families {
 // common_cells.cpp. Hard bounds and audits of one structure on every kind of scene of points.
 void add_common_point_cells(lab::Catalogue& catalogue, const StructureInfo& structure, lab::Extent extent);
 
+// group_comparisons.cpp. What the structures of a group for points cost on the same scenes.
+void add_group_comparisons(lab::Catalogue& catalogue, lab::Extent extent);
+
 // Guibas, "Kinetic data structures: a state of the art report", 1998, with these parts of it.
 lab::Paper kds_report(std::vector<lab::PaperPart> parts);
 // kds_section_9.cpp

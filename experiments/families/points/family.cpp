@@ -11,6 +11,7 @@ lab::FamilyExperiments point_experiments() {
   family.name = "points";
   family.workloads = point_workloads();
   family.add_common_cells = add_common_point_cells;
+  family.add_comparisons = add_group_comparisons;
   family.papers = {kds_report({{"section-9", "how many events random motion causes", 3,
                                 kds_section_9_points, kds_section_9_report}})};
   return family;
