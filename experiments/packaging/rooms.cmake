@@ -2,6 +2,12 @@
 # Rooms: the folders of the second level, a static library each.
 include_guard(GLOBAL)
 
+# With -DCMAKE_UNITY_BUILD=ON files are compiled several at once. Not those of the rooms below: their unnamed
+# namespaces define the same names.
+set(KINEX_ROOMS_OF_SINGLE_FILES core/numbers core/arithmetic core/engine predicates/bodies predicates/ccd
+  experiments/formats experiments/families/collision experiments/families/points experiments/families/range
+  experiments/trade experiments/verbs)
+
 # The library kinex_FOLDER_ROOM of FOLDER/ROOM/*.cpp, linked to what follows (PUBLIC .. PRIVATE ..). A room
 # in a room, as families/hull, is kinex_FOLDER_families_hull. Those of experiments/ are the program's alone.
 function(kinex_room folder room)
@@ -14,6 +20,9 @@ function(kinex_room folder room)
   target_link_libraries(${target} ${ARGN} PRIVATE $<BUILD_INTERFACE:kinex_warnings>)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder}_${name})
   kinex_precompile(${target})
+  if(${folder}/${room} IN_LIST KINEX_ROOMS_OF_SINGLE_FILES)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  endif()
   if(NOT folder STREQUAL experiments)
     set_property(GLOBAL APPEND PROPERTY KINEX_ROOMS ${target})
   endif()
