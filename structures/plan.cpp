@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "structures/parts/object_sets.h"
 #include "structures/registry.h"
 
 namespace kinex {
@@ -12,6 +13,7 @@ namespace {
 // Two requests for one structure, whatever it is called.
 bool same_work(const Request& a, const Request& b) {
   return a.structure == b.structure && a.key == b.key && a.parameters == b.parameters &&
+         a.of == b.of && a.query == b.query && a.colours == b.colours &&
          std::equal(a.over.begin(), a.over.end(), b.over.begin(), b.over.end(), same_work);
 }
 
@@ -43,13 +45,15 @@ class Planner {
 
  private:
   // What the structure of `reader` reads there. Its label is empty.
-  static Request wanted_by(const Request& reader, const Reading& reading) {
+  Request wanted_by(const Request& reader, const Reading& reading) const {
     if (!reading.role.empty() && !reader.over.empty()) {
       Request wanted = reader.over.front();
       wanted.label.clear();
+      wanted.of = reader.of;
       return wanted;
     }
     Request wanted{std::string(reading.structure), "", {}};
+    wanted.of = sites_of(*find_structure_info(reader.structure), reader, scene_);
     if (reading.passes_over) wanted.over = reader.over;
     if (reading.axis) {
       wanted.key.axis = *reading.axis;
@@ -62,6 +66,7 @@ class Planner {
   StructureId add(const Request& request, bool asked) {
     PlannedStructure planned{request, asked};
     if (const StructureInfo* info = find_structure_info(request.structure)) {
+      planned.members = members_of(*info, request, scene_);
       for (const Reading& reading : info->reads) planned.watches.push_back(read(request, reading));
     }
     plan_.push_back(std::move(planned));
@@ -127,10 +132,10 @@ void add_structures(Simulator& simulator, const Scene& scene) {
   for (const PlannedStructure& planned : plan_structures(scene)) {
     const StructureId id = simulator.reserve();
     const std::vector<const Structure*> watched = watched_by(planned, simulator);
-    simulator.add(id,
-                  make_structure(planned.request, scene, simulator.kernel(), id, watched,
-                                 planned.watches),
-                  planned.request.label, planned.watches);
+    simulator.add(
+        id,
+        make_structure(planned.request, scene, simulator.kernel(), id, watched, planned.watches),
+        planned.request.label, planned.watches, planned.members);
   }
 }
 

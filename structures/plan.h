@@ -23,6 +23,7 @@ struct PlannedStructure {
   bool asked = true;                      // false: it exists for others to read only
   std::vector<StructureId> watches = {};  // earlier ones of the plan, as its descriptor reads them
   int readers = 0;
+  std::vector<bool> members = {};  // by object, true for those that it is built from; empty: all
 };
 // In the order of "maintain", except that a structure comes before its readers. A structure that is
 // read is shared by all its readers and by the requests for it. Ids are places in the plan.

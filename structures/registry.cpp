@@ -6,6 +6,7 @@
 #include <string>
 
 #include "structures/families.h"
+#include "structures/parts/object_sets.h"
 
 namespace kinex {
 namespace {
@@ -102,8 +103,13 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
                                : "is for points, the scene has bodies",
                    names_for(scene.has_bodies())};
   }
-  const std::string axes = std::to_string(info.min_dimension) +
-                           " axes, the scene has " + std::to_string(scene.dimension);
+  const auto has_ends = [](const SceneObject& object) { return !object.ends.empty(); };
+  if (info.graph && !std::all_of(scene.objects.begin(), scene.objects.end(), has_ends)) {
+    return Refusal{"is for edges of a graph, the scene has objects without ends",
+                   "give every object \"ends\": [VERTEX, VERTEX], or maintain something else"};
+  }
+  const std::string axes = std::to_string(info.min_dimension) + " axes, the scene has " +
+                           std::to_string(scene.dimension);
   if (scene.dimension < info.min_dimension) {
     return Refusal{"needs " + axes, "maintain something else, or give the scene more axes"};
   }
@@ -111,10 +117,10 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
     return Refusal{"is for " + axes, "leave axes out, or maintain something else"};
   }
   if (scene.degree() > info.largest_degree) {
-    return Refusal{"needs " + (info.linear() ? std::string("linear motions")
-                                             : "motions of degree " +
-                                                   std::to_string(info.largest_degree) +
-                                                   " or less") +
+    return Refusal{"needs " +
+                       (info.linear() ? std::string("linear motions")
+                                      : "motions of degree " + std::to_string(info.largest_degree) +
+                                            " or less") +
                        ", the scene has motions of degree " + std::to_string(scene.degree()),
                    maintain_instead(info, ", which takes every motion")};
   }
@@ -138,8 +144,8 @@ std::optional<Refusal> refusal_of_parameter(const StructureInfo& info, const Par
       continue;
     }
     const Rational least = number(known.least);
-    std::string range = (known.whole ? "an integer of at least " : "a number of at least ") +
-                        least.to_string();
+    std::string range =
+        (known.whole ? "an integer of at least " : "a number of at least ") + least.to_string();
     bool fits = !(parameter.value < least) && (!known.whole || parameter.value.is_integer());
     if (!known.most.empty()) {
       const Rational most = number(known.most);
@@ -165,9 +171,9 @@ const Reading* reading_of_choice(const StructureInfo& info) {
 std::optional<Refusal> refusal_of_over(const StructureInfo& info, const Request& over) {
   const Reading* const reading = reading_of_choice(info);
   if (reading == nullptr) {
-    return Refusal{info.reads.empty() ? "reads no other structure"
-                                      : "has no choice of what it reads",
-                   "remove \"over\""};
+    return Refusal{
+        info.reads.empty() ? "reads no other structure" : "has no choice of what it reads",
+        "remove \"over\""};
   }
   const StructureInfo* there = find_structure_info(over.structure);
   if (there != nullptr && there->role == reading->role) return std::nullopt;
@@ -177,6 +183,42 @@ std::optional<Refusal> refusal_of_over(const StructureInfo& info, const Request&
   }
   return Refusal{"cannot read \"" + over.structure + "\"",
                  "it reads a " + std::string(reading->role) + ": one of " + names};
+}
+
+std::optional<Refusal> refusal_of_objects(const StructureInfo& info, const Request& request,
+                                          const Scene& scene) {
+  if (info.bodies && request.of.kind != Subset::Kind::kAll) {
+    return Refusal{"is for all bodies of a scene", "remove \"of\""};
+  }
+  if (info.colours && request.of.kind != Subset::Kind::kAll) {
+    return Refusal{"takes the objects of its two colours", "remove \"of\""};
+  }
+  if (info.query && request.of.kind != Subset::Kind::kAll &&
+      request.of.kind != Subset::Kind::kAllBut && query_of(request) < scene.objects.size() &&
+      scene.members(request.of)[query_of(request)]) {
+    return Refusal{"has its query " + scene.objects[query_of(request)].id + " among its sites",
+                   "leave it out of \"of\""};
+  }
+  if (info.uses_key && request.key.kind == Key::Kind::kSquaredDistance) {
+    const std::vector<bool> members = scene.members(request.of);
+    if (!members.empty() && !members[request.key.object]) {
+      return Refusal{"measures the distance to " + scene.objects[request.key.object].id +
+                         ", which is not among its objects",
+                     "take it into \"of\""};
+    }
+  }
+  for (const std::string& colour : request.colours) {
+    const bool known =
+        std::any_of(scene.objects.begin(), scene.objects.end(),
+                    [&colour](const SceneObject& object) { return object.colour == colour; });
+    if (known) continue;
+    return Refusal{"is to compare \"" + colour + "\", a colour that no object has",
+                   "write two colours of objects of the scene"};
+  }
+  if (!request.colours.empty() && request.colours[0] == request.colours[1]) {
+    return Refusal{"is to compare a colour with itself", "write two different colours"};
+  }
+  return std::nullopt;
 }
 
 Rational parameter_of(const StructureInfo& info, const Request& request, std::string_view name) {
@@ -207,6 +249,7 @@ std::unique_ptr<Structure> make_structure(const Request& request, const Scene& s
   for (const Parameter& given : request.parameters) {
     if (const auto refusal = refusal_of_parameter(*info, given)) refuse(*info, *refusal);
   }
+  if (const auto refusal = refusal_of_objects(*info, request, scene)) refuse(*info, *refusal);
   for (const Request& over : request.over) {
     if (const auto refusal = refusal_of_over(*info, over)) refuse(*info, *refusal);
   }

@@ -35,6 +35,9 @@ std::optional<Refusal> refusal_of_parameter(const StructureInfo& info, const Par
 // The reading that "over" replaces, of the structure or of one that it reads; nullptr: none.
 const Reading* reading_of_choice(const StructureInfo& info);
 std::optional<Refusal> refusal_of_over(const StructureInfo& info, const Request& over);
+// Likewise for the objects that a request names: "of", "query" and "colours".
+std::optional<Refusal> refusal_of_objects(const StructureInfo& info, const Request& request,
+                                          const Scene& scene);
 // The value of a parameter in a request: the usual one if it is not given.
 Rational parameter_of(const StructureInfo& info, const Request& request, std::string_view name);
 

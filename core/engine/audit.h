@@ -18,7 +18,9 @@ namespace kinex {
 class Snapshot {
  public:
   Snapshot(Rational time, int dimension, std::size_t objects)
-      : time_(std::move(time)), dimension_(dimension), alive_(objects, false),
+      : time_(std::move(time)),
+        dimension_(dimension),
+        alive_(objects, false),
         positions_(objects * static_cast<std::size_t>(dimension)) {}
 
   const Rational& time() const { return time_; }
@@ -29,6 +31,14 @@ class Snapshot {
   // Requires alive(id).
   const Rational& position(ObjectId id, int axis) const {
     return positions_[id * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(axis)];
+  }
+  // The same with these objects alone: by object; empty: all.
+  Snapshot of(const std::vector<bool>& members) const {
+    Snapshot result = *this;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (!members[i]) result.alive_[i] = false;
+    }
+    return result;
   }
   void set(ObjectId id, int axis, Rational value) {
     alive_[id] = true;

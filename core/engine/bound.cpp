@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/engine/bound.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 namespace kinex {
+
+std::size_t BoundContext::place(ObjectId object) const {
+  if (members.empty()) return object;
+  return static_cast<std::size_t>(std::lower_bound(members.begin(), members.end(), object) -
+                                  members.begin());
+}
 
 bool BoundContext::plain() const {
   if (dynamic) return false;

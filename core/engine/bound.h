@@ -8,19 +8,24 @@
 #include <vector>
 
 #include "core/engine/ledger.h"
+#include "core/motion/scene.h"
 #include "core/numbers/integer.h"
 
 namespace kinex {
 
 // What a bound may depend on.
 struct BoundContext {
-  std::vector<int>
-      pieces;            // per object, how many motion pieces were in force during the run (>= 1)
-  int degree = 1;        // largest motion degree
-  bool dynamic = false;  // objects were inserted or erased, or jumped
+  // Per object that the structure is built from, in the order of their ids: how many motion pieces
+  // were in force during the run (>= 1).
+  std::vector<int> pieces;
+  std::vector<ObjectId> members = {};  // those objects; empty: all objects of the scene
+  int degree = 1;                      // largest motion degree
+  bool dynamic = false;                // objects were inserted or erased, or jumped
   const StructureLedger* ledger = nullptr;
 
   std::size_t objects() const { return pieces.size(); }
+  // The place in `pieces` of an object that the structure is built from.
+  std::size_t place(ObjectId object) const;
   // No flight-plan change, insertion or erasure: the bounds of the static theorems apply.
   bool plain() const;
 };
@@ -28,7 +33,7 @@ struct BoundContext {
 // A count of a ledger, as an integer.
 inline Integer counted(std::uint64_t k) { return Integer(static_cast<std::int64_t>(k)); }
 
-struct BoundCheck {  // a hard bound, and what was observed
+struct BoundCheck {    // a hard bound, and what was observed
   std::string id;      // stable name, for example "sorted_list.swaps"
   std::string source;  // of the bound, for people
   Integer bound;

@@ -39,14 +39,25 @@ Simulator::Simulator(const Scene& scene, std::unique_ptr<Arithmetic> arithmetic,
 
 Simulator::~Simulator() = default;
 
+std::vector<ObjectId> Simulator::Entry::those_of(const std::vector<ObjectId>& objects) const {
+  if (members.empty()) return objects;
+  std::vector<ObjectId> result;
+  for (const ObjectId object : objects) {
+    if (members[object]) result.push_back(object);
+  }
+  return result;
+}
+
 void Simulator::add(StructureId id, std::unique_ptr<Structure> structure, std::string label,
-                    std::vector<StructureId> watches) {
+                    std::vector<StructureId> watches, std::vector<bool> members) {
   require(!started_, "structures are added before the start");
   if (entries_.size() <= id) entries_.resize(id + std::size_t{1});
   require(entries_[id].structure == nullptr, "two structures with one id");
   Entry& entry = entries_[id];
   entry.structure = std::move(structure);
   entry.label = std::move(label);
+  require(members.empty() || members.size() == alive_.size(), "a subset of other objects");
+  entry.members = std::move(members);
   const std::vector<std::string_view> kinds = event_kinds(id);
   entry.first_common = static_cast<std::uint8_t>(kinds.size() - kCommonEvents);
   for (const std::string_view kind : kinds) {
@@ -108,7 +119,8 @@ bool Simulator::start() {
       if (alive_[object]) objects.push_back(object);
     }
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-      call(static_cast<StructureId>(i), [&](Structure& s) { s.build(objects); });
+      const std::vector<ObjectId> own = entries_[i].those_of(objects);
+      call(static_cast<StructureId>(i), [&](Structure& s) { s.build(own); });
     }
     notices_.clear();  // watchers were built later
     repair();
@@ -249,8 +261,11 @@ void Simulator::note_peak() {
 std::vector<BoundCheck> Simulator::bounds(StructureId id) const {
   if (is_torn()) return {};
   BoundContext context;
-  context.pieces = pieces_;
-  for (int& p : context.pieces) p = std::max(p, 1);
+  for (ObjectId object = 0; object < pieces_.size(); ++object) {
+    if (!entries_[id].has(object)) continue;
+    context.pieces.push_back(std::max(pieces_[object], 1));
+    if (!entries_[id].members.empty()) context.members.push_back(object);
+  }
   context.degree = degree_;
   context.dynamic = dynamic_;
   context.ledger = &kernel_.ledger(id);

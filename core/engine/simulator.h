@@ -92,9 +92,10 @@ class Simulator final : private EventReporter {
   StructureId reserve() { return kernel_.add_structure(); }
   // Hands over the structure for a reserved id. `label`: its name in summaries and logs. `watches`:
   // ids of structures whose changes are reported to it (Structure::watched_changed); they must be
-  // smaller than `id` and have been added.
+  // smaller than `id` and have been added. `members`: by object, true for those that the structure
+  // is built from; it sees no other, nor their changes. Empty: all objects.
   void add(StructureId id, std::unique_ptr<Structure> structure, std::string label,
-           std::vector<StructureId> watches = {});
+           std::vector<StructureId> watches = {}, std::vector<bool> members = {});
   std::size_t structures() const { return entries_.size(); }
   Structure& structure(StructureId id) { return *entries_[id].structure; }
   const SimulatorOptions& options() const { return options_; }
@@ -181,9 +182,13 @@ class Simulator final : private EventReporter {
     std::unique_ptr<Structure> structure;
     std::string label;
     std::vector<StructureId> watchers;
+    std::vector<bool> members;  // by object; empty: all
     std::vector<std::uint64_t*> kind_counts;  // by rank, into the ledger's by_kind
     std::uint8_t first_common = 0;            // rank of CommonEvent::kMotion
     bool abandoned = false;                   // corrupt, and abandon() has been called
+
+    bool has(ObjectId object) const { return members.empty() || members[object]; }
+    std::vector<ObjectId> those_of(const std::vector<ObjectId>& objects) const;
   };
   struct Change {
     enum class Kind { kUpdate, kErase, kInsert };

@@ -82,14 +82,15 @@ bool Simulator::certificates_hold(const Snapshot& positions) const {
     if (!c.live || c.outlook == Outlook::kIdenticallyZero) continue;
     deadline_->poll();
     const Query query = queue.query(c);
-    for (std::size_t k = 0; k < query.arity; ++k)
-      points[k] = position(query.ids[k]);
+    for (std::size_t k = 0; k < query.arity; ++k) points[k] = position(query.ids[k]);
     points[query.arity] = &unit;
     const Predicate& predicate = kernel_.arithmetic().predicate(query.predicate);
     if (predicate.rational(0, points.data()).front().sign() <= 0) return false;
   }
-  return std::all_of(entries_.begin(), entries_.end(),
-                     [&](const Entry& entry) { return entry.structure->holds_at(positions); });
+  return std::all_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    if (entry.members.empty()) return entry.structure->holds_at(positions);
+    return entry.structure->holds_at(positions.of(entry.members));
+  });
 }
 
 // A rational strictly between now and the next failure, change or end. nullopt if none is found (in
@@ -188,7 +189,11 @@ bool Simulator::run_audit(bool certificates) {
       report.check(false, [&] { return "corrupt: " + kernel_.ledger(id).corruption; });
     } else {
       entries_[i].structure->check_invariants(report);
-      if (positions) entries_[i].structure->audit(*positions, report);
+      const std::vector<bool>& members = entries_[i].members;
+      if (positions && members.empty()) entries_[i].structure->audit(*positions, report);
+      if (positions && !members.empty()) {
+        entries_[i].structure->audit(positions->of(members), report);
+      }
     }
     kernel_.ledger(id).audit_checks += report.checks;
     for (const std::string& what : report.violations) violation(id, what + when);

@@ -217,10 +217,12 @@ void Simulator::apply_updates(const std::vector<Change>& updates) {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const StructureId id = static_cast<StructureId>(i);
     if (kernel_.ledger(id).corrupt) continue;
+    const std::vector<ObjectId> own = entries_[i].those_of(objects);
+    if (own.empty()) continue;
     kernel_.set_instant_shared(id, true);
-    kernel_.ledger(id).motion_updates += objects.size();
-    for (const ObjectId object : objects) report_change(id, CommonEvent::kMotion, object);
-    call(id, [&](Structure& s) { s.motions_changed(objects); });
+    kernel_.ledger(id).motion_updates += own.size();
+    for (const ObjectId object : own) report_change(id, CommonEvent::kMotion, object);
+    call(id, [&](Structure& s) { s.motions_changed(own); });
   }
   tell_watchers();
 }
@@ -231,7 +233,7 @@ void Simulator::apply_erasures(const std::vector<ObjectId>& objects) {
     alive_[object] = false;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const StructureId id = static_cast<StructureId>(i);
-      if (kernel_.ledger(id).corrupt) continue;
+      if (kernel_.ledger(id).corrupt || !entries_[i].has(object)) continue;
       ++kernel_.ledger(id).erasures;
       report_change(id, CommonEvent::kErase, object);
       call(id, [object](Structure& s) { s.erase(object); });
@@ -251,7 +253,7 @@ void Simulator::apply_insertions(const std::vector<Change>& insertions) {
     alive_[change.object] = true;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const StructureId id = static_cast<StructureId>(i);
-      if (kernel_.ledger(id).corrupt) continue;
+      if (kernel_.ledger(id).corrupt || !entries_[i].has(change.object)) continue;
       ++kernel_.ledger(id).insertions;
       report_change(id, CommonEvent::kInsert, change.object);
       call(id, [&](Structure& s) { s.insert(change.object); });

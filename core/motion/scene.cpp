@@ -16,6 +16,20 @@ bool Scene::has_weights() const {
                      [](const SceneObject& object) { return object.weight.has_value(); });
 }
 
+std::vector<bool> Scene::members(const Subset& subset) const {
+  if (subset.kind == Subset::Kind::kAll) return {};
+  std::vector<bool> result(objects.size(), subset.kind == Subset::Kind::kAllBut);
+  if (subset.kind == Subset::Kind::kColours) {
+    const std::vector<std::string>& colours = subset.colours;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      result[i] = std::find(colours.begin(), colours.end(), objects[i].colour) != colours.end();
+    }
+  } else {
+    for (const ObjectId object : subset.objects) result[object] = !result[object];
+  }
+  return result;
+}
+
 Trajectory Scene::weighted(ObjectId object, const Trajectory& motion) const {
   Trajectory result = motion;
   const std::optional<Rational>& weight = objects[object].weight;

@@ -25,8 +25,11 @@ using Vertex2 = std::array<Rational, 2>;
 struct SceneObject {
   std::string id;
   Motion motion;
-  std::vector<Vertex2> polygon = {};  // empty: a point
+  std::vector<Vertex2> polygon = {};    // empty: a point
   std::optional<Rational> weight = {};  // of a point; none: 0
+  std::string colour = {};              // of a point; empty: none
+  // An edge of a graph: its two vertices, which differ; its coordinate is its weight. Empty: none.
+  std::vector<std::string> ends = {};
 };
 
 // The value by which a one-dimensional structure orders objects.
@@ -46,6 +49,15 @@ struct Parameter {
   friend bool operator==(const Parameter&, const Parameter&) = default;
 };
 
+// Objects of a scene.
+struct Subset {
+  enum class Kind { kAll, kObjects, kAllBut, kColours };
+  Kind kind = Kind::kAll;
+  std::vector<ObjectId> objects = {};     // kObjects, kAllBut: ascending
+  std::vector<std::string> colours = {};  // kColours
+  friend bool operator==(const Subset&, const Subset&) = default;
+};
+
 // One entry of "maintain".
 struct Request {
   std::string structure;  // registered name, for example "delaunay_2"
@@ -53,6 +65,9 @@ struct Request {
   Key key;
   std::vector<Request> over = {};          // what it reads, if not the default; at most one
   std::vector<Parameter> parameters = {};  // those that do not have their default values
+  Subset of = {};                          // the objects that it is built from
+  ObjectId query = kNoObject;              // of a structure with a query; none: the first object
+  std::vector<std::string> colours = {};   // of a structure of two colours: both, or none
 };
 
 // "Which points are in this closed box right after `at`?"
@@ -87,6 +102,8 @@ struct Scene {
   int axes() const { return has_bodies() ? kBodyAxes : dimension; }
   // True if an object has a weight.
   bool has_weights() const;
+  // By object: true for those of the subset. Empty: all of them.
+  std::vector<bool> members(const Subset& subset) const;
   // The motion with the object's weight, if it has one, as a last axis: the axes that predicates
   // read in runs that read weights (core/arithmetic/number_needs.h).
   Trajectory weighted(ObjectId object, const Trajectory& motion) const;

@@ -75,7 +75,7 @@ std::optional<Refusal> complaint_about_number(const Scene& scene) {
   if (!are_too_many(scene) && plan_structures(scene).size() <= kMostStructures) return std::nullopt;
   const std::string most = std::to_string(kMostStructures);
   return Refusal{"more than " + most + " structures in one run, those included that others read",
-                   "maintain at most " + most + ", and the others in a run of their own"};
+                 "maintain at most " + most + ", and the others in a run of their own"};
 }
 
 Key read_direction(const JsonNode& node, int dimension) {
@@ -96,20 +96,27 @@ Key read_direction(const JsonNode& node, int dimension) {
   return key;
 }
 
-Key read_distance(const JsonNode& node, const Scene& scene) {
+// The object of this id.
+ObjectId read_object(const JsonNode& node, const Scene& scene) {
   const std::string_view id = node.string();
   const auto object = std::find_if(scene.objects.begin(), scene.objects.end(),
                                    [&](const SceneObject& o) { return o.id == id; });
   if (object == scene.objects.end()) {
     node.fail("there is no object " + show_text(id), "write the id of an object of the scene");
   }
-  if (!lives_throughout(object->motion, scene)) {
+  return static_cast<ObjectId>(object - scene.objects.begin());
+}
+
+Key read_distance(const JsonNode& node, const Scene& scene) {
+  const std::string_view id = node.string();
+  const ObjectId object = read_object(node, scene);
+  if (!lives_throughout(scene.objects[object].motion, scene)) {
     node.fail("object " + show_text(id) + " does not exist for the whole time of the scene",
               "measure the distance to one that does");
   }
   Key key;
   key.kind = Key::Kind::kSquaredDistance;
-  key.object = static_cast<ObjectId>(object - scene.objects.begin());
+  key.object = object;
   return key;
 }
 
@@ -142,12 +149,94 @@ std::optional<Parameter> read_parameter(const JsonNode& member, const ParameterI
   return given;
 }
 
+std::vector<ObjectId> read_objects(const JsonNode& node, const Scene& scene) {
+  node.require_array();
+  std::vector<ObjectId> result;
+  for (std::size_t i = 0; i < node.size(); ++i) result.push_back(read_object(node.at(i), scene));
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+std::string read_colour(const JsonNode& node, const Scene& scene) {
+  const std::string_view colour = node.string();
+  const bool known = std::any_of(scene.objects.begin(), scene.objects.end(),
+                                 [&](const SceneObject& o) { return o.colour == colour; });
+  if (!known || colour.empty()) {
+    node.fail("no object has the colour " + show_text(colour),
+              "write a \"colour\" of objects of the scene");
+  }
+  return std::string(colour);
+}
+
+std::vector<std::string> read_colours(const JsonNode& node, const Scene& scene) {
+  node.require_array();
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < node.size(); ++i) result.push_back(read_colour(node.at(i), scene));
+  return result;
+}
+
+// The value of "of": a colour, a list of ids, {"colours": [..]} or {"all_but": [ID, ..]}.
+Subset read_subset(const JsonNode& node, const Scene& scene) {
+  Subset subset;
+  if (node.is(JsonValue::Kind::kString)) {
+    subset.kind = Subset::Kind::kColours;
+    subset.colours = {read_colour(node, scene)};
+    return subset;
+  }
+  if (node.is(JsonValue::Kind::kArray)) {
+    subset.kind = Subset::Kind::kObjects;
+    subset.objects = read_objects(node, scene);
+    return subset;
+  }
+  const std::string remedy =
+      "write a colour, [ID, ..], {\"colours\": [..]} or {\"all_but\": [ID, ..]}";
+  if (!node.is(JsonValue::Kind::kObject)) node.refuse("a choice of objects", remedy);
+  node.require_object({"colours", "all_but"});
+  if (node.size() != 1) {
+    node.fail("a choice of objects with " + counted(node.size(), "field", "fields"), remedy);
+  }
+  if (const auto colours = node.find("colours")) {
+    subset.kind = Subset::Kind::kColours;
+    subset.colours = read_colours(*colours, scene);
+    return subset;
+  }
+  subset.objects = read_objects(node.member("all_but"), scene);
+  if (!subset.objects.empty()) subset.kind = Subset::Kind::kAllBut;
+  return subset;
+}
+
+// "of", "query" and "colours".
+void read_object_sets(const JsonNode& node, const StructureInfo& info, const Scene& scene,
+                      Request& request) {
+  const std::string shown_name = show_text(info.name);
+  if (const auto of = node.find("of")) request.of = read_subset(*of, scene);
+  if (const auto query = node.find("query")) {
+    if (!info.query) query->fail(shown_name + " takes no query", "remove it");
+    request.query = read_object(*query, scene);
+    if (request.query == 0) request.query = kNoObject;  // the usual one
+  }
+  if (const auto colours = node.find("colours")) {
+    if (!info.colours) colours->fail(shown_name + " takes no colours", "remove it");
+    request.colours = read_colours(*colours, scene);
+    if (request.colours.size() != 2) {
+      colours->fail(counted(request.colours.size(), "colour", "colours"), "write two colours");
+    }
+  }
+  if (const auto refusal = refusal_of_objects(info, request, scene)) {
+    node.fail(shown_name + " " + refusal->problem, refusal->remedy);
+  }
+}
+
 Request read_request(const JsonNode& node, const Scene& scene);
 
 // The structure to be read in place of the usual one, if it is another one.
 std::optional<Request> read_over(const JsonNode& node, const StructureInfo& info,
                                  const Scene& scene) {
   Request over = read_request(node, scene);
+  if (node.is(JsonValue::Kind::kObject) && node.find("of")) {
+    node.member("of").fail("a choice of objects for what is read", "write \"of\" one level higher");
+  }
   if (const auto refusal = refusal_of_over(info, over)) {
     node.fail(show_text(info.name) + " " + refusal->problem, refusal->remedy);
   }
@@ -165,7 +254,8 @@ Request read_request(const JsonNode& node, const Scene& scene) {
   Request request;
   const bool plain = node.is(JsonValue::Kind::kString);
   if (!plain && !node.is(JsonValue::Kind::kObject)) {
-    node.refuse("an entry of \"maintain\"", "write a structure's name or {\"structure\": NAME, ..}");
+    node.refuse("an entry of \"maintain\"",
+                "write a structure's name or {\"structure\": NAME, ..}");
   }
   const JsonNode name = plain ? node : node.member("structure");
   request.structure = name.string();
@@ -174,7 +264,7 @@ Request read_request(const JsonNode& node, const Scene& scene) {
   }
   request.label = request.structure;
   if (!plain) {
-    std::vector<std::string_view> known{"structure", "key", "over", "as"};
+    std::vector<std::string_view> known{"structure", "key", "over", "as", "of", "query", "colours"};
     for (const ParameterInfo& parameter : find_structure_info(request.structure)->parameters) {
       known.push_back(parameter.name);
     }
@@ -190,6 +280,7 @@ Request read_request(const JsonNode& node, const Scene& scene) {
       }
     }
     const StructureInfo& info = *find_structure_info(request.structure);
+    read_object_sets(node, info, scene, request);
     if (const auto over = node.find("over")) {
       if (auto read = read_over(*over, info, scene)) request.over.push_back(*std::move(read));
     }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/formats/counted.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/id_index.h"
 #include "experiments/formats/input_error.h"
@@ -71,6 +72,42 @@ std::optional<Rational> read_weight(const JsonNode& object) {
   return weight->rational();
 }
 
+// The colour of a point; empty: none.
+std::string read_colour(const JsonNode& object) {
+  const auto colour = object.find("colour");
+  if (!colour) return {};
+  if (object.find("polygon")) {
+    colour->fail("a colour of a body", "remove it: points alone have colours");
+  }
+  if (colour->string().empty()) colour->fail("an empty colour", "write a name, or remove it");
+  return std::string(colour->string());
+}
+
+// The two vertices of an edge of a graph; empty: a point.
+std::vector<std::string> read_ends(const JsonNode& object, const Scene& scene) {
+  const auto ends = object.find("ends");
+  if (!ends) return {};
+  ends->require_array();
+  if (object.find("polygon") || scene.dimension != 1) {
+    ends->fail("an edge of a graph in a scene that is not of points on a line",
+               "write \"dimension\": 1 and no \"polygon\": its coordinate is its weight");
+  }
+  if (ends->size() != 2) {
+    ends->fail("an edge with " + counted(ends->size(), "end", "ends"), "write two vertices");
+  }
+  std::vector<std::string> result;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const JsonNode end = ends->at(i);
+    if (end.string().empty()) end.fail("a vertex without a name", "write a name");
+    result.emplace_back(end.string());
+  }
+  if (result[0] == result[1]) {
+    ends->fail("an edge from vertex " + show_text(result[0]) + " to itself",
+               "write two different vertices");
+  }
+  return result;
+}
+
 void read_overlapping_starts(const JsonNode& node, Scene& scene) {
   const std::string_view choice = node.string();
   if (choice == "contact") {
@@ -87,7 +124,7 @@ void read_objects(const JsonNode& node, Scene& scene) {
   scene.objects.reserve(node.size());
   for (std::size_t i = 0; i < node.size(); ++i) {
     const JsonNode entry = node.at(i);
-    entry.require_object({"id", "motion", "polygon", "rotor", "weight"});
+    entry.require_object({"id", "motion", "polygon", "rotor", "weight", "colour", "ends"});
     const JsonNode id = entry.member("id");
     if (id.string().empty()) id.fail("an empty id", "write a name");
     if (id.string().size() > kMaxIdBytes) {
@@ -95,12 +132,17 @@ void read_objects(const JsonNode& node, Scene& scene) {
     }
     const std::size_t first = seen.add(id.string());
     if (first != i) {
-      id.fail("the id " + shown(id.value()) + " is that of /objects/" +
-                  std::to_string(first) + " too",
-              "ids are unique");
+      id.fail(
+          "the id " + shown(id.value()) + " is that of /objects/" + std::to_string(first) + " too",
+          "ids are unique");
     }
     std::vector<Vertex2> polygon = read_shape(entry, i == 0, scene);
-    scene.objects.push_back({std::string(id.string()), {}, std::move(polygon), read_weight(entry)});
+    scene.objects.push_back({std::string(id.string()),
+                             {},
+                             std::move(polygon),
+                             read_weight(entry),
+                             read_colour(entry),
+                             read_ends(entry, scene)});
     SceneObject& object = scene.objects.back();
     read_motion(entry, scene, !object.polygon.empty(), object.motion);
   }

@@ -90,12 +90,38 @@ void write_key(JsonWriter& json, const Key& key, const Scene& scene) {
   }
 }
 
+void write_texts(JsonWriter& json, const std::vector<std::string>& texts) {
+  json.begin_array();
+  for (const std::string& text : texts) json.string(text);
+  json.end_array();
+}
+
+void write_subset(JsonWriter& json, const Subset& subset, const Scene& scene) {
+  std::vector<std::string> ids;
+  for (const ObjectId object : subset.objects) ids.push_back(scene.objects[object].id);
+  if (subset.kind == Subset::Kind::kObjects) return write_texts(json, ids);
+  if (subset.kind == Subset::Kind::kColours && subset.colours.size() == 1) {
+    json.string(subset.colours[0]);
+    return;
+  }
+  const bool colours = subset.kind == Subset::Kind::kColours;
+  json.begin_object().key(colours ? "colours" : "all_but");
+  write_texts(json, colours ? subset.colours : ids);
+  json.end_object();
+}
+
+bool has_options(const Request& request) {
+  return !request.over.empty() || !request.parameters.empty() ||
+         request.of.kind != Subset::Kind::kAll || request.query != kNoObject ||
+         !request.colours.empty();
+}
+
 void write_options(JsonWriter& json, const Request& request, const Scene& scene);
 
 void write_request(JsonWriter& json, const Request& request, const Scene& scene) {
   const bool default_key = request.key.kind == Key::Kind::kCoordinate && request.key.axis == 0;
   const bool is_named = !request.label.empty() && request.label != request.structure;
-  if (default_key && !is_named && request.over.empty() && request.parameters.empty()) {
+  if (default_key && !is_named && !has_options(request)) {
     json.string(request.structure);
     return;
   }
@@ -110,6 +136,9 @@ void write_request(JsonWriter& json, const Request& request, const Scene& scene)
 }
 
 void write_options(JsonWriter& json, const Request& request, const Scene& scene) {
+  if (request.of.kind != Subset::Kind::kAll) write_subset(json.key("of"), request.of, scene);
+  if (request.query != kNoObject) json.key("query").string(scene.objects[request.query].id);
+  if (!request.colours.empty()) write_texts(json.key("colours"), request.colours);
   for (const Request& over : request.over) write_request(json.key("over"), over, scene);
   for (const Parameter& parameter : request.parameters) {
     json.key(parameter.name);
@@ -147,6 +176,8 @@ std::string write_scene(const Scene& scene) {
       json.key("weight");
       write_number(json, *object.weight);
     }
+    if (!object.colour.empty()) json.key("colour").string(object.colour);
+    if (!object.ends.empty()) write_texts(json.key("ends"), object.ends);
     json.key("motion");
     write_motion(json, object.motion, !object.polygon.empty());
     json.end_object();
@@ -181,7 +212,7 @@ std::string request_json(const Request& request, const Scene& scene) {
 }
 
 std::string options_json(const Request& request, const Scene& scene) {
-  if (request.over.empty() && request.parameters.empty()) return "";
+  if (!has_options(request)) return "";
   std::string text;
   JsonWriter json(text);
   write_options(json.begin_object(), request, scene);

@@ -27,6 +27,7 @@ std::string shape_of(const StructureInfo& info) {
     case Attribute::Shape::kObject:
       return "one id";
     case Attribute::Shape::kTuples:
+      if (info.width == 1) return "a set of ids";
       return info.width == 2 ? "a set of pairs of ids"
                              : "a set of tuples of " + std::to_string(info.width) + " ids";
     case Attribute::Shape::kCycle:
@@ -36,7 +37,9 @@ std::string shape_of(const StructureInfo& info) {
 }
 
 std::string domain_of(const StructureInfo& info) {
-  std::string text = info.bodies ? "rigid convex polygons" : "points";
+  std::string text = info.bodies  ? "rigid convex polygons"
+                     : info.graph ? "edges of graphs"
+                                  : "points";
   text += " in " + formats::counted(static_cast<std::uint64_t>(info.min_dimension), "axis", "axes");
   if (info.any_dimension) text += " or more";
   if (!info.has_events) return text + "; it follows no motion";
@@ -236,6 +239,10 @@ Explanation explain(const StructureInfo& info) {
   add("for", {domain_of(info)});
   if (info.uses_key)
     add("key", {"x (default), y, z, a direction, or the squared distance to an object"});
+  if (info.query) add("query", {"an object (default: the first); the others are the sites"});
+  if (info.colours) {
+    add("colours", {"two colours of objects (default: the objects at even and at odd places)"});
+  }
   add("reads", readings_of(info));
   add("parameters", parameters_of(info));
   add("family",

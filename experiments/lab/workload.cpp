@@ -7,6 +7,7 @@
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/family.h"
+#include "structures/registry.h"
 
 namespace kinex::lab {
 
@@ -143,6 +144,19 @@ Scene generate_scene(const Workload& workload, WorkloadParameters parameters) {
   return scene;
 }
 
+void join_vertices(Scene& scene) {
+  if (scene.dimension != 1 || scene.has_bodies()) return;
+  int u = 0, v = 1;
+  for (SceneObject& object : scene.objects) {
+    if (!object.ends.empty()) return;
+    object.ends = {"v" + std::to_string(u), "v" + std::to_string(v)};
+    if (++u == v) {
+      u = 0;
+      ++v;
+    }
+  }
+}
+
 Scene generate_scene(std::string_view workload, const WorkloadParameters& parameters,
                      std::string_view structure) {
   const Workload* known = find_workload(workload);
@@ -151,6 +165,8 @@ Scene generate_scene(std::string_view workload, const WorkloadParameters& parame
   Request request;
   request.structure = request.label = structure;
   scene.maintain = {std::move(request)};
+  const StructureInfo* const info = find_structure_info(structure);
+  if (info != nullptr && info->graph) join_vertices(scene);
   return scene;
 }
 

@@ -61,8 +61,11 @@ WorkloadParameters resolved(const Workload& workload, WorkloadParameters paramet
 // The scene, named after its parameters, with the workload's default structure in `maintain`.
 // Throws as resolved() does.
 Scene generate_scene(const Workload& workload, WorkloadParameters parameters);
-// The same for a workload by its name, with this structure alone to maintain. Throws
-// std::invalid_argument for an unknown workload.
+// Makes the points of a scene of one axis edges of a graph, if they are none: the k-th joins the
+// k-th pair of vertices in the order 01, 02, 12, 03, 13, .. (n(n-1)/2 points: a complete graph).
+void join_vertices(Scene& scene);
+// The same for a workload by its name, with this structure alone to maintain; its points are edges
+// if the structure is for graphs. Throws std::invalid_argument for an unknown workload.
 Scene generate_scene(std::string_view workload, const WorkloadParameters& parameters,
                      std::string_view structure);
 

@@ -12,7 +12,8 @@ from itertools import combinations, permutations
 from log import Wrong
 from replay_directions import all_directions, extent_query, half_directions, k_of
 from roots import Instant, all_roots, compare
-from static import spanning_tree
+from static import forest_edges, spanning_tree
+from subsets import TWO_COLOURS, classes_of, own_objects, query_of
 from world import World
 
 MOST_OBJECTS = 12
@@ -168,8 +169,29 @@ def squared_distance(positions, pair):
     return sum((a - b) ** 2 for a, b in zip(positions[pair[0]], positions[pair[1]]))
 
 
-def closest_of(positions):
-    pairs = list(combinations(sorted(positions), 2))
+def pairs_of(structure, members, scene):
+    """All pairs; those of two colours for structures of two colours."""
+    pairs = combinations(sorted(members), 2)
+    if structure.name not in TWO_COLOURS:
+        return list(pairs)
+    red, blue = classes_of(structure.options, scene)
+    return [(a, b) for a, b in pairs if (a in red and b in blue) or (a in blue and b in red)]
+
+
+def nearest_of(query, positions):
+    sites = [o for o in sorted(positions) if o != query]
+    if query not in positions or not sites:
+        return []
+    return [min(sites, key=lambda o: squared_distance(positions, (query, o)))]
+
+
+def lightest_of(positions, scene):
+    """The edges of the minimum spanning forest of a graph."""
+    order = sorted(positions, key=lambda o: (positions[o][0], o))
+    return sorted((o,) for o in forest_edges(order, scene))
+
+
+def closest_of(pairs, positions):
     return [min(pairs, key=lambda pair: squared_distance(positions, pair))] if pairs else []
 
 
@@ -205,7 +227,7 @@ def extent_of(positions, directions, largest):
     return [] if best is None or best[1] == best[2] else [tuple(sorted(best[1:]))]
 
 
-def attribute_of(structure, key, positions):
+def attribute_of(structure, key, positions, scene):
     name = structure.name
     if name == "sorted_list":
         return ordered(key, positions)
@@ -223,8 +245,12 @@ def attribute_of(structure, key, positions):
         return delaunay_of(positions)
     if name == "bounding_box":
         return box_of(positions)
-    if name == "closest_pair_delaunay":
-        return closest_of(positions)
+    if name.startswith(("closest_pair_", "bichromatic_pair_")):
+        return closest_of(pairs_of(structure, positions, scene), positions)
+    if name == "nearest_site":
+        return nearest_of(query_of(structure.options, scene), positions)
+    if name.startswith("graph_mst_"):
+        return lightest_of(positions, scene)
     if name.startswith("emst_"):
         return tree_of(positions)
     if name in ("diameter_2", "diameter_all_pairs"):
@@ -249,23 +275,34 @@ def attribute_of(structure, key, positions):
 # ---- instants
 
 
-def queries_of(structure, key, members, dimension):
+def queries_of(structure, key, members, scene):
     """The polynomials that the attribute depends on."""
     from predicates import Key, axis_order, distance_query
 
-    name = structure.name
+    name, dimension = structure.name, scene.dimension
     if name == "sorted_list" or name.startswith(("maximum_", "minimum_")):
         k = Key(key)
         for a, b in combinations(sorted(members - {k.reference}), 2):
             yield k.claim(a, b)
+        return
+    if name == "nearest_site":
+        query = query_of(structure.options, scene)
+        for pair in combinations(sorted(members - {query}), 2):
+            if query in members:
+                yield ("order_squared_distance", (*pair, query))
+        return
+    if name.startswith("graph_mst_"):
+        for pair in combinations(sorted(members), 2):
+            yield (axis_order(0), pair)
         return
     if name in ("bounding_box", "range_tree_2", "rank_kd_tree_2", "pseudo_kd_tree_2"):
         for pair in combinations(sorted(members), 2):
             for axis in range(dimension):
                 yield (axis_order(axis), pair)
         return
-    if name in ("closest_pair_delaunay", "diameter_2", "diameter_all_pairs", "emst_list", "emst_cycles"):
-        pairs = list(combinations(sorted(members), 2))
+    if name in ("closest_pair_delaunay", "closest_pair_all", "bichromatic_pair_delaunay", "bichromatic_pair_all",
+                "diameter_2", "diameter_all_pairs", "emst_list", "emst_cycles"):
+        pairs = pairs_of(structure, members, scene)
         for front, back in combinations(pairs, 2):
             yield distance_query(front, back)
         return
@@ -369,7 +406,9 @@ def check_small(checker, end):
         if until is None or (end is not None and compare(until, end) > 0):
             until, t = end, None
         instants = [begin]
-        for query in {q for i in followed for q in queries_of(structures[i], keys[i], world.alive, scene.dimension)}:
+        owns = {i: own_objects(structures[i].name, structures[i].options, scene) for i in followed}
+        present = {i: world.alive if owns[i] is None else world.alive & owns[i] for i in followed}
+        for query in {q for i in followed for q in queries_of(structures[i], keys[i], present[i], scene)}:
             p = world.changes(*query)[0].p
             if p not in roots:
                 roots[p] = all_roots(p, world.window)
@@ -390,7 +429,7 @@ def check_small(checker, end):
             positions = {o: [world.piece[o].position(axis, point) for axis in range(scene.dimension)]
                          for o in world.alive}
             for i in followed:
-                right = attribute_of(structures[i], keys[i], positions)
+                right = attribute_of(structures[i], keys[i], {o: positions[o] for o in present[i]}, scene)
                 if right is not None and history[told][1][i] != right:
                     raise Wrong("%s: at t = %s it is %s; what the events say is %s" % (
                         structures[i].label, point, shown(scene, right), shown(scene, history[told][1][i])),

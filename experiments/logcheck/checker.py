@@ -14,6 +14,7 @@ from predicates import LEAST_AXES, Key, formula_of, known
 from registry import BODY_STRUCTURES, replay_of
 from roots import Instant, compare
 from scene import BadInput
+from subsets import own_objects
 from world import World
 
 # Structures whose certificates of a predicate fail where they touch zero, too: vertices of a hull that meet
@@ -177,7 +178,9 @@ class Checker:
         self.start(x)
         change, i, n = 0, 0, len(records)
         first = True
-        changes = self.scene.changes
+        self.own = [own_objects(s.name, s.options, self.scene) for s in self.log.structures]
+        # Changes of objects that no structure is built from are in no record.
+        changes = [c for c in self.scene.changes if any(own is None or c[2] in own for own in self.own)]
         end = None if self.log.reached is None else self.rational(self.log.reached)
         while True:
             t = self.rational(changes[change][0]) if change < len(changes) else None
@@ -253,9 +256,12 @@ class Checker:
         for o in erasures:
             updates.pop(o, None)
         structures = self.log.structures
-        due = [("motion", s, o) for s in structures for o in sorted(updates)]
-        due += [("erase", s, o) for o in sorted(erasures) for s in structures]
-        due += [("insert", s, o) for o in sorted(insertions) for s in structures]
+        def has(s, o):
+            return self.own[s.index] is None or o in self.own[s.index]
+
+        due = [("motion", s, o) for s in structures for o in sorted(updates) if has(s, o)]
+        due += [("erase", s, o) for o in sorted(erasures) for s in structures if has(s, o)]
+        due += [("insert", s, o) for o in sorted(insertions) for s in structures if has(s, o)]
         place, moved, phase = 0, False, "motion"
         line = records[0].line if records else self.last_line()
         try:

@@ -2,6 +2,7 @@
 """What every replay of a structure has in common (level 3)."""
 
 from log import Wrong
+from subsets import own_objects
 
 
 class Replay:
@@ -11,6 +12,7 @@ class Replay:
         self.checker, self.structure = checker, structure
         self.world = checker.world
         self.label = structure.label
+        self.own = own_objects(structure.name, structure.options, self.world.scene)
         self.proofs = []
         self.begun = 0  # the step of the first proof at which the present instant began
 
@@ -44,6 +46,10 @@ class Replay:
             proof.finish(end)
 
     # For subclasses.
+    def alive(self):
+        """The objects that are there, of those that the structure is built from."""
+        return set(self.world.alive) if self.own is None else self.world.alive & self.own
+
     def names(self, ids):
         return "[" + ", ".join(str(self.world.scene.ids[i]) for i in ids) + "]"
 

@@ -29,7 +29,7 @@ class Delaunay(Replay):
         return sorted(self.edges)
 
     def start(self, x):
-        self.members = set(self.world.alive)
+        self.members = self.alive()
         self.make(x)
         self.edges = self.true_edges()
 

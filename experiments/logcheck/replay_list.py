@@ -28,7 +28,7 @@ class SortedList(Replay):
             self.proof.put(i, self.key.claim(self.order[i], self.order[i + 1]), x)
 
     def start(self, x):
-        self.members = {o for o in self.world.alive if o != self.key.reference}
+        self.members = {o for o in self.alive() if o != self.key.reference}
         self.order = sorted_by(self.world, self.key, self.members, x)
         self.at = {o: i for i, o in enumerate(self.order)}
         self.claims(0, len(self.order), x)

@@ -48,7 +48,7 @@ class Maximum(OfMembers):
         return winner
 
     def everyone(self):
-        return {o for o in self.world.alive if o != self.key.reference}
+        return {o for o in self.alive() if o != self.key.reference}
 
     def begin(self, x):
         self.told = self.best(x)

@@ -11,7 +11,7 @@ class OfMembers(Replay):
 
     def everyone(self):
         """The objects that it is about."""
-        return set(self.world.alive)
+        return self.alive()
 
     def start(self, x):
         self.members = self.everyone()

@@ -13,7 +13,8 @@ from itertools import combinations
 from predicates import axis_order, distance_query
 from proof import Proof
 from replay_members import OfMembers
-from static import spanning_tree
+from static import forest_edges, spanning_tree
+from subsets import classes_of, query_of
 
 
 class Scratch(OfMembers):
@@ -105,9 +106,12 @@ class ClosestPair(Scratch):
 
     claim = staticmethod(distance_query)
 
+    def pairs(self):
+        return combinations(sorted(self.members), 2)
+
     def current(self, x):
         best = None
-        for pair in combinations(sorted(self.members), 2):
+        for pair in self.pairs():
             if best is None or self.world.sign_after(self.claim(pair, best), x) > 0:
                 best = pair
         return [] if best is None else [best]
@@ -141,19 +145,27 @@ class SpanningTree(Scratch):
     An instant may have several events "swap", each with one edge that is gone and one that came."""
 
     claim = staticmethod(distance_query)
+    width = 2  # of edges, as tuples of objects
 
-    def current(self, x):
+    def edges(self):
+        return combinations(sorted(self.members), 2)
+
+    def in_order(self, x):
         def order(one, other):
             return -self.world.sign_after(self.claim(one, other), x) or (-1 if one < other else 1)
 
-        return spanning_tree(sorted(combinations(sorted(self.members), 2), key=cmp_to_key(order)))
+        return sorted(self.edges(), key=cmp_to_key(order))
+
+    def current(self, x):
+        return spanning_tree(self.in_order(x))
 
     def record(self, r, x):
         self.look = True
         if r.kind not in ("settled", "rebuild"):
-            self.require_members(r, 4)
-            old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
-            self.require(old[0] < old[1] and fresh[0] < fresh[1] and old != fresh, "%s: no two edges", r.short())
+            self.require_members(r, 2 * self.width)
+            old, fresh = tuple(r.ids[:self.width]), tuple(r.ids[self.width:])
+            self.require(old == tuple(sorted(old)) and fresh == tuple(sorted(fresh)) and old != fresh,
+                         "%s: no two edges", r.short())
             if r.kind == "tie":
                 self.require(self.world.is_zero(self.claim(old, fresh)), "%s: the lengths are not identically equal",
                              r.short())
@@ -164,13 +176,81 @@ class SpanningTree(Scratch):
             return
         ids = self.world.scene.ids
         if r.kind == "swap":
-            sides = [[[ids[a], ids[b]]] for a, b in (old, fresh)]
+            sides = [[[ids[o] for o in edge]] for edge in (old, fresh)]
             self.require([r.gone, r.came] == sides, "%s: the tree changes from %s to %s", r.short(), *sides)
         number = {name: o for o, name in enumerate(ids)}
         gone, came = ({tuple(number[name] for name in edge) for edge in side} for side in (r.gone, r.came))
         self.require(gone <= set(self.told), "%s: an edge is gone that was not there", r.short())
         self.require(not came & set(self.told), "%s: an edge came that was there", r.short())
         self.told = sorted(set(self.told) - gone | came)
+
+
+class GraphTree(SpanningTree):
+    """The minimum spanning forest of a graph whose edges are the objects; of equal weights the smaller object is the
+    lighter one."""
+
+    width = 1
+
+    @staticmethod
+    def claim(one, other):
+        return (axis_order(0), (one[0], other[0]))
+
+    def edges(self):
+        return [(o,) for o in sorted(self.members)]
+
+    def current(self, x):
+        return sorted((o,) for o in forest_edges([o for (o,) in self.in_order(x)], self.world.scene))
+
+
+class TwoColours(ClosestPair):
+    """The closest two points of different classes."""
+
+    def __init__(self, checker, structure):
+        super().__init__(checker, structure)
+        self.red, self.blue = classes_of(structure.options, self.world.scene)
+
+    def pairs(self):
+        return [(a, b) for a, b in super().pairs()
+                if (a in self.red and b in self.blue) or (a in self.blue and b in self.red)]
+
+
+class NearestSite(Scratch):
+    """The site nearest to the query; of equally distant ones the smallest."""
+
+    def __init__(self, checker, structure):
+        super().__init__(checker, structure)
+        self.asked = query_of(structure.options, self.world.scene)
+
+    def claim(self, near, far):
+        return ("order_squared_distance", (near, far, self.asked))
+
+    def current(self, x):
+        best = None
+        if self.asked not in self.members:
+            return []
+        for o in sorted(self.members - {self.asked}):
+            if best is None or self.world.sign_after(self.claim(o, best), x) > 0:
+                best = o
+        return [] if best is None else [best]
+
+    def check(self, r, before, after):
+        if r.kind == "settled" or not r.external:
+            self.checker.check_change(self, r, before, after)
+
+    def replaced(self, r, before, after):
+        if before != after:
+            self.require([[r.ids[0]], [r.ids[1]]] == [before, after], "%s: the nearest site changes from %s to %s",
+                         r.short(), before, after)
+
+    def event(self, r, x):
+        self.require_members(r, 2)
+        old, fresh = r.ids
+        if r.kind == "tie":
+            self.require(self.world.is_zero(self.claim(old, fresh)), "%s: the distances are not identically equal",
+                         r.short())
+        elif self.query(r) is not None:
+            self.require(set(self.query(r)[1]) == {old, fresh, self.asked}, "%s is not a failure of the two sites",
+                         r.short())
 
 
 class FarthestPair(ClosestPair):

@@ -13,6 +13,7 @@ from fractions import Fraction
 from math import lcm
 
 from parameters import unusual
+from subsets import sets_of
 
 MOST_EXPONENT = 100000  # of a decimal number
 HEX = re.compile(r"([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+-]?\d+))?\Z")
@@ -103,12 +104,14 @@ class Object:
     def __init__(self, name, pieces, polygon):
         self.name, self.pieces, self.polygon = name, pieces, polygon
         self.open = False  # written as one motion, not as a list of pieces
+        self.colour, self.ends = "", []  # the ends of an edge of a graph: two vertices
 
 
 class Request:
-    def __init__(self, structure, key, label, parameters=()):
+    def __init__(self, structure, key, label, parameters=(), sets=()):
         self.structure, self.key, self.label = structure, key, label
         self.parameters = parameters  # (name, value), those that have another value than usual
+        self.sets = sets  # (name, value) of "of", "query" and "colours" (subsets.py)
 
 
 class Scene:
@@ -172,7 +175,9 @@ class Scene:
                 where = "%s/motion/%d" % (place, i)
                 times = [exact(p[k], where + "/" + k) if k in p else None for k in ("from", "to")]
                 pieces.append(Piece(*times, axes(p["coordinates"], p.get("rotor"), where)))
-        return Object(tree["id"], pieces, polygon)
+        result = Object(tree["id"], pieces, polygon)
+        result.colour, result.ends = tree.get("colour", ""), tree.get("ends", [])
+        return result
 
     def read_key(self, key):
         """("axis", i), ("direction", [..]) or ("distance", object number)."""
@@ -191,7 +196,8 @@ class Scene:
             return Request(tree, ("axis", 0), tree)
         return Request(tree["structure"], self.read_key(tree.get("key", "x")),
                        tree.get("as", tree["structure"]),
-                       unusual(tree["structure"], tree, lambda value: Fraction(str(value))))
+                       unusual(tree["structure"], tree, lambda value: Fraction(str(value))),
+                       sets_of(tree, self))
 
     # ---- flight plans
 
@@ -289,13 +295,23 @@ def key_text(key, scene):
     return '{"squared_distance_to": %s}' % json_string(scene.ids[key[1]])
 
 
+def set_text(value):
+    """A value of "of", "query", "colours" or "ends"."""
+    if isinstance(value, str):
+        return json_string(value)
+    if isinstance(value, dict):
+        return "{" + ", ".join(json_string(name) + ": " + set_text(v) for name, v in value.items()) + "}"
+    return "[" + ", ".join(map(json_string, value)) + "]"
+
+
 def request_text(r, scene):
     plain = r.key == ("axis", 0)
-    if plain and r.label == r.structure and not r.parameters:
+    if plain and r.label == r.structure and not r.parameters and not r.sets:
         return json_string(r.structure)
     members = ['"structure": ' + json_string(r.structure)]
     if not plain:
         members.append('"key": ' + key_text(r.key, scene))
+    members += [json_string(name) + ": " + set_text(value) for name, value in r.sets]
     members += [json_string(name) + ": " + number_text(value) for name, value in r.parameters]
     if r.label != r.structure:
         members.append('"as": ' + json_string(r.label))
@@ -322,6 +338,10 @@ def canonical_text(scene):
         text = '{"id": ' + json_string(o.name)
         if o.polygon:
             text += ', "polygon": ' + axes_text(o.polygon)
+        if o.colour:
+            text += ', "colour": ' + json_string(o.colour)
+        if o.ends:
+            text += ', "ends": ' + set_text(o.ends)
         objects.append(text + ', "motion": ' + motion_text(o) + "}")
     maintain = "[" + ", ".join(request_text(r, scene) for r in scene.maintain) + "]"
     queries = ['{"at": %s, "box": %s}' % (number_text(t), axes_text(box)) for t, box in scene.queries]

@@ -78,3 +78,18 @@ def spanning_tree(pairs):
         for o in other:
             component[o] = one
     return sorted(tree)
+
+
+def forest_edges(order, scene):
+    """Of objects that are edges of a graph, in the order of their weights: those of the minimum spanning forest."""
+    component, edges = {}, []
+    for o in order:
+        a, b = scene.objects[o].ends
+        one, other = component.setdefault(a, {a}), component.setdefault(b, {b})
+        if one is other:
+            continue
+        edges.append(o)
+        one |= other
+        for vertex in other:
+            component[vertex] = one
+    return edges

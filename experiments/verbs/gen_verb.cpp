@@ -72,9 +72,9 @@ void check_bodies(const Scene& scene, const lab::Workload& workload) {
   try {
     formats::parse_scene(formats::write_scene(scene), "the scene");
   } catch (const formats::InputError& error) {
-    throw formats::InputError("gen", "",
-                     std::string(workload.name) + " cannot be made of these sizes: " + error.what(),
-                     "choose sizes and --separation nearer to 1");
+    throw formats::InputError(
+        "gen", "", std::string(workload.name) + " cannot be made of these sizes: " + error.what(),
+        "choose sizes and --separation nearer to 1");
   }
 }
 
@@ -93,6 +93,14 @@ void generate(const GenOptions& options, const Voice& voice) {
   }
   Scene scene = lab::generate_scene(*workload, parameters_of(options, *workload));
   if (!options.name.empty()) scene.name = name_option(options.name);
+  for (const StructureInfo& info : structure_infos()) {
+    const auto names = [&info](const std::string& text) {
+      return info.graph && text.find(info.name) != std::string::npos;
+    };
+    if (std::any_of(options.maintain.begin(), options.maintain.end(), names)) {
+      lab::join_vertices(scene);
+    }
+  }
   if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);
   if (scene.has_bodies()) check_bodies(scene, *workload);
   write_result(options.output, options.force, formats::write_scene(scene));

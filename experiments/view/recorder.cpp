@@ -155,7 +155,7 @@ class Recorder final : public EventSink {
       if (!planned.watches.empty()) record.proof.reads = planned.watches.front();
       simulator_->add(
           id, std::make_unique<WatchedStructure>(std::move(structure), [this, id] { look(id); }),
-          planned.request.label, planned.watches);
+          planned.request.label, planned.watches, planned.members);
       for (const std::string_view kind : simulator_->event_kinds(id)) {
         record.kinds.emplace_back(kind);
       }

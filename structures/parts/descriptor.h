@@ -88,6 +88,9 @@ struct StructureInfo {
   std::vector<ParameterInfo> parameters = {};
   std::string_view instead = {};    // a structure of its group that takes every scene; empty: itself
   bool weights = false;             // it reads the weights of points
+  bool query = false;               // it is about one object, the request's "query"
+  bool colours = false;             // it is about two classes of objects, the request's "colours"
+  bool graph = false;               // for edges of graphs ("ends"), and only these
   // Adds the objects that it derives in the scene; nullptr: it derives none.
   void (*derives)(const Scene& scene, NumberNeeds& needs) = nullptr;
   // Refuses scenes that it cannot maintain for another reason; nullptr: there is none. Called only

@@ -56,12 +56,12 @@ void KeyOrder::check_erasure(ObjectId object) const {
 std::vector<int> KeyOrder::member_pieces(const BoundContext& context) const {
   std::vector<int> pieces = context.pieces;
   if (reference_ != kNoObject)
-    pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(reference_));
+    pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(context.place(reference_)));
   return pieces;
 }
 
 int KeyOrder::reference_pieces(const BoundContext& context) const {
-  return reference_ == kNoObject ? 1 : context.pieces[reference_];
+  return reference_ == kNoObject ? 1 : context.pieces[context.place(reference_)];
 }
 
 }  // namespace kinex

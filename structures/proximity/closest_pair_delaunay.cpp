@@ -2,6 +2,8 @@
 #include "structures/proximity/closest_pair_delaunay.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "structures/parts/tournament_proof.h"
 #include "structures/proximity/delaunay_edges.h"
@@ -10,10 +12,12 @@
 namespace kinex {
 
 ClosestPairDelaunay::ClosestPairDelaunay(Kernel& kernel, StructureId id,
-                                         const Delaunay2& triangulation)
+                                         const Delaunay2& triangulation,
+                                         std::optional<TwoClasses> classes)
     : kernel_(&kernel),
       id_(id),
       triangulation_(&triangulation),
+      classes_(std::move(classes)),
       edges_(kernel, id, "edges", PairDistances(kernel, 2)),
       events_(kernel, id, Attribute::Shape::kTuples) {}
 
@@ -22,8 +26,15 @@ std::span<const ObjectId> ClosestPairDelaunay::closest() const {
   return front == nullptr ? std::span<const ObjectId>() : std::span<const ObjectId>(*front);
 }
 
+// The edges that count, ascending.
+std::vector<ClosestPairDelaunay::Pair> ClosestPairDelaunay::candidates() const {
+  std::vector<Pair> edges = delaunay_edges(*triangulation_);
+  std::erase_if(edges, [this](const Pair& edge) { return !counts(edge); });
+  return edges;
+}
+
 void ClosestPairDelaunay::begin() {
-  edges_.assign(delaunay_edges(*triangulation_));
+  edges_.assign(candidates());
   edges_.apply(tied());
   events_.begin(closest());
 }
@@ -33,13 +44,15 @@ void ClosestPairDelaunay::begin() {
 bool ClosestPairDelaunay::follow(const Event& event) {
   const auto change = delaunay_edge_change(event);
   if (!change) return false;
-  return (!change->gone || edges_.go(*change->gone)) && (!change->came || edges_.come(*change->came));
+  const auto [gone, came] = *change;
+  if (gone && counts(*gone) && !edges_.go(*gone)) return false;
+  return !came || !counts(*came) || edges_.come(*came);
 }
 
 // Whether the pair is another one is seen when the instant is over: certificates of this structure
 // may fail at it, too.
 void ClosestPairDelaunay::watched_changed(const Event* event) {
-  if (event == nullptr || !follow(*event)) edges_.assign(delaunay_edges(*triangulation_));
+  if (event == nullptr || !follow(*event)) edges_.assign(candidates());
   edges_.apply(tied());
   if (!std::ranges::equal(closest(), events_.told().ids)) kernel_->settle_later(id_);
 }
@@ -57,15 +70,20 @@ void ClosestPairDelaunay::visit_proof(ProofVisitor& visitor) const {
 
 std::vector<BoundCheck> ClosestPairDelaunay::bounds(const BoundContext& context) const {
   const StructureLedger& ledger = *context.ledger;
-  const std::size_t n = context.objects();
+  const std::size_t n = context.objects(), degree = classes_ ? 2 : 3;
+  const std::string own(name());
   std::vector<BoundCheck> result{
-      at_most("closest_pair_delaunay.certificates", "a tournament of at most 3n - 6 edges",
-              counted(n < 3 ? 0 : 3 * n - 7), counted(ledger.max_live)),
-      at_most("closest_pair_delaunay.events", "the epochs of the nodes of the tournament",
+      at_most(own + ".certificates",
+              classes_ ? "a tournament of at most 2n - 4 edges between two classes"
+                       : "a tournament of at most 3n - 6 edges",
+              counted(n < 3 ? 0 : degree * n - 2 * degree - 1), counted(ledger.max_live)),
+      at_most(own + ".events", "the epochs of the nodes of the tournament",
               edges_.most_failures(2 * context.degree), counted(ledger.failures))};
-  if (context.plain() && n > 1) {
-    const Integer envelope = davenport_schinzel_bound(2 * context.degree, pairs(counted(n)));
-    result.push_back(at_most("closest_pair_delaunay.external",
+  const Integer all =
+      classes_ ? counted(classes_->size(0)) * counted(classes_->size(1)) : pairs(counted(n));
+  if (context.plain() && all.sign() > 0) {
+    const Integer envelope = davenport_schinzel_bound(2 * context.degree, all);
+    result.push_back(at_most(own + ".external",
                              "pieces of the lower envelope of the distances of all pairs",
                              envelope - Integer(1), counted(ledger.external)));
   }
@@ -74,14 +92,17 @@ std::vector<BoundCheck> ClosestPairDelaunay::bounds(const BoundContext& context)
 
 void ClosestPairDelaunay::check_invariants(AuditReport& report) const {
   edges_.check(report, "edges");
-  report.check(edges_.values() == delaunay_edges(*triangulation_), [] { return "it has missed a change of the edges"; });
+  report.check(edges_.values() == candidates(),
+               [] { return "it has missed a change of the edges"; });
   report.check(std::ranges::equal(closest(), events_.told().ids),
                [] { return "a change of the closest pair was not reported"; });
 }
 
 void ClosestPairDelaunay::audit(const Snapshot& snapshot, AuditReport& report) const {
-  report.check(static_closest_pair(snapshot) == attribute().ids,
-               [] { return "another pair is the closest"; });
+  const auto pair = static_closest_pair(snapshot, [this](ObjectId a, ObjectId b) {
+    return counts({a, b});
+  });
+  report.check(pair == attribute().ids, [] { return "another pair is the closest"; });
 }
 
 }  // namespace kinex

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ClosestPairDelaunay: the closest pair of moving points: the shortest edge of their Delaunay
-// triangulation.
+// triangulation; or the closest pair of two points of different classes: the shortest edge between
+// the classes. These are closest_pair_delaunay and bichromatic_pair_delaunay.
 //
 // Certificates. It watches the triangulation (delaunay_2) and keeps the shortest of its edges by a
 // ChangingExtremum: "this edge is at most as long as that one", degree 2d for motions of degree d.
@@ -9,11 +10,19 @@
 // identically equal vertex add the pairs (vertex, hidden point), of length zero. A flip ab -> cd
 // gives the leaf of ab to cd.
 //
-// Quality, for n points: at most 3n - 7 certificates of its own, not local; a flip or a failure
+// Two classes. The disc on the closest pair of different classes is empty, too: a third point in
+// it, of either class, would be closer to the end of the other class. At a distance above zero no
+// two identically equal points differ in class, and the vertices stand for those hidden behind
+// them; at distance zero the smallest pair of a group of equal points contains its vertex. So the
+// edges between the classes suffice. They are those of a bipartite planar graph: at most 2n - 4.
+//
+// Quality, for n points: at most 3n - 7 certificates of its own (2n - 5 for two classes), not
+// local; a flip or a failure
 // renews O(log n). A new flight plan, an insertion, an erasure, two points that pass on a line, or
 // a degenerate instant reads all edges, O(n), and renews O(log n) certificates for each changed
 // edge. External events: one for each instant that changes the pair, at most lambda_2d(n(n-1)/2) -
-// 1 without flight-plan changes: n(n-1) - 2 for linear motion.
+// 1 without flight-plan changes: n(n-1) - 2 for linear motion; of two classes of m and n points at
+// most lambda_2d(mn) - 1.
 //
 // Ties. Of pairs whose distances are identically equal the lexicographically smallest one.
 //
@@ -21,12 +30,14 @@
 #ifndef KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_DELAUNAY_H
 #define KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_DELAUNAY_H
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
+#include "structures/parts/object_sets.h"
 #include "structures/proximity/pair_distances.h"
 #include "structures/triangulation/delaunay_2.h"
 
@@ -45,10 +56,14 @@ class ClosestPairDelaunay final : public Structure {
   // kTie: the same, because the lengths have become identically equal.
   enum Kind : std::uint8_t { kReplace, kTie };
 
-  // `triangulation` outlives this structure and is watched by it.
-  ClosestPairDelaunay(Kernel& kernel, StructureId id, const Delaunay2& triangulation);
+  // `triangulation`, of all points that count, outlives this structure and is watched by it.
+  // `classes`: pairs of two points of different classes alone; nullopt: all pairs.
+  ClosestPairDelaunay(Kernel& kernel, StructureId id, const Delaunay2& triangulation,
+                      std::optional<TwoClasses> classes);
 
-  std::string_view name() const override { return "closest_pair_delaunay"; }
+  std::string_view name() const override {
+    return classes_ ? "bichromatic_pair_delaunay" : "closest_pair_delaunay";
+  }
   std::vector<std::string_view> event_kinds() const override {
     return common_event_kinds({"replace", "tie"});
   }
@@ -78,17 +93,22 @@ class ClosestPairDelaunay final : public Structure {
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
-  std::size_t bytes() const override { return edges_.bytes() + events_.bytes(); }
+  std::size_t bytes() const override {
+    return edges_.bytes() + events_.bytes() + (classes_ ? classes_->bytes() : 0);
+  }
 
  private:
   // The two ids, ascending; empty if there are fewer than two points.
   std::span<const ObjectId> closest() const;
+  bool counts(const Pair& pair) const { return !classes_ || classes_->differ(pair[0], pair[1]); }
+  std::vector<Pair> candidates() const;
   bool follow(const Event& event);
   void begin();
 
   Kernel* kernel_;
   StructureId id_;
   const Delaunay2* triangulation_;
+  std::optional<TwoClasses> classes_;
   ChangingExtremum<PairDistances> edges_;
   AttributeEvents events_;
 };

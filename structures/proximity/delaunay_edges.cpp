@@ -23,9 +23,12 @@ std::optional<DelaunayEdgeChange> delaunay_edge_change(const Event& event) {
   switch (event.kind) {
     case Delaunay2::kFlip:
       return DelaunayEdgeChange{DelaunayEdge{ids[0], ids[1]}, DelaunayEdge{ids[2], ids[3]}};
-    case Delaunay2::kEnter: return DelaunayEdgeChange{DelaunayEdge{ids[1], ids[2]}, {}};
-    case Delaunay2::kLeave: return DelaunayEdgeChange{{}, DelaunayEdge{ids[1], ids[2]}};
-    default: return std::nullopt;
+    case Delaunay2::kEnter:
+      return DelaunayEdgeChange{DelaunayEdge{ids[1], ids[2]}, {}};
+    case Delaunay2::kLeave:
+      return DelaunayEdgeChange{{}, DelaunayEdge{ids[1], ids[2]}};
+    default:
+      return std::nullopt;
   }
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// EdgeLengths: the claims of a part about numbered edges: the shorter edge is in front. Their order
-// is that of Kruskal's algorithm.
+// EdgeLengths: edges between points, numbered, in the order of their lengths.
 //
 // Ties. Of edges whose lengths are identically equal the lexicographically smaller one is in front
 // (PairDistances). So the minimum spanning tree is unique.
@@ -11,21 +10,22 @@
 #include <map>
 #include <vector>
 
-#include "structures/parts/claim.h"
 #include "structures/proximity/pair_distances.h"
+#include "structures/proximity/tree_edges.h"
 
 namespace kinex {
 
-class EdgeLengths {
+class EdgeLengths final : public TreeEdges {
  public:
   using Edge = PairDistances::Value;  // ids, ascending
 
   EdgeLengths(Kernel& kernel, int dimension) : distances_(kernel, dimension) {}
 
-  Query claim(Item a, Item b) const { return distances_.claim(edges_[a], edges_[b]); }
-  bool goes_first(Item a, Item b) const { return edges_[a] < edges_[b]; }
+  Query claim(Item a, Item b) const override { return distances_.claim(edges_[a], edges_[b]); }
+  bool goes_first(Item a, Item b) const override { return edges_[a] < edges_[b]; }
+  std::array<std::uint32_t, 2> ends(Item item) const override { return edges_[item]; }
+  EdgeIds ids(Item item) const override { return edges_[item]; }
 
-  const Edge& edge(Item item) const { return edges_[item]; }
   // By edge, ascending.
   const std::map<Edge, Item>& items() const { return item_of_; }
   // kNoItem if the edge has no number.

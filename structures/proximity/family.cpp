@@ -2,20 +2,91 @@
 #include "structures/proximity/family.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "structures/proximity/closest_pair_all.h"
 #include "structures/proximity/closest_pair_delaunay.h"
-#include "structures/proximity/emst_cycles.h"
-#include "structures/proximity/emst_list.h"
+#include "structures/proximity/delaunay_tree.h"
+#include "structures/proximity/graph_tree.h"
+#include "structures/proximity/nearest_site.h"
 
 namespace kinex {
 namespace {
 
-// Makes a reader of the Delaunay triangulation.
-template <class S>
-std::unique_ptr<Structure> make_reader(const MakerInput& in) {
-  return std::make_unique<S>(in.kernel, in.id, dynamic_cast<const Delaunay2&>(*in.watched[0]));
+const Delaunay2& triangulation(const MakerInput& in) {
+  return dynamic_cast<const Delaunay2&>(*in.watched[0]);
+}
+
+template <TreeProof proof>
+std::unique_ptr<Structure> make_tree(const MakerInput& in) {
+  return std::make_unique<DelaunayTree>(in.kernel, in.id, triangulation(in), proof);
+}
+template <TreeProof proof>
+std::unique_ptr<Structure> make_graph_tree(const MakerInput& in) {
+  return std::make_unique<GraphTree>(in.kernel, in.id, in.scene, proof);
+}
+
+// The closest pair, of all pairs or of those of two colours.
+std::unique_ptr<Structure> make_all(const MakerInput& in, bool classes) {
+  std::optional<TwoClasses> two;
+  if (classes) two.emplace(in.request, in.scene);
+  return std::make_unique<ClosestPairAll>(in.kernel, in.id, in.scene, std::move(two));
+}
+std::unique_ptr<Structure> make_delaunay(const MakerInput& in, bool classes) {
+  std::optional<TwoClasses> two;
+  if (classes) two.emplace(in.request, in.scene);
+  return std::make_unique<ClosestPairDelaunay>(in.kernel, in.id, triangulation(in), std::move(two));
+}
+
+std::vector<StructureInfo> closest_pairs() {
+  StructureInfo base;
+  base.group = "closest_pair";
+  base.shape = Attribute::Shape::kTuples;
+  base.kinds = {{"replace", Effect::kSometimes}, {"tie", Effect::kNever}};
+  base.ties = "of pairs with identically equal distances the lexicographically smallest one";
+  base.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+
+  StructureInfo delaunay = base;
+  delaunay.name = "closest_pair_delaunay";
+  delaunay.summary = "the closest pair of points in the plane, among Delaunay edges";
+  delaunay.min_dimension = 2;
+  delaunay.reads = {{"delaunay_2"}};
+  delaunay.certificates =
+      "at most 3n - 7, one for each match in the tournament of Delaunay edges; those of "
+      "delaunay_2 besides";
+  delaunay.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 9";
+  delaunay.make = [](const MakerInput& in) { return make_delaunay(in, false); };
+
+  StructureInfo all = base;
+  all.name = "closest_pair_all";
+  all.summary = "the same among all pairs, in 1 to 3 axes: the baseline";
+  all.any_dimension = true;
+  all.certificates = "n(n-1)/2 - 1, one for each match in the tournament of all pairs";
+  all.make = [](const MakerInput& in) { return make_all(in, false); };
+
+  StructureInfo two = delaunay;
+  two.name = "bichromatic_pair_delaunay";
+  two.group = "bichromatic_pair";
+  two.summary = "the closest two points of different colours, among Delaunay edges";
+  two.colours = true;
+  two.certificates =
+      "at most 2n - 5, one for each match in the tournament of the Delaunay edges between the "
+      "colours; those of delaunay_2, of the points of both, besides";
+  two.source = base.source;
+  two.make = [](const MakerInput& in) { return make_delaunay(in, true); };
+
+  StructureInfo two_all = all;
+  two_all.name = "bichromatic_pair_all";
+  two_all.group = "bichromatic_pair";
+  two_all.summary = "the same among all pairs of two colours, in 1 to 3 axes: the baseline";
+  two_all.colours = true;
+  two_all.certificates =
+      "mn - 1 for m and n points of the two colours, one for each match in the tournament of "
+      "their pairs";
+  two_all.make = [](const MakerInput& in) { return make_all(in, true); };
+  return {delaunay, all, two, two_all};
 }
 
 std::vector<StructureInfo> spanning_trees() {
@@ -35,7 +106,7 @@ std::vector<StructureInfo> spanning_trees() {
   list.certificates =
       "at most 3n - 7, one for each two neighbours in the list of Delaunay edges; those of "
       "delaunay_2 besides";
-  list.make = make_reader<EmstList>;
+  list.make = make_tree<TreeProof::kList>;
 
   StructureInfo cycles = base;
   cycles.name = "emst_cycles";
@@ -44,27 +115,63 @@ std::vector<StructureInfo> spanning_trees() {
   cycles.certificates =
       "at most (2n - 5)(n - 1): every Delaunay edge outside the tree is the longest of its cycle; "
       "those of delaunay_2 besides";
-  cycles.make = make_reader<EmstCycles>;
+  cycles.make = make_tree<TreeProof::kCycles>;
+  return {list, cycles};
+}
+
+StructureInfo nearest_site() {
+  StructureInfo info{.name = "nearest_site",
+                     .summary = "the site nearest to a moving query, by its Delaunay neighbours"};
+  info.min_dimension = 2;
+  info.query = true;
+  info.shape = Attribute::Shape::kObject;
+  info.reads = {{"delaunay_2"}};
+  info.kinds = {{"replace", Effect::kSometimes}, {"tie", Effect::kNever}};
+  info.certificates =
+      "one for each Delaunay neighbour of the nearest site, at most n - 1 for n sites; those of "
+      "delaunay_2, of the sites, besides";
+  info.ties = "of sites at identically equal distances the smallest id";
+  info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+  info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
+    return std::make_unique<NearestSite>(in.kernel, in.id, triangulation(in), query_of(in.request));
+  };
+  return info;
+}
+
+std::vector<StructureInfo> graph_trees() {
+  StructureInfo base;
+  base.group = "graph_mst";
+  base.graph = true;
+  base.shape = Attribute::Shape::kTuples;
+  base.width = 1;
+  base.ties = "of edges with identically equal weights the smaller object is the lighter";
+  base.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+
+  StructureInfo list = base;
+  list.name = "graph_mst_list";
+  list.summary = "the minimum spanning forest of a graph, by the order of all its edges";
+  list.kinds = {{"swap", Effect::kAlways}, {"order", Effect::kNever}, {"tie", Effect::kNever}};
+  list.certificates = "m - 1 for m edges, one for each two neighbours in their list";
+  list.make = make_graph_tree<TreeProof::kList>;
+
+  StructureInfo cycles = base;
+  cycles.name = "graph_mst_cycles";
+  cycles.summary = "the same, every edge outside the forest against those of its cycle";
+  cycles.kinds = {{"swap", Effect::kAlways}, {"exchange", Effect::kNever}, {"tie", Effect::kNever}};
+  cycles.certificates =
+      "at most (m - n + 1)(n - 1) for m edges and n vertices: every edge outside the forest is the "
+      "heaviest of its cycle";
+  cycles.make = make_graph_tree<TreeProof::kCycles>;
   return {list, cycles};
 }
 
 }  // namespace
 
 StructureFamily proximity_family() {
-  StructureInfo pair{.name = "closest_pair_delaunay",
-                     .summary = "the closest pair of points in the plane, among Delaunay edges"};
-  pair.min_dimension = 2;
-  pair.shape = Attribute::Shape::kTuples;
-  pair.reads = {{"delaunay_2"}};
-  pair.kinds = {{"replace", Effect::kSometimes}, {"tie", Effect::kNever}};
-  pair.certificates =
-      "at most 3n - 7, one for each match in the tournament of Delaunay edges; those of "
-      "delaunay_2 besides";
-  pair.ties = "of pairs with identically equal distances the lexicographically smallest one";
-  pair.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 9";
-  pair.make = make_reader<ClosestPairDelaunay>;
-  std::vector<StructureInfo> all{pair};
+  std::vector<StructureInfo> all = closest_pairs();
+  all.push_back(nearest_site());
   for (StructureInfo& tree : spanning_trees()) all.push_back(std::move(tree));
+  for (StructureInfo& tree : graph_trees()) all.push_back(std::move(tree));
   return {"proximity", std::move(all)};
 }
 

@@ -5,7 +5,8 @@
 
 namespace kinex {
 
-std::vector<bool> kruskal(std::span<const EdgeLengths::Edge> edges, std::size_t vertices) {
+std::vector<bool> kruskal(std::span<const std::array<std::uint32_t, 2>> edges,
+                          std::size_t vertices) {
   boost::disjoint_sets_with_storage<> sets(vertices);
   std::vector<bool> chosen(edges.size(), false);
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -17,11 +18,11 @@ std::vector<bool> kruskal(std::span<const EdgeLengths::Edge> edges, std::size_t 
   return chosen;
 }
 
-BoundCheck spanning_tree_bound(const std::string& structure, const BoundContext& context) {
-  const Integer n = counted(context.objects());
+BoundCheck spanning_tree_bound(const std::string& structure, const Integer& edges, int k,
+                               const BoundContext& context) {
   return at_most(structure + ".external",
-                 "each two pairs of points change their order by distance at most 2d times",
-                 Integer(2 * context.degree) * pairs(pairs(n)), counted(context.ledger->external));
+                 "each two edges change their order by length at most as often as its degree",
+                 Integer(k * context.degree) * pairs(edges), counted(context.ledger->external));
 }
 
 }  // namespace kinex

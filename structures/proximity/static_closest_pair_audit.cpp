@@ -6,7 +6,8 @@
 
 namespace kinex {
 
-std::vector<ObjectId> static_closest_pair(const Snapshot& snapshot) {
+std::vector<ObjectId> static_closest_pair(const Snapshot& snapshot,
+                                          const std::function<bool(ObjectId, ObjectId)>& counts) {
   std::vector<ObjectId> along, closest;
   for (ObjectId id = 0; id < snapshot.objects(); ++id) {
     if (snapshot.alive(id)) along.push_back(id);
@@ -23,6 +24,7 @@ std::vector<ObjectId> static_closest_pair(const Snapshot& snapshot) {
       };
       Rational distance = squared(0);
       if (!closest.empty() && best < distance) break;
+      if (counts && !counts(along[i], along[j])) continue;
       for (int axis = 1; axis < snapshot.dimension(); ++axis) distance += squared(axis);
       std::vector<ObjectId> pair{std::min(along[i], along[j]), std::max(along[i], along[j])};
       if (closest.empty() || distance < best || (distance == best && pair < closest)) {

@@ -6,11 +6,16 @@
 #include "structures/proximity/spanning_tree.h"
 
 namespace kinex {
+namespace {
+
+using Edge = std::array<ObjectId, 2>;
+
+}  // namespace
 
 std::vector<ObjectId> static_spanning_tree(const Snapshot& snapshot) {
   struct Candidate {
     Rational squared;
-    EdgeLengths::Edge edge;
+    Edge edge;
   };
   std::vector<Candidate> all;
   for (ObjectId a = 0; a < snapshot.objects(); ++a) {
@@ -28,11 +33,11 @@ std::vector<ObjectId> static_spanning_tree(const Snapshot& snapshot) {
     if (const auto order = x.squared <=> y.squared; order != 0) return order < 0;
     return x.edge < y.edge;
   });
-  std::vector<EdgeLengths::Edge> edges;
+  std::vector<Edge> edges;
   edges.reserve(all.size());
   for (const Candidate& one : all) edges.push_back(one.edge);
   const std::vector<bool> chosen = kruskal(edges, snapshot.objects());
-  std::vector<EdgeLengths::Edge> tree;
+  std::vector<Edge> tree;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (chosen[i]) tree.push_back(edges[i]);
   }

@@ -379,6 +379,25 @@ std::vector<ObjectId> Delaunay2::hull() const {
   return hull;
 }
 
+std::vector<ObjectId> Delaunay2::neighbours(ObjectId vertex) const {
+  std::vector<ObjectId> result;
+  if (on_line_) {
+    const auto place = std::find(line_.begin(), line_.end(), vertex);
+    if (place == line_.end()) return result;
+    if (place != line_.begin()) result.push_back(*(place - 1));
+    if (place + 1 != line_.end()) result.push_back(*(place + 1));
+  } else if (store_.has(vertex)) {
+    const HalfEdge first = store_.out(vertex);
+    HalfEdge h = first;
+    do {
+      if (store_.target(h) != store_.infinity()) result.push_back(store_.target(h));
+      h = store_.around(h);
+    } while (h != first);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 std::size_t Delaunay2::bytes() const {
   const std::size_t words =
       representative_.capacity() + line_.capacity() + line_certificates_.capacity() +

@@ -24,7 +24,7 @@ def maintained(structure):
 
 def main():
     program, folder = sys.argv[1:3]
-    chosen = sys.argv[3].split(",") if len(sys.argv) > 3 else logs.LINE + logs.PLANE + logs.BODIES
+    chosen = sys.argv[3].split(",") if len(sys.argv) > 3 else logs.LINE + logs.PLANE + logs.GRAPHS + logs.BODIES
     modules = logs.checker(folder)
     logs.skip_old(program)
     tried, levels, wrong = collections.Counter(), collections.defaultdict(collections.Counter), []
@@ -56,6 +56,14 @@ def main():
             if structure in logs.LINE and not structure.endswith("dual_hull"):
                 check(scratch, structure, "uniform-square", 7, i, structure, "--degree", "3", "--dimension", "1")
             check(scratch, structure, "gaussian", 6, i, maintained(structure)[0], "--degree", "2")
+        for i, structure in enumerate(logs.GRAPHS):
+            if structure not in chosen:
+                continue
+            for j, family in enumerate(logs.POINT_FAMILIES):
+                check(scratch, structure, family, 9, i + j, structure, "--dimension", "1")
+                check(scratch, structure, family, 5, i + 2 * j, structure, "--dimension", "1")
+            check(scratch, structure, "random-graph", 10, i, structure, "--m", "4")
+            check(scratch, structure, "parallel-edges", 4, i, structure, "--m", "2")
         for i, structure in enumerate(logs.BODIES):
             if structure not in chosen:
                 continue

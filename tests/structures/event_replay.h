@@ -83,6 +83,7 @@ class ReplayedAttribute {
       value_.ids.assign(event.came.begin(), event.came.end());
       return "";
     }
+    if (value_.width == 1) return apply_members(event);
     std::string wrong;
     const auto ascending = [](std::span<const ObjectId> flat) {
       for (std::size_t i = 0; i < flat.size(); i += 2) {
@@ -99,6 +100,21 @@ class ReplayedAttribute {
       wrong += add(event.came[i], event.came[i + 1]);
     }
     return wrong;
+  }
+  // Of a set of objects.
+  std::string apply_members(const Event& event) {
+    std::vector<ObjectId>& ids = value_.ids;
+    for (const ObjectId id : event.gone) {
+      const auto place = std::lower_bound(ids.begin(), ids.end(), id);
+      if (place == ids.end() || *place != id) return "what went was not there";
+      ids.erase(place);
+    }
+    for (const ObjectId id : event.came) {
+      const auto place = std::lower_bound(ids.begin(), ids.end(), id);
+      if (place != ids.end() && *place == id) return "what came was there";
+      ids.insert(place, id);
+    }
+    return "";
   }
   std::vector<Edge> edges() const {
     std::vector<Edge> result;
@@ -187,10 +203,11 @@ class EventReplay final : public EventSink {
       const StructureId id = simulator_.reserve();
       std::vector<const Structure*> watched;
       for (const StructureId read : planned.watches) watched.push_back(made[read]);
-      auto inner = make_structure(planned.request, scene, simulator_.kernel(), id, watched,
-                                  planned.watches);
+      auto inner =
+          make_structure(planned.request, scene, simulator_.kernel(), id, watched, planned.watches);
       made.push_back(inner.get());
-      simulator_.add(id, watch(id, std::move(inner)), planned.request.label, planned.watches);
+      simulator_.add(id, watch(id, std::move(inner)), planned.request.label, planned.watches,
+                     planned.members);
     }
   }
   std::unique_ptr<Structure> watch(StructureId id, std::unique_ptr<Structure> inner) {

@@ -36,6 +36,7 @@ struct Replay {
     for (const std::string& name : structures) {
       const StructureInfo* info = find_structure_info(name);
       if (info->linear() && scene.degree() > 1) continue;
+      scene = suited(std::move(scene), *info);
       scene.maintain.push_back({name, name, {}});
     }
     return scene;

@@ -144,14 +144,14 @@ TEST(Ledger, SumsAgree) {
         SCOPED_TRACE(std::string(info.name) + " in " + arithmetic + ", seed " +
                      std::to_string(seed));
         const int degree = info.linear() ? 1 : 1 + static_cast<int>(seed % 2);
-        const Scene scene = random_flights(seed, 7, 2, degree, seed % 2 == 0);
+        const Scene scene = suited(random_flights(seed, 7, 2, degree, seed % 2 == 0), info);
         Trial run(scene, std::string(info.name), arithmetic, AuditLevel::kEnd);
         run.to_end();
         expect_sums(run);
         Random random(seed);
         std::vector<Trajectory> paths;
         for (int i = 0; i < 8; ++i) paths.push_back(random.small_path(2, degree, 50));
-        const Scene plain = scene_of(paths, -1, Rational(1));
+        const Scene plain = suited(scene_of(paths, -1, Rational(1)), info);
         Trial other(plain, std::string(info.name), arithmetic, AuditLevel::kEnd);
         other.to_end();
         expect_sums(other);
@@ -210,7 +210,7 @@ TEST(Ledger, ExternalEventsAreThoseThatTheLogMarks) {
         for (const Scene& scene :
              {random_flights(seed, 9, 2, degree, seed % 2 == 0), small_plane(8, seed, degree, 2),
               random_plane(12, seed, degree)}) {
-          beyond += expect_external_as_logged(scene, name, arithmetic);
+          beyond += expect_external_as_logged(suited(scene, info), name, arithmetic);
         }
       }
     }

@@ -136,6 +136,8 @@ TEST(Proof, EveryLiveCertificateIsShownOnce) {
     add(check(random_flights(seed, 12, 2, 1, seed % 2 == 0), 16));
     add(check(random_flights(seed, 9, 2, 2, seed % 2 == 1), 16));
     add(check(random_flights(seed, 9, 1, 1, true), 8));
+    const StructureInfo& graph = *find_structure_info("graph_mst_list");
+    add(check(suited(random_flights(seed, 9, 1, 1, true), graph), 8));
   }
   add(check(boxes(2, true), 40));
   add(check(boxes(2, false), 40));

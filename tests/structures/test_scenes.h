@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/motion/scene.h"
+#include "structures/parts/descriptor.h"
 
 namespace kinex::test {
 
@@ -159,6 +160,23 @@ inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree
       object.motion.pieces.push_back({cuts[p], to, t});
     }
     scene.objects.push_back(std::move(object));
+  }
+  return scene;
+}
+
+// The scene in a form that the structure takes: for structures of graphs its first axis alone, and
+// the points as edges, the k-th between the k-th pair of vertices in the order 01, 02, 12, 03, ..
+inline Scene suited(Scene scene, const StructureInfo& info) {
+  if (!info.graph) return scene;
+  scene.dimension = 1;
+  int u = 0, v = 1;
+  for (SceneObject& object : scene.objects) {
+    for (MotionPiece& piece : object.motion.pieces) piece.trajectory.coordinates.resize(1);
+    object.ends = {std::to_string(u), std::to_string(v)};
+    if (++u == v) {
+      u = 0;
+      ++v;
+    }
   }
   return scene;
 }

@@ -22,8 +22,8 @@ constexpr const char* kTrees[] = {"emst_list", "emst_cycles"};
 void add_exact(lab::Catalogue& catalogue, lab::Cell cell, std::string claim, int count,
                std::string source) {
   cell.audit = AuditLevel::kEvents;
-  cell.expectations.push_back(lab::expect_exactly(std::move(claim), "external", Integer(count),
-                                                  std::move(source)));
+  cell.expectations.push_back(
+      lab::expect_exactly(std::move(claim), "external", Integer(count), std::move(source)));
   catalogue.cells.push_back(std::move(cell));
 }
 
@@ -71,13 +71,15 @@ void add_proximity_cells(lab::Catalogue& catalogue, lab::Extent extent) {
     lab::Cell cell = lab::worst_case_cell("closest_pair_delaunay", "pass-over-row", size, 1, 0.5);
     cell.parameters.m = size;
     cell.audit = size <= 6 ? AuditLevel::kEvents : AuditLevel::kEnd;
-    cell.expectations.push_back(
-        lab::expect_exactly("closest_pair.pass_over_row", "external", Integer(size * (size + 1)),
-                       "each of n points is nearest to each of m in turn, and leaves: n(m + 1)"));
+    cell.expectations.push_back(lab::expect_exactly(
+        "closest_pair.pass_over_row", "external", Integer(size * (size + 1)),
+        "each of n points is nearest to each of m in turn, and leaves: n(m + 1)"));
     catalogue.cells.push_back(std::move(cell));
   }
   for (const int size : {3, 4, 5}) add_rows(catalogue, size);
   add_small_integers(catalogue);
+  add_pair_cells(catalogue, extent);
+  add_graph_cells(catalogue, extent);
   for (const char* structure : {"closest_pair_delaunay", "emst_list", "emst_cycles"}) {
     for (const int n : {16, 64, 256}) {
       // Most failures of the list exchange edges that are far apart: 200,000 a run at n = 256.

@@ -17,6 +17,12 @@ void add_proximity_cells(lab::Catalogue& catalogue, lab::Extent extent);
 std::vector<lab::SpeedRow> proximity_speed_rows(int scale);
 // pass_along_row.cpp
 void generate_pass_along_row(const lab::WorkloadParameters&, Scene&);
+// graphs.cpp
+void generate_parallel_edges(const lab::WorkloadParameters&, Scene&);
+void generate_random_graph(const lab::WorkloadParameters&, Scene&);
+// pair_cells.cpp, graph_cells.cpp
+void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent);
+void add_graph_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // small_integers.cpp
 void generate_small_integers(const lab::WorkloadParameters&, Scene&);
 // pass_over_row.cpp

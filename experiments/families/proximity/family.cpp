@@ -13,11 +13,14 @@ lab::FamilyExperiments proximity_experiments() {
   family.workloads = {
       {"pass-over-row", "--n points pass over a row of --m: n(m + 1) changes of the closest pair",
        2, 2, 2, false, false, true, "closest_pair_delaunay", generate_pass_over_row, 1, 2},
-      {"pass-along-row",
-       "--n points pass along a row of --m: nm - 1 changes of the closest pair", 2, 2, 2, false,
-       false, true, "closest_pair_delaunay", generate_pass_along_row, 1, 2},
+      {"pass-along-row", "--n points pass along a row of --m: nm - 1 changes of the closest pair",
+       2, 2, 2, false, false, true, "closest_pair_delaunay", generate_pass_along_row, 1, 2},
       {"small-integers", "small integers from a generator that every program can repeat", 2, 1, 3,
-       true, false, false, "", generate_small_integers}};
+       true, false, false, "", generate_small_integers},
+      {"parallel-edges", "--m bundles of --n parallel edges in a row: m(n - 1) changes of the tree",
+       1, 1, 1, false, false, true, "graph_mst_cycles", generate_parallel_edges, 1, 1, 1},
+      {"random-graph", "--n edges between random ones of --m vertices, linear weights", 1, 1, 1,
+       true, false, true, "graph_mst_cycles", generate_random_graph, 1, 2, 10}};
   family.add_cells = add_proximity_cells;
   family.trade = {{"closest_pair_delaunay",
                    2,
@@ -33,6 +36,29 @@ lab::FamilyExperiments proximity_experiments() {
                             {12, 32},
                             "pass-along-row",
                             {4, 8},
+                            {16, 36},
+                            {8, 16},
+                            {{8, 16, 32}, {8, 16, 32, 64, 128}}});
+  }
+  for (const std::string_view pair :
+       {"closest_pair_all", "bichromatic_pair_delaunay", "bichromatic_pair_all"}) {
+    family.trade.push_back(
+        {pair, 2, {12, 24}, "pass-along-row", {4, 8}, {16, 25}, {8, 16}, {{8, 16}, {8, 16, 32}}});
+  }
+  family.trade.push_back({"nearest_site",
+                          2,
+                          {12, 32},
+                          "pass-along-row",
+                          {4, 8},
+                          {16, 36},
+                          {8, 16},
+                          {{8, 16, 32}, {8, 16, 32, 64, 128}}});
+  for (const std::string_view tree : {"graph_mst_list", "graph_mst_cycles"}) {
+    family.trade.push_back({tree,
+                            1,
+                            {12, 32},
+                            "parallel-edges",
+                            {8, 16},
                             {16, 36},
                             {8, 16},
                             {{8, 16, 32}, {8, 16, 32, 64, 128}}});

@@ -25,8 +25,9 @@ void generate_pass_along_row(const lab::WorkloadParameters& parameters, Scene& s
     lab::add_object(scene, "row" + std::to_string(j), {{Rational(j)}, {Rational(0)}});
   }
   for (int i = 0; i < n; ++i) {
-    lab::add_object(scene, "p" + std::to_string(i),
-                    {{lab::fraction(-std::int64_t{m} * i, 1), Rational(1)}, {lab::fraction(1, 10)}});
+    lab::add_object(
+        scene, "p" + std::to_string(i),
+        {{lab::fraction(-std::int64_t{m} * i, 1), Rational(1)}, {lab::fraction(1, 10)}});
   }
 }
 

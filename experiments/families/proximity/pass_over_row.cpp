@@ -27,7 +27,7 @@ void generate_pass_over_row(const lab::WorkloadParameters& parameters, Scene& sc
   }
   for (int j = 0; j < n; ++j) {
     lab::add_object(scene, "p" + std::to_string(j),
-               {{lab::fraction(-20 - gap * j, 1), Rational(1)}, {Rational(1)}});
+                    {{lab::fraction(-20 - gap * j, 1), Rational(1)}, {Rational(1)}});
   }
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rows of `bench/run speed` of this family. Each includes the triangulation that is read.
+#include <utility>
+
 #include "experiments/families/points/speed_rows.h"
 #include "experiments/families/proximity/experiments.h"
 
@@ -11,6 +13,17 @@ std::vector<lab::SpeedRow> proximity_speed_rows(int scale) {
   for (const char* structure : {"closest_pair_delaunay", "emst_list", "emst_cycles"}) {
     rows.push_back(random_row(structure, 1, n(200)));
     rows.push_back(random_row(structure, 1, n(1000)));
+  }
+  rows.push_back(random_row("closest_pair_all", 1, n(50)));
+  rows.push_back(random_row("bichromatic_pair_all", 1, n(50)));
+  for (const char* structure : {"bichromatic_pair_delaunay", "nearest_site"}) {
+    rows.push_back(random_row(structure, 1, n(200)));
+    rows.push_back(random_row(structure, 1, n(1000)));
+  }
+  for (const char* structure : {"graph_mst_list", "graph_mst_cycles"}) {
+    lab::SpeedRow row = random_row(structure, 1, n(200));
+    row.workload = "random-graph";
+    rows.push_back(std::move(row));
   }
   return rows;
 }

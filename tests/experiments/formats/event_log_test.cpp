@@ -114,7 +114,8 @@ TEST(EventLog, OneDigestForEveryDetail) {
 TEST(LogRules, KindsAreThoseOfTheStructures) {
   for (const StructureInfo& info : structure_infos()) {
     ASSERT_NE(formats::own_kinds(info.name), nullptr) << info.name;
-    Scene scene = workload(info.bodies ? "polygon-line" : "uniform-square", 6);
+    Scene scene = workload(
+        info.bodies ? "polygon-line" : info.graph ? "random-graph" : "uniform-square", 6);
     formats::set_maintain(scene, {std::string(info.name)});
     const auto simulator = lab::make_simulator(scene, "exact", {});
     const StructureId id = asked_structure(scene);

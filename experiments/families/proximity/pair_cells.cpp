@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions: do closest pairs of two colours and nearest sites change exactly as often as counted by
+//   hand, or by brute force? Do all structures of one attribute agree? Do they keep their bounds in
+//   random motion?
+// Sources: pass_along_row.cpp counts the changes of rows; the objects at even and at odd places are
+//   the two colours. Those of small integers were counted by brute force over exact positions
+//   between all critical times, by another program.
+// Expected: the integers below, in every run; every hard bound, and every audit.
+// Cost: about 10 s.
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "experiments/families/points/random_motion.h"
+#include "experiments/families/proximity/experiments.h"
+#include "experiments/lab/cell_parts.h"
+
+namespace kinex::families {
+namespace {
+
+constexpr const char* kBruteForce = "counted by brute force over exact positions";
+
+void add_counted(lab::Catalogue& catalogue, lab::Cell cell, std::string claim, int count,
+                 std::string source) {
+  cell.audit = AuditLevel::kEvents;
+  cell.expectations.push_back(
+      lab::expect_exactly(std::move(claim), "external", Integer(count), std::move(source)));
+  catalogue.cells.push_back(std::move(cell));
+}
+
+struct Counted {
+  int n, dimension;
+  std::uint64_t seed;
+  int pair, colours, nearest;  // nearest to the first object; -1: not in the plane
+};
+
+void add_small_integers(lab::Catalogue& catalogue) {
+  for (const Counted& one : {Counted{6, 2, 1, 4, 5, 1},
+                             {8, 2, 1, 5, 3, 2},
+                             {10, 2, 2, 8, 6, 4},
+                             {12, 2, 3, 7, 5, 3},
+                             {6, 3, 1, 4, 3, -1},
+                             {7, 3, 2, 7, 5, -1},
+                             {8, 3, 1, 5, 4, -1}}) {
+    const auto add = [&](const char* structure, const char* claim, int count) {
+      lab::Cell cell = lab::worst_case_cell(structure, "small-integers", one.n, 1, 0.1);
+      cell.parameters.seed = one.seed;
+      if (one.dimension != 2) cell.parameters.dimension = one.dimension;
+      add_counted(catalogue, std::move(cell), claim, count, kBruteForce);
+    };
+    add("closest_pair_all", "closest_pair.small_integers", one.pair);
+    add("bichromatic_pair_all", "bichromatic_pair.small_integers", one.colours);
+    if (one.dimension != 2) continue;
+    add("bichromatic_pair_delaunay", "bichromatic_pair.small_integers", one.colours);
+    add("nearest_site", "nearest_site.small_integers", one.nearest);
+  }
+}
+
+}  // namespace
+
+void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  for (const int size : {3, 4, 5}) {
+    lab::Cell cell = lab::worst_case_cell("closest_pair_all", "pass-along-row", size, 1, 0.5);
+    cell.parameters.m = size;
+    add_counted(catalogue, std::move(cell), "closest_pair.all_pairs", size * size - 1,
+                "all nm pairs are the closest in turn: nm - 1");
+  }
+  add_small_integers(catalogue);
+  for (const char* structure :
+       {"closest_pair_all", "bichromatic_pair_all", "bichromatic_pair_delaunay", "nearest_site"}) {
+    const bool all_pairs = std::string_view(structure).ends_with("_all");
+    for (const int n : {16, 64, 256}) {
+      if (all_pairs && n > 64) continue;
+      if (all_pairs && n > 16 && extent == lab::Extent::kQuick) continue;
+      lab::Cell cell = uniform_cell(structure, n, 2);
+      cell.precise = {{"external", kChangesError}};
+      cell.cost = all_pairs ? n / 20.0 : n / 100.0;
+      catalogue.cells.push_back(std::move(cell));
+    }
+  }
+}
+
+}  // namespace kinex::families

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/proximity/closest_pair_all.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "structures/parts/tournament_proof.h"
+#include "structures/proximity/static_closest_pair_audit.h"
+
+namespace kinex {
+
+ClosestPairAll::ClosestPairAll(Kernel& kernel, StructureId id, const Scene& scene,
+                               std::optional<TwoClasses> classes)
+    : kernel_(&kernel),
+      id_(id),
+      classes_(std::move(classes)),
+      pairs_(kernel, id, "pairs", PairDistances(kernel, scene.dimension)),
+      events_(kernel, id, Attribute::Shape::kTuples) {}
+
+std::vector<ObjectId> ClosestPairAll::closest() const {
+  const Pair* front = pairs_.front();
+  if (front == nullptr) return {};
+  return {(*front)[0], (*front)[1]};
+}
+
+std::vector<ClosestPairAll::Pair> ClosestPairAll::all_pairs() const {
+  std::vector<Pair> all;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    for (std::size_t j = i + 1; j < members_.size(); ++j) {
+      if (counts(members_[i], members_[j])) all.push_back({members_[i], members_[j]});
+    }
+  }
+  return all;
+}
+
+void ClosestPairAll::begin() {
+  pairs_.apply(tied());
+  events_.begin(closest());
+}
+
+void ClosestPairAll::build(std::span<const ObjectId> objects) {
+  members_.assign(objects.begin(), objects.end());
+  pairs_.assign(all_pairs());
+  begin();
+}
+
+void ClosestPairAll::rebuild() {
+  pairs_.rebuild(tied());
+  begin();
+}
+
+void ClosestPairAll::certificate_failed(CertificateId failed) {
+  const auto [old, fresh] = pairs_.failed(failed, tied());
+  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest());
+}
+
+void ClosestPairAll::insert(ObjectId object) {
+  for (const ObjectId other : members_) {
+    if (counts(object, other)) pairs_.come({std::min(object, other), std::max(object, other)});
+  }
+  members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
+  begin();
+}
+
+void ClosestPairAll::erase(ObjectId object) {
+  members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
+  for (const ObjectId other : members_) {
+    if (counts(object, other)) pairs_.go({std::min(object, other), std::max(object, other)});
+  }
+  begin();
+}
+
+void ClosestPairAll::visit_proof(ProofVisitor& visitor) const {
+  visit_tournament(visitor, pairs_, 0, "pairs by distance", [](const Pair& winner) {
+    return std::vector<ObjectId>(winner.begin(), winner.end());
+  });
+}
+
+std::vector<BoundCheck> ClosestPairAll::bounds(const BoundContext& context) const {
+  const StructureLedger& ledger = *context.ledger;
+  const std::string own(name());
+  const Integer all = classes_ ? counted(classes_->size(0)) * counted(classes_->size(1))
+                               : kinex::pairs(counted(context.objects()));
+  std::vector<BoundCheck> result{
+      at_most(own + ".certificates", "a tournament of all pairs",
+              std::max(Integer(0), all - Integer(1)), counted(ledger.max_live)),
+      at_most(own + ".events", "the epochs of the nodes of the tournament",
+              pairs_.most_failures(2 * context.degree), counted(ledger.failures))};
+  if (context.plain() && all.sign() > 0) {
+    result.push_back(at_most(
+        own + ".external", "pieces of the lower envelope of the distances of all pairs",
+        davenport_schinzel_bound(2 * context.degree, all) - Integer(1), counted(ledger.external)));
+  }
+  return result;
+}
+
+void ClosestPairAll::check_invariants(AuditReport& report) const {
+  pairs_.check(report, "pairs");
+  report.check(pairs_.values() == all_pairs(),
+               [] { return "other pairs than those of its points"; });
+  report.check(closest() == events_.told().ids, [] { return "a change was not reported"; });
+}
+
+void ClosestPairAll::audit(const Snapshot& snapshot, AuditReport& report) const {
+  const auto pair =
+      static_closest_pair(snapshot, [this](ObjectId a, ObjectId b) { return counts(a, b); });
+  report.check(pair == closest(), [] { return "another pair is the closest"; });
+}
+
+}  // namespace kinex

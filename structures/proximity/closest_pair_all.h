@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ClosestPairAll: the closest pair of moving points, or the closest pair of two points of different
+// classes, by a tournament of all pairs. The baseline, without a triangulation, in 1 to 3 axes:
+// closest_pair_all and bichromatic_pair_all.
+//
+// Certificates. "This pair is at most as far apart as that one": one for each match of the
+// tournament, n(n-1)/2 - 1 for n points, mn - 1 for two classes of m and n points; degree 2d for
+// motions of degree d.
+//
+// Quality: a point is in up to (n - 1) ceil(log2 (n(n-1)/2)) certificates; a failure renews O(log
+// n), an insertion or erasure O(n log n). External events: one for each instant that changes the
+// pair, at most lambda_2d(pairs) - 1 without flight-plan changes.
+//
+// Ties. Of pairs at identically equal distances the lexicographically smallest one.
+//
+// Source: Guibas, "Kinetic data structures: a state of the art report" (1998), sections 5 and 7.
+#ifndef KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_ALL_H
+#define KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_ALL_H
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/engine/structure.h"
+#include "structures/parts/attribute_events.h"
+#include "structures/parts/changing_extremum.h"
+#include "structures/parts/object_sets.h"
+#include "structures/proximity/pair_distances.h"
+
+namespace kinex {
+
+class ClosestPairAll final : public Structure {
+  using Pair = PairDistances::Value;
+  auto tied() {
+    return [this](const Pair& a, const Pair& b) {
+      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
+    };
+  }
+
+ public:
+  // kReplace: another winner of a duel: the old pair and the new one. kTie: the same, because the
+  // distances have become identically equal.
+  enum Kind : std::uint8_t { kReplace, kTie };
+
+  // `classes`: pairs of two points of different classes alone; nullopt: all pairs.
+  ClosestPairAll(Kernel& kernel, StructureId id, const Scene& scene,
+                 std::optional<TwoClasses> classes);
+
+  std::string_view name() const override {
+    return classes_ ? "bichromatic_pair_all" : "closest_pair_all";
+  }
+  std::vector<std::string_view> event_kinds() const override {
+    return common_event_kinds({"replace", "tie"});
+  }
+  void build(std::span<const ObjectId> objects) override;
+  void rebuild() override;
+  void certificate_failed(CertificateId failed) override;
+  void insert(ObjectId object) override;
+  void erase(ObjectId object) override;
+  void motions_changed(std::span<const ObjectId> objects) override {
+    pairs_.motions_changed(objects, tied());
+  }
+  void instant_over() override { events_.over(closest()); }
+  Attribute attribute() const override { return {Attribute::Shape::kTuples, closest()}; }
+  Attribute told() const override { return events_.told(); }
+  void visit_proof(ProofVisitor& visitor) const override;
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  std::size_t bytes() const override {
+    return members_.capacity() * sizeof(ObjectId) + pairs_.bytes() + events_.bytes() +
+           (classes_ ? classes_->bytes() : 0);
+  }
+
+ private:
+  bool counts(ObjectId a, ObjectId b) const { return !classes_ || classes_->differ(a, b); }
+  std::vector<ObjectId> closest() const;
+  std::vector<Pair> all_pairs() const;
+  void begin();
+
+  Kernel* kernel_;
+  StructureId id_;
+  std::optional<TwoClasses> classes_;
+  std::vector<ObjectId> members_;  // ascending
+  ChangingExtremum<PairDistances> pairs_;
+  AttributeEvents events_;
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// DelaunayTree: the Euclidean minimum spanning tree of moving points, among the edges of their
+// Delaunay triangulation (delaunay_2), which it watches: emst_list and emst_cycles.
+//
+// The engine proves the tree: by the order of all Delaunay edges (tree_by_list.h), or by the
+// longest edge of every cycle (tree_by_cycles.h). Certificates compare two lengths, degree 2d for
+// motions of degree d.
+//
+// Edges suffice. No third point is in the closed disc that has a tree edge as diameter: in the
+// triangle with such a point the edge would be strictly longest. So a tree edge is in every Delaunay
+// triangulation, and a flip neither takes an edge of the tree nor brings one: each of the two
+// diagonals of four points on a circle is strictly longest in a triangle.
+//
+// Quality, for n points, of the engine beside delaunay_2:
+//
+//                          emst_list                        emst_cycles
+//   certificates           at most 3n - 7                   at most (2n - 5)(n - 1); on random
+//                                                           points a few dozen an edge
+//   a failure renews       3, mostly internal               the paths across a cut; never internal
+//   a flip                 O(log n) comparisons             one path dropped, another proved
+//   a degenerate instant,
+//   a point more or less   reads all edges; Kruskal, O(n)   reads all edges; what has changed
+//
+// Ties. Of edges whose lengths are identically equal the lexicographically smaller one counts as
+// the shorter, so the tree is unique. Points that are identically equal are a star around the
+// smallest id.
+//
+// Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7: the tree
+// and its changes.
+#ifndef KINEX_STRUCTURES_PROXIMITY_DELAUNAY_TREE_H
+#define KINEX_STRUCTURES_PROXIMITY_DELAUNAY_TREE_H
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/engine/structure.h"
+#include "structures/proximity/delaunay_edges.h"
+#include "structures/proximity/edge_lengths.h"
+#include "structures/proximity/spanning_tree.h"
+#include "structures/proximity/tree_engine.h"
+#include "structures/proximity/tree_events.h"
+
+namespace kinex {
+
+class DelaunayTree final : public Structure {
+ public:
+  // `triangulation` outlives this structure and is watched by it.
+  DelaunayTree(Kernel& kernel, StructureId id, const Delaunay2& triangulation, TreeProof proof);
+
+  std::string_view name() const override { return name_; }
+  // Those of TreeEventKind.
+  std::vector<std::string_view> event_kinds() const override {
+    return common_event_kinds({"swap", engine_->inside_kind(), "tie"});
+  }
+  void build(std::span<const ObjectId>) override { begin(); }
+  void rebuild() override;
+  void certificate_failed(CertificateId failed) override { engine_->certificate_failed(failed); }
+  // Points come and go in the triangulation.
+  void insert(ObjectId) override { begin(); }
+  void erase(ObjectId) override { begin(); }
+  void motions_changed(std::span<const ObjectId> objects) override {
+    engine_->motions_changed(objects);
+  }
+  // The triangulation may have changes that it has not reported yet.
+  void instant_settled() override {
+    if (kernel_->instant_is_shared(triangulation_->id())) watched_changed(nullptr);
+  }
+  void instant_over() override { events_.over(); }
+  void watched_changed(const Event* event) override;
+  Attribute attribute() const override;
+  Attribute told() const override { return events_.told(attribute()); }
+  void visit_proof(ProofVisitor& visitor) const override { engine_->visit_proof(visitor); }
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  std::size_t bytes() const override {
+    return lengths_.bytes() + events_.bytes() + engine_->bytes();
+  }
+
+ private:
+  using Edge = EdgeLengths::Edge;
+
+  void add(const Edge& edge);
+  void remove(const Edge& edge);
+  void assign();
+  void begin();
+
+  Kernel* kernel_;
+  std::string_view name_;
+  const Delaunay2* triangulation_;
+  EdgeLengths lengths_;
+  TreeEvents events_;
+  std::unique_ptr<TreeEngine> engine_;
+};
+
+}  // namespace kinex
+
+#endif

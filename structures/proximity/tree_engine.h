@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// TreeEngine: the minimum spanning forest of a changing graph whose edges change their lengths.
+//
+// The owner adds and removes edges and calls finish(); failures are repaired by the engine. It
+// holds the forest and reports through TreeEvents; tree_by_list.h and tree_by_cycles.h say how the
+// forest is proved to be minimal.
+#ifndef KINEX_STRUCTURES_PROXIMITY_TREE_ENGINE_H
+#define KINEX_STRUCTURES_PROXIMITY_TREE_ENGINE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/engine/audit.h"
+#include "core/engine/kernel.h"
+#include "core/engine/proof.h"
+#include "core/numbers/integer.h"
+#include "structures/parts/link_cut_forest.h"
+#include "structures/proximity/tree_edges.h"
+#include "structures/proximity/tree_events.h"
+
+namespace kinex {
+
+class TreeEngine {
+ public:
+  // When edges have been added or removed:
+  enum class Change {
+    kSwap,   // at an instant, one edge took the place of another that is not in the tree
+    kMany,   // at an instant, others
+    kSized,  // objects came or went: no certificate may be left to fail
+  };
+
+  // `edges` and `events` outlive it. Ends are below `vertices`.
+  TreeEngine(Kernel& kernel, StructureId id, const TreeEdges& edges, TreeEvents& events,
+             std::size_t vertices)
+      : kernel_(&kernel),
+        id_(id),
+        edges_(&edges),
+        events_(&events),
+        vertices_(vertices),
+        forest_(vertices) {}
+  virtual ~TreeEngine() = default;
+
+  // "order" or "exchange": the kind kTreeInside.
+  virtual std::string_view inside_kind() const = 0;
+  // The edges are these, and the proof is made anew, right after now. Finish is not needed.
+  virtual void build(std::vector<Item> items) = 0;
+  // A new edge; an edge that goes, while its number is still valid.
+  virtual void add(Item item) = 0;
+  virtual void remove(Item item) = 0;
+  virtual void finish(Change change) = 0;
+  virtual void certificate_failed(CertificateId failed) = 0;
+  virtual void motions_changed(std::span<const ObjectId> objects) = 0;
+
+  std::size_t size() const { return size_; }
+  bool has(Item item) const { return item < state_.size() && state_[item] != State::kAbsent; }
+  bool in_tree(Item item) const { return item < state_.size() && state_[item] == State::kInside; }
+
+  virtual void visit_proof(ProofVisitor& visitor) const = 0;
+  // The largest number of certificates for this many edges and vertices.
+  virtual Integer most_certificates(std::size_t edges, std::size_t vertices) const = 0;
+  virtual std::string_view why_most() const = 0;
+  virtual void check(AuditReport& report) const = 0;
+  virtual std::size_t bytes() const = 0;
+
+ protected:
+  void enter(Item item);
+  void leave(Item item);
+  void put_in(Item item);
+  void take_out(Item item);
+  void clear();
+  EdgeIds ids(Item item) const { return edges_->ids(item); }
+  // The ids of some edges, each once.
+  std::vector<ObjectId> about(std::span<const Item> items) const;
+  std::vector<Item> present() const;
+  std::size_t base_bytes() const { return forest_.bytes() + state_.capacity() * sizeof(State); }
+
+  Kernel* kernel_;
+  StructureId id_;
+  const TreeEdges* edges_;
+  TreeEvents* events_;
+  std::size_t vertices_;
+  LinkCutForest forest_;
+
+ private:
+  enum class State : std::uint8_t { kAbsent, kOutside, kInside };
+  std::vector<State> state_;  // by item
+  std::size_t size_ = 0;
+};
+
+enum class TreeProof { kList, kCycles };
+// TreeByList or TreeByCycles, with the arguments of TreeEngine.
+std::unique_ptr<TreeEngine> make_tree_engine(TreeProof proof, Kernel& kernel, StructureId id,
+                                             const TreeEdges& edges, TreeEvents& events,
+                                             std::size_t vertices);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The site nearest to a moving query, against the smallest squared distance by a tournament of all
+// sites: the same changes at the same instants.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/structures/proximity/reference_scenes.h"
+#include "tests/structures/proximity/twin_run.h"
+
+namespace kinex::test {
+namespace {
+
+using Ids = std::vector<ObjectId>;
+
+std::vector<Request> nearest_to(ObjectId query) {
+  Request delaunay = ask("nearest_site"), tournament = ask("minimum_tournament");
+  delaunay.query = query == 0 ? kNoObject : query;
+  tournament.key.kind = Key::Kind::kSquaredDistance;
+  tournament.key.object = query;
+  return {delaunay, tournament};
+}
+
+TEST(NearestSite, ReferenceCounts) {
+  const std::pair<int, std::uint64_t> scenes[] = {{6, 1}, {8, 1}, {10, 2}, {12, 3}};
+  const std::uint64_t changes[] = {1, 2, 4, 3};
+  for (std::size_t i = 0; i < 4; ++i) {
+    SCOPED_TRACE(scenes[i].first);
+    const Scene scene = reference_scene(scenes[i].first, 2, scenes[i].second);
+    const TwinRun run(scene, nearest_to(0)), twin(scene, nearest_to(0), "sturm");
+    EXPECT_EQ(run.ledger().external, changes[i]);
+    EXPECT_EQ(run.ledger().failures, changes[i]);  // no failure is in vain
+    EXPECT_EQ(run.sink.log.lines, twin.sink.log.lines);
+  }
+}
+
+void on_lattices(std::uint64_t seeds) {
+  std::uint64_t external = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    const int n = 5 + static_cast<int>(seed % 5);
+    const TwinRun run(lattice_scene(seed, n, 2), nearest_to(static_cast<ObjectId>(seed % 3)));
+    external += run.ledger().external;
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(external, seeds / 2);
+}
+
+TEST(NearestSite, TinyLattices) { on_lattices(120); }
+
+TEST(SlowNearestSite, TinyLattices) { on_lattices(2000); }
+
+// The query stays; sites come, go and change their motions.
+TEST(NearestSite, RandomFlights) {
+  std::uint64_t external = 0, updates = 0;
+  for (const int degree : {1, 2, 3}) {
+    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 10u : 4u); ++seed) {
+      SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
+      Scene scene = random_flights(seed, 9, 2, degree, seed % 2 == 0);
+      scene.objects[4].motion = {};
+      scene.objects[4].motion.pieces.push_back(
+          {std::nullopt, std::nullopt, path({{-3, 4}, {1, 2, -1}})});
+      const TwinRun run(scene, nearest_to(4)), twin(scene, nearest_to(4), "sturm");
+      EXPECT_EQ(run.sink.log.lines, twin.sink.log.lines);
+      external += run.ledger().external;
+      updates += run.ledger().motion_updates;
+    }
+  }
+  EXPECT_GT(external, 20u);
+  EXPECT_GT(updates, 40u);
+}
+
+// The query comes, goes and jumps; there is no tournament for that.
+TEST(NearestSite, TheQueryComesAndGoes) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    Scene scene = random_flights(seed, 8, 2, 1, true);
+    for (ObjectId query = 0; query < 8; ++query) {
+      Request request = ask("nearest_site");
+      request.query = query == 0 ? kNoObject : query;
+      const TwinRun run(scene, {request});
+    }
+  }
+  Scene jump = scene_of({path({{0}, {0}}), path({{1}, {0}}), path({{9}, {0}})}, 0, Rational(4));
+  jump.jumps = true;
+  jump.objects[0].motion.pieces[0].to = Rational(2);
+  jump.objects[0].motion.pieces.push_back({Rational(2), std::nullopt, path({{8}, {0}})});
+  const TwinRun run(jump, {ask("nearest_site")});
+  EXPECT_EQ(run.begins_with, Ids{1});
+  EXPECT_EQ(run.attribute(), Ids{2});
+  EXPECT_EQ(run.ledger().external, 0u);
+}
+
+TEST(NearestSite, NoSiteToThree) {
+  for (int n = 0; n <= 4; ++n) {
+    SCOPED_TRACE(n);
+    std::vector<Trajectory> t;
+    for (int i = 0; i < n; ++i) t.push_back(path({{4 * i, i == 0 ? 3 : 0}, {i * i, 1 - i}}));
+    Scene scene = scene_of(t, 0, Rational(3));
+    scene.dimension = 2;
+    EXPECT_EQ(TwinRun(scene, {ask("nearest_site")}).attribute().size(), n < 2 ? 0u : 1u);
+  }
+}
+
+// Sites at identically equal distances: the smallest id; also after new motions.
+TEST(NearestSite, Ties) {
+  // A query at the centre of a circle of four sites that travels with it.
+  std::vector<Trajectory> t{path({{0, 1}, {0, 2}})};
+  for (const auto& [x, y] : {std::pair{3, 4}, {-4, 3}, {5, 0}, {-3, -4}}) {
+    t.push_back(path({{x, 1}, {y, 2}}));
+  }
+  const TwinRun circle(scene_of(t, 0, Rational(5)), nearest_to(0));
+  EXPECT_EQ(circle.attribute(), Ids{1});
+  EXPECT_EQ(circle.ledger().external, 0u);
+  // 1 leaves at 2: the next is 2. 1 comes back at 3 and stays.
+  Scene scene = scene_of(t, 0, Rational(5));
+  auto& pieces = scene.objects[1].motion.pieces;
+  pieces[0].to = Rational(2);
+  pieces.push_back({Rational(2), Rational(3), path({{-1, 3}, {0, 4}})});
+  pieces.push_back({Rational(3), Rational(4), path({{11, -1}, {12, 0}})});
+  pieces.push_back({Rational(4), std::nullopt, path({{3, 1}, {4, 2}})});
+  const TwinRun parting(scene, nearest_to(0));
+  EXPECT_EQ(parting.attribute(), Ids{1});
+  EXPECT_GT(parting.ledger().external, 0u);
+}
+
+TEST(NearestSite, ExtremeNumbers) {
+  for (const char* size : {"1e150", "1e400", "1e-400"}) {
+    SCOPED_TRACE(size);
+    const Rational unit = *Rational::parse(size);
+    std::vector<Trajectory> t;
+    for (int i = 0; i < 7; ++i) {
+      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
+                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
+    }
+    const TwinRun run(scene_of(t, 0, Rational(9)), nearest_to(3));
+    EXPECT_GT(run.ledger().external, 0u);
+  }
+}
+
+TEST(NearestSite, EndsInInexactArithmetics) {
+  for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const TwinRun lattice(lattice_scene(seed, 8, 2), {ask("nearest_site")}, arithmetic);
+      EXPECT_TRUE(lattice.ledger().corrupt || lattice.attribute().size() <= 1) << arithmetic;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinex::test

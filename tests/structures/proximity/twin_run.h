@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several structures for one attribute in one run, each audited after every instant: they report
+// the same changes at the same instants.
+#ifndef KINEX_TESTS_STRUCTURES_PROXIMITY_TWIN_RUN_H
+#define KINEX_TESTS_STRUCTURES_PROXIMITY_TWIN_RUN_H
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "structures/plan.h"
+#include "tests/structures/test_run.h"
+#include "tests/structures/test_scenes.h"
+
+namespace kinex::test {
+
+// The external events of each structure: the number of the instant, and what it changes.
+class ChangesSink final : public EventSink {
+ public:
+  explicit ChangesSink(const Simulator& simulator) : log(simulator), simulator_(&simulator) {}
+  void event(const Event& event, Arithmetic& arithmetic) override {
+    log.event(event, arithmetic);
+    if (!event.external) return;
+    std::string line = std::to_string(simulator_->kernel().instant_number());
+    if (event.has_difference()) {
+      for (const auto& [sign, ids] : {std::pair(" -", &event.gone), {" +", &event.came}}) {
+        for (const ObjectId id : *ids) line += sign + std::to_string(id);
+      }
+    } else {
+      for (std::size_t i = 0; i < event.count; ++i) line += " " + std::to_string(event.ids[i]);
+    }
+    external[event.structure].push_back(line);
+  }
+  LogSink log;
+  std::map<StructureId, std::vector<std::string>> external;
+
+ private:
+  const Simulator* simulator_;
+};
+
+struct TwinRun {
+  // In an exact arithmetic everything is checked when the run is over.
+  TwinRun(Scene given, std::vector<Request> requests, const std::string& arithmetic = "exact")
+      : scene(asking(std::move(given), std::move(requests))),
+        simulator(scene, planned_arithmetic(arithmetic, scene),
+                  Trial::options(AuditLevel::kEvents)),
+        sink(simulator) {
+    add_structures(simulator, scene);
+    for (const Request& request : scene.maintain) {
+      StructureId id = 0;
+      while (simulator.label(id) != request.label) ++id;
+      ids.push_back(id);
+    }
+    simulator.set_sink(&sink);
+    simulator.start();
+    begins_with = attribute();
+    simulator.run_until(std::nullopt);
+    if (simulator.kernel().is_exact()) expect_clean();
+  }
+  static Scene asking(Scene scene, std::vector<Request> requests) {
+    for (Request& request : requests) {
+      if (request.label.empty()) request.label = request.structure;
+    }
+    scene.maintain = std::move(requests);
+    return scene;
+  }
+  void expect_clean() const {
+    EXPECT_EQ(simulator.violations(), std::vector<std::string>{});
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      EXPECT_EQ(changes(i), changes(0)) << simulator.label(ids[i]);
+      EXPECT_EQ(attribute(i), attribute(0)) << simulator.label(ids[i]);
+      EXPECT_EQ(ledger(i).rebuilds, 0u);
+      for (const BoundCheck& bound : simulator.bounds(ids[i])) {
+        EXPECT_TRUE(bound.holds) << bound.id << ": " << bound.observed.to_string() << " > "
+                                 << bound.bound.to_string();
+      }
+    }
+  }
+  const std::vector<std::string>& changes(std::size_t i) const {
+    static const std::vector<std::string> kNone;
+    const auto found = sink.external.find(ids[i]);
+    return found == sink.external.end() ? kNone : found->second;
+  }
+  const StructureLedger& ledger(std::size_t i = 0) const { return simulator.ledger(ids[i]); }
+  std::vector<ObjectId> attribute(std::size_t i = 0) const {
+    return simulator.structure(ids[i]).attribute().ids;
+  }
+
+  Scene scene;
+  Simulator simulator;
+  ChangesSink sink;
+  std::vector<StructureId> ids;  // of what was asked for, in its order
+  std::vector<ObjectId> begins_with;
+};
+
+inline Request ask(std::string structure) {
+  Request request;
+  request.structure = std::move(structure);
+  return request;
+}
+
+}  // namespace kinex::test
+
+#endif
