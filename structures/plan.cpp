@@ -43,13 +43,13 @@ class Planner {
 
  private:
   // What the structure of `reader` reads there. Its label is empty.
-  static Request wanted_by(const Request& reader, const Reading& reading) {
+  Request wanted_by(const Request& reader, const Reading& reading) const {
     if (!reading.role.empty() && !reader.over.empty()) {
       Request wanted = reader.over.front();
       wanted.label.clear();
       return wanted;
     }
-    Request wanted{std::string(reading.structure), "", {}};
+    Request wanted{usual_structure(reading, scene_.dimension), "", {}};
     if (reading.passes_over) wanted.over = reader.over;
     if (reading.axis) {
       wanted.key.axis = *reading.axis;

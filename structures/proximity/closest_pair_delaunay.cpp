@@ -10,11 +10,11 @@
 namespace kinex {
 
 ClosestPairDelaunay::ClosestPairDelaunay(Kernel& kernel, StructureId id,
-                                         const Delaunay2& triangulation)
+                                         const DelaunayGraph& triangulation)
     : kernel_(&kernel),
       id_(id),
-      triangulation_(&triangulation),
-      edges_(kernel, id, "edges", PairDistances(kernel, 2)),
+      triangulation_(triangulation),
+      edges_(kernel, id, "edges", PairDistances(kernel, triangulation.dimension())),
       events_(kernel, id, Attribute::Shape::kTuples) {}
 
 std::span<const ObjectId> ClosestPairDelaunay::closest() const {
@@ -23,7 +23,7 @@ std::span<const ObjectId> ClosestPairDelaunay::closest() const {
 }
 
 void ClosestPairDelaunay::begin() {
-  edges_.assign(delaunay_edges(*triangulation_));
+  edges_.assign(triangulation_.edges());
   edges_.apply(tied());
   events_.begin(closest());
 }
@@ -31,7 +31,7 @@ void ClosestPairDelaunay::begin() {
 // Makes the change of edges that the event states; false if it is not one of a single edge, or
 // contradicts what is there.
 bool ClosestPairDelaunay::follow(const Event& event) {
-  const auto change = delaunay_edge_change(event);
+  const auto change = triangulation_.change(event);
   if (!change) return false;
   return (!change->gone || edges_.go(*change->gone)) && (!change->came || edges_.come(*change->came));
 }
@@ -39,14 +39,14 @@ bool ClosestPairDelaunay::follow(const Event& event) {
 // Whether the pair is another one is seen when the instant is over: certificates of this structure
 // may fail at it, too.
 void ClosestPairDelaunay::watched_changed(const Event* event) {
-  if (event == nullptr || !follow(*event)) edges_.assign(delaunay_edges(*triangulation_));
+  if (event == nullptr || !follow(*event)) edges_.assign(triangulation_.edges());
   edges_.apply(tied());
   if (!std::ranges::equal(closest(), events_.told().ids)) kernel_->settle_later(id_);
 }
 
 void ClosestPairDelaunay::certificate_failed(CertificateId failed) {
   const auto [old, fresh] = edges_.failed(failed, tied());
-  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest(), triangulation_->id());
+  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest(), triangulation_.id());
 }
 
 void ClosestPairDelaunay::visit_proof(ProofVisitor& visitor) const {
@@ -59,8 +59,8 @@ std::vector<BoundCheck> ClosestPairDelaunay::bounds(const BoundContext& context)
   const StructureLedger& ledger = *context.ledger;
   const std::size_t n = context.objects();
   std::vector<BoundCheck> result{
-      at_most("closest_pair_delaunay.certificates", "a tournament of at most 3n - 6 edges",
-              counted(n < 3 ? 0 : 3 * n - 7), counted(ledger.max_live)),
+      at_most("closest_pair_delaunay.certificates", "a tournament of the edges: at most 3n - 6, in space all pairs",
+              counted(std::max<std::size_t>(1, triangulation_.most_edges(n)) - 1), counted(ledger.max_live)),
       at_most("closest_pair_delaunay.events", "the epochs of the nodes of the tournament",
               edges_.most_failures(2 * context.degree), counted(ledger.failures))};
   if (context.plain() && n > 1) {
@@ -74,7 +74,7 @@ std::vector<BoundCheck> ClosestPairDelaunay::bounds(const BoundContext& context)
 
 void ClosestPairDelaunay::check_invariants(AuditReport& report) const {
   edges_.check(report, "edges");
-  report.check(edges_.values() == delaunay_edges(*triangulation_), [] { return "it has missed a change of the edges"; });
+  report.check(edges_.values() == triangulation_.edges(), [] { return "it has missed a change of the edges"; });
   report.check(std::ranges::equal(closest(), events_.told().ids),
                [] { return "a change of the closest pair was not reported"; });
 }

@@ -2,7 +2,7 @@
 // ClosestPairDelaunay: the closest pair of moving points: the shortest edge of their Delaunay
 // triangulation.
 //
-// Certificates. It watches the triangulation (delaunay_2) and keeps the shortest of its edges by a
+// Certificates. It watches the triangulation (delaunay_2, or delaunay_3 in space) and keeps the shortest of its edges by a
 // ChangingExtremum: "this edge is at most as long as that one", degree 2d for motions of degree d.
 // The disc that has a closest pair as diameter holds no third point, not even on its boundary. So
 // every closest pair is an edge of every Delaunay triangulation. Points hidden behind an
@@ -27,8 +27,8 @@
 
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
+#include "structures/proximity/delaunay_edges.h"
 #include "structures/proximity/pair_distances.h"
-#include "structures/triangulation/delaunay_2.h"
 
 namespace kinex {
 
@@ -46,7 +46,7 @@ class ClosestPairDelaunay final : public Structure {
   enum Kind : std::uint8_t { kReplace, kTie };
 
   // `triangulation` outlives this structure and is watched by it.
-  ClosestPairDelaunay(Kernel& kernel, StructureId id, const Delaunay2& triangulation);
+  ClosestPairDelaunay(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation);
 
   std::string_view name() const override { return "closest_pair_delaunay"; }
   std::vector<std::string_view> event_kinds() const override {
@@ -66,7 +66,7 @@ class ClosestPairDelaunay final : public Structure {
   }
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
-    if (kernel_->instant_is_shared(triangulation_->id())) watched_changed(nullptr);
+    if (kernel_->instant_is_shared(triangulation_.id())) watched_changed(nullptr);
   }
   void instant_over() override { events_.over(closest()); }
   void watched_changed(const Event* event) override;
@@ -88,7 +88,7 @@ class ClosestPairDelaunay final : public Structure {
 
   Kernel* kernel_;
   StructureId id_;
-  const Delaunay2* triangulation_;
+  DelaunayGraph triangulation_;
   ChangingExtremum<PairDistances> edges_;
   AttributeEvents events_;
 };

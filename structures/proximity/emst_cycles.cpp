@@ -8,12 +8,12 @@
 
 namespace kinex {
 
-EmstCycles::EmstCycles(Kernel& kernel, StructureId id, const Delaunay2& triangulation)
+EmstCycles::EmstCycles(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation)
     : kernel_(&kernel),
       id_(id),
-      triangulation_(&triangulation),
+      triangulation_(triangulation),
       slots_(kernel, id, "cycles"),
-      lengths_(kernel, 2),
+      lengths_(kernel, triangulation.dimension()),
       forest_(triangulation.objects()),
       events_(kernel, id, triangulation.id(), kSwap, kExchange) {}
 
@@ -151,7 +151,7 @@ void EmstCycles::remove(const Edge& edge) {
 // The edges become those of the triangulation: first those that come, since they may have to take
 // the place of others.
 void EmstCycles::assign() {
-  const std::vector<Edge> wanted = delaunay_edges(*triangulation_);
+  const std::vector<Edge> wanted = triangulation_.edges();
   std::vector<Edge> gone;
   for (const auto& [edge, item] : lengths_.items()) {
     if (!std::binary_search(wanted.begin(), wanted.end(), edge)) gone.push_back(edge);
@@ -249,8 +249,8 @@ void EmstCycles::motions_changed(std::span<const ObjectId> objects) {
 
 // At an instant with several changes, the triangulation is read when it is settled.
 void EmstCycles::watched_changed(const Event* event) {
-  const auto change = event == nullptr ? std::nullopt : delaunay_edge_change(*event);
-  if (change && kernel_->instant_is_shared(triangulation_->id())) {
+  const auto change = event == nullptr ? std::nullopt : triangulation_.change(*event);
+  if (change && kernel_->instant_is_shared(triangulation_.id())) {
     return kernel_->settle_later(id_);
   }
   if (change) {
@@ -290,9 +290,11 @@ void EmstCycles::visit_proof(ProofVisitor& visitor) const {
 
 std::vector<BoundCheck> EmstCycles::bounds(const BoundContext& context) const {
   const std::size_t n = context.objects();
+  const std::size_t outside = n < 3 ? 0 : triangulation_.most_edges(n) - (n - 1);
   std::vector<BoundCheck> result{
-      at_most("emst_cycles.certificates", "2n - 5 edges outside the tree, paths of n - 1 edges",
-              counted(n < 3 ? 0 : (2 * n - 5) * (n - 1)), counted(context.ledger->max_live))};
+      at_most("emst_cycles.certificates",
+              "all edges outside the tree (2n - 5 in the plane), paths of n - 1 edges",
+              counted(outside * (n - 1)), counted(context.ledger->max_live))};
   if (context.plain() && n > 1) result.push_back(spanning_tree_bound("emst_cycles", context));
   return result;
 }
@@ -300,7 +302,7 @@ std::vector<BoundCheck> EmstCycles::bounds(const BoundContext& context) const {
 void EmstCycles::check_invariants(AuditReport& report) const {
   std::vector<Edge> edges;
   for (const auto& [edge, item] : lengths_.items()) edges.push_back(edge);
-  report.check(edges == delaunay_edges(*triangulation_),
+  report.check(edges == triangulation_.edges(),
                [] { return "it has missed a change of the edges"; });
   LinkCutForest forest = forest_;
   for (const auto& [edge, item] : lengths_.items()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // EmstCycles: the Euclidean minimum spanning tree of moving points, without an order of the edges.
 //
-// It watches the triangulation (delaunay_2). A Delaunay edge that is not in the tree closes a cycle
+// It watches the triangulation (delaunay_2, or delaunay_3 in space). A Delaunay edge that is not in the tree closes a cycle
 // with the tree's path between its ends, and is the longest edge of that cycle:
 //
 //         b ---- c
@@ -48,7 +48,7 @@ class EmstCycles final : public Structure {
   enum Kind : std::uint8_t { kSwap, kExchange, kTie };
 
   // `triangulation` outlives this structure and is watched by it.
-  EmstCycles(Kernel& kernel, StructureId id, const Delaunay2& triangulation);
+  EmstCycles(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation);
 
   std::string_view name() const override { return "emst_cycles"; }
   std::vector<std::string_view> event_kinds() const override {
@@ -63,7 +63,7 @@ class EmstCycles final : public Structure {
   void motions_changed(std::span<const ObjectId> objects) override;
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
-    if (kernel_->instant_is_shared(triangulation_->id())) watched_changed(nullptr);
+    if (kernel_->instant_is_shared(triangulation_.id())) watched_changed(nullptr);
   }
   void instant_over() override { events_.over(); }
   void watched_changed(const Event* event) override;
@@ -104,7 +104,7 @@ class EmstCycles final : public Structure {
 
   Kernel* kernel_;
   StructureId id_;
-  const Delaunay2* triangulation_;
+  DelaunayGraph triangulation_;
   Slots slots_;
   EdgeLengths lengths_;
   LinkCutForest forest_;

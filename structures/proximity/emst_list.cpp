@@ -7,11 +7,11 @@
 
 namespace kinex {
 
-EmstList::EmstList(Kernel& kernel, StructureId id, const Delaunay2& triangulation)
+EmstList::EmstList(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation)
     : kernel_(&kernel),
       id_(id),
-      triangulation_(&triangulation),
-      list_(kernel, id, "edges", EdgeLengths(kernel, 2)),
+      triangulation_(triangulation),
+      list_(kernel, id, "edges", EdgeLengths(kernel, triangulation.dimension())),
       forest_(triangulation.objects()),
       events_(kernel, id, triangulation.id(), kSwap, kOrder) {}
 
@@ -35,7 +35,7 @@ void EmstList::remove(const Edge& edge) {
 
 // The list becomes that of the triangulation's edges.
 void EmstList::assign() {
-  const std::vector<Edge> wanted = delaunay_edges(*triangulation_);
+  const std::vector<Edge> wanted = triangulation_.edges();
   std::vector<Edge> gone;
   for (const auto& [edge, item] : list_.claims().items()) {
     if (!std::binary_search(wanted.begin(), wanted.end(), edge)) gone.push_back(edge);
@@ -81,7 +81,7 @@ void EmstList::grow_tree() {
   std::vector<Edge> edges;
   edges.reserve(items.size());
   for (const Item item : items) edges.push_back(list_.claims().edge(item));
-  const std::vector<bool> chosen = kruskal(edges, triangulation_->objects());
+  const std::vector<bool> chosen = kruskal(edges, triangulation_.objects());
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (in_tree(items[i]) && !chosen[i]) take_out(items[i]);
   }
@@ -128,8 +128,8 @@ void EmstList::motions_changed(std::span<const ObjectId> objects) {
 
 // At an instant with several changes, the triangulation is read when it is settled.
 void EmstList::watched_changed(const Event* event) {
-  const auto change = event == nullptr ? std::nullopt : delaunay_edge_change(*event);
-  if (change && kernel_->instant_is_shared(triangulation_->id())) {
+  const auto change = event == nullptr ? std::nullopt : triangulation_.change(*event);
+  if (change && kernel_->instant_is_shared(triangulation_.id())) {
     return kernel_->settle_later(id_);
   }
   if (change) {
@@ -173,8 +173,8 @@ void EmstList::visit_proof(ProofVisitor& visitor) const {
 
 std::vector<BoundCheck> EmstList::bounds(const BoundContext& context) const {
   const std::size_t n = context.objects();
-  std::vector<BoundCheck> result{at_most("emst_list.certificates", "a list of at most 3n - 6 edges",
-                                         counted(n < 3 ? 0 : 3 * n - 7),
+  std::vector<BoundCheck> result{at_most("emst_list.certificates", "a list of the edges: at most 3n - 6, in space all pairs",
+                                         counted(std::max<std::size_t>(1, triangulation_.most_edges(n)) - 1),
                                          counted(context.ledger->max_live))};
   if (context.plain() && n > 1) result.push_back(spanning_tree_bound("emst_list", context));
   return result;
@@ -184,11 +184,11 @@ void EmstList::check_invariants(AuditReport& report) const {
   list_.check(report, "edges");
   std::vector<Edge> edges;
   for (const auto& [edge, item] : list_.claims().items()) edges.push_back(edge);
-  report.check(edges == delaunay_edges(*triangulation_),
+  report.check(edges == triangulation_.edges(),
                [] { return "it has missed a change of the edges"; });
   edges.clear();
   for (const Item item : list_.items()) edges.push_back(list_.claims().edge(item));
-  const std::vector<bool> chosen = kruskal(edges, triangulation_->objects());
+  const std::vector<bool> chosen = kruskal(edges, triangulation_.objects());
   LinkCutForest forest = forest_;
   std::size_t i = 0;
   for (const Item item : list_.items()) {

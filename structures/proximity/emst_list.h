@@ -2,7 +2,7 @@
 // EmstList: the Euclidean minimum spanning tree of moving points, by the order of all Delaunay
 // edges.
 //
-// It watches the triangulation (delaunay_2), keeps its edges in a list by length, and holds the
+// It watches the triangulation (delaunay_2, or delaunay_3 in space), keeps its edges in a list by length, and holds the
 // tree that Kruskal's algorithm makes of that order. Two neighbours of the list that change places
 // change the tree only if one edge replaces the other in a cycle:
 //
@@ -51,7 +51,7 @@ class EmstList final : public Structure {
   enum Kind : std::uint8_t { kSwap, kOrder, kTie };
 
   // `triangulation` outlives this structure and is watched by it.
-  EmstList(Kernel& kernel, StructureId id, const Delaunay2& triangulation);
+  EmstList(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation);
 
   std::string_view name() const override { return "emst_list"; }
   std::vector<std::string_view> event_kinds() const override {
@@ -66,7 +66,7 @@ class EmstList final : public Structure {
   void motions_changed(std::span<const ObjectId> objects) override;
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
-    if (kernel_->instant_is_shared(triangulation_->id())) watched_changed(nullptr);
+    if (kernel_->instant_is_shared(triangulation_.id())) watched_changed(nullptr);
   }
   void instant_over() override { events_.over(); }
   void watched_changed(const Event* event) override;
@@ -102,7 +102,7 @@ class EmstList final : public Structure {
 
   Kernel* kernel_;
   StructureId id_;
-  const Delaunay2* triangulation_;
+  DelaunayGraph triangulation_;
   List list_;
   LinkCutForest forest_;
   std::vector<bool> in_tree_;  // by item
