@@ -55,7 +55,24 @@ bool SpaceGeometry::is_bad(const Quad& q, unsigned i, ObjectId apex) const {
     return apex == infinity_ ? orientation(q) != Sign::kPositive : inside(q, apex);
   }
   const Sign sign = orientation(with(q, infinity_, apex));
-  return sign == Sign::kPositive || (sign == Sign::kZero && q[i] == infinity_);
+  if (sign != Sign::kZero) return sign == Sign::kPositive;
+  return q[i] == infinity_ || folded(q, i, apex);
+}
+
+// In their plane both triangles must lie on different sides of their edge.
+bool SpaceGeometry::folded(const Quad& q, unsigned i, ObjectId apex) const {
+  std::array<ObjectId, 2> edge{};
+  std::size_t count = 0;
+  for (unsigned k = 0; k < 4; ++k) {
+    if (k != i && q[k] != infinity_) edge[count++] = q[k];
+  }
+  for (const PredicateId turn : projected_) {
+    const Sign sign = kernel_->sign_after(turn, {edge[0], edge[1], q[i]});
+    if (sign == Sign::kZero) continue;
+    const Sign other = kernel_->sign_after(turn, {edge[0], edge[1], apex});
+    return other == sign || other == Sign::kZero;
+  }
+  return true;
 }
 
 bool SpaceGeometry::inside(const Quad& q, ObjectId v) const {

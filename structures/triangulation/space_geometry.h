@@ -55,7 +55,8 @@ class SpaceGeometry {
   // finite points.
   Query claim(const Quad& q, ObjectId apex) const;
   // The claim is false, or identically zero and decided so by the ties. Between two ghosts zero is
-  // not bad: that the hull is convex there follows from the cells inside.
+  // bad only if their facets overlap in the plane: the hull is folded. Which of several facets in one
+  // plane are on the hull follows from the cells inside.
   bool is_bad(const Quad& q, unsigned i, ObjectId apex) const;
   // v, which is no vertex of the cell, is in conflict with it.
   bool conflict(const Triangulation3& store, Cell c, ObjectId v) const;
@@ -63,6 +64,8 @@ class SpaceGeometry {
   bool inside(const Quad& q, ObjectId v) const;
 
  private:
+  bool folded(const Quad& q, unsigned i, ObjectId apex) const;
+
   Kernel* kernel_;
   ObjectId infinity_;
   std::array<PredicateId, 3> order_;
