@@ -6,15 +6,19 @@
 //   2. C: the cells of R that are reached from there without crossing the rim. Every vertex of S must
 //      be in C. Else all cells across the rim join S.
 //   3. No facet on the rim may be in conflict with the cell outside. Else that cell joins S.
+//   4. No edge or facet inside C may exist outside of it. Else the cells there join S.
 // All else is right by itself: the cells of C are upright, and the facets between them regular. A
 // triangulation that is locally regular everywhere is regular, and the one with the ties of
 // space_geometry.h is unique. It ends, because S grows. If S has become everything, the static
 // algorithm builds all of it.
 #include <algorithm>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "structures/parts/merge_sort.h"
 #include "structures/triangulation/delaunay_3.h"
+#include "structures/triangulation/edge_winding.h"
 
 namespace kinex {
 namespace {
@@ -49,6 +53,78 @@ class FacetIndex {
   std::vector<Entry> entries_;
 };
 
+// Adds the cells around edges of `near` that they go round more than once. Edges of cells that are
+// wrong anyway are passed over.
+void add_windings(const SpaceGeometry& geometry, const Triangulation3& store,
+                  const std::vector<Triangulation3::Cell>& near,
+                  std::vector<Triangulation3::Cell>& wrong) {
+  const std::vector<Triangulation3::Cell> known = wrong;
+  std::set<std::pair<ObjectId, ObjectId>> seen;
+  for (const Triangulation3::Cell c : near) {
+    const Triangulation3::Quad quad = store.quad(c);
+    for (unsigned i = 0; i < 4; ++i) {
+      for (unsigned j = i + 1; j < 4; ++j) {
+        const auto [u, v] = std::minmax(quad[i], quad[j]);
+        if (v == store.infinity() || !seen.emplace(u, v).second) continue;
+        const auto around = cells_around_edge(store, c, i, j);
+        const bool wrong_anyway = std::any_of(around.begin(), around.end(), [&](auto other) {
+          return std::binary_search(known.begin(), known.end(), other);
+        });
+        if (wrong_anyway || goes_round_once(geometry, store, around, u, v)) continue;
+        wrong.insert(wrong.end(), around.begin(), around.end());
+      }
+    }
+  }
+  sort_unique(wrong);
+}
+
+// Adds the cells outside `cells` that have an edge or a facet which `quads` have inside: these would
+// be there twice.
+void add_twins(const Triangulation3& store, const std::vector<Triangulation3::Cell>& cells,
+               const std::vector<Triangulation3::Facet>& rim,
+               const std::vector<Triangulation3::Quad>& quads,
+               std::vector<Triangulation3::Cell>& more) {
+  std::set<Triangulation3::Triple> on_rim;
+  std::set<std::pair<ObjectId, ObjectId>> edges;
+  for (const Triangulation3::Facet f : rim) {
+    const Triangulation3::Triple t = store.triple(f);
+    on_rim.insert(t);
+    edges.insert({t[0], t[1]});
+    edges.insert({t[0], t[2]});
+    edges.insert({t[1], t[2]});
+  }
+  std::vector<Triangulation3::Cell> star;
+  const auto look_for = [&](std::initializer_list<ObjectId> face) {
+    // From a finite vertex: infinity, the largest id, is in many cells.
+    store.star(*face.begin(), star);
+    for (const Triangulation3::Cell c : star) {
+      if (std::binary_search(cells.begin(), cells.end(), c)) continue;
+      const bool all = std::all_of(face.begin(), face.end(), [&](ObjectId v) {
+        return store.place_of(c, v) != Triangulation3::kNone;
+      });
+      if (all) more.push_back(c);
+    }
+  };
+  std::set<Triangulation3::Triple> seen;
+  for (Triangulation3::Quad quad : quads) {
+    std::sort(quad.begin(), quad.end());
+    for (std::size_t out = 0; out < 4; ++out) {
+      Triangulation3::Triple t{};
+      std::size_t count = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (k != out) t[count++] = quad[k];
+      }
+      if (on_rim.count(t) != 0 || !seen.insert(t).second) continue;
+      look_for({t[0], t[1], t[2]});
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        if (edges.insert({quad[i], quad[j]}).second) look_for({quad[i], quad[j]});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 // Cells about the suspects that cannot stay.
@@ -73,6 +149,7 @@ std::vector<Delaunay3::Cell> Delaunay3::wrong_cells() {
   }
   add_cells_at_meetings(wrong);
   sort_unique(wrong);
+  add_windings(geometry_, store_, near, wrong);
   return wrong;
 }
 
@@ -129,8 +206,12 @@ bool Delaunay3::sew(std::vector<Cell> cells, const Guests& guests) {
     if (built == StaticResult::kFailed) return false;
     std::vector<Cell> more;  // join the cells
     if (built == StaticResult::kBuilt) {
-      if (!find_patch(rim, vertices, hidden, quads, more)) more.clear();
-      else if (more.empty() && fill(cells, quads)) break;
+      if (!find_patch(rim, vertices, hidden, quads, more)) {
+        more.clear();
+      } else {
+        if (more.empty()) add_twins(store_, cells, rim, quads, more);
+        if (more.empty() && fill(cells, quads)) break;
+      }
     }
     if (more.empty()) {
       for (const Facet f : rim) more.push_back(Triangulation3::cell(store_.mate(f)));

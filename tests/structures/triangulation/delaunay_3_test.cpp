@@ -35,7 +35,7 @@ TEST(Delaunay3, ReferenceCounts) {
 TEST(Delaunay3, RandomFlights) {
   std::uint64_t events = 0, updates = 0;
   for (const int degree : {1, 2}) {
-    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 4u : 2u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 6u : 4u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       World world(random_flights(seed, 8, 3, degree, seed % 2 == 0));
       world.run().expect_clean();
