@@ -11,9 +11,10 @@ from replay_hull import HullBruteForce, HullOfDelaunay
 from replay_list import SortedList
 from replay_maximum import Maximum, OfList
 from replay_range import PseudoKdTree, RangeTree, RankKdTree
+from replay_space import DelaunayInSpace
 from replay_scratch import BoundingBox, ClosestPair, FarthestPair, SpanningTree
 
-REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay,
+REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
             "convex_hull_2_brute_force": HullBruteForce, "convex_hull_2_delaunay": HullOfDelaunay,
             "convex_hull_2": Envelopes, "convex_hull_2_naive": Envelopes,
             "bounding_box": BoundingBox, "closest_pair_delaunay": ClosestPair,
