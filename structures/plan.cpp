@@ -52,7 +52,7 @@ class Planner {
       wanted.of = reader.of;
       return wanted;
     }
-    Request wanted{std::string(reading.structure), "", {}};
+    Request wanted{usual_structure(reading, scene_.dimension), "", {}};
     wanted.of = sites_of(*find_structure_info(reader.structure), reader, scene_);
     if (reading.passes_over) wanted.over = reader.over;
     if (reading.axis) {

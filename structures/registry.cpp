@@ -48,6 +48,7 @@ Rational number(std::string_view text) { return Rational::parse(text).value(); }
 
 bool can_be_read(const Reading& reading, const Structure& structure) {
   if (structure.name() == reading.structure) return true;
+  if (structure.name() == usual_structure(reading, 3)) return true;
   const StructureInfo* info = find_structure_info(structure.name());
   return !reading.role.empty() && info != nullptr && info->role == reading.role;
 }
@@ -158,6 +159,15 @@ std::optional<Refusal> refusal_of_parameter(const StructureInfo& info, const Par
   }
   return Refusal{"has no parameter \"" + parameter.name + "\"",
                  names.empty() ? "remove it" : "its parameters are " + names};
+}
+
+std::string usual_structure(const Reading& reading, int dimension) {
+  const std::string_view name = reading.structure;
+  if (dimension == 3 && name.ends_with("_2")) {
+    const std::string namesake = std::string(name.substr(0, name.size() - 1)) + "3";
+    if (find_structure_info(namesake) != nullptr) return namesake;
+  }
+  return std::string(name);
 }
 
 const Reading* reading_of_choice(const StructureInfo& info) {

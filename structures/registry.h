@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +35,9 @@ std::optional<Refusal> refusal_of_key(const StructureInfo& info, const Key& key)
 std::optional<Refusal> refusal_of_parameter(const StructureInfo& info, const Parameter& parameter);
 // The reading that "over" replaces, of the structure or of one that it reads; nullptr: none.
 const Reading* reading_of_choice(const StructureInfo& info);
+// The structure that a reading means in a scene of so many axes: that of space for one of the plane
+// where there is a namesake ("delaunay_3" for "delaunay_2").
+std::string usual_structure(const Reading& reading, int dimension);
 std::optional<Refusal> refusal_of_over(const StructureInfo& info, const Request& over);
 // Likewise for the objects that a request names: "of", "query" and "colours".
 std::optional<Refusal> refusal_of_objects(const StructureInfo& info, const Request& request,

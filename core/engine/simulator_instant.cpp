@@ -14,6 +14,15 @@
 namespace kinex {
 namespace {
 
+// Claims of a predicate of space that alternates in all its arguments, on one set of points: one
+// polynomial, up to its sign. A flip of three cells into two fails three such certificates at once.
+bool claim_as_one(const Arithmetic& arithmetic, const Query& a, const Query& b) {
+  if (a.predicate != b.predicate || a.arity < 4) return false;
+  const Predicate& predicate = arithmetic.predicate(a.predicate);
+  return predicate.dimension() == 3 && predicate.alternating() == predicate.arity() &&
+         sorted_ids(a) == sorted_ids(b);
+}
+
 // See simulator.h for the guard.
 constexpr std::uint64_t kGuardFree = 1000;
 // Of the run's length; a structure that cycles moves on by an ulp each time.
@@ -204,16 +213,21 @@ void Simulator::repair() {
 }
 
 // Marks the structures of which two or more certificates fail at the instant of the first failure.
+// Those that claim one thing about one set of points count once.
 void Simulator::mark_shared() {
   EventQueue& queue = kernel_.queue();
   if (!queue.first_instant_is_shared()) return;
   first_instant_.clear();
   queue.collect_first_instant(first_instant_);
-  std::vector<std::uint8_t> seen(entries_.size(), 0);
+  std::vector<CertificateId> first_of(entries_.size(), kNoCertificate);
   for (const CertificateId c : first_instant_) {
     const StructureId id = queue.certificate(c).structure;
-    if (seen[id] != 0) kernel_.set_instant_shared(id, true);
-    seen[id] = 1;
+    CertificateId& first = first_of[id];
+    if (first == kNoCertificate) {
+      first = c;
+    } else if (!claim_as_one(kernel_.arithmetic(), queue.query(first), queue.query(c))) {
+      kernel_.set_instant_shared(id, true);
+    }
   }
 }
 

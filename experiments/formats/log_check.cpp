@@ -2,6 +2,7 @@
 #include "experiments/formats/log_check.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
@@ -293,43 +294,55 @@ class Checker {
     }
     if (!record.change) return;
     if (!record.external) complain("\"gone\" and \"came\" in a record that is not external");
-    check_sides(*record.change, structure.info->shape);
+    check_sides(*record.change, *structure.info);
   }
 
-  void check_sides(const LogChange& change, Attribute::Shape shape) {
-    const bool edges = shape == Attribute::Shape::kTuples;
-    if (change.pairs != edges) {
-      return complain(edges ? "\"gone\" and \"came\" are pairs of ids"
-                            : "\"gone\" and \"came\" are ids, not pairs");
+  void check_sides(const LogChange& change, const StructureInfo& info) {
+    const bool tuples = info.shape == Attribute::Shape::kTuples;
+    const std::size_t width = tuples ? info.width : 0;
+    if (change.width != width) {
+      return complain(!tuples      ? "\"gone\" and \"came\" are ids, not pairs"
+                      : width == 2 ? "\"gone\" and \"came\" are pairs of ids"
+                                   : "\"gone\" and \"came\" are tuples of " +
+                                         std::to_string(width) + " ids");
     }
     if (change.gone == change.came) complain("\"gone\" and \"came\" are the same");
     for (const auto* side : {&change.gone, &change.came}) {
-      if (shape == Attribute::Shape::kObject && side->size() > 1) {
+      if (info.shape == Attribute::Shape::kObject && side->size() > 1) {
         complain("the attribute is one object");
       }
-      if (edges) check_pairs(*side);
+      if (tuples) check_tuples(*side, width);
     }
-    if (!edges) return;
+    if (!tuples) return;
+    const auto tuple = [width](const std::vector<std::string>& ids, std::size_t i) {
+      std::string text;
+      for (std::size_t k = i; k < i + width; ++k) text += ids[k] + '\0';
+      return text;
+    };
     std::unordered_set<std::string> gone;
-    for (std::size_t i = 0; i < change.gone.size(); i += 2) {
-      gone.insert(change.gone[i] + '\0' + change.gone[i + 1]);
-    }
-    for (std::size_t i = 0; i < change.came.size(); i += 2) {
-      if (gone.count(change.came[i] + '\0' + change.came[i + 1]) == 0) continue;
-      complain("an edge both in \"gone\" and in \"came\"");
+    for (std::size_t i = 0; i < change.gone.size(); i += width) gone.insert(tuple(change.gone, i));
+    for (std::size_t i = 0; i < change.came.size(); i += width) {
+      if (gone.count(tuple(change.came, i)) == 0) continue;
+      complain(width == 2 ? "an edge both in \"gone\" and in \"came\""
+                          : "a tuple both in \"gone\" and in \"came\"");
     }
   }
 
-  void check_pairs(const std::vector<std::string>& ids) {
-    std::uint64_t last = 0;
-    for (std::size_t i = 0; i < ids.size(); i += 2) {
-      const auto a = objects_.find(ids[i]), b = objects_.find(ids[i + 1]);
-      if (a == objects_.end() || b == objects_.end()) continue;  // already reported
-      const std::uint64_t pair = (std::uint64_t{a->second} << 32 | b->second) + 1;
-      if (b->second <= a->second || pair <= last) {
-        return complain("pairs are in the scene's order, each pair too");
+  void check_tuples(const std::vector<std::string>& ids, std::size_t width) {
+    std::vector<std::uint64_t> last;
+    for (std::size_t i = 0; i < ids.size(); i += width) {
+      std::vector<std::uint64_t> tuple;
+      for (std::size_t k = i; k < i + width; ++k) {
+        const auto found = objects_.find(ids[k]);
+        if (found != objects_.end()) tuple.push_back(found->second);
       }
-      last = pair;
+      if (tuple.size() != width) continue;  // already reported
+      const bool ascends = std::adjacent_find(tuple.begin(), tuple.end(), std::greater_equal<>()) == tuple.end();
+      if (!ascends || !(last < tuple)) {
+        return complain(width == 2 ? "pairs are in the scene's order, each pair too"
+                                   : "tuples are in the scene's order, each tuple too");
+      }
+      last = std::move(tuple);
     }
   }
 

@@ -47,7 +47,7 @@ struct LogInstant {
 
 // "gone" and "came" of a record: edges (flattened) or whole values of the attribute.
 struct LogChange {
-  bool pairs = false;
+  std::size_t width = 0;  // of tuples of ids; 0: ids by themselves, or none
   std::vector<std::string> gone, came;
 };
 

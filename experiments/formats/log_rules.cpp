@@ -25,6 +25,8 @@ constexpr Arity kArities[] = {
     {"orientation_2", 3},
     {"slope_order_2", 4},
     {"in_circle_2", 4},
+    {"orientation_3", 4},
+    {"in_sphere_3", 5},
     {"acute_angle_2", 3},
     {"obtuse_angle_2", 3},
     {"edge_dot_2", 4},

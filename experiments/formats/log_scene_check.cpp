@@ -8,6 +8,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/log_rules.h"
 #include "experiments/formats/log_scene.h"
+#include "predicates/points/space_predicates.h"
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/shared_arguments.h"
 #include "predicates/predicates.h"
@@ -141,6 +142,8 @@ std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string
   if (name == "orientation_2") return make_orientation_2();
   if (name == "slope_order_2") return make_slope_order_2();
   if (name == "in_circle_2") return make_in_circle_2();
+  if (name == "orientation_3") return make_orientation_3();
+  if (name == "in_sphere_3") return make_in_sphere_3();
   if (name == "acute_angle_2") return make_acute_angle_2();
   if (name == "obtuse_angle_2") return make_obtuse_angle_2();
   if (name == "edge_dot_2") return make_edge_dot_2();

@@ -12,6 +12,7 @@ from itertools import combinations, permutations
 from log import Wrong
 from replay_directions import all_directions, extent_query, half_directions, k_of
 from roots import Instant, all_roots, compare
+from space import cells_of
 from static import forest_edges, spanning_tree
 from subsets import TWO_COLOURS, classes_of, own_objects, query_of
 from world import World
@@ -243,6 +244,8 @@ def attribute_of(structure, key, positions, scene):
         return hull_of(positions)
     if name == "delaunay_2":
         return delaunay_of(positions)
+    if name == "delaunay_3":
+        return cells_of(positions)
     if name == "bounding_box":
         return box_of(positions)
     if name.startswith(("closest_pair_", "bichromatic_pair_")):
@@ -305,6 +308,14 @@ def queries_of(structure, key, members, scene):
         pairs = pairs_of(structure, members, scene)
         for front, back in combinations(pairs, 2):
             yield distance_query(front, back)
+        return
+    if name == "delaunay_3":
+        for size, predicate in ((4, "orientation_3"), (5, "in_sphere_3")):
+            for some in combinations(sorted(members), size):
+                yield (predicate, some)
+        for pair in combinations(sorted(members), 2):
+            for axis in range(3):
+                yield (axis_order(axis), pair)
         return
     if name.startswith("min_circle_2"):
         for a, b, c in combinations(sorted(members), 3):

@@ -99,6 +99,33 @@ def in_circle_2(points):
                multiply(lifted(w), cross(u, v)))
 
 
+def difference_3(a, b):
+    return tuple(subtract(x, y) for x, y in zip(a[:3], b[:3]))
+
+
+def triple_product(u, v, w):
+    """The determinant of three rows."""
+    return add(add(multiply(cross(u, v), w[2]), multiply(cross(v, w), u[2])), multiply(cross(w, u), v[2]))
+
+
+def orientation_3(points):
+    """d is on the side of a, b, c that makes the tetrahedron positive."""
+    a, b, c, d = points
+    return triple_product(*(difference_3(p, a) for p in (b, c, d)))
+
+
+def in_sphere_3(points):
+    """e is inside the sphere through a, b, c, d, for a positive tetrahedron."""
+    rows = [difference_3(p, points[4]) for p in points[:4]]
+    result = ()
+    for i, row in enumerate(rows):
+        square = add(add(multiply(row[0], row[0]), multiply(row[1], row[1])), multiply(row[2], row[2]))
+        minor = triple_product(*(other for j, other in enumerate(rows) if j != i))
+        # Along the last column the signs are - + - +, and the determinant is negated.
+        result = add(result, scaled(multiply(square, minor), 1 if i % 2 == 0 else -1))
+    return result
+
+
 def acute_angle_2(points):
     """The angle at b between a and c is acute."""
     a, b, c = points
@@ -167,11 +194,14 @@ FORMULAS = {
     "orientation_2": (orientation_2, 3, 3),
     "slope_order_2": (slope_order_2, 4, 0),
     "in_circle_2": (in_circle_2, 4, 4),
+    "orientation_3": (orientation_3, 4, 4),
+    "in_sphere_3": (in_sphere_3, 5, 5),
     "acute_angle_2": (acute_angle_2, 3, 1),
     "obtuse_angle_2": (obtuse_angle_2, 3, 1),
 }
 # Axes that an argument must have.
 LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2,
+              "orientation_3": 3, "in_sphere_3": 3,
               "acute_angle_2": 2, "obtuse_angle_2": 2}
 
 

@@ -13,8 +13,9 @@ from replay_maximum import Maximum, OfList
 from replay_range import PseudoKdTree, RangeTree, RankKdTree
 from replay_scratch import (BoundingBox, ClosestPair, FarthestPair, GraphTree, NearestSite, SpanningTree,
                             TwoColours)
+from replay_space import DelaunayInSpace
 
-REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay,
+REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
             "convex_hull_2_brute_force": HullBruteForce, "convex_hull_2_delaunay": HullOfDelaunay,
             "convex_hull_2": Envelopes, "convex_hull_2_naive": Envelopes,
             "bounding_box": BoundingBox, "closest_pair_delaunay": ClosestPair,

@@ -19,12 +19,13 @@ from subsets import classes_of, query_of
 
 class Scratch(OfMembers):
     bound = []
+    partly = "internal events: the duels of its tournaments are not followed"
 
     def __init__(self, checker, structure):
         super().__init__(checker, structure)
         self.told, self.changed, self.look = [], 0, True
         self.proofs = [Proof(self.world, self.label, checker.on[4])]  # without claims
-        checker.note_partly(self.label, "internal events: the duels of its tournaments are not followed")
+        checker.note_partly(self.label, self.partly)
 
     @property
     def attribute(self):

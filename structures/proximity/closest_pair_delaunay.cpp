@@ -12,13 +12,13 @@
 namespace kinex {
 
 ClosestPairDelaunay::ClosestPairDelaunay(Kernel& kernel, StructureId id,
-                                         const Delaunay2& triangulation,
+                                         const DelaunayGraph& triangulation,
                                          std::optional<TwoClasses> classes)
     : kernel_(&kernel),
       id_(id),
-      triangulation_(&triangulation),
+      triangulation_(triangulation),
       classes_(std::move(classes)),
-      edges_(kernel, id, "edges", PairDistances(kernel, 2)),
+      edges_(kernel, id, "edges", PairDistances(kernel, triangulation.dimension())),
       events_(kernel, id, Attribute::Shape::kTuples) {}
 
 std::span<const ObjectId> ClosestPairDelaunay::closest() const {
@@ -28,7 +28,7 @@ std::span<const ObjectId> ClosestPairDelaunay::closest() const {
 
 // The edges that count, ascending.
 std::vector<ClosestPairDelaunay::Pair> ClosestPairDelaunay::candidates() const {
-  std::vector<Pair> edges = delaunay_edges(*triangulation_);
+  std::vector<Pair> edges = triangulation_.edges();
   std::erase_if(edges, [this](const Pair& edge) { return !counts(edge); });
   return edges;
 }
@@ -42,7 +42,7 @@ void ClosestPairDelaunay::begin() {
 // Makes the change of edges that the event states; false if it is not one of a single edge, or
 // contradicts what is there.
 bool ClosestPairDelaunay::follow(const Event& event) {
-  const auto change = delaunay_edge_change(event);
+  const auto change = triangulation_.change(event);
   if (!change) return false;
   const auto [gone, came] = *change;
   if (gone && counts(*gone) && !edges_.go(*gone)) return false;
@@ -59,7 +59,7 @@ void ClosestPairDelaunay::watched_changed(const Event* event) {
 
 void ClosestPairDelaunay::certificate_failed(CertificateId failed) {
   const auto [old, fresh] = edges_.failed(failed, tied());
-  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest(), triangulation_->id());
+  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest(), triangulation_.id());
 }
 
 void ClosestPairDelaunay::visit_proof(ProofVisitor& visitor) const {
@@ -68,15 +68,22 @@ void ClosestPairDelaunay::visit_proof(ProofVisitor& visitor) const {
   });
 }
 
+// The largest number of edges that count, of n points.
+std::size_t ClosestPairDelaunay::most_edges(std::size_t n) const {
+  if (!classes_) return triangulation_.most_edges(n);
+  if (triangulation_.dimension() == 3) return classes_->size(0) * classes_->size(1);
+  return n < 3 ? triangulation_.most_edges(n) : 2 * n - 4;
+}
+
 std::vector<BoundCheck> ClosestPairDelaunay::bounds(const BoundContext& context) const {
   const StructureLedger& ledger = *context.ledger;
-  const std::size_t n = context.objects(), degree = classes_ ? 2 : 3;
+  const std::size_t n = context.objects();
   const std::string own(name());
   std::vector<BoundCheck> result{
       at_most(own + ".certificates",
-              classes_ ? "a tournament of at most 2n - 4 edges between two classes"
-                       : "a tournament of at most 3n - 6 edges",
-              counted(n < 3 ? 0 : degree * n - 2 * degree - 1), counted(ledger.max_live)),
+              classes_ ? "a tournament of the edges between two classes: at most 2n - 4, in space all pairs of them"
+                       : "a tournament of the edges: at most 3n - 6, in space all pairs",
+              counted(std::max<std::size_t>(1, most_edges(n)) - 1), counted(ledger.max_live)),
       at_most(own + ".events", "the epochs of the nodes of the tournament",
               edges_.most_failures(2 * context.degree), counted(ledger.failures))};
   const Integer all =

@@ -3,8 +3,8 @@
 // triangulation; or the closest pair of two points of different classes: the shortest edge between
 // the classes. These are closest_pair_delaunay and bichromatic_pair_delaunay.
 //
-// Certificates. It watches the triangulation (delaunay_2) and keeps the shortest of its edges by a
-// ChangingExtremum: "this edge is at most as long as that one", degree 2d for motions of degree d.
+// Certificates. It watches the triangulation (delaunay_2, or delaunay_3 in space) and keeps the
+// shortest of its edges by a ChangingExtremum: "this edge is at most as long as that one", degree 2d for motions of degree d.
 // The disc that has a closest pair as diameter holds no third point, not even on its boundary. So
 // every closest pair is an edge of every Delaunay triangulation. Points hidden behind an
 // identically equal vertex add the pairs (vertex, hidden point), of length zero. A flip ab -> cd
@@ -38,8 +38,8 @@
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
 #include "structures/parts/object_sets.h"
+#include "structures/proximity/delaunay_edges.h"
 #include "structures/proximity/pair_distances.h"
-#include "structures/triangulation/delaunay_2.h"
 
 namespace kinex {
 
@@ -58,7 +58,7 @@ class ClosestPairDelaunay final : public Structure {
 
   // `triangulation`, of all points that count, outlives this structure and is watched by it.
   // `classes`: pairs of two points of different classes alone; nullopt: all pairs.
-  ClosestPairDelaunay(Kernel& kernel, StructureId id, const Delaunay2& triangulation,
+  ClosestPairDelaunay(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation,
                       std::optional<TwoClasses> classes);
 
   std::string_view name() const override {
@@ -81,7 +81,7 @@ class ClosestPairDelaunay final : public Structure {
   }
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
-    if (kernel_->instant_is_shared(triangulation_->id())) watched_changed(nullptr);
+    if (kernel_->instant_is_shared(triangulation_.id())) watched_changed(nullptr);
   }
   void instant_over() override { events_.over(closest()); }
   void watched_changed(const Event* event) override;
@@ -102,12 +102,13 @@ class ClosestPairDelaunay final : public Structure {
   std::span<const ObjectId> closest() const;
   bool counts(const Pair& pair) const { return !classes_ || classes_->differ(pair[0], pair[1]); }
   std::vector<Pair> candidates() const;
+  std::size_t most_edges(std::size_t n) const;
   bool follow(const Event& event);
   void begin();
 
   Kernel* kernel_;
   StructureId id_;
-  const Delaunay2* triangulation_;
+  DelaunayGraph triangulation_;
   std::optional<TwoClasses> classes_;
   ChangingExtremum<PairDistances> edges_;
   AttributeEvents events_;

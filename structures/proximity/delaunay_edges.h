@@ -1,30 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What readers of a Delaunay triangulation see of it as a graph: every pair of points that some
-// proximity structure may need. Those are the edges, and the pairs of a vertex and a point that is
-// hidden behind it, being identically equal.
+// What readers of a Delaunay triangulation, in the plane or in space, see of it as a graph: every
+// pair of points that some proximity structure may need. Those are the edges, and the pairs of a
+// vertex and a point that is hidden behind it, being identically equal.
 #ifndef KINEX_STRUCTURES_PROXIMITY_DELAUNAY_EDGES_H
 #define KINEX_STRUCTURES_PROXIMITY_DELAUNAY_EDGES_H
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "structures/triangulation/delaunay_2.h"
+#include "structures/triangulation/delaunay_3.h"
 
 namespace kinex {
 
 using DelaunayEdge = std::array<ObjectId, 2>;  // ids, ascending
 
-// All of them, ascending. O(n).
-std::vector<DelaunayEdge> delaunay_edges(const Delaunay2& triangulation);
-
-// A change of one or two edges.
+// A change of one or two edges, or of none.
 struct DelaunayEdgeChange {
   std::optional<DelaunayEdge> gone, came;
 };
-// The change that an external event of the triangulation states; nullopt if it has to be read off
-// the triangulation.
-std::optional<DelaunayEdgeChange> delaunay_edge_change(const Event& event);
+
+class DelaunayGraph {
+ public:
+  // The triangulation outlives its readers.
+  DelaunayGraph(const Delaunay2& in_plane) : in_plane_(&in_plane) {}
+  DelaunayGraph(const Delaunay3& in_space) : in_space_(&in_space) {}
+  // A delaunay_2 or a delaunay_3; std::bad_cast for any other structure.
+  static DelaunayGraph of(const Structure& triangulation);
+
+  int dimension() const { return in_plane_ != nullptr ? 2 : 3; }
+  StructureId id() const { return in_plane_ != nullptr ? in_plane_->id() : in_space_->id(); }
+  // The number of the scene's objects, alive or not.
+  std::size_t objects() const {
+    return in_plane_ != nullptr ? in_plane_->objects() : in_space_->objects();
+  }
+  // All of them, ascending. O(n log n) for n edges.
+  std::vector<DelaunayEdge> edges() const;
+  // The change that an external event of the triangulation states; nullopt if it has to be read off
+  // the triangulation.
+  std::optional<DelaunayEdgeChange> change(const Event& event) const;
+  // The largest number of edges that n points can have: 3n - 6 in the plane, all pairs in space.
+  std::size_t most_edges(std::size_t n) const;
+
+ private:
+  const Delaunay2* in_plane_ = nullptr;
+  const Delaunay3* in_space_ = nullptr;
+};
 
 }  // namespace kinex
 

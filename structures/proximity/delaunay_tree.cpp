@@ -7,12 +7,12 @@
 
 namespace kinex {
 
-DelaunayTree::DelaunayTree(Kernel& kernel, StructureId id, const Delaunay2& triangulation,
+DelaunayTree::DelaunayTree(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation,
                            TreeProof proof)
     : kernel_(&kernel),
       name_(proof == TreeProof::kList ? "emst_list" : "emst_cycles"),
-      triangulation_(&triangulation),
-      lengths_(kernel, 2),
+      triangulation_(triangulation),
+      lengths_(kernel, triangulation.dimension()),
       events_(kernel, id, triangulation.id()),
       engine_(make_tree_engine(proof, kernel, id, lengths_, events_, triangulation.objects())) {}
 
@@ -32,7 +32,7 @@ void DelaunayTree::remove(const Edge& edge) {
 // The edges become those of the triangulation: first those that come, since they may have to take
 // the place of others.
 void DelaunayTree::assign() {
-  const std::vector<Edge> wanted = delaunay_edges(*triangulation_);
+  const std::vector<Edge> wanted = triangulation_.edges();
   std::vector<Edge> gone;
   for (const auto& [edge, item] : lengths_.items()) {
     if (!std::binary_search(wanted.begin(), wanted.end(), edge)) gone.push_back(edge);
@@ -62,8 +62,8 @@ void DelaunayTree::rebuild() {
 
 // At an instant with several changes, the triangulation is read when it is settled.
 void DelaunayTree::watched_changed(const Event* event) {
-  const auto change = event == nullptr ? std::nullopt : delaunay_edge_change(*event);
-  if (change && kernel_->instant_is_shared(triangulation_->id())) {
+  const auto change = event == nullptr ? std::nullopt : triangulation_.change(*event);
+  if (change && kernel_->instant_is_shared(triangulation_.id())) {
     return events_.settle_later();
   }
   if (change) {
@@ -91,8 +91,10 @@ std::vector<BoundCheck> DelaunayTree::bounds(const BoundContext& context) const 
   const std::size_t n = context.objects();
   const std::string own(name_);
   std::vector<BoundCheck> result{at_most(
-      own + ".certificates", std::string(engine_->why_most()) + ": at most 3n - 6 Delaunay edges",
-      engine_->most_certificates(n < 3 ? 1 : 3 * n - 6, n), counted(context.ledger->max_live))};
+      own + ".certificates",
+      std::string(engine_->why_most()) + ": at most 3n - 6 Delaunay edges, in space all pairs",
+      engine_->most_certificates(std::max<std::size_t>(1, triangulation_.most_edges(n)), n),
+      counted(context.ledger->max_live))};
   if (context.plain() && n > 1) {
     result.push_back(spanning_tree_bound(own, pairs(counted(n)), 2, context));
   }
@@ -105,7 +107,7 @@ void DelaunayTree::check_invariants(AuditReport& report) const {
     edges.push_back(edge);
     report.check(engine_->has(item), [] { return "an edge that the engine lacks"; });
   }
-  report.check(edges == delaunay_edges(*triangulation_) && edges.size() == engine_->size(),
+  report.check(edges == triangulation_.edges() && edges.size() == engine_->size(),
                [] { return "it has missed a change of the edges"; });
   engine_->check(report);
   report.check(!events_.any(), [] { return "a change of the tree was not reported"; });

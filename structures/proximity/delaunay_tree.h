@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // DelaunayTree: the Euclidean minimum spanning tree of moving points, among the edges of their
-// Delaunay triangulation (delaunay_2), which it watches: emst_list and emst_cycles.
+// Delaunay triangulation (delaunay_2, or delaunay_3 in space), which it watches: emst_list and
+// emst_cycles.
 //
 // The engine proves the tree: by the order of all Delaunay edges (tree_by_list.h), or by the
 // longest edge of every cycle (tree_by_cycles.h). Certificates compare two lengths, degree 2d for
@@ -47,7 +48,7 @@ namespace kinex {
 class DelaunayTree final : public Structure {
  public:
   // `triangulation` outlives this structure and is watched by it.
-  DelaunayTree(Kernel& kernel, StructureId id, const Delaunay2& triangulation, TreeProof proof);
+  DelaunayTree(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation, TreeProof proof);
 
   std::string_view name() const override { return name_; }
   // Those of TreeEventKind.
@@ -65,7 +66,7 @@ class DelaunayTree final : public Structure {
   }
   // The triangulation may have changes that it has not reported yet.
   void instant_settled() override {
-    if (kernel_->instant_is_shared(triangulation_->id())) watched_changed(nullptr);
+    if (kernel_->instant_is_shared(triangulation_.id())) watched_changed(nullptr);
   }
   void instant_over() override { events_.over(); }
   void watched_changed(const Event* event) override;
@@ -89,7 +90,7 @@ class DelaunayTree final : public Structure {
 
   Kernel* kernel_;
   std::string_view name_;
-  const Delaunay2* triangulation_;
+  DelaunayGraph triangulation_;
   EdgeLengths lengths_;
   TreeEvents events_;
   std::unique_ptr<TreeEngine> engine_;

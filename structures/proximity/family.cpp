@@ -15,8 +15,12 @@
 namespace kinex {
 namespace {
 
-const Delaunay2& triangulation(const MakerInput& in) {
-  return dynamic_cast<const Delaunay2&>(*in.watched[0]);
+DelaunayGraph triangulation(const MakerInput& in) { return DelaunayGraph::of(*in.watched[0]); }
+
+std::optional<Refusal> beyond_space(const Scene& scene) {
+  if (scene.dimension <= 3) return std::nullopt;
+  return Refusal{"is for 2 or 3 axes, the scene has " + std::to_string(scene.dimension),
+                 "leave axes out, or maintain something else"};
 }
 
 template <TreeProof proof>
@@ -50,12 +54,14 @@ std::vector<StructureInfo> closest_pairs() {
 
   StructureInfo delaunay = base;
   delaunay.name = "closest_pair_delaunay";
-  delaunay.summary = "the closest pair of points in the plane, among Delaunay edges";
+  delaunay.summary = "the closest pair of points in the plane or in space, among Delaunay edges";
   delaunay.min_dimension = 2;
+  delaunay.any_dimension = true;
+  delaunay.refuse = beyond_space;
   delaunay.reads = {{"delaunay_2"}};
   delaunay.certificates =
-      "at most 3n - 7, one for each match in the tournament of Delaunay edges; those of "
-      "delaunay_2 besides";
+      "at most 3n - 7, in space C(n,2) - 1, one for each match in the tournament of Delaunay edges; "
+      "those of delaunay_2 or delaunay_3 besides";
   delaunay.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 9";
   delaunay.make = [](const MakerInput& in) { return make_delaunay(in, false); };
 
@@ -72,8 +78,9 @@ std::vector<StructureInfo> closest_pairs() {
   two.summary = "the closest two points of different colours, among Delaunay edges";
   two.colours = true;
   two.certificates =
-      "at most 2n - 5, one for each match in the tournament of the Delaunay edges between the "
-      "colours; those of delaunay_2, of the points of both, besides";
+      "at most 2n - 5, in space one fewer than pairs of both colours, one for each match in the "
+      "tournament of the Delaunay edges between the colours; those of delaunay_2 or delaunay_3, of "
+      "the points of both, besides";
   two.source = base.source;
   two.make = [](const MakerInput& in) { return make_delaunay(in, true); };
 
@@ -93,6 +100,8 @@ std::vector<StructureInfo> spanning_trees() {
   StructureInfo base;
   base.group = "emst";
   base.min_dimension = 2;
+  base.any_dimension = true;
+  base.refuse = beyond_space;
   base.shape = Attribute::Shape::kTuples;
   base.reads = {{"delaunay_2"}};
   base.ties =
@@ -104,8 +113,8 @@ std::vector<StructureInfo> spanning_trees() {
   list.summary = "the Euclidean minimum spanning tree, by the order of all Delaunay edges";
   list.kinds = {{"swap", Effect::kAlways}, {"order", Effect::kNever}, {"tie", Effect::kNever}};
   list.certificates =
-      "at most 3n - 7, one for each two neighbours in the list of Delaunay edges; those of "
-      "delaunay_2 besides";
+      "at most 3n - 7, in space C(n,2) - 1, one for each two neighbours in the list of Delaunay "
+      "edges; those of delaunay_2 or delaunay_3 besides";
   list.make = make_tree<TreeProof::kList>;
 
   StructureInfo cycles = base;
@@ -113,8 +122,8 @@ std::vector<StructureInfo> spanning_trees() {
   cycles.summary = "the same, every edge outside the tree against those of its cycle";
   cycles.kinds = {{"swap", Effect::kAlways}, {"exchange", Effect::kNever}, {"tie", Effect::kNever}};
   cycles.certificates =
-      "at most (2n - 5)(n - 1): every Delaunay edge outside the tree is the longest of its cycle; "
-      "those of delaunay_2 besides";
+      "at most (2n - 5)(n - 1), in space C(n - 1, 2)(n - 1): every Delaunay edge outside the tree "
+      "is the longest of its cycle; those of delaunay_2 or delaunay_3 besides";
   cycles.make = make_tree<TreeProof::kCycles>;
   return {list, cycles};
 }
@@ -133,7 +142,8 @@ StructureInfo nearest_site() {
   info.ties = "of sites at identically equal distances the smallest id";
   info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
   info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
-    return std::make_unique<NearestSite>(in.kernel, in.id, triangulation(in), query_of(in.request));
+    return std::make_unique<NearestSite>(
+        in.kernel, in.id, dynamic_cast<const Delaunay2&>(*in.watched[0]), query_of(in.request));
   };
   return info;
 }

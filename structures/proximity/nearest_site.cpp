@@ -124,7 +124,7 @@ void NearestSite::motions_changed(std::span<const ObjectId> objects) {
 void NearestSite::watched_changed(const Event* event) {
   if (site_ == kNoObject) return;
   if (event != nullptr) {
-    const auto change = delaunay_edge_change(*event);
+    const auto change = DelaunayGraph(*triangulation_).change(*event);
     const auto touches = [this](const std::optional<DelaunayEdge>& edge) {
       return edge && ((*edge)[0] == site_ || (*edge)[1] == site_);
     };

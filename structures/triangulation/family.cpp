@@ -2,8 +2,36 @@
 #include "structures/triangulation/family.h"
 
 #include "structures/triangulation/delaunay_2.h"
+#include "structures/triangulation/delaunay_3.h"
 
 namespace kinex {
+
+namespace {
+
+StructureInfo delaunay_in_space() {
+  StructureInfo info{.name = "delaunay_3",
+                     .summary = "the Delaunay triangulation of points in space"};
+  info.min_dimension = 3;
+  info.shape = Attribute::Shape::kTuples;
+  info.width = 4;
+  info.kinds = {{"flip_2_3", Effect::kAlways}, {"flip_3_2", Effect::kAlways},
+                {"enter", Effect::kAlways},    {"leave", Effect::kAlways},
+                {"hull_2_3", Effect::kAlways}, {"hull_3_2", Effect::kAlways},
+                {"retile", Effect::kSometimes}, {"blocked", Effect::kNever}};
+  info.certificates =
+      "at most (n + 1)(n - 2), one for each facet, those with the vertex at infinity included";
+  info.ties =
+      "of points identically on one sphere those with smaller ids have their lifted heights lowered "
+      "more; of identically equal points the smallest id is the vertex; points identically in one "
+      "plane have no cells";
+  info.source =
+      "Guibas, Kinetic data structures: a state of the art report (1998), section 7; Joe (1991); "
+      "Devillers, Teillaud (2011)";
+  info.make = make_plain<Delaunay3>;
+  return info;
+}
+
+}  // namespace
 
 StructureFamily triangulation_family() {
   StructureInfo delaunay{.name = "delaunay_2",
@@ -22,7 +50,7 @@ StructureFamily triangulation_family() {
       "Guibas, Kinetic data structures: a state of the art report (1998), section 7; "
       "Guibas, Mitchell, Roos (1991)";
   delaunay.make = make_plain<Delaunay2>;
-  return {"triangulation", {delaunay}};
+  return {"triangulation", {delaunay, delaunay_in_space()}};
 }
 
 }  // namespace kinex

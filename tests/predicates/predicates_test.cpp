@@ -4,6 +4,7 @@
 
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/shared_arguments.h"
+#include "predicates/points/space_predicates.h"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,9 @@ std::vector<Named> all_predicates() {
           {"strip", make_strip_order_2()},
           {"rectangle_area", make_rectangle_area_order_2()},
           {"rectangle_perimeter", make_rectangle_perimeter_order_2()},
+          {"orientation_3", make_orientation_3()},
+          {"in_sphere_3", make_in_sphere_3()},
+          {"orientation_xz", make_projected_orientation(0, 2)},
           {"edge_dot_shared", shared(make_edge_dot_2(), {0, 1, 1, 2})},
           {"strip_shared", shared(make_strip_order_2(), {0, 1, 2, 1, 3, 0})},
           {"rectangle_shared",
@@ -255,6 +259,33 @@ TEST_F(KnownSigns, Planar) {
   EXPECT_EQ(sign(make_in_circle_2(), {{0, 0}, {4, 0}, {0, 4}, {1, 1}}), 1);
   EXPECT_EQ(sign(make_in_circle_2(), {{0, 0}, {4, 0}, {0, 4}, {5, 5}}), -1);
   EXPECT_EQ(sign(make_in_circle_2(), {{0, 0}, {4, 0}, {0, 4}, {4, 4}}), 0);
+}
+
+TEST_F(KnownSigns, Spatial) {
+  const std::vector<std::vector<int>> corner{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+  EXPECT_EQ(sign(make_orientation_3(), corner), 1);
+  EXPECT_EQ(sign(make_orientation_3(), {corner[0], corner[1], corner[2], {5, 7, 0}}), 0);
+  const auto side = [&corner](std::vector<int> point) {
+    std::vector<std::vector<int>> all = corner;
+    all.push_back(std::move(point));
+    return sign(make_in_sphere_3(), all);
+  };
+  EXPECT_EQ(side({1, 1, 1}), 1);
+  EXPECT_EQ(side({4, 4, 4}), 0);
+  EXPECT_EQ(side({4, 4, 5}), -1);
+}
+
+// The corner of the unit cube, and the point (1/4, 1/4, 1/4): 9/16, here 4^5 times as much.
+TEST(InSphere3, HasTheValueOfTheDeterminant) {
+  std::vector<std::vector<Rational>> points;
+  for (const std::vector<int>& p : {std::vector<int>{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}}) {
+    std::vector<Rational>& motion = points.emplace_back();
+    for (const int c : p) motion.insert(motion.end(), {Rational(c), Rational(0)});
+  }
+  std::vector<MotionView<Rational>> views;
+  for (const auto& motion : points) views.push_back(motion.data());
+  EXPECT_EQ(make_in_sphere_3()->rational(1, views.data())[0], Rational(576));
+  EXPECT_EQ(make_orientation_3()->rational(1, views.data())[0], Rational(64));
 }
 
 TEST_F(KnownSigns, SlopeOrder) {

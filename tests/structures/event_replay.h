@@ -10,6 +10,7 @@
 #define KINEX_TESTS_STRUCTURES_EVENT_REPLAY_H
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -55,6 +56,7 @@ class ReplayedAttribute {
         ids = {id(1)};
         return "";
       case Attribute::Shape::kTuples:
+        if (value_.width == 4) return apply_in_space(kind, event);
         if (kind == "flip") return remove(id(0), id(1)) + add(id(2), id(3));
         if (kind == "enter") return remove(id(1), id(2));
         if (kind == "leave") return add(id(1), id(2));
@@ -84,6 +86,7 @@ class ReplayedAttribute {
       return "";
     }
     if (value_.width == 1) return apply_members(event);
+    if (value_.width == 4) return apply_cells(event);
     std::string wrong;
     const auto ascending = [](std::span<const ObjectId> flat) {
       for (std::size_t i = 0; i < flat.size(); i += 2) {
@@ -114,6 +117,48 @@ class ReplayedAttribute {
       if (place != ids.end() && *place == id) return "what came was there";
       ids.insert(place, id);
     }
+    return "";
+  }
+  using Cell = std::array<ObjectId, 4>;
+  // A flip in space: two cells on five points for three, or the reverse; or one cell at the hull.
+  std::string apply_in_space(std::string_view kind, const Event& event) {
+    const auto& v = event.ids;
+    const bool joins = kind == "flip_2_3" || kind == "leave" || kind == "hull_2_3";
+    if (event.count == 4) return change(joins, {v[0], v[1], v[2], v[3]});
+    std::string wrong;
+    for (const ObjectId end : {v[0], v[1]}) wrong += change(!joins, {end, v[2], v[3], v[4]});
+    for (std::size_t out = 2; out < 5; ++out) {
+      const std::size_t a = out == 2 ? 3 : 2, b = out == 4 ? 3 : 4;
+      wrong += change(joins, {v[0], v[1], v[a], v[b]});
+    }
+    return wrong;
+  }
+  std::string apply_cells(const Event& event) {
+    std::string wrong;
+    for (const auto& [ids, joins] : {std::pair(event.gone, false), std::pair(event.came, true)}) {
+      for (std::size_t i = 0; i + 3 < ids.size(); i += 4) {
+        wrong += change(joins, {ids[i], ids[i + 1], ids[i + 2], ids[i + 3]});
+      }
+    }
+    return wrong;
+  }
+  std::string change(bool joins, Cell cell) {
+    std::sort(cell.begin(), cell.end());
+    std::vector<Cell> cells;
+    for (std::size_t i = 0; i + 3 < value_.ids.size(); i += 4) {
+      cells.push_back({value_.ids[i], value_.ids[i + 1], value_.ids[i + 2], value_.ids[i + 3]});
+    }
+    const auto at = std::lower_bound(cells.begin(), cells.end(), cell);
+    const bool there = at != cells.end() && *at == cell;
+    if (joins && there && exact_) return "a cell came twice; ";
+    if (!joins && !there) return "a cell went that was not there; ";
+    if (joins) {
+      cells.insert(at, cell);
+    } else {
+      cells.erase(at);
+    }
+    value_.ids.clear();
+    for (const Cell& one : cells) value_.ids.insert(value_.ids.end(), one.begin(), one.end());
     return "";
   }
   std::vector<Edge> edges() const {

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Delaunay triangulation in space from its definition, over any source of signs: a cell is four points
+whose sphere has no other point inside. Heights are lowered by id: the smaller the number the more."""
+
+from itertools import combinations
+
+
+def cells(points, orientation, in_sphere, identical):
+    """orientation(a, b, c, d) and in_sphere(a, b, c, d, e) are signs; equal points: the smallest number."""
+    points = sorted(points)
+    points = [p for i, p in enumerate(points) if not any(identical(q, p) for q in points[:i])]
+    result = []
+    for quad in combinations(points, 4):
+        side = orientation(*quad)
+        if side and not any(inside(quad, side, v, orientation, in_sphere) for v in points if v not in quad):
+            result.append(quad)
+    return result
+
+
+def inside(quad, side, v, orientation, in_sphere):
+    sign = in_sphere(*quad, v) * side
+    if sign:
+        return sign > 0
+    for lowered in sorted((*quad, v)):
+        if lowered == v:
+            return True
+        turned = orientation(*(v if u == lowered else u for u in quad)) * side
+        if turned:
+            return turned < 0
+    return True
+
+
+def change(kind, ids):
+    """The cells that leave and that join by an event of this kind."""
+    if kind not in ("flip_2_3", "flip_3_2"):
+        cell = tuple(sorted(ids))
+        return ([], [cell]) if kind in ("leave", "hull_2_3") else ([cell], [])
+    p, q, a, b, c = ids
+    two = [tuple(sorted((end, a, b, c))) for end in (p, q)]
+    three = [tuple(sorted((p, q, *edge))) for edge in ((a, b), (b, c), (a, c))]
+    return (two, three) if kind == "flip_2_3" else (three, two)
+
+
+# ---- from positions
+
+
+def determinant(rows):
+    if len(rows) == 1:
+        return rows[0][0]
+    return sum((-1) ** i * row[0] * determinant([other[1:] for j, other in enumerate(rows) if j != i])
+               for i, row in enumerate(rows) if row[0])
+
+
+def cells_of(positions):
+    def sign(value):
+        return (value > 0) - (value < 0)
+
+    def from_last(*ids):
+        last = positions[ids[-1]]
+        return [[x - y for x, y in zip(positions[i], last)] for i in ids[:-1]]
+
+    def orientation(*ids):
+        return -sign(determinant(from_last(*ids)))
+
+    def in_sphere(*ids):
+        return -sign(determinant([row + [sum(x * x for x in row)] for row in from_last(*ids)]))
+
+    return cells(positions, orientation, in_sphere, lambda a, b: tuple(positions[a]) == tuple(positions[b]))

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Predicates on points in space: the side of a plane, and the side of a sphere. The terms are those
+// of predicates/predicates.h.
+#ifndef KINEX_PREDICATES_POINTS_SPACE_PREDICATES_H
+#define KINEX_PREDICATES_POINTS_SPACE_PREDICATES_H
+
+#include <memory>
+
+#include "core/arithmetic/predicate.h"
+
+namespace kinex {
+
+// orientation_3(a, b, c, d) = det(b - a, c - a, d - a), six times the signed volume of the
+// tetrahedron. Positive iff a, b, c turn counter-clockwise as seen from a place from which d lies
+// behind their plane; (0,0,0), (1,0,0), (0,1,0), (0,0,1) give 1. Degree 3 in the coordinates.
+//   (1) alternating in all four
+//   (2) zero if two arguments are equal
+//   (3) unchanged by a common translation
+std::shared_ptr<const Predicate> make_orientation_3();
+
+// in_sphere_3(a, b, c, d, e) = - the determinant with rows (x, y, z, x^2 + y^2 + z^2) of a - e,
+// b - e, c - e, d - e. For orientation_3(a, b, c, d) > 0, positive iff e lies strictly inside the
+// sphere through the other four. Degree 5 in the coordinates.
+//   (1) alternating in all five
+//   (2) zero if two arguments are equal
+//   (3) unchanged by a common translation
+std::shared_ptr<const Predicate> make_in_sphere_3();
+
+// orientation_2 of the projections on two axes, first < second, of points in space (named
+// orientation_xy, orientation_xz, orientation_yz). Three points are on one line iff all three are
+// zero. Degree 2 in the coordinates; throws std::invalid_argument for other axes.
+//   (1) alternating in all three
+std::shared_ptr<const Predicate> make_projected_orientation(int first, int second);
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Delaunay3: counts found by brute force, random flights, tiny lattices, worst cases.
+#include "tests/structures/triangulation/delaunay_3_support.h"
+
+namespace kinex::delaunay_3_test {
+namespace {
+
+using test::lattice_scene;
+using test::random_flights;
+using test::Random;
+using test::reference_scene;
+using test::scene_of;
+
+TEST(Delaunay3, ReferenceCounts) {
+  struct Row {
+    int n;
+    std::uint64_t seed;
+    std::uint64_t inner_2_3, hull_2_3, inner_3_2, hull_3_2;
+  };
+  for (const Row& row : {Row{6, 1, 2, 4, 3, 4}, Row{7, 2, 9, 7, 8, 10}, Row{8, 1, 5, 9, 5, 9}}) {
+    SCOPED_TRACE(row.n);
+    const Scene scene = reference_scene(row.n, 3, row.seed);
+    World world(scene), sturm(scene, "sturm");
+    world.run().expect_clean();
+    sturm.run().expect_clean();
+    EXPECT_EQ(world.count("flip_2_3"), row.inner_2_3);
+    EXPECT_EQ(world.count("flip_3_2"), row.inner_3_2);
+    EXPECT_EQ(world.count("enter") + world.count("hull_2_3"), row.hull_2_3);
+    EXPECT_EQ(world.count("leave") + world.count("hull_3_2"), row.hull_3_2);
+    EXPECT_EQ(world.count("retile") + world.count("blocked"), 0u);
+    EXPECT_EQ(world.lines(), sturm.lines());
+  }
+}
+
+TEST(Delaunay3, RandomFlights) {
+  std::uint64_t events = 0, updates = 0;
+  for (const int degree : {1, 2}) {
+    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 6u : 4u); ++seed) {
+      SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
+      World world(random_flights(seed, 8, 3, degree, seed % 2 == 0));
+      world.run().expect_clean();
+      events += world.ledger().external;
+      updates += world.ledger().motion_updates;
+    }
+  }
+  EXPECT_GT(events, 100u);
+  EXPECT_GT(updates, 10u);
+}
+
+// Points of {0, 1, 2}^3 with velocities in {-1, 0, 1}^3: most instants are degenerate.
+void tiny_lattices(std::uint64_t first, std::uint64_t last) {
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = lattice_scene(seed, 5 + static_cast<int>(seed % 5), 3);
+    World world(scene);
+    world.run().expect_clean();
+    EXPECT_EQ(world.cells(), static_cells(scene, *scene.end));
+  }
+}
+TEST(Delaunay3, TinyLattices) { tiny_lattices(0, 20); }
+TEST(SlowDelaunay3, TinyLattices) { tiny_lattices(20, 600); }
+
+TEST(Delaunay3, ReferenceArithmeticAgreesOnLattices) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = lattice_scene(seed, 7, 3);
+    World world(scene, "exact", AuditLevel::kNone), sturm(scene, "sturm", AuditLevel::kNone);
+    world.run();
+    sturm.run();
+    EXPECT_EQ(world.lines(), sturm.lines());
+  }
+}
+
+std::vector<std::array<std::int64_t, 3>> unit_cube() {
+  std::vector<std::array<std::int64_t, 3>> points;
+  for (int i = 0; i < 8; ++i) points.push_back({i / 4, i / 2 % 2, i % 2});
+  return points;
+}
+
+TEST(Delaunay3, ShearedCubes) {
+  std::vector<Trajectory> once, twice;
+  for (const auto& p : unit_cube()) {
+    once.push_back(integers(p, {p[1], 0, 0}));
+    twice.push_back(integers(p, {p[1] + p[2], p[2], 0}));
+  }
+  for (auto& m : {&once}) {
+    World world(scene_of(*m, -2, Rational(2)));
+    world.run_until(-1);
+    EXPECT_EQ(world.cells().size(), 4 * 6u);
+    world.run_until(2).expect_clean();
+    EXPECT_EQ(world.simulator().ledger().instants, 1u);
+    EXPECT_EQ(world.cells().size(), 4 * 6u);
+  }
+  World world(scene_of(twice, -1, Rational(1)));
+  world.run().expect_clean();
+  EXPECT_EQ(world.simulator().ledger().instants, 1u);
+  EXPECT_EQ(world.cells().size(), 4 * 6u);
+}
+
+// The square of the octahedron has another diagonal: four cells around it for four.
+TEST(Delaunay3, OctahedronIsSewn) {
+  std::vector<Trajectory> motions;
+  for (const std::array<std::int64_t, 3> p :
+       {std::array<std::int64_t, 3>{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}) {
+    motions.push_back(integers(p, {0, 0, 0}));
+  }
+  motions.push_back(integers({0, 0, 1}, {0, 0, 1}));
+  motions.push_back(integers({0, 0, -1}, {0, 0, 0}));
+  World world(scene_of(motions, Rational(Integer(-1), Integer(2)), Rational(Integer(1), Integer(2))));
+  world.run().expect_clean();
+  for (const std::string& line : world.lines()) ::testing::Test::RecordProperty("event", line);
+  EXPECT_EQ(world.cells().size(), 4 * 4u);
+}
+
+// P6: a point passes by two skew curves.
+TEST(Delaunay3, SkewCurves) {
+  for (const auto& [m, flips] : {std::pair(2, 6), std::pair(3, 20), std::pair(4, 38)}) {
+    SCOPED_TRACE(m);
+    std::vector<Trajectory> motions;
+    for (int i = 0; i < m; ++i) {
+      motions.push_back(integers({40 * i - 20 * (m - 1), i * i, -80 - i * i * i}, {0, 0, 0}));
+      motions.push_back(integers({i * i, 40 * i - 20 * (m - 1) + 3, 80 + i * i * i}, {0, 0, 0}));
+    }
+    motions.push_back(integers({1, 2, 0}, {0, 0, 1}));
+    World world(scene_of(motions, -10000000, Rational(10000000)));
+    world.run().expect_clean();
+    EXPECT_EQ(world.ledger().external, static_cast<std::uint64_t>(flips));
+    EXPECT_EQ(world.count("retile"), 0u);
+  }
+}
+
+TEST(Delaunay3, FewPointsAndOnePlane) {
+  for (int n = 0; n <= 5; ++n) {
+    Scene scene = reference_scene(std::max(n, 1), 3, 7);
+    scene.objects.resize(static_cast<std::size_t>(n));
+    World world(scene);
+    world.run().expect_clean();
+    EXPECT_EQ(world.structure().flat(), n < 4);
+  }
+  std::vector<Trajectory> plane, line, place;
+  Random random(3);
+  for (int i = 0; i < 7; ++i) {
+    const std::int64_t x = random.between(-9, 9), y = random.between(-9, 9), v = random.between(-3, 3);
+    plane.push_back(integers({x, y, x + y}, {v, 1, v + 1}));
+    line.push_back(integers({x, 2 * x, 1}, {v, 2 * v, 0}));
+    place.push_back(integers({1, 2, 3}, {1, 0, 0}));
+  }
+  for (const auto* motions : {&plane, &line, &place}) {
+    World world(scene_of(*motions, -2, Rational(2)));
+    world.run().expect_clean();
+    EXPECT_TRUE(world.structure().flat());
+    EXPECT_TRUE(world.cells().empty());
+  }
+}
+
+TEST(Delaunay3, EqualPointsAreHidden) {
+  Scene scene = reference_scene(6, 3, 1);
+  for (int i = 0; i < 3; ++i) {
+    scene.objects.push_back(scene.objects[static_cast<std::size_t>(i)]);
+    scene.objects.back().id = "twin " + std::to_string(i);
+  }
+  World world(scene), alone(reference_scene(6, 3, 1));
+  world.run().expect_clean();
+  alone.run();
+  EXPECT_EQ(world.cells(), alone.cells());
+  EXPECT_EQ(world.structure().representative(7), 1u);
+}
+
+TEST(Delaunay3, InexactArithmeticsNeverFallOver) {
+  for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:12", "mpfr:60"}) {
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+      World world(lattice_scene(seed, 5 + static_cast<int>(seed % 5), 3), arithmetic, AuditLevel::kNone);
+      world.run();
+      EXPECT_EQ(world.status, RunStatus::kDone) << arithmetic;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kinex::delaunay_3_test
