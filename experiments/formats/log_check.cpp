@@ -293,43 +293,56 @@ class Checker {
     }
     if (!record.change) return;
     if (!record.external) complain("\"gone\" and \"came\" in a record that is not external");
-    check_sides(*record.change, structure.info->shape);
+    check_sides(*record.change, *structure.info);
   }
 
-  void check_sides(const LogChange& change, Attribute::Shape shape) {
-    const bool edges = shape == Attribute::Shape::kTuples;
-    if (change.pairs != edges) {
-      return complain(edges ? "\"gone\" and \"came\" are pairs of ids"
-                            : "\"gone\" and \"came\" are ids, not pairs");
+  void check_sides(const LogChange& change, const StructureInfo& info) {
+    const bool tuples = info.shape == Attribute::Shape::kTuples;
+    if ((change.width != 0) != tuples) {
+      return complain(tuples ? "\"gone\" and \"came\" are tuples of ids"
+                             : "\"gone\" and \"came\" are ids, not tuples");
+    }
+    if (tuples && info.width != StructureInfo::kWidthOfParameter && change.width != info.width) {
+      return complain("\"gone\" and \"came\" are tuples of " + std::to_string(info.width) + " ids");
     }
     if (change.gone == change.came) complain("\"gone\" and \"came\" are the same");
     for (const auto* side : {&change.gone, &change.came}) {
-      if (shape == Attribute::Shape::kObject && side->size() > 1) {
+      if (info.shape == Attribute::Shape::kObject && side->size() > 1) {
         complain("the attribute is one object");
       }
-      if (edges) check_pairs(*side);
+      if (tuples) check_tuples(*side, change.width);
     }
-    if (!edges) return;
+    if (!tuples) return;
     std::unordered_set<std::string> gone;
-    for (std::size_t i = 0; i < change.gone.size(); i += 2) {
-      gone.insert(change.gone[i] + '\0' + change.gone[i + 1]);
+    const auto tuple = [&change](const std::vector<std::string>& ids, std::size_t i) {
+      std::string text;
+      for (std::size_t k = i; k < i + change.width; ++k) text += ids[k] + '\0';
+      return text;
+    };
+    for (std::size_t i = 0; i < change.gone.size(); i += change.width) {
+      gone.insert(tuple(change.gone, i));
     }
-    for (std::size_t i = 0; i < change.came.size(); i += 2) {
-      if (gone.count(change.came[i] + '\0' + change.came[i + 1]) == 0) continue;
-      complain("an edge both in \"gone\" and in \"came\"");
+    for (std::size_t i = 0; i < change.came.size(); i += change.width) {
+      if (gone.count(tuple(change.came, i)) == 0) continue;
+      complain("a tuple both in \"gone\" and in \"came\"");
     }
   }
 
-  void check_pairs(const std::vector<std::string>& ids) {
-    std::uint64_t last = 0;
-    for (std::size_t i = 0; i < ids.size(); i += 2) {
-      const auto a = objects_.find(ids[i]), b = objects_.find(ids[i + 1]);
-      if (a == objects_.end() || b == objects_.end()) continue;  // already reported
-      const std::uint64_t pair = (std::uint64_t{a->second} << 32 | b->second) + 1;
-      if (b->second <= a->second || pair <= last) {
-        return complain("pairs are in the scene's order, each pair too");
+  // Tuples ascend, and so do the ids of each; only in tuples of more than two may an id recur.
+  void check_tuples(const std::vector<std::string>& ids, std::size_t width) {
+    std::vector<std::size_t> last;
+    for (std::size_t i = 0; i < ids.size(); i += width) {
+      std::vector<std::size_t> tuple;
+      for (std::size_t k = i; k < i + width; ++k) {
+        const auto object = objects_.find(ids[k]);
+        if (object != objects_.end()) tuple.push_back(object->second);
       }
-      last = pair;
+      if (tuple.size() != width) continue;  // already reported
+      const bool twice = width == 2 && tuple[0] == tuple[1];
+      if (twice || !std::is_sorted(tuple.begin(), tuple.end()) || (!last.empty() && tuple <= last)) {
+        return complain("tuples are in the scene's order, each tuple too");
+      }
+      last = std::move(tuple);
     }
   }
 

@@ -169,34 +169,40 @@ LogInstant read_instant(const JsonNode& node, const LogHeader& header) {
   return instant;
 }
 
-// "gone" or "came": ids, or pairs of them. `pairs`: which of the two; nullopt: not known yet.
-std::vector<std::string> read_side(const JsonNode& node, std::optional<bool>& pairs) {
+// "gone" or "came": ids (width 0), or tuples of `width` ids; nullopt: not known yet.
+std::vector<std::string> read_side(const JsonNode& node, std::optional<std::size_t>& width) {
   node.require_array();
   std::vector<std::string> ids;
   for (std::size_t i = 0; i < node.size(); ++i) {
     const JsonNode entry = node.at(i);
-    const bool pair = entry.is(JsonValue::Kind::kArray);
-    if (pairs.value_or(pair) != pair) {
-      entry.fail("ids and pairs of ids in one record", "write one kind of them");
+    const bool is_tuple = entry.is(JsonValue::Kind::kArray);
+    if (width && is_tuple != (*width != 0)) {
+      entry.fail("ids and tuples of ids in one record", "write one kind of them");
     }
-    pairs = pair;
-    if (!pair) {
+    if (!is_tuple) {
+      width = 0;
       ids.emplace_back(entry.string());
       continue;
     }
-    const std::vector<std::string> both = read_strings(entry);
-    if (both.size() != 2) entry.fail("not a pair of ids", "write [\"a\", \"b\"]");
-    ids.insert(ids.end(), both.begin(), both.end());
+    const std::vector<std::string> all = read_strings(entry);
+    if (all.size() < 2) entry.fail("not a tuple of ids", "write [\"a\", \"b\"], or more ids");
+    if (width && *width != all.size()) {
+      entry.fail("tuples of " + std::to_string(*width) + " and of " + std::to_string(all.size()) +
+                     " ids in one record",
+                 "write tuples of one length");
+    }
+    width = all.size();
+    ids.insert(ids.end(), all.begin(), all.end());
   }
   return ids;
 }
 
 LogChange read_change(const JsonNode& gone, const JsonNode& came) {
   LogChange change;
-  std::optional<bool> pairs;
-  change.gone = read_side(gone, pairs);
-  change.came = read_side(came, pairs);
-  change.pairs = pairs.value_or(false);
+  std::optional<std::size_t> width;
+  change.gone = read_side(gone, width);
+  change.came = read_side(came, width);
+  change.width = width.value_or(0);
   return change;
 }
 

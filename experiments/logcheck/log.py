@@ -192,8 +192,8 @@ class Log:
         if r.gone is not None:
             for side in (r.gone, r.came):
                 require(is_names(side) or (isinstance(side, list) and all(
-                    is_names(pair) and len(pair) == 2 for pair in side)),
-                    "gone or came is neither a list of ids nor one of pairs of ids")
+                    is_names(one) and len(one) > 1 for one in side)),
+                    "gone or came is neither a list of ids nor one of tuples of ids")
             require(r.gone or r.came, "gone and came are both empty")
         if r.kind in ("motion", "insert", "erase"):
             require(len(r.ids) == 1 and certificate is None and not r.external and r.gone is None,
