@@ -2,6 +2,9 @@
 #include "structures/plan.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "structures/parts/object_sets.h"
@@ -18,10 +21,10 @@ bool same_work(const Request& a, const Request& b) {
 }
 
 // A label that no request has.
-std::string unused_label(const Request& reader, const Reading& reading, const Request& wanted,
-                         const Scene& scene) {
+std::string unused_label(const Request& reader, const Request& wanted, const Scene& scene,
+                         std::optional<int> axis) {
   std::string label = reader.label + "." + wanted.structure;
-  if (reading.axis) label += std::string(":") + "xyz"[*reading.axis];
+  if (axis) label += std::string(":") + "xyz"[*axis];
   while (std::any_of(scene.maintain.begin(), scene.maintain.end(),
                      [&label](const Request& r) { return r.label == label; })) {
     label += "'";
@@ -67,13 +70,17 @@ class Planner {
     PlannedStructure planned{request, asked};
     if (const StructureInfo* info = find_structure_info(request.structure)) {
       planned.members = members_of(*info, request, scene_);
-      for (const Reading& reading : info->reads) planned.watches.push_back(read(request, reading));
+      for (const Reading& reading : info->reads) {
+        planned.watches.push_back(read(request, wanted_by(request, reading), reading.axis));
+      }
+      if (const std::optional<Request> part = shared_part(request, *info)) {
+        planned.watches.push_back(read(request, *part, {}));
+      }
     }
     plan_.push_back(std::move(planned));
     return static_cast<StructureId>(plan_.size() - 1);
   }
-  StructureId read(const Request& reader, const Reading& reading) {
-    const Request wanted = wanted_by(reader, reading);
+  StructureId read(const Request& reader, const Request& wanted, std::optional<int> axis) {
     const auto is_wanted = [&wanted](const Request& r) { return same_work(r, wanted); };
     const auto there = std::find_if(plan_.begin(), plan_.end(), [&](const PlannedStructure& p) {
       return is_wanted(p.request);
@@ -83,11 +90,39 @@ class Planner {
       const auto asked = std::find_if(scene_.maintain.begin(), scene_.maintain.end(), is_wanted);
       Request base = wanted;
       const bool is_asked = asked != scene_.maintain.end();
-      base.label = is_asked ? asked->label : unused_label(reader, reading, wanted, scene_);
+      base.label = is_asked ? asked->label : unused_label(reader, wanted, scene_, axis);
       id = add(base, is_asked);
     }
     ++plan_[id].readers;
     return id;
+  }
+  // The part that the reader shares with another request of the scene; nullopt: it has its own.
+  std::optional<Request> shared_part(const Request& reader, const StructureInfo& info) const {
+    const Sharing& shares = info.shares;
+    if (shares.structure.empty()) return std::nullopt;
+    const StructureInfo& part = *find_structure_info(shares.structure);
+    const Request read = wanted_by(reader, info.reads.front());
+    std::size_t readers = 0;
+    Rational largest(0);
+    std::vector<Rational> asked;  // requests for the part
+    for (const Request& other : scene_.maintain) {
+      const StructureInfo* there = find_structure_info(other.structure);
+      const bool is_part = other.structure == shares.structure;
+      if (there == nullptr || (!is_part && there->shares.structure != shares.structure)) continue;
+      if (!same_work(wanted_by(other, there->reads.front()), read)) continue;
+      if (is_part) asked.push_back(parameter_of(part, other, shares.parameter));
+      if (!is_part) ++readers;
+      largest = std::max(largest, is_part ? asked.back() : Rational(there->shares.needs));
+    }
+    if (readers + static_cast<std::size_t>(std::count(asked.begin(), asked.end(), largest)) < 2) {
+      return std::nullopt;
+    }
+    Request wanted{std::string(shares.structure), "", {}, reader.over};
+    wanted.of = reader.of;
+    if (largest != parameter_of(part, wanted, shares.parameter)) {
+      wanted.parameters.push_back({std::string(shares.parameter), largest});
+    }
+    return wanted;
   }
 
   const Scene& scene_;

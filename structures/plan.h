@@ -21,12 +21,16 @@ inline constexpr std::size_t kMostStructures = std::numeric_limits<StructureId>:
 struct PlannedStructure {
   Request request;
   bool asked = true;                      // false: it exists for others to read only
-  std::vector<StructureId> watches = {};  // earlier ones of the plan, as its descriptor reads them
+  // Earlier ones of the plan, as its descriptor reads them, and the one that it shares, if any.
+  std::vector<StructureId> watches = {};
   int readers = 0;
   std::vector<bool> members = {};  // by object, true for those that it is built from; empty: all
 };
 // In the order of "maintain", except that a structure comes before its readers. A structure that is
-// read is shared by all its readers and by the requests for it. Ids are places in the plan.
+// read is shared by all its readers and by the requests for it. A part that two or more structures
+// can share (StructureInfo::shares) is a structure, with the largest parameter that one of them
+// needs; so it is if one structure and a request for that part can share it. Ids are places in the
+// plan.
 std::vector<PlannedStructure> plan_structures(const Scene& scene);
 // The structures that one of the plan watches, given those made before it.
 std::vector<const Structure*> watched_by(const PlannedStructure& planned,

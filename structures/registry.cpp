@@ -153,6 +153,11 @@ std::optional<Refusal> refusal_of_parameter(const StructureInfo& info, const Par
       fits = fits && (known.most_is_allowed ? !(most < parameter.value) : parameter.value < most);
       range += (known.most_is_allowed ? " and at most " : " and less than ") + most.to_string();
     }
+    if (!known.step.empty()) {
+      const Rational step = number(known.step);
+      fits = fits && ((parameter.value - least) / step).is_integer();
+      range += ", in steps of " + step.to_string();
+    }
     if (fits) return std::nullopt;
     return Refusal{"cannot have " + std::string(known.name) + " = " + parameter.value.to_string(),
                    "write " + range};
@@ -243,6 +248,13 @@ Rational parameter_of(const StructureInfo& info, const Request& request, std::st
 
 Rational MakerInput::parameter(std::string_view name) const {
   return parameter_of(*find_structure_info(request.structure), request, name);
+}
+
+std::size_t width_of(const StructureInfo& info, const Request& request) {
+  if (info.shape != Attribute::Shape::kTuples) return 0;
+  if (info.width != StructureInfo::kWidthOfParameter) return info.width;
+  const Rational width = parameter_of(info, request, info.parameters.front().name);
+  return static_cast<std::size_t>(width.numerator().to_int64());
 }
 
 std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene,

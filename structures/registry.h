@@ -44,10 +44,13 @@ std::optional<Refusal> refusal_of_objects(const StructureInfo& info, const Reque
                                           const Scene& scene);
 // The value of a parameter in a request: the usual one if it is not given.
 Rational parameter_of(const StructureInfo& info, const Request& request, std::string_view name);
+// The width of the tuples of its attribute; 0 if that is no set of tuples.
+std::size_t width_of(const StructureInfo& info, const Request& request);
 
 // Makes the structure that `request` asks for, with id `id` in `kernel`. `watched`: the structures
-// that it reads, in the order of StructureInfo::reads, which outlive it. Throws std::invalid_argument, with
-// problem and remedy, for what the functions above refuse.
+// that it reads, in the order of StructureInfo::reads, and after them the one that it shares, if any
+// (StructureInfo::shares); they outlive it. Throws std::invalid_argument, with problem and remedy,
+// for what the functions above refuse.
 std::unique_ptr<Structure> make_structure(const Request& request, const Scene& scene,
                                           Kernel& kernel, StructureId id,
                                           std::span<const Structure* const> watched = {},

@@ -260,6 +260,8 @@ void Simulator::settle() {
       repair();
     } else if (tell_what_changed()) {
       break;
+    } else {
+      repair();  // certificates that watchers have made may fail at once
     }
   }
 }

@@ -102,8 +102,8 @@ EventLog::EventLog(const Simulator& simulator, std::string_view scene_hash, Outp
   digest_.hold();
   for (const DigestedStructure& structure : structures_) {
     const StructureInfo* info = find_structure_info(structure.structure);
-    const bool tuples = info != nullptr && info->shape == Attribute::Shape::kTuples;
-    widths_.push_back(tuples ? info->width : 0);
+    const std::optional<Request> request = request_of(structure, simulator.scene());
+    widths_.push_back(info == nullptr ? 0 : width_of(*info, request.value_or(Request{})));
   }
   if (file_ == nullptr) return;
   for (const DigestedStructure& structure : structures_) {

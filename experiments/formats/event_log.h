@@ -109,7 +109,7 @@ class EventLog final : public EventSink {
   const Simulator& simulator_;
   OutputFile* file_;
   std::vector<DigestedStructure> structures_;
-  std::vector<std::uint8_t> widths_;  // of the tuples of the attribute; 0: it is no set of tuples
+  std::vector<std::size_t> widths_;  // of the tuples of the attribute; 0: it is no set of tuples
   // JSON: what follows "seq" in a record, by structure and kind, and the scene's objects.
   std::vector<std::vector<std::string>> heads_;
   std::vector<std::string> names_;

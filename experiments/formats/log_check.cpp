@@ -299,48 +299,49 @@ class Checker {
 
   void check_sides(const LogChange& change, const StructureInfo& info) {
     const bool tuples = info.shape == Attribute::Shape::kTuples;
-    const std::size_t width = tuples ? info.width : 0;
-    if (change.width != width) {
-      return complain(!tuples      ? "\"gone\" and \"came\" are ids, not pairs"
-                      : width == 2 ? "\"gone\" and \"came\" are pairs of ids"
-                                   : "\"gone\" and \"came\" are tuples of " +
-                                         std::to_string(width) + " ids");
+    if ((change.width != 0) != tuples) {
+      return complain(tuples ? "\"gone\" and \"came\" are tuples of ids"
+                             : "\"gone\" and \"came\" are ids, not tuples");
+    }
+    if (tuples && info.width != StructureInfo::kWidthOfParameter && change.width != info.width) {
+      return complain("\"gone\" and \"came\" are tuples of " + std::to_string(info.width) + " ids");
     }
     if (change.gone == change.came) complain("\"gone\" and \"came\" are the same");
     for (const auto* side : {&change.gone, &change.came}) {
       if (info.shape == Attribute::Shape::kObject && side->size() > 1) {
         complain("the attribute is one object");
       }
-      if (tuples) check_tuples(*side, width);
+      if (tuples) check_tuples(*side, change.width);
     }
     if (!tuples) return;
-    const auto tuple = [width](const std::vector<std::string>& ids, std::size_t i) {
+    std::unordered_set<std::string> gone;
+    const auto tuple = [&change](const std::vector<std::string>& ids, std::size_t i) {
       std::string text;
-      for (std::size_t k = i; k < i + width; ++k) text += ids[k] + '\0';
+      for (std::size_t k = i; k < i + change.width; ++k) text += ids[k] + '\0';
       return text;
     };
-    std::unordered_set<std::string> gone;
-    for (std::size_t i = 0; i < change.gone.size(); i += width) gone.insert(tuple(change.gone, i));
-    for (std::size_t i = 0; i < change.came.size(); i += width) {
+    for (std::size_t i = 0; i < change.gone.size(); i += change.width) {
+      gone.insert(tuple(change.gone, i));
+    }
+    for (std::size_t i = 0; i < change.came.size(); i += change.width) {
       if (gone.count(tuple(change.came, i)) == 0) continue;
-      complain(width == 2 ? "an edge both in \"gone\" and in \"came\""
-                          : "a tuple both in \"gone\" and in \"came\"");
+      complain("a tuple both in \"gone\" and in \"came\"");
     }
   }
 
+  // Tuples ascend, and so do the ids of each; only in tuples of more than two may an id recur.
   void check_tuples(const std::vector<std::string>& ids, std::size_t width) {
-    std::vector<std::uint64_t> last;
+    std::vector<std::size_t> last;
     for (std::size_t i = 0; i < ids.size(); i += width) {
-      std::vector<std::uint64_t> tuple;
+      std::vector<std::size_t> tuple;
       for (std::size_t k = i; k < i + width; ++k) {
-        const auto found = objects_.find(ids[k]);
-        if (found != objects_.end()) tuple.push_back(found->second);
+        const auto object = objects_.find(ids[k]);
+        if (object != objects_.end()) tuple.push_back(object->second);
       }
       if (tuple.size() != width) continue;  // already reported
-      const bool ascends = std::adjacent_find(tuple.begin(), tuple.end(), std::greater_equal<>()) == tuple.end();
-      if (!ascends || !(last < tuple)) {
-        return complain(width == 2 ? "pairs are in the scene's order, each pair too"
-                                   : "tuples are in the scene's order, each tuple too");
+      const bool twice = width == 2 && tuple[0] == tuple[1];
+      if (twice || !std::is_sorted(tuple.begin(), tuple.end()) || (!last.empty() && tuple <= last)) {
+        return complain("tuples are in the scene's order, each tuple too");
       }
       last = std::move(tuple);
     }

@@ -169,25 +169,27 @@ LogInstant read_instant(const JsonNode& node, const LogHeader& header) {
   return instant;
 }
 
-// "gone" or "came": ids, or tuples of them. `width`: of the tuples, 0 for ids; nullopt: not known yet.
+// "gone" or "came": ids (width 0), or tuples of `width` ids; nullopt: not known yet.
 std::vector<std::string> read_side(const JsonNode& node, std::optional<std::size_t>& width) {
   node.require_array();
   std::vector<std::string> ids;
   for (std::size_t i = 0; i < node.size(); ++i) {
     const JsonNode entry = node.at(i);
-    const bool tuple = entry.is(JsonValue::Kind::kArray);
-    if (width && (*width != 0) != tuple) {
+    const bool is_tuple = entry.is(JsonValue::Kind::kArray);
+    if (width && is_tuple != (*width != 0)) {
       entry.fail("ids and tuples of ids in one record", "write one kind of them");
     }
-    if (!tuple) {
+    if (!is_tuple) {
       width = 0;
       ids.emplace_back(entry.string());
       continue;
     }
     const std::vector<std::string> all = read_strings(entry);
-    if (all.size() < 2) entry.fail("not a tuple of ids", "write [\"a\", \"b\"]");
-    if (width.value_or(all.size()) != all.size()) {
-      entry.fail("tuples of different lengths in one record", "write tuples of one length");
+    if (all.empty()) entry.fail("a tuple without ids", "write [\"a\", \"b\"]");
+    if (width && *width != all.size()) {
+      entry.fail("tuples of " + std::to_string(*width) + " and of " + std::to_string(all.size()) +
+                     " ids in one record",
+                 "write tuples of one length");
     }
     width = all.size();
     ids.insert(ids.end(), all.begin(), all.end());

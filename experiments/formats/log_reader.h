@@ -45,9 +45,9 @@ struct LogInstant {
   std::string decimal;    // if it has_times()
 };
 
-// "gone" and "came" of a record: edges (flattened) or whole values of the attribute.
+// "gone" and "came" of a record: tuples (flattened) or whole values of the attribute.
 struct LogChange {
-  std::size_t width = 0;  // of tuples of ids; 0: ids by themselves, or none
+  std::size_t width = 0;  // of the tuples; 0: ids
   std::vector<std::string> gone, came;
 };
 

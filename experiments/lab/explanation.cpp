@@ -28,6 +28,10 @@ std::string shape_of(const StructureInfo& info) {
       return "one id";
     case Attribute::Shape::kTuples:
       if (info.width == 1) return "a set of ids";
+      if (info.width == StructureInfo::kWidthOfParameter) {
+        return "a set of tuples of ids, \"" + std::string(info.parameters.front().name) +
+               "\" of them each";
+      }
       return info.width == 2 ? "a set of pairs of ids"
                              : "a set of tuples of " + std::to_string(info.width) + " ids";
     case Attribute::Shape::kCycle:
@@ -125,6 +129,10 @@ Lines readings_of(const StructureInfo& info) {
     if (reading.passes_over) line += "; \"over\" names what that one reads";
     lines.push_back(std::move(line));
   }
+  if (!info.shares.structure.empty()) {
+    lines.push_back(std::string(info.shares.structure) +
+                    ", where another structure of the scene can share it; else a part of its own");
+  }
   return lines;
 }
 
@@ -137,6 +145,7 @@ Lines parameters_of(const StructureInfo& info) {
     if (!one.most.empty()) {
       line += (one.most_is_allowed ? ", at most " : ", less than ") + std::string(one.most);
     }
+    if (!one.step.empty()) line += ", in steps of " + std::string(one.step);
     lines.push_back(line + " (default " + std::string(one.usual) + ")");
   }
   return lines;

@@ -10,6 +10,7 @@ from fractions import Fraction
 from itertools import combinations, permutations
 
 from log import Wrong
+from replay_calipers import folds_of
 from replay_directions import all_directions, extent_query, half_directions, k_of
 from roots import Instant, all_roots, compare
 from space import cells_of
@@ -166,6 +167,27 @@ def circle_of(positions):
     raise AssertionError("points without a smallest circle")
 
 
+def calipers_of(positions, folds):
+    """For each edge what the calipers touch when they have passed it: its head, and in each other fold the lowest
+    vertex; of two that are level, the ends of an edge, the head if its tail is smaller than that of the first."""
+    cycle = hull_of(positions)
+    if len(cycle) < 3:
+        return [tuple(sorted(cycle * (folds // 2)))] if len(cycle) == 2 else []
+    following = dict(zip(cycle, cycle[1:] + cycle[:1]))
+    touched = []
+    for a, b in following.items():
+        u = tuple(q - p for p, q in zip(positions[a], positions[b]))
+        contacts = [b]
+        for _ in range(folds - 1):
+            u = (-u[0], -u[1]) if folds == 2 else (-u[1], u[0])
+            heights = {o: u[0] * positions[o][1] - u[1] * positions[o][0] for o in cycle}
+            low = [o for o in cycle if heights[o] == min(heights.values())]
+            tail = low[0] if len(low) == 1 or following[low[0]] == low[1] else low[1]
+            contacts.append(following[tail] if len(low) == 2 and tail < a else tail)
+        touched.append(tuple(sorted(contacts)))
+    return sorted(touched)
+
+
 def squared_distance(positions, pair):
     return sum((a - b) ** 2 for a, b in zip(positions[pair[0]], positions[pair[1]]))
 
@@ -260,6 +282,8 @@ def attribute_of(structure, key, positions, scene):
         return farthest_of(positions)
     if name == "bounding_box_2_hull":
         return box_of_hull(positions)
+    if name == "calipers_2":
+        return calipers_of(positions, folds_of(structure))
     if name == "farthest_delaunay_2":
         return farthest_delaunay_of(positions)
     if name.startswith("min_circle_2"):
@@ -329,6 +353,11 @@ def queries_of(structure, key, members, scene):
         yield ("order_y", pair)
     for triple in combinations(sorted(members), 3):
         yield ("orientation_2", triple)
+    if name == "calipers_2":
+        for first, second in combinations(combinations(sorted(members), 2), 2):
+            yield ("slope_order_2", first + second)
+            if folds_of(structure) == 4:
+                yield ("edge_dot_2", first + second)
     if name in ("delaunay_2", "farthest_delaunay_2") or name.startswith("min_circle_2"):
         for quad in combinations(sorted(members), 4):
             yield ("in_circle_2", quad)

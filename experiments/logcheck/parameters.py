@@ -5,6 +5,7 @@ from fractions import Fraction
 
 USUAL = {name: {"k": Fraction(4)}
          for name in ("directions_2", "directions_2_tournament", "diameter_directions", "width_directions")}
+USUAL["calipers_2"] = {"folds": Fraction(2)}
 
 
 def unusual(structure, tree, number):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The replay of each structure."""
 
-from replay_calipers import Area, Perimeter, Width
+from replay_calipers import Area, Calipers, Perimeter, Width
 from replay_circle import BoxOfHull, FarthestDelaunay, MinCircle
 from replay_delaunay import Delaunay
 from replay_directions import Directions, Extent
@@ -27,6 +27,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "bounding_box_2_hull": BoxOfHull, "farthest_delaunay_2": FarthestDelaunay,
             "min_circle_2": MinCircle, "min_circle_2_brute_force": MinCircle,
             "range_tree_2": RangeTree, "rank_kd_tree_2": RankKdTree, "pseudo_kd_tree_2": PseudoKdTree,
+            "calipers_2": Calipers,
             "width_2": Width, "min_area_rectangle_2": Area, "min_perimeter_rectangle_2": Perimeter,
             "directions_2": Directions, "directions_2_tournament": Directions,
             "diameter_directions": Extent, "width_directions": Extent}

@@ -1,9 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""width_2 and the smallest rectangles, from scratch: of every edge of the hull the vertices that calipers
-flush with it touch, and the best of these. Their own events are checked at level 2 only."""
+"""calipers_2, width_2 and the smallest rectangles, from scratch: of every edge of the hull the vertices that
+calipers flush with it touch, and the best of these. Their own events are checked at level 2 only."""
 
+from fractions import Fraction
+
+from parameters import value_of
 from replay_scratch import Scratch
 from static import hull
+
+
+def folds_of(structure):
+    return int(value_of(structure.name, structure.options, "folds", lambda v: Fraction(str(v))))
 
 
 class Flush(Scratch):
@@ -52,3 +59,48 @@ class Area(Rectangle):
 
 class Perimeter(Rectangle):
     order = "order_rectangle_perimeter"
+
+
+class Calipers(Scratch):
+    """What calipers touch right after the direction of each edge: its head, and in each other fold the extreme
+    vertex; of the two ends of an edge that is identically tangent the head, if its tail is the smaller one."""
+
+    def current(self, x):
+        folds = folds_of(self.structure)
+        cycle = hull(self.world, self.members, x)
+        if len(cycle) < 2:
+            return []
+        if len(cycle) == 2:
+            return [tuple(sorted(cycle * (folds // 2)))]
+        following = dict(zip(cycle, cycle[1:] + cycle[:1]))
+        touched = []
+        for a, b in following.items():
+            contacts = [b, self.contact("slope_order_2", a, b, a, following, x)]
+            if folds == 4:
+                contacts += [self.contact("edge_dot_2", *edge, a, following, x) for edge in ((a, b), (b, a))]
+            touched.append(tuple(sorted(contacts)))
+        return sorted(touched)
+
+    def contact(self, predicate, a, b, edge, following, x):
+        """The vertex farthest in the direction from a to b, or to its left, when calipers have passed `edge`."""
+        best = []
+        for p in following:
+            sign = self.world.sign_after((predicate, (a, b, best[0], p)), x) if best else 1
+            if sign >= 0:
+                best = [p] if sign > 0 else best + [p]
+        if len(best) == 1:
+            return best[0]
+        tail = best[0] if following[best[0]] == best[1] else best[1]
+        return following[tail] if tail < edge else tail
+
+    def check(self, r, before, after):
+        ids = self.world.scene.ids
+        gone, came = ([e for e in one if e not in other] for one, other in ((before, after), (after, before)))
+        if before == after:
+            self.require(r.gone is None, "%s: nothing has changed", r.short())
+        else:
+            named = [[[ids[o] for o in e] for e in side] for side in (gone, came)]
+            self.require([r.gone, r.came] == named, "%s: what goes and comes is %s and %s", r.short(), *named)
+
+    def event(self, r, x):
+        """The proof is not followed."""

@@ -32,7 +32,7 @@ std::optional<CaliperCandidates::Value> CaliperCandidates::of(const Calipers& ca
   value.fill(kNoObject);
   if (measure_ == CaliperMeasure::kDiameter) {
     if (!calipers.has_list() && to < edge) return std::nullopt;
-    const ObjectId other = calipers.has_list() ? calipers.contact(edge, 1) : edge;
+    const ObjectId other = calipers.has_list() ? calipers.contact(edge, fold(calipers, 1)) : edge;
     if (other == to) return std::nullopt;
     value[0] = std::min(to, other);
     value[1] = std::max(to, other);
@@ -42,7 +42,7 @@ std::optional<CaliperCandidates::Value> CaliperCandidates::of(const Calipers& ca
   value[0] = edge;
   value[1] = to;
   for (int k = 1; k < folds_of(measure_); ++k) {
-    value[static_cast<std::size_t>(k) + 1] = calipers.contact(edge, k);
+    value[static_cast<std::size_t>(k) + 1] = calipers.contact(edge, fold(calipers, k));
   }
   return value;
 }
@@ -50,7 +50,7 @@ std::optional<CaliperCandidates::Value> CaliperCandidates::of(const Calipers& ca
 std::vector<ObjectId> CaliperCandidates::shown(const Calipers& calipers, const Value& value) const {
   std::vector<ObjectId> ids(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(size()));
   for (std::size_t i = 2; i < ids.size(); ++i) {
-    ids[i] = calipers.least_contact(value[0], static_cast<int>(i) - 1);
+    ids[i] = calipers.least_contact(value[0], fold(calipers, static_cast<int>(i) - 1));
   }
   return ids;
 }

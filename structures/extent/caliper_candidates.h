@@ -35,7 +35,7 @@ namespace kinex {
 // What is extreme: the longest pair, the narrowest strip, the least rectangle.
 enum class CaliperMeasure : std::uint8_t { kDiameter, kWidth, kArea, kPerimeter };
 
-// Of the calipers.
+// Of the calipers: so many, or a multiple of it.
 inline int folds_of(CaliperMeasure measure) {
   return measure == CaliperMeasure::kArea || measure == CaliperMeasure::kPerimeter ? 4 : 2;
 }
@@ -54,8 +54,7 @@ class CaliperCandidates {
     return (measure_ == CaliperMeasure::kDiameter ? 2 : 6) * motion_degree;
   }
   // The candidate of an edge of the calipers' ring; of a segment the edge with the smaller tail has
-  // one for kDiameter alone. While
-  // a hull changes by several vertices an edge may have none.
+  // one for kDiameter alone. While a hull changes by several vertices an edge may have none.
   std::optional<Value> of(const Calipers& calipers, ObjectId edge) const;
   // Its ids as an attribute: contacts of edges that are identically tangent are the smaller ends.
   std::vector<ObjectId> shown(const Calipers& calipers, const Value& value) const;
@@ -65,6 +64,11 @@ class CaliperCandidates {
   bool goes_first(const Value& a, const Value& b) const { return a < b; }
 
  private:
+  // Contact k of the measure, among those of the calipers.
+  int fold(const Calipers& calipers, int k) const {
+    return k * (calipers.folds() / folds_of(measure_));
+  }
+
   CaliperMeasure measure_;
   std::optional<PairDistances> distances_;
   std::optional<SharedQueries> orders_;

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <string>
 
-#include "structures/hull/hull_events.h"
 #include "structures/parts/tournament_proof.h"
 
 namespace kinex {
@@ -21,14 +20,17 @@ CaliperCandidates::Value no_candidate() {
 
 CaliperExtremum::CaliperExtremum(Kernel& kernel, StructureId id, std::string_view name,
                                  CaliperMeasure measure, const HullSource& hull,
-                                 StructureId hull_id)
+                                 StructureId hull_id, const Calipers2* shared)
     : kernel_(&kernel),
       id_(id),
       hull_id_(hull_id),
       name_(name),
       measure_(measure),
       hull_(&hull),
-      calipers_(kernel, id, folds_of(measure)),
+      own_(shared == nullptr
+               ? std::make_optional<HullCalipers>(kernel, id, folds_of(measure), hull, hull_id)
+               : std::nullopt),
+      shared_(shared),
       candidates_(kernel, id, "candidates", CaliperCandidates(kernel, measure)),
       events_(kernel, id,
               measure == CaliperMeasure::kDiameter ? Attribute::Shape::kTuples
@@ -41,129 +43,108 @@ std::vector<ObjectId> CaliperExtremum::best() const {
     if (!equal) return {};
     return {*members_.begin(), *std::next(members_.begin())};
   }
-  return candidates_.claims().shown(calipers_, *front);
+  return candidates_.claims().shown(calipers(), *front);
 }
 
-// The candidates of the edges that have changed.
+// The candidates of the edges that have changed since it last followed.
 void CaliperExtremum::follow() {
-  for (const ObjectId edge : calipers_.changes()) {
+  const auto changed = calipers().changes_since(followed_);
+  followed_ = calipers().changes_end();
+  if (changed) {
+    follow(*changed);
+  } else {
+    std::vector<ObjectId> all = calipers().ring().cycle();
+    for (ObjectId edge = 0; edge < value_of_.size(); ++edge) all.push_back(edge);
+    follow(all);
+  }
+  if (own_) own_->forget_changes();
+  candidates_.apply(tied());
+}
+
+void CaliperExtremum::follow(std::span<const ObjectId> edges) {
+  for (const ObjectId edge : edges) {
     if (value_of_.size() <= edge) value_of_.resize(std::size_t{edge} + 1, no_candidate());
-    const Value fresh = candidates_.claims().of(calipers_, edge).value_or(no_candidate());
+    const Value fresh = candidates_.claims().of(calipers(), edge).value_or(no_candidate());
     Value& old = value_of_[edge];
     if (old == fresh) continue;
     if (old[0] != kNoObject) candidates_.go(old);
     old = fresh;
   }
-  for (const ObjectId edge : calipers_.changes()) {
+  for (const ObjectId edge : edges) {
     if (value_of_[edge][0] != kNoObject) candidates_.come(value_of_[edge]);
   }
-  calipers_.forget_changes();
-  candidates_.apply(tied());
-}
-
-void CaliperExtremum::build_calipers() {
-  calipers_.build(hull_->ring());
-  behind_ = false;
-  follow();
 }
 
 void CaliperExtremum::begin() {
-  build_calipers();
+  if (own_) own_->build();
+  follow();
   events_.begin(best());
 }
 
 void CaliperExtremum::rebuild() {
-  calipers_.clear();
-  build_calipers();
+  if (own_) own_->rebuild();
+  follow();
   candidates_.rebuild(tied());
   events_.begin(best());
 }
 
-// The hull may have changes at this instant that it has not made or not reported yet; until then
-// certificates of the old ring may contradict each other.
-bool CaliperExtremum::may_swap() {
-  if (instant_ != kernel_->instant_number()) swaps_ = 0;
-  instant_ = kernel_->instant_number();
-  return !behind_ && !kernel_->instant_is_shared(hull_id_) && !hull_->is_settling() &&
-         ++swaps_ <= 8 + 2 * calipers_.ring().size();
+// The hull or the calipers may still change at this instant, and with them the attribute.
+bool CaliperExtremum::is_settling() const {
+  if (hull_->is_settling()) return true;
+  return shared_ != nullptr && (shared_->is_settling() || !is_up_to_date());
 }
 
-// Where the hull may still change at this instant, so may the attribute.
-void CaliperExtremum::report_repair(Kind kind, std::initializer_list<ObjectId> ids) {
-  if (!hull_->is_settling()) return events_.repaired(kind, ids, best(), hull_id_);
+void CaliperExtremum::report_repair(std::uint8_t kind, std::initializer_list<ObjectId> ids) {
+  if (!is_settling()) return events_.repaired(kind, ids, best(), hull_id_);
   kernel_->report(id_, kind, ids, false);
   kernel_->settle_later(id_);
 }
 
 void CaliperExtremum::certificate_failed(CertificateId failed) {
-  if (!calipers_.owns(failed)) {
+  if (!own_ || !own_->owns(failed)) {
     const auto [old, fresh] = candidates_.failed(failed, tied());
     return report_repair(kReplace, {old[0], old[1], fresh[0], fresh[1]});
   }
-  const bool swaps = may_swap();
-  const HullRing& ring = calipers_.ring();
-  const auto [e, f, turn] = swaps ? calipers_.failed(failed) : calipers_.dropped(failed);
-  behind_ = behind_ || !swaps;
-  if (swaps) follow();
-  const bool parallel = 2 * turn == calipers_.folds();
-  report_repair(parallel ? kAntiparallel : kPerpendicular, {e, ring.next(e), f, ring.next(f)});
-  if (!swaps) kernel_->settle_later(id_);
+  const auto [kind, edges, swapped] = own_->failed(failed);
+  const auto [a, b, c, d] = edges;
+  if (swapped) follow();
+  report_repair(kind, {a, b, c, d});
+  if (!swapped) kernel_->settle_later(id_);
 }
 
 void CaliperExtremum::motions_changed(std::span<const ObjectId> objects) {
-  calipers_.motions_changed(objects);
+  if (own_) own_->motions_changed(objects);
   follow();
   candidates_.motions_changed(objects, tied());
 }
 
-// The calipers follow a vertex that comes or goes alone; after anything else that happens to the
-// hull at an instant they are built anew.
 void CaliperExtremum::watched_changed(const Event* event) {
-  const bool first = hull_instant_ != kernel_->instant_number();
-  hull_instant_ = kernel_->instant_number();
-  if (!first || event == nullptr || behind_ || !follow(*event)) {
-    build_calipers();
-    kernel_->report(id_, kRenew, {}, false);
+  if (own_) {
+    const auto [kind, ids] = own_->watched_changed(event);
+    follow();
+    if (kind == HullCalipers::kRenew) {
+      kernel_->report(id_, kind, {}, false);
+    } else {
+      kernel_->report(id_, kind, {ids[0], ids[1], ids[2]}, false);
+    }
+  } else {
+    follow();
   }
   if (best() != events_.told().ids) kernel_->settle_later(id_);
 }
 
-// Makes the change of the hull that the event states; false if it is not one of a single vertex, or
-// contradicts what is there.
-bool CaliperExtremum::follow(const Event& event) {
-  const ObjectId vertex = event.ids[0];
-  const HullRing &ring = calipers_.ring(), &hull = hull_->ring();
-  if (event.kind == HullEvents::kEnter && event.count == 3) {
-    if (hull.size() != ring.size() + 1 || !hull.has(vertex)) return false;
-    if (!calipers_.enter(vertex, event.ids[1], event.ids[2])) return false;
-    follow();
-    kernel_->report(id_, kSplit, {vertex, event.ids[1], event.ids[2]}, false);
-    return true;
-  }
-  if (event.kind != HullEvents::kLeave || !ring.has(vertex)) return false;
-  if (hull.size() + 1 != ring.size() || hull.has(vertex)) return false;
-  const ObjectId from = ring.previous(vertex), to = ring.next(vertex);
-  if (!calipers_.leave(vertex)) return false;
-  follow();
-  kernel_->report(id_, kMerge, {vertex, from, to}, false);
-  return true;
-}
-
 void CaliperExtremum::instant_settled() {
-  if (!behind_) return;
-  build_calipers();
-  kernel_->report(id_, kRenew, {}, false);
+  if (own_) {
+    if (!own_->settled()) return;
+    follow();
+    kernel_->report(id_, HullCalipers::kRenew, {}, false);
+  } else if (!is_up_to_date()) {
+    follow();
+  }
 }
 
 void CaliperExtremum::visit_proof(ProofVisitor& visitor) const {
-  ProofGroup group;
-  group.kind = "caliper";
-  for (const ObjectId edge : calipers_.list()) {
-    if (calipers_.certificate(edge) == kNoCertificate) continue;
-    group.about = {edge, calipers_.ring().next(edge)};
-    visitor.group(group);
-    visitor.certificate(calipers_.certificate(edge), "its direction, and the next one's");
-  }
+  if (own_) own_->visit_proof(visitor);
   visit_tournament(visitor, candidates_, 0, "candidates", [this](const Value& winner) {
     return std::vector<ObjectId>(
         winner.begin(), winner.begin() + static_cast<std::ptrdiff_t>(candidates_.claims().size()));
@@ -175,14 +156,15 @@ std::vector<BoundCheck> CaliperExtremum::bounds(const BoundContext& context) con
   const std::string name(name_);
   const std::size_t n = context.objects();
   const CaliperCandidates& claims = candidates_.claims();
-  std::vector<BoundCheck> result{
-      at_most(name + ".calipers", "one for each two directions that are neighbours", counted(n),
-              counted(calipers_.slots().line().max_live)),
-      at_most(name + ".certificates", "and a tournament of the edges",
-              counted(n < 2 ? 0 : 2 * n - 1), counted(ledger.max_live)),
-      at_most(name + ".duels", "the epochs of the nodes of the tournament",
-              candidates_.most_failures(claims.degree(context.degree)),
-              counted(candidates_.slots().line().failures))};
+  std::vector<BoundCheck> result;
+  if (own_) own_->add_bounds(name, context, result);
+  const std::size_t edges = n < 2 ? 0 : n - 1, calipers = own_ ? n : 0;
+  result.push_back(at_most(name + ".certificates",
+                           own_ ? "and a tournament of the edges" : "a tournament of the edges",
+                           counted(n < 2 ? 0 : calipers + edges), counted(ledger.max_live)));
+  result.push_back(at_most(name + ".duels", "the epochs of the nodes of the tournament",
+                           candidates_.most_failures(claims.degree(context.degree)),
+                           counted(candidates_.slots().line().failures)));
   if (context.plain() && n > 1 && measure_ == CaliperMeasure::kDiameter) {
     const Integer envelope = davenport_schinzel_bound(2 * context.degree, kinex::pairs(counted(n)));
     result.push_back(at_most(name + ".external",
@@ -193,13 +175,12 @@ std::vector<BoundCheck> CaliperExtremum::bounds(const BoundContext& context) con
 }
 
 void CaliperExtremum::check_invariants(AuditReport& report) const {
-  report.check(calipers_.ring().cycle() == hull_->ring().cycle(),
-               [] { return "it has missed a change of the hull"; });
-  calipers_.check(report);
+  if (own_) own_->check(report);
+  report.check(is_up_to_date(), [] { return "it has missed a change of the calipers"; });
   candidates_.check(report, "candidates");
   std::vector<Value> expected;
-  for (const ObjectId edge : calipers_.ring().cycle()) {
-    const auto value = candidates_.claims().of(calipers_, edge);
+  for (const ObjectId edge : calipers().ring().cycle()) {
+    const auto value = candidates_.claims().of(calipers(), edge);
     if (value) expected.push_back(*value);
   }
   std::sort(expected.begin(), expected.end());
@@ -208,7 +189,7 @@ void CaliperExtremum::check_invariants(AuditReport& report) const {
 }
 
 std::size_t CaliperExtremum::bytes() const {
-  return calipers_.bytes() + candidates_.bytes() + members_.size() * 40 +
+  return (own_ ? own_->bytes() : 0) + candidates_.bytes() + members_.size() * 40 +
          value_of_.capacity() * sizeof(Value) + events_.bytes();
 }
 

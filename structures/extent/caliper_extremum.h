@@ -5,7 +5,8 @@
 // Certificates. It watches a hull (HullSource). Calipers (calipers.h) prove which vertices are
 // opposite to every edge: degree 2d for motions of degree d. A ChangingExtremum of the candidates
 // of all edges (caliper_candidates.h) proves which one is the best: degree 2d for the diameter,
-// otherwise 6d.
+// otherwise 6d. It has calipers of its own, or watches those that it shares with other structures
+// over the same hull (calipers_2); these may have more folds than it needs.
 //
 //   hull        enter, leave          a vertex between its neighbours: one edge becomes two, or
 //                                     two become one
@@ -13,13 +14,13 @@
 //               places                one pair of the diameter, both strips, both rectangles
 //   extremum    a duel                another winner
 //
-// Quality, for h hull vertices: at most h + h - 1 certificates. The calipers are local, the
+// Quality, for h hull vertices: at most h certificates of its own calipers, and h - 1 of the
+// candidates. The calipers are local, the
 // candidates are not: a vertex is the contact of up to h - 1 edges. A failure renews O(log h). An
 // insertion, an erasure, or an instant with several changes of the hull builds the calipers anew,
 // O(h log h), and renews O(log h) for each candidate that changes. O(n^(2 + eps)) events for
 // algebraic motions. The attribute can change Omega(n^2) times (Agarwal et al.). One external event
-// for each instant that changes it; a second one where a triangulation that the hull is read from
-// is settled at the end of a degenerate instant.
+// for each instant that changes it.
 //
 // Ties. Of pairs at identically equal distances the lexicographically smallest; of strips and
 // rectangles of identically equal width, area or perimeter that with the smallest tail of its edge.
@@ -40,13 +41,15 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <set>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "structures/extent/caliper_candidates.h"
-#include "structures/extent/calipers.h"
+#include "structures/extent/calipers_2.h"
+#include "structures/extent/hull_calipers.h"
 #include "structures/hull/hull_ring.h"
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
@@ -62,23 +65,16 @@ class CaliperExtremum final : public Structure {
   }
 
  public:
-  // kAntiparallel, kPerpendicular: two edges, each by its ends. kSplit, kMerge: a vertex that came
-  // or went between two others. kRenew: the calipers were built anew. kReplace: another winner of a
-  // duel: the first two ids of the old one and of the new one. kTie: the same, because the two have
-  // become identically equal.
-  enum Kind : std::uint8_t {
-    kAntiparallel,
-    kPerpendicular,
-    kSplit,
-    kMerge,
-    kRenew,
-    kReplace,
-    kTie
-  };
+  // Those of HullCalipers, of its own calipers: two edges, each by its ends; a vertex that came or
+  // went between two others; the calipers were built anew. kReplace: another winner of a duel: the
+  // first two ids of the old one and of the new one. kTie: the same, because the two have become
+  // identically equal.
+  enum Kind : std::uint8_t { kReplace = HullCalipers::kRenew + 1, kTie };
 
-  // `hull` outlives this structure and is watched by it; it is the structure `hull_id`.
+  // `hull` outlives this structure and is watched by it; it is the structure `hull_id`. So are the
+  // calipers over it that are shared, if any; their folds are a multiple of folds_of(measure).
   CaliperExtremum(Kernel& kernel, StructureId id, std::string_view name, CaliperMeasure measure,
-                  const HullSource& hull, StructureId hull_id);
+                  const HullSource& hull, StructureId hull_id, const Calipers2* shared = nullptr);
 
   std::string_view name() const override { return name_; }
   std::vector<std::string_view> event_kinds() const override {
@@ -111,16 +107,17 @@ class CaliperExtremum final : public Structure {
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
-  const Calipers& calipers() const { return calipers_; }
+  // Calipers of its own, or those that it shares.
+  const Calipers& calipers() const { return shared_ ? shared_->calipers() : own_->calipers(); }
 
  private:
   std::vector<ObjectId> best() const;
   void begin();
   void follow();
-  bool follow(const Event& event);
-  void build_calipers();
-  bool may_swap();
-  void report_repair(Kind kind, std::initializer_list<ObjectId> ids);
+  void follow(std::span<const ObjectId> edges);
+  bool is_up_to_date() const { return followed_ == calipers().changes_end(); }
+  bool is_settling() const;
+  void report_repair(std::uint8_t kind, std::initializer_list<ObjectId> ids);
   // ---- caliper_extremum_audit.cpp
   void audit_diameter(const Snapshot& snapshot, AuditReport& report) const;
   void audit_strip(const Snapshot& snapshot, AuditReport& report) const;
@@ -131,15 +128,13 @@ class CaliperExtremum final : public Structure {
   std::string_view name_;
   CaliperMeasure measure_;
   const HullSource* hull_;
-  Calipers calipers_;
+  std::optional<HullCalipers> own_;
+  const Calipers2* shared_;
+  std::uint64_t followed_ = 0;  // changes of the calipers before this one
   ChangingExtremum<CaliperCandidates> candidates_;
   std::set<ObjectId> members_;   // all points
   std::vector<Value> value_of_;  // by tail: its candidate; unused: kNoObject
   AttributeEvents events_;
-  bool behind_ = false;             // certificates of the calipers were dropped
-  std::uint64_t hull_instant_ = 0;  // of the last change of the hull
-  std::uint64_t instant_ = 0;       // of the last swap
-  std::size_t swaps_ = 0;           // at that instant
 };
 
 }  // namespace kinex

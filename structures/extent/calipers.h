@@ -38,6 +38,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -85,10 +86,20 @@ class Calipers {
   // Drops everything; the next build() makes every certificate anew.
   void clear();
 
-  // The tails of edges that have come, gone, or changed their head or a contact since the last
-  // call of forget_changes(), in some order; a tail may occur twice.
-  const std::vector<ObjectId>& changes() const { return changes_; }
-  void forget_changes() { changes_.clear(); }
+  // The tails of edges that have come, gone, or changed their head or a contact, in some order; a
+  // tail may occur twice. They are numbered from 0 on, so that several readers can follow.
+  std::uint64_t changes_end() const { return forgotten_ + changes_.size(); }
+  // Those from number `from` on; nullopt if some of them have been forgotten. Valid until the next
+  // change.
+  std::optional<std::span<const ObjectId>> changes_since(std::uint64_t from) const {
+    if (from < forgotten_) return std::nullopt;
+    return std::span(changes_).subspan(static_cast<std::size_t>(from - forgotten_));
+  }
+  std::size_t changes_held() const { return changes_.size(); }
+  void forget_changes() {
+    forgotten_ += changes_.size();
+    changes_.clear();
+  }
 
   const Slots& slots() const { return slots_; }
   void check(AuditReport& report) const;
@@ -132,6 +143,7 @@ class Calipers {
   std::vector<Edge> state_;  // by object
   Ties ties_;
   std::vector<ObjectId> changes_;
+  std::uint64_t forgotten_ = 0;  // changes before these
 };
 
 }  // namespace kinex

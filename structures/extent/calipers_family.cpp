@@ -2,6 +2,7 @@
 #include "structures/extent/calipers_family.h"
 
 #include "structures/extent/caliper_extremum.h"
+#include "structures/extent/calipers_2.h"
 #include "structures/extent/diameter_all_pairs.h"
 
 namespace kinex {
@@ -16,11 +17,21 @@ constexpr std::string_view kName<CaliperMeasure::kArea> = "min_area_rectangle_2"
 template <>
 constexpr std::string_view kName<CaliperMeasure::kPerimeter> = "min_perimeter_rectangle_2";
 
+const HullSource& hull_of(const MakerInput& in) {
+  return dynamic_cast<const HullSource&>(*in.watched[0]);
+}
+
+std::unique_ptr<Structure> make_calipers(const MakerInput& in) {
+  const int folds = static_cast<int>(in.parameter("folds").numerator().to_int64());
+  return std::make_unique<Calipers2>(in.kernel, in.id, folds, hull_of(in), in.watched_ids[0]);
+}
+
 template <CaliperMeasure kMeasure>
 std::unique_ptr<Structure> make_extremum(const MakerInput& in) {
-  return std::make_unique<CaliperExtremum>(in.kernel, in.id, kName<kMeasure>, kMeasure,
-                                           dynamic_cast<const HullSource&>(*in.watched[0]),
-                                           in.watched_ids[0]);
+  const bool shares = in.watched.size() > 1;
+  return std::make_unique<CaliperExtremum>(
+      in.kernel, in.id, kName<kMeasure>, kMeasure, hull_of(in), in.watched_ids[0],
+      shares ? dynamic_cast<const Calipers2*>(in.watched[1]) : nullptr);
 }
 
 template <CaliperMeasure kMeasure>
@@ -31,17 +42,52 @@ StructureInfo caliper_info(std::string_view summary) {
   info.min_dimension = 2;
   info.shape = Attribute::Shape::kSequence;
   info.reads = {{"convex_hull_2", "hull"}};
-  info.kinds = {{"antiparallel", Effect::kSometimes}, {"perpendicular", Effect::kSometimes},
-                {"split", Effect::kNever},            {"merge", Effect::kNever},
-                {"renew", Effect::kNever},            {"replace", Effect::kSometimes},
+  info.shares = {"calipers_2", "folds", folds_of(kMeasure)};
+  info.kinds = {{"antiparallel", Effect::kSometimes},
+                {"perpendicular", Effect::kSometimes},
+                {"split", Effect::kNever},
+                {"merge", Effect::kNever},
+                {"renew", Effect::kNever},
+                {"replace", Effect::kSometimes},
                 {"tie", Effect::kNever}};
   info.certificates =
       "at most 2h - 1 for h hull vertices: one for each two directions of edges that are "
-      "neighbours, and a tournament of the candidates of all edges; those of the hull besides";
+      "neighbours, and a tournament of the candidates of all edges, or h - 1 where calipers_2 is "
+      "shared; those of the hull besides";
   info.ties = "of candidates that are identically equal that with the smallest edge is the best";
   info.source =
       "Agarwal, Guibas, Hershberger, Veach, Maintaining the extent of a moving point set (2001)";
   info.make = make_extremum<kMeasure>;
+  return info;
+}
+
+StructureInfo calipers() {
+  StructureInfo info{.name = "calipers_2",
+                     .summary =
+                         "what rotating calipers touch: all antipodal pairs of the hull, or "
+                         "the four contacts of two pairs at right angles"};
+  info.min_dimension = 2;
+  info.shape = Attribute::Shape::kTuples;
+  info.width = StructureInfo::kWidthOfParameter;
+  info.reads = {{"convex_hull_2", "hull"}};
+  info.parameters = {{.name = "folds",
+                      .summary = "2 for parallel calipers, 4 for two pairs at right angles",
+                      .usual = "2",
+                      .least = "2",
+                      .most = "4",
+                      .step = "2"}};
+  info.kinds = {{"antiparallel", Effect::kSometimes},
+                {"perpendicular", Effect::kSometimes},
+                {"split", Effect::kNever},
+                {"merge", Effect::kNever},
+                {"renew", Effect::kNever}};
+  info.certificates =
+      "at most h for h hull vertices, one for each two directions of edges that are "
+      "neighbours modulo the fold; those of the hull besides";
+  info.ties = "identically equal directions are in the order of the tails of their edges";
+  info.source =
+      "Agarwal, Guibas, Hershberger, Veach, Maintaining the extent of a moving point set (2001)";
+  info.make = make_calipers;
   return info;
 }
 
@@ -66,7 +112,9 @@ std::vector<StructureInfo> caliper_structures() {
       "Guibas, Kinetic data structures: a state of the art report (1998), sections 5 and 6.7";
   all_pairs.make = make_plain<DiameterAllPairs>;
 
-  return {diameter, all_pairs,
+  return {calipers(),
+          diameter,
+          all_pairs,
           caliper_info<CaliperMeasure::kWidth>(
               "the narrowest strip that holds all points of the plane: its edge of the hull and "
               "the vertex opposite to it"),

@@ -25,8 +25,8 @@ void AttributeEvents::repaired(std::uint8_t kind, std::initializer_list<ObjectId
                *(ids.end() - 1) == now.ids()[0];
     kernel_->report(id_, kind, ids, says_all);
   } else if (says_all) {
-    const AttributeDifference change =
-        difference_between(told_, {told_.shape, {now.ids().begin(), now.ids().end()}});
+    const AttributeDifference change = difference_between(
+        told_, {told_.shape, {now.ids().begin(), now.ids().end()}, told_.width});
     kernel_->report(id_, kind, ids, true, change.gone, change.came);
   } else {
     kernel_->report(id_, kind, ids, false);

@@ -54,8 +54,8 @@ class AttributeEvents {
   // A one-object attribute whose changes are events of the kind `replace`.
   AttributeEvents(Kernel& kernel, StructureId id, std::uint8_t replace)
       : kernel_(&kernel), id_(id), replace_(replace), told_{Attribute::Shape::kObject, {}} {}
-  AttributeEvents(Kernel& kernel, StructureId id, Attribute::Shape shape)
-      : kernel_(&kernel), id_(id), told_{shape, {}} {}
+  AttributeEvents(Kernel& kernel, StructureId id, Attribute::Shape shape, std::uint8_t width = 2)
+      : kernel_(&kernel), id_(id), told_{shape, {}, width} {}
 
   // Sets the attribute just before the next instant; nothing is reported.
   void begin(AttributeIds now) { told_.ids.assign(now.ids().begin(), now.ids().end()); }

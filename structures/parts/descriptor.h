@@ -27,7 +27,8 @@ struct Refusal {
 };
 
 // The arguments of a maker. `request` is valid for `scene`. `watched`: the structures that the new
-// one reads, in the order of StructureInfo::reads; they outlive it.
+// one reads, in the order of StructureInfo::reads, and the one that it shares, if any; they outlive
+// it.
 struct MakerInput {
   const Request& request;
   const Scene& scene;
@@ -48,6 +49,15 @@ struct Reading {
   bool passes_over = false;        // the reader's "over" is meant for what this one reads
 };
 
+// A part that structures can have in common: each has its own, unless a scene asks for two or more
+// that could share it, over the same structure (their first reading): then they all watch one
+// structure in its place, after what they read.
+struct Sharing {
+  std::string_view structure = {};  // whose first reading is theirs; empty: nothing is shared
+  std::string_view parameter = {};  // of it, an integer: the largest that a reader needs
+  int needs = 0;                    // this reader
+};
+
 // A parameter of a structure: a member of its entry in "maintain". Numbers are written as in scenes.
 struct ParameterInfo {
   std::string_view name, summary;
@@ -56,6 +66,7 @@ struct ParameterInfo {
   std::string_view most = {};   // allowed; empty: no limit
   bool most_is_allowed = true;  // false: values are less than `most`
   bool whole = true;            // an integer
+  std::string_view step = {};   // values are `least` and so many steps; empty: any
 };
 
 // Does an event of a kind change the attribute?
@@ -80,10 +91,11 @@ struct StructureInfo {
   bool fails_at_touch = false;      // some of its certificates do (core/arithmetic/touch.h)
   bool has_events = true;           // false: it checks constants of the scene and follows no motion
   Attribute::Shape shape = Attribute::Shape::kSequence;
-  std::uint8_t width = 2;         // of the tuples of a set
+  std::uint8_t width = 2;         // of the tuples of a set; or kWidthOfParameter
   // The kinds of its events by rank (Structure::event_kinds), without the common ones.
   std::vector<KindRule> kinds = {};
   std::vector<Reading> reads = {};  // the structures that it watches
+  Sharing shares = {};
   std::string_view role = {};       // what it can be read as ("hull"); empty: by its name only
   std::vector<ParameterInfo> parameters = {};
   std::string_view instead = {};    // a structure of its group that takes every scene; empty: itself
@@ -103,6 +115,7 @@ struct StructureInfo {
   std::string_view source = {};        // where it is described
 
   static constexpr int kAnyDegree = 1 << 30;
+  static constexpr std::uint8_t kWidthOfParameter = 0;  // the value of its first parameter
   bool linear() const { return largest_degree == 1; }
   // It maintains an attribute of bodies that changes as they move.
   bool follows_bodies() const { return bodies && has_events; }

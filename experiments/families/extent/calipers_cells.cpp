@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Questions: do the diameter, the width and the rectangles change exactly as often as counted by
-//   hand? Does the baseline report the same changes? Are all bounds kept in random motion?
-// Source: vernier.cpp counts nm - 1 changes of the diameter, 2nm - n - m of the width and of both
-//   rectangles.
+//   hand? Does the baseline report the same changes? Are all bounds kept in random motion? How many
+//   events have the calipers?
+// Source: vernier.cpp counts nm - 1 changes of the diameter, (n - 1)(m - 1) + n of the antipodal
+//   pairs, 2nm - n - m of the width and of both rectangles.
 // Expected: the integers below, in every run; every hard bound, and every audit.
 // Cost: about 20 s.
 #include <string>
@@ -22,6 +23,17 @@ void add_vernier(lab::Catalogue& catalogue, const std::string& structure, int si
   cell.expectations.push_back(lab::expect_exactly(
       structure + ".vernier", "external", Integer(size * size - 1),
       "the nearest of nm angles to one that passes all of them: nm - 1 changes"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
+// The antipodal pairs that the vernier's diameters are among.
+void add_antipodal(lab::Catalogue& catalogue, int size) {
+  lab::Cell cell = lab::worst_case_cell("calipers_2", "vernier", size, 1, 0.3);
+  cell.parameters.m = size;
+  cell.audit = size <= 6 ? AuditLevel::kEvents : AuditLevel::kEnd;
+  cell.expectations.push_back(lab::expect_exactly(
+      "calipers_2.vernier", "external", Integer((size - 1) * (size - 1) + size),
+      "(n - 1)(m - 1) pairs of edges become antiparallel, and the hull changes n times"));
   catalogue.cells.push_back(std::move(cell));
 }
 
@@ -60,7 +72,8 @@ std::vector<lab::Workload> caliper_workloads() {
 }
 
 std::vector<lab::TradePlan> caliper_trade() {
-  std::vector<lab::TradePlan> plans;
+  std::vector<lab::TradePlan> plans{{"calipers_2", 2, {12, 32}, "vernier", {4, 8}, {16, 36},
+                                     {8, 16}, {{8, 16, 32}, {8, 16, 32, 64}}}};
   for (const char* diameter : {"diameter_2", "diameter_all_pairs"}) {
     plans.push_back({diameter, 2, {12, 32}, "vernier", {4, 8}, {16, 36}, {8, 16},
                      {{8, 16, 32}, {8, 16, 32, 64}}});
@@ -74,7 +87,8 @@ std::vector<lab::TradePlan> caliper_trade() {
 
 std::vector<lab::SpeedRow> caliper_speed_rows(int scale) {
   const auto n = [scale](int size) { return lab::scaled_size(size, scale); };
-  return {{"diameter_2", "uniform-square", 1, n(1000), {"exact", "double"}},
+  return {{"calipers_2", "uniform-square", 1, n(1000), {"exact", "double"}},
+          {"diameter_2", "uniform-square", 1, n(1000), {"exact", "double"}},
           {"width_2", "uniform-square", 1, n(1000), {"exact", "double"}},
           {"min_area_rectangle_2", "uniform-square", 1, n(1000), {"exact", "double"}}};
 }
@@ -82,6 +96,7 @@ std::vector<lab::SpeedRow> caliper_speed_rows(int scale) {
 void add_caliper_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   for (const int size : {2, 3, 4, 6, 8, 12}) {
     if (size > 6 && extent == lab::Extent::kQuick) continue;
+    add_antipodal(catalogue, size);
     for (const char* structure : {"diameter_2", "diameter_all_pairs"}) {
       add_vernier(catalogue, structure, size);
     }
@@ -90,7 +105,7 @@ void add_caliper_cells(lab::Catalogue& catalogue, lab::Extent extent) {
     }
   }
   for (const char* structure :
-       {"diameter_2", "width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
+       {"calipers_2", "diameter_2", "width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
     add_through_point(catalogue, structure);
     for (const int n : {16, 64}) {
       lab::Cell cell = uniform_cell(structure, n, 2);

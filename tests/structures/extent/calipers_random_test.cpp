@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Diameter, width and rectangles of random scenes, audited after every instant.
+// Calipers, diameter, width and rectangles of random scenes, audited after every instant.
 #include <string>
 #include <vector>
 
@@ -134,7 +134,7 @@ TEST_P(EveryCaliperStructure, EndsInInexactArithmetics) {
   RecordProperty("corrupt", static_cast<int>(corrupt));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryCaliperStructure, ::testing::ValuesIn(kCaliperStructures),
+INSTANTIATE_TEST_SUITE_P(All, EveryCaliperStructure, ::testing::ValuesIn(kAllCaliperStructures),
                          [](const auto& one) { return one.param; });
 
 // The baseline changes at the same instants.
