@@ -237,6 +237,8 @@ def attribute_of(structure, key, positions):
         return circle_of(positions)
     if name == "range_tree_2":
         return ordered(("axis", 0), positions) + ordered(("axis", 1), positions)
+    if name == "trajectory_tree":
+        return sorted(positions)
     if name.startswith("directions_2"):
         return polygon_of(positions, all_directions(k_of(structure)))
     if name in ("diameter_directions", "width_directions"):
@@ -258,6 +260,8 @@ def queries_of(structure, key, members, dimension):
         k = Key(key)
         for a, b in combinations(sorted(members - {k.reference}), 2):
             yield k.claim(a, b)
+        return
+    if name == "trajectory_tree":
         return
     if name in ("bounding_box", "range_tree_2", "rank_kd_tree_2", "pseudo_kd_tree_2"):
         for pair in combinations(sorted(members), 2):

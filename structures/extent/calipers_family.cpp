@@ -30,6 +30,9 @@ StructureInfo caliper_info(std::string_view summary) {
   info.summary = summary;
   info.min_dimension = 2;
   info.shape = Attribute::Shape::kSequence;
+  if (kMeasure == CaliperMeasure::kArea || kMeasure == CaliperMeasure::kPerimeter) {
+    info.role = "rectangle";
+  }
   info.reads = {{"convex_hull_2", "hull"}};
   info.kinds = {{"antiparallel", Effect::kSometimes}, {"perpendicular", Effect::kSometimes},
                 {"split", Effect::kNever},            {"merge", Effect::kNever},

@@ -133,35 +133,16 @@ LabelBox RankKdTree2::cell(const Node& node) const {
   return {{gathered(low >> 1), gathered(low)}, {gathered(high >> 1), gathered(high)}};
 }
 
-RankKdTree2::Cost RankKdTree2::search(const LabelBox& box, std::vector<ObjectId>& out) const {
-  Cost cost;
-  std::vector<std::pair<Ref, bool>> open;  // and whether the box holds the cell
-  if (root_ != kNone) open.emplace_back(root_, false);
-  while (!open.empty()) {
-    auto [at, is_inside] = open.back();
-    open.pop_back();
-    ++cost.nodes;
-    if (is_leaf(at)) {
-      if (is_inside || (box.holds(0, label(0, at)) && box.holds(1, label(1, at)))) {
-        out.push_back(at);
-      }
-      continue;
-    }
-    if (!is_inside) {
-      const LabelBox there = cell(node(at));
-      bool meets = true;
-      is_inside = true;
-      for (const std::size_t axis : {0, 1}) {
-        meets = meets && box.low[axis] <= there.high[axis] && there.low[axis] <= box.high[axis];
-        is_inside =
-            is_inside && box.low[axis] <= there.low[axis] && there.high[axis] <= box.high[axis];
-      }
-      if (!meets) continue;
-    }
-    for (const std::size_t place : {1, 0}) open.emplace_back(node(at).below[place], is_inside);
-  }
-  cost.bounded = cost.nodes;
-  return cost;
+RankKdTree2::Cost RankKdTree2::search(const LabelBox& box, std::vector<ObjectId>& out,
+                                      QueryTrace* trace) const {
+  const auto part = [this](Ref ref, bool needs_cell) {
+    return Part{ref, needs_cell && !is_leaf(ref) ? cell(node(ref)) : LabelBox{}};
+  };
+  const auto halves = [&](const Part& above, bool needs_cells) -> std::array<Part, 2> {
+    const auto& below = node(above.ref).below;
+    return {part(below[0], needs_cells), part(below[1], needs_cells)};
+  };
+  return search_cells(part(root_, root_ != kNone), box, out, trace, halves);
 }
 
 // 50 sqrt(N) + 2k + 1, rounded up where it is not an integer.
