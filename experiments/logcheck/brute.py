@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import combinations, permutations
 
 from log import Wrong
-from replay_directions import all_directions, extent_query, half_directions, k_of
+from replay_directions import all_directions, extent_query, half_directions, k_of, opposite
 from roots import Instant, all_roots, compare
 from static import spanning_tree
 from world import World
@@ -198,7 +198,7 @@ def polygon_of(positions, directions):
 def extent_of(positions, directions, largest):
     best = None
     for u in directions if positions else []:
-        a, b = farthest(positions, u), farthest(positions, (-u[0], -u[1]))
+        a, b = farthest(positions, u), farthest(positions, opposite(u))
         extent = sum(v * (p - q) for v, p, q in zip(u, positions[a], positions[b]))
         if best is None or (extent > best[0] if largest else extent < best[0]):
             best = (extent, a, b)
@@ -241,10 +241,11 @@ def attribute_of(structure, key, positions):
         return sorted(positions)
     if name.startswith("directions_2"):
         return polygon_of(positions, all_directions(k_of(structure)))
-    if name in ("diameter_directions", "width_directions"):
+    if name in ("diameter_directions", "width_directions", "diameter_directions_3"):
         if not few_extents(structure, positions):
             return None
-        return extent_of(positions, half_directions(k_of(structure)), name == "diameter_directions")
+        return extent_of(positions, half_directions(k_of(structure), 3 if name.endswith("_3") else 2),
+                         name != "width_directions")
     return None
 
 
@@ -277,8 +278,8 @@ def queries_of(structure, key, members, dimension):
         for a, b, c in combinations(sorted(members), 3):
             for triple in ((a, b, c), (b, c, a), (c, a, b)):
                 yield ("acute_angle_2", triple)
-    if name.startswith("directions_2") or name in ("diameter_directions", "width_directions"):
-        yield from along_directions(structure, members)
+    if name.startswith("directions_2") or name in ("diameter_directions", "width_directions", "diameter_directions_3"):
+        yield from along_directions(structure, members, dimension)
         return
     for pair in combinations(sorted(members), 2):
         yield ("order_x", pair)
@@ -292,13 +293,13 @@ def queries_of(structure, key, members, dimension):
 
 def few_extents(structure, members):
     """Pairs of extents of other scenes are too many: their attribute is checked at levels 3 and 4 only."""
-    k, n = k_of(structure), len(members)
-    return k * (2 * k - 1) * (n * (n - 1)) ** 2 <= MOST_EXTENTS
+    half, n = len(half_directions(k_of(structure), 3 if structure.name.endswith("_3") else 2)), len(members)
+    return half * (half - 1) // 2 * (n * (n - 1)) ** 2 <= MOST_EXTENTS
 
 
-def along_directions(structure, members):
+def along_directions(structure, members, dimension):
     """Orders along every direction; for extents all pairs of extents, whatever their ends."""
-    half = half_directions(k_of(structure))
+    half = half_directions(k_of(structure), dimension)
     for u in half:
         for pair in combinations(sorted(members), 2):
             yield (("order_direction", u), pair)

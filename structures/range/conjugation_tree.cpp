@@ -133,21 +133,25 @@ std::uint64_t ConjugationTree::search(BoxAt& box, std::vector<ObjectId>& out,
   return looked_at;
 }
 
-namespace {
-
 // What one line makes a search look at below a node of m points that it crosses. Of the four nodes
 // two levels below it misses one, which is looked at but not searched.
-std::uint64_t below_crossed(std::uint64_t m) {
-  const std::uint64_t half = first_half(m), quarter = first_half(half);
-  if (half <= ConjugationTree::kLeaf) return 2 + m;
-  if (quarter <= ConjugationTree::kLeaf) return 2 + 2 * below_crossed(half);
-  return 2 + below_crossed(half) + 2 + below_crossed(quarter);
+std::uint64_t ConjugationTree::most_looked_at(std::uint64_t n) {
+  if (n <= kLeaf) return 1 + n;
+  const std::vector<std::uint64_t> sizes = sizes_below(n);
+  std::uint64_t below = 0, whole = 0, half = 0;  // of the present size, and of its half
+  for (std::size_t i = sizes.size() - 1; i-- > 0;) {
+    whole = i + 2 == sizes.size()   ? 2 + sizes[i]
+            : i + 3 == sizes.size() ? 2 + 2 * below
+                                    : 2 + below + 2 + half;
+    half = std::exchange(below, whole);
+  }
+  return 1 + 2 * below;
 }
 
-}  // namespace
-
-std::uint64_t ConjugationTree::most_looked_at(std::uint64_t n) {
-  return 1 + (n <= kLeaf ? n : 2 * below_crossed(n));
+std::vector<std::uint64_t> ConjugationTree::sizes_below(std::uint64_t n) {
+  std::vector<std::uint64_t> sizes{n};
+  while (sizes.back() > kLeaf) sizes.push_back(first_half(sizes.back()));
+  return sizes;
 }
 
 void ConjugationTree::check(const Snapshot& now, AuditReport& report) const {

@@ -78,8 +78,10 @@ class ConjugationTree {
     if (trace == nullptr) return;
     trace->push_back({place, {objects(node).begin(), objects(node).end()}});
   }
-  // The hard bound of search() for n objects.
+  // The hard bound of search() for n objects. O(log n).
   static std::uint64_t most_looked_at(std::uint64_t n);
+  // The most points of a node of each level, from n down to those of leaves.
+  static std::vector<std::uint64_t> sizes_below(std::uint64_t n);
 
   // The halves are halves, and the chains are extreme at this time.
   void check(const Snapshot& now, AuditReport& report) const;

@@ -37,23 +37,25 @@ class BoxAfterNow final : public BoxAt {
   std::uint64_t& signs_;
 };
 
-// What one line makes a query look at below a primary node of m points that it crosses: nodes below
-// that are crossed, or inside with their secondary trees, or outside. See conjugation_tree.cpp.
-std::uint64_t below_crossed(std::uint64_t m) {
-  const std::uint64_t half = first_half(m), quarter = first_half(half);
-  if (half <= ConjugationTree::kLeaf) return 2 + m;
-  const std::uint64_t whole = 2 + below_crossed(half);
-  const std::uint64_t inside = ConjugationTree::most_looked_at(half);
-  if (quarter <= ConjugationTree::kLeaf) return whole + std::max(inside, below_crossed(half));
-  return whole +
-         std::max(inside, 2 + below_crossed(quarter) + ConjugationTree::most_looked_at(quarter));
-}
-
 }  // namespace
 
+// As ConjugationTree::most_looked_at: below a primary node that a line crosses are nodes that it
+// crosses, too, or that are inside with their secondary trees, or outside.
 std::uint64_t TrajectoryTree::most_looked_at(std::uint64_t n) {
   if (n <= ConjugationTree::kLeaf) return 1 + n;
-  return 1 + std::max(ConjugationTree::most_looked_at(n), 2 * below_crossed(n));
+  const std::vector<std::uint64_t> sizes = ConjugationTree::sizes_below(n);
+  std::uint64_t below = 0, half = 0;  // of the present size, and of its half
+  for (std::size_t i = sizes.size() - 1; i-- > 0;) {
+    std::uint64_t whole = 2 + sizes[i];
+    if (i + 2 < sizes.size()) {
+      const std::uint64_t inside = ConjugationTree::most_looked_at(sizes[i + 1]);
+      const std::uint64_t crossed =
+          i + 3 == sizes.size() ? below : 2 + half + ConjugationTree::most_looked_at(sizes[i + 2]);
+      whole = 2 + below + std::max(inside, crossed);
+    }
+    half = std::exchange(below, whole);
+  }
+  return 1 + std::max(ConjugationTree::most_looked_at(n), 2 * below);
 }
 
 TrajectoryTree::TrajectoryTree(Kernel& kernel, StructureId, const Scene& scene)

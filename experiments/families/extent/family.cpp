@@ -2,6 +2,7 @@
 #include "experiments/families/extent/family.h"
 
 #include <string_view>
+#include <vector>
 
 #include "experiments/families/extent/calipers_experiments.h"
 #include "experiments/families/extent/experiments.h"
@@ -42,7 +43,8 @@ lab::FamilyExperiments extent_experiments() {
                           {{8, 16}, {16, 64}}});
   for (const lab::Workload& workload : caliper_workloads()) family.workloads.push_back(workload);
   for (const lab::TradePlan& one : caliper_trade()) family.trade.push_back(one);
-  family.papers = {kds_report({{"section-6-circle", "the smallest enclosing circle", 4, nullptr,
+  const auto no_runs = [](bool) { return std::vector<lab::SeriesPoint>{}; };
+  family.papers = {kds_report({{"section-6-circle", "the smallest enclosing circle", 4, no_runs,
                                 nullptr, study_kds_section_6, kds_section_6_report}})};
   family.figures = direction_figures;
   family.speed = extent_speed_rows;

@@ -52,7 +52,7 @@ function drawQuery(context, plane) {
   const text = "query at t = " + shortText(query.at) + ": " + ids.length + " points; nodes: " +
     count(1) + " crossed, " + count(2) + " inside, " + count(0) + " outside";
   const [areaLeft, areaTop] = plane.rectangle;
-  label(context, text, areaLeft + 10, areaTop + 12, COLOUR.text);
+  label(context, text, areaLeft + 40, areaTop + 12, COLOUR.text);
 }
 
 // The corners of attributes that are boxes, by the role of the structure.
