@@ -241,11 +241,11 @@ def attribute_of(structure, key, positions):
         return sorted(positions)
     if name.startswith("directions_2"):
         return polygon_of(positions, all_directions(k_of(structure)))
-    if name in ("diameter_directions", "width_directions", "diameter_directions_3"):
-        if not few_extents(structure, positions):
+    if name in ("diameter_directions", "width_directions"):
+        dimension = len(next(iter(positions.values()), (0, 0)))
+        if not few_extents(structure, positions, dimension):
             return None
-        return extent_of(positions, half_directions(k_of(structure), 3 if name.endswith("_3") else 2),
-                         name != "width_directions")
+        return extent_of(positions, half_directions(k_of(structure), dimension), name == "diameter_directions")
     return None
 
 
@@ -278,7 +278,7 @@ def queries_of(structure, key, members, dimension):
         for a, b, c in combinations(sorted(members), 3):
             for triple in ((a, b, c), (b, c, a), (c, a, b)):
                 yield ("acute_angle_2", triple)
-    if name.startswith("directions_2") or name in ("diameter_directions", "width_directions", "diameter_directions_3"):
+    if name.startswith("directions_2") or name in ("diameter_directions", "width_directions"):
         yield from along_directions(structure, members, dimension)
         return
     for pair in combinations(sorted(members), 2):
@@ -291,9 +291,9 @@ def queries_of(structure, key, members, dimension):
             yield ("in_circle_2", quad)
 
 
-def few_extents(structure, members):
+def few_extents(structure, members, dimension):
     """Pairs of extents of other scenes are too many: their attribute is checked at levels 3 and 4 only."""
-    half, n = len(half_directions(k_of(structure), 3 if structure.name.endswith("_3") else 2)), len(members)
+    half, n = len(half_directions(k_of(structure), dimension)), len(members)
     return half * (half - 1) // 2 * (n * (n - 1)) ** 2 <= MOST_EXTENTS
 
 
@@ -303,7 +303,7 @@ def along_directions(structure, members, dimension):
     for u in half:
         for pair in combinations(sorted(members), 2):
             yield (("order_direction", u), pair)
-    if structure.name.startswith("directions_2") or not few_extents(structure, members):
+    if structure.name.startswith("directions_2") or not few_extents(structure, members, dimension):
         return
     pairs = list(permutations(sorted(members), 2))
     for u, v in combinations(half, 2):

@@ -5,7 +5,6 @@ from fractions import Fraction
 
 USUAL = {name: {"k": Fraction(4)}
          for name in ("directions_2", "directions_2_tournament", "diameter_directions", "width_directions")}
-USUAL["diameter_directions_3"] = {"k": Fraction(6)}
 
 
 def unusual(structure, tree, number):

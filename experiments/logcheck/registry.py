@@ -25,7 +25,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay,
             "trajectory_tree": TrajectoryTree,
             "width_2": Width, "min_area_rectangle_2": Area, "min_perimeter_rectangle_2": Perimeter,
             "directions_2": Directions, "directions_2_tournament": Directions,
-            "diameter_directions": Extent, "width_directions": Extent, "diameter_directions_3": Extent}
+            "diameter_directions": Extent, "width_directions": Extent}
 for extremum in ("maximum_", "minimum_"):
     REPLAYS.update({extremum + "sorted_list": OfList, extremum + "heap": Heap, extremum + "hanger": Hanger,
                     extremum + "tournament": Tournament, extremum + "envelope": Maximum,

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The structures that look along 4k directions, from scratch right after every instant that has a record:
-directions_2, its sibling by tournaments, diameter_directions and width_directions; diameter_directions_3 in space.
+directions_2, its sibling by tournaments, diameter_directions, also in space, and width_directions.
 
 Internal events (another extreme point, or a duel of two) are checked at level 2: a claim about one of the
 directions that fails at the instant.
@@ -30,7 +30,8 @@ def half_directions(k, dimension=2):
 
 def half_directions_3(k):
     """Stereographic projections of grids in the three axes' directions, z first."""
-    r = round((2 ** 0.5 - 1) * k)  # for k <= 6 nowhere near a half
+    k = min(k, 6)
+    r = round((2 ** 0.5 - 1) * k)  # nowhere near a half
     found = []
     for last in (2, 1, 0):
         for i in range(-r, r + 1):

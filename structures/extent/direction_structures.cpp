@@ -63,7 +63,11 @@ std::vector<StructureInfo> direction_structures() {
 
   StructureInfo diameter = base;
   diameter.name = "diameter_directions";
-  diameter.summary = "the diameter of points in the plane, by their extents along 2k directions";
+  diameter.summary = "the diameter of points in the plane or in space, by extents along directions";
+  diameter.any_dimension = true;
+  diameter.parameters[0].summary =
+      "4k directions; a squared diameter is off by a factor of at most 1 + 1/k^2. In space 54 for 2 "
+      "and 3, 150 from 4 on, more than 6 counts as 6, and a diameter is off by 1 - 1/k^2";
   diameter.shape = Attribute::Shape::kTuples;
   diameter.kinds = {{"replace", Effect::kSometimes},
                     {"overtake", Effect::kSometimes},
@@ -74,27 +78,13 @@ std::vector<StructureInfo> direction_structures() {
                   "extents that are identically equal the one of the first direction";
   diameter.make = make_extent<Extremum::kMaximum>;
 
-  StructureInfo space = diameter;
-  space.name = "diameter_directions_3";
-  space.summary = "the diameter of points in space, by their extents along directions";
-  space.min_dimension = 3;
-  // Each pair of directions may have several predicates.
-  space.parameters = {
-      {.name = "k",
-       .summary = "27 directions and their opposites for 2 and 3, 75 for 4, 5 and 6; a diameter is "
-                  "off by a factor of at least 1 - 1/k^2",
-       .usual = "6",
-       .least = "2",
-       .most = "6"}};
-  space.certificates =
-      "for linear motion one for each extreme point of 54 or 150 directions, else those of a "
-      "tournament for each; and a tournament of the 27 or 75 extents";
-
   StructureInfo width = diameter;
   width.name = "width_directions";
+  width.any_dimension = false;
+  width.parameters = base.parameters;
   width.summary = "the width of points in the plane, by their extents along 2k directions";
   width.make = make_extent<Extremum::kMinimum>;
-  return {polygon, tournament, diameter, width, space};
+  return {polygon, tournament, diameter, width};
 }
 
 }  // namespace kinex

@@ -2,6 +2,7 @@
 #include "structures/extent/extent_directions.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
 #include "predicates/points/unit_directions_3.h"
@@ -13,13 +14,16 @@ ExtentDirections::ExtentDirections(Kernel& kernel, StructureId id, const Scene& 
                                    Extremum extremum)
     : kernel_(&kernel),
       id_(id),
-      k_(k),
+      k_(scene.dimension == 3 ? std::min(k, kMostInSpace) : k),
       dimension_(scene.dimension),
-      maxima_(make_direction_maxima(kernel, id, scene, unit_directions(k, scene.dimension),
+      maxima_(make_direction_maxima(kernel, id, scene, unit_directions(k_, dimension_),
                                     MaximaChoice::kByDegree)),
       extents_(kernel, id, "extents",
-               ExtentClaims(kernel, unit_directions(k, scene.dimension), extremum)),
+               ExtentClaims(kernel, unit_directions(k_, dimension_), extremum)),
       events_(kernel, id, Attribute::Shape::kTuples) {
+  if (dimension_ != 2 && (dimension_ != 3 || !maximum())) {
+    throw std::invalid_argument("extents along directions are for the plane, diameters for space, too");
+  }
   for (std::size_t i = 0; i < half(); ++i) current_.push_back(extent(i));
 }
 

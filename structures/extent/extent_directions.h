@@ -54,11 +54,12 @@ class ExtentDirections final : public Structure {
   // new one. kTie: one of both, because the two have become identically level.
   enum Kind : std::uint8_t { kReplace, kOvertake, kTie };
 
-  // k >= 1. kMaximum: the diameter, in the plane or in space; kMinimum: the width in the plane.
+  // k >= 1. kMaximum: the diameter, in the plane or in space, where more than kMostInSpace counts as
+  // that; kMinimum: the width in the plane. Throws std::invalid_argument for another dimension.
+  static constexpr int kMostInSpace = 6;
   ExtentDirections(Kernel& kernel, StructureId id, const Scene& scene, int k, Extremum extremum);
 
   std::string_view name() const override {
-    if (dimension_ == 3) return "diameter_directions_3";
     return maximum() ? "diameter_directions" : "width_directions";
   }
   std::vector<std::string_view> event_kinds() const override {

@@ -44,6 +44,34 @@ void RankKdTree2::make_tree() {
   free_.clear();
   std::fill(above_leaf_.begin(), above_leaf_.end(), kNone);
   for (const ObjectId object : labels(0).in_order()) put_in(object);
+  arrange();
+}
+
+// Puts the nodes in memory in the order in which searches meet them.
+void RankKdTree2::arrange() {
+  if (root_ == kNone || is_leaf(root_)) return;
+  std::vector<Node> arranged;
+  arranged.reserve(nodes_.size());
+  std::vector<Ref> moved(nodes_.size()), open{root_};
+  while (!open.empty()) {
+    const Ref at = open.back();
+    open.pop_back();
+    moved[at - kInner] = kInner + static_cast<Ref>(arranged.size());
+    arranged.push_back(node(at));
+    for (const std::size_t place : {1, 0}) {
+      if (!is_leaf(node(at).below[place])) open.push_back(node(at).below[place]);
+    }
+  }
+  const auto move = [&](Ref& ref) {
+    if (ref != kNone && !is_leaf(ref)) ref = moved[ref - kInner];
+  };
+  for (Node& node : arranged) {
+    move(node.above);
+    for (Ref& below : node.below) move(below);
+  }
+  for (Ref& above : above_leaf_) move(above);
+  move(root_);
+  nodes_ = std::move(arranged);
 }
 
 void RankKdTree2::replace_below(Ref above, Ref old, Ref fresh) {

@@ -73,6 +73,7 @@ class RankKdTree2 final : public LeafTree2 {
   Node& node(Ref ref) { return nodes_[ref - kInner]; }
   const Node& node(Ref ref) const { return nodes_[ref - kInner]; }
   Ref& above(Ref ref) { return is_leaf(ref) ? above_leaf_[ref] : node(ref).above; }
+  void arrange();
   void replace_below(Ref above, Ref old, Ref fresh);
   bool stays(ObjectId object, Code fresh) const;
   LabelBox cell(const Node& node) const;

@@ -47,7 +47,7 @@ TEST(ExtentDirections3, RandomLattices) {
   std::uint64_t external = 0;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(seed);
-    const DirectionsRun run(lattice_in_space(seed, 1), "diameter_directions_3", 2);
+    const DirectionsRun run(lattice_in_space(seed, 1), "diameter_directions", 2);
     external += run.ledger().external;
   }
   EXPECT_GT(external, 20u);
@@ -57,7 +57,7 @@ TEST(SlowExtentDirections3, RandomLattices) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(seed);
     const DirectionsRun run(lattice_in_space(seed, 1 + static_cast<int>(seed % 2)),
-                            "diameter_directions_3", 2 + static_cast<int>(seed % 5));
+                            "diameter_directions", 2 + static_cast<int>(seed % 5));
   }
 }
 
@@ -65,7 +65,7 @@ TEST(ExtentDirections3, PlansThatChange) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE(seed);
     const DirectionsRun run(random_flights(seed, 6, 3, 1 + static_cast<int>(seed % 2), true),
-                            "diameter_directions_3", 2);
+                            "diameter_directions", 2);
   }
 }
 
@@ -75,7 +75,7 @@ TEST(ExtentDirections3, FewPoints) {
     for (int i = 0; i < n; ++i) t.push_back(path({{i, 1 - i}, {-i, i * i}, {0, i}}));
     Scene scene = scene_of(t, -2, Rational(2));
     scene.dimension = 3;
-    const DirectionsRun run(scene, "diameter_directions_3", 2);
+    const DirectionsRun run(scene, "diameter_directions", 2);
     EXPECT_EQ(run.simulator.structure(run.id).attribute().ids.size(), n < 2 ? 0u : 2u);
   }
 }
@@ -88,7 +88,7 @@ TEST(ExtentDirections3, AgainstAllPairs) {
     for (int i = 0; i < 12; ++i) {
       scene.objects.push_back(moving("q" + std::to_string(i), random.small_path(3, 1, 9)));
     }
-    scene.maintain = {{"diameter_directions_3", "directions", {}, {}, {{"k", Rational(k)}}},
+    scene.maintain = {{"diameter_directions", "directions", {}, {}, {{"k", Rational(k)}}},
                       {"diameter_all_pairs", "pairs", {}}};
     Simulator simulator(scene, planned_arithmetic("exact", scene), {});
     add_structures(simulator, scene);
