@@ -11,7 +11,7 @@ from itertools import combinations, permutations
 
 from log import Wrong
 from replay_calipers import folds_of
-from replay_directions import all_directions, extent_query, half_directions, k_of
+from replay_directions import all_directions, extent_query, half_directions, k_of, opposite
 from roots import Instant, all_roots, compare
 from space import cells_of
 from static import forest_edges, spanning_tree
@@ -243,7 +243,7 @@ def polygon_of(positions, directions):
 def extent_of(positions, directions, largest):
     best = None
     for u in directions if positions else []:
-        a, b = farthest(positions, u), farthest(positions, (-u[0], -u[1]))
+        a, b = farthest(positions, u), farthest(positions, opposite(u))
         extent = sum(v * (p - q) for v, p, q in zip(u, positions[a], positions[b]))
         if best is None or (extent > best[0] if largest else extent < best[0]):
             best = (extent, a, b)
@@ -290,12 +290,15 @@ def attribute_of(structure, key, positions, scene):
         return circle_of(positions)
     if name == "range_tree_2":
         return ordered(("axis", 0), positions) + ordered(("axis", 1), positions)
+    if name == "trajectory_tree":
+        return sorted(positions)
     if name.startswith("directions_2"):
         return polygon_of(positions, all_directions(k_of(structure)))
     if name in ("diameter_directions", "width_directions"):
-        if not few_extents(structure, positions):
+        dimension = len(next(iter(positions.values()), (0, 0)))
+        if not few_extents(structure, positions, dimension):
             return None
-        return extent_of(positions, half_directions(k_of(structure)), name == "diameter_directions")
+        return extent_of(positions, half_directions(k_of(structure), dimension), name == "diameter_directions")
     return None
 
 
@@ -322,6 +325,8 @@ def queries_of(structure, key, members, scene):
         for pair in combinations(sorted(members), 2):
             yield (axis_order(0), pair)
         return
+    if name == "trajectory_tree":
+        return
     if name in ("bounding_box", "range_tree_2", "rank_kd_tree_2", "pseudo_kd_tree_2"):
         for pair in combinations(sorted(members), 2):
             for axis in range(dimension):
@@ -346,7 +351,7 @@ def queries_of(structure, key, members, scene):
             for triple in ((a, b, c), (b, c, a), (c, a, b)):
                 yield ("acute_angle_2", triple)
     if name.startswith("directions_2") or name in ("diameter_directions", "width_directions"):
-        yield from along_directions(structure, members)
+        yield from along_directions(structure, members, dimension)
         return
     for pair in combinations(sorted(members), 2):
         yield ("order_x", pair)
@@ -363,19 +368,19 @@ def queries_of(structure, key, members, scene):
             yield ("in_circle_2", quad)
 
 
-def few_extents(structure, members):
+def few_extents(structure, members, dimension):
     """Pairs of extents of other scenes are too many: their attribute is checked at levels 3 and 4 only."""
-    k, n = k_of(structure), len(members)
-    return k * (2 * k - 1) * (n * (n - 1)) ** 2 <= MOST_EXTENTS
+    half, n = len(half_directions(k_of(structure), dimension)), len(members)
+    return half * (half - 1) // 2 * (n * (n - 1)) ** 2 <= MOST_EXTENTS
 
 
-def along_directions(structure, members):
+def along_directions(structure, members, dimension):
     """Orders along every direction; for extents all pairs of extents, whatever their ends."""
-    half = half_directions(k_of(structure))
+    half = half_directions(k_of(structure), dimension)
     for u in half:
         for pair in combinations(sorted(members), 2):
             yield (("order_direction", u), pair)
-    if structure.name.startswith("directions_2") or not few_extents(structure, members):
+    if structure.name.startswith("directions_2") or not few_extents(structure, members, dimension):
         return
     pairs = list(permutations(sorted(members), 2))
     for u, v in combinations(half, 2):

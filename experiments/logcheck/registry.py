@@ -10,7 +10,7 @@ from replay_heaps import Hanger, Heap, Tournament
 from replay_hull import HullBruteForce, HullOfDelaunay
 from replay_list import SortedList
 from replay_maximum import Maximum, OfList
-from replay_range import PseudoKdTree, RangeTree, RankKdTree
+from replay_range import PseudoKdTree, RangeTree, RankKdTree, TrajectoryTree
 from replay_scratch import (BoundingBox, ClosestPair, FarthestPair, GraphTree, NearestSite, SpanningTree,
                             TwoColours)
 from replay_space import DelaunayInSpace
@@ -28,6 +28,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "min_circle_2": MinCircle, "min_circle_2_brute_force": MinCircle,
             "range_tree_2": RangeTree, "rank_kd_tree_2": RankKdTree, "pseudo_kd_tree_2": PseudoKdTree,
             "calipers_2": Calipers,
+            "trajectory_tree": TrajectoryTree,
             "width_2": Width, "min_area_rectangle_2": Area, "min_perimeter_rectangle_2": Perimeter,
             "directions_2": Directions, "directions_2_tournament": Directions,
             "diameter_directions": Extent, "width_directions": Extent}

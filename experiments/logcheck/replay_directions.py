@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The structures that look along 4k directions, from scratch right after every instant that has a record:
-directions_2, its sibling by tournaments, diameter_directions and width_directions.
+directions_2, its sibling by tournaments, diameter_directions, also in space, and width_directions.
 
 Internal events (another extreme point, or a duel of two) are checked at level 2: a claim about one of the
 directions that fails at the instant.
@@ -17,8 +17,10 @@ from replay_scratch import Scratch
 from static import hull
 
 
-def half_directions(k):
+def half_directions(k, dimension=2):
     """One of each pair of opposite directions."""
+    if dimension == 3:
+        return half_directions_3(k)
     first = []
     for i in range(k):
         q = Fraction(i, k)
@@ -26,9 +28,30 @@ def half_directions(k):
     return first + [(-y, x) for x, y in first]
 
 
-def all_directions(k):
-    half = half_directions(k)
-    return half + [(-x, -y) for x, y in half]
+def half_directions_3(k):
+    """Stereographic projections of grids in the three axes' directions, z first."""
+    k = min(k, 6)
+    r = round((2 ** 0.5 - 1) * k)  # nowhere near a half
+    found = []
+    for last in (2, 1, 0):
+        for i in range(-r, r + 1):
+            for j in range(-r, r + 1):
+                a, b = Fraction(i, k), Fraction(j, k)
+                u = [None] * 3
+                u[(last + 1) % 3], u[(last + 2) % 3], u[last] = (x / (1 + a * a + b * b)
+                                                                 for x in (2 * a, 2 * b, 1 - a * a - b * b))
+                if tuple(u) not in found and opposite(u) not in found:
+                    found.append(tuple(u))
+    return found
+
+
+def opposite(u):
+    return tuple(-x for x in u)
+
+
+def all_directions(k, dimension=2):
+    half = half_directions(k, dimension)
+    return half + [opposite(u) for u in half]
 
 
 def k_of(structure):
@@ -47,9 +70,9 @@ def extreme(world, members, u, x):
 def extent_query(u, v, a, b, c, d):
     """u.(a - b) - v.(c - d) as a query, or None if it is zero for all motions."""
     weights = {}
-    for o, w in ((a, u), (b, (-u[0], -u[1])), (c, (-v[0], -v[1])), (d, v)):
-        before = weights.get(o, (0, 0))
-        weights[o] = (before[0] + w[0], before[1] + w[1])
+    for o, w in ((a, u), (b, opposite(u)), (c, opposite(v)), (d, v)):
+        before = weights.get(o, (0,) * len(u))
+        weights[o] = tuple(x + y for x, y in zip(before, w))
     weights = {o: w for o, w in weights.items() if any(w)}
     if not weights:
         return None
@@ -65,12 +88,12 @@ class Along:
     NAMES = {4: "order_extent", 3: "order_extent_3", 2: "order_extent_2"}
 
     def meanings(self, name, ids):
-        k = k_of(self.structure)
+        k, dimension = k_of(self.structure), self.world.scene.dimension
         if name == "order_direction" and len(ids) == 2:
-            for u in all_directions(k):
+            for u in all_directions(k, dimension):
                 yield (("order_direction", u), ids)
         if name == self.NAMES.get(len(ids)):
-            for u, v in combinations(half_directions(k), 2):
+            for u, v in combinations(half_directions(k, dimension), 2):
                 for places in self.PLACES[len(ids)]:
                     yield extent_query(u, v, *(ids[i] for i in places))
 
@@ -133,10 +156,10 @@ class Extent(Along, Scratch):
 
     def current(self, x):
         best = None
-        sign = 1 if self.structure.name == "diameter_directions" else -1
-        for u in half_directions(k_of(self.structure)) if self.members else []:
+        sign = -1 if self.structure.name == "width_directions" else 1
+        for u in half_directions(k_of(self.structure), self.world.scene.dimension) if self.members else []:
             ends = (extreme(self.world, self.members, u, x),
-                    extreme(self.world, self.members, (-u[0], -u[1]), x))
+                    extreme(self.world, self.members, opposite(u), x))
             if best is None or sign * self.larger(u, ends, *best, x) > 0:
                 best = (u, ends)
         return [] if best is None or best[1][0] == best[1][1] else [tuple(sorted(best[1]))]

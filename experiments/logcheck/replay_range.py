@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Trees for range search: range_tree_2, rank_kd_tree_2, pseudo_kd_tree_2.
+"""Trees for range search: range_tree_2, rank_kd_tree_2, pseudo_kd_tree_2, trajectory_tree.
 
 range_tree_2: two orders, by x and by y; "swap_x" and "swap_y" exchange neighbours. The leaves of rank_kd_tree_2
 are computed from the two orders as long as no object has come or gone, since labels depend on that. The leaves of
-pseudo_kd_tree_2 depend on all that has happened: it is checked that its records fit each other.
+pseudo_kd_tree_2 depend on all that has happened: it is checked that its records fit each other. trajectory_tree is
+its points, and has no events.
 """
 
 from predicates import Key
@@ -123,3 +124,20 @@ class RankKdTree(KdTree):
 class PseudoKdTree(KdTree):
     def computed(self, x):
         return None
+
+
+class TrajectoryTree(Orders):
+    """Its points, ascending: nothing happens to them."""
+
+    @property
+    def attribute(self):
+        return sorted(self.members)
+
+    def begin(self, x):
+        pass
+
+    def record(self, r, x):
+        self.require(r.kind == "rebuild" and r.gone is None and not r.external, "%s: the trajectories are static", r.short())
+
+    def settle(self, x):
+        pass

@@ -121,6 +121,7 @@ void write_structures(formats::JsonWriter& json, const RecordedRun& run, const S
   json.key("structures").begin_array();
   for (const RecordedStructure& structure : run.structures) {
     json.begin_object().key("label").string(structure.label).key("name").string(structure.name);
+    json.key("role").string(structure.role);
     json.key("shape").string(shape_name(structure.initial.shape));
     json.key("width").number(int{structure.initial.width}).key("key");
     write_key(json, structure, scene);
@@ -288,6 +289,35 @@ void write_events(formats::JsonWriter& json, const RecordedRun& run, std::size_t
   json.end_object();
 }
 
+void write_queries(formats::JsonWriter& json, const RecordedRun& run, const Rational& span,
+                   const Rational& scale) {
+  json.key("queries").begin_array();
+  for (const auto& [query, answers] : run.queries) {
+    json.begin_object().key("u");
+    write_double(json, ((query.at - run.start) / span).to_double());
+    json.key("at").string(query.at.to_string()).key("box").begin_array();
+    for (const auto& side : query.box) {
+      json.begin_array();
+      for (const Rational& x : side) write_double(json, (x / scale).to_double());
+      json.end_array();
+    }
+    json.end_array().key("answers").begin_array();
+    for (const RecordedQuery::Answer& answer : answers) {
+      json.begin_array().number(std::uint64_t{answer.structure});
+      write_ids(json, answer.ids);
+      json.begin_array();
+      for (const NodeLookedAt& node : answer.nodes) {
+        json.begin_array().number(static_cast<int>(node.place));
+        write_ids(json, node.objects);
+        json.end_array();
+      }
+      json.end_array().end_array();
+    }
+    json.end_array().end_object();
+  }
+  json.end_array();
+}
+
 void write_run(formats::JsonWriter& json, const RecordedRun& run, std::size_t index,
                const ShownThings& things, const Rational& span, const Rational& scale) {
   json.begin_object().key("arithmetic").string(run.arithmetic).key("exact").boolean(run.exact);
@@ -296,6 +326,7 @@ void write_run(formats::JsonWriter& json, const RecordedRun& run, std::size_t in
   write_events(json, run, index, things, span);
   write_instants(json, run);
   write_states(json, run);
+  write_queries(json, run, span, scale);
   write_proofs(json, run, index, things, span, scale);
   json.end_object();
 }

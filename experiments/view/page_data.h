@@ -9,11 +9,13 @@
 //  "scene": {"name", "hash", "dimension"},
 //  "time": {"start": [TEXT, NUMBER], "span": NUMBER}, "scale": NUMBER,
 //  "ids": [ID, ..], "motions": [[[FROM, TO, [[c0, c1, ..] per axis]], ..] per object],
-//  "structures": [{"label", "name", "shape", "width", "key", "kinds"}],
+//  "structures": [{"label", "name", "role", "shape", "width", "key", "kinds"}],
 //  "runs": [{"arithmetic", "exact", "before", "stopped", "predicates",
 //     "u", "s", "k", "x", "ids", "certificates", "i", "p", "g": lists with one entry per event,
 //     "instants": [[DECIMAL, POLYNOMIAL, ROOT, LOWER, UPPER]], "reasons": {EVENT: TEXT},
-//     "states": [{"initial": [..], "changes": [[EVENT, PLACE, [REMOVED], [ADDED]]], "corrupt"}]}],
+//     "states": [{"initial": [..], "changes": [[EVENT, PLACE, [REMOVED], [ADDED]]], "corrupt"}],
+//     "queries": [{"u", "at": TEXT, "box": [[LOW, HIGH] per axis],
+//                  "answers": [[STRUCTURE, [IDS], [[PLACE, [IDS]] per node]]]}]}],
 //  "divergence": EVENT or 0}
 // An event has
 //   "u"             its time
@@ -24,6 +26,7 @@
 //   "p"             the certificate's polynomial, a list of coefficients as texts; 1 or -1 if it
 //                   is that of the instant or its negation; 0 without a certificate
 //   "g"             0, or the stages [FOUND, ORDERED] that its failure time needed (stage_watch.h)
+// A query's PLACE is that of a node of a tree: 0 outside the box, 1 crossed by it, 2 inside it.
 // In "instants" a POLYNOMIAL is a text, its coefficients with blanks between them, lowest first; an
 // inexact instant is [DECIMAL]. Objects are numbers, indices into "ids". Where all ids of an event,
 // or all that a change removes or adds, are arguments of the event's certificate, a text stands for

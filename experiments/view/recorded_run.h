@@ -17,6 +17,7 @@
 #include "experiments/view/attribute_change.h"
 #include "experiments/view/recorded_proof.h"
 #include "experiments/view/stage_watch.h"
+#include "structures/parts/query_trace.h"
 
 namespace kinex::view {
 
@@ -37,8 +38,20 @@ struct RecordedEvent {
   std::optional<StagesUsed> stages;
 };
 
+// A query of the scene, answered by every structure that can show its work.
+struct RecordedQuery {
+  struct Answer {
+    StructureId structure;
+    std::vector<ObjectId> ids;  // ascending
+    QueryTrace nodes;
+  };
+  BoxQuery query;
+  std::vector<Answer> answers;
+};
+
 struct RecordedStructure {
   std::string label, name;
+  std::string role;  // StructureInfo::role
   Key key;
   bool has_key = false;
   std::vector<std::string> kinds;
@@ -62,10 +75,11 @@ struct RecordedRun {
   std::vector<RecordedEvent> events;
   std::vector<RecordedInstant> instants;
   std::vector<RecordedStructure> structures;
+  std::vector<RecordedQuery> queries;   // ascending in time
   std::vector<std::string> predicates;  // by PredicateId
   std::vector<ClaimForm> forms;         // likewise
-  std::size_t objects = 0;  // number of the scene's objects
-  std::vector<RecordedThing> things;  // derived objects in the record; ids from `objects` on
+  std::size_t objects = 0;              // number of the scene's objects
+  std::vector<RecordedThing> things;    // derived objects in the record; ids from `objects` on
   std::vector<RecordedClaim> claims;
   std::string digest;  // of `all`, as in an event log
 };

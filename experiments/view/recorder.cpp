@@ -2,6 +2,7 @@
 #include "experiments/view/recorder.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -34,8 +35,7 @@ std::optional<Rational> near_now(const InstantName& name, const Arithmetic& arit
 
 class Recorder final : public EventSink {
  public:
-  Recorder(const Scene& scene, const RecordOptions& options)
-      : scene_(scene), options_(options) {
+  Recorder(const Scene& scene, const RecordOptions& options) : scene_(scene), options_(options) {
     auto watch = make_stage_watch(lab::arithmetic_option(options.arithmetic, scene));
     stages_ = watch.get();
     run_.arithmetic = watch->name();
@@ -117,11 +117,47 @@ class Recorder final : public EventSink {
   // A change that cannot be made is ignored if nothing more is to be recorded.
   RunStatus run_to_end() {
     try {
-      return simulator_->run_until(std::nullopt);
+      const RunStatus status = ask_queries();
+      return status == RunStatus::kDone ? simulator_->run_until(std::nullopt) : status;
     } catch (const RefusedChange&) {
       if (!full_) throw;
       return RunStatus::kInterrupted;
     }
+  }
+
+  // The queries from here on, in the order of their times.
+  RunStatus ask_queries() {
+    std::vector<BoxQuery> queries = scene_.queries;
+    std::stable_sort(queries.begin(), queries.end(),
+                     [](const BoxQuery& a, const BoxQuery& b) { return a.at < b.at; });
+    for (const BoxQuery& query : queries) {
+      if (query.at < run_.start) continue;
+      const RunStatus status = simulator_->run_until(query.at);
+      if (status != RunStatus::kDone || full_) return status;
+      ask(query);
+    }
+    return RunStatus::kDone;
+  }
+
+  void ask(const BoxQuery& query) {
+    std::array<std::vector<Rational>, 2> corners;
+    for (const auto& side : query.box) {
+      corners[0].push_back(side[0]);
+      corners[1].push_back(side[1]);
+    }
+    Kernel& kernel = simulator_->kernel();
+    const ObjectId low = kernel.constant("low corner", corners[0]);
+    const ObjectId high = kernel.constant("high corner", corners[1]);
+    RecordedQuery recorded{query, {}};
+    for (StructureId id = 0; id < states_.size(); ++id) {
+      auto* const tree = dynamic_cast<TracedSearch*>(searched_[id]);
+      if (tree == nullptr || simulator_->ledger(id).corrupt) continue;
+      RecordedQuery::Answer answer{id, {}, {}};
+      tree->trace(low, high, answer.ids, answer.nodes);
+      std::sort(answer.ids.begin(), answer.ids.end());
+      recorded.answers.push_back(std::move(answer));
+    }
+    run_.queries.push_back(std::move(recorded));
   }
 
   // The state between two looks at a structure.
@@ -142,16 +178,17 @@ class Recorder final : public EventSink {
       const StructureId id = simulator_->reserve();
       std::vector<const Structure*> watched;
       for (const StructureId read : planned.watches) watched.push_back(states_[read].structure);
-      std::unique_ptr<Structure> structure =
-          make_structure(planned.request, scene_, simulator_->kernel(), id, watched,
-                         planned.watches);
+      std::unique_ptr<Structure> structure = make_structure(
+          planned.request, scene_, simulator_->kernel(), id, watched, planned.watches);
       states_[i].structure = structure.get();
+      searched_.push_back(structure.get());
       RecordedStructure& record = run_.structures[i];
       record.label = planned.request.label;
       record.name = std::string(structure->name());
       record.key = planned.request.key;
       const StructureInfo* info = find_structure_info(planned.request.structure);
       record.has_key = info != nullptr && info->uses_key;
+      if (info != nullptr) record.role = std::string(info->role);
       if (!planned.watches.empty()) record.proof.reads = planned.watches.front();
       simulator_->add(
           id, std::make_unique<WatchedStructure>(std::move(structure), [this, id] { look(id); }),
@@ -180,7 +217,7 @@ class Recorder final : public EventSink {
 
   Polynomial polynomial(const Query& query) const {
     return formats::certificate_polynomial(stages_->predicate(query.predicate), query,
-                                  simulator_->kernel().derived());
+                                           simulator_->kernel().derived());
   }
 
   void record_event(const Event& event, Arithmetic& arithmetic) {
@@ -261,6 +298,7 @@ class Recorder final : public EventSink {
   RecordedRun run_;
   StageWatch* stages_ = nullptr;
   std::vector<State> states_;
+  std::vector<Structure*> searched_;  // the same structures
   std::optional<Simulator> simulator_;
   std::optional<ProofRecorder> proofs_;
   std::vector<std::string_view> names_;  // of the present event's objects

@@ -41,6 +41,9 @@ StructureInfo caliper_info(std::string_view summary) {
   info.summary = summary;
   info.min_dimension = 2;
   info.shape = Attribute::Shape::kSequence;
+  if (kMeasure == CaliperMeasure::kArea || kMeasure == CaliperMeasure::kPerimeter) {
+    info.role = "rectangle";
+  }
   info.reads = {{"convex_hull_2", "hull"}};
   info.shares = {"calipers_2", "folds", folds_of(kMeasure)};
   info.kinds = {{"antiparallel", Effect::kSometimes},

@@ -32,6 +32,7 @@ StructureInfo box() {
   info.min_dimension = 2;
   info.reads = {{.structure = "convex_hull_2", .role = "hull"}};
   info.kinds = {{"replace", Effect::kSometimes}};
+  info.role = "box";
   info.instead = "bounding_box";
   info.certificates = "8, two for each side of the box; those of the hull besides";
   info.ties = "of hull vertices with identically equal coordinates the smallest id is on the side";

@@ -63,7 +63,11 @@ std::vector<StructureInfo> direction_structures() {
 
   StructureInfo diameter = base;
   diameter.name = "diameter_directions";
-  diameter.summary = "the diameter of points in the plane, by their extents along 2k directions";
+  diameter.summary = "the diameter of points in the plane or in space, by extents along directions";
+  diameter.any_dimension = true;
+  diameter.parameters[0].summary =
+      "4k directions; a squared diameter is off by a factor of at most 1 + 1/k^2. In space 54 for 2 "
+      "and 3, 150 from 4 on, more than 6 counts as 6, and a diameter is off by 1 - 1/k^2";
   diameter.shape = Attribute::Shape::kTuples;
   diameter.kinds = {{"replace", Effect::kSometimes},
                     {"overtake", Effect::kSometimes},
@@ -76,6 +80,8 @@ std::vector<StructureInfo> direction_structures() {
 
   StructureInfo width = diameter;
   width.name = "width_directions";
+  width.any_dimension = false;
+  width.parameters = base.parameters;
   width.summary = "the width of points in the plane, by their extents along 2k directions";
   width.make = make_extent<Extremum::kMinimum>;
   return {polygon, tournament, diameter, width};

@@ -2,8 +2,10 @@
 #include "structures/extent/extent_directions.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
+#include "predicates/points/unit_directions_3.h"
 #include "structures/parts/tournament_proof.h"
 
 namespace kinex {
@@ -12,11 +14,16 @@ ExtentDirections::ExtentDirections(Kernel& kernel, StructureId id, const Scene& 
                                    Extremum extremum)
     : kernel_(&kernel),
       id_(id),
-      k_(k),
-      maxima_(make_direction_maxima(kernel, id, scene, unit_directions_2(k),
+      k_(scene.dimension == 3 ? std::min(k, kMostInSpace) : k),
+      dimension_(scene.dimension),
+      maxima_(make_direction_maxima(kernel, id, scene, unit_directions(k_, dimension_),
                                     MaximaChoice::kByDegree)),
-      extents_(kernel, id, "extents", ExtentClaims(kernel, unit_directions_2(k), extremum)),
+      extents_(kernel, id, "extents",
+               ExtentClaims(kernel, unit_directions(k_, dimension_), extremum)),
       events_(kernel, id, Attribute::Shape::kTuples) {
+  if (dimension_ != 2 && (dimension_ != 3 || !maximum())) {
+    throw std::invalid_argument("extents along directions are for the plane, diameters for space, too");
+  }
   for (std::size_t i = 0; i < half(); ++i) current_.push_back(extent(i));
 }
 
@@ -105,9 +112,9 @@ std::vector<BoundCheck> ExtentDirections::bounds(const BoundContext& context) co
   const std::string name(this->name());
   const Integer extents = counted(half());
   std::vector<BoundCheck> result{
-      at_most(name + ".certificates", "those of the extreme objects, and 2k - 1 of the extents",
+      at_most(name + ".certificates", "those of the extreme objects, and of the extents",
               maxima_->most_certificates(context) + extents, counted(ledger.max_live)),
-      at_most(name + ".locality", "those of the extreme objects, and 2k - 1 of the extents",
+      at_most(name + ".locality", "those of the extreme objects, and of the extents",
               maxima_->most_per_object(context) + extents, counted(ledger.max_per_object)),
       at_most(name + ".events", "those of the extreme objects, and the epochs of the tournament",
               maxima_->most_failures(context) + extents_.most_failures(context.degree),
@@ -115,9 +122,10 @@ std::vector<BoundCheck> ExtentDirections::bounds(const BoundContext& context) co
   if (context.plain() && context.degree <= 1) {
     const Integer pieces = extents * counted(context.objects() + 1);
     result.push_back(
-        maximum() ? at_most(name + ".external", "an upper envelope of 2k(n + 1) lines, some equal",
+        maximum() ? at_most(name + ".external",
+                            "an upper envelope of n + 1 lines a direction, some equal",
                             Integer(2) * pieces, counted(ledger.external))
-                  : at_most(name + ".external", "a lower envelope of 2k(n + 1) segments",
+                  : at_most(name + ".external", "a lower envelope of n + 1 segments a direction",
                             davenport_schinzel_bound(3, pieces), counted(ledger.external)));
   }
   return result;
@@ -135,7 +143,8 @@ void ExtentDirections::check_invariants(AuditReport& report) const {
     report.check(extents_.has(current_[i]), [&] { return "an extent that is lost" + where(); });
   }
   report.check(present == extents_.size(), [] { return "an extent too many"; });
-  report.check(events_.told().ids == ends(), [] { return "a change of the extent was not reported"; });
+  report.check(events_.told().ids == ends(),
+               [] { return "a change of the extent was not reported"; });
 }
 
 }  // namespace kinex

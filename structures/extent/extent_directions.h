@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ExtentDirections: the diameter or the width of moving points in the plane, to a proven error: the
-// largest or the smallest of their extents along 2k directions.
+// largest or the smallest of their extents along 2k directions. The diameter in space likewise, along
+// those of predicates/points/unit_directions_3.h.
 //
 // Certificates. The extreme objects of 4k directions (DirectionMaxima), and a tournament of the 2k
 // extents u_i.(high - low): "the extent in u_i is at least (at most) that in u_j". All have degree
@@ -16,6 +17,7 @@
 // Quality. For the true diameter D, the true width w and the extent E that is found, at all times:
 //
 //   diameter   D^2 k^2 / (k^2 + 1) <= E^2 <= |high - low|^2 <= D^2
+//     in space   D^2 (1 - 1/k^2)^2 <= E^2 <= |high - low|^2 <= D^2
 //   width      w <= E <= w + D / sqrt(k^2 + 1)
 //
 // Beside the certificates of the extreme objects 2k - 1. A failure renews O(log k) of them. For n
@@ -52,7 +54,9 @@ class ExtentDirections final : public Structure {
   // new one. kTie: one of both, because the two have become identically level.
   enum Kind : std::uint8_t { kReplace, kOvertake, kTie };
 
-  // k >= 1. kMaximum: the diameter; kMinimum: the width.
+  // k >= 1. kMaximum: the diameter, in the plane or in space, where more than kMostInSpace counts as
+  // that; kMinimum: the width in the plane. Throws std::invalid_argument for another dimension.
+  static constexpr int kMostInSpace = 6;
   ExtentDirections(Kernel& kernel, StructureId id, const Scene& scene, int k, Extremum extremum);
 
   std::string_view name() const override {
@@ -103,7 +107,7 @@ class ExtentDirections final : public Structure {
 
   Kernel* kernel_;
   StructureId id_;
-  int k_;
+  int k_, dimension_;
   std::unique_ptr<DirectionMaxima> maxima_;
   ChangingExtremum<ExtentClaims> extents_;
   std::vector<Value> current_;  // by direction, those that are in extents_ and those of one object

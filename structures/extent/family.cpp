@@ -20,6 +20,7 @@ StructureFamily extent_family() {
   box.ties = "of points with identically equal coordinates the smallest id is on the side";
   box.source =
       "Guibas, Kinetic data structures: a state of the art report (1998), sections 5 and 6.7";
+  box.role = "box";
   box.make = make_plain<BoundingBox>;
   StructureFamily family{"extent", {box}};
   for (StructureInfo& info : caliper_structures()) family.structures.push_back(std::move(info));

@@ -4,6 +4,7 @@
 #include "structures/range/pseudo_kd_tree_2.h"
 #include "structures/range/range_tree_2.h"
 #include "structures/range/rank_kd_tree_2.h"
+#include "structures/range/trajectory_tree.h"
 
 namespace kinex {
 namespace {
@@ -60,7 +61,20 @@ StructureFamily range_family() {
        .whole = false}};
   pseudo.source = "Agarwal, Gao, Guibas, Kinetic medians and kd-trees (2002)";
   pseudo.make = make_pseudo;
-  return {"range", {range, rank, pseudo}};
+
+  StructureInfo trajectories{
+      .name = "trajectory_tree",
+      .summary = "a static tree over linear trajectories, for boxes at any time, without events"};
+  trajectories.min_dimension = 2;
+  trajectories.largest_degree = 1;
+  trajectories.instead = "rank_kd_tree_2";
+  trajectories.shape = Attribute::Shape::kSequence;
+  trajectories.role = kRangeSearch;
+  trajectories.certificates = "none: no order has to be kept";
+  trajectories.ties = "equal trajectories are separated by their ids";
+  trajectories.source = "Agarwal, Arge, Erickson, Indexing moving points (2003)";
+  trajectories.make = make_plain<TrajectoryTree>;
+  return {"range", {range, rank, pseudo, trajectories}};
 }
 
 }  // namespace kinex

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace kinex {
@@ -261,41 +260,18 @@ std::uint64_t PseudoKdTree2::exchange(int axis, ObjectId before, ObjectId after)
 // ---- search
 
 // Cells are ranges of labels, cut by the splits on the way down.
-PseudoKdTree2::Cost PseudoKdTree2::search(const LabelBox& box, std::vector<ObjectId>& out) const {
-  Cost cost;
-  std::vector<std::tuple<Ref, LabelBox, bool>> open;
+PseudoKdTree2::Cost PseudoKdTree2::search(const LabelBox& box, std::vector<ObjectId>& out,
+                                          QueryTrace* trace) const {
   const auto most = static_cast<AxisLabels::Label>(labels(0).size() - 1);
-  if (root_ != kNone) open.emplace_back(root_, LabelBox{{0, 0}, {most, most}}, false);
-  while (!open.empty()) {
-    auto [at, cell, is_inside] = open.back();
-    open.pop_back();
-    ++cost.nodes;
-    if (is_leaf(at)) {
-      if (is_inside || (box.holds(0, label(0, at)) && box.holds(1, label(1, at)))) {
-        out.push_back(at);
-      }
-      continue;
-    }
-    if (!is_inside) {
-      bool meets = true;
-      is_inside = true;
-      for (const std::size_t axis : {0, 1}) {
-        meets = meets && box.low[axis] <= cell.high[axis] && cell.low[axis] <= box.high[axis];
-        is_inside =
-            is_inside && box.low[axis] <= cell.low[axis] && cell.high[axis] <= box.high[axis];
-      }
-      if (!meets) continue;
-    }
-    const Node& there = node(at);
+  const auto halves = [this](const Part& above, bool) -> std::array<Part, 2> {
+    const Node& there = node(above.ref);
     const auto axis = static_cast<std::size_t>(there.axis);
-    LabelBox second = cell;
-    second.low[axis] = there.last + 1;
-    cell.high[axis] = there.last;
-    open.emplace_back(there.below[1], second, is_inside);
-    open.emplace_back(there.below[0], cell, is_inside);
-  }
-  cost.bounded = cost.nodes;
-  return cost;
+    std::array<Part, 2> parts{Part{there.below[0], above.cell}, Part{there.below[1], above.cell}};
+    parts[0].cell.high[axis] = there.last;
+    parts[1].cell.low[axis] = there.last + 1;
+    return parts;
+  };
+  return search_cells({root_, {{0, 0}, {most, most}}}, box, out, trace, halves);
 }
 
 std::vector<ObjectId> PseudoKdTree2::leaves() const {

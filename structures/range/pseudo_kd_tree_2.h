@@ -67,7 +67,7 @@ class PseudoKdTree2 final : public LeafTree2 {
   void take_out(ObjectId object) override;
   std::uint64_t exchange(int axis, ObjectId before, ObjectId after) override;
   std::uint64_t most_touched() const override;
-  Cost search(const LabelBox& box, std::vector<ObjectId>& out) const override;
+  Cost search(const LabelBox& box, std::vector<ObjectId>& out, QueryTrace* trace) const override;
   std::uint64_t most_looked_at(std::uint64_t k) const override;
   void check_tree(AuditReport& report) const override;
   std::vector<ObjectId> leaves() const override;

@@ -130,23 +130,36 @@ std::size_t RangeStructure::count_while(int axis, ObjectId corner, bool is_low,
   return from;
 }
 
-void RangeStructure::report(ObjectId low, ObjectId high, std::vector<ObjectId>& out,
-                            QueryCounts& counts) {
+// The box in labels; nullopt: it holds no point.
+std::optional<LabelBox> RangeStructure::labelled(ObjectId low, ObjectId high, QueryCounts& counts) {
   LabelBox box;
   for (const int axis : {0, 1}) {
     const std::size_t before = count_while(axis, low, true, counts);
     const std::size_t up_to = count_while(axis, high, false, counts);
-    if (before >= up_to) return;
+    if (before >= up_to) return std::nullopt;
     const auto a = static_cast<std::size_t>(axis);
     const AxisLabels& along = labels(axis);
     box.low[a] = before == 0 ? 0 : along.of(along.of_rank(before - 1)) + 1;
     box.high[a] = up_to == along.count() ? static_cast<AxisLabels::Label>(along.size() - 1)
                                          : along.of(along.of_rank(up_to)) - 1;
   }
+  return box;
+}
+
+void RangeStructure::report(ObjectId low, ObjectId high, std::vector<ObjectId>& out,
+                            QueryCounts& counts) {
+  const std::optional<LabelBox> box = labelled(low, high, counts);
+  if (!box) return;
   const std::size_t reported = out.size();
-  const Cost cost = search(box, out);
+  const Cost cost = search(*box, out, nullptr);
   counts.nodes += cost.nodes;
   looked_at_.note(cost.bounded, most_looked_at(out.size() - reported));
+}
+
+void RangeStructure::trace(ObjectId low, ObjectId high, std::vector<ObjectId>& out,
+                           QueryTrace& nodes) {
+  QueryCounts counts;
+  if (const std::optional<LabelBox> box = labelled(low, high, counts)) search(*box, out, &nodes);
 }
 
 std::vector<BoundCheck> RangeStructure::bounds(const BoundContext& context) const {

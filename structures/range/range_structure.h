@@ -17,6 +17,7 @@
 #define KINEX_STRUCTURES_RANGE_RANGE_STRUCTURE_H
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,8 +25,10 @@
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
 #include "structures/order/sorted_list.h"
-#include "structures/range/axis_labels.h"
+#include "structures/parts/query_trace.h"
 #include "structures/parts/range_search.h"
+#include "structures/range/axis_labels.h"
+#include "structures/range/worst_case.h"
 
 namespace kinex {
 
@@ -37,25 +40,18 @@ struct LabelBox {
     const auto a = static_cast<std::size_t>(axis);
     return low[a] <= label && label <= high[a];
   }
-};
-
-// The largest count relative to its hard bound.
-struct WorstCase {
-  std::uint64_t bound = 0, observed = 0;
-  bool seen = false;
-
-  void note(std::uint64_t count, std::uint64_t most) {
-    // The one with the least slack; then the larger one.
-    const auto slack = static_cast<std::int64_t>(most) - static_cast<std::int64_t>(count);
-    const auto least = static_cast<std::int64_t>(bound) - static_cast<std::int64_t>(observed);
-    if (seen && (slack > least || (slack == least && count <= observed))) return;
-    seen = true;
-    bound = most;
-    observed = count;
+  // Where a cell is.
+  NodePlace place_of(const LabelBox& cell) const {
+    bool is_inside = true;
+    for (const std::size_t a : {0, 1}) {
+      if (cell.high[a] < low[a] || high[a] < cell.low[a]) return NodePlace::kOutside;
+      is_inside = is_inside && low[a] <= cell.low[a] && cell.high[a] <= high[a];
+    }
+    return is_inside ? NodePlace::kInside : NodePlace::kCrossed;
   }
 };
 
-class RangeStructure : public Structure, public RangeSearch {
+class RangeStructure : public Structure, public RangeSearch, public TracedSearch {
  public:
   void build(std::span<const ObjectId> objects) override;
   void rebuild() override { make_anew(); }
@@ -65,6 +61,7 @@ class RangeStructure : public Structure, public RangeSearch {
   void watched_changed(const Event* event) override;
   void report(ObjectId low, ObjectId high, std::vector<ObjectId>& out,
               QueryCounts& counts) override;
+  void trace(ObjectId low, ObjectId high, std::vector<ObjectId>& out, QueryTrace& nodes) override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
   // Both orders against exact positions, and answers to some boxes against CGAL's.
@@ -92,8 +89,8 @@ class RangeStructure : public Structure, public RangeSearch {
   // these: calls labels_[axis].exchange. Returns the number of nodes touched.
   virtual std::uint64_t exchange(int axis, ObjectId before, ObjectId after) = 0;
   virtual std::uint64_t most_touched() const = 0;  // by an exchange
-  // Appends the points in a box of labels.
-  virtual Cost search(const LabelBox& box, std::vector<ObjectId>& out) const = 0;
+  // Appends the points in a box of labels, and to `trace`, if there is one, the nodes.
+  virtual Cost search(const LabelBox& box, std::vector<ObjectId>& out, QueryTrace* trace) const = 0;
   // The hard bound of Cost::bounded for k points reported.
   virtual std::uint64_t most_looked_at(std::uint64_t k) const = 0;
   virtual void check_tree(AuditReport& report) const = 0;
@@ -117,6 +114,7 @@ class RangeStructure : public Structure, public RangeSearch {
  private:
   const SortedList& list(int axis) const { return *lists_[static_cast<std::size_t>(axis)]; }
   bool is_in_step() const;
+  std::optional<LabelBox> labelled(ObjectId low, ObjectId high, QueryCounts& counts);
   std::size_t count_while(int axis, ObjectId corner, bool is_low, QueryCounts& counts);
   void audit_box(const Snapshot& snapshot, const std::array<std::array<Rational, 2>, 2>& box,
                  AuditReport& report) const;

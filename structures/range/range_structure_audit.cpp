@@ -3,7 +3,6 @@
 // positions.
 #include <algorithm>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "structures/range/range_structure.h"
@@ -42,7 +41,7 @@ void RangeStructure::audit_box(const Snapshot& snapshot, const ExactBox& box,
     if (labelled.low[a] > labelled.high[a]) return;
   }
   std::vector<ObjectId> found;
-  const Cost cost = search(labelled, found);
+  const Cost cost = search(labelled, found, nullptr);
   std::sort(found.begin(), found.end());
   const std::vector<ObjectId> expected = scanned_range(snapshot, box);
   report.check(found == expected, [] { return "a box holds other points"; });
@@ -63,18 +62,7 @@ void RangeStructure::audit(const Snapshot& snapshot, AuditReport& report) const 
     report.check(holds, [&] { return std::string("another order along ") + "xy"[axis]; });
     if (!holds) return;
   }
-  // Boxes with points on their sides: a few, which differ from time to time.
-  for (std::size_t k = 0; k < std::min<std::size_t>(alive.size(), 3); ++k) {
-    const std::size_t turn = static_cast<std::size_t>(report.checks) + k;
-    ExactBox box;
-    for (const int axis : {0, 1}) {
-      const std::size_t first = (turn * 5 + static_cast<std::size_t>(axis) * 3) % alive.size();
-      const std::size_t second = (turn * 11 + 1 + k) % alive.size();
-      Rational low = snapshot.position(alive[first], axis);
-      Rational high = snapshot.position(alive[second], axis);
-      if (high < low) std::swap(low, high);
-      box[static_cast<std::size_t>(axis)] = {low, high};
-    }
+  for (const ExactBox& box : boxes_between_points(snapshot, alive, report.checks)) {
     audit_box(snapshot, box, report);
   }
 }

@@ -121,16 +121,33 @@ void RangeTree2::search_node(const Node& node, const LabelBox& box, std::vector<
   }
 }
 
+std::vector<ObjectId> RangeTree2::objects_of(const Node& node) {
+  std::vector<ObjectId> result;
+  for (const ObjectId object : node.at) {
+    if (object != kNoObject) result.push_back(object);
+  }
+  return result;
+}
+
 // The largest dyadic intervals in the range of x, from both ends inwards.
-RangeTree2::Cost RangeTree2::search(const LabelBox& box, std::vector<ObjectId>& out) const {
+RangeTree2::Cost RangeTree2::search(const LabelBox& box, std::vector<ObjectId>& out,
+                                    QueryTrace* trace) const {
   Cost cost;
   std::size_t first = box.low[0], end = box.high[0] + std::size_t{1};
   const auto look_at = [&](std::size_t level, std::size_t interval) {
-    if (level > 0) return search_node(levels_[level - 1][interval], box, out, cost);
+    if (level > 0) {
+      const Node& there = levels_[level - 1][interval];
+      if (trace != nullptr) trace->push_back({NodePlace::kCrossed, objects_of(there)});
+      return search_node(there, box, out, cost);
+    }
     ++cost.bounded;
     ++cost.nodes;
     const ObjectId object = labels(0).at(static_cast<AxisLabels::Label>(interval));
-    if (object != kNoObject && box.holds(1, label(1, object))) out.push_back(object);
+    if (object == kNoObject) return;
+    const bool holds = box.holds(1, label(1, object));
+    if (holds) out.push_back(object);
+    if (trace == nullptr) return;
+    trace->push_back({holds ? NodePlace::kInside : NodePlace::kOutside, {object}});
   };
   for (std::size_t level = 0; first < end; ++level, first /= 2, end /= 2) {
     if (first % 2 == 1) look_at(level, first++);

@@ -64,7 +64,7 @@ class RangeTree2 final : public RangeStructure {
   void take_out(ObjectId object) override;
   std::uint64_t exchange(int axis, ObjectId before, ObjectId after) override;
   std::uint64_t most_touched() const override { return 2 * levels_.size(); }
-  Cost search(const LabelBox& box, std::vector<ObjectId>& out) const override;
+  Cost search(const LabelBox& box, std::vector<ObjectId>& out, QueryTrace* trace) const override;
   std::uint64_t most_looked_at(std::uint64_t) const override {
     return levels_.empty() ? 1 : 2 * levels_.size();
   }
@@ -82,6 +82,7 @@ class RangeTree2 final : public RangeStructure {
   void remove(std::size_t level, Node& node, ObjectId object);
   void search_node(const Node& node, const LabelBox& box, std::vector<ObjectId>& out,
                    Cost& cost) const;
+  static std::vector<ObjectId> objects_of(const Node& node);
 
   // levels_[k - 1]: the nodes of 2^k labels; places_[k - 1]: per object, its place in its node.
   std::vector<std::vector<Node>> levels_;

@@ -44,6 +44,34 @@ void RankKdTree2::make_tree() {
   free_.clear();
   std::fill(above_leaf_.begin(), above_leaf_.end(), kNone);
   for (const ObjectId object : labels(0).in_order()) put_in(object);
+  arrange();
+}
+
+// Puts the nodes in memory in the order in which searches meet them.
+void RankKdTree2::arrange() {
+  if (root_ == kNone || is_leaf(root_)) return;
+  std::vector<Node> arranged;
+  arranged.reserve(nodes_.size());
+  std::vector<Ref> moved(nodes_.size()), open{root_};
+  while (!open.empty()) {
+    const Ref at = open.back();
+    open.pop_back();
+    moved[at - kInner] = kInner + static_cast<Ref>(arranged.size());
+    arranged.push_back(node(at));
+    for (const std::size_t place : {1, 0}) {
+      if (!is_leaf(node(at).below[place])) open.push_back(node(at).below[place]);
+    }
+  }
+  const auto move = [&](Ref& ref) {
+    if (ref != kNone && !is_leaf(ref)) ref = moved[ref - kInner];
+  };
+  for (Node& node : arranged) {
+    move(node.above);
+    for (Ref& below : node.below) move(below);
+  }
+  for (Ref& above : above_leaf_) move(above);
+  move(root_);
+  nodes_ = std::move(arranged);
 }
 
 void RankKdTree2::replace_below(Ref above, Ref old, Ref fresh) {
@@ -133,35 +161,16 @@ LabelBox RankKdTree2::cell(const Node& node) const {
   return {{gathered(low >> 1), gathered(low)}, {gathered(high >> 1), gathered(high)}};
 }
 
-RankKdTree2::Cost RankKdTree2::search(const LabelBox& box, std::vector<ObjectId>& out) const {
-  Cost cost;
-  std::vector<std::pair<Ref, bool>> open;  // and whether the box holds the cell
-  if (root_ != kNone) open.emplace_back(root_, false);
-  while (!open.empty()) {
-    auto [at, is_inside] = open.back();
-    open.pop_back();
-    ++cost.nodes;
-    if (is_leaf(at)) {
-      if (is_inside || (box.holds(0, label(0, at)) && box.holds(1, label(1, at)))) {
-        out.push_back(at);
-      }
-      continue;
-    }
-    if (!is_inside) {
-      const LabelBox there = cell(node(at));
-      bool meets = true;
-      is_inside = true;
-      for (const std::size_t axis : {0, 1}) {
-        meets = meets && box.low[axis] <= there.high[axis] && there.low[axis] <= box.high[axis];
-        is_inside =
-            is_inside && box.low[axis] <= there.low[axis] && there.high[axis] <= box.high[axis];
-      }
-      if (!meets) continue;
-    }
-    for (const std::size_t place : {1, 0}) open.emplace_back(node(at).below[place], is_inside);
-  }
-  cost.bounded = cost.nodes;
-  return cost;
+RankKdTree2::Cost RankKdTree2::search(const LabelBox& box, std::vector<ObjectId>& out,
+                                      QueryTrace* trace) const {
+  const auto part = [this](Ref ref, bool needs_cell) {
+    return Part{ref, needs_cell && !is_leaf(ref) ? cell(node(ref)) : LabelBox{}};
+  };
+  const auto halves = [&](const Part& above, bool needs_cells) -> std::array<Part, 2> {
+    const auto& below = node(above.ref).below;
+    return {part(below[0], needs_cells), part(below[1], needs_cells)};
+  };
+  return search_cells(part(root_, root_ != kNone), box, out, trace, halves);
 }
 
 // 50 sqrt(N) + 2k + 1, rounded up where it is not an integer.

@@ -59,7 +59,7 @@ class RankKdTree2 final : public LeafTree2 {
   void take_out(ObjectId object) override;
   std::uint64_t exchange(int axis, ObjectId before, ObjectId after) override;
   std::uint64_t most_touched() const override { return 2 * (2 * labels(0).bits() + 1); }
-  Cost search(const LabelBox& box, std::vector<ObjectId>& out) const override;
+  Cost search(const LabelBox& box, std::vector<ObjectId>& out, QueryTrace* trace) const override;
   std::uint64_t most_looked_at(std::uint64_t k) const override;
   void check_tree(AuditReport& report) const override;
   std::vector<ObjectId> leaves() const override;
@@ -73,6 +73,7 @@ class RankKdTree2 final : public LeafTree2 {
   Node& node(Ref ref) { return nodes_[ref - kInner]; }
   const Node& node(Ref ref) const { return nodes_[ref - kInner]; }
   Ref& above(Ref ref) { return is_leaf(ref) ? above_leaf_[ref] : node(ref).above; }
+  void arrange();
   void replace_below(Ref above, Ref old, Ref fresh);
   bool stays(ObjectId object, Code fresh) const;
   LabelBox cell(const Node& node) const;

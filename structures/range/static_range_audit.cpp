@@ -13,6 +13,7 @@
 #include <iterator>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace kinex {
 namespace {
@@ -27,6 +28,23 @@ using Box = CGAL::Fuzzy_iso_box<Traits>;
 CGAL::Gmpq number(const Rational& value) { return CGAL::Gmpq(value.to_string()); }
 
 }  // namespace
+
+std::vector<ExactBox> boxes_between_points(const Snapshot& snapshot,
+                                           const std::vector<ObjectId>& alive, std::uint64_t turn) {
+  std::vector<ExactBox> result(std::min<std::size_t>(alive.size(), 3));
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const std::size_t number = static_cast<std::size_t>(turn) + k;
+    for (const int axis : {0, 1}) {
+      const std::size_t first = (number * 5 + static_cast<std::size_t>(axis) * 3) % alive.size();
+      const std::size_t second = (number * 11 + 1 + k) % alive.size();
+      Rational low = snapshot.position(alive[first], axis);
+      Rational high = snapshot.position(alive[second], axis);
+      if (high < low) std::swap(low, high);
+      result[k][static_cast<std::size_t>(axis)] = {low, high};
+    }
+  }
+  return result;
+}
 
 std::vector<ObjectId> scanned_range(const Snapshot& snapshot, const ExactBox& box) {
   std::vector<ObjectId> result;

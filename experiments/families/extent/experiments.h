@@ -8,6 +8,7 @@
 
 #include "experiments/lab/cell.h"
 #include "experiments/lab/judge.h"
+#include "experiments/lab/part.h"
 #include "experiments/lab/speed_row.h"
 #include "experiments/lab/workload.h"
 
@@ -25,6 +26,12 @@ std::vector<lab::SpeedRow> extent_speed_rows(int scale);
 void add_direction_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // direction_study.cpp
 lab::StudyResult study_directions(bool quick, const std::function<bool()>& go_on);
+std::vector<lab::Figure> direction_figures(const std::vector<lab::CellResult>& cells);
+// kds_section_6.cpp
+lab::StudyResult study_kds_section_6(bool quick, const std::function<bool()>& go_on);
+lab::PartReport kds_section_6_report(const lab::StudyResult& result, const std::string& command);
+// obtuse_triangle.cpp
+void generate_obtuse_triangle(const lab::WorkloadParameters&, Scene&);
 // box_worst.cpp
 void generate_box_worst(const lab::WorkloadParameters&, Scene&);
 

@@ -37,8 +37,8 @@ constexpr Scenes kScenes[] = {
     {"through-one-point", 1, 1, true},
     {"collinear-instant", 1, 2, true},
     {"expanding-circle", 1, 2, true},
-    {"rotating-circle", 1, 2, true},
-    {"counter-rotating-rings", 1, 2, true},
+    {"rotating-circle", 2, 2, true},
+    {"counter-rotating-rings", 2, 2, true},
 };
 
 }  // namespace
@@ -58,7 +58,7 @@ void add_common_point_cells(lab::Catalogue& catalogue, const StructureInfo& stru
     cell.structure = structure.name;
     cell.workload = scenes.workload;
     cell.parameters.n = scenes.degenerate ? 16 : 24;
-    cell.parameters.degree = scenes.degree;
+    cell.parameters.degree = workload->takes_degree ? scenes.degree : 1;
     cell.parameters.dimension = dimension == workload->default_dimension ? 0 : dimension;
     cell.family = cell.workload_text();
     cell.random = workload->random;

@@ -3,6 +3,7 @@
 //   bounds? How many swaps does random motion cause?
 // Sources: all pairs of plane_sort_worst.cpp swap on both axes; in random motion the orders at 0
 //   and at 1 are independent, so an axis has n(n-1)/4 swaps in expectation.
+//   A tree over trajectories has no event.
 // Expected: the integers below, in every run; the means; every bound, every audit (which asks
 //   boxes, too, and compares the answers with CGAL's).
 // Cost: about 10 s.
@@ -40,9 +41,18 @@ void add_random(lab::Catalogue& catalogue, const char* tree, int n) {
   catalogue.cells.push_back(std::move(cell));
 }
 
+// Linear motion only, and nothing ever happens.
+void add_static(lab::Catalogue& catalogue, int n) {
+  lab::Cell cell = lab::worst_case_cell("trajectory_tree", "plane-sort-worst", n, 1, n * n * 4e-6);
+  cell.expectations.push_back(lab::expect_exactly("trajectory_tree.static", "external", Integer(0),
+                                                  "the trajectories do not change"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
 }  // namespace
 
 void add_range_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  for (const int n : {2, 8, 32}) add_static(catalogue, n);
   for (const char* const tree : kTrees) {
     for (const int n : {2, 4, 8, 16, 32, 64}) {
       if (n > 32 && extent == lab::Extent::kQuick) continue;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: how many nodes does a query look at, beside those of the points that it reports?
-// Sources: structures/range/*.h: O(log^2 n) of a range tree, O(sqrt(n)) of a kd-tree on ranks (50
-//   sqrt(N) + 1 at most), O(n^(1/2 + eps)) of a pseudo kd-tree.
+// Question: what does a query for a box cost: nodes, points found, time?
+// Sources: structures/range/*.h: O(log^2 n) nodes of a range tree, O(sqrt(n)) of a kd-tree on ranks
+//   (50 sqrt(N) + 1 at most), O(n^(1/2 + eps)) of a pseudo kd-tree, O(n^0.695 log n) of a tree over
+//   trajectories, beside those of the points that are found.
 // Scene: n random points of the unit square; boxes whose sides are coordinates of points, at two
 //   times of their motion.
-// Expected: every hard bound.
+// Expected: every hard bound, and equal answers of all trees.
 // Cost: seconds.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -16,10 +18,11 @@
 
 #include "core/engine/simulator.h"
 #include "experiments/families/range/experiments.h"
+#include "experiments/lab/cpu_clock.h"
 #include "experiments/lab/curves.h"
 #include "experiments/lab/workload_parts.h"
-#include "structures/plan.h"
 #include "structures/parts/range_search.h"
+#include "structures/plan.h"
 
 namespace kinex::families {
 namespace {
@@ -33,12 +36,19 @@ struct TreeName {
 constexpr TreeName kTrees[] = {{"range tree", "range_tree_2", "", 1},
                                {"kd-tree on ranks", "rank_kd_tree_2", "", 2},
                                {"pseudo kd-tree, 1/4", "pseudo_kd_tree_2", "1/4", 2},
-                               {"kd-tree, exact medians", "pseudo_kd_tree_2", "0", 2}};
+                               {"kd-tree, exact medians", "pseudo_kd_tree_2", "0", 2},
+                               {"tree over trajectories", "trajectory_tree", "", 0}};
 
 struct QueryCost {  // of boxes on n points
+  struct Mean {
+    double nodes = 0;  // beside those of the points that are found
+    double signs = 0;
+    double microseconds = 0;
+  };
   int n = 0;
-  double nodes[std::size(kTrees)] = {};  // the mean of those beside the points'
-  double signs = 0;                      // the mean
+  double found = 0;  // points, the mean
+  std::array<Mean, std::size(kTrees)> trees{};
+  bool agree = true;
   std::vector<BoundCheck> broken;
 };
 
@@ -67,7 +77,7 @@ QueryCost cost_of(int n) {
   lab::WorkloadRandom random(static_cast<std::uint64_t>(n));
   QueryCost result;
   result.n = n;
-  constexpr int kInstants = 2, kBoxes = 200;
+  constexpr int kInstants = 2, kBoxes = 200, kQueries = kInstants * kBoxes;
   for (int instant = 0; instant < kInstants; ++instant) {
     // Few swaps: the scene's first part.
     const Rational t = lab::fraction(instant, 64);
@@ -87,15 +97,27 @@ QueryCost cost_of(int n) {
       }
       kernel.redefine(low, "low", least);
       kernel.redefine(high, "high", most);
+      std::vector<ObjectId> first;
       for (std::size_t i = 0; i < trees.size(); ++i) {
         std::vector<ObjectId> found;
         QueryCounts counts;
+        const double begin = lab::cpu_seconds();
         trees[i]->report(low, high, found, counts);
+        const double seconds = lab::cpu_seconds() - begin;
+        // The first query of all builds the trees that are built when they are asked.
+        const bool is_timed = instant > 0 || box > 0;
+        QueryCost::Mean& mean = result.trees[i];
         const auto nodes = static_cast<double>(counts.nodes);
         const auto reported = static_cast<double>(found.size());
-        result.nodes[i] +=
-            std::max(0.0, nodes - kTrees[i].per_point * reported) / (kInstants * kBoxes);
-        if (i == 0) result.signs += static_cast<double>(counts.signs) / (kInstants * kBoxes);
+        mean.nodes += std::max(0.0, nodes - kTrees[i].per_point * reported) / kQueries;
+        mean.signs += static_cast<double>(counts.signs) / kQueries;
+        if (is_timed) mean.microseconds += 1e6 * seconds / (kQueries - 1);
+        std::sort(found.begin(), found.end());
+        if (i == 0) {
+          first = found;
+          result.found += reported / kQueries;
+        }
+        result.agree = result.agree && found == first;
       }
     }
   }
@@ -112,19 +134,35 @@ QueryCost cost_of(int n) {
 lab::StudyResult study_query_cost(bool quick, const std::function<bool()>& go_on) {
   lab::StudyResult result;
   result.name = "range_search";
-  result.table.title =
-      "range search: nodes that a query looks at, beside those of the points that it finds";
-  result.table.header = {"n", "signs"};
-  for (const TreeName& tree : kTrees) result.table.header.emplace_back(tree.label);
-  result.table.header.emplace_back("ranks: over sqrt(n)");
+  result.table.title = "range search: the cost of a query for a box, means of 400";
+  result.table.header = {"n",
+                         "points found",
+                         "tree",
+                         "nodes beside those of the points",
+                         "signs",
+                         "microseconds",
+                         "nodes over sqrt(n)"};
+  result.table.note =
+      "nodes of the points: one each in the range tree, two in a kd-tree, none in the tree over "
+      "trajectories, which counts the points that it tests; microseconds: of processor time, with "
+      "the "
+      "points found";
   for (const int n : {64, 256, 1024, 4096}) {
     if (quick && n > 1024) continue;
     if (!go_on()) return result;
     const QueryCost cost = cost_of(n);
-    std::vector<std::string> row{std::to_string(n), fmt::format("{:.1f}", cost.signs)};
-    for (const double nodes : cost.nodes) row.push_back(fmt::format("{:.1f}", nodes));
-    row.push_back(fmt::format("{:.2f}", cost.nodes[1] / std::sqrt(n)));
-    result.table.rows.push_back(std::move(row));
+    for (std::size_t i = 0; i < cost.trees.size(); ++i) {
+      const QueryCost::Mean& mean = cost.trees[i];
+      result.table.rows.push_back({std::to_string(n), fmt::format("{:.1f}", cost.found),
+                                   kTrees[i].label, fmt::format("{:.1f}", mean.nodes),
+                                   fmt::format("{:.1f}", mean.signs),
+                                   fmt::format("{:.2f}", mean.microseconds),
+                                   fmt::format("{:.2f}", mean.nodes / std::sqrt(n))});
+    }
+    result.checks.push_back(
+        {fmt::format("range.answers.{}", n), "witness", "", "equal answers",
+         cost.agree ? "400 boxes, all equal" : "they differ", "five trees that share no search",
+         cost.agree ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted, std::nullopt});
     result.checks.push_back(
         {fmt::format("range.queries.{}", n), "bound", "", "every hard bound",
          cost.broken.empty()
@@ -142,22 +180,35 @@ std::vector<lab::Figure> query_cost_figures(const std::vector<lab::CellResult>& 
     return result.cell.workload == "plane-sort-worst";
   });
   if (!is_asked) return {};
-  std::vector<lab::Curve> curves;
-  for (const TreeName& tree : kTrees) curves.push_back({tree.label, {}, ""});
+  std::vector<lab::Curve> nodes, times;
+  for (const TreeName& tree : kTrees) {
+    nodes.push_back({tree.label, {}, ""});
+    times.push_back({tree.label, {}, ""});
+  }
+  lab::Curve found{"points found", {}, ""};
   for (const int n : {16, 64, 256, 1024}) {
     const QueryCost cost = cost_of(n);
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      if (cost.nodes[i] > 0) curves[i].points.push_back({static_cast<double>(n), cost.nodes[i], 0});
+    const auto x = static_cast<double>(n);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (cost.trees[i].nodes > 0) nodes[i].points.push_back({x, cost.trees[i].nodes, 0});
+      times[i].points.push_back({x, cost.trees[i].microseconds, 0});
     }
+    found.points.push_back({x, cost.found, 0});
   }
+  nodes.push_back(std::move(found));
   lab::Figure figure;
   figure.title = "Range search: the cost of a query";
   figure.caption =
-      "Nodes that a query looks at, beside those of the points that it finds (one each in the "
-      "range "
-      "tree, two in a kd-tree): means of 400 random boxes on n random points.";
-  lab::set_curves(figure, {.x = "points n", .y = "nodes a query", .slopes = {0.5}}, curves);
-  return {figure};
+      "Left: nodes that a query looks at, beside those of the points that it finds (one each in "
+      "the "
+      "range tree, two in a kd-tree), and these points. Right: its processor time. Means of 400 "
+      "random "
+      "boxes on n random points.";
+  lab::set_curves(figure, {.x = "points n", .y = "nodes a query", .slopes = {0.5}}, nodes);
+  lab::Figure time;
+  time.joins = true;
+  lab::set_curves(time, {.x = "points n", .y = "microseconds a query", .slopes = {}}, times);
+  return {figure, time};
 }
 
 }  // namespace kinex::families

@@ -54,6 +54,10 @@ class Plane {
     }
   }
   at(id) { return [this.sx[id], this.sy[id]]; }
+  onScreen(x, y) {
+    const [mx, my] = this.middle;
+    return [this.cx + this.dx + (x - mx) * this.scale, this.cy + this.dy - (y - my) * this.scale];
+  }
 
   draw(picture) {
     const context = picture.begin();
@@ -72,6 +76,7 @@ class Plane {
     this.drawAxes(context);
     this.drawAttribute(context);
     this.drawProof(context);
+    drawQuery(context, this);
     this.drawChange(context, marked);
     const radius = OBJECTS > 2000 ? 1.5 : OBJECTS > 300 ? 2.2 : 3.4;
     context.fillStyle = COLOUR.point;
@@ -118,6 +123,14 @@ class Plane {
 
   drawAttribute(context) {
     const { replay, other } = this.app;
+    const outlineOf = OUTLINES[DATA.structures[this.app.shown()].role];
+    if (outlineOf !== undefined && DATA.scene.dimension === 2) {
+      if (!replay.lost) drawOutline(context, outlineOf(this, replay.ids), COLOUR.first, []);
+      if (other !== null && !other.lost && other.ids.join() !== replay.ids.join()) {
+        drawOutline(context, outlineOf(this, other.ids), COLOUR.second, [6, 4]);
+      }
+      return;
+    }
     const thin = OBJECTS > 1500 ? 0.5 : OBJECTS > 300 ? 0.8 : 1.3;
     const both = other !== null && !other.lost;
     if (replay.tuples !== null && !replay.lost) {

@@ -156,6 +156,7 @@ function pressed(key) {
     "/": () => document.getElementById("search").focus(),
     ",": () => app.setSpan(1.5), ".": () => app.setSpan(1 / 1.5),
     d: () => { if (PARTED > BEFORE) app.setEvent(PARTED); },
+    q: () => { if (FIRST.queries.length > 0) app.setTime(nextQuery(app).u); },
     t: () => { if (BODIES) app.drawing.chart.turnOver(); },
     c: () => {
       if (BODIES || app.proof === null) return;

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/range/trajectory_tree.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "predicates/predicates.h"
+#include "structures/range/halving_line.h"
+
+namespace kinex {
+namespace {
+
+// The box between two constants, right after now.
+class BoxAfterNow final : public BoxAt {
+ public:
+  BoxAfterNow(Kernel& kernel, const std::array<PredicateId, 2>& orders, ObjectId low, ObjectId high,
+              std::uint64_t& signs)
+      : kernel_(kernel), orders_(orders), low_(low), high_(high), signs_(signs) {}
+
+  bool precedes(int axis, ObjectId a, ObjectId b) override { return sign(axis, a, b); }
+  bool is_below(int axis, ObjectId object) override { return sign(axis, object, low_); }
+  bool is_beyond(int axis, ObjectId object) override { return sign(axis, high_, object); }
+  // The box has no points because its low side is beyond its high side.
+  bool is_empty() { return sign(0, high_, low_) || sign(1, high_, low_); }
+
+ private:
+  bool sign(int axis, ObjectId a, ObjectId b) {
+    ++signs_;
+    return kernel_.sign_after(orders_[static_cast<std::size_t>(axis)], {a, b}) == Sign::kPositive;
+  }
+
+  Kernel& kernel_;
+  const std::array<PredicateId, 2>& orders_;
+  ObjectId low_, high_;
+  std::uint64_t& signs_;
+};
+
+}  // namespace
+
+// As ConjugationTree::most_looked_at: below a primary node that a line crosses are nodes that it
+// crosses, too, or that are inside with their secondary trees, or outside.
+std::uint64_t TrajectoryTree::most_looked_at(std::uint64_t n) {
+  if (n <= ConjugationTree::kLeaf) return 1 + n;
+  const std::vector<std::uint64_t> sizes = ConjugationTree::sizes_below(n);
+  std::uint64_t below = 0, half = 0;  // of the present size, and of its half
+  for (std::size_t i = sizes.size() - 1; i-- > 0;) {
+    std::uint64_t whole = 2 + sizes[i];
+    if (i + 2 < sizes.size()) {
+      const std::uint64_t inside = ConjugationTree::most_looked_at(sizes[i + 1]);
+      const std::uint64_t crossed =
+          i + 3 == sizes.size() ? below : 2 + half + ConjugationTree::most_looked_at(sizes[i + 2]);
+      whole = 2 + below + std::max(inside, crossed);
+    }
+    half = std::exchange(below, whole);
+  }
+  return 1 + std::max(ConjugationTree::most_looked_at(n), 2 * below);
+}
+
+TrajectoryTree::TrajectoryTree(Kernel& kernel, StructureId, const Scene& scene)
+    : kernel_(&kernel),
+      points_{DualPoints(kernel, 0, scene.dimension), DualPoints(kernel, 1, scene.dimension)},
+      orders_{kernel.bind(make_coordinate_order(0)), kernel.bind(make_coordinate_order(1))} {
+  if (scene.degree() > 1) {
+    throw std::invalid_argument(
+        "a tree over trajectories needs linear motions, not motions of degree " +
+        std::to_string(scene.degree()));
+  }
+}
+
+void TrajectoryTree::build(std::span<const ObjectId> objects) {
+  objects_.assign(objects.begin(), objects.end());
+  forest_.reset();
+}
+
+void TrajectoryTree::insert(ObjectId object) {
+  objects_.insert(std::lower_bound(objects_.begin(), objects_.end(), object), object);
+  forest_.reset();
+}
+
+void TrajectoryTree::erase(ObjectId object) {
+  objects_.erase(std::lower_bound(objects_.begin(), objects_.end(), object));
+  forest_.reset();
+}
+
+std::unique_ptr<const TrajectoryTree::Forest> TrajectoryTree::made() const {
+  auto forest = std::make_unique<Forest>(Forest{ConjugationTree(points_[0], objects_), {}});
+  const ConjugationTree& by_x = forest->by_x;
+  forest->by_y.resize(by_x.nodes());
+  for (ConjugationTree::Ref at = 0; at < by_x.nodes(); ++at) {
+    if (by_x.is_leaf(at)) continue;
+    const std::span<const ObjectId> objects = by_x.objects(at);
+    forest->by_y[at] = std::make_unique<ConjugationTree>(
+        points_[1], std::vector<ObjectId>(objects.begin(), objects.end()));
+  }
+  return forest;
+}
+
+std::uint64_t TrajectoryTree::search(const Forest& forest, BoxAt& box, std::vector<ObjectId>& out,
+                                     QueryTrace* trace) {
+  using Ref = ConjugationTree::Ref;
+  const ConjugationTree& by_x = forest.by_x;
+  std::uint64_t looked_at = 0;
+  std::vector<std::pair<Ref, ConjugationTree::Sides>> open{{ConjugationTree::kRoot, {}}};
+  while (!open.empty()) {
+    auto [at, sides] = open.back();
+    open.pop_back();
+    ++looked_at;
+    if (by_x.is_leaf(at)) {
+      by_x.add_to(trace, at, NodePlace::kCrossed);
+      for (const ObjectId object : by_x.objects(at)) {
+        ++looked_at;
+        if (box.holds(0, object) && box.holds(1, object)) out.push_back(object);
+      }
+      continue;
+    }
+    const NodePlace place = by_x.place(at, box, sides);
+    by_x.add_to(trace, at, place == NodePlace::kInside ? NodePlace::kCrossed : place);
+    if (place == NodePlace::kInside) looked_at += forest.by_y[at]->search(box, out, trace);
+    if (place != NodePlace::kCrossed) continue;
+    open.emplace_back(by_x.below(at, 1), sides);
+    open.emplace_back(by_x.below(at, 0), sides);
+  }
+  return looked_at;
+}
+
+const TrajectoryTree::Forest& TrajectoryTree::forest() {
+  if (forest_ == nullptr) {
+    forest_ = made();
+    ++builds_;
+  }
+  return *forest_;
+}
+
+void TrajectoryTree::trace(ObjectId low, ObjectId high, std::vector<ObjectId>& out,
+                           QueryTrace& nodes) {
+  QueryCounts counts;
+  BoxAfterNow box(*kernel_, orders_, low, high, counts.signs);
+  if (!box.is_empty()) search(forest(), box, out, &nodes);
+}
+
+void TrajectoryTree::report(ObjectId low, ObjectId high, std::vector<ObjectId>& out,
+                            QueryCounts& counts) {
+  BoxAfterNow box(*kernel_, orders_, low, high, counts.signs);
+  if (box.is_empty()) return;
+  const std::uint64_t looked_at = search(forest(), box, out, nullptr);
+  counts.nodes += looked_at;
+  looked_at_.note(looked_at, most_looked_at(objects_.size()));
+}
+
+// ---- checks
+
+std::vector<BoundCheck> TrajectoryTree::bounds(const BoundContext& context) const {
+  std::vector<BoundCheck> result{
+      at_most("trajectory_tree.certificates", "nothing has to be proved again", Integer(0),
+              counted(context.ledger->max_live)),
+      at_most("trajectory_tree.events", "the trajectories are static", Integer(0),
+              counted(context.ledger->external))};
+  if (looked_at_.seen) {
+    result.push_back(at_most("trajectory_tree.looked_at", "nodes and points that a query looks at",
+                             counted(looked_at_.bound), counted(looked_at_.observed)));
+  }
+  return result;
+}
+
+void TrajectoryTree::check_invariants(AuditReport& report) const {
+  report.check(std::is_sorted(objects_.begin(), objects_.end()),
+               [] { return "objects are not ascending"; });
+  report.check(looked_at_.observed <= looked_at_.bound,
+               [] { return "a query looked at too many nodes"; });
+  if (forest_ == nullptr) return;
+  const auto has_all = [](const ConjugationTree& tree, std::span<const ObjectId> expected) {
+    const std::span<const ObjectId> found = tree.objects(ConjugationTree::kRoot);
+    return std::is_permutation(found.begin(), found.end(), expected.begin(), expected.end());
+  };
+  const ConjugationTree& by_x = forest_->by_x;
+  report.check(has_all(by_x, objects_), [] { return "the tree holds other objects"; });
+  for (ConjugationTree::Ref at = 0; at < by_x.nodes(); ++at) {
+    report.check(by_x.is_leaf(at) == (forest_->by_y[at] == nullptr),
+                 [] { return "a secondary tree too many or too few"; });
+    if (by_x.is_leaf(at)) continue;
+    report.check(has_all(*forest_->by_y[at], by_x.objects(at)),
+                 [] { return "a secondary tree holds other objects"; });
+  }
+}
+
+std::size_t TrajectoryTree::bytes() const {
+  std::size_t sum = objects_.capacity() * sizeof(ObjectId);
+  if (forest_ == nullptr) return sum;
+  sum += forest_->by_x.bytes() + forest_->by_y.capacity() * sizeof(forest_->by_y[0]);
+  for (const auto& tree : forest_->by_y) {
+    if (tree != nullptr) sum += sizeof(ConjugationTree) + tree->bytes();
+  }
+  return sum;
+}
+
+}  // namespace kinex
