@@ -190,21 +190,4 @@ void NearestSite::check_invariants(AuditReport& report) const {
   report.check(site_ == events_.object(), [] { return "a change was not reported"; });
 }
 
-void NearestSite::audit(const Snapshot& snapshot, AuditReport& report) const {
-  ObjectId nearest = kNoObject;
-  Rational best;
-  for (ObjectId site = 0; site < snapshot.objects(); ++site) {
-    if (site == query_ || !snapshot.alive(site) || !snapshot.alive(query_)) continue;
-    Rational squared;
-    for (int axis = 0; axis < 2; ++axis) {
-      const Rational gap = snapshot.position(site, axis) - snapshot.position(query_, axis);
-      squared += gap * gap;
-    }
-    if (nearest != kNoObject && best <= squared) continue;
-    nearest = site;
-    best = squared;
-  }
-  report.check(nearest == site_, [] { return "another site is nearest"; });
-}
-
 }  // namespace kinex

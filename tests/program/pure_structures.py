@@ -21,7 +21,7 @@ FRAMES = {"body_frames", "body_grid", "body_volumes", "outer_hierarchy", "outer_
 AUDITED = {"maximum_envelope", "range_structure"}
 # Descriptors and makers: the parameters of a request are numbers.
 MAKERS = {"descriptor", "registry", "family"}
-# The plan is no structure: it makes the arithmetic for what the structures declare.
+# The plan is no structure: it makes the arithmetic for what the structures declare, and reads parameters, too.
 PLAN = {"plan"}
 NOISE = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*')
 
@@ -32,7 +32,7 @@ def faults_in(name, text):
         for word in REACHING.findall(line):
             if name not in PLAN:
                 yield number, word
-        if COMPUTING.search(name) or name in FRAMES | AUDITED | MAKERS:
+        if COMPUTING.search(name) or name in FRAMES | AUDITED | MAKERS | PLAN:
             continue
         for word in NUMBERS.findall(line):
             yield number, word
