@@ -2,8 +2,7 @@
 # Rooms: the folders of the second level, a static library each.
 include_guard(GLOBAL)
 
-# With -DCMAKE_UNITY_BUILD=ON files are compiled several at once. Not those of the rooms below: their unnamed
-# namespaces define the same names.
+# Files are compiled several at once, but not those of these rooms: their unnamed namespaces define the same names.
 set(KINEX_ROOMS_OF_SINGLE_FILES core/numbers core/arithmetic core/engine predicates/bodies predicates/ccd
   experiments/formats experiments/families/collision experiments/families/points experiments/families/range
   experiments/trade experiments/verbs)
