@@ -2,11 +2,6 @@
 # Rooms: the folders of the second level, a static library each.
 include_guard(GLOBAL)
 
-# Files are compiled several at once, but not those of these rooms: their unnamed namespaces define the same names.
-set(KINEX_ROOMS_OF_SINGLE_FILES core/numbers core/arithmetic core/engine predicates/bodies predicates/ccd
-  experiments/formats experiments/families/collision experiments/families/points experiments/families/range
-  experiments/trade experiments/verbs)
-
 # The library kinex_FOLDER_ROOM of FOLDER/ROOM/*.cpp, linked to what follows (PUBLIC .. PRIVATE ..). A room
 # in a room, as families/hull, is kinex_FOLDER_families_hull. Those of experiments/ are the program's alone.
 function(kinex_room folder room)
@@ -21,11 +16,16 @@ function(kinex_room folder room)
   target_link_libraries(${target} ${ARGN} PRIVATE $<BUILD_INTERFACE:kinex_warnings>)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder}_${name})
   kinex_precompile(${target})
+  # Files are compiled several at once, but not those of these rooms: their unnamed namespaces define the same
+  # names.
+  set(single core/numbers core/arithmetic core/engine predicates/bodies predicates/ccd experiments/formats
+    experiments/families/collision experiments/families/points experiments/families/range experiments/trade
+    experiments/verbs)
   # Audits include other libraries, whose names are many.
   if(audits)
     set_source_files_properties(${audits} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
-  if(${folder}/${room} IN_LIST KINEX_ROOMS_OF_SINGLE_FILES)
+  if(${folder}/${room} IN_LIST single)
     set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
   endif()
   if(NOT folder STREQUAL experiments)
