@@ -4,6 +4,7 @@
 #include "structures/extent/caliper_extremum.h"
 #include "structures/extent/calipers_2.h"
 #include "structures/extent/diameter_all_pairs.h"
+#include "structures/extent/hull_read.h"
 
 namespace kinex {
 namespace {
@@ -16,10 +17,6 @@ template <>
 constexpr std::string_view kName<CaliperMeasure::kArea> = "min_area_rectangle_2";
 template <>
 constexpr std::string_view kName<CaliperMeasure::kPerimeter> = "min_perimeter_rectangle_2";
-
-const HullSource& hull_of(const MakerInput& in) {
-  return dynamic_cast<const HullSource&>(*in.watched[0]);
-}
 
 std::unique_ptr<Structure> make_calipers(const MakerInput& in) {
   const int folds = static_cast<int>(in.parameter("folds").numerator().to_int64());

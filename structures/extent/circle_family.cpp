@@ -3,15 +3,12 @@
 
 #include "structures/extent/bounding_box_2_hull.h"
 #include "structures/extent/farthest_delaunay_2.h"
+#include "structures/extent/hull_read.h"
 #include "structures/extent/min_circle_2.h"
 #include "structures/extent/min_circle_2_brute_force.h"
 
 namespace kinex {
 namespace {
-
-const HullSource& hull_of(const MakerInput& in) {
-  return dynamic_cast<const HullSource&>(*in.watched[0]);
-}
 
 std::unique_ptr<Structure> make_box(const MakerInput& in) {
   return std::make_unique<BoundingBox2Hull>(in.kernel, in.id, hull_of(in));
