@@ -31,7 +31,8 @@ struct ArgumentRole {
   std::uint8_t frame = 0;
 };
 
-// How a claim is drawn. The arguments are in the order of the roles.
+// How a claim is drawn. A figure has so many places for points, which the arguments take in the
+// order of the roles, or as ClaimForm::places says.
 enum class ClaimFigure : std::uint8_t {
   kNone,
   kOrder,       // two points in order along a direction, or by a key
@@ -47,6 +48,10 @@ enum class ClaimFigure : std::uint8_t {
   kDiscs,       // two bodies and the sum of two radii
   kGap,         // two bodies and a length: a gap along a direction
   kBeyond,      // a body and a coordinate along a direction
+  kAngle,       // two pairs of points: the angle between the directions from one to the other
+  kExtents,     // two pairs of points in the order of their extents, each along a direction
+  kStrips,      // two strips in the order of their widths: three points each, two on one side
+  kRectangles,  // two rectangles, by area or perimeter: two points on one side, one on each other
 };
 
 struct ClaimForm {
@@ -58,6 +63,9 @@ struct ClaimForm {
   std::string_view says;
   // kOrder, kGap, kBeyond: along this vector, one entry an axis; empty: by a key.
   std::vector<Integer> direction;
+  // The argument at each place of the figure, where one argument takes several; empty: each takes
+  // its own. It lives as long as the predicate.
+  std::span<const std::uint8_t> places = {};
 };
 
 }  // namespace kinex

@@ -60,6 +60,14 @@ std::string_view figure_name(ClaimFigure figure) {
       return "gap";
     case ClaimFigure::kBeyond:
       return "beyond";
+    case ClaimFigure::kAngle:
+      return "angle";
+    case ClaimFigure::kExtents:
+      return "extents";
+    case ClaimFigure::kStrips:
+      return "strips";
+    case ClaimFigure::kRectangles:
+      return "rectangles";
   }
   return "";
 }
@@ -142,6 +150,8 @@ void write_forms(formats::JsonWriter& json, const RecordedRun& run) {
       json.begin_array().string(role.name).string(kind_name(role.kind));
       json.number(int{role.frame}).end_array();
     }
+    json.end_array().begin_array();
+    for (const std::uint8_t place : form.places) json.number(int{place});
     json.end_array().end_array();
   }
   json.end_array();

@@ -21,7 +21,7 @@ struct EdgeDot2 {
   std::string_view name() const { return "edge_dot_2"; }
   int dimension() const { return 2; }
   ClaimForm form() const {
-    return {ClaimFigure::kNone,
+    return {ClaimFigure::kAngle,
             1,
             kRoles,
             "the directions from {0} to {1} and from {2} to {3} form no obtuse angle",

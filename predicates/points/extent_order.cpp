@@ -6,6 +6,7 @@
 // the sum of its vectors: for c = a it is (u - v).a - u.b + v.d over (a, b, d).
 // Degree 1 in the coordinates, d in t. Identities: predicates/predicates.h.
 #include <array>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
@@ -28,6 +29,7 @@ struct ExtentOrder {
       {{"first end"}, {"second end"}, {"third end"}, {"fourth end"}}};
 
   std::vector<std::vector<FormulaConstant>> weights;  // of all arguments but the first
+  std::array<std::uint8_t, 4> places{};                // the argument that is each of the four ends
 
   // Logs tell the number of arguments by the name.
   std::string_view name() const {
@@ -37,8 +39,7 @@ struct ExtentOrder {
   }
   int dimension() const { return static_cast<int>(weights[0].size()); }
   ClaimForm form() const {
-    const ClaimFigure figure = Arity == 4 ? ClaimFigure::kLengths : ClaimFigure::kOrder;
-    return {figure, 1, std::span(kRoles).first(Arity), says(), {}};
+    return {ClaimFigure::kExtents, 1, std::span(kRoles).first(Arity), says(), {}, places};
   }
   static constexpr std::string_view says() {
     if constexpr (Arity == 2) return "{0} and {1} are ends of two extents in order";
@@ -61,12 +62,16 @@ struct ExtentOrder {
 };
 
 template <int Arity>
-std::shared_ptr<const Predicate> make(const std::vector<std::vector<Rational>>& weights) {
+std::shared_ptr<const Predicate> make(const std::vector<std::vector<Rational>>& weights,
+                                      const std::array<int, 4>& arguments) {
   const std::size_t axes = weights[0].size();
   std::vector<Rational> flat;  // scaled together
   for (const std::vector<Rational>& w : weights) flat.insert(flat.end(), w.begin(), w.end());
   const std::vector<Integer> whole = primitive_direction(flat);
   ExtentOrder<Arity> formula;
+  for (std::size_t i = 0; i < 4; ++i) {
+    formula.places[i] = static_cast<std::uint8_t>(arguments[i]);
+  }
   for (std::size_t i = 1; i < weights.size(); ++i) {
     formula.weights.emplace_back();
     for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -92,9 +97,9 @@ std::shared_ptr<const Predicate> make_extent_order(const std::vector<Rational>& 
     }
   }
   switch (weights.size()) {
-    case 2: return make<2>(weights);
-    case 3: return make<3>(weights);
-    case 4: return make<4>(weights);
+    case 2: return make<2>(weights, arguments);
+    case 3: return make<3>(weights, arguments);
+    case 4: return make<4>(weights, arguments);
     default: throw std::invalid_argument("an order of extents needs two objects or more");
   }
 }

@@ -49,14 +49,14 @@ struct FlushOrder2 {
   int dimension() const { return 2; }
   ClaimForm form() const {
     if constexpr (kIsStrip) {
-      return {ClaimFigure::kNone,
+      return {ClaimFigure::kStrips,
               1,
               kStripRoles,
               "{2} is no farther from the line through {0} and {1} than {5} is from that through "
               "{3} and {4}",
               {}};
     } else {
-      return {ClaimFigure::kNone, 1, kRectangleRoles,
+      return {ClaimFigure::kRectangles, 1, kRectangleRoles,
               kFlush == Flush::kPerimeter
                   ? "the rectangle on {0} and {1} that touches {2}, {3} and {4} has no larger "
                     "perimeter than that on {5} and {6} that touches {7}, {8} and {9}"

@@ -2,6 +2,7 @@
 // acute_angle_2(a, b, c) = (a - b) . (c - b), and its negation obtuse_angle_2(a, b, c).
 // Degree 2 in the coordinates, 2d in t. Identities: predicates/predicates.h.
 #include <array>
+#include <cstdint>
 
 #include "core/arithmetic/predicate_formula.h"
 #include "predicates/predicates.h"
@@ -17,14 +18,18 @@ struct Angle2 {
   static constexpr int kReference = 1;
   static constexpr bool kOnlyToReference = true;
   static constexpr std::array<ArgumentRole, 3> kRoles{{{"one side"}, {"corner"}, {"other side"}}};
+  static constexpr std::array<std::uint8_t, 4> kPlaces{1, 0, 1, 2};
 
   std::string_view name() const { return kObtuse ? "obtuse_angle_2" : "acute_angle_2"; }
   int dimension() const { return 2; }
   ClaimForm form() const {
-    return {ClaimFigure::kTurn, kObtuse ? -1 : 1, kRoles,
+    return {ClaimFigure::kAngle,
+            kObtuse ? -1 : 1,
+            kRoles,
             kObtuse ? "the angle at {1} between {0} and {2} is not acute"
                     : "the angle at {1} between {0} and {2} is not obtuse",
-            {}};
+            {},
+            kPlaces};
   }
 
   template <class Points>

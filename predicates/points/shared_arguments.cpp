@@ -49,9 +49,8 @@ class SharedArguments final : public Predicate {
   ClaimForm form() const override {
     ClaimForm form = whole_->form();
     if (!form.says.empty()) form.says = says_;
-    form.figure = ClaimFigure::kNone;
-    form.sign = 1;
     form.roles = roles_;
+    form.places = pattern_;
     return form;
   }
 

@@ -94,6 +94,9 @@ TEST(SharedArguments, IsTheWholeOfTheObjects) {
   EXPECT_EQ(shared->opposite(), opposite->name());
   EXPECT_EQ(opposite->opposite(), shared->name());
   EXPECT_EQ(shared->form().roles.size(), 4u);
+  EXPECT_EQ(shared->form().figure, ClaimFigure::kStrips);
+  EXPECT_EQ(std::vector<std::uint8_t>(shared->form().places.begin(), shared->form().places.end()),
+            pattern);
   EXPECT_EQ(shared->form().says,
             "{2} is no farther from the line through {0} and {1} than {3} is from that through "
             "{1} and {2}");

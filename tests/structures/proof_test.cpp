@@ -56,11 +56,13 @@ void expect_form(const Predicate& predicate, const std::string& where) {
     if (form.roles[i].kind == ArgumentRole::Kind::kPose) continue;
     EXPECT_NE(form.says.find("{" + std::to_string(i) + "}"), std::string_view::npos) << name;
   }
-  // No figure shows right angles, or the order of strips and rectangles.
-  const std::string_view own = predicate.name();
-  const bool plain = own.starts_with("edge_dot_2") || own.starts_with("order_strip") ||
-                     own.starts_with("order_rectangle");
-  EXPECT_TRUE(plain || form.figure != ClaimFigure::kNone) << name;
+  EXPECT_NE(form.figure, ClaimFigure::kNone) << name;
+  std::set<std::uint8_t> placed;
+  for (const std::uint8_t place : form.places) {
+    EXPECT_LT(place, form.roles.size()) << name;
+    placed.insert(place);
+  }
+  EXPECT_TRUE(form.places.empty() || placed.size() == form.roles.size()) << name;
   EXPECT_TRUE(form.sign == 1 || form.sign == -1) << name;
 }
 

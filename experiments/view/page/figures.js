@@ -1,7 +1,7 @@
 // How the claim of a certificate on points is drawn, by its figure: as segments and circles on the
 // screen. `where(id)` is the place of a point there.
 function shapesOf({ form, ids }, where) {
-  const p = ids.map(where);
+  const p = (form.places ? form.places.map(i => ids[i]) : ids).map(where);
   switch (form.figure) {
     case "circle":
       return [circleThrough(p[0], p[1], p[2]), { dot: p[3] }];
@@ -12,6 +12,16 @@ function shapesOf({ form, ids }, where) {
       return [{ from: p[0], to: p[1], arrow: true }, { from: p[2], to: p[3], arrow: true }];
     case "order":
       return [{ from: p[0], to: p[1], arrow: true }];
+    case "angle":
+      return [{ from: p[0], to: p[1], arrow: true }, { from: p[2], to: p[3], arrow: true },
+              { from: p[0], to: [p[0][0] + p[3][0] - p[2][0], p[0][1] + p[3][1] - p[2][1]],
+                faint: true }];
+    case "strips":
+      return [...flushBox([p[0], p[1], p[1], p[2], p[0]]),
+              ...flushBox([p[3], p[4], p[4], p[5], p[3]], true)];
+    case "rectangles":
+      return [...flushBox(p.slice(0, 5)), ...flushBox(p.slice(5), true)];
+    case "extents":
     case "lengths":
       return [{ from: p[0], to: p[1] }, { from: p[2], to: p[3], faint: true }];
     case "nearer":
@@ -21,6 +31,20 @@ function shapesOf({ form, ids }, where) {
     default:
       return p.slice(1).map((q, i) => ({ from: p[i], to: q }));
   }
+}
+
+// The rectangle on the line of a and b whose other sides pass through r, c and l; of a strip only
+// the part on its edge.
+function flushBox([a, b, r, c, l], faint = false) {
+  const ux = b[0] - a[0], uy = b[1] - a[1], square = ux * ux + uy * uy;
+  if (!(square > 0)) return [{ from: a, to: c, faint }];
+  const along = q => ((q[0] - a[0]) * ux + (q[1] - a[1]) * uy) / square;
+  const above = q => ((q[1] - a[1]) * ux - (q[0] - a[0]) * uy) / square;
+  const at = (s, h) => [a[0] + s * ux - h * uy, a[1] + s * uy + h * ux];
+  const low = along(l), high = along(r), top = above(c);
+  const corners = [at(low, 0), at(high, 0), at(high, top), at(low, top)];
+  return [{ from: a, to: b, arrow: true, faint },
+          ...corners.map((q, i) => ({ from: q, to: corners[(i + 1) % 4], faint }))];
 }
 
 function circleThrough([ax, ay], [px, py], [qx, qy]) {

@@ -14,8 +14,9 @@ function placeUntil(list, k, key = x => x) {
 
 // What a predicate claims of its arguments.
 function formOf(run, predicate) {
-  const [figure, sign, says, direction, roles] = run.forms[predicate];
+  const [figure, sign, says, direction, roles, places] = run.forms[predicate];
   return { figure, sign, says, direction: direction === 0 ? null : direction,
+           places: places.length === 0 ? null : places,
            roles: roles.map(([name, kind, frame]) => ({ name, kind, frame })) };
 }
 const claimKey = (predicate, ids) => predicate + ":" + ids.join();
