@@ -185,6 +185,7 @@ std::vector<lab::Figure> direction_figures(const std::vector<lab::CellResult>& c
       "where it was 0), and the error proven. Right: certificate failures of the whole run. 100 "
       "points in random motion, 4k directions.";
   lab::set_curves(error, {.x = "k", .y = "error", .slopes = {}}, errors);
+  event.title = error.title;
   event.joins = true;
   lab::set_curves(event, {.x = "k", .y = "certificate failures", .slopes = {}}, events);
   return {error, event};
