@@ -2,7 +2,6 @@
 #include "structures/range/halving_line.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -64,7 +63,8 @@ class Halving {
     constexpr std::size_t kFew = 24;
     if (a.size() < kFew) return k;
     const auto sampled = [](std::span<const ObjectId> from) {
-      const auto size = static_cast<std::size_t>(std::sqrt(static_cast<double>(from.size()))) + 2;
+      std::size_t size = 4;  // about the square root
+      while ((size - 2) * (size - 2) < from.size()) ++size;
       std::vector<ObjectId> result;
       for (std::size_t i = 0; i < size; ++i)
         result.push_back(from[(2 * i + 1) * from.size() / (2 * size)]);
