@@ -7,6 +7,7 @@ directions that fails at the instant.
 """
 
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations
 
 from log import Wrong
@@ -17,6 +18,7 @@ from replay_scratch import Scratch
 from static import hull
 
 
+@lru_cache(maxsize=None)
 def half_directions(k, dimension=2):
     """One of each pair of opposite directions."""
     if dimension == 3:
@@ -49,6 +51,7 @@ def opposite(u):
     return tuple(-x for x in u)
 
 
+@lru_cache(maxsize=None)
 def all_directions(k, dimension=2):
     half = half_directions(k, dimension)
     return half + [opposite(u) for u in half]

@@ -63,8 +63,8 @@ class Halving {
     constexpr std::size_t kFew = 24;
     if (a.size() < kFew) return k;
     const auto sampled = [](std::span<const ObjectId> from) {
-      std::size_t size = 2;  // the square root of all, and two
-      while ((size - 1) * (size - 1) <= from.size()) ++size;
+      std::size_t size = 4;  // about the square root
+      while ((size - 2) * (size - 2) < from.size()) ++size;
       std::vector<ObjectId> result;
       for (std::size_t i = 0; i < size; ++i)
         result.push_back(from[(2 * i + 1) * from.size() / (2 * size)]);

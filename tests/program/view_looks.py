@@ -214,6 +214,41 @@ def check_long(viewer):
     return len(events), len(text)
 
 
+def check_queries(viewer):
+    """The queries of a scene are drawn with their nodes, for every tree; boxes are drawn as boxes."""
+    trees = ["range_tree_2", "rank_kd_tree_2", "pseudo_kd_tree_2", "trajectory_tree"]
+    viewer.kinex("gen", "uniform-square", "--n", "30", "--seed", "4", "--maintain", ",".join(trees + ["bounding_box"]),
+                 "-o", "queries.json")
+    path = viewer.folder / "queries.json"
+    scene = json.loads(path.read_text())
+    scene["queries"] = [{"at": "1/4", "box": [["1/8", "5/8"], ["1/4", "3/4"]]},
+                        {"at": "1/2", "box": [["0", "1"], ["2/5", "3/5"]]}]
+    path.write_text(json.dumps(scene))
+    viewer.kinex("view", "queries.json", "-o", "queries.html")
+    viewer.open("queries.html")
+    answers = viewer.ask("FIRST.queries.map(q => q.answers.map(([s, ids, nodes]) => "
+                         "[DATA.structures[s].name, ids, nodes.map(([place, objects]) => [place, objects.length])]))")
+    for query in answers:
+        if [name for name, _, _ in query] != trees or len({tuple(ids) for _, ids, _ in query}) != 1:
+            fail(f"the answers of the trees are {query}")
+        if any(not nodes or max(size for _, size in nodes) > 30 for _, _, nodes in query):
+            fail(f"the nodes are {query}")
+    ink = ("(() => { app.draw(); const c = document.getElementById('picture'); const hex = [1, 3, 5].map(i => "
+           "parseInt(COLOUR.first.slice(i, i + 2), 16)); const p = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+           " let n = 0; for (let i = 0; i < p.length; i += 4) if (hex.every((x, j) => p[i + j] === x)) ++n; return n; })()")
+    for name in trees:
+        viewer.say(f"app.setStructure(DATA.structures.findIndex(s => s.name === '{name}')); app.setTime(0.4);")
+        before = viewer.ask(ink)
+        viewer.say("dispatchEvent(new KeyboardEvent('keydown', { key: 'q' }));")
+        at = viewer.ask("queryShown(app) === null ? null : queryShown(app).at")
+        if at != "1/2" or viewer.ask(ink) < before + 300:
+            fail(f"{name}: the query at {at} is not drawn")
+    box = viewer.ask("(() => { const s = DATA.structures.findIndex(s => s.role === 'box'); app.setStructure(s); app.setTime(0.1);"
+                     " app.draw(); return OUTLINES.box(app.drawing, app.replay.ids); })()")
+    if len(box) != 4 or box[0][0] != box[3][0] or box[0][1] != box[1][1] or not box[0][0] < box[1][0]:
+        fail(f"the box is {box}")
+
+
 def main():
     chromium = browser()
     source = pathlib.Path(sys.argv[2])
@@ -238,6 +273,7 @@ def main():
         check_close(viewer)
         for page in ("square.html", "bodies.html"):
             check_sizes(viewer, page)
+        check_queries(viewer)
         check_pictures(viewer, chromium, "square.html", [0, 5, 40, 90])
         check_animation(source, folder)
         records, size = check_long(viewer)

@@ -206,6 +206,7 @@ std::vector<lab::Figure> query_cost_figures(const std::vector<lab::CellResult>& 
       "boxes on n random points.";
   lab::set_curves(figure, {.x = "points n", .y = "nodes a query", .slopes = {0.5}}, nodes);
   lab::Figure time;
+  time.title = figure.title;
   time.joins = true;
   lab::set_curves(time, {.x = "points n", .y = "microseconds a query", .slopes = {}}, times);
   return {figure, time};
