@@ -332,7 +332,7 @@ def queries_of(structure, key, members, scene):
             for axis in range(dimension):
                 yield (axis_order(axis), pair)
         return
-    if name in ("closest_pair_delaunay", "closest_pair_all", "bichromatic_pair_delaunay", "bichromatic_pair_all",
+    if name in ("closest_pair_delaunay", "closest_pair_all", "closest_pair_range_tree", "bichromatic_pair_delaunay", "bichromatic_pair_all",
                 "diameter_2", "diameter_all_pairs", "emst_list", "emst_cycles"):
         pairs = pairs_of(structure, members, scene)
         for front, back in combinations(pairs, 2):

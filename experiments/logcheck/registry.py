@@ -11,15 +11,16 @@ from replay_hull import HullBruteForce, HullOfDelaunay
 from replay_list import SortedList
 from replay_maximum import Maximum, OfList
 from replay_range import PseudoKdTree, RangeTree, RankKdTree, TrajectoryTree
-from replay_scratch import (BoundingBox, ClosestPair, FarthestPair, GraphTree, NearestSite, SpanningTree,
-                            TwoColours)
+from replay_scratch import (BoundingBox, ClosestPair, ClosestPairOfOrders, FarthestPair, GraphTree, NearestSite,
+                            SpanningTree, TwoColours)
 from replay_space import DelaunayInSpace
 
 REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
             "convex_hull_2_brute_force": HullBruteForce, "convex_hull_2_delaunay": HullOfDelaunay,
             "convex_hull_2": Envelopes, "convex_hull_2_naive": Envelopes,
             "bounding_box": BoundingBox, "closest_pair_delaunay": ClosestPair,
-            "closest_pair_all": ClosestPair, "nearest_site": NearestSite,
+            "closest_pair_all": ClosestPair, "closest_pair_range_tree": ClosestPairOfOrders,
+            "nearest_site": NearestSite,
             "bichromatic_pair_delaunay": TwoColours, "bichromatic_pair_all": TwoColours,
             "emst_list": SpanningTree, "emst_cycles": SpanningTree,
             "graph_mst_list": GraphTree, "graph_mst_cycles": GraphTree,

@@ -140,6 +140,29 @@ class ClosestPair(Scratch):
             self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two pairs", r.short())
 
 
+class ClosestPairOfOrders(ClosestPair):
+    """The same, with the exchanges of two neighbours along x, y, x + y or x - y."""
+
+    DIRECTIONS = ((1, 1), (1, -1))
+
+    def meanings(self, name, ids):
+        if name == "order_direction":
+            return [(("order_direction", u), ids) for u in self.DIRECTIONS]
+        return [(name, ids)]
+
+    def replaced(self, r, before, after):
+        if r.kind == "replace":
+            super().replaced(r, before, after)
+
+    def event(self, r, x):
+        if r.kind != "order":
+            super().event(r, x)
+            return
+        self.require_members(r, 2)
+        if self.query(r) is not None:
+            self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two points", r.short())
+
+
 class SpanningTree(Scratch):
     """The Euclidean minimum spanning tree; of equal lengths the smaller pair is the shorter one.
 

@@ -182,6 +182,18 @@ class KineticList {
     settle(tied);
   }
 
+  // The claims about these items may be others now: renews their certificates with both neighbours.
+  template <TieReport Tied>
+  void renew(std::span<const Item> items, const Tied& tied) {
+    for (const Item item : items) {
+      if (item >= place_of_.size() || place_of_[item] == kNone) continue;
+      const Place s = place_of_[item];
+      if (places_[s].previous != kNone) certify(places_[s].previous);
+      if (places_[s].next != kNone) certify(s);
+    }
+    settle(tied);
+  }
+
   // Links, certificates and ties; `name` begins the messages.
   void check(AuditReport& report, const std::string& name) const {
     std::size_t count = 0;

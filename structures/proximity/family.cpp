@@ -8,6 +8,7 @@
 
 #include "structures/proximity/closest_pair_all.h"
 #include "structures/proximity/closest_pair_delaunay.h"
+#include "structures/proximity/closest_pair_range_tree.h"
 #include "structures/proximity/delaunay_tree.h"
 #include "structures/proximity/graph_tree.h"
 #include "structures/proximity/nearest_site.h"
@@ -72,6 +73,18 @@ std::vector<StructureInfo> closest_pairs() {
   all.certificates = "n(n-1)/2 - 1, one for each match in the tournament of all pairs";
   all.make = [](const MakerInput& in) { return make_all(in, false); };
 
+  StructureInfo tree = base;
+  tree.name = "closest_pair_range_tree";
+  tree.summary = "the same in the plane, by four sorted lists and range trees over octants";
+  tree.min_dimension = 2;
+  tree.kinds = {
+      {"replace", Effect::kSometimes}, {"tie", Effect::kNever}, {"order", Effect::kSometimes}};
+  tree.certificates =
+      "n - 1 for each of four sorted lists, fewer than 8 n ceil(log2 n) for the tournament of the "
+      "pairs that range trees offer";
+  tree.source = "Basch, Guibas, Zhang, Proximity problems on moving points (1997)";
+  tree.make = make_plain<ClosestPairRangeTree>;
+
   StructureInfo two = delaunay;
   two.name = "bichromatic_pair_delaunay";
   two.group = "bichromatic_pair";
@@ -93,7 +106,7 @@ std::vector<StructureInfo> closest_pairs() {
       "mn - 1 for m and n points of the two colours, one for each match in the tournament of "
       "their pairs";
   two_all.make = [](const MakerInput& in) { return make_all(in, true); };
-  return {delaunay, all, two, two_all};
+  return {delaunay, all, tree, two, two_all};
 }
 
 std::vector<StructureInfo> spanning_trees() {

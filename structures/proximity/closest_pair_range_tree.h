@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ClosestPairRangeTree: the closest pair of moving points in the plane, by four sorted lists and
+// range trees over them, without a triangulation.
+//
+// Certificates.
+//   the order of the points by x, y, x + y and x - y (octant_orders.h): n - 1 each, degree d for
+//   motions of degree d
+//   the shortest of the pairs that the range trees of four octants offer (octant_pairs.h), among
+//   which is every closest pair: fewer than 8 n ceil(log2 n), degree 2d
+// The other four octants are those of the pairs read from their other ends.
+//
+// Quality, for n points: a failure of an order exchanges two neighbours of a list and makes O(log^2
+// n) steps in the range trees; it changes O(log^2 n) offers, mostly to what they were, O(log n)
+// certificates each. A failure of the tournament renews O(log n). Near-quadratic: at most 4d C(n,
+// 2) exchanges without flight-plan changes, against the nearly cubic events of a triangulation. A
+// point is in at most 8 order certificates. An insertion or erasure makes the range trees anew,
+// O(n log^2 n).
+//
+// Ties. Of pairs whose distances are identically equal the lexicographically smallest one.
+//
+// Source: Basch, Guibas, Zhang, "Proximity problems on moving points" (1997); Agarwal, Kaplan,
+// Sharir, "Kinetic and dynamic data structures for closest pair and all nearest neighbors" (2008).
+// The octants are ours: rational cones that cover the plane, whose nearest points are first in a
+// rational direction.
+#ifndef KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_RANGE_TREE_H
+#define KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_RANGE_TREE_H
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/engine/structure.h"
+#include "structures/parts/attribute_events.h"
+#include "structures/parts/changing_extremum.h"
+#include "structures/parts/kinetic_list.h"
+#include "structures/proximity/octant_orders.h"
+#include "structures/proximity/octant_pairs.h"
+#include "structures/proximity/pair_distances.h"
+
+namespace kinex {
+
+class ClosestPairRangeTree final : public Structure {
+  using Pair = PairDistances::Value;
+  using List = KineticList<OctantOrder>;
+  auto tied() {
+    return [this](const Pair& a, const Pair& b) {
+      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
+    };
+  }
+  auto exchanged(std::size_t axis) {
+    return [this, axis](ObjectId before, ObjectId after) {
+      kernel_->report(id_, kOrder, {before, after}, false);
+      exchange(axis, before, after);
+    };
+  }
+
+ public:
+  // kReplace: another winner of a duel: the old pair and the new one. kTie: the same, because the
+  // distances have become identically equal. kOrder: two neighbours of a list have changed places:
+  // the one that was in front, the other.
+  enum Kind : std::uint8_t { kReplace, kTie, kOrder };
+
+  ClosestPairRangeTree(Kernel& kernel, StructureId id, const Scene& scene);
+
+  std::string_view name() const override { return "closest_pair_range_tree"; }
+  std::vector<std::string_view> event_kinds() const override {
+    return common_event_kinds({"replace", "tie", "order"});
+  }
+  void build(std::span<const ObjectId> objects) override;
+  void rebuild() override;
+  void certificate_failed(CertificateId failed) override;
+  void insert(ObjectId object) override;
+  void erase(ObjectId object) override;
+  void motions_changed(std::span<const ObjectId> objects) override;
+  void instant_over() override { events_.over(closest()); }
+  Attribute attribute() const override { return {Attribute::Shape::kTuples, closest()}; }
+  Attribute told() const override { return events_.told(); }
+  void visit_proof(ProofVisitor& visitor) const override;
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  std::size_t bytes() const override;
+
+ private:
+  std::vector<ObjectId> closest() const;
+  void count_places();
+  void make_trees();
+  void exchange(std::size_t axis, ObjectId before, ObjectId after);
+  void offer(const Pair& pair, int change);
+  void begin();
+
+  Kernel* kernel_;
+  StructureId id_;
+  std::vector<List> lists_;                                     // by OctantAxis
+  std::array<std::vector<std::uint32_t>, kOctantAxes> places_;  // of objects in the lists
+  std::vector<OctantPairs> octants_;
+  std::map<Pair, int> offers_;  // how many nodes of the trees offer the pair
+  ChangingExtremum<PairDistances> pairs_;
+  AttributeEvents events_;
+};
+
+}  // namespace kinex
+
+#endif
