@@ -2,14 +2,15 @@
 // ClosestPairDelaunay: the closest pair of moving points: the shortest edge of their Delaunay
 // triangulation.
 //
-// Certificates. It watches the triangulation (delaunay_2, or delaunay_3 in space) and keeps the shortest of its edges by a
-// ChangingExtremum: "this edge is at most as long as that one", degree 2d for motions of degree d.
+// Certificates. It watches the triangulation (delaunay_2, or delaunay_3 in space) and keeps the
+// shortest of its edges by a ChangingExtremum: "this edge is at most as long as that one", degree 2d
+// for motions of degree d.
 // The disc that has a closest pair as diameter holds no third point, not even on its boundary. So
 // every closest pair is an edge of every Delaunay triangulation. Points hidden behind an
 // identically equal vertex add the pairs (vertex, hidden point), of length zero. A flip ab -> cd
 // gives the leaf of ab to cd.
 //
-// Quality, for n points: at most 3n - 7 certificates of its own, not local; a flip or a failure
+// Quality, for n points: at most 3n - 7 certificates of its own (in space C(n,2) - 1), not local; a flip or a failure
 // renews O(log n). A new flight plan, an insertion, an erasure, two points that pass on a line, or
 // a degenerate instant reads all edges, O(n), and renews O(log n) certificates for each changed
 // edge. External events: one for each instant that changes the pair, at most lambda_2d(n(n-1)/2) -

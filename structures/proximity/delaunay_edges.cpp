@@ -11,9 +11,12 @@ std::optional<DelaunayEdgeChange> change_in_plane(const Event& event) {
   switch (event.kind) {
     case Delaunay2::kFlip:
       return DelaunayEdgeChange{DelaunayEdge{ids[0], ids[1]}, DelaunayEdge{ids[2], ids[3]}};
-    case Delaunay2::kEnter: return DelaunayEdgeChange{DelaunayEdge{ids[1], ids[2]}, {}};
-    case Delaunay2::kLeave: return DelaunayEdgeChange{{}, DelaunayEdge{ids[1], ids[2]}};
-    default: return std::nullopt;
+    case Delaunay2::kEnter:
+      return DelaunayEdgeChange{DelaunayEdge{ids[1], ids[2]}, {}};
+    case Delaunay2::kLeave:
+      return DelaunayEdgeChange{{}, DelaunayEdge{ids[1], ids[2]}};
+    default:
+      return std::nullopt;
   }
 }
 
@@ -22,12 +25,16 @@ std::optional<DelaunayEdgeChange> change_in_space(const Event& event) {
   const DelaunayEdge edge{event.ids[0], event.ids[1]};
   switch (event.kind) {
     case Delaunay3::kFlip23:
-    case Delaunay3::kHull23: return DelaunayEdgeChange{{}, edge};
+    case Delaunay3::kHull23:
+      return DelaunayEdgeChange{{}, edge};
     case Delaunay3::kFlip32:
-    case Delaunay3::kHull32: return DelaunayEdgeChange{edge, {}};
+    case Delaunay3::kHull32:
+      return DelaunayEdgeChange{edge, {}};
     case Delaunay3::kEnter:
-    case Delaunay3::kLeave: return DelaunayEdgeChange{};
-    default: return std::nullopt;
+    case Delaunay3::kLeave:
+      return DelaunayEdgeChange{};
+    default:
+      return std::nullopt;
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // EmstCycles: the Euclidean minimum spanning tree of moving points, without an order of the edges.
 //
-// It watches the triangulation (delaunay_2, or delaunay_3 in space). A Delaunay edge that is not in the tree closes a cycle
-// with the tree's path between its ends, and is the longest edge of that cycle:
+// It watches the triangulation (delaunay_2, or delaunay_3 in space). A Delaunay edge that is not in
+// the tree closes a cycle with the tree's path between its ends, and is the longest edge of it:
 //
 //         b ---- c
 //        /        \         f = ad is not in the tree:

@@ -173,9 +173,10 @@ void EmstList::visit_proof(ProofVisitor& visitor) const {
 
 std::vector<BoundCheck> EmstList::bounds(const BoundContext& context) const {
   const std::size_t n = context.objects();
-  std::vector<BoundCheck> result{at_most("emst_list.certificates", "a list of the edges: at most 3n - 6, in space all pairs",
-                                         counted(std::max<std::size_t>(1, triangulation_.most_edges(n)) - 1),
-                                         counted(context.ledger->max_live))};
+  const std::size_t edges = std::max<std::size_t>(1, triangulation_.most_edges(n));
+  std::vector<BoundCheck> result{at_most("emst_list.certificates",
+                                         "a list of the edges: at most 3n - 6, in space all pairs",
+                                         counted(edges - 1), counted(context.ledger->max_live))};
   if (context.plain() && n > 1) result.push_back(spanning_tree_bound("emst_list", context));
   return result;
 }

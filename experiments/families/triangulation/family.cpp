@@ -9,8 +9,9 @@ lab::FamilyExperiments triangulation_experiments() {
   lab::FamilyExperiments family;
   family.name = "triangulation";
   family.usual = {{false, 2, "delaunay_2"}};
-  family.workloads = {{"skew-curves", "a point passes between two skew curves of --n points each in space",
-                       3, 3, 3, false, false, false, "delaunay_3", generate_skew_curves, 2}};
+  family.workloads = {{"skew-curves",
+                       "a point passes between two skew curves of --n points each in space", 3, 3,
+                       3, false, false, false, "delaunay_3", generate_skew_curves, 2}};
   family.add_cells = add_triangulation_cells;
   family.trade = {{"delaunay_2",
                    2,

@@ -15,7 +15,8 @@ void generate_skew_curves(const lab::WorkloadParameters& parameters, Scene& scen
   const std::int64_t n = parameters.n;
   scene.start = -10000000;
   scene.end = Rational(10000000);
-  const auto rest = [&scene](const std::string& name, std::int64_t x, std::int64_t y, std::int64_t z) {
+  const auto rest = [&scene](const std::string& name, std::int64_t x, std::int64_t y,
+                             std::int64_t z) {
     lab::add_object(scene, name, {{Rational(x)}, {Rational(y)}, {Rational(z)}});
   };
   for (std::int64_t i = 0; i < n; ++i) {

@@ -17,7 +17,8 @@ namespace {
 constexpr const char* kReaders[] = {"closest_pair_delaunay", "emst_list", "emst_cycles"};
 
 struct SpaceRun {
-  explicit SpaceRun(Scene given, const std::string& arithmetic = "exact", AuditLevel audit = AuditLevel::kEvents)
+  explicit SpaceRun(Scene given, const std::string& arithmetic = "exact",
+                    AuditLevel audit = AuditLevel::kEvents)
       : scene(asking(std::move(given))),
         simulator(scene, planned_arithmetic(arithmetic, scene), Trial::options(audit)),
         replay(simulator) {
