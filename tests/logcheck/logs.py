@@ -16,6 +16,7 @@ PLANE = ["convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force", "c
          "diameter_2", "diameter_all_pairs",
          "bounding_box_2_hull", "farthest_delaunay_2",
          "min_circle_2", "min_circle_2_brute_force"]
+SPACE = ["delaunay_3", "closest_pair_delaunay", "emst_list", "emst_cycles"]  # in scenes of three axes
 BODIES = ["separation_mixed", "separation_minkowski", "separation_hysteresis", "closest_features",
           "inner_tangents", "bounding_volumes"]
 POINT_FAMILIES = ["uniform-square", "uniform-disk", "gaussian", "grid", "lattice", "meet", "through-one-point",

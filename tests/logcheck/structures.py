@@ -24,7 +24,7 @@ def maintained(structure):
 
 def main():
     program, folder = sys.argv[1:3]
-    chosen = sys.argv[3].split(",") if len(sys.argv) > 3 else logs.LINE + logs.PLANE + logs.BODIES
+    chosen = sys.argv[3].split(",") if len(sys.argv) > 3 else logs.LINE + logs.PLANE + logs.SPACE[:1] + logs.BODIES
     modules = logs.checker(folder)
     logs.skip_old(program)
     tried, levels, wrong = collections.Counter(), collections.defaultdict(collections.Counter), []
@@ -56,6 +56,12 @@ def main():
             if structure in logs.LINE and not structure.endswith("dual_hull"):
                 check(scratch, structure, "uniform-square", 7, i, structure, "--degree", "3", "--dimension", "1")
             check(scratch, structure, "gaussian", 6, i, maintained(structure)[0], "--degree", "2")
+        for i, structure in enumerate(logs.SPACE):
+            if structure not in chosen:
+                continue
+            for j, family in enumerate(("uniform-square", "lattice", "grid", "meet")):
+                check(scratch, structure, family, 7, i + j, structure, "--dimension", "3")
+                check(scratch, structure, family, 5, i + 2 * j, structure, "--dimension", "3")
         for i, structure in enumerate(logs.BODIES):
             if structure not in chosen:
                 continue
