@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/arithmetic/query_relation.h"
 #include "core/numbers/check.h"
 #include "core/numbers/exactly.h"
 
@@ -198,9 +199,15 @@ int EventQueue::compare_times(Entry& a, Entry& b) {
   if (later_a && later_b) return a.lo < b.lo ? -1 : a.lo > b.lo ? 1 : 0;
   if (later_a) return -compare_to_limit(b, a.lo);
   if (later_b) return compare_to_limit(a, b.lo);
+  const Query qa = query(ca), qb = query(cb);
+  // Both hold until they fail for the first time, so one polynomial has one failure.
+  if (qa.predicate == qb.predicate &&
+      query_relation(qa, qb, arithmetic_->predicate(qa.predicate).alternating()) > 0) {
+    return 0;
+  }
   FailureTime ta{a.lo, a.hi, ca.root};
   FailureTime tb{b.lo, b.hi, cb.root};
-  const int order = arithmetic_->compare(query(ca), ta, query(cb), tb);
+  const int order = arithmetic_->compare(qa, ta, qb, tb);
   a.lo = ta.lo;
   a.hi = ta.hi;
   ca.root = ta.root;

@@ -50,6 +50,7 @@ Scene scene_of(const lab::SpeedRow& contest) {
   const lab::Workload& workload = *lab::find_workload(contest.workload);
   const bool line = find_structure_info(contest.structure)->min_dimension == 1;
   if (!workload.bodies && line && workload.min_dimension == 1) parameters.dimension = 1;
+  if (find_structure_info(contest.structure)->min_dimension == 3) parameters.dimension = 3;
   if (contest.inverse_separation > 0) {
     parameters.separation = Rational(Integer(1), Integer(contest.inverse_separation));
   }

@@ -30,11 +30,12 @@ struct InSphere3 {
   int dimension() const { return 3; }
   // No figure of the plane shows it.
   ClaimForm form() const {
-    return {ClaimFigure::kNone,
-            1,
-            kRoles,
-            "{4} is not inside the sphere through {0}, {1}, {2} and {3}, whose orientation is negative",
-            {}};
+    return {
+        ClaimFigure::kNone,
+        1,
+        kRoles,
+        "{4} is not inside the sphere through {0}, {1}, {2} and {3}, whose orientation is negative",
+        {}};
   }
 
   template <class Points>

@@ -25,7 +25,8 @@ struct Orientation3 {
     return {ClaimFigure::kNone,
             1,
             kRoles,
-            "{3} is not on the side of the plane through {0}, {1} and {2} from which they are counter-clockwise",
+            "{3} is not on the side of the plane through {0}, {1} and {2} from which they are "
+            "counter-clockwise",
             {}};
   }
 

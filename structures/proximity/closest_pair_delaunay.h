@@ -4,7 +4,8 @@
 // the classes. These are closest_pair_delaunay and bichromatic_pair_delaunay.
 //
 // Certificates. It watches the triangulation (delaunay_2, or delaunay_3 in space) and keeps the
-// shortest of its edges by a ChangingExtremum: "this edge is at most as long as that one", degree 2d for motions of degree d.
+// shortest of its edges by a ChangingExtremum: "this edge is at most as long as that one", degree 2d
+// for motions of degree d.
 // The disc that has a closest pair as diameter holds no third point, not even on its boundary. So
 // every closest pair is an edge of every Delaunay triangulation. Points hidden behind an
 // identically equal vertex add the pairs (vertex, hidden point), of length zero. A flip ab -> cd
@@ -14,10 +15,11 @@
 // it, of either class, would be closer to the end of the other class. At a distance above zero no
 // two identically equal points differ in class, and the vertices stand for those hidden behind
 // them; at distance zero the smallest pair of a group of equal points contains its vertex. So the
-// edges between the classes suffice. They are those of a bipartite planar graph: at most 2n - 4.
+// edges between the classes suffice. In the plane they are those of a bipartite planar graph: at
+// most 2n - 4.
 //
-// Quality, for n points: at most 3n - 7 certificates of its own (2n - 5 for two classes), not
-// local; a flip or a failure
+// Quality, for n points in the plane: at most 3n - 7 certificates of its own (2n - 5 for two
+// classes; in space one fewer than pairs that count), not local; a flip or a failure
 // renews O(log n). A new flight plan, an insertion, an erasure, two points that pass on a line, or
 // a degenerate instant reads all edges, O(n), and renews O(log n) certificates for each changed
 // edge. External events: one for each instant that changes the pair, at most lambda_2d(n(n-1)/2) -

@@ -25,12 +25,16 @@ std::optional<DelaunayEdgeChange> change_in_space(const Event& event) {
   const DelaunayEdge edge{event.ids[0], event.ids[1]};
   switch (event.kind) {
     case Delaunay3::kFlip23:
-    case Delaunay3::kHull23: return DelaunayEdgeChange{{}, edge};
+    case Delaunay3::kHull23:
+      return DelaunayEdgeChange{{}, edge};
     case Delaunay3::kFlip32:
-    case Delaunay3::kHull32: return DelaunayEdgeChange{edge, {}};
+    case Delaunay3::kHull32:
+      return DelaunayEdgeChange{edge, {}};
     case Delaunay3::kEnter:
-    case Delaunay3::kLeave: return DelaunayEdgeChange{};
-    default: return std::nullopt;
+    case Delaunay3::kLeave:
+      return DelaunayEdgeChange{};
+    default:
+      return std::nullopt;
   }
 }
 

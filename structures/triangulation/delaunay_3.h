@@ -132,7 +132,8 @@ class Delaunay3 final : public Structure {
     return geometry_.claim(store_.quad(Triangulation3::cell(f)), store_.apex(store_.mate(f)));
   }
   bool is_bad(Facet f) const {
-    return geometry_.is_bad(store_.quad(Triangulation3::cell(f)), f % 4, store_.apex(store_.mate(f)));
+    return geometry_.is_bad(store_.quad(Triangulation3::cell(f)), f % 4,
+                            store_.apex(store_.mate(f)));
   }
   void set_certificate(Facet f);
   void set_certificates(std::span<const Facet> facets);
@@ -171,8 +172,8 @@ class Delaunay3 final : public Structure {
   };
   bool sew(std::vector<Cell> cells, const Guests& guests);
   bool find_patch(const std::vector<Facet>& rim, const std::vector<ObjectId>& vertices,
-                  const std::vector<std::pair<ObjectId, ObjectId>>& hidden, std::vector<Quad>& quads,
-                  std::vector<Cell>& more) const;
+                  const std::vector<std::pair<ObjectId, ObjectId>>& hidden,
+                  std::vector<Quad>& quads, std::vector<Cell>& more) const;
   std::vector<Cell> wrong_cells();
   void add_cells_at_meetings(std::vector<Cell>& cells);
   bool fill(const std::vector<Cell>& cells, const std::vector<Quad>& quads);

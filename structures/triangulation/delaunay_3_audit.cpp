@@ -22,7 +22,8 @@ using Point = Exact::Point_3;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<ObjectId, Exact>;
 using CellBase = CGAL::Delaunay_triangulation_cell_base_3<Exact>;
 using Witness =
-    CGAL::Delaunay_triangulation_3<Exact, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+    CGAL::Delaunay_triangulation_3<Exact,
+                                   CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 using Quad = std::array<ObjectId, 4>;
 
 Point point_of(const Snapshot& snapshot, ObjectId id) {
@@ -61,7 +62,8 @@ bool inside_by_ties(const std::vector<Point>& points, const Quad& cell, ObjectId
   std::sort(order.begin(), order.end());
   for (const ObjectId lowered : order) {
     // Expanded along the last column: the minor without the row of the point, with a column of ones.
-    const auto at = static_cast<std::size_t>(std::find(row.begin(), row.end(), lowered) - row.begin());
+    const auto at =
+        static_cast<std::size_t>(std::find(row.begin(), row.end(), lowered) - row.begin());
     std::array<ObjectId, 4> others{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < 5; ++i) {
@@ -84,16 +86,17 @@ std::vector<BoundCheck> Delaunay3::bounds(const BoundContext& context) const {
   if (corrupt_) return checks;
   BoundCheck check;
   check.id = "delaunay_3.certificates";
-  check.source = "Euler's formula: one certificate per facet, twice the number of cells, ghosts included";
+  check.source =
+      "Euler's formula: one certificate per facet, twice the number of cells, ghosts included";
   check.bound = Integer(static_cast<std::int64_t>(2 * store_.cells()));
   check.observed = Integer(static_cast<std::int64_t>(ledger.live));
   check.holds = check.bound == check.observed;
   checks.push_back(std::move(check));
   const Integer n(static_cast<std::int64_t>(context.objects()));
   const Integer most = (n + Integer(1)) * (n - Integer(2));
-  checks.push_back(at_most("delaunay_3.compactness", "2 (E - V) facets, V = n + 1, E <= C(n + 1, 2)",
-                           most.sign() < 0 ? Integer(0) : most,
-                           Integer(static_cast<std::int64_t>(ledger.max_live))));
+  checks.push_back(at_most(
+      "delaunay_3.compactness", "2 (E - V) facets, V = n + 1, E <= C(n + 1, 2)",
+      most.sign() < 0 ? Integer(0) : most, Integer(static_cast<std::int64_t>(ledger.max_live))));
   // The theorems count flips in general position; degenerate instants may fail more certificates.
   if (!context.plain() || ledger.rebuilds != 0 || sews_ != 0 || blocks_ != 0) return checks;
   const Integer d(context.degree);
@@ -181,8 +184,8 @@ void Delaunay3::audit(const Snapshot& snapshot, AuditReport& report) const {
   Number volume = 0, whole = 0;
   std::set<Quad> theirs;
   for (auto c = witness.finite_cells_begin(); c != witness.finite_cells_end(); ++c) {
-    theirs.insert(sorted({c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(),
-                          c->vertex(3)->info()}));
+    theirs.insert(sorted(
+        {c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(), c->vertex(3)->info()}));
     whole += CGAL::volume(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
                           c->vertex(3)->point());
   }

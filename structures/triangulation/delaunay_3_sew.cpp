@@ -44,7 +44,8 @@ class FacetIndex {
   }
   Triangulation3::Facet find(const Triangulation3::Triple& triple, int side) const {
     const auto at = std::lower_bound(entries_.begin(), entries_.end(), Entry{triple, side, 0});
-    const bool found = at != entries_.end() && std::get<0>(*at) == triple && std::get<1>(*at) == side;
+    const bool found =
+        at != entries_.end() && std::get<0>(*at) == triple && std::get<1>(*at) == side;
     return found ? std::get<2>(*at) : Triangulation3::kNone;
   }
 
@@ -189,7 +190,9 @@ bool Delaunay3::sew(std::vector<Cell> cells, const Guests& guests) {
     kernel_->poll();
     sort_unique(cells);
     if (cells.size() >= store_.cells()) return false;
-    const auto inside = [&cells](Cell c) { return std::binary_search(cells.begin(), cells.end(), c); };
+    const auto inside = [&cells](Cell c) {
+      return std::binary_search(cells.begin(), cells.end(), c);
+    };
     vertices = guests.came;
     rim.clear();
     for (const Cell c : cells) {
@@ -265,7 +268,8 @@ bool Delaunay3::find_patch(const std::vector<Facet>& rim, const std::vector<Obje
   }
   for (const auto& [v, behind] : hidden) covered.push_back(v);
   sort_unique(covered);
-  if (!std::includes(covered.begin(), covered.end(), vertices.begin(), vertices.end())) return false;
+  if (!std::includes(covered.begin(), covered.end(), vertices.begin(), vertices.end()))
+    return false;
   for (std::size_t i = 0; i < rim.size(); ++i) {
     const Quad inner = patch_.quad(Triangulation3::cell(found[i]));
     const ObjectId apex = store_.apex(store_.mate(rim[i]));
@@ -286,7 +290,8 @@ bool Delaunay3::fill(const std::vector<Cell>& cells, const std::vector<Quad>& qu
     old.push_back(store_.quad(c));
     for (Facet f = 4 * c; f < 4 * c + 4; ++f) {
       const Facet g = store_.mate(f);
-      if (f > g || !std::binary_search(sorted.begin(), sorted.end(), Triangulation3::cell(g))) continue;
+      if (f > g || !std::binary_search(sorted.begin(), sorted.end(), Triangulation3::cell(g)))
+        continue;
       if (store_.label(f) != kNoCertificate) inside.push_back(store_.label(f));
     }
   }
@@ -306,7 +311,8 @@ bool Delaunay3::fill(const std::vector<Cell>& cells, const std::vector<Quad>& qu
   for (const Cell c : fresh_) {
     for (Facet f = 4 * c; f < 4 * c + 4; ++f) {
       const Facet g = store_.mate(f);
-      if (f > g && std::binary_search(sorted.begin(), sorted.end(), Triangulation3::cell(g))) continue;
+      if (f > g && std::binary_search(sorted.begin(), sorted.end(), Triangulation3::cell(g)))
+        continue;
       set_certificate(f);
     }
   }

@@ -52,7 +52,8 @@ void Delaunay3::construct() {
   }
   std::vector<std::pair<ObjectId, ObjectId>> hidden;
   const StaticResult built = build_static(geometry_, objects, true, store_, hidden);
-  if (built == StaticResult::kFailed) return give_up("the static construction found no place for a point");
+  if (built == StaticResult::kFailed)
+    return give_up("the static construction found no place for a point");
   for (const auto& [v, behind] : hidden) hide(v, behind);
   flat_ = built == StaticResult::kFlat;
   for (Cell c = 0; c < store_.cell_capacity() && !corrupt_; ++c) {
@@ -129,7 +130,8 @@ void Delaunay3::put_in(ObjectId object) {
   if (vertex != kNoObject) {
     std::vector<Cell> cells;
     store_.star(vertex, cells);
-    if (!sew(cells, {{vertex}, {object}})) return rebuild_because("insertion in place of an equal point");
+    if (!sew(cells, {{vertex}, {object}}))
+      return rebuild_because("insertion in place of an equal point");
     return hide(vertex, object);
   }
   if (place.cell != kNone) {

@@ -7,7 +7,8 @@
 namespace kinex {
 
 std::vector<Triangulation3::Cell> cells_around_edge(const Triangulation3& store,
-                                                    Triangulation3::Cell c, unsigned i, unsigned j) {
+                                                    Triangulation3::Cell c, unsigned i,
+                                                    unsigned j) {
   const Triangulation3::Quad quad = store.quad(c);
   const ObjectId u = quad[i], v = quad[j];
   std::vector<Triangulation3::Cell> cells{c};

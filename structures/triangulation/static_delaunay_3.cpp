@@ -77,7 +77,8 @@ std::vector<ObjectId> quick_order(const SpaceGeometry& geometry, std::span<const
   all.resize(kept);
   std::mt19937_64 engine(20240607);
   for (Turn& turn : all) {  // half of the points come in the last round, a quarter before, ..
-    for (std::uint64_t bits = engine(); (bits & 1) != 0 && turn.round != 0; bits >>= 1) --turn.round;
+    for (std::uint64_t bits = engine(); (bits & 1) != 0 && turn.round != 0; bits >>= 1)
+      --turn.round;
     for (std::size_t k = 0; k < 3; ++k) {
       turn.place |= spread(turn.rank[k] * std::uint64_t{0xffff} / most[k]) << k;
     }
@@ -181,8 +182,8 @@ void find_conflicts(const SpaceGeometry& geometry, const Triangulation3& store, 
   }
 }
 
-StaticResult build_static(const SpaceGeometry& geometry, std::span<const ObjectId> points, bool quick,
-                          Triangulation3& store,
+StaticResult build_static(const SpaceGeometry& geometry, std::span<const ObjectId> points,
+                          bool quick, Triangulation3& store,
                           std::vector<std::pair<ObjectId, ObjectId>>& hidden) {
   store.clear();
   std::vector<ObjectId> order(points.begin(), points.end());

@@ -78,8 +78,7 @@ void Triangulation3::star(ObjectId v, std::vector<Cell>& out) const {
 
 bool Triangulation3::adjacent(ObjectId a, ObjectId b) const {
   star(a, open_);
-  return std::any_of(open_.begin(), open_.end(),
-                     [&](Cell c) { return place_of(c, b) != kNone; });
+  return std::any_of(open_.begin(), open_.end(), [&](Cell c) { return place_of(c, b) != kNone; });
 }
 
 bool Triangulation3::has_facet(ObjectId a, ObjectId b, ObjectId c) const {
@@ -177,7 +176,9 @@ void Triangulation3::flip_3_2(Facet f, Facet out, std::array<Facet, 7>& fresh,
   const std::uint32_t label = places_[f].label;
   gone[0] = places_[l].label;
   gone[1] = places_[place_of(c1, y)].label;  // between c1 and c2
-  const auto rim = [this](Facet g) { return std::pair<Facet, std::uint32_t>(places_[g].mate, places_[g].label); };
+  const auto rim = [this](Facet g) {
+    return std::pair<Facet, std::uint32_t>(places_[g].mate, places_[g].label);
+  };
   const auto below_xy = rim(j), above_xy = rim(i);
   const auto below_zy = rim(place_of(c1, v)), above_zy = rim(place_of(c1, u));
   const auto below_xz = rim(place_of(c2, v)), above_xz = rim(place_of(c2, u));
@@ -294,9 +295,11 @@ std::string Triangulation3::defect() const {
         edges.insert(std::minmax(q[i], q[j]));
       }
       const Facet f = 4 * c + i, g = places_[f].mate;
-      if (g >= places_.size() || !live(cell(g)) || places_[g].mate != f) return at(c) + " has no neighbour";
+      if (g >= places_.size() || !live(cell(g)) || places_[g].mate != f)
+        return at(c) + " has no neighbour";
       if (triple(f) != triple(g)) return at(c) + " has a neighbour on another facet";
-      if (side(q, i) == side(quad(cell(g)), g % 4)) return at(c) + " is turned against its neighbour";
+      if (side(q, i) == side(quad(cell(g)), g % 4))
+        return at(c) + " is turned against its neighbour";
       if (places_[f].label != places_[g].label) return at(c) + " has a facet with two labels";
       if (apex(f) == apex(g)) return at(c) + " is there twice";
     }
@@ -304,7 +307,8 @@ std::string Triangulation3::defect() const {
   if (cells_there != cells()) return "the number of cells is wrong";
   for (ObjectId v = 0; v < cell_of_.size(); ++v) {
     if (has(v) != (seen.count(v) != 0)) return "vertex " + std::to_string(v) + " is there or not";
-    if (has(v) && place_of(cell_of_[v], v) == kNone) return "vertex " + std::to_string(v) + " has another cell";
+    if (has(v) && place_of(cell_of_[v], v) == kNone)
+      return "vertex " + std::to_string(v) + " has another cell";
   }
   if (cells_there == 0) return vertices_ == 0 ? "" : "vertices without cells";
   if (vertices_ + 1 != seen.size()) return "the number of vertices is wrong";

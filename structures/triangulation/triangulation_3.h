@@ -37,7 +37,8 @@ class Triangulation3 {
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
   // Vertices are the ids 0 .. objects - 1; `objects` itself stands for infinity.
-  explicit Triangulation3(std::size_t objects) : infinity_(static_cast<ObjectId>(objects)), cell_of_(objects + 1, kNone) {}
+  explicit Triangulation3(std::size_t objects)
+      : infinity_(static_cast<ObjectId>(objects)), cell_of_(objects + 1, kNone) {}
 
   ObjectId infinity() const { return infinity_; }
   // O(cells).
@@ -98,7 +99,8 @@ class Triangulation3 {
   // 3-2: the edge of f opposite the place `out` of its cell, around which there are three cells, is
   // replaced by a facet. `gone` receives the labels of two of the three facets at the edge; the new
   // facet, fresh[0], has the label of f. Six facets outside follow.
-  void flip_3_2(Facet f, Facet out, std::array<Facet, 7>& fresh, std::array<std::uint32_t, 2>& gone);
+  void flip_3_2(Facet f, Facet out, std::array<Facet, 7>& fresh,
+                std::array<std::uint32_t, 2>& gone);
 
   // Replaces `cells` by cells with the vertices `quads`, which fill the same place: every facet is
   // in two cells, from opposite sides. Labels on the rim are kept; those inside are kNone. False,

@@ -24,7 +24,8 @@ def maintained(structure):
 
 def main():
     program, folder = sys.argv[1:3]
-    chosen = sys.argv[3].split(",") if len(sys.argv) > 3 else logs.LINE + logs.PLANE + logs.GRAPHS + logs.BODIES
+    chosen = (sys.argv[3].split(",") if len(sys.argv) > 3
+              else logs.LINE + logs.PLANE + logs.GRAPHS + logs.SPACE[:1] + logs.BODIES)
     modules = logs.checker(folder)
     logs.skip_old(program)
     tried, levels, wrong = collections.Counter(), collections.defaultdict(collections.Counter), []
@@ -64,6 +65,12 @@ def main():
                 check(scratch, structure, family, 5, i + 2 * j, structure, "--dimension", "1")
             check(scratch, structure, "random-graph", 10, i, structure, "--m", "4")
             check(scratch, structure, "parallel-edges", 4, i, structure, "--m", "2")
+        for i, structure in enumerate(logs.SPACE):
+            if structure not in chosen:
+                continue
+            for j, family in enumerate(("uniform-square", "lattice", "grid", "meet")):
+                check(scratch, structure, family, 7, i + j, structure, "--dimension", "3")
+                check(scratch, structure, family, 5, i + 2 * j, structure, "--dimension", "3")
         for i, structure in enumerate(logs.BODIES):
             if structure not in chosen:
                 continue

@@ -144,7 +144,9 @@ TEST(Ledger, SumsAgree) {
         SCOPED_TRACE(std::string(info.name) + " in " + arithmetic + ", seed " +
                      std::to_string(seed));
         const int degree = info.linear() ? 1 : 1 + static_cast<int>(seed % 2);
-        const Scene scene = suited(random_flights(seed, 7, 2, degree, seed % 2 == 0), info);
+        const int dimension = std::max(2, info.min_dimension);
+        const Scene scene =
+            suited(random_flights(seed, 7, dimension, degree, seed % 2 == 0), info);
         Trial run(scene, std::string(info.name), arithmetic, AuditLevel::kEnd);
         run.to_end();
         expect_sums(run);
@@ -207,9 +209,12 @@ TEST(Ledger, ExternalEventsAreThoseThatTheLogMarks) {
       const int degree = info.linear() ? 1 : 2;
       for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         // Flight plans; many at one instant, some that last; ordinary scenes.
-        for (const Scene& scene :
-             {random_flights(seed, 9, 2, degree, seed % 2 == 0), small_plane(8, seed, degree, 2),
-              random_plane(12, seed, degree)}) {
+        std::vector<Scene> scenes{random_flights(seed, 7, 3, degree, seed % 2 == 0)};
+        if (info.min_dimension < 3) {
+          scenes = {random_flights(seed, 9, 2, degree, seed % 2 == 0), small_plane(8, seed, degree, 2),
+                    random_plane(12, seed, degree)};
+        }
+        for (const Scene& scene : scenes) {
           beyond += expect_external_as_logged(suited(scene, info), name, arithmetic);
         }
       }

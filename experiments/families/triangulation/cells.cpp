@@ -65,6 +65,7 @@ void add_triangulation_cells(lab::Catalogue& catalogue, lab::Extent extent) {
     for (const int size : {32, 48, 64}) add_quadratic(catalogue, size, 0, 5);
   }
   add_random_motion(catalogue);
+  add_space_cells(catalogue, extent);
 }
 
 }  // namespace kinex::families

@@ -9,6 +9,9 @@ lab::FamilyExperiments triangulation_experiments() {
   lab::FamilyExperiments family;
   family.name = "triangulation";
   family.usual = {{false, 2, "delaunay_2"}};
+  family.workloads = {{"skew-curves",
+                       "a point passes between two skew curves of --n points each in space", 3, 3,
+                       3, false, false, false, "delaunay_3", generate_skew_curves, 2}};
   family.add_cells = add_triangulation_cells;
   family.trade = {{"delaunay_2",
                    2,
@@ -17,7 +20,15 @@ lab::FamilyExperiments triangulation_experiments() {
                    {4, 8},
                    {16, 36},
                    {8, 16},
-                   {{8, 16, 32, 64}, {8, 16, 32, 64, 128, 256}}}};
+                   {{8, 16, 32, 64}, {8, 16, 32, 64, 128, 256}}},
+                  {"delaunay_3",
+                   3,
+                   {10, 20},
+                   "skew-curves",
+                   {3, 6},
+                   {8, 27},
+                   {8, 16},
+                   {{8, 12}, {8, 12, 16, 24}}}};
   family.speed = triangulation_speed_rows;
   return family;
 }

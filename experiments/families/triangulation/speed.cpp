@@ -20,6 +20,8 @@ std::vector<lab::SpeedRow> triangulation_speed_rows(int scale) {
   rows.push_back(plans_row("delaunay_2", 100, scale));
   add_common_rows(rows, "delaunay_2", scale, 1000);
   rows.push_back({"delaunay_2", random, 1, n(200), reference});
+  rows.push_back(random_row("delaunay_3", 1, n(500)));
+  rows.push_back(random_row("delaunay_3", 1, n(5000), 300000));
   return rows;
 }
 

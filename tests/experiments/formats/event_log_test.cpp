@@ -116,6 +116,12 @@ TEST(LogRules, KindsAreThoseOfTheStructures) {
     ASSERT_NE(formats::own_kinds(info.name), nullptr) << info.name;
     Scene scene = workload(
         info.bodies ? "polygon-line" : info.graph ? "random-graph" : "uniform-square", 6);
+    if (info.min_dimension == 3) {
+      lab::WorkloadParameters parameters;
+      parameters.n = 6;
+      parameters.dimension = 3;
+      scene = lab::generate_scene(*lab::find_workload("uniform-square"), parameters);
+    }
     formats::set_maintain(scene, {std::string(info.name)});
     const auto simulator = lab::make_simulator(scene, "exact", {});
     const StructureId id = asked_structure(scene);

@@ -36,7 +36,9 @@ class World {
  public:
   explicit World(const Scene& scene, const std::string& arithmetic = "exact",
                  AuditLevel audit = AuditLevel::kEvents)
-      : scene_(scene), simulator_(scene_, make_arithmetic(arithmetic, scene_), options(audit)), replay_(*this) {
+      : scene_(scene),
+        simulator_(scene_, make_arithmetic(arithmetic, scene_), options(audit)),
+        replay_(*this) {
     simulator_.set_sink(&replay_);
     id_ = simulator_.reserve();
     auto structure = std::make_unique<Delaunay3>(simulator_.kernel(), id_, scene_);
@@ -77,7 +79,9 @@ class World {
   std::vector<ObjectId> cells() const { return structure_->attribute().ids; }
   const std::vector<std::string>& lines() const { return replay_.lines; }
   // For each "retile" and rebuild that changed cells: cells that left, cells that joined.
-  const std::vector<std::pair<std::size_t, std::size_t>>& retiled() const { return replay_.retiled; }
+  const std::vector<std::pair<std::size_t, std::size_t>>& retiled() const {
+    return replay_.retiled;
+  }
 
   RunStatus status = RunStatus::kDone;
 
@@ -91,7 +95,8 @@ class World {
       begun_ = true;
       cells_.clear();
       const std::vector<ObjectId> ids = world_->cells();
-      for (std::size_t i = 0; i < ids.size(); i += 4) cells_.insert({ids[i], ids[i + 1], ids[i + 2], ids[i + 3]});
+      for (std::size_t i = 0; i < ids.size(); i += 4)
+        cells_.insert({ids[i], ids[i + 1], ids[i + 2], ids[i + 3]});
     }
     void event(const Event& event, Arithmetic&) override {
       const std::string kind(world_->simulator_.event_kinds(event.structure)[event.kind]);
@@ -103,13 +108,16 @@ class World {
       if (!event.external) return;
       const auto& v = event.ids;
       if (event.has_difference()) {
-        for (std::size_t i = 0; i < event.gone.size(); i += 4) go({event.gone[i], event.gone[i + 1], event.gone[i + 2], event.gone[i + 3]});
-        for (std::size_t i = 0; i < event.came.size(); i += 4) come({event.came[i], event.came[i + 1], event.came[i + 2], event.came[i + 3]});
+        for (std::size_t i = 0; i < event.gone.size(); i += 4)
+          go({event.gone[i], event.gone[i + 1], event.gone[i + 2], event.gone[i + 3]});
+        for (std::size_t i = 0; i < event.came.size(); i += 4)
+          come({event.came[i], event.came[i + 1], event.came[i + 2], event.came[i + 3]});
         retiled.emplace_back(event.gone.size() / 4, event.came.size() / 4);
       } else if (kind == "flip_2_3" || kind == "flip_3_2") {
         const bool joins = kind == "flip_2_3";
         for (const ObjectId end : {v[0], v[1]}) change(!joins, {end, v[2], v[3], v[4]});
-        for (const auto& [a, b] : {std::pair(v[2], v[3]), std::pair(v[3], v[4]), std::pair(v[2], v[4])}) {
+        for (const auto& [a, b] :
+             {std::pair(v[2], v[3]), std::pair(v[3], v[4]), std::pair(v[2], v[4])}) {
           change(joins, {v[0], v[1], a, b});
         }
       } else {
@@ -122,7 +130,8 @@ class World {
       reread_ = false;
       std::vector<ObjectId> ids;
       for (const Cell& cell : cells_) ids.insert(ids.end(), cell.begin(), cell.end());
-      if (ids != world_->cells() && wrong.empty()) wrong = "events lead to other cells, after " + (lines.empty() ? "" : lines.back());
+      if (ids != world_->cells() && wrong.empty())
+        wrong = "events lead to other cells, after " + (lines.empty() ? "" : lines.back());
     }
     std::vector<std::string> lines;
     std::vector<std::pair<std::size_t, std::size_t>> retiled;

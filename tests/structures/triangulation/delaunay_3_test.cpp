@@ -6,8 +6,8 @@ namespace kinex::delaunay_3_test {
 namespace {
 
 using test::lattice_scene;
-using test::random_flights;
 using test::Random;
+using test::random_flights;
 using test::reference_scene;
 using test::scene_of;
 
@@ -106,7 +106,8 @@ TEST(Delaunay3, OctahedronIsSewn) {
   }
   motions.push_back(integers({0, 0, 1}, {0, 0, 1}));
   motions.push_back(integers({0, 0, -1}, {0, 0, 0}));
-  World world(scene_of(motions, Rational(Integer(-1), Integer(2)), Rational(Integer(1), Integer(2))));
+  World world(
+      scene_of(motions, Rational(Integer(-1), Integer(2)), Rational(Integer(1), Integer(2))));
   world.run().expect_clean();
   for (const std::string& line : world.lines()) ::testing::Test::RecordProperty("event", line);
   EXPECT_EQ(world.cells().size(), 4 * 4u);
@@ -140,7 +141,8 @@ TEST(Delaunay3, FewPointsAndOnePlane) {
   std::vector<Trajectory> plane, line, place;
   Random random(3);
   for (int i = 0; i < 7; ++i) {
-    const std::int64_t x = random.between(-9, 9), y = random.between(-9, 9), v = random.between(-3, 3);
+    const std::int64_t x = random.between(-9, 9), y = random.between(-9, 9),
+                       v = random.between(-3, 3);
     plane.push_back(integers({x, y, x + y}, {v, 1, v + 1}));
     line.push_back(integers({x, 2 * x, 1}, {v, 2 * v, 0}));
     place.push_back(integers({1, 2, 3}, {1, 0, 0}));
@@ -169,7 +171,8 @@ TEST(Delaunay3, EqualPointsAreHidden) {
 TEST(Delaunay3, InexactArithmeticsNeverFallOver) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:12", "mpfr:60"}) {
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
-      World world(lattice_scene(seed, 5 + static_cast<int>(seed % 5), 3), arithmetic, AuditLevel::kNone);
+      World world(lattice_scene(seed, 5 + static_cast<int>(seed % 5), 3), arithmetic,
+                  AuditLevel::kNone);
       world.run();
       EXPECT_EQ(world.status, RunStatus::kDone) << arithmetic;
     }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions: does the triangulation in space change exactly as often as counted by another program?
+//   How many events does random motion cause?
+// Sources: flips of small integers and of the skew curves counted by brute force over exact positions
+//   between all critical times; Guibas, "Kinetic data structures: a state of the art report" (1998),
+//   section 9, gives n^(4/3) for random motion in space as a preliminary figure.
+// Expected: the integers below, in every run; every hard bound, and every audit. No exponent: from
+//   n = 50 to 1600 the growth still slows down, and no single power fits.
+// Cost: about 5 s, half a minute in full.
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "experiments/families/points/random_motion.h"
+#include "experiments/families/triangulation/experiments.h"
+#include "experiments/lab/cell_parts.h"
+
+namespace kinex::families {
+namespace {
+
+void expect(lab::Cell& cell, std::string claim, std::string quantity, int count) {
+  cell.expectations.push_back(lab::expect_exactly(std::move(claim), std::move(quantity),
+                                                  Integer(count),
+                                                  "counted by brute force over exact positions"));
+}
+
+void add_small_integers(lab::Catalogue& catalogue) {
+  struct Counted {
+    int n;
+    std::uint64_t seed;
+    int inner_2_3, hull_2_3, inner_3_2, hull_3_2;
+  };
+  for (const Counted& one : {Counted{6, 1, 2, 4, 3, 4}, {7, 2, 9, 7, 8, 10}, {8, 1, 5, 9, 5, 9}}) {
+    lab::Cell cell = lab::worst_case_cell("delaunay_3", "small-integers", one.n, 1, 0.1);
+    cell.parameters.seed = one.seed;
+    cell.parameters.dimension = 3;
+    cell.audit = AuditLevel::kEvents;
+    expect(cell, "delaunay_3.small_integers.2_3", "kind.flip_2_3", one.inner_2_3);
+    expect(cell, "delaunay_3.small_integers.3_2", "kind.flip_3_2", one.inner_3_2);
+    expect(cell, "delaunay_3.small_integers.hull_2_3", "kind.enter+kind.hull_2_3", one.hull_2_3);
+    expect(cell, "delaunay_3.small_integers.hull_3_2", "kind.leave+kind.hull_3_2", one.hull_3_2);
+    catalogue.cells.push_back(std::move(cell));
+  }
+}
+
+}  // namespace
+
+void add_space_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  add_small_integers(catalogue);
+  for (const auto& [n, flips] : {std::pair(2, 6), std::pair(3, 20), std::pair(4, 38)}) {
+    lab::Cell cell = lab::worst_case_cell("delaunay_3", "skew-curves", n, 1, 0.1);
+    cell.audit = AuditLevel::kEvents;
+    expect(cell, "delaunay_3.skew_curves", "external", flips);
+    catalogue.cells.push_back(std::move(cell));
+  }
+  for (const int n : {16, 32, 64, 128}) {
+    if (n > 32 && extent == lab::Extent::kQuick) continue;
+    lab::Cell cell = uniform_cell("delaunay_3", n, 3);
+    cell.cost = n / 40.0;
+    catalogue.cells.push_back(std::move(cell));
+  }
+}
+
+}  // namespace kinex::families
