@@ -38,7 +38,7 @@ constexpr std::size_t kSmall = 64;
 constexpr std::size_t kReserve = 1 << 18;
 std::atomic<void*> reserve{nullptr};
 
-// Blocks of a limb or less are cells, but for the address sanitizer, which is to see them.
+// Blocks of a limb or less are limb_cells, but for the address sanitizer, which is to see them.
 #ifdef KINEX_ADDRESS_SANITIZER
 constexpr std::size_t kCell = 0;
 #else
@@ -56,11 +56,11 @@ struct ThreadState {
   Block freed;  // see the header
 };
 thread_local ThreadState state;
-thread_local LimbCells cells;
+thread_local LimbCells limb_cells;
 
 void give_back(const Block& block) {
   if (block.memory == nullptr) return;
-  if (block.size <= kCell) return cells.give_back(block.memory);
+  if (block.size <= kCell) return limb_cells.give_back(block.memory);
   std::free(block.memory);
 }
 
@@ -104,7 +104,7 @@ void* obtain(std::size_t size, const Get& get) {
 
 void* allocate(std::size_t size) {
   look_at_deadline(size);
-  void* block = obtain(size, [size] { return size <= kCell ? cells.take() : std::malloc(size); });
+  void* block = obtain(size, [size] { return size <= kCell ? limb_cells.take() : std::malloc(size); });
   give_back(std::exchange(state.freed, {}));
   return block;
 }
@@ -115,7 +115,7 @@ void* reallocate(void* block, std::size_t before, std::size_t size) {
     return obtain(size, [block, size] { return std::realloc(block, size); });
   }
   if (before <= kCell && size <= kCell) return block;
-  void* moved = obtain(size, [size] { return size <= kCell ? cells.take() : std::malloc(size); });
+  void* moved = obtain(size, [size] { return size <= kCell ? limb_cells.take() : std::malloc(size); });
   std::memcpy(moved, block, std::min(before, size));
   give_back({block, before});
   return moved;
