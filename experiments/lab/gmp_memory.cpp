@@ -38,7 +38,7 @@ constexpr std::size_t kSmall = 64;
 constexpr std::size_t kReserve = 1 << 18;
 std::atomic<void*> reserve{nullptr};
 
-// Blocks of a limb or less are limb_cells, but for the address sanitizer, which is to see them.
+// Blocks of a limb or less are cells, but for the address sanitizer, which is to see them.
 #ifdef KINEX_ADDRESS_SANITIZER
 constexpr std::size_t kCell = 0;
 #else

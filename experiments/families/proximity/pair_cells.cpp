@@ -35,7 +35,7 @@ struct Counted {
   int pair, colours, nearest;  // nearest to the first object; -1: not in the plane
 };
 
-void add_small_integers(lab::Catalogue& catalogue) {
+void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
   for (const Counted& one : {Counted{6, 2, 1, 4, 5, 1},
                              {8, 2, 1, 5, 3, 2},
                              {10, 2, 2, 8, 6, 4},
@@ -69,7 +69,7 @@ void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent) {
                   "all nm pairs are the closest in turn: nm - 1");
     }
   }
-  add_small_integers(catalogue);
+  add_pairs_of_small_integers(catalogue);
   for (const char* structure :
        {"closest_pair_all", "closest_pair_range_tree", "bichromatic_pair_all",
         "bichromatic_pair_delaunay", "nearest_site"}) {
