@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // calipers_2 on known scenes: exact counts, under every hull.
 //
-// Broken on purpose, and seen to fail here: in Calipers, contacts that a swap leaves as they were
-// (ReferenceScenes, and every audit); a claim of a quarter turn with its two ends not exchanged
-// (VernierTurned); the smaller tail second in a tie (ASquareAtCommonVelocity); no check of the
-// turn in leave() (Lattices of calipers_random_test.cpp).
+// Broken on purpose, and seen to fail here: in Calipers, a contact that a swap leaves as it was
+// (ReferenceScenes, Triangle, VernierTurned), a claim of a quarter turn that is not negated (Triangle,
+// ThroughOnePoint), ties in the reverse order (ASquareAtCommonVelocity), contacts that are built one
+// edge late (ATriangleThroughOneLine, FoldsAgree).
 #include <string>
 #include <vector>
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Structures over one hull share one calipers_2: the same values at the same instants as alone, and
 // the certificates of the calipers are paid for once.
-//
-// Broken on purpose, and seen to fail here: a reader that does not follow the calipers when it is
-// notified; changes of the calipers forgotten before their readers have followed; a fold of 4
-// folds read as one of 2.
 #include <map>
 #include <memory>
 #include <string>
