@@ -99,9 +99,8 @@ lab::StudyResult study_directions(bool quick, const std::function<bool()>& go_on
                          "error seen"};
   result.table.note =
       "error: of the diameter, as a part of it; seen at 23 times of each run, in exact arithmetic. "
-      "degree: of the certificates of linear motion. events, changes, certificates: of the "
-      "structure "
-      "itself, diameter_2 without the hull that it reads; seconds: of the whole run";
+      "degree: of the certificates of linear motion. events, changes, certificates: those of the "
+      "structure itself, of diameter_2 without the hull that it reads; seconds: of the whole run";
   std::vector<Scene> scenes;
   lab::WorkloadParameters random{.n = quick ? 64 : 256, .seed = 7};
   scenes.push_back(lab::generate_scene("uniform-square", random, "directions_2"));
@@ -185,8 +184,7 @@ std::vector<lab::Figure> direction_figures(const std::vector<lab::CellResult>& c
   error.caption =
       "Left: the error of the diameter, as a part of it, at the worst of 23 times (none is drawn "
       "where it was 0), and the error proven. Right: certificate failures of the whole run, "
-      "without "
-      "those of the hull below the exact diameter. Scene: hull-worst, n = m = 12; 4k directions.";
+      "without those of the hull below the exact diameter. Scene: hull-worst, n = m = 12.";
   lab::set_curves(error, {.x = "k", .y = "error", .slopes = {}}, errors);
   event.title = error.title;
   event.joins = true;

@@ -14,10 +14,9 @@ std::vector<lab::SpeedRow> extent_speed_rows(int scale) {
       {"min_circle_2", "uniform-square", 1, n(1000), two},
       {"min_circle_2", "seesaw", 1, n(32), two, 0, n(32)},
       {"min_circle_2_brute_force", "uniform-square", 1, n(200), two},
-      {"directions_2", "uniform-square", 1, n(10000), two},
-      {"directions_2", "uniform-square", 3, n(1000), two},
-      {"diameter_directions", "uniform-square", 1, n(10000), two},
-      {"width_directions", "uniform-square", 1, n(10000), two}};
+      {"directions_2", "box-worst", 1, n(1000), two},
+      {"diameter_directions", "box-worst", 1, n(1000), two},
+      {"width_directions", "box-worst", 1, n(1000), two}};
   rows.insert(rows.end(), circles.begin(), circles.end());
   return rows;
 }
