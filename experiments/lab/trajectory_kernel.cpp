@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "predicates/points/unit_directions.h"
+#include "structures/registry.h"
 
 namespace kinex::lab {
 namespace {
@@ -121,11 +122,23 @@ int directions_for(const Rational& error) {
   return k;
 }
 
-void for_each_key(std::vector<Request>& requests, const auto& visit) {
+// The objects that requests name, apart from "of": of keys, and queries (the first one by default).
+void for_each_object(std::vector<Request>& requests, const auto& visit) {
   for (Request& request : requests) {
-    if (request.key.kind == Key::Kind::kSquaredDistance) visit(request.key);
-    for_each_key(request.over, visit);
+    if (request.key.kind == Key::Kind::kSquaredDistance) visit(request.key.object);
+    const StructureInfo* const info = find_structure_info(request.structure);
+    if (info != nullptr && info->query) {
+      if (request.query == kNoObject) request.query = 0;
+      visit(request.query);
+      if (request.query == 0) request.query = kNoObject;
+    }
+    for_each_object(request.over, visit);
   }
+}
+
+bool compares_places(const Request& request) {
+  const StructureInfo* const info = find_structure_info(request.structure);
+  return info != nullptr && info->colours && request.colours.empty();
 }
 
 }  // namespace
@@ -136,6 +149,9 @@ std::string kernel_refusal(const Scene& scene) {
   if (scene.has_bodies()) return "the objects are bodies; kernels are for points";
   if (scene.dimension != 2) {
     return "the scene has " + std::to_string(scene.dimension) + " axes; kernels are for two";
+  }
+  if (std::any_of(scene.maintain.begin(), scene.maintain.end(), compares_places)) {
+    return "what is maintained compares even and odd places, which change; name two colours";
   }
   for (const SceneObject& object : scene.objects) {
     const auto& pieces = object.motion.pieces;
@@ -181,15 +197,23 @@ TrajectoryKernel trajectory_kernel(const Scene& scene, const Rational& error) {
 
 Scene only_objects(const Scene& scene, std::vector<ObjectId> objects) {
   Scene result = scene;
-  for_each_key(result.maintain, [&](Key& key) { objects.push_back(key.object); });
+  for_each_object(result.maintain, [&](ObjectId object) { objects.push_back(object); });
   std::sort(objects.begin(), objects.end());
   objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
   result.objects.clear();
   for (const ObjectId id : objects) result.objects.push_back(scene.objects[id]);
-  for_each_key(result.maintain, [&](Key& key) {
-    const auto place = std::lower_bound(objects.begin(), objects.end(), key.object);
-    key.object = static_cast<ObjectId>(place - objects.begin());
-  });
+  const auto place = [&objects](ObjectId object) {
+    return static_cast<ObjectId>(std::lower_bound(objects.begin(), objects.end(), object) -
+                                 objects.begin());
+  };
+  for_each_object(result.maintain, [&](ObjectId& object) { object = place(object); });
+  for (Request& request : result.maintain) {
+    std::vector<ObjectId>& named = request.of.objects;
+    std::erase_if(named, [&objects](ObjectId object) {
+      return !std::binary_search(objects.begin(), objects.end(), object);
+    });
+    for (ObjectId& object : named) object = place(object);
+  }
   return result;
 }
 
