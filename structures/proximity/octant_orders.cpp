@@ -13,9 +13,9 @@ PredicateId bound(Kernel& kernel, OctantAxis axis) {
     case kAlongY:
       return kernel.bind(make_coordinate_order(1));
     case kAlongSum:
-      return kernel.bind(make_direction_order({Rational(1), Rational(1)}));
+      return kernel.bind(make_direction_order({1, 1}));
     default:
-      return kernel.bind(make_direction_order({Rational(1), Rational(-1)}));
+      return kernel.bind(make_direction_order({1, -1}));
   }
 }
 
