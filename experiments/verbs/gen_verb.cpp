@@ -16,6 +16,7 @@
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
+#include "structures/registry.h"
 
 namespace kinex::verbs {
 
