@@ -169,10 +169,17 @@ std::vector<BoundCheck> ClosestPairRangeTree::bounds(const BoundContext& context
   const Integer all = kinex::pairs(counted(n));
   const Integer offers = std::min(all, counted(8 * n * depth));
   const Integer lists = counted(n == 0 ? 0 : 4 * (n - 1));
-  std::vector<BoundCheck> result{at_most(
-      "closest_pair_range_tree.certificates",
-      "four lists, and a tournament of 8 n ceil(log2 n) offers or all pairs",
-      lists + (offers.sign() > 0 ? offers - Integer(1) : Integer(0)), counted(ledger.max_live))};
+  std::vector<BoundCheck> result{
+      at_most("closest_pair_range_tree.certificates",
+              "four lists, and a tournament of 8 n ceil(log2 n) offers or all pairs",
+              lists + (offers.sign() > 0 ? offers - Integer(1) : Integer(0)),
+              counted(ledger.max_live)),
+      at_most("closest_pair_range_tree.events",
+              "each two points change their order in each list at every root, and where pieces "
+              "meet; the epochs of the nodes of the tournament",
+              Integer(4) * pair_sign_changes(context.pieces, context.degree) +
+                  pairs_.most_failures(2 * context.degree),
+              counted(ledger.failures))};
   if (!context.plain() || n < 2) return result;
   const auto orders = ledger.by_kind.find("order");
   result.push_back(at_most("closest_pair_range_tree.order",

@@ -50,6 +50,9 @@ std::vector<BoundCheck> GraphTree::bounds(const BoundContext& context) const {
   std::vector<BoundCheck> result{at_most(own + ".certificates", std::string(engine_->why_most()),
                                          engine_->most_certificates(m, weights_.vertices()),
                                          counted(context.ledger->max_live))};
+  result.push_back(at_most(
+      own + ".events", "each two edges change their order at every root, and where pieces meet",
+      pair_sign_changes(context.pieces, context.degree), counted(context.ledger->failures)));
   if (context.plain() && m > 1) {
     result.push_back(spanning_tree_bound(own, counted(m), 1, context));
   }
