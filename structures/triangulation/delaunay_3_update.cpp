@@ -57,6 +57,7 @@ void Delaunay3::construct() {
   for (const auto& [v, behind] : hidden) hide(v, behind);
   flat_ = built == StaticResult::kFlat;
   for (Cell c = 0; c < store_.cell_capacity() && !corrupt_; ++c) {
+    if (!store_.live(c)) continue;
     for (Facet f = 4 * c; f < 4 * c + 4; ++f) {
       if (f < store_.mate(f)) set_certificate(f);
     }
