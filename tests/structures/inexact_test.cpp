@@ -29,6 +29,8 @@ void expect_end(const Scene& given) {
     if (info.bodies) continue;
     if (!info.reads.empty()) continue;  // only the structure that it reads can become corrupt
     if (info.linear() && given.degree() > 1) continue;
+    // In space predicates of quadratic and cubic motion have degrees 10 and 15, and runs take minutes.
+    if (info.min_dimension == 3 && given.degree() > 1) continue;
     const Scene scene = suited(info.min_dimension == 3 ? of_space : given, info);
     for (const char* arithmetic : kInexact) {
       SCOPED_TRACE(std::string(info.name) + " in " + arithmetic);
