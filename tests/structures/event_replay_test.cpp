@@ -130,7 +130,9 @@ void replay_lattices(const std::string& structure, std::uint64_t seeds) {
     external += run.replay.external;
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(external, seeds / 2);
+  // A structure without events of its own has none.
+  const bool has_events = !find_structure_info(structure)->kinds.empty();
+  EXPECT_GE(external, has_events ? seeds / 2 + 1 : 0u);
 }
 
 TEST_P(EveryPointStructure, TellsEveryChangeOnALattice) { replay_lattices(GetParam(), 60); }

@@ -164,9 +164,21 @@ inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree
   return scene;
 }
 
-// The scene in a form that the structure takes: for structures of graphs its first axis alone, and
-// the points as edges, the k-th between the k-th pair of vertices in the order 01, 02, 12, 03, ..
+// The scene in a form that the structure takes: for structures of space with a third axis, on which
+// nothing moves; for structures of graphs its first axis alone, and the points as edges, the k-th
+// between the k-th pair of vertices in the order 01, 02, 12, 03, ..
 inline Scene suited(Scene scene, const StructureInfo& info) {
+  if (scene.dimension < info.min_dimension && info.min_dimension == 3) {
+    scene.dimension = 3;
+    int k = 0;
+    for (SceneObject& object : scene.objects) {
+      const Rational height((7 * k + 3) * k % 5);
+      ++k;
+      for (MotionPiece& piece : object.motion.pieces) {
+        piece.trajectory.coordinates.resize(3, std::vector<Rational>{height});
+      }
+    }
+  }
   if (!info.graph) return scene;
   scene.dimension = 1;
   int u = 0, v = 1;
