@@ -58,7 +58,7 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"run", scene_, "--maintain", "delauney_2"},
        "is not a known structure; did you mean delaunay_2?"},
       {{"run", scene_, "--arithmetic", "exat"}, "did you mean exact?"},
-      {{"verify", "delaunay"}, "is not a structure; did you mean delaunay_2?"},
+      {{"verify", "delaunay"}, "is not a structure; did you mean delaunay_2 or delaunay_3?"},
       {{"reproduce", "kds-report"}, "there is no such paper; did you mean kds-report-1998?"},
       {{"list", "structure"}, "did you mean structures?"},
       {{"explain", "sorted"}, "did you mean sorted_list"},
