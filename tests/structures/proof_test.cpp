@@ -150,6 +150,7 @@ TEST(Proof, EveryLiveCertificateIsShownOnce) {
   add(check(boxes(6, false), 40));
   for (const StructureInfo& info : structure_infos()) {
     if (!info.reads.empty()) continue;  // the proof is that of the structure that it reads
+    if (!info.bodies && info.kinds.empty()) continue;  // without certificates
     EXPECT_GT(seen[std::string(info.name)], 0u) << info.name;
   }
 }
