@@ -30,11 +30,13 @@ class HullCalipers {
  public:
   // The first event kinds of an owner are these, in this order.
   enum Kind : std::uint8_t { kAntiparallel, kPerpendicular, kSplit, kMerge, kRenew };
+  // What the failure of a certificate does to the calipers.
   struct Failure {
     Kind kind;                      // kAntiparallel or kPerpendicular
     std::array<ObjectId, 4> edges;  // two, each by its ends
     bool swapped;                   // false: the certificate was dropped
   };
+  // What a change of the hull does to the calipers.
   struct HullChange {
     Kind kind;                    // kSplit, kMerge or kRenew
     std::array<ObjectId, 3> ids;  // not kRenew: a vertex, and the two that it is or was between

@@ -15,6 +15,7 @@ namespace kinex {
 // Where a node is, by what the tree knows of it.
 enum class NodePlace : std::uint8_t { kOutside, kCrossed, kInside };
 
+// A node that a query looks at.
 struct NodeLookedAt {
   NodePlace place;
   std::vector<ObjectId> objects;  // below it

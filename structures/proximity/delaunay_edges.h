@@ -22,6 +22,7 @@ struct DelaunayEdgeChange {
   std::optional<DelaunayEdge> gone, came;
 };
 
+// A Delaunay triangulation, in the plane or in space, as a graph.
 class DelaunayGraph {
  public:
   // The triangulation outlives its readers.

@@ -25,7 +25,9 @@
 
 namespace kinex {
 
+// A direction by which points are ordered.
 enum OctantAxis : std::size_t { kAlongX, kAlongY, kAlongSum, kAlongDifference };
+// The number of directions by which points are ordered.
 inline constexpr std::size_t kOctantAxes = 4;
 
 class OctantOrder {

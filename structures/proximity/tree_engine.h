@@ -91,6 +91,7 @@ class TreeEngine {
   std::size_t size_ = 0;
 };
 
+// How a spanning tree is proved.
 enum class TreeProof { kList, kCycles };
 // TreeByList or TreeByCycles, with the arguments of TreeEngine.
 std::unique_ptr<TreeEngine> make_tree_engine(TreeProof proof, Kernel& kernel, StructureId id,

@@ -37,6 +37,7 @@ struct Conflicts {
 void find_conflicts(const SpaceGeometry& geometry, const Triangulation3& store, ObjectId v,
                     Triangulation3::Cell first, Conflicts& out);
 
+// How a static construction ended.
 enum class StaticResult {
   kBuilt,
   kFlat,    // all points are identically in one plane: `store` is empty
