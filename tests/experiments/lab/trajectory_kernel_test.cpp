@@ -88,7 +88,7 @@ TEST(TrajectoryKernel, LeavesFewPointsOfACircle) {
 
 TEST(TrajectoryKernel, DegenerateScenes) {
   const Rational error = Rational(1) / Rational(10);
-  // No point, one, all equal, all at rest, all on a line for ever, all through one point.
+  // No point, one, all equal, all at rest, identically on a line, all through one point.
   Scene none = scene_of({}, 0, Rational(1));
   none.dimension = 2;
   EXPECT_EQ(trajectory_kernel(none, error).objects.size(), 0u);

@@ -164,7 +164,7 @@ TEST(Calipers2, ATriangleThroughOneLine) {
   for (const std::string& hull : kHulls) {
     SCOPED_TRACE(hull);
     const CaliperRun run(scene, "calipers_2", hull);
-    EXPECT_EQ(run.ledger().external, 0u);  // the three pairs are antipodal for ever
+    EXPECT_EQ(run.ledger().external, 0u);  // the three pairs stay antipodal
     antiparallel += run.count("antiparallel");
   }
   EXPECT_GT(antiparallel, 0u);

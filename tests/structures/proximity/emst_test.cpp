@@ -158,7 +158,7 @@ TEST(Emst, FromNothingToNothing) {
   EXPECT_EQ(run.ledger().erasures, 7u);
 }
 
-// Equal lengths for ever: Kruskal's algorithm takes the smaller ids first.
+// Identically equal lengths: Kruskal's algorithm takes the smaller ids first.
 TEST(Emst, TiesGoToSmallerIds) {
   std::vector<Trajectory> t;
   for (int i = 0; i < 9; ++i) t.push_back(path({{i % 3, 1}, {i / 3, 2}}));
