@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/places.h"
+
 namespace kinex {
 
 // The file in the folder that KINEX_SHARED_DATA names, by default beside the sources.

@@ -17,6 +17,7 @@
 #include "experiments/bench/result_table.h"
 #include "experiments/lab/cpu_clock.h"
 #include "experiments/lab/workload.h"
+#include "predicates/predicates.h"
 
 namespace {
 
@@ -63,6 +64,7 @@ using PairingHeap = boost::heap::pairing_heap<Entry, boost::heap::compare<Later>
 // The part of an arithmetic that EventQueue needs: the order of two enclosures that overlap.
 class LowerEnds final : public Arithmetic {
  public:
+  LowerEnds() { bind(make_coordinate_order(0)); }
   std::string name() const override { return "lower ends"; }
   bool is_exact() const override { return false; }
   void set_motion(ObjectId, const Trajectory&, const std::optional<Rational>&) override {}

@@ -22,11 +22,20 @@ struct PaperClaim {
   std::string observed;
   Verdict verdict = Verdict::kOpen;
   std::vector<std::string> assumptions;  // added to the paper's
+  // Not empty for a statement that is known to be false: what refutes it. Such a claim is expected
+  // to be refuted; any other verdict is a failure.
+  std::string counterexample;
   // A small run about the claim, for a second program to check. Without a structure there is none,
   // and no_small_run is the reason.
   RunKey small_run;
   std::string no_small_run;
   CheckedBy checked_by;
+
+  // True if the verdict is a surprise: a statement is refuted that has no known counterexample, or
+  // one that has is confirmed.
+  bool is_surprising() const {
+    return verdict == (counterexample.empty() ? Verdict::kRefuted : Verdict::kConfirmed);
+  }
 };
 
 }  // namespace kinex::lab

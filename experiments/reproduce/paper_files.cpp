@@ -25,7 +25,9 @@ void write_claim(formats::JsonWriter& json, const lab::PaperClaim& claim) {
   field("verdict", std::string(lab::claim_word(claim.verdict)));
   json.line(4).key("assumptions").begin_array();
   for (const std::string& assumption : claim.assumptions) json.string(assumption);
-  json.end_array().line(4).key("checked_by");
+  json.end_array();
+  if (!claim.counterexample.empty()) field("counterexample", claim.counterexample);
+  json.line(4).key("checked_by");
   lab::write_checked_by(json, claim.checked_by);
   json.line(2).end_object();
 }
@@ -68,6 +70,9 @@ std::string paper_readme(const lab::Paper& paper, const std::vector<ReproducedPa
           claim.expected, claim.tolerance, claim.observed, claim.command);
       for (const std::string& assumption : claim.assumptions) {
         text += "  - assumed: " + assumption + "\n";
+      }
+      if (!claim.counterexample.empty()) {
+        text += "  - known counterexample: " + claim.counterexample + "\n";
       }
       text += "  - checked by a second program: " + claim.checked_by.text() + "\n";
     }

@@ -74,6 +74,9 @@ void tell(const reproduce::ReproducedPart& done) {
   for (const lab::PaperClaim& claim : done.report.claims) {
     text += std::string(lab::claim_word(claim.verdict)) + "  " + claim.id + ": " + claim.statement +
             "\n           expected " + claim.expected + "\n           observed " + claim.observed +
+            (claim.counterexample.empty()
+                 ? ""
+                 : "\n           known counterexample: " + claim.counterexample) +
             "\n           checked by a second program: " + claim.checked_by.text() + "\n";
   }
   print(text);
@@ -101,7 +104,7 @@ void reproduce(Options options, int& exit_code) {
   InterruptGuard interrupt;
   std::vector<reproduce::ReproducedPart> done;
   std::vector<lab::Figure> figures;
-  bool interrupted = false, failed = false, refuted = false;
+  bool interrupted = false, failed = false, surprised = false;
   for (const lab::PaperPart* part : parts) {
     done.push_back(run_part(*part, options, journal, interrupt));
     const reproduce::ReproducedPart& one = done.back();
@@ -110,7 +113,7 @@ void reproduce(Options options, int& exit_code) {
     interrupted = interrupted || one.interrupted;
     failed = failed || !one.troubles.empty();
     for (const lab::PaperClaim& claim : one.report.claims) {
-      refuted = refuted || claim.verdict == lab::Verdict::kRefuted;
+      surprised = surprised || claim.is_surprising();
     }
     if (interrupted) break;
   }
@@ -134,7 +137,7 @@ void reproduce(Options options, int& exit_code) {
   }
   options.voice.note("claims.json and README.md are in " + options.folder +
                      (interrupted ? "; interrupted: the same command resumes" : ""));
-  if (failed || refuted) {
+  if (failed || surprised) {
     exit_code = kExitFailed;
   } else if (interrupted) {
     exit_code = kExitGaveUp;
@@ -166,8 +169,8 @@ void add_reproduce_verb(CLI::App& app, int& exit_code) {
       "Every run is exact and audited. What is finished is kept in reproduce.unfinished until all "
       "is:\n"
       "after an interruption the same command goes on from there.\n"
-      "Exit codes: 1 a claim is refuted, an audit or a bound failed, the log of a small run is "
-      "refused;\n"
+      "Exit codes: 1 a claim is refuted that has no known counterexample, an audit or a bound failed,\n"
+      "the log of a small run is refused;\n"
       "3 interrupted.\n"
       "Example:\n  kinex reproduce kds-report-1998 figure-3 --quick -o figure\n"
       "  kinex sweep run reproduce kds-report-1998 --jobs 2 -o out && kinex reproduce "

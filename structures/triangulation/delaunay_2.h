@@ -253,7 +253,7 @@ class Delaunay2 final : public Structure {
   bool certify_ = true;  // false while the static algorithm runs: certificates come at its end
   std::uint64_t tie_flips_ = 0;
   std::uint64_t reinsertions_ = 0;
-  bool mended_ = false;  // at this instant points were taken out and put in again
+  bool mended_ = false;  // at this instant points were put in or taken out
 
   // scratch
   std::vector<std::uint32_t> mark_;  // per triangle

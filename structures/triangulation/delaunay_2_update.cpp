@@ -77,6 +77,7 @@ void Delaunay2::reveal(ObjectId object) {
 
 // The point becomes a vertex, or is hidden behind an equal one; the smaller id is the vertex.
 bool Delaunay2::put_in(ObjectId object) {
+  mended_ = true;
   const Insertion done = add_point(object, hint_, true);
   if (done != Insertion::kHidden) return done == Insertion::kVertex;
   const ObjectId vertex = representative_[object];
@@ -94,6 +95,7 @@ bool Delaunay2::put_in(ObjectId object) {
 
 // Removes the vertex; points hidden behind it come forward.
 bool Delaunay2::take_out(ObjectId vertex) {
+  mended_ = true;
   std::vector<ObjectId> behind;
   if (const auto it = hidden_.find(vertex); it != hidden_.end()) {
     behind = std::move(it->second);
@@ -157,8 +159,8 @@ void Delaunay2::instant_settled() {
     }
   }
   if (!corrupt_) settle_ties(true);
-  // A point was put in before other certificates had failed: checks the hull that these led to.
-  if (mended_ && !corrupt_ && !on_line_ && !hull_turns_once()) {
+  // A point came or went before other certificates had failed: checks the hull that these led to.
+  if (mended_ && !suspects_.empty() && !corrupt_ && !on_line_ && !hull_turns_once()) {
     rebuild_because("the hull winds around twice");
   }
   mended_ = mended_ && !suspects_.empty();
@@ -272,7 +274,6 @@ bool Delaunay2::mend() {
     return false;
   }
   reinsertions_ += taken.size();
-  mended_ = mended_ || !taken.empty();
   for (const ObjectId v : taken) kernel_->report(id_, kReinsert, {v}, false);
   restore_certificates();
   return true;

@@ -9,6 +9,7 @@
 #include "experiments/formats/polynomial_file.h"
 #include "experiments/formats/scene_reader.h"
 #include "tests/extremes/crowds.h"
+#include "tests/places.h"
 
 namespace kinex::extremes {
 

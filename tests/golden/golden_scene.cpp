@@ -18,6 +18,7 @@
 #include "experiments/formats/sha256.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/lab/workload.h"
+#include "tests/places.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::golden {

@@ -10,6 +10,7 @@
 
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/json_document.h"
+#include "tests/places.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {

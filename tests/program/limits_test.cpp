@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/places.h"
 #include "tests/program/spawn.h"
 #include "tests/sanitized.h"
 

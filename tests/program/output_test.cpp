@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/places.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {

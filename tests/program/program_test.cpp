@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "experiments/formats/json_document.h"
+#include "tests/places.h"
 #include "tests/program/spawn.h"
 
 namespace kinex {

@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/places.h"
+
 namespace kinex {
 
 namespace {

@@ -201,6 +201,16 @@ TEST(EventReplay, PointsThatPartWithNewMotions) {
   EXPECT_EQ(run.replay.counts["settled"] + run.replay.counts["rebuild"], 1u);
 }
 
+// A hidden point becomes a vertex while certificates fail that plans have changed at the same instant:
+// all triangles are upright afterwards, and the hull turns left everywhere, but twice around.
+TEST(EventReplay, APointPartsAmongFailures) {
+  Scene scene = lattice_flights(1012, 6, false, true);
+  scene.objects.erase(scene.objects.begin());
+  Replay run(scene, {"delaunay_2"});
+  run.expect_clean();
+  EXPECT_EQ(run.replay.counts["rebuild"], 2u);
+}
+
 // The test detects a change that is not reported.
 TEST(EventReplay, AChangeThatIsNotToldIsSeen) {
   class Silent final : public EventSink {

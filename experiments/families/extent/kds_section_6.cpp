@@ -160,6 +160,8 @@ lab::PartReport kds_section_6_report(const lab::StudyResult& result, const std::
   circle.verdict =
       first[kRadius] == first[kTriangle] ? lab::Verdict::kConfirmed : lab::Verdict::kRefuted;
   circle.assumptions = {"none; it holds where three points determine the circle"};
+  circle.counterexample =
+      "an obtuse triangle: its smallest enclosing circle has the longest side as a diameter";
 
   lab::PaperClaim changes;
   changes.id = "section-6.changes-with-the-triangulation";
@@ -173,6 +175,9 @@ lab::PartReport kds_section_6_report(const lab::StudyResult& result, const std::
   changes.verdict = last[kCircles] != "0" && last[kFlips] == "0" && last[kHulls] == "0"
                         ? lab::Verdict::kRefuted
                         : lab::Verdict::kConfirmed;
+  changes.counterexample =
+      "a corner that passes beside the other two: the triangle is obtuse, acute, obtuse, acute and "
+      "obtuse";
   changes.assumptions = {"the set of points on the circle is its combinatorial description"};
   for (lab::PaperClaim* claim : {&circle, &changes}) {
     claim->place = "section 6.9";

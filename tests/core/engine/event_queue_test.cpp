@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "tests/core/arithmetic/certificate_fixture.h"
 #include "tests/core/arithmetic/fake_arithmetic.h"
 
 namespace kinex::test {
@@ -17,6 +18,9 @@ namespace {
 using Rank = std::tuple<int, StructureId, PredicateId, std::vector<ObjectId>, CertificateId>;
 
 struct Fixture {
+  Fixture() {
+    for (int predicate = 0; predicate < 2; ++predicate) arithmetic.bind(make_predicate<Order>());
+  }
   FakeArithmetic arithmetic;
   EventQueue queue{arithmetic};
   std::set<Rank> expected;
@@ -57,8 +61,9 @@ TEST(EventQueue, RandomOperations) {
     for (int step = 0; step < 6000; ++step) {
       const unsigned what = below(10);
       if (what < 5 || f.queue.empty()) {
+        // No two certificates claim the same, so each has a failure time of its own.
         f.add(static_cast<int>(below(60)), static_cast<StructureId>(below(3)),
-              static_cast<PredicateId>(below(2)), below(5), 5 + below(5));
+              static_cast<PredicateId>(below(2)), below(5), 5 + static_cast<ObjectId>(step));
       } else if (what < 7) {
         f.pop();
         if (testing::Test::HasFatalFailure()) return;
@@ -123,6 +128,21 @@ TEST(EventQueue, OverlappingEnclosuresShrink) {
   f.pop();
   f.pop();
   EXPECT_EQ(f.arithmetic.comparisons_asked, asked);
+}
+
+// Two certificates with one polynomial fail at one instant: no roots are compared.
+TEST(EventQueue, EqualClaimsFailTogether) {
+  Fixture f;
+  f.arithmetic.slack = 2;
+  f.add(1, 1, 0, 3, 4);
+  f.add(1, 0, 0, 3, 4);
+  EXPECT_TRUE(f.queue.first_instant_is_shared());
+  EXPECT_EQ(f.arithmetic.comparisons_asked, 0u);
+  // The opposite claim and that of another predicate have other failure times.
+  f.add(2, 0, 0, 4, 3);
+  f.add(2, 0, 1, 3, 4);
+  EXPECT_GT(f.arithmetic.comparisons_asked, 0u);
+  while (!f.queue.empty() && !testing::Test::HasFatalFailure()) f.pop();
 }
 
 TEST(EventQueue, IdsAreUsedAgain) {

@@ -437,6 +437,7 @@ TEST(Kernel, ASignMayNameAnObjectTwice) {
 
 TEST(Kernel, CorruptionIsForInexactArithmetics) {
   Fixture f;
+  f.kernel->bind(make_predicate<Order>());
   f.fails({0, 1}, 1);
   f.kernel->create(f.a, Query(0, {0, 1}), 0);
   f.kernel->create(f.b, Query(0, {0, 1}), 0);

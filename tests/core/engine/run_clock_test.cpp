@@ -91,30 +91,33 @@ TEST(RunClock, WithoutASinkNothingIsReported) {
 }
 
 // Short calls are sampled: their sum is estimated, even if their cost is periodic.
+// Other programs take the processor away at any time, which only ever spoils a measurement: one
+// attempt of five has to succeed.
 TEST(RunClock, ShortCallsAreSampled) {
   for (const int rhythm : {1, 2, 7, 16}) {
-    RunClock clock;
-    double burnt = 0;
-    {
-      const RunClock::Scope scope(clock, RunPhase::kSimulate);
-      for (int i = 0; i < 8000; ++i) {
-        volatile double sink = 1;
-        const int steps = i % rhythm == 0 ? 8000 : 500;
-        clock.report([&] {
-          for (int k = 0; k < steps; ++k) sink = sink * 1.0000001;
-        });
-      }
-    }
-    const double begin = cpu();
-    for (int i = 0; i < 8000; ++i) {
+    const auto steps = [rhythm](int i) { return i % rhythm == 0 ? 8000 : 500; };
+    const auto burn = [](int count) {
       volatile double sink = 1;
-      const int steps = i % rhythm == 0 ? 8000 : 500;
-      for (int k = 0; k < steps; ++k) sink = sink * 1.0000001;
+      for (int k = 0; k < count; ++k) sink = sink * 1.0000001;
+    };
+    double reported = 0, simulated = 0, burnt = 0;
+    const auto as_measured = [&] {
+      return reported > 0.5 * burnt && reported < 2.0 * burnt && simulated < burnt;
+    };
+    for (int attempt = 0; attempt < 5 && !as_measured(); ++attempt) {
+      RunClock clock;
+      {
+        const RunClock::Scope scope(clock, RunPhase::kSimulate);
+        for (int i = 0; i < 8000; ++i) clock.report([&] { burn(steps(i)); });
+      }
+      const double begin = cpu();
+      for (int i = 0; i < 8000; ++i) burn(steps(i));
+      burnt = cpu() - begin;
+      reported = clock.seconds(RunPhase::kReport).cpu;
+      simulated = clock.seconds(RunPhase::kSimulate).cpu;
     }
-    burnt = cpu() - begin;
-    EXPECT_GT(clock.seconds(RunPhase::kReport).cpu, 0.5 * burnt) << rhythm;
-    EXPECT_LT(clock.seconds(RunPhase::kReport).cpu, 2.0 * burnt) << rhythm;
-    EXPECT_LT(clock.seconds(RunPhase::kSimulate).cpu, burnt) << rhythm;
+    EXPECT_TRUE(as_measured()) << "rhythm " << rhythm << ": " << reported << " s reported and "
+                               << simulated << " s simulated of " << burnt << " s";
   }
 }
 

@@ -11,6 +11,7 @@
 #include "core/numbers/real_root.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/lab/scene_run.h"
+#include "tests/places.h"
 
 namespace kinex {
 namespace {

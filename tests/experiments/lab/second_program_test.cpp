@@ -17,6 +17,7 @@
 #include "experiments/lab/second_program.h"
 #include "experiments/lab/temporary_folder.h"
 #include "experiments/reproduce/runner.h"
+#include "tests/places.h"
 
 namespace kinex {
 namespace {

@@ -261,6 +261,19 @@ TEST(Figure3, RefutesWhatTheNumbersDoNotShow) {
   EXPECT_EQ(verdicts(300, 90).second.verdict, lab::Verdict::kRefuted);
 }
 
+TEST(PaperClaim, RefutedIsNoSurpriseWithAKnownCounterexample) {
+  lab::PaperClaim claim;
+  for (const bool known : {false, true}) {
+    claim.counterexample = known ? "a square" : "";
+    claim.verdict = lab::Verdict::kRefuted;
+    EXPECT_EQ(claim.is_surprising(), !known);
+    claim.verdict = lab::Verdict::kConfirmed;
+    EXPECT_EQ(claim.is_surprising(), known);
+    claim.verdict = lab::Verdict::kOpen;
+    EXPECT_FALSE(claim.is_surprising());
+  }
+}
+
 TEST(PaperFiles, HaveEveryFieldOfEveryClaim) {
   lab::PaperClaim claim;
   claim.id = "a \"quoted\" id";
@@ -273,6 +286,7 @@ TEST(PaperFiles, HaveEveryFieldOfEveryClaim) {
   claim.observed = "2.01";
   claim.verdict = lab::Verdict::kRefuted;
   claim.assumptions = {"one", "two"};
+  claim.counterexample = "a square";
   claim.checked_by.message = "nothing moves";
   reproduce::ReproducedPart part;
   part.part = &reproduce::papers()[0].parts[0];
@@ -284,7 +298,7 @@ TEST(PaperFiles, HaveEveryFieldOfEveryClaim) {
   ASSERT_EQ(json.find("claims")->items().size(), 1u);
   const formats::JsonValue& one = json.find("claims")->items()[0];
   for (const char* field : {"id", "place", "statement", "kind", "command", "expected", "tolerance",
-                            "observed", "verdict"}) {
+                            "observed", "verdict", "counterexample"}) {
     ASSERT_NE(one.find(field), nullptr) << field;
     EXPECT_FALSE(one.find(field)->text().empty()) << field;
   }
@@ -294,6 +308,7 @@ TEST(PaperFiles, HaveEveryFieldOfEveryClaim) {
   EXPECT_EQ(one.find("checked_by")->find("verdict")->text(), "not checked: nothing moves");
   const std::string readme = reproduce::paper_readme(reproduce::papers()[0], {part}, {}, false);
   EXPECT_THAT(readme, HasSubstr("**refuted**"));
+  EXPECT_THAT(readme, HasSubstr("known counterexample: a square"));
   EXPECT_THAT(readme, HasSubstr("**Failed:** an audit"));
   EXPECT_THAT(readme, HasSubstr("checked by a second program: not checked: nothing moves"));
   EXPECT_THAT(readme, Not(HasSubstr(".svg")));

@@ -9,6 +9,7 @@
 #include "experiments/formats/scene_reader.h"
 #include "experiments/lab/workload.h"
 #include "tests/experiments/families/collision/collision_runs.h"
+#include "tests/places.h"
 #include "tests/sanitized.h"
 
 namespace kinex::test {

@@ -7,6 +7,7 @@
 
 #include "experiments/formats/scene_reader.h"
 #include "tests/experiments/body_fixture.h"
+#include "tests/places.h"
 
 namespace kinex {
 namespace {
