@@ -62,14 +62,14 @@ PredicateId Arithmetic::bind(std::shared_ptr<const Predicate> predicate) {
     return dynamic_cast<const FailsAtTouch*>(predicates_[p].get()) != nullptr;
   };
   const bool touch = fails_at_touch(id);
-  const std::string_view own = predicates_[id]->name(), wanted = predicates_[id]->opposite();
+  const std::string_view own = predicates_[id]->name();
   for (PredicateId other = id; touch && other-- > 0;) {
     if (predicates_[other]->name() != own || fails_at_touch(other)) continue;
     plain_[id] = other;
     break;
   }
-  for (PredicateId other = id; !wanted.empty() && other-- > 0;) {
-    if (opposite_[other] != other || predicates_[other]->name() != wanted) continue;
+  for (PredicateId other = id; other-- > 0;) {
+    if (opposite_[other] != other || !predicates_[id]->negates(*predicates_[other])) continue;
     if (fails_at_touch(other) != touch) continue;
     opposite_[other] = id;
     opposite_[id] = other;

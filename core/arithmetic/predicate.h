@@ -63,6 +63,11 @@ class Predicate {
 
   // The name of the predicate with the negated value over the same arguments; empty: none.
   virtual std::string_view opposite() const { return {}; }
+  // True if the value is that of `other` negated, over the same arguments. An arithmetic then finds the
+  // roots of one by the other. By default the other one has the name opposite().
+  virtual bool negates(const Predicate& other) const {
+    return !opposite().empty() && other.name() == opposite();
+  }
 
   // What the claim says, with the role of every argument. Default: nothing is known.
   virtual ClaimForm form() const { return {}; }

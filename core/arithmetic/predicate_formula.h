@@ -151,6 +151,14 @@ class FormulaPredicate : public Predicate {
     return requires { Formula::kAlternatesInHalves; };
   }
   bool has_unit() const override { return kHasUnit; }
+  bool negates(const Predicate& other) const override {
+    if constexpr (requires { formula_.negates(formula_); }) {
+      const auto* same = dynamic_cast<const FormulaPredicate*>(&other);
+      return same != nullptr && formula_.negates(same->formula_);
+    } else {
+      return Predicate::negates(other);
+    }
+  }
   ClaimForm form() const override {
     if constexpr (requires { formula_.form(); }) {
       return formula_.form();

@@ -230,6 +230,7 @@ class FormulaConstant {
     const double bound = approximate_ < 0 ? -approximate_ : approximate_;
     return {bound * (1 + 0x1p-50), exact_.bit_length() <= 53 ? 0.0 : 2.0, false};
   }
+  const Integer& exact() const { return exact_; }
   Integer in(const Integer&) const { return exact_; }
   Rational in(const Rational&) const { return Rational(exact_); }
   MpFloat in(const MpFloat& like) const { return MpFloat(like.precision(), Rational(exact_)); }

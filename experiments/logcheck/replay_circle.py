@@ -9,6 +9,9 @@ from replay_scratch import Scratch
 from static import hull
 
 
+HULLS = ("convex_hull_2", "directions_2")
+
+
 class OfHull(Scratch):
     """Of strict vertices of the hull."""
 
@@ -24,6 +27,11 @@ class OfHull(Scratch):
 
     def event(self, r, x):
         self.require(len(set(r.ids)) == len(r.ids), "%s: a point is named twice", r.short())
+
+    def doubt(self, r, what):
+        """A certificate that is negative, but not zero: of what is repaired because the hull has just changed."""
+        hulls = [replay for replay in self.checker.touched.values() if replay.structure.name.startswith(HULLS)]
+        self.require(hulls and not r.external, what.replace("%", "%%"))
 
 
 class BoxOfHull(OfHull):
@@ -73,6 +81,24 @@ class FarthestDelaunay(OfHull):
 
 class MinCircle(OfHull):
     """All vertices on the circle: that of two or three vertices which holds all."""
+
+    def event(self, r, x):
+        """An external one names two or three points, ascending, that determine the circle."""
+        super().event(r, x)
+        if not r.external or r.kind in ("settled", "rebuild") or not r.ids:
+            return
+        self.now, ids = x, tuple(r.ids)
+        self.require(list(ids) == sorted(ids) and all(i in self.members for i in ids),
+                     "%s: the points are not in order", r.short())
+        self.require(len(ids) == {"to_two": 2, "to_three": 3}.get(r.kind), "%s: so many points", r.short())
+        others = [p for p in self.cycle(x) if p not in ids]
+        if len(ids) == 2:
+            holds = all(self.sign("obtuse_angle_2", ids[0], p, ids[1]) >= 0 for p in others)
+        else:
+            a, b, c = ids if self.sign("orientation_2", *ids) > 0 else (ids[0], ids[2], ids[1])
+            holds = (min(self.sign("acute_angle_2", *t) for t in ((a, b, c), (b, c, a), (c, a, b))) >= 0
+                     and all(self.sign("in_circle_2", a, b, c, p) >= 0 for p in others))
+        self.require(holds, "%s: these do not determine the circle", r.short())
 
     def value(self, x):
         cycle = self.cycle(x)

@@ -99,6 +99,7 @@ class Along:
             for u, v in combinations(half_directions(k, dimension), 2):
                 for places in self.PLACES[len(ids)]:
                     yield extent_query(u, v, *(ids[i] for i in places))
+                    yield extent_query(opposite(u), opposite(v), *(ids[i] for i in places))
 
 
 class Directions(Along, Hull):

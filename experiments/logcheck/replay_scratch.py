@@ -199,6 +199,7 @@ class SpanningTree(Scratch):
             self.require(r.gone is None, "%s says nothing of the attribute", r.short())
             return
         ids = self.world.scene.ids
+        self.require(r.kind in ("swap", "settled", "rebuild"), "%s changes the tree", r.short())
         if r.kind == "swap":
             sides = [[[ids[o] for o in edge]] for edge in (old, fresh)]
             self.require([r.gone, r.came] == sides, "%s: the tree changes from %s to %s", r.short(), *sides)

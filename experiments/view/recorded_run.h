@@ -5,6 +5,7 @@
 #define KINEX_EXPERIMENTS_VIEW_RECORDED_RUN_H
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,7 +78,8 @@ struct RecordedRun {
   std::vector<RecordedStructure> structures;
   std::vector<RecordedQuery> queries;   // ascending in time
   std::vector<std::string> predicates;  // by PredicateId
-  std::vector<ClaimForm> forms;         // likewise
+  std::vector<ClaimForm> forms;         // likewise; each lives as long as its predicate:
+  std::vector<std::shared_ptr<const Predicate>> bound;
   std::size_t objects = 0;              // number of the scene's objects
   std::vector<RecordedThing> things;    // derived objects in the record; ids from `objects` on
   std::vector<RecordedClaim> claims;

@@ -72,9 +72,10 @@ class Recorder final : public EventSink {
     run_.complete = status == RunStatus::kDone && !full_;
     if (!run_.complete && run_.stopped.empty()) run_.stopped = "it was interrupted";
     if (run_.complete) check_final_states();
-    for (PredicateId id = 0; id < stages_->predicates(); ++id) {
-      run_.predicates.emplace_back(stages_->predicate(id).name());
-      run_.forms.push_back(stages_->predicate(id).form());
+    run_.bound = stages_->bound();
+    for (const auto& predicate : run_.bound) {
+      run_.predicates.emplace_back(predicate->name());
+      run_.forms.push_back(predicate->form());
     }
     run_.digest = digest_->hex();
     return std::move(run_);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
+#include <vector>
 
 #include "core/arithmetic/arithmetic.h"
 #include "core/arithmetic/touch.h"
@@ -24,6 +25,9 @@ class StageWatch : public Arithmetic {
 
   // The stages used for the failure time last found for this certificate; nullopt if there is none.
   std::optional<StagesUsed> stages(const Query& query) const;
+
+  // All that are bound, by PredicateId.
+  const std::vector<std::shared_ptr<const Predicate>>& bound() const { return predicates_; }
 
   std::string name() const override { return inner_->name(); }
   bool is_exact() const override { return inner_->is_exact(); }

@@ -5,6 +5,7 @@
 // Where two of the four are one object the predicate is over the objects that are left, each with
 // the sum of its vectors: for c = a it is (u - v).a - u.b + v.d over (a, b, d).
 // Degree 1 in the coordinates, d in t. Identities: predicates/predicates.h.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <stdexcept>
@@ -38,6 +39,15 @@ struct ExtentOrder {
     if constexpr (Arity == 2) return "order_extent_2";
   }
   int dimension() const { return static_cast<int>(weights[0].size()); }
+  bool negates(const ExtentOrder& other) const {
+    return std::equal(weights.begin(), weights.end(), other.weights.begin(), other.weights.end(),
+                      [](const auto& a, const auto& b) {
+                        return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                                          [](const FormulaConstant& u, const FormulaConstant& v) {
+                                            return u.exact() == -v.exact();
+                                          });
+                      });
+  }
   ClaimForm form() const {
     return {ClaimFigure::kExtents, 1, std::span(kRoles).first(Arity), says(), {}, places};
   }

@@ -35,13 +35,15 @@ class ExtentClaims {
   bool goes_first(const Value& a, const Value& b) const { return a < b; }
 
  private:
-  PredicateId predicate(ObjectId i, ObjectId j, const std::array<int, 4>& places) const;
+  PredicateId predicate(ObjectId i, ObjectId j, const std::array<int, 4>& places,
+                        bool negated) const;
 
   Kernel* kernel_;
   std::vector<DirectionVector> directions_;
   Extremum extremum_;
-  // By two directions and the place of the first end of each of the four in the query.
-  mutable std::map<std::tuple<ObjectId, ObjectId, std::array<int, 4>>, PredicateId> bound_;
+  // By two directions, the place of the first end of each of the four in the query, and whether both
+  // directions are negated.
+  mutable std::map<std::tuple<ObjectId, ObjectId, std::array<int, 4>, bool>, PredicateId> bound_;
 };
 
 }  // namespace kinex

@@ -153,10 +153,12 @@ void MinCircle2BruteForce::certificate_failed(CertificateId failed) {
   failing_ = failed;
   find();
   failing_ = kNoCertificate;
-  if (basis_.size() == 3) {
-    events_.repaired(kToThree, {basis_[0], basis_[1], basis_[2]}, circle_);
-  } else if (basis_.size() == 2) {
-    events_.repaired(kToTwo, {basis_[0], basis_[1]}, circle_);
+  std::vector<ObjectId> on = basis_;
+  std::sort(on.begin(), on.end());
+  if (on.size() == 3) {
+    events_.repaired(kToThree, {on[0], on[1], on[2]}, circle_);
+  } else if (on.size() == 2) {
+    events_.repaired(kToTwo, {on[0], on[1]}, circle_);
   } else {
     events_.repaired(kToTwo, {}, circle_);
   }

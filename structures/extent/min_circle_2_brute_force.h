@@ -36,7 +36,8 @@ namespace kinex {
 
 class MinCircle2BruteForce final : public Structure {
  public:
-  // kToTwo, kToThree: a certificate failed, and now two or three points determine the circle: they.
+  // kToTwo, kToThree: a certificate failed, and now two or three points determine the circle: they,
+  // ascending.
   enum Kind : std::uint8_t { kToTwo, kToThree };
 
   MinCircle2BruteForce(Kernel& kernel, StructureId id, const Scene& scene);

@@ -150,7 +150,8 @@ void ClosestPairRangeTree::visit_proof(ProofVisitor& visitor) const {
   ProofGroup group;
   std::uint64_t place = std::uint64_t{1} << 32;  // those of the tournament are smaller
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
-    group.kind = std::string("neighbours by ") + kListNames[axis];
+    group.kind = "neighbours";
+    group.text = std::string("by ") + kListNames[axis];
     lists_[axis].each_link([&](Item a, Item b, CertificateId certificate) {
       group.about = {a, b};
       group.place = ++place;

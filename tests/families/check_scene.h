@@ -14,8 +14,7 @@ struct SceneCheck {
   // Arithmetics beside `exact`. `sturm` must report the same events as `exact`; the others must
   // end.
   std::vector<std::string> arithmetics{"sturm"};
-  // These must report the external events of `exact` and as many internal ones: for scenes without
-  // close or equal instants.
+  // In these the attribute must change as in `exact`: for scenes without close instants.
   std::vector<std::string> faithful;
   double max_seconds = 20;  // of one run
 };

@@ -177,7 +177,8 @@ class Mutator:
 
 # Not equivalent, but not refused either: README says so.
 LIMIT_HULL = "a limit: internal events of a hull at an instant that has several"
-LIMIT_DELAUNAY = "a limit: internal events, and the order of flips, at an instant with a blocked or a reinsert"
+LIMIT_DELAUNAY = ("a limit: internal events, and the order of flips, at an instant with a blocked, reinsert, settled or "
+                  "rebuild")
 
 
 def same_instant(a, b):
@@ -203,10 +204,10 @@ def equivalent(change, before, after, i, kinds):
     if "yt" in kinds and change == "end_cut" and after:
         if all(not r["external"] and same_instant(r, after[-1]) for r in before[len(after):]):
             return LIMIT_HULL
-    if "blocked" in kinds and any(r["kind"] in ("blocked", "reinsert", "rebuild") for r in at):
+    if "blocked" in kinds and any(r["kind"] in ("blocked", "reinsert", "settled", "rebuild") for r in at):
         if before[i]["kind"] in ("blocked", "reinsert") or change.startswith("two_exchanged"):
             return LIMIT_DELAUNAY
-        if not before[i]["external"] and change in ("other_ids", "ids_exchanged"):
+        if not before[i]["external"] and change in ("other_ids", "ids_exchanged", "event_out", "event_doubled"):
             return LIMIT_DELAUNAY
     return None
 

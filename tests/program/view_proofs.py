@@ -17,6 +17,8 @@ from view_page import FRAMES, Page, fail
 
 # How scenes are made, and the structures that each shows.
 POINTS = ["uniform-square", "--n", "14", "--seed", "4"]
+SPACE = ["uniform-square", "--dimension", "3", "--n", "9", "--seed", "4"]
+GRAPH = ["random-graph", "--n", "14", "--m", "8", "--seed", "4"]
 BODIES = ["polygons-in-box", "--n", "5", "--m", "3", "--seed", "2"]
 LEVEL = ["polygon-approach", "--n", "8"]
 HULLS = ["convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force", "convex_hull_2_delaunay"]
@@ -26,6 +28,15 @@ SCENES = [
     ("maxima", POINTS, [f"maximum_{name}" for name in MAXIMA]),
     ("minima", POINTS, [f"minimum_{name}" for name in MAXIMA]),
     ("planes", POINTS, ["delaunay_2", "closest_pair_delaunay", "emst_list", "emst_cycles", "bounding_box"] + HULLS),
+    ("extents", POINTS, ["calipers_2", "diameter_2", "diameter_all_pairs", "width_2", "min_area_rectangle_2",
+                         "min_perimeter_rectangle_2", "bounding_box_2_hull"]),
+    ("directions", POINTS, ["directions_2", "directions_2_tournament", "diameter_directions", "width_directions"]),
+    ("circles", POINTS, ["farthest_delaunay_2", "min_circle_2", "min_circle_2_brute_force"]),
+    ("pairs", POINTS, ["closest_pair_all", "closest_pair_range_tree", "bichromatic_pair_all",
+                        "bichromatic_pair_delaunay", "nearest_site"]),
+    ("graphs", GRAPH, ["graph_mst_list", "graph_mst_cycles"]),
+    ("space", SPACE, ["delaunay_3"]),
+    ("ranges", POINTS, ["range_tree_2", "rank_kd_tree_2", "pseudo_kd_tree_2", "trajectory_tree"]),
     ("bodies", BODIES, ["separation_mixed", "separation_hysteresis", "closest_features",
                         "inner_tangents", "bounding_volumes", "outer_hierarchy"]),
     ("level", LEVEL, ["separation_minkowski"]),
