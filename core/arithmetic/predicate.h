@@ -64,7 +64,7 @@ class Predicate {
   // The name of the predicate with the negated value over the same arguments; empty: none.
   virtual std::string_view opposite() const { return {}; }
 
-  // What the claim says, with the role of every argument. Default: nothing is known.
+  // The claim in words, with the role of every argument. Default: nothing is known.
   virtual ClaimForm form() const { return {}; }
 
   // The value as a polynomial in t, low degree first, degree(motion_degree) + 1 coefficients.
