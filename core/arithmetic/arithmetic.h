@@ -109,8 +109,8 @@ class Arithmetic {
     return look_ahead(query, limit, time);
   }
   // Announces the next queries: each is passed to look_ahead_in_group() once, in this order and
-  // with the same limit. There are at most kMostInGroup; motions and now do not change meanwhile. An
-  // arithmetic may compute the failure times together. Answers and counters are those of separate
+  // with the same limit. There are at most kMostInGroup; motions and now do not change meanwhile.
+  // An arithmetic may compute the failure times together. Answers and counters are those of separate
   // calls: of failure() if there is no limit, else of look_ahead().
   static constexpr std::size_t kMostInGroup = 4;
   virtual void begin_group(std::span<const Query> group, double limit) {

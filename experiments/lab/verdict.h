@@ -19,8 +19,8 @@ std::string_view check_word(Verdict verdict);  // "PASS", "INCONCLUSIVE", "GAVE 
 std::string_view claim_word(Verdict verdict);  // "confirmed", "open", "gave up", "refuted"
 
 // The verdict of a confidence interval on the claim "value within the tolerance" (at_most:
-// "value or less"). Confirmed: all of the interval lies there. Refuted: none of it. Open: some of it. So a
-// wider interval never confirms more. Never kGaveUp.
+// "value or less"). Confirmed: all of the interval lies there. Refuted: none of it. Open: some of it. So
+// a wider interval never confirms more. Never kGaveUp.
 Verdict compare_with_claim(double lower, double upper, double value, double tolerance,
                            bool at_most);
 

@@ -8,8 +8,8 @@
 //     edges          0       1
 //
 // A tree is cut into paths that go down. Each path is kept in a splay tree (Sleator, Tarjan 1985)
-// in the order of depth, and the root of the splay tree knows the node above the path. An access to a
-// node makes the path from the root of the tree to that node one splay tree:
+// in the order of depth, and the root of the splay tree knows the node above the path. An access to
+// a node makes the path from the root of the tree to that node one splay tree:
 //
 //         r          before     node above         after access(d)     node above
 //        / \         r, a, c    none               r, a, d             none
