@@ -47,7 +47,7 @@ Rational parameter_of(const StructureInfo& info, const Request& request, std::st
 // The width of the tuples of its attribute; 0 if that is no set of tuples.
 std::size_t width_of(const StructureInfo& info, const Request& request);
 
-// Makes the structure that `request` asks for, with id `id` in `kernel`. `watched`: the structures
+// Makes the requested structure, with id `id` in `kernel`. `watched`: the structures
 // that it reads, in the order of StructureInfo::reads, and after them the one that it shares, if any
 // (StructureInfo::shares); they outlive it. Throws std::invalid_argument, with problem and remedy,
 // for what the functions above refuse.

@@ -108,10 +108,10 @@ class Arithmetic {
     static_cast<void>(from);
     return look_ahead(query, limit, time);
   }
-  // The failure times of these queries are asked for next, in this order, by one
-  // look_ahead_in_group() each with the same limit (at most kMostInGroup; motions and now do not change
-  // meanwhile). An arithmetic may work them out together. Answers and counters are the same as one by
-  // one, by failure() if there is no limit, else by look_ahead().
+  // Announces the next queries: each is passed to look_ahead_in_group() once, in this order and
+  // with the same limit. There are at most kMostInGroup; motions and now do not change meanwhile.
+  // An arithmetic may compute the failure times together. Answers and counters are those of separate
+  // calls: of failure() if there is no limit, else of look_ahead().
   static constexpr std::size_t kMostInGroup = 4;
   virtual void begin_group(std::span<const Query> group, double limit) {
     static_cast<void>(group), static_cast<void>(limit);

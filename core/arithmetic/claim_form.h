@@ -31,8 +31,8 @@ struct ArgumentRole {
   std::uint8_t frame = 0;
 };
 
-// How a claim is drawn. A figure has so many places for points, which the arguments take in the
-// order of the roles, or as ClaimForm::places says.
+// How a claim is drawn. A figure has a fixed number of places for points. The arguments take them
+// in the order of the roles, or in that of ClaimForm::places.
 enum class ClaimFigure : std::uint8_t {
   kNone,
   kOrder,       // two points in order along a direction, or by a key

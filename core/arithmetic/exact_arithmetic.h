@@ -12,7 +12,7 @@
 //              Signs of linear forms (linear_form.h) are first tried without the polynomial.
 //              Groups of queries (begin_group): the polynomials and the first step of the filter
 //              are computed for all of them side by side (exact_arithmetic_group.cpp); every result
-//              is bit for bit that of one query by itself.
+//              is bit for bit that of a single query.
 //   kWide    As kDouble, but the coefficients, in t, are computed exactly in 128-bit integers.
 //   kExact   Integers of any size, isolating intervals, gcds.
 #ifndef KINEX_CORE_ARITHMETIC_EXACT_ARITHMETIC_H

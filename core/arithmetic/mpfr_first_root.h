@@ -20,9 +20,9 @@ std::optional<MpFloat> mpfr_first_sign_change(const std::vector<MpFloat>& c, con
 MpFloat mpfr_value(const std::vector<MpFloat>& c, const MpFloat& t);
 MpFloat mpfr_slope(const std::vector<MpFloat>& c, const MpFloat& t);
 
-// How far from t a root that is rounded to t may seem to lie: what rounding may change of the value
-// there, by the slope. At least 16 units in the last place of t, and at most half of its digits: next
-// to a multiple root the slope says nothing. 0 for t = 0.
+// How far from t a root that is rounded to t may seem to lie: the rounding error of the value at t,
+// divided by the slope. At least 16 units in the last place of t. At most half of its digits, since
+// the slope is no guide next to a multiple root. 0 for t = 0.
 MpFloat mpfr_root_doubt(const std::vector<MpFloat>& c, const MpFloat& t);
 
 }  // namespace kinex

@@ -69,7 +69,7 @@ class Predicate {
     return !opposite().empty() && other.name() == opposite();
   }
 
-  // What the claim says, with the role of every argument. Default: nothing is known.
+  // The claim in words, with the role of every argument. Default: nothing is known.
   virtual ClaimForm form() const { return {}; }
 
   // The value as a polynomial in t, low degree first, degree(motion_degree) + 1 coefficients.

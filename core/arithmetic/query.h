@@ -35,7 +35,8 @@ struct Query {
   }
 };
 
-// The sum of the arguments: permutations have the same. A quick test, in registers.
+// The sum of the arguments, modulo 2^32. Queries with different sums are not permutations of each
+// other: a quick test, in registers.
 inline ObjectId sum_of_ids(const Query& q) {
   ObjectId sum = 0;
   for (const ObjectId id : q.ids) sum += id;  // unused places are zero

@@ -3,9 +3,10 @@
 // enclosed in doubles, without isolating it again.
 //
 // A filtered Sturm sequence proves that the polynomial is square-free, counts the roots below this
-// one, and finds the coarsest cell (see RootName) that isolates it. A search for roots modulo small
-// primes proves that it is irrational. If a proof fails, no name is given; name_root()
-// (core/numbers/real_root.h) never fails and gives the same names, more slowly.
+// one, and finds the coarsest cell (see RootName) that isolates it. The polynomial is irrational at
+// the root if it has no root modulo some small prime; otherwise exact arithmetic decides. If the
+// filter fails, no name is given; name_root() (core/numbers/real_root.h) never fails and gives the
+// same names, more slowly.
 // Cost: about one microsecond at degree 4, two at degree 8.
 #ifndef KINEX_CORE_ARITHMETIC_ROOT_NAMER_H
 #define KINEX_CORE_ARITHMETIC_ROOT_NAMER_H

@@ -24,7 +24,8 @@ struct BoundContext {
   const StructureLedger* ledger = nullptr;
 
   std::size_t objects() const { return pieces.size(); }
-  // The place in `pieces` of an object that the structure is built from.
+  // The place in `pieces` of an object, which must be one that the structure is built from.
+  // O(log members).
   std::size_t place(ObjectId object) const;
   // No flight-plan change, insertion or erasure: the bounds of the static theorems apply.
   bool plain() const;
@@ -41,7 +42,7 @@ struct BoundCheck {    // a hard bound, and what was observed
   bool holds = true;
 };
 
-// observed <= bound.
+// The check "observed <= bound"; `holds` is its result.
 BoundCheck at_most(std::string id, std::string source, Integer bound, Integer observed);
 
 // Upper bound on the Davenport-Schinzel number lambda_s(n): the largest number of pieces of the

@@ -128,8 +128,8 @@ class EventQueue {
   CertificateId upcoming(std::size_t i) const {
     return i < heap_.size() ? heap_[i].certificate : kNoCertificate;
   }
-  // The first entry is not a failure but the end of what is proved of a certificate
-  // (Outlook::kLater).
+  // True if the first entry is not a failure but the end of what is proved of a certificate
+  // (Outlook::kLater). Requires !empty().
   bool top_is_later() const { return is_later(heap_.front()); }
   // The enclosure of the first failure time; requires !empty().
   double top_lo() const { return heap_.front().lo; }
@@ -143,6 +143,7 @@ class EventQueue {
   // O(k) comparisons for k of them.
   void collect_first_instant(std::vector<CertificateId>& out);
   // True if at least two queued certificates share the first one's instant. O(1) comparisons.
+  // Requires !empty().
   bool first_instant_is_shared();
 
   std::size_t bytes() const;
@@ -220,7 +221,7 @@ class EventQueue {
   std::size_t max_size_ = 0;
 };
 
-// ---- the lists, put into their callers
+// ---- the lists, inlined
 
 // Monotone in lo, and always computed in the same way: the order of buckets is an order of times.
 inline std::uint32_t EventQueue::bucket_of(double lo) const {

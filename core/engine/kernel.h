@@ -169,8 +169,8 @@ class Kernel {
   std::span<const CertificateId> certificates_of(ObjectId object);
   Outlook outlook(CertificateId id) const { return queue_.certificate(id).outlook; }
 
-  // One event per failure that is handled; further events of the same failure (ties put in order)
-  // are logged too. `external`: the attribute changed. At most kMaxArity ids.
+  // One event per failure that is handled; further events of the same failure (ties resolved) are
+  // logged too. `external`: the attribute changed. At most kMaxArity ids.
   void report(StructureId structure, std::uint8_t kind, std::initializer_list<ObjectId> ids,
               bool external) {
     report(structure, kind, ids, external, {}, {});
@@ -183,9 +183,9 @@ class Kernel {
   void report_settled(StructureId structure, std::span<const ObjectId> gone,
                       std::span<const ObjectId> came);
   // True while more than one certificate of `structure` fails at this instant, or motions changed
-  // at it, or the structure asked for it: the instant may be degenerate.
+  // at it, or the structure called settle_later: the instant may be degenerate.
   bool instant_is_shared(StructureId structure) const;
-  // Asks for Structure::instant_settled and instant_over at this instant, as if it were shared.
+  // Requests Structure::instant_settled and instant_over at this instant, as if it were shared.
   void settle_later(StructureId structure) { shared_[structure] = 1; }
   // A certificate, of whatever structure, is negative right after now: more is to be repaired at
   // this instant. (Those of one instant fail by structure, in the order of their ids.)
@@ -219,7 +219,7 @@ class Kernel {
 
  protected:
   static constexpr std::size_t kManyObjects = 8192;  // their motions exceed the nearest caches
-  // Further looks at a certificate beyond its first window; the last one has no end.
+  // Further examinations of a certificate beyond its first window; the last one has no end.
   static constexpr int kMostLooks = 6;
 
   // Runs own a Scheduler (core/engine/scheduler.h), which is one of these.
@@ -302,7 +302,7 @@ class Kernel {
   // place_in_index(certificate, i): the place of the certificate among those of its i-th object.
   std::vector<std::vector<CertificateId>> index_;
   std::vector<std::uint32_t> index_places_;
-  std::size_t index_arity_ = 0;  // room for so many places of each certificate
+  std::size_t index_arity_ = 0;  // places reserved for each certificate
   bool indexed_ = false;
   std::size_t objects_;  // derived ones included
   DerivedObjects derived_;

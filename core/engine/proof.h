@@ -4,8 +4,8 @@
 //   group    what a few certificates are about: an edge, a match of a tournament, a pair of bodies.
 //            It may have a place in a tree, its state in words, and marks.
 //   mark     something that belongs to the picture of a group and is no certificate
-//   role     what a certificate is to its group. (What the arguments are to the certificate is said
-//            by its predicate: core/arithmetic/claim_form.h.)
+//   role     what a certificate is to its group. (Its predicate gives the roles of the
+//            arguments in the certificate: core/arithmetic/claim_form.h.)
 //
 // A group is identified by its place in a tree, or else by the objects that it is about; no two
 // groups of a proof have the same. Viewers draw proofs from this alone; they know no structure.

@@ -11,8 +11,8 @@
 
 namespace kinex {
 
-// The message says what was refused and why. Everything before `time` is correct; the run that
-// threw cannot continue (SimulatorOptions::stop_before makes one that ends before `time`).
+// The message names what was refused and why. Everything before `time` is correct. The run that
+// threw cannot continue; a run with SimulatorOptions::stop_before ends before `time`.
 class RefusedChange : public std::invalid_argument {
  public:
   RefusedChange(Rational time, const std::string& message)

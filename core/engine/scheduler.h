@@ -50,7 +50,7 @@ class Scheduler final : public Kernel {
   void end_change();
   // Takes a certificate out of the queue before the motions of its objects change...
   void unschedule(CertificateId id) { queue_.remove(id); }
-  // ... and asks for its failure time again afterwards.
+  // ... and queues it again afterwards, by its new failure time.
   void reschedule(CertificateId id) {
     queue_.remove(id);
     schedule(id, queue_.query(id));

@@ -68,7 +68,7 @@ class Structure {
   // Builds the proof for these objects (ascending ids), right after now.
   virtual void build(std::span<const ObjectId> objects) = 0;
   // Discards the proof (its certificates are retracted) and builds it anew right after now. The
-  // caller reports the difference to told(); afterwards nothing is left to be reported.
+  // caller reports the change of the attribute since told(); nothing is then left to be reported.
   virtual void rebuild() = 0;
   // `failed` is negative right after now and out of the queue, but still readable. The structure
   // repairs its state, reports one event (Kernel::report), and may retract or replace `failed`; if

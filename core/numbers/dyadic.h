@@ -19,7 +19,7 @@ inline Rational dyadic(const Integer& numerator, long exponent) {  // numerator 
   return result;
 }
 
-// value * 2^k, rounded down.
+// The integer part (floor) of value * 2^k; k may be negative.
 inline Integer scaled_by_power(Integer value, long k) {
   if (k >= 0) {
     value <<= static_cast<unsigned long>(k);
@@ -29,7 +29,7 @@ inline Integer scaled_by_power(Integer value, long k) {
   return value;
 }
 
-// Sign of a / 2^a_exponent - b / 2^b_exponent.
+// -1, 0 or 1: the sign of a / 2^a_exponent - b / 2^b_exponent. Exact; one shift at most.
 inline int compare_dyadic(const Integer& a, long a_exponent, const Integer& b, long b_exponent) {
   if (a.sign() != b.sign()) return a.sign() < b.sign() ? -1 : 1;
   if (a_exponent == b_exponent) return to_int(to_sign(mpz_cmp(a.raw(), b.raw())));
@@ -39,19 +39,20 @@ inline int compare_dyadic(const Integer& a, long a_exponent, const Integer& b, l
   return to_int(to_sign(mpz_cmp(a.raw(), scaled_by_power(b, a_exponent - b_exponent).raw())));
 }
 
-// The sign of p at numerator / 2^exponent.
+// The sign of p at numerator / 2^exponent. Exact; kZero only at a root.
 inline Sign sign_at_dyadic(const Polynomial& p, const Integer& numerator, long exponent) {
   if (exponent >= 0) return p.sign_at_dyadic(numerator, static_cast<unsigned long>(exponent));
   return p.sign_at_dyadic(numerator << static_cast<unsigned long>(-exponent), 0);
 }
 
-// The exponent e of a dyadic value = numerator / 2^e, e >= 0.
+// The least e >= 0 for which value * 2^e is an integer. Requires a dyadic value.
 inline long dyadic_exponent(const Rational& value) {
   return static_cast<long>(mpz_scan1(mpq_denref(value.raw()), 0));
 }
 
-// The sign of q on all of [lower, upper] / 2^exponent, by interval arithmetic; nullopt if that does
-// not decide. q not zero.
+// The sign that q has everywhere on [lower, upper] / 2^exponent, proved by interval arithmetic
+// (Horner's rule); nullopt if that does not decide. Never kZero. Requires lower <= upper and q not
+// zero. Cost: two products of integers per degree.
 std::optional<Sign> sign_on_interval(const Polynomial& q, Integer lower, Integer upper,
                                      long exponent);
 

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FilteredSturm: the Sturm sequence of a polynomial in doubles with proved error bounds.
 //
+// Each element is, up to a positive factor, the negated remainder of the two before it. Where p is
+// not zero at a < b, it has variations(a) - variations(b) roots between them:
+//
+//   p = x^3 - 3x + 1                x = -inf   -2    0    2      roots: -1.88, 0.35, 1.53
+//   p_0 = p                               -     -    +    +
+//   p_1 ~ p'             = x^2 - 1        +     +    -    +
+//   p_2 ~ -(p_0 mod p_1) = 2x - 1         -     -    -    +
+//   p_3 ~ -(p_1 mod p_2) = 1              +     +    +    +
+//   variations                            3     3    2    0      1 root in (-2, 0), 2 in (0, 2)
+//
 // Source: Sturm's theorem, as in core/numbers/sturm_sequence.h. Every answer is a proof; where
 // doubles cannot decide, there is no answer. A sequence that could be made proves that the
 // polynomial is square-free: its last element is a constant that is certainly not zero.
+// Cost: O(degree^2) double operations for a sequence, and as many for a count. No heap.
 //
 // Error model:
-//   (1) The exact coefficients of every element, up to a positive constant, differ from the values
-//       below by at most the errors below.
+//   (1) The exact coefficients of every element, up to a positive constant, differ from
+//       Element::value by at most Element::error.
 //   (2) An operation rounds by at most u|result|, u = 2^-53.
 //   (3) Every error is a sum of non-negative terms, computed with at most eight roundings, which
 //       kInflate compensates.
@@ -29,11 +40,13 @@ class FilteredSturm {
  public:
   static constexpr int kMostDegree = 16;
 
-  // The sequence of p(2^scale x), a polynomial in x; false: it could not be made with certainty.
+  // The sequence of p(2^scale x), a polynomial in x; p is low degree first, without a leading zero.
+  // False: it could not be made with certainty, or the degree is not 1 to kMostDegree. The counts
+  // are then undefined.
   bool make(const std::vector<Integer>& p, long scale);
 
-  // The number of sign changes along the sequence at x; nullopt if a sign is not certain, or if
-  // |x| > 2^32.
+  // The number of sign changes along the sequence at x; nullopt if a sign is not certain (always at
+  // a root of an element), or if |x| > 2^32. Requires a successful make().
   std::optional<int> variations(double x) const;
   int variations_at_minus_infinity() const { return at_minus_infinity_; }
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lanes: four doubles side by side, so that one formula is evaluated for four sets of numbers at once.
+// Lanes: four doubles side by side. One formula is evaluated for four sets of numbers at once.
 //
-// Every lane gets bit for bit what doubles would give: sums, products, comparisons and choices are
-// those of IEEE 754 for each lane, nothing is contracted (-ffp-contract=off, and the target "avx2" has
-// no fused multiplication). So code over Lanes may be compiled for any machine: for the oldest ones of
-// the architecture, where an operation is two of two lanes, and again for AVX2, where it is one.
+// Every lane holds bit for bit what doubles would give: sums, products, comparisons and choices are
+// those of IEEE 754 for each lane. Nothing is contracted: -ffp-contract=off, and the target "avx2"
+// has no fused multiplication. So code over Lanes may be compiled for any machine. On the oldest
+// ones of the architecture an operation is two instructions of two lanes; with AVX2 it is one.
 //
-// A function is compiled for AVX2 by KINEX_FOR_AVX2, with all that it calls put into it ("flatten"). It
-// may only be called where best_vectors() is kAvx2.
+// KINEX_FOR_AVX2 compiles a function for AVX2 and inlines everything that it calls ("flatten"). The
+// function may be called only if best_vectors() is kAvx2.
 #ifndef KINEX_CORE_NUMBERS_LANES_H
 #define KINEX_CORE_NUMBERS_LANES_H
 
 #include <cstddef>
 #include <cstdint>
 
-// Lanes are never passed between functions that are compiled for different machines: all are put into
-// their caller.
+// Lanes are never passed between functions that are compiled for different machines: all functions
+// on them are inlined.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
@@ -32,10 +32,10 @@ inline constexpr std::size_t kLanes = 4;  // numbers side by side
 
 // The vector instructions that a function is compiled for.
 enum class Vectors : std::uint8_t { kBase, kAvx2 };
-// The best that this machine has.
+// The best instructions that this machine has.
 Vectors best_vectors();
 
-// All bits of a lane are one where it is chosen, and zero elsewhere.
+// A lane is all ones if it is chosen, and zero otherwise.
 struct LaneMask {
   typedef std::int64_t Vector __attribute__((vector_size(32)));
   Vector v;
@@ -92,13 +92,13 @@ struct Lanes {
 }
 inline double magnitude_of(double a) { return __builtin_fabs(a); }
 
-// b if it is larger than a, else a (also where one of them is not a number).
+// b if it is larger than a, else a (also if one of them is NaN).
 [[gnu::always_inline]] inline Lanes larger(const Lanes& a, const Lanes& b) {
   return Lanes(b.v > a.v ? b.v : a.v);
 }
 inline double larger(double a, double b) { return b > a ? b : a; }
 
-// The four rows of four numbers each become the columns: out[k] = (a[k], b[k], c[k], d[k]).
+// Transposes four rows of four numbers: out[k] = (a[k], b[k], c[k], d[k]). No alignment is needed.
 [[gnu::always_inline]] inline void transpose(const double* a, const double* b, const double* c,
                                              const double* d, Lanes* out) {
   Lanes::Vector rows[kLanes];

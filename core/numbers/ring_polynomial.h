@@ -121,7 +121,7 @@ constexpr auto operator-(const FixedPolynomial<R, D>& a, const FixedPolynomial<R
   return r;
 }
 
-// Forced inline: a call would cost more than the work, and GCC does not inline it by itself.
+// Forced inline: a call would cost more than the work, and GCC does not inline it unprompted.
 template <class R, int A, int B>
 [[gnu::always_inline]] constexpr auto operator*(const FixedPolynomial<R, A>& a,
                                                 const FixedPolynomial<R, B>& b) {

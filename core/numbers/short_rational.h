@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ShortRational: a fraction of two machine words, for hot paths that would wait for GMP.
+// ShortRational: a fraction of two machine words, for hot paths in which GMP is too slow.
 //
-// Nearly all numbers of input files are short. Whoever cannot go on with words goes on with Rational: every
-// function here may abstain, and none is ever wrong.
+// Nearly all numbers of input files are short. Every function here may abstain, and none is ever
+// wrong; callers then continue with Rational.
 #ifndef KINEX_CORE_NUMBERS_SHORT_RATIONAL_H
 #define KINEX_CORE_NUMBERS_SHORT_RATIONAL_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves: a picture of named curves on logarithmic or linear axes, in gnuplot's commands. What all
-// pictures have in common is settled here: one form of numbers per axis, nothing hidden, no zero on
-// a logarithmic axis, room for every label.
+// Curves: a picture of named curves on logarithmic or linear axes, in gnuplot's commands. All
+// pictures follow the same rules: one form of numbers per axis, nothing hidden, no zero on a
+// logarithmic axis, room for every label.
 #ifndef KINEX_EXPERIMENTS_LAB_CURVES_H
 #define KINEX_EXPERIMENTS_LAB_CURVES_H
 
@@ -36,8 +36,8 @@ struct CurvesPicture {
   std::string title = {};           // above the picture; empty: none
 };
 
-// Sets the script, width and height of a figure. Of a value that a logarithmic axis does not
-// have, the legend tells. A curve that runs along a later one is drawn wider below it. Bounds more
+// Sets the script, width and height of a figure. The legend mentions values that a logarithmic axis
+// cannot show. A curve that runs along a later one is drawn wider below it. Bounds more
 // than a decade above everything else do not stretch the picture; the legend names what is left out.
 void set_curves(Figure& figure, const CurvesPicture& picture, const std::vector<Curve>& curves);
 

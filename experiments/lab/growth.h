@@ -25,10 +25,10 @@ struct GrowthResult {
 // (power_verdict.h).
 // A law with logarithms is judged by the bend of the counts over it (bend_of): confirmed if the
 // bend's interval lies within the tolerance, refuted if it lies outside, else open; and open if a
-// neighbour fits better, or (unless the law is a bound) one cannot be told from it.
-// Nothing is confirmed of fewer cells than the claim knows of, or, for a law with logarithms, of
-// fewer than six sizes; and nothing is said at all where a cell has fewer than its least number of
-// seeds, or not enough for the precision that it is to have. So less data never confirm more.
+// neighbour fits better, or (unless the law is a bound) one is indistinguishable from it.
+// Nothing is confirmed from fewer cells than the claim has, or, for a law with logarithms, from
+// fewer than six sizes. There is no judgement at all if a cell has fewer seeds than its least
+// number, or too few for its required precision. So less data never confirm more.
 GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells);
 
 // The departure of the counts from a + b law: c (G / 2)^2 over the mean count, of the fit

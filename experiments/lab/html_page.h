@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // HtmlPage: a page of results: its verdict first, then the contents, then its sections. A page is
-// self-contained: it asks for no files and no network.
+// self-contained: it loads no files and uses no network.
 #ifndef KINEX_EXPERIMENTS_LAB_HTML_PAGE_H
 #define KINEX_EXPERIMENTS_LAB_HTML_PAGE_H
 

@@ -15,7 +15,7 @@ namespace kinex::lab {
 // The arithmetic that an option --arithmetic names. Throws InputError for an unknown one.
 std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Scene& scene);
 
-// A simulator with every structure that scene.maintain asks for, not started. The scene must
+// A simulator with every structure that scene.maintain names, not started. The scene must
 // outlive it. Throws InputError for an unknown arithmetic.
 // Throws Stopped if it takes longer than the options allow.
 std::unique_ptr<Simulator> make_simulator(const Scene& scene, const std::string& arithmetic,

@@ -18,9 +18,9 @@ enum class Verdict {
 std::string_view check_word(Verdict verdict);  // "PASS", "INCONCLUSIVE", "GAVE UP", "FAIL"
 std::string_view claim_word(Verdict verdict);  // "confirmed", "open", "gave up", "refuted"
 
-// What a confidence interval says of a claim "value within the tolerance" (at_most: "value or
-// less"). Confirmed: all of the interval lies there. Refuted: none of it. Open: some of it, so that
-// data that say less (a wider interval) never confirm more. Never kGaveUp.
+// The verdict of a confidence interval on the claim "value within the tolerance" (at_most:
+// "value or less"). Confirmed: all of the interval lies there. Refuted: none of it. Open: some of it. So
+// a wider interval never confirms more. Never kGaveUp.
 Verdict compare_with_claim(double lower, double upper, double value, double tolerance,
                            bool at_most);
 

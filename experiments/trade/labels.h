@@ -17,15 +17,16 @@ class LabelPlacer {
   struct Label {
     double x, y;                                // of the middle of its left or right side
     const char* align;                          // "left": x is its left side; "right"
-    bool far;                                   // a line should lead to it
-    double anchor_x, anchor_y, from_x, from_y;  // that line
+    bool far;                                   // draw a line from the label to its point
+    double anchor_x, anchor_y, from_x, from_y;  // that line: its end at the label, the point
   };
 
-  // Labels stay inside.
+  // Labels stay inside the area wherever a place inside is among those tried.
   explicit LabelPlacer(const Box& area) : area_(area) {}
   void add_point(double x, double y, double radius);
-  // The nearest free place for the label of the point at (x, y), which is then taken; if there is
-  // none, the place that covers the fewest others.
+  // Takes the first free place for the label of the point at (x, y), the nearest rows first. If no
+  // place that is tried is free, it takes the one that covers the fewest points and labels. The
+  // text is set at 13 points, 7.2 pixels a byte. Cost: O(points and labels).
   Label place(const std::string& text, double x, double y);
 
  private:

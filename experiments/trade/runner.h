@@ -33,12 +33,12 @@ struct TradeResult {
   std::vector<BitsResult> bits;
   std::vector<BitsGrowth> growths;
   bool interrupted = false;
-  bool gave_up() const;  // an exact arithmetic gave up
+  bool gave_up() const;  // true if an exact arithmetic gave up
   std::vector<std::string> faults() const;
 };
 
 struct TradeWatch {
-  // Work is about to start; from all threads. Indices: cases, then bits.
+  // Work is about to start. Called from any thread, several at a time. Indices: cases, then bits.
   std::function<void(std::size_t index, const std::string& what)> on_work;
   std::function<void(std::size_t index)> on_finished;  // one at a time, in order
   std::function<void(const CaseResult&)> on_case;

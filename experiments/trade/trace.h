@@ -28,7 +28,7 @@ class EventNames {
   std::map<Name, std::uint32_t> numbers_;
 };
 
-// Of a run in an exact arithmetic. Refining its instants has no observable effect.
+// The trace of a run in an exact arithmetic. Refining its instants has no observable effect.
 struct ExactTrace {
   std::vector<std::uint32_t> names;     // by event
   std::vector<std::uint32_t> instants;  // by event: index into `times`; never decreases
@@ -37,7 +37,7 @@ struct ExactTrace {
   std::size_t size() const { return names.size(); }
 };
 
-// Of a run in an inexact arithmetic: the numbers that it used for the instants, exactly.
+// The trace of a run in an inexact arithmetic: the numbers that it used as instants, exactly.
 struct InexactTrace {
   std::vector<std::uint32_t> names;
   std::vector<std::optional<Rational>> times;  // by event; nullopt: not a finite number
@@ -45,7 +45,8 @@ struct InexactTrace {
   std::size_t size() const { return names.size(); }
 };
 
-// The first takes the name of now at every event, the second its number.
+// Sinks that record traces. At every event ExactRecorder stores the exact root that is now, and
+// InexactRecorder the rational value of the number that the arithmetic uses for it.
 class ExactRecorder final : public EventSink {
  public:
   explicit ExactRecorder(EventNames& names) : names_(names) {}

@@ -2,7 +2,7 @@
 // SharedArguments: a predicate some of whose arguments are the same object.
 //
 // A certificate may not name an object twice. SharedArguments takes each object once; `pattern`
-// says which of them is which argument of the whole predicate:
+// gives the object of each argument of the whole predicate:
 //
 //   order_strip(a, b, c, d, e, f)  with d = b, e = c:   objects a, b, c, f
 //   pattern 0 1 2 1 2 3                                 named order_strip/012123

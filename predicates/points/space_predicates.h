@@ -27,8 +27,9 @@ std::shared_ptr<const Predicate> make_orientation_3();
 std::shared_ptr<const Predicate> make_in_sphere_3();
 
 // orientation_2 of the projections on two axes, first < second, of points in space (named
-// orientation_xy, orientation_xz, orientation_yz). Three points are on one line iff all three are
-// zero. Degree 2 in the coordinates; throws std::invalid_argument for other axes.
+// orientation_xy, orientation_xz, orientation_yz). Positive iff the projections of a, b, c turn
+// counter-clockwise in the plane of the two axes. Three points are on one line iff all three
+// predicates are zero. Degree 2 in the coordinates; throws std::invalid_argument for other axes.
 //   (1) alternating in all three
 std::shared_ptr<const Predicate> make_projected_orientation(int first, int second);
 

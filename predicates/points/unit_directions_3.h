@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unit directions in space: rational unit vectors, as close to every direction as is asked for.
+// Unit directions in space: rational unit vectors that come close to every direction.
 //
-// s(a, b) = (2a, 2b, 1 - a^2 - b^2) / (1 + a^2 + b^2) is the point of the sphere that the stereographic
-// projection from (0, 0, -1) sends to (a, b). For a = i/k and b = j/k with |i|, |j| <= r, r the
-// integer next to (sqrt(2) - 1) k, and with the axes exchanged in turn: at most 3 (2r + 1)^2 vectors.
+// s(a, b) = (2a, 2b, 1 - a^2 - b^2) / (1 + a^2 + b^2) is the point of the sphere that the
+// stereographic projection from (0, 0, -1) sends to (a, b). It is taken for a = i/k and b = j/k
+// with |i|, |j| <= r, where r is the integer nearest to (sqrt(2) - 1) k, and for the three cyclic
+// shifts of the axes: at most 3 (2r + 1)^2 vectors.
 //
 // A direction whose largest coordinate is z >= 0 has |a|, |b| <= sqrt(2) - 1, so a vector is within
 // 1 / (sqrt(2) k) of it in the plane, and |s(p) - s(q)| <= 2 |p - q|: their product is at least

@@ -3,7 +3,7 @@
 // of the separation has been travelled (predicates/bodies/separating_wedge.h).
 //
 // A proof is a wedge of 3 certificates: a line of one body and two tangents of the other. Its role
-// says whose the line is; here it is A's:
+// names the body of the line; here it is A:
 //
 //      ______ :            .-'  g1
 //     /      \:         .-'  _____

@@ -5,6 +5,14 @@
 // Seen from A, B is one point moving outside the Minkowski sum M of A and R B'. The proof is the
 // tile of the exterior's hierarchy that holds the point (mixed_tiles.h); far from M tiles are
 // large.
+//
+//       \          tile of a low level         /     o  the point, the position of B. The tile that
+//        \               o                    /         holds it proves that A and B are apart.
+//         \__________________________________/      A side of the tile fails: the point is in the
+//          \  higher level  / \  higher level /         neighbour behind it, the new tile. If that
+//           \______________/___\_____________/          side is an edge of M, the bodies touch.
+//                         M
+//
 //   separation_mixed      the mixed hierarchy, for rigid motions; never built whole
 //   separation_minkowski  the hierarchy of M (separation_minkowski.h), for bodies that do not turn
 //

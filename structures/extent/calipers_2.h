@@ -20,7 +20,7 @@
 // on one line. External events: one for each instant that changes the attribute.
 //
 // Readers. Structures over one hull that search what calipers find share one of these: the plan
-// makes it where two or more of them are asked for. A reader watches the hull and the calipers,
+// makes it if a scene maintains two or more of them. A reader watches the hull and the calipers,
 // and follows Calipers::changes_since: whatever changes is reported to it by one of the two before
 // the instant is over.
 //

@@ -89,7 +89,7 @@ class FarthestDelaunay2 final : public Structure {
 
   StructureId id() const { return id_; }
   // The hull and the triangulation may change again at this instant. A reader whose certificate
-  // fails at it asks for them to be settled before itself.
+  // fails at it has them settled first: settle_below().
   bool instant_may_go_on() const;
   void settle_below() const;
   // The number of the scene's objects, present or not.

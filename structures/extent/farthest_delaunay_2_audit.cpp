@@ -5,7 +5,7 @@
 
 #include "core/numbers/rational.h"
 #include "structures/extent/farthest_delaunay_2.h"
-#include "structures/hull/hull_bounds.h"
+#include "structures/parts/binomial.h"
 
 namespace kinex {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/extent/hull_calipers.h"
 
-#include "structures/hull/hull_bounds.h"
 #include "structures/hull/hull_events.h"
+#include "structures/parts/binomial.h"
 
 namespace kinex {
 namespace {

@@ -7,7 +7,7 @@
 #include <CGAL/Min_circle_2_traits_2.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include "structures/hull/hull_bounds.h"
+#include "structures/parts/binomial.h"
 
 namespace kinex {
 namespace {

@@ -59,7 +59,7 @@
 //
 // Ties: see HullSigns. The hull has only strict vertices; of equal points it has the smallest id.
 //
-// Degenerate instants. Every claim that fails is repaired by itself; new claims that are negative
+// Degenerate instants. Every claim that fails is repaired separately; new claims that are negative
 // right after now fail next. Where no repair in place is possible (four lines through one point),
 // the node and its ancestors lose their certificates. They are merged anew, by signs right after
 // now, when everything below them is right (node_rebuilds() counts these).

@@ -6,6 +6,7 @@
 
 #include "structures/hull/convex_hull_2.h"
 #include "structures/hull/hull_bounds.h"
+#include "structures/parts/binomial.h"
 
 namespace kinex {
 

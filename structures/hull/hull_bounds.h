@@ -14,8 +14,6 @@ namespace kinex {
 // The bound on hull changes; `tied`: some points were identically collinear or equal.
 std::vector<BoundCheck> hull_bounds(std::string_view name, const BoundContext& context, bool tied);
 
-// n (n - 1) .. (n - k + 1) / k!
-Integer binomial(const Integer& n, int k);
 // 2d C(n,3).
 Integer turns_of_triples(const BoundContext& context);
 // The number of events of these kinds.

@@ -5,7 +5,7 @@
 // A vertex is a strict one; of equal points it is the smallest id. A ring of two vertices is a
 // segment, traversed there and back; of one vertex, all points are equal; of none, there are none.
 // Readers are notified of every change (Structure::watched_changed); while they are, the ring may
-// already contain changes of the same instant that they have not been told of.
+// already contain changes of the same instant that have not been reported to them.
 //
 // Cost: O(1) for a neighbour and for a vertex that comes or goes; O(h) for the cycle of h vertices.
 #ifndef KINEX_STRUCTURES_HULL_HULL_RING_H
@@ -66,8 +66,8 @@ class HullSource {
   virtual StructureId id() const = 0;
   // What the hull is read from may still change at this instant.
   virtual bool is_settling() const { return false; }
-  // The hull may change again at this instant. A reader whose certificate fails then asks for both
-  // to be settled, the source first (Kernel::settle_later).
+  // The hull may change again at this instant. A reader whose certificate fails then requests
+  // that both be settled, the source first (Kernel::settle_later).
   bool shares_instant(const Kernel& kernel) const;
 };
 

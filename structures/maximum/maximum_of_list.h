@@ -56,7 +56,7 @@ class MaximumOfList final : public Structure {
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override { return sizeof *this; }
 
-  // kNoObject if there is none.
+  // The object at the end of the list; kNoObject if the list is empty. O(1).
   ObjectId winner() const { return events_.object(); }
 
  private:

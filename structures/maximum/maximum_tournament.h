@@ -67,7 +67,7 @@ class MaximumTournament final : public MaximumStructure {
   ObjectId winner() const override { return tournament_.winner(); }
 
  private:
-  // Reports a tie that was put in order.
+  // Reports a tie that was resolved.
   auto tied() {
     return [this](ObjectId old, ObjectId fresh) { kernel_->report(id_, kTie, {old, fresh}, false); };
   }

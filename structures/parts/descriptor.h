@@ -49,9 +49,9 @@ struct Reading {
   bool passes_over = false;        // the reader's "over" is meant for what this one reads
 };
 
-// A part that structures can have in common: each has its own, unless a scene asks for two or more
-// that could share it, over the same structure (their first reading): then they all watch one
-// structure in its place, after what they read.
+// A part that structures can share. Each has its own unless a scene maintains two or more that
+// could share it over the same structure (their first reading). Then all of them watch one structure
+// in its place, after what they read.
 struct Sharing {
   std::string_view structure = {};  // whose first reading is theirs; empty: nothing is shared
   std::string_view parameter = {};  // of it, an integer: the largest that a reader needs
@@ -66,7 +66,7 @@ struct ParameterInfo {
   std::string_view most = {};   // allowed; empty: no limit
   bool most_is_allowed = true;  // false: values are less than `most`
   bool whole = true;            // an integer
-  std::string_view step = {};   // values are `least` and so many steps; empty: any
+  std::string_view step = {};   // values are `least` plus a multiple of it; empty: any
 };
 
 // Does an event of a kind change the attribute?

@@ -16,7 +16,7 @@ namespace kinex {
 //   with them                     each piece of a motion is a function on an interval:
 //                                 lambda_{D+2}(pieces) - 1, or one change per crossing of two of
 //                                 them, whichever is less
-//   ties put in order             one more each: the ledger's events of the kind "tie"
+//   ties resolved                 one more each: the ledger's events of the kind "tie"
 //
 // `pieces`: of the functions' objects. `common`: pieces of one more motion that all functions
 // depend on. `degree`: D, of the difference of two functions.

@@ -69,7 +69,7 @@ class KineticHeap {
     for (Place i = 0; i < heap_.size(); ++i) visit(i, heap_[i], certificate_[i]);
   }
 
-  // The heap of these items, right after now, in place of the one that is there. O(n) comparisons.
+  // Replaces the heap by that of these items, right after now. O(n) comparisons.
   template <TieReport Tied>
   void build(std::vector<Item> items, const Tied& tied) {
     for (CertificateId& c : certificate_) slots_.drop(c);

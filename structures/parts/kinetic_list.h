@@ -84,8 +84,7 @@ class KineticList {
     }
   }
 
-  // The list of these items, right after now, in place of the one that is there: O(n log n)
-  // comparisons.
+  // Replaces the list by that of these items, right after now. O(n log n) comparisons.
   template <TieReport Tied>
   void build(std::vector<Item> items, const Tied& tied) {
     for (Place s = first_; s != kNone; s = places_[s].next) slots_.drop(places_[s].certificate);

@@ -67,7 +67,7 @@ class KineticTournament {
   // In front of all others; kNoItem if there is none.
   Item winner() const { return leaves_ == 0 ? kNoItem : winner_[1]; }
 
-  // The tree of these items, right after now, in place of the one that is there. O(n).
+  // Replaces the tree by that of these items, right after now. O(n) comparisons.
   template <TieReport Tied>
   void build(std::vector<Item> items, const Tied& tied) {
     for (CertificateId& c : certificate_) slots_.drop(c);

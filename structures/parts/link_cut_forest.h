@@ -2,13 +2,22 @@
 // LinkCutForest: a forest whose edges come and go, and the paths in it.
 //
 // Vertices are 0 .. n-1. Edges are numbered by the owner, from 0; an edge is a node of its own
-// between its two ends, so that paths can be asked for edges:
+// between its two ends, so that a path contains its edges:
 //
 //     vertices   a       b       c                a --- 0 --- b --- 1 --- c
 //     edges          0       1
 //
-// A path from the root to a node that was asked for last is kept in a splay tree (Sleator, Tarjan
-// 1985), in the order of depth; a flag that reverses a subtree moves the root.
+// A tree is cut into paths that go down. Each path is kept in a splay tree (Sleator, Tarjan 1985)
+// in the order of depth, and the root of the splay tree knows the node above the path. An access to
+// a node makes the path from the root of the tree to that node one splay tree:
+//
+//         r          before     node above         after access(d)     node above
+//        / \         r, a, c    none               r, a, d             none
+//       a   b        d          a                  c                   a
+//      / \           b          r                  b                   r
+//     c   d
+//
+// A flag that reverses the order of a splay tree moves the root of the tree to the end of its path.
 //
 // Cost: O(log n) amortised a call; path() also the length of the path. Deterministic.
 #ifndef KINEX_STRUCTURES_PARTS_LINK_CUT_FOREST_H

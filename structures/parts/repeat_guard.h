@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RepeatGuard: detects that an inexact arithmetic cycles.
 //
-// A polynomial of degree D becomes negative at most about D / 2 times. If a certificate for the
-// same query fails far more often under the same motions, its sign contradicts itself.
+// A polynomial of degree D turns negative at most (D + 1) / 2 times. A certificate for the same
+// query that fails far more often under the same motions contradicts itself.
+//
+// A table of 64 entries: two queries of one entry displace each other, and counting starts again.
+// So an answer may come late. Cost: O(1) time, constant space.
 #ifndef KINEX_STRUCTURES_PARTS_REPEAT_GUARD_H
 #define KINEX_STRUCTURES_PARTS_REPEAT_GUARD_H
 
@@ -16,7 +19,7 @@ namespace kinex {
 
 class RepeatGuard {
  public:
-  // A certificate for `query` has failed. True if that happens too often.
+  // Counts a failure of a certificate for `query`. True from the 33rd failure that is counted on.
   bool failed(const Query& query) {
     std::size_t hash = query.predicate;
     for (std::size_t i = 0; i < query.arity; ++i) hash = 31 * hash + query.ids[i];
@@ -24,7 +27,7 @@ class RepeatGuard {
     if (entry.query != query) entry = {query, 0};
     return ++entry.times > kMostTimes;
   }
-  // Motions have changed.
+  // Forgets all counts: motions have changed.
   void clear() { entries_.fill({}); }
 
  private:

@@ -28,7 +28,7 @@ class Slots {
   StructureId structure() const { return structure_; }
   const PartLedger& line() const { return *line_; }
 
-  // Creates the certificate "query >= 0" in an empty slot, or replaces the one that is there.
+  // Creates the certificate "query >= 0" in an empty slot, or replaces the one in it.
   Outlook set(CertificateId& slot, const Query& query, std::uint32_t tag) {
     ++line_->created;
     if (slot != kNoCertificate) {

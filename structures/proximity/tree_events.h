@@ -43,7 +43,7 @@ class TreeEvents {
   // A failure was repaired: the order of these two edges has changed, or the second has taken the
   // place of the first in the tree. Reports one event.
   void repaired(const EdgeIds& before, const EdgeIds& after);
-  // Reports a tie that was put in order.
+  // Reports a tie that was resolved.
   void tied(const EdgeIds& before, const EdgeIds& after) { report(kTreeTie, before, after, false); }
   // What has changed will be reported when the instant is over.
   void settle_later() { kernel_->settle_later(id_); }

@@ -11,6 +11,8 @@
 #include <set>
 #include <utility>
 
+#include "structures/parts/binomial.h"
+#include "structures/triangulation/audit_text.h"
 #include "structures/triangulation/delaunay_2.h"
 
 namespace kinex {
@@ -29,22 +31,6 @@ Point point_of(const Snapshot& snapshot, ObjectId id) {
 }
 
 Edge edge_of(ObjectId a, ObjectId b) { return {std::min(a, b), std::max(a, b)}; }
-
-std::string named(const char* what, std::initializer_list<ObjectId> ids) {
-  std::string text = what;
-  for (const ObjectId id : ids) text += " " + std::to_string(id);
-  return text;
-}
-
-Integer binomial(const Integer& n, int k) {
-  Integer product = 1;
-  for (int i = 0; i < k; ++i) {
-    if ((n - Integer(i)).sign() <= 0) return 0;
-    product = product * (n - Integer(i));
-    product.divide_exactly(Integer(i + 1));
-  }
-  return product;
-}
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SpaceGeometry: the questions of a Delaunay triangulation in space to the kernel, with its ties
+// SpaceGeometry: the queries that a Delaunay triangulation in space makes to the kernel, with ties
 // resolved. All answers hold right after now.
 //
 // Ties. The lifted height of point i is lowered by eps_i, eps_0 >> eps_1 >> .. > 0. So if a point v

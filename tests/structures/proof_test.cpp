@@ -14,6 +14,7 @@
 #include "structures/plan.h"
 #include "structures/registry.h"
 #include "tests/structures/collision/body_polygons.h"
+#include "tests/structures/collision/scene_of_bodies.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
@@ -128,7 +129,7 @@ Scene boxes(int n, bool turning) {
     bodies.push_back(
         rigid("b" + std::to_string(i), regular(5 + i % 3, 0.1 * i), std::move(motion)));
   }
-  return body_scene(std::move(bodies), 0, Rational(4));
+  return scene_of_bodies(std::move(bodies), 0, Rational(4));
 }
 
 TEST(Proof, EveryLiveCertificateIsShownOnce) {

@@ -147,17 +147,6 @@ inline SceneObject rigid(std::string id, Polygon polygon,
   return object;
 }
 
-inline Scene body_scene(std::vector<SceneObject> bodies, Rational start,
-                        std::optional<Rational> end) {
-  Scene scene;
-  scene.name = "bodies";
-  scene.dimension = 2;
-  scene.start = std::move(start);
-  scene.end = std::move(end);
-  scene.objects = std::move(bodies);
-  return scene;
-}
-
 }  // namespace kinex::test
 
 #endif

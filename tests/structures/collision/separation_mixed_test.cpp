@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/sanitized.h"
+#include "tests/structures/collision/scene_of_bodies.h"
 #include "tests/structures/collision/tile_bench.h"
 #include "tests/structures/test_run.h"
 
@@ -82,7 +83,7 @@ TEST(SeparationMixed, IsInTheTileThatHoldsThePoint) {
     const Polygon b = random_hull(random, random.between(3, 12), 9);
     // Near A and round about it, turning either way.
     const auto draw = [&](int most) { return over(random.between(-most, most), 8); };
-    const Scene scene = body_scene(
+    const Scene scene = scene_of_bodies(
         {rigid("a", a,
                {{0, draw(8)}, {draw(8)}, {1, draw(4)}, {0, over(random.between(1, 16), 8)}}),
          rigid("b", b,
@@ -110,7 +111,7 @@ TEST(SeparationMixed, TurnsCloseBy) {
     SCOPED_TRACE(round);
     const int n = random.between(5, 8), m = random.between(5, 8);
     const Scene scene =
-        body_scene({rigid("a", regular(n, 0.1 * round), {{0}, {0}, {1}, {0}}),
+        scene_of_bodies({rigid("a", regular(n, 0.1 * round), {{0}, {0}, {1}, {0}}),
                     rigid("b", regular(m, 0.3), {{over(101, 50)}, {over(round, 9)}, {1}, {0, 1}})},
                    -3, Rational(3));
     follow(scene, 60, seen);
@@ -142,7 +143,7 @@ TEST(SeparationMixed, CountsTheSignsOfAFailure) {
   for (int round = 0; round < 8; ++round) {
     SCOPED_TRACE(round);
     const Scene scene =
-        body_scene({rigid("a", regular(9, 0.2), {{0}, {0}, {1}, {0}}),
+        scene_of_bodies({rigid("a", regular(9, 0.2), {{0}, {0}, {1}, {0}}),
                     rigid("b", regular(7, 0.1),
                           {{over(51, 25), over(round, 10)}, {over(-1, 9), 1}, {1}, {0, 1}})},
                    -3, Rational(3));

@@ -11,6 +11,7 @@
 
 #include "core/engine/scheduler.h"
 #include "predicates/bodies/pose_2.h"
+#include "tests/structures/collision/scene_of_bodies.h"
 #include "tests/structures/collision/tile_geometry.h"
 
 namespace kinex::test {
@@ -19,7 +20,7 @@ namespace kinex::test {
 struct Bench {
   // `b` is B' itself, not B.
   Bench(const Polygon& a, const Polygon& b, CutPolicy policy)
-      : scene(body_scene(
+      : scene(scene_of_bodies(
             {rigid("a", a, {{0}, {0}, {1}, {0}}), rigid("b", b, {{0, 1}, {0, 1}, {1, 1}, {0, 1}})},
             0, std::nullopt)),
         kernel(make_arithmetic("exact", scene, needs(scene)), 2),

@@ -30,8 +30,8 @@ inline Trajectory integers(std::array<std::int64_t, 3> at, std::array<std::int64
                 {Rational(at[2]), Rational(velocity[2])});
 }
 
-// One run of one scene with this structure alone: audited after every event, and replayed from its
-// events: external ones give the cells at every instant.
+// One run of one scene with this structure alone. It is audited after every event by default. The
+// cells are replayed from the external events and compared with the structure's at every instant.
 class World {
  public:
   explicit World(const Scene& scene, const std::string& arithmetic = "exact",
@@ -168,7 +168,7 @@ class World {
   bool started_ = false;
 };
 
-// The cells at the end of a run are those that the static algorithm finds there.
+// The cells that the static algorithm finds at time t.
 inline std::vector<ObjectId> static_cells(Scene scene, const Rational& t) {
   scene.start = t;
   scene.end = t + Rational(1);

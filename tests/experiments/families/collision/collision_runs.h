@@ -16,6 +16,7 @@
 #include "experiments/families/collision/contact_witness.h"
 #include "structures/collision/collision_pairs.h"
 #include "tests/experiments/body_fixture.h"
+#include "tests/structures/collision/scene_of_bodies.h"
 #include "tests/structures/test_run.h"
 
 namespace kinex::test {
@@ -28,17 +29,6 @@ inline std::vector<std::string> collision_structures(bool turning) {
     names.emplace_back(info.name);
   }
   return names;
-}
-
-inline Scene scene_of_bodies(std::vector<SceneObject> bodies, Rational start,
-                             std::optional<Rational> end) {
-  Scene scene;
-  scene.name = "bodies";
-  scene.dimension = 2;
-  scene.start = std::move(start);
-  scene.end = std::move(end);
-  scene.objects = std::move(bodies);
-  return scene;
 }
 
 // True if some body's rotor is not constant, or rotors differ.
