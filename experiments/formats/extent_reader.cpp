@@ -63,7 +63,7 @@ void check_not_negative(const JsonNode& node, const std::vector<Rational>& coeff
   }
   RealRoot after(from);
   RootCounters counters;
-  const auto turns =
+  std::optional<RealRoot> turns =
       first_sign_change_after(Polynomial::from_rationals(coefficients), after, to, counters);
   if (!turns || (goes_on && to && compare(*turns, *to, counters) == 0)) return;
   node.fail(what + " is negative right after " + decimal(*turns, 6, counters), remedy);

@@ -27,6 +27,13 @@
 namespace kinex {
 
 class BoxPairs final : public Structure {
+  auto changed() {
+    return [this](ObjectId a, ObjectId b, bool meets) { events_.changed(a, b, meets); };
+  }
+  auto tied() {
+    return [this](ObjectId a, ObjectId b) { events_.tied(a, b); };
+  }
+
  public:
   BoxPairs(Kernel& kernel, StructureId id, const Scene& scene)
       : dimension_(scene.dimension),
@@ -57,13 +64,6 @@ class BoxPairs final : public Structure {
   std::size_t bytes() const override { return overlaps_.bytes() + events_.bytes(); }
 
  private:
-  auto changed() {
-    return [this](ObjectId a, ObjectId b, bool meets) { events_.changed(a, b, meets); };
-  }
-  auto tied() {
-    return [this](ObjectId a, ObjectId b) { events_.tied(a, b); };
-  }
-
   int dimension_;
   bool discs_;
   BoxOverlaps overlaps_;

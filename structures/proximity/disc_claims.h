@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "core/engine/audit.h"
 #include "core/engine/kernel.h"
 #include "core/engine/proof.h"
 #include "structures/parts/slots.h"
