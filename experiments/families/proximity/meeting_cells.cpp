@@ -38,7 +38,7 @@ void add_small_extents(lab::Catalogue& catalogue) {
   };
   for (const Counted& one : {Counted{8, 2, 1, 4 + 6, 8 + 10},
                              {10, 2, 2, 5 + 8, 12 + 13},
-                             {16, 2, 4, 15 + 21, 19 + 25},
+                             {16, 2, 4, 15 + 21, 19 + 25 + 1},  // two boxes begin to meet at the end
                              {10, 3, 2, 3 + 4, 1 + 1}}) {
     for (const char* const structure : kMeetings) {
       const bool boxes = std::string_view(structure) == "box_pairs";
