@@ -138,7 +138,7 @@ TEST_P(EveryPredicate, RingsAgreeAndErrorBoundsHold) {
     const int bits = p->homogeneity() > 4 ? 13 : 20;  // so that 128 suffice
     const std::vector<double> magnitude(static_cast<std::size_t>(d) + 1, std::ldexp(1.0, bits));
     for (int round = 0; round < 50; ++round) {
-      const Motions m(random, p->arity(), 3, d, 1 << bits);
+      const Motions m(random, p->arity(), std::max(3, p->dimension()), d, 1 << bits);
       std::vector<std::size_t> order;
       for (int i = 0; i < p->arity(); ++i) order.push_back(static_cast<std::size_t>(i));
       const Polynomial exact = p->exact(d, m.views(m.exact, order).data());
@@ -178,7 +178,7 @@ TEST_P(EveryPredicate, AlternatesUnderPermutations) {
   const auto [name, p] = all_predicates()[GetParam()];
   if (p->alternating() < 2) GTEST_SKIP() << "it has no such identity";
   std::mt19937_64 random(GetParam() + 100);
-  const Motions m(random, p->arity(), 3, 2, 1000);
+  const Motions m(random, p->arity(), std::max(3, p->dimension()), 2, 1000);
   std::vector<std::size_t> identity;
   for (int i = 0; i < p->arity(); ++i) identity.push_back(static_cast<std::size_t>(i));
   const Polynomial value = p->exact(2, m.views(m.exact, identity).data());
@@ -207,7 +207,7 @@ TEST_P(EveryPredicate, AlternatesInHalves) {
   if (!p->alternates_in_halves()) GTEST_SKIP() << "it has no such identity";
   ASSERT_EQ(p->arity() % 2, 0) << name;
   std::mt19937_64 random(GetParam() + 200);
-  const Motions m(random, p->arity(), 3, 2, 1000);
+  const Motions m(random, p->arity(), std::max(3, p->dimension()), 2, 1000);
   std::vector<std::size_t> order;
   for (int i = 0; i < p->arity(); ++i) order.push_back(static_cast<std::size_t>(i));
   const Polynomial value = p->exact(2, m.views(m.exact, order).data());
