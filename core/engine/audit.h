@@ -13,15 +13,16 @@
 
 namespace kinex {
 
-// Exact positions of all living objects at one rational time. In runs that read weights the weight
-// is the last axis.
+// Exact positions of all living objects at one rational time: the first dimension() axes. Behind
+// them are a body's rotor, the extents (Scene::extents), and in runs that read weights the weight.
 class Snapshot {
  public:
-  Snapshot(Rational time, int dimension, std::size_t objects)
+  Snapshot(Rational time, int dimension, int axes, std::size_t objects)
       : time_(std::move(time)),
         dimension_(dimension),
+        axes_(axes),
         alive_(objects, false),
-        positions_(objects * static_cast<std::size_t>(dimension)) {}
+        positions_(objects * static_cast<std::size_t>(axes)) {}
 
   const Rational& time() const { return time_; }
   int dimension() const { return dimension_; }
@@ -30,7 +31,7 @@ class Snapshot {
   bool alive(ObjectId id) const { return alive_[id]; }
   // Requires alive(id).
   const Rational& position(ObjectId id, int axis) const {
-    return positions_[id * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(axis)];
+    return positions_[id * static_cast<std::size_t>(axes_) + static_cast<std::size_t>(axis)];
   }
   // The same with these objects alone: by object; empty: all.
   Snapshot of(const std::vector<bool>& members) const {
@@ -42,13 +43,13 @@ class Snapshot {
   }
   void set(ObjectId id, int axis, Rational value) {
     alive_[id] = true;
-    positions_[id * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(axis)] =
+    positions_[id * static_cast<std::size_t>(axes_) + static_cast<std::size_t>(axis)] =
         std::move(value);
   }
 
  private:
   Rational time_;
-  int dimension_;
+  int dimension_, axes_;
   std::vector<bool> alive_;
   std::vector<Rational> positions_;
 };

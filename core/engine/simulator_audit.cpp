@@ -22,7 +22,7 @@ constexpr std::size_t kInexactSteps = 8;
 
 Snapshot Simulator::snapshot(const Rational& t) const {
   const int axes = scene_.axes() + (kernel_.arithmetic().needs().weights ? 1 : 0);
-  Snapshot result(t, axes, alive_.size());
+  Snapshot result(t, scene_.dimension, axes, alive_.size());
   for (ObjectId object = 0; object < alive_.size(); ++object) {
     if (!alive_[object]) continue;
     deadline_->poll();

@@ -166,7 +166,8 @@ void Simulator::change_instant() {
   const std::vector<ObjectId> gone = erasures;
   const auto leaves = [&](const Change& update) {
     if (std::binary_search(gone.begin(), gone.end(), update.object)) return true;
-    if (update.trajectory->meets(kernel_.derived().trajectory(update.object), t)) return false;
+    const Trajectory& before = kernel_.derived().trajectory(update.object);
+    if (update.trajectory->meets(before, t, scene_.has_bodies())) return false;
     erasures.push_back(update.object);  // it jumps
     insertions.push_back(update);
     return true;

@@ -56,13 +56,12 @@ Rational Trajectory::position(int axis, const Rational& t) const {
   return value;
 }
 
-bool Trajectory::meets(const Trajectory& other, const Rational& t) const {
-  const bool body = dimension() == kBodyAxes;
-  if (body && position(2, t) * other.position(3, t) != position(3, t) * other.position(2, t)) {
+bool Trajectory::meets(const Trajectory& other, const Rational& t, bool bodies) const {
+  if (bodies && position(2, t) * other.position(3, t) != position(3, t) * other.position(2, t)) {
     return false;
   }
   const std::optional<ShortRational> words = shortened(t);
-  for (int axis = 0; axis < (body ? 2 : dimension()); ++axis) {
+  for (int axis = 0; axis < (bodies ? 2 : dimension()); ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const auto meet =
         words ? meet_in_words(coordinates[a], other.coordinates[a], *words) : std::nullopt;

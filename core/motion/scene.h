@@ -20,8 +20,9 @@ inline constexpr ObjectId kNoObject = 0xffffffffu;  // none
 // A vertex of a polygon in the frame of the body that carries it.
 using Vertex2 = std::array<Rational, 2>;
 
-// A point, or a rigid body: a convex polygon, vertices counter-clockwise. A body's motion has
-// kBodyAxes axes.
+// A point, a disc (a ball, in one dimension an interval), a box with sides along the axes, or a
+// rigid body: a convex polygon, vertices counter-clockwise. The motion of a disc has its radius as
+// last axis, that of a box its half extents, that of a body kBodyAxes axes.
 struct SceneObject {
   std::string id;
   Motion motion;
@@ -83,9 +84,18 @@ enum class OverlappingStarts {
   kContact,  // they begin in contact
 };
 
+// What the objects extend to about their positions: axes of their motions behind those of the
+// position, as many as Scene::extent_axes says, never negative while the object exists.
+enum class Extents {
+  kNone,         // points, or bodies
+  kRadius,       // closed discs: one axis
+  kHalfExtents,  // closed boxes: half the width along each axis
+};
+
 struct Scene {
   std::string name;
   int dimension = 1;
+  Extents extents = Extents::kNone;  // of all objects
   Rational start;
   std::optional<Rational> end;  // nullopt: none; a run ends when no event is left
   bool jumps = false;           // pieces need not be continuous
@@ -98,8 +108,12 @@ struct Scene {
   int degree() const;
   // True if the objects are rigid bodies; either all are or none.
   bool has_bodies() const { return !objects.empty() && !objects.front().polygon.empty(); }
-  // Coordinates of a motion: the dimension, or kBodyAxes.
-  int axes() const { return has_bodies() ? kBodyAxes : dimension; }
+  // Coordinates of a motion: kBodyAxes, or those of the position and of the extents.
+  int axes() const { return has_bodies() ? kBodyAxes : dimension + extent_axes(); }
+  int extent_axes() const {
+    if (extents == Extents::kNone) return 0;
+    return extents == Extents::kRadius ? 1 : dimension;
+  }
   // True if an object has a weight.
   bool has_weights() const;
   // By object: true for those of the subset. Empty: all of them.

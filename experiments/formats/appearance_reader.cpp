@@ -62,7 +62,7 @@ void check_appearances(const JsonNode& objects, const Scene& scene) {
       }
       const Rational& t = *piece.from;
       const bool jumps = last != nullptr;
-      if (jumps && last->trajectory.meets(piece.trajectory, t)) continue;
+      if (jumps && last->trajectory.meets(piece.trajectory, t, true)) continue;
       const RoughPlace here(piece.trajectory, t.to_double());
       const double radius = radius_of(body.polygon);
       std::optional<Polygon2> placed;

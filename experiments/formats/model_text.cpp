@@ -107,6 +107,18 @@ std::string described_weights(const Scene& scene) {
          (plan_numbers(scene).weights ? "; 0 for others\n" : ", which no structure reads\n");
 }
 
+std::string described_extents(const Scene& scene) {
+  int degree = 0;
+  for (const SceneObject& object : scene.objects) {
+    for (const MotionPiece& piece : object.motion.pieces) {
+      degree = std::max(degree, piece.trajectory.degree_of_axes(scene.dimension, scene.axes()));
+    }
+  }
+  return std::string("extents   ") +
+         (scene.extents == Extents::kRadius ? "discs, radii" : "boxes, half extents") +
+         " of degree " + std::to_string(degree) + " at most\n";
+}
+
 }  // namespace
 
 std::string describe_model(const Scene& scene, const std::string& hash) {
@@ -121,6 +133,7 @@ std::string describe_model(const Scene& scene, const std::string& hash) {
           std::to_string(scene.degree()) + " at most, " + std::to_string(counts.at_rest) +
           " at rest\n";
   if (scene.has_bodies()) text += described_bodies(scene);
+  if (scene.extents != Extents::kNone) text += described_extents(scene);
   if (scene.has_weights()) text += described_weights(scene);
   text += "plan      " + counted(counts.updates, "change", "changes") + ", " +
           counted(counts.insertions, "insertion", "insertions") + ", " +

@@ -24,6 +24,8 @@ constexpr std::string_view kMotion = "motion";
 constexpr const char* kMotionRemedy =
     "write one coefficient list per axis, [[x0, x1, ..], [y0, y1, ..]], or a list of pieces";
 
+}  // namespace
+
 std::vector<Rational> read_coefficients(const JsonNode& list, int max_degree,
                                         std::string_view what) {
   list.require_array();
@@ -38,6 +40,8 @@ std::vector<Rational> read_coefficients(const JsonNode& list, int max_degree,
   for (std::size_t k = 0; k < list.size(); ++k) list.at(k).read(coefficients[k]);
   return coefficients;
 }
+
+namespace {
 
 // Fills `trajectory`, which must be empty. `axes`: how many there will be.
 void read_coordinates(const JsonNode& node, int dimension, std::size_t axes, Trajectory& trajectory) {
@@ -55,7 +59,7 @@ void read_coordinates(const JsonNode& node, int dimension, std::size_t axes, Tra
 }
 
 std::size_t scene_axes(const Scene& scene, bool body) {
-  return static_cast<std::size_t>(body ? kBodyAxes : scene.dimension);
+  return static_cast<std::size_t>(body ? kBodyAxes : scene.dimension + scene.extent_axes());
 }
 
 // Appends the rotor of `owner`, an object or a piece, to its trajectory.
@@ -73,7 +77,7 @@ void add_rotor(const JsonNode& owner, MotionPiece& piece, const Scene& scene) {
 // Fills `piece`, which must be empty: numbers are made where they stay.
 void read_piece(const JsonNode& node, const Scene& scene, bool body, bool first, bool last,
                 MotionPiece& piece) {
-  node.require_object({"from", "to", "coordinates", "rotor"});
+  node.require_object({"from", "to", "coordinates", "rotor", "radius", "half_extents"});
   if (const auto from = node.find("from")) {
     from->read(piece.from.emplace());
   } else if (!first) {
@@ -94,6 +98,7 @@ void read_piece(const JsonNode& node, const Scene& scene, bool body, bool first,
   } else if (const auto rotor = node.find("rotor")) {
     rotor->fail("a rotor of a point", "remove it, or give the object a \"polygon\"");
   }
+  add_extents(node, scene, piece);
 }
 
 // Refuses what would take too long. Instants that fit a word, nearly all of them, are never that long.
@@ -119,13 +124,17 @@ void check_seam(const MotionPiece& before, const MotionPiece& after, const JsonN
   }
   if (scene.jumps || seam != *before.to) return;
   check_cost(seam, before, after, node);
-  if (before.trajectory.meets(after.trajectory, seam)) return;
+  if (before.trajectory.meets(after.trajectory, seam, scene.has_bodies())) return;
   for (int axis = 0; axis < scene.dimension; ++axis) {
     const Rational there = before.trajectory.position(axis, seam);
     const Rational here = after.trajectory.position(axis, seam);
     if (there == here) continue;
     node.fail("the object jumps at " + time_text(seam) + " from " + time_text(there) + " to " +
                   time_text(here) + " on axis " + std::to_string(axis),
+              "make the pieces meet, or say \"jumps\": true in the scene");
+  }
+  if (!scene.has_bodies()) {
+    node.fail("the " + std::string(name_of(scene.extents)) + " jumps at " + time_text(seam),
               "make the pieces meet, or say \"jumps\": true in the scene");
   }
   const auto rotor = [&](const Trajectory& trajectory) {
@@ -157,17 +166,26 @@ void read_motion(const JsonNode& object, const Scene& scene, bool body, Motion& 
     MotionPiece& piece = motion.pieces.emplace_back();
     read_coordinates(node, scene.dimension, scene_axes(scene, body), piece.trajectory);
     if (body) add_rotor(object, piece, scene);
+    add_extents(object, scene, piece);
+    if (scene.extents != Extents::kNone) check_extents(object, scene, piece, false);
     return;
   }
   if (const auto rotor = object.find("rotor")) {
     rotor->fail("a rotor beside a motion in pieces", "write a rotor inside each piece");
   }
+  refuse_extents_beside_pieces(object);
   motion.pieces.reserve(node.size());
   for (std::size_t i = 0; i < node.size(); ++i) {
     const JsonNode entry = node.at(i);
     MotionPiece& piece = motion.pieces.emplace_back();
     read_piece(entry, scene, body, i == 0, i + 1 == node.size(), piece);
     if (i > 0) check_seam(motion.pieces[i - 1], piece, entry, scene);
+  }
+  if (scene.extents == Extents::kNone) return;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const bool goes_on = i + 1 < node.size() && !scene.jumps &&
+                         motion.pieces[i].to == motion.pieces[i + 1].from;
+    check_extents(node.at(i), scene, motion.pieces[i], goes_on);
   }
 }
 

@@ -69,6 +69,10 @@ class Writer {
     if (!scene.end && !form.until) {
       throw InputError(file, "/time", "the scene has no end, and a file needs one", "give --until");
     }
+    if (scene.extents != Extents::kNone) {
+      throw InputError(file, "/objects", "discs or boxes, whose extents such a file cannot hold",
+                       "leave \"radius\" and \"half_extents\" out to write the centres");
+    }
     end_ = form.until ? *form.until : *scene.end;
     axes_ = scene.has_bodies() ? 2 : scene.dimension;
   }

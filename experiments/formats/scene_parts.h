@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/motion/scene.h"
@@ -18,6 +19,27 @@ namespace kinex::formats {
 // without the object. The motion of a body has kBodyAxes axes: the "rotor" stands beside "motion"
 // or inside each piece. The scene's dimension and time must have been read.
 void read_motion(const JsonNode& object, const Scene& scene, bool body, Motion& motion);
+
+// The coefficients of one axis, of a polynomial that `what` names in messages.
+std::vector<Rational> read_coefficients(const JsonNode& list, int max_degree,
+                                        std::string_view what);
+
+// "radius" or "half extents", for messages.
+std::string_view name_of(Extents extents);
+// The extents of the first object of a scene, and so of all: it has a "radius", or "half_extents",
+// beside its motion or in its first piece.
+Extents read_kind_of_extents(const JsonNode& object);
+// Refuses an object that has other extents than the first one of the scene, or has a polygon,
+// a weight or vertices beside them.
+void check_kind_of_extents(const JsonNode& object, const Scene& scene);
+void refuse_extents_beside_pieces(const JsonNode& object);
+// Appends the extents of `owner`, an object or a piece, to its trajectory, if the scene has some.
+void add_extents(const JsonNode& owner, const Scene& scene, MotionPiece& piece);
+// Refuses extents that are negative at a time of the piece that is in the scene's time, or right
+// after it; `goes_on`: another piece begins where this one ends, so the time after its end is not
+// looked at.
+void check_extents(const JsonNode& owner, const Scene& scene, const MotionPiece& piece,
+                   bool goes_on);
 
 // The two coefficient lists of a rotor; (1, 0), no turn, if there is no node.
 std::vector<std::vector<Rational>> read_rotor(const std::optional<JsonNode>& node);

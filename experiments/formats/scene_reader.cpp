@@ -124,7 +124,8 @@ void read_objects(const JsonNode& node, Scene& scene) {
   scene.objects.reserve(node.size());
   for (std::size_t i = 0; i < node.size(); ++i) {
     const JsonNode entry = node.at(i);
-    entry.require_object({"id", "motion", "polygon", "rotor", "weight", "colour", "ends"});
+    entry.require_object({"id", "motion", "polygon", "rotor", "weight", "colour", "ends", "radius",
+                          "half_extents"});
     const JsonNode id = entry.member("id");
     if (id.string().empty()) id.fail("an empty id", "write a name");
     if (id.string().size() > kMaxIdBytes) {
@@ -136,6 +137,8 @@ void read_objects(const JsonNode& node, Scene& scene) {
           "the id " + shown(id.value()) + " is that of /objects/" + std::to_string(first) + " too",
           "ids are unique");
     }
+    if (i == 0) scene.extents = read_kind_of_extents(entry);
+    check_kind_of_extents(entry, scene);
     std::vector<Vertex2> polygon = read_shape(entry, i == 0, scene);
     scene.objects.push_back({std::string(id.string()),
                              {},

@@ -22,6 +22,7 @@ namespace kinex::formats {
 inline constexpr int kMaxDimension = 3;
 inline constexpr int kMaxMotionDegree = 1000;
 inline constexpr int kMaxRotorDegree = 100;
+inline constexpr int kMaxExtentDegree = 100;
 inline constexpr std::size_t kMaxIdBytes = 1000;
 
 // `file` is for messages only. `deadline` is polled between numbers (null: none); one number takes

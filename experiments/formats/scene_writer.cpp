@@ -39,18 +39,25 @@ bool turns(const Trajectory& trajectory) {
          trajectory.coordinates[3] != std::vector<Rational>{0};
 }
 
-// The coordinates as the value of the key just written, then the rotor of a body that has one.
-void write_trajectory(JsonWriter& json, const Trajectory& trajectory, bool body) {
-  write_axes(json, trajectory, 0, body ? 2 : trajectory.dimension());
+// The coordinates as the value of the key just written, then the rotor of a body that has one, or
+// the extents.
+void write_trajectory(JsonWriter& json, const Trajectory& trajectory, const Scene& scene) {
+  const bool body = scene.has_bodies();
+  write_axes(json, trajectory, 0, scene.dimension);
+  if (scene.extents == Extents::kRadius) {
+    write_numbers(json.key("radius"), trajectory.coordinates.back());
+  } else if (scene.extents == Extents::kHalfExtents) {
+    write_axes(json.key("half_extents"), trajectory, scene.dimension, scene.axes());
+  }
   if (!body || !turns(trajectory)) return;
   json.key("rotor");
   write_axes(json, trajectory, 2, kBodyAxes);
 }
 
-void write_motion(JsonWriter& json, const Motion& motion, bool body) {
+void write_motion(JsonWriter& json, const Motion& motion, const Scene& scene) {
   const MotionPiece& first = motion.pieces.front();
   if (motion.pieces.size() == 1 && !first.from && !first.to) {
-    write_trajectory(json, first.trajectory, body);
+    write_trajectory(json, first.trajectory, scene);
     return;
   }
   json.begin_array();
@@ -65,7 +72,7 @@ void write_motion(JsonWriter& json, const Motion& motion, bool body) {
       write_number(json, *piece.to);
     }
     json.key("coordinates");
-    write_trajectory(json, piece.trajectory, body);
+    write_trajectory(json, piece.trajectory, scene);
     json.end_object();
   }
   json.end_array();
@@ -179,7 +186,7 @@ std::string write_scene(const Scene& scene) {
     if (!object.colour.empty()) json.key("colour").string(object.colour);
     if (!object.ends.empty()) write_texts(json.key("ends"), object.ends);
     json.key("motion");
-    write_motion(json, object.motion, !object.polygon.empty());
+    write_motion(json, object.motion, scene);
     json.end_object();
   }
   json.end_array();

@@ -42,6 +42,8 @@ std::string shape_of(const StructureInfo& info) {
 
 std::string domain_of(const StructureInfo& info) {
   std::string text = info.bodies  ? "rigid convex polygons"
+                     : info.extents == Extents::kRadius      ? "discs"
+                     : info.extents == Extents::kHalfExtents ? "boxes, discs"
                      : info.graph ? "edges of graphs"
                                   : "points";
   text += " in " + formats::counted(static_cast<std::uint64_t>(info.min_dimension), "axis", "axes");

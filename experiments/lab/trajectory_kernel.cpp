@@ -58,8 +58,8 @@ class Chain {
   std::vector<Rational> times_;
 };
 
-struct Extents {
-  explicit Extents(std::vector<DualPoint> points) {
+struct DualExtents {
+  explicit DualExtents(std::vector<DualPoint> points) {
     std::sort(points.begin(), points.end(), [](const DualPoint& a, const DualPoint& b) {
       if (a.slope != b.slope) return a.slope < b.slope;
       return a.height != b.height ? a.height < b.height : a.object < b.object;
@@ -80,7 +80,7 @@ struct Extents {
 // Between the times at which an edge of either hull is level both extents are linear in t, and
 // their ratio is monotonous. Beyond all of them it tends to 1: the ends of both chains are chosen.
 void choose(const std::vector<DualPoint>& points, const Rational& least, std::vector<bool>& kept) {
-  const Extents all(points);
+  const DualExtents all(points);
   std::vector<DualPoint> chosen;
   const auto take = [&](const DualPoint& p) {
     kept[p.object] = true;
@@ -91,10 +91,10 @@ void choose(const std::vector<DualPoint>& points, const Rational& least, std::ve
     take(chain.vertices().back());
   }
   for (;;) {
-    const Extents some(chosen);
+    const DualExtents some(chosen);
     const Rational* worst = nullptr;
     Rational ratio = least;
-    for (const Extents* extents : {&all, &some}) {
+    for (const DualExtents* extents : {&all, &some}) {
       for (const Chain& chain : extents->chains) {
         for (const Rational& t : chain.times()) {
           const Rational whole = all.extent(t);

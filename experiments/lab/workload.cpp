@@ -7,6 +7,7 @@
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/family.h"
+#include "experiments/lab/workload_parts.h"
 #include "structures/registry.h"
 
 namespace kinex::lab {
@@ -157,6 +158,33 @@ void join_vertices(Scene& scene) {
   }
 }
 
+void give_extents(Scene& scene, Extents extents) {
+  if (scene.has_bodies() || scene.extents != Extents::kNone || extents == Extents::kNone) return;
+  Rational spread(1);
+  for (int axis = 0; axis < scene.dimension; ++axis) {
+    std::optional<Rational> low, high;
+    for (const SceneObject& object : scene.objects) {
+      const MotionPiece& first = object.motion.pieces.front();
+      const Rational x = first.trajectory.position(axis, first.from.value_or(scene.start));
+      if (!low || x < *low) low = x;
+      if (!high || *high < x) high = x;
+    }
+    if (low && *high - *low > spread) spread = *high - *low;
+  }
+  std::int64_t root = 1;  // at least the square root of n
+  while (static_cast<std::size_t>(root * root) < scene.objects.size()) root *= 2;
+  const int axes = extents == Extents::kRadius ? 1 : scene.dimension;
+  std::int64_t k = 0;
+  for (SceneObject& object : scene.objects) {
+    for (int axis = 0; axis < axes; ++axis) {
+      k = (5 * k + 3) % 16;
+      const Rational half = spread * fraction(4 + k % 13, 48 * root);
+      for (MotionPiece& piece : object.motion.pieces) piece.trajectory.coordinates.push_back({half});
+    }
+  }
+  scene.extents = extents;
+}
+
 Scene generate_scene(std::string_view workload, const WorkloadParameters& parameters,
                      std::string_view structure) {
   const Workload* known = find_workload(workload);
@@ -167,6 +195,7 @@ Scene generate_scene(std::string_view workload, const WorkloadParameters& parame
   scene.maintain = {std::move(request)};
   const StructureInfo* const info = find_structure_info(structure);
   if (info != nullptr && info->graph) join_vertices(scene);
+  if (info != nullptr) give_extents(scene, info->extents);
   return scene;
 }
 

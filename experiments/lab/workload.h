@@ -64,8 +64,12 @@ Scene generate_scene(const Workload& workload, WorkloadParameters parameters);
 // Makes the points of a scene of one axis edges of a graph, if they are none: the k-th joins the
 // k-th pair of vertices in the order 01, 02, 12, 03, 13, .. (n(n-1)/2 points: a complete graph).
 void join_vertices(Scene& scene);
+// Makes the points of a scene discs or boxes, if they are points: the radii, or half extents, are
+// constants from a twelfth to a third of the largest distance that two of the n points have along an
+// axis at the start, divided by the root of n (of the next power of two).
+void give_extents(Scene& scene, Extents extents);
 // The same for a workload by its name, with this structure alone to maintain; its points are edges
-// if the structure is for graphs. Throws std::invalid_argument for an unknown workload.
+// if the structure is for graphs, discs or boxes if it is for these. Throws std::invalid_argument for an unknown workload.
 Scene generate_scene(std::string_view workload, const WorkloadParameters& parameters,
                      std::string_view structure);
 

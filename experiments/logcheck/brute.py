@@ -13,6 +13,7 @@ from log import Wrong
 from replay_calipers import folds_of
 from replay_directions import all_directions, extent_query, half_directions, k_of, opposite
 from roots import Instant, all_roots, compare
+from scene import Extended
 from space import cells_of
 from static import forest_edges, spanning_tree
 from subsets import TWO_COLOURS, classes_of, own_objects, query_of
@@ -250,6 +251,18 @@ def extent_of(positions, directions, largest):
     return [] if best is None or best[1] == best[2] else [tuple(sorted(best[1:]))]
 
 
+def boxes_meet(a, b):
+    return all(abs(a[i] - b[i]) <= a.half(i) + b.half(i) for i in range(len(a)))
+
+
+def discs_meet(a, b):
+    return sum((p - q) ** 2 for p, q in zip(a, b)) <= (a.half(0) + b.half(0)) ** 2
+
+
+def meetings_of(positions, meet):
+    return [(a, b) for a, b in combinations(sorted(positions), 2) if meet(positions[a], positions[b])]
+
+
 def attribute_of(structure, key, positions, scene):
     name = structure.name
     if name == "sorted_list":
@@ -276,6 +289,10 @@ def attribute_of(structure, key, positions, scene):
         return nearest_of(query_of(structure.options, scene), positions)
     if name.startswith("graph_mst_"):
         return lightest_of(positions, scene)
+    if name == "box_pairs":
+        return meetings_of(positions, boxes_meet)
+    if name.startswith("disc_pairs_"):
+        return meetings_of(positions, discs_meet)
     if name.startswith("emst_"):
         return tree_of(positions)
     if name in ("diameter_2", "diameter_all_pairs"):
@@ -324,6 +341,15 @@ def queries_of(structure, key, members, scene):
     if name.startswith("graph_mst_"):
         for pair in combinations(sorted(members), 2):
             yield (axis_order(0), pair)
+        return
+    if name.startswith("disc_pairs_"):
+        for pair in combinations(sorted(members), 2):
+            yield ("disc_overlap", pair)
+        return
+    if name == "box_pairs":
+        for pair in permutations(sorted(members), 2):
+            for axis in range(dimension):
+                yield ("meeting_" + "xyz"[axis], pair)
         return
     if name == "trajectory_tree":
         return
@@ -471,7 +497,8 @@ def check_small(checker, end):
             sample = Instant.rational(point.numerator, point.denominator)
             while told + 1 < len(history) and compare(history[told + 1][0], sample) < 0:
                 told += 1
-            positions = {o: [world.piece[o].position(axis, point) for axis in range(scene.dimension)]
+            positions = {o: Extended([world.piece[o].position(axis, point)
+                                      for axis in range(len(world.piece[o].axes))], scene.dimension)
                          for o in world.alive}
             for i in followed:
                 right = attribute_of(structures[i], keys[i], {o: positions[o] for o in present[i]}, scene)

@@ -181,7 +181,42 @@ def perimeter(points):
     return multiply(half, half)
 
 
+def low(point, axis):
+    """The lower end of a box, or of a disc's box."""
+    return subtract(point[axis], point.half(axis))
+
+
+def high(point, axis):
+    return add(point[axis], point.half(axis))
+
+
+def end_orders(axis):
+    """One end is not beyond another: {name: (formula, arguments, alternating arguments)}."""
+    letter = "xyz"[axis]
+    return {
+        "lower_ends_" + letter: (lambda p: subtract(low(p[1], axis), low(p[0], axis)), 2, 2),
+        "upper_ends_" + letter: (lambda p: subtract(high(p[1], axis), high(p[0], axis)), 2, 2),
+        "meeting_" + letter: (lambda p: subtract(high(p[1], axis), low(p[0], axis)), 2, 1),
+        "apart_" + letter: (lambda p: subtract(low(p[0], axis), high(p[1], axis)), 2, 1),
+        "half_width_" + letter: (lambda p: p[0].half(axis), 1, 1),
+        "no_width_" + letter: (lambda p: scaled(p[0].half(axis), -1), 1, 1),
+    }
+
+
+def disc_overlap(points):
+    """The discs meet."""
+    reach = add(points[0].half(0), points[1].half(0))
+    return subtract(multiply(reach, reach), squared_distance(points[0], points[1]))
+
+
+def disc_apart(points):
+    return scaled(disc_overlap(points), -1)
+
+
 FORMULAS = {
+    "disc_overlap": (disc_overlap, 2, 1),
+    "disc_apart": (disc_apart, 2, 1),
+    **end_orders(0), **end_orders(1), **end_orders(2),
     "edge_dot_2": (edge_dot_2, 4, 2),
     "order_strip": (fraction_order(strip), 6, 1),
     "order_rectangle_area": (fraction_order(area), 10, 1),
@@ -202,7 +237,8 @@ FORMULAS = {
 # Axes that an argument must have.
 LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2,
               "orientation_3": 3, "in_sphere_3": 3,
-              "acute_angle_2": 2, "obtuse_angle_2": 2}
+              "acute_angle_2": 2, "obtuse_angle_2": 2,
+              **{name: axis + 1 for axis in (1, 2) for name in end_orders(axis)}}
 
 
 def axis_order(axis):

@@ -11,8 +11,8 @@ from replay_hull import HullBruteForce, HullOfDelaunay
 from replay_list import SortedList
 from replay_maximum import Maximum, OfList
 from replay_range import PseudoKdTree, RangeTree, RankKdTree, TrajectoryTree
-from replay_scratch import (BoundingBox, ClosestPair, ClosestPairOfOrders, FarthestPair, GraphTree, NearestSite,
-                            SpanningTree, TwoColours)
+from replay_scratch import (BoundingBox, BoxesThatMeet, ClosestPair, ClosestPairOfOrders, DiscsThatMeet, FarthestPair,
+                            GraphTree, NearestSite, SpanningTree, TwoColours)
 from replay_space import DelaunayInSpace
 
 REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
@@ -23,6 +23,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "nearest_site": NearestSite,
             "bichromatic_pair_delaunay": TwoColours, "bichromatic_pair_all": TwoColours,
             "emst_list": SpanningTree, "emst_cycles": SpanningTree,
+            "box_pairs": BoxesThatMeet, "disc_pairs_all": DiscsThatMeet, "disc_pairs_boxes": DiscsThatMeet,
             "graph_mst_list": GraphTree, "graph_mst_cycles": GraphTree,
             "diameter_2": FarthestPair, "diameter_all_pairs": FarthestPair,
             "bounding_box_2_hull": BoxOfHull, "farthest_delaunay_2": FarthestDelaunay,

@@ -227,6 +227,52 @@ class GraphTree(SpanningTree):
         return sorted((o,) for o in forest_edges([o for (o,) in self.in_order(x)], self.world.scene))
 
 
+def boxes_meet(world, pair, x):
+    return all(world.sign_after(("meeting_" + "xyz"[axis], ends), x) >= 0
+               for axis in range(world.scene.dimension) for ends in (pair, pair[::-1]))
+
+
+def discs_meet(world, pair, x):
+    return world.sign_after(("disc_overlap", pair), x) >= 0
+
+
+class BoxesThatMeet(Scratch):
+    """The pairs of boxes that meet, identical touches included. One event, "meet" or "part", for each pair that
+    an instant changes."""
+
+    partly = "internal events: the lists of ends are not followed"
+    meet = staticmethod(boxes_meet)
+
+    def current(self, x):
+        return [pair for pair in combinations(sorted(self.members), 2) if self.meet(self.world, pair, x)]
+
+    def record(self, r, x):
+        self.look = True
+        ids = self.world.scene.ids
+        if r.kind in ("meet", "part"):
+            self.require_members(r, 2)
+            self.require(r.external and r.ids[0] < r.ids[1], "%s: no pair that changes", r.short())
+            pair = [[[ids[o] for o in r.ids]], []]
+            self.require([r.came, r.gone] == (pair if r.kind == "meet" else pair[::-1]),
+                         "%s: another pair changes than its own", r.short())
+        elif r.kind not in ("settled", "rebuild"):
+            self.require_members(r, len(r.ids))
+            if self.query(r) is not None and r.kind != "tie":
+                self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of its objects", r.short())
+        if not r.external:
+            self.require(r.gone is None, "%s says nothing of the attribute", r.short())
+            return
+        number = {name: o for o, name in enumerate(ids)}
+        gone, came = ({tuple(number[name] for name in pair) for pair in side} for side in (r.gone, r.came))
+        self.require(gone <= set(self.told), "%s: a pair parts that did not meet", r.short())
+        self.require(not came & set(self.told), "%s: a pair meets that did already", r.short())
+        self.told = sorted(set(self.told) - gone | came)
+
+
+class DiscsThatMeet(BoxesThatMeet):
+    meet = staticmethod(discs_meet)
+
+
 class TwoColours(ClosestPair):
     """The closest two points of different classes."""
 

@@ -100,11 +100,24 @@ class Piece:
         return self.position(2, t) * other.position(3, t) == self.position(3, t) * other.position(2, t)
 
 
+class Extended(list):
+    """The axes of a position, with those of the extents of the disc or box there: a radius, or half extents."""
+
+    def __init__(self, axes, dimension):
+        super().__init__(axes[:dimension])
+        self.extents = axes[dimension:]
+
+    def half(self, axis):
+        """Half the width along an axis."""
+        return self.extents[min(axis, len(self.extents) - 1)]
+
+
 class Object:
     def __init__(self, name, pieces, polygon):
         self.name, self.pieces, self.polygon = name, pieces, polygon
         self.open = False  # written as one motion, not as a list of pieces
         self.colour, self.ends = "", []  # the ends of an edge of a graph: two vertices
+        self.extents = None  # "radius" or "half_extents": axes of the motion behind those of the position
 
 
 class Request:
@@ -144,6 +157,10 @@ class Scene:
         if len(self.number) != len(self.ids):
             raise BadInput("%s: two objects have one id" % self.path)
         self.bodies = any(o.polygon for o in self.objects)
+        kinds = {o.extents for o in self.objects}
+        if len(kinds) > 1:
+            raise BadInput("%s: objects of different extents" % self.path)
+        self.extents = kinds.pop() if kinds else None
         self.maintain = [self.read_request(r) for r in tree.get("maintain", [])]
         self.queries = [(exact(q["at"], self.path + ": /queries"),
                          [[exact(c, self.path + ": /queries") for c in side] for side in q["box"]])
@@ -151,6 +168,9 @@ class Scene:
         self.changes = self.plan()
 
     def read_object(self, tree, place):
+        extents = next((k for k in ("radius", "half_extents")
+                        for owner in [tree, tree["motion"][0]] if k in owner), None)
+
         def numbers(list_, where):
             if not isinstance(list_, list) or not list_:
                 raise BadInput("%s: a coefficient list is missing" % where)
@@ -158,24 +178,31 @@ class Scene:
 
         polygon = [[exact(c, place + "/polygon") for c in v] for v in tree.get("polygon", [])]
 
-        def axes(coordinates, rotor, where):
+        def axes(coordinates, owner, where):
             result = [numbers(a, "%s/%d" % (where, i)) for i, a in enumerate(coordinates)]
             if len(result) != self.dimension:
                 raise BadInput("%s: %d axes in a scene of %d" % (where, len(result), self.dimension))
             if polygon:
-                result += [numbers(a, where + "/rotor") for a in (rotor or [[1], [0]])]
+                result += [numbers(a, where + "/rotor") for a in owner.get("rotor", [[1], [0]])]
+            if extents == "radius":
+                result.append(numbers(owner["radius"], where + "/radius"))
+            elif extents:
+                result += [numbers(a, where + "/half_extents") for a in owner["half_extents"]]
+                if len(result) != 2 * self.dimension:
+                    raise BadInput("%s: half extents of another number than of axes" % where)
             return result
 
         motion = tree["motion"]
         if not isinstance(motion[0], dict):
-            pieces = [Piece(None, None, axes(motion, tree.get("rotor"), place + "/motion"))]
+            pieces = [Piece(None, None, axes(motion, tree, place + "/motion"))]
         else:
             pieces = []
             for i, p in enumerate(motion):
                 where = "%s/motion/%d" % (place, i)
                 times = [exact(p[k], where + "/" + k) if k in p else None for k in ("from", "to")]
-                pieces.append(Piece(*times, axes(p["coordinates"], p.get("rotor"), where)))
+                pieces.append(Piece(*times, axes(p["coordinates"], p, where)))
         result = Object(tree["id"], pieces, polygon)
+        result.extents = extents
         result.colour, result.ends = tree.get("colour", ""), tree.get("ends", [])
         return result
 
@@ -263,18 +290,22 @@ def axes_text(axes):
     return "[" + ", ".join(map(numbers_text, axes)) + "]"
 
 
-def trajectory_text(axes, body):
-    text = axes_text(axes[:2] if body else axes)
+def trajectory_text(axes, body, extents, dimension):
+    text = axes_text(axes[:2] if body else axes[:dimension])
+    if extents == "radius":
+        text += ', "radius": ' + numbers_text(axes[-1])
+    elif extents:
+        text += ', "half_extents": ' + axes_text(axes[dimension:])
     if body and axes[2:] != [[1], [0]]:
         text += ', "rotor": ' + axes_text(axes[2:])
     return text
 
 
-def motion_text(o):
+def motion_text(o, dimension):
     body = bool(o.polygon)
     first = o.pieces[0]
     if len(o.pieces) == 1 and first.start is None and first.end is None:
-        return trajectory_text(first.axes, body)
+        return trajectory_text(first.axes, body, o.extents, dimension)
     pieces = []
     for p in o.pieces:
         members = []
@@ -282,7 +313,7 @@ def motion_text(o):
             members.append('"from": ' + number_text(p.start))
         if p.end is not None:
             members.append('"to": ' + number_text(p.end))
-        members.append('"coordinates": ' + trajectory_text(p.axes, body))
+        members.append('"coordinates": ' + trajectory_text(p.axes, body, o.extents, dimension))
         pieces.append("{" + ", ".join(members) + "}")
     return "[" + ", ".join(pieces) + "]"
 
@@ -342,7 +373,7 @@ def canonical_text(scene):
             text += ', "colour": ' + json_string(o.colour)
         if o.ends:
             text += ', "ends": ' + set_text(o.ends)
-        objects.append(text + ', "motion": ' + motion_text(o) + "}")
+        objects.append(text + ', "motion": ' + motion_text(o, scene.dimension) + "}")
     maintain = "[" + ", ".join(request_text(r, scene) for r in scene.maintain) + "]"
     queries = ['{"at": %s, "box": %s}' % (number_text(t), axes_text(box)) for t, box in scene.queries]
     asked = ',\n "queries": ' + lines(queries) if queries else ""

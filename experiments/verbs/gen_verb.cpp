@@ -96,10 +96,11 @@ void generate(const GenOptions& options, const Voice& voice) {
   if (!options.name.empty()) scene.name = name_option(options.name);
   for (const StructureInfo& info : structure_infos()) {
     const auto names = [&info](const std::string& text) {
-      return info.graph && text.find(info.name) != std::string::npos;
+      return text.find(info.name) != std::string::npos;
     };
     if (std::any_of(options.maintain.begin(), options.maintain.end(), names)) {
-      lab::join_vertices(scene);
+      if (info.graph) lab::join_vertices(scene);
+      lab::give_extents(scene, info.extents);
     }
   }
   if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);

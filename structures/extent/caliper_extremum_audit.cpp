@@ -43,10 +43,10 @@ std::vector<Point> hull_of(const std::vector<Point>& points) {
 Number cross(const Vector& u, const Vector& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 // The extents of points on the edge from a to b, times the length of the edge, and its square.
-struct Extents {
+struct CaliperExtents {
   Number height, width, square;
 };
-Extents extents_of(const std::vector<Point>& points, const Point& a, const Point& b) {
+CaliperExtents extents_of(const std::vector<Point>& points, const Point& a, const Point& b) {
   const Vector u = b - a;
   Number height(0), least(0), most(0);
   for (const Point& p : points) {
@@ -58,7 +58,7 @@ Extents extents_of(const std::vector<Point>& points, const Point& a, const Point
 }
 
 // Of a strip the squared width; of a rectangle the area, or the square of half its perimeter.
-Number value_of(const Extents& e, CaliperMeasure measure) {
+Number value_of(const CaliperExtents& e, CaliperMeasure measure) {
   switch (measure) {
     case CaliperMeasure::kWidth:
       return e.height * e.height / e.square;
@@ -104,7 +104,7 @@ void CaliperExtremum::audit_strip(const Snapshot& snapshot, AuditReport& report)
   const Point a = point_of(snapshot, ids[0]), b = point_of(snapshot, ids[1]),
               c = point_of(snapshot, ids[2]);
   if (a == b) return report.check(false, [] { return "the edge of the strip has no length"; });
-  const Extents there = extents_of(points, a, b);
+  const CaliperExtents there = extents_of(points, a, b);
   report.check(value_of(there, measure_) == right, [] { return "another strip is narrower"; });
   report.check(cross(b - a, c - a) == there.height,
                [] { return "another vertex is opposite to the edge"; });
@@ -123,7 +123,7 @@ void CaliperExtremum::audit_rectangle(const Snapshot& snapshot, AuditReport& rep
   std::vector<Point> at;
   for (const ObjectId id : ids) at.push_back(point_of(snapshot, id));
   if (at[0] == at[1]) return report.check(false, [] { return "an edge without length"; });
-  const Extents there = extents_of(points, at[0], at[1]);
+  const CaliperExtents there = extents_of(points, at[0], at[1]);
   Number right = value_of(extents_of(points, hull[0], hull[1]), measure_);
   for (std::size_t i = 1; i < hull.size(); ++i) {
     const Point& to = hull[i + 1 == hull.size() ? 0 : i + 1];

@@ -14,7 +14,7 @@ void Directions2::audit(const Snapshot& snapshot, AuditReport& report) const {
   for (std::size_t i = 0, half = directions.size(); i < half; ++i) {
     directions.push_back({-directions[i][0], -directions[i][1]});
   }
-  Snapshot extreme(snapshot.time(), 2, snapshot.objects());
+  Snapshot extreme(snapshot.time(), 2, 2, snapshot.objects());
   for (std::size_t i = 0; i < directions.size(); ++i) {
     ObjectId best = kNoObject;
     Rational most;

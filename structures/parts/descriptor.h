@@ -103,6 +103,8 @@ struct StructureInfo {
   bool query = false;               // it is about one object, the request's "query"
   bool colours = false;             // it is about two classes of objects, the request's "colours"
   bool graph = false;               // for edges of graphs ("ends"), and only these
+  // For objects with these extents; boxes are about discs, too, so that kHalfExtents takes either.
+  Extents extents = Extents::kNone;
   // Adds the objects that it derives in the scene; nullptr: it derives none.
   void (*derives)(const Scene& scene, NumberNeeds& needs) = nullptr;
   // Refuses scenes that it cannot maintain for another reason; nullptr: there is none. Called only

@@ -6,10 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "structures/proximity/box_pairs.h"
 #include "structures/proximity/closest_pair_all.h"
 #include "structures/proximity/closest_pair_delaunay.h"
 #include "structures/proximity/closest_pair_range_tree.h"
 #include "structures/proximity/delaunay_tree.h"
+#include "structures/proximity/disc_pairs.h"
 #include "structures/proximity/graph_tree.h"
 #include "structures/proximity/nearest_site.h"
 
@@ -188,6 +190,48 @@ std::vector<StructureInfo> graph_trees() {
   return {list, cycles};
 }
 
+std::vector<StructureInfo> meetings() {
+  StructureInfo base;
+  base.any_dimension = true;
+  base.shape = Attribute::Shape::kTuples;
+  base.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+
+  StructureInfo boxes = base;
+  boxes.name = "box_pairs";
+  boxes.summary = "the pairs of boxes that meet, by the order of their ends along every axis";
+  boxes.extents = Extents::kHalfExtents;
+  boxes.kinds = {{"meet", Effect::kAlways},
+                 {"part", Effect::kAlways},
+                 {"swap", Effect::kNever},
+                 {"tie", Effect::kNever}};
+  boxes.certificates = "2n - 1 an axis, one for each two neighbours among the ends of the boxes";
+  boxes.ties = "boxes that touch identically meet; equal ends: lower ones first, then by id";
+  boxes.make = make_plain<BoxPairs>;
+
+  StructureInfo all = base;
+  all.group = "disc_pairs";
+  all.name = "disc_pairs_all";
+  all.summary = "the pairs of discs that meet, all pairs watched: the baseline";
+  all.extents = Extents::kRadius;
+  all.kinds = {{"meet", Effect::kAlways},
+               {"part", Effect::kAlways},
+               {"change", Effect::kNever},
+               {"tie", Effect::kNever}};
+  all.certificates = "n(n-1)/2, one a pair";
+  all.ties = "discs that touch identically meet";
+  all.make = make_plain<DiscPairsAll>;
+
+  StructureInfo in_boxes = all;
+  in_boxes.name = "disc_pairs_boxes";
+  in_boxes.summary = "the same, only pairs watched whose boxes meet";
+  in_boxes.kinds = boxes.kinds;
+  in_boxes.certificates =
+      "2n - 1 an axis, one for each two neighbours among the ends of the discs' boxes, and one for "
+      "each pair of boxes that meet";
+  in_boxes.make = make_plain<DiscPairsBoxes>;
+  return {boxes, all, in_boxes};
+}
+
 }  // namespace
 
 StructureFamily proximity_family() {
@@ -195,6 +239,7 @@ StructureFamily proximity_family() {
   all.push_back(nearest_site());
   for (StructureInfo& tree : spanning_trees()) all.push_back(std::move(tree));
   for (StructureInfo& tree : graph_trees()) all.push_back(std::move(tree));
+  for (StructureInfo& pairs : meetings()) all.push_back(std::move(pairs));
   return {"proximity", std::move(all)};
 }
 

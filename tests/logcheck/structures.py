@@ -25,7 +25,7 @@ def maintained(structure):
 def main():
     program, folder = sys.argv[1:3]
     chosen = (sys.argv[3].split(",") if len(sys.argv) > 3
-              else logs.LINE + logs.PLANE + logs.GRAPHS + logs.SPACE[:1] + logs.BODIES)
+              else logs.LINE + logs.PLANE + logs.GRAPHS + logs.EXTENTS + logs.SPACE[:1] + logs.BODIES)
     modules = logs.checker(folder)
     logs.skip_old(program)
     tried, levels, wrong = collections.Counter(), collections.defaultdict(collections.Counter), []
@@ -65,6 +65,17 @@ def main():
                 check(scratch, structure, family, 5, i + 2 * j, structure, "--dimension", "1")
             check(scratch, structure, "random-graph", 10, i, structure, "--m", "4")
             check(scratch, structure, "parallel-edges", 4, i, structure, "--m", "2")
+        for i, structure in enumerate(logs.EXTENTS):
+            if structure not in chosen:
+                continue
+            for j, family in enumerate(logs.POINT_FAMILIES):
+                check(scratch, structure, family, 8, i + j, structure)
+                check(scratch, structure, family, 5, i + 2 * j, structure)
+            for family in ("fan", "small", "random"):
+                family += {"fan": "-of", "small": "", "random": ""}[family]
+                family += "-boxes" if structure == "box_pairs" else "-discs"
+                for dimension in "123":
+                    check(scratch, structure, family, 5, 3, structure, "--dimension", dimension)
         for i, structure in enumerate(logs.SPACE):
             if structure not in chosen:
                 continue

@@ -3,6 +3,7 @@
 #include "predicates/predicates.h"
 
 #include "predicates/points/edge_predicates.h"
+#include "predicates/points/extent_predicates.h"
 #include "predicates/points/shared_arguments.h"
 #include "predicates/points/space_predicates.h"
 
@@ -54,6 +55,15 @@ std::vector<Named> all_predicates() {
           {"orientation_3", make_orientation_3()},
           {"in_sphere_3", make_in_sphere_3()},
           {"orientation_xz", make_projected_orientation(0, 2)},
+          {"lower_ends", make_end_order(EndClaim::kLowerEnds, {1, 3, 2})},
+          {"upper_ends", make_end_order(EndClaim::kUpperEnds, {2, 5, 3})},
+          {"meeting", make_end_order(EndClaim::kMeeting, {0, 1, 1})},
+          {"apart", make_end_order(EndClaim::kApart, {1, 3, 3})},
+          {"half_width", make_half_width({0, 2, 2})},
+          {"no_width", make_no_width({1, 3, 2})},
+          {"disc_overlap_1", make_disc_overlap(1)},
+          {"disc_overlap_2", make_disc_overlap(2)},
+          {"disc_apart_3", make_disc_apart(3)},
           {"edge_dot_shared", shared(make_edge_dot_2(), {0, 1, 1, 2})},
           {"strip_shared", shared(make_strip_order_2(), {0, 1, 2, 1, 3, 0})},
           {"rectangle_shared",
@@ -128,7 +138,7 @@ TEST_P(EveryPredicate, RingsAgreeAndErrorBoundsHold) {
     const int bits = p->homogeneity() > 4 ? 13 : 20;  // so that 128 suffice
     const std::vector<double> magnitude(static_cast<std::size_t>(d) + 1, std::ldexp(1.0, bits));
     for (int round = 0; round < 50; ++round) {
-      const Motions m(random, p->arity(), 3, d, 1 << bits);
+      const Motions m(random, p->arity(), std::max(3, p->dimension()), d, 1 << bits);
       std::vector<std::size_t> order;
       for (int i = 0; i < p->arity(); ++i) order.push_back(static_cast<std::size_t>(i));
       const Polynomial exact = p->exact(d, m.views(m.exact, order).data());
@@ -168,7 +178,7 @@ TEST_P(EveryPredicate, AlternatesUnderPermutations) {
   const auto [name, p] = all_predicates()[GetParam()];
   if (p->alternating() < 2) GTEST_SKIP() << "it has no such identity";
   std::mt19937_64 random(GetParam() + 100);
-  const Motions m(random, p->arity(), 3, 2, 1000);
+  const Motions m(random, p->arity(), std::max(3, p->dimension()), 2, 1000);
   std::vector<std::size_t> identity;
   for (int i = 0; i < p->arity(); ++i) identity.push_back(static_cast<std::size_t>(i));
   const Polynomial value = p->exact(2, m.views(m.exact, identity).data());
@@ -197,7 +207,7 @@ TEST_P(EveryPredicate, AlternatesInHalves) {
   if (!p->alternates_in_halves()) GTEST_SKIP() << "it has no such identity";
   ASSERT_EQ(p->arity() % 2, 0) << name;
   std::mt19937_64 random(GetParam() + 200);
-  const Motions m(random, p->arity(), 3, 2, 1000);
+  const Motions m(random, p->arity(), std::max(3, p->dimension()), 2, 1000);
   std::vector<std::size_t> order;
   for (int i = 0; i < p->arity(); ++i) order.push_back(static_cast<std::size_t>(i));
   const Polynomial value = p->exact(2, m.views(m.exact, order).data());
@@ -310,6 +320,47 @@ TEST_F(KnownSigns, PairDistances) {
   EXPECT_EQ(sign(make_pair_distance_order(2), {{0, 0}, {3, 4}, {9, 9}, {9, 15}}), 1);
   EXPECT_EQ(sign(make_pair_distance_order(2), {{0, 0}, {3, 4}, {9, 9}, {9, 14}}), 0);
   EXPECT_EQ(sign(make_pair_distance_order(1), {{0, 8}, {5, 0}, {7, 9}, {9, 0}}), -1);
+}
+
+// Centre and radius; centre and half extents.
+TEST_F(KnownSigns, Extents) {
+  EXPECT_EQ(sign(make_disc_overlap(2), {{0, 0, 2}, {3, 4, 2}}), -1);
+  EXPECT_EQ(sign(make_disc_overlap(2), {{0, 0, 2}, {3, 4, 3}}), 0);
+  EXPECT_EQ(sign(make_disc_overlap(2), {{0, 0, 2}, {3, 4, 4}}), 1);
+  EXPECT_EQ(sign(make_disc_apart(3), {{0, 0, 0, 1}, {2, 1, 2, 1}}), 1);
+  EXPECT_EQ(sign(make_disc_apart(1), {{0, 4}, {7, 3}}), 0);
+  const EndAxes y{1, 3, 2};
+  const std::vector<std::vector<int>> boxes{{0, 0, 9, 2}, {0, 5, 9, 3}};
+  EXPECT_EQ(sign(make_end_order(EndClaim::kLowerEnds, y), boxes), 1);   // -2, 2
+  EXPECT_EQ(sign(make_end_order(EndClaim::kUpperEnds, y), boxes), 1);   // 2, 8
+  EXPECT_EQ(sign(make_end_order(EndClaim::kMeeting, y), boxes), 1);     // -2, 8
+  EXPECT_EQ(sign(make_end_order(EndClaim::kMeeting, y), {boxes[1], boxes[0]}), 0);  // 2, 2
+  EXPECT_EQ(sign(make_end_order(EndClaim::kApart, y), boxes), -1);
+  EXPECT_EQ(sign(make_half_width(y), {boxes[0]}), 1);
+}
+
+// Discs meet iff their lifted points (p, |p|^2 - r^2) do not see each other past the paraboloid: the
+// least height of the segment between them over the paraboloid, a quadratic on [0, 1], is <= 0.
+TEST_F(KnownSigns, DiscsMeetWhereTheParaboloidHidesOne) {
+  std::mt19937_64 random(5);
+  const auto below = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  int both = 0;
+  for (int round = 0; round < 400; ++round) {
+    const std::vector<int> a{below(9), below(9), below(5)}, b{below(9), below(9), below(5)};
+    // At the share s of the way: (1-s) f(a) + s f(b) - |(1-s) a + s b|^2 = s(1-s) D - (1-s) ra^2 - s rb^2
+    // with D = |b - a|^2; the segment is strictly above somewhere iff the discs are apart.
+    const int d = (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+    const Rational ra(a[2] * a[2]), rb(b[2] * b[2]), distance(d);
+    Rational s(0);
+    if (d > 0) s = (distance + ra - rb) / (Rational(2) * distance);  // the quadratic's highest place
+    s = std::min(std::max(s, Rational(0)), Rational(1));
+    const Rational r = Rational(1) - s;
+    const bool seen = (r * s * distance - r * ra - s * rb).sign() > 0;
+    EXPECT_EQ(sign(make_disc_overlap(2), {a, b}) < 0, seen) << round;
+    both += seen ? 1 : 0;
+  }
+  EXPECT_GT(both, 50);
+  EXPECT_LT(both, 350);
 }
 
 TEST(PairDistanceOrder, HasItsIdentities) {

@@ -61,8 +61,8 @@ class ReplayedAttribute {
         if (kind == "enter") return remove(id(1), id(2));
         if (kind == "leave") return add(id(1), id(2));
         if (kind == "pass") return exchange(id(0), id(1));
-        if (kind == "contact" || kind == "overlap") return add(id(0), id(1));
-        if (kind == "separation") return remove(id(0), id(1));
+        if (kind == "contact" || kind == "overlap" || kind == "meet") return add(id(0), id(1));
+        if (kind == "separation" || kind == "part") return remove(id(0), id(1));
         if (kind == "graze") return "";
         return "an external event of another kind";
       case Attribute::Shape::kCycle:

@@ -164,9 +164,24 @@ inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree
   return scene;
 }
 
+// Makes the points of a scene discs or boxes with small constant extents, some of them 0.
+inline void with_extents(Scene& scene, Extents extents) {
+  if (scene.extents != Extents::kNone) return;
+  scene.extents = extents;
+  int k = 0;
+  for (SceneObject& object : scene.objects) {
+    for (int axis = 0; axis < scene.extent_axes(); ++axis) {
+      k = (5 * k + 3) % 8;
+      const Rational half(Integer(k), Integer(4));
+      for (MotionPiece& piece : object.motion.pieces) piece.trajectory.coordinates.push_back({half});
+    }
+  }
+}
+
 // The scene in a form that the structure takes: for structures of space with a third axis, on which
 // nothing moves; for structures of graphs its first axis alone, and the points as edges, the k-th
-// between the k-th pair of vertices in the order 01, 02, 12, 03, ..
+// between the k-th pair of vertices in the order 01, 02, 12, 03, ..; for structures of discs and
+// boxes with small constant extents.
 inline Scene suited(Scene scene, const StructureInfo& info) {
   if (scene.dimension < info.min_dimension && info.min_dimension == 3) {
     scene.dimension = 3;
@@ -179,6 +194,7 @@ inline Scene suited(Scene scene, const StructureInfo& info) {
       }
     }
   }
+  if (info.extents != Extents::kNone) with_extents(scene, info.extents);
   if (!info.graph) return scene;
   scene.dimension = 1;
   int u = 0, v = 1;

@@ -57,9 +57,10 @@ lab::Cell cell_of(const StructureInfo& info, const Scenes& scenes, lab::Extent e
 void add_group_comparisons(lab::Catalogue& catalogue, lab::Extent extent) {
   std::map<std::string, std::vector<const StructureInfo*>> groups;
   for (const StructureInfo& info : structure_infos()) {
-    // Structures of bodies and of keys have comparisons of their own; these scenes have no graphs or
-    // colours.
+    // Structures of bodies and of keys have comparisons of their own; these scenes have no graphs,
+    // colours or extents.
     if (info.group.empty() || info.bodies || info.uses_key || info.graph || info.colours) continue;
+    if (info.extents != Extents::kNone) continue;
     groups[std::string(info.group)].push_back(&info);
   }
   for (const auto& [group, members] : groups) {

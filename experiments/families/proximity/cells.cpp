@@ -80,6 +80,7 @@ void add_proximity_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   add_small_integers(catalogue);
   add_pair_cells(catalogue, extent);
   add_graph_cells(catalogue, extent);
+  add_meeting_cells(catalogue, extent);
   for (const char* structure : {"closest_pair_delaunay", "emst_list", "emst_cycles"}) {
     for (const int n : {16, 64, 256}) {
       // Most failures of the list exchange edges that are far apart: 200,000 a run at n = 256.

@@ -20,9 +20,17 @@ void generate_pass_along_row(const lab::WorkloadParameters&, Scene&);
 // graphs.cpp
 void generate_parallel_edges(const lab::WorkloadParameters&, Scene&);
 void generate_random_graph(const lab::WorkloadParameters&, Scene&);
-// pair_cells.cpp, graph_cells.cpp
+// extents.cpp
+void generate_fan_of_discs(const lab::WorkloadParameters&, Scene&);
+void generate_fan_of_boxes(const lab::WorkloadParameters&, Scene&);
+void generate_small_discs(const lab::WorkloadParameters&, Scene&);
+void generate_small_boxes(const lab::WorkloadParameters&, Scene&);
+void generate_random_discs(const lab::WorkloadParameters&, Scene&);
+void generate_random_boxes(const lab::WorkloadParameters&, Scene&);
+// pair_cells.cpp, graph_cells.cpp, meeting_cells.cpp
 void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_graph_cells(lab::Catalogue& catalogue, lab::Extent extent);
+void add_meeting_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // small_integers.cpp
 void generate_small_integers(const lab::WorkloadParameters&, Scene&);
 // pass_over_row.cpp

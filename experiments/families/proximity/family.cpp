@@ -20,7 +20,19 @@ lab::FamilyExperiments proximity_experiments() {
       {"parallel-edges", "--m bundles of --n parallel edges in a row: m(n - 1) changes of the tree",
        1, 1, 1, false, false, true, "graph_mst_cycles", generate_parallel_edges, 1, 1, 1},
       {"random-graph", "--n edges between random ones of --m vertices, linear weights", 1, 1, 1,
-       true, false, true, "graph_mst_cycles", generate_random_graph, 1, 2, 10}};
+       true, false, true, "graph_mst_cycles", generate_random_graph, 1, 2, 10},
+      {"fan-of-discs", "--n discs through one point: each two meet and part, n(n-1) changes", 2, 1, 3,
+       false, false, false, "disc_pairs_boxes", generate_fan_of_discs},
+      {"fan-of-boxes", "--n boxes through one point: each two meet and part, n(n-1) changes", 2, 1, 3,
+       false, false, false, "box_pairs", generate_fan_of_boxes},
+      {"small-discs", "discs of small integers from a generator that every program can repeat", 2, 1,
+       3, true, false, false, "disc_pairs_boxes", generate_small_discs},
+      {"small-boxes", "boxes of small integers from a generator that every program can repeat", 2, 1,
+       3, true, false, false, "box_pairs", generate_small_boxes},
+      {"random-discs", "discs of linear motion and radius in the unit square", 2, 1, 3, true, false,
+       false, "disc_pairs_boxes", generate_random_discs},
+      {"random-boxes", "boxes of linear motion and extents in the unit square", 2, 1, 3, true, false,
+       false, "box_pairs", generate_random_boxes}};
   family.add_cells = add_proximity_cells;
   family.trade = {{"closest_pair_delaunay",
                    2,
@@ -59,6 +71,16 @@ lab::FamilyExperiments proximity_experiments() {
                             {12, 32},
                             "parallel-edges",
                             {8, 16},
+                            {16, 36},
+                            {8, 16},
+                            {{8, 16, 32}, {8, 16, 32, 64, 128}}});
+  }
+  for (const std::string_view pairs : {"box_pairs", "disc_pairs_all", "disc_pairs_boxes"}) {
+    family.trade.push_back({pairs,
+                            2,
+                            {12, 32},
+                            pairs == "box_pairs" ? "fan-of-boxes" : "fan-of-discs",
+                            {4, 8},
                             {16, 36},
                             {8, 16},
                             {{8, 16, 32}, {8, 16, 32, 64, 128}}});

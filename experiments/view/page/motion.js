@@ -26,6 +26,11 @@ function pieceAt(object, u) {
 
 // Positions of all objects at one time.
 const X = [0, 1, 2].map(() => new Float64Array(OBJECTS));
+// The axes behind those of a position: one for the radius of a disc, one per axis for a box.
+const EXTENT_AXES = DATA.polygons !== undefined ? 0
+    : (MOTIONS.find(pieces => pieces.length > 0) || [[0, 0, []]])[0][2].length - AXES;
+// Half the widths of discs and boxes along the first two axes, at that time.
+const HALF = EXTENT_AXES > 0 ? [0, 1].map(() => new Float64Array(OBJECTS)) : [];
 const alive = new Uint8Array(OBJECTS);
 let placedAt = NaN;
 function place(u) {
@@ -36,6 +41,9 @@ function place(u) {
     alive[object] = piece === null ? 0 : 1;
     if (piece === null) continue;
     for (let axis = 0; axis < AXES; ++axis) X[axis][object] = evaluate(piece[2][axis], u);
+    HALF.forEach((half, axis) => {
+      half[object] = evaluate(piece[2][AXES + Math.min(axis, EXTENT_AXES - 1)], u);
+    });
   }
 }
 

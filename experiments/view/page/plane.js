@@ -15,10 +15,11 @@ function emptyBox() { return [Infinity, -Infinity, Infinity, -Infinity]; }
 function growBox(box) {
   for (let object = 0; object < OBJECTS; ++object) {
     if (!alive[object]) continue;
-    box[0] = Math.min(box[0], X[0][object]);
-    box[1] = Math.max(box[1], X[0][object]);
-    box[2] = Math.min(box[2], X[1][object]);
-    box[3] = Math.max(box[3], X[1][object]);
+    const [hx, hy] = HALF.length > 0 ? [HALF[0][object], HALF[1][object]] : [0, 0];
+    box[0] = Math.min(box[0], X[0][object] - hx);
+    box[1] = Math.max(box[1], X[0][object] + hx);
+    box[2] = Math.min(box[2], X[1][object] - hy);
+    box[3] = Math.max(box[3], X[1][object] + hy);
   }
 }
 function boxToShow() {
@@ -74,6 +75,7 @@ class Plane {
     context.rect(...rectangle);
     context.clip();
     this.drawAxes(context);
+    this.drawExtents(context, marked);
     this.drawAttribute(context);
     this.drawProof(context);
     drawQuery(context, this);
@@ -98,6 +100,35 @@ class Plane {
     const [mx, my] = this.middle;
     const origin = [this.cx + this.dx - mx * this.scale, this.cy + this.dy + my * this.scale];
     drawScales(context, this.rectangle, origin, this.scale, this.places);
+  }
+
+  // The outlines of discs and boxes.
+  drawExtents(context, marked) {
+    if (HALF.length === 0) return;
+    const outline = (object, colour, width) => {
+      const x = this.sx[object], y = this.sy[object];
+      const hx = Math.max(0, HALF[0][object] * this.scale);
+      const hy = Math.max(0, HALF[1][object] * this.scale);
+      context.strokeStyle = colour;
+      context.lineWidth = width;
+      context.beginPath();
+      if (EXTENT_AXES === 1) {
+        context.arc(x, y, hx, 0, 2 * Math.PI);
+      } else {
+        context.moveTo(x - hx, y - hy);
+        context.lineTo(x + hx, y - hy);
+        context.lineTo(x + hx, y + hy);
+        context.lineTo(x - hx, y + hy);
+        context.closePath();
+      }
+      context.stroke();
+    };
+    for (let object = 0; object < OBJECTS; ++object) {
+      if (alive[object]) outline(object, COLOUR.point, OBJECTS > 300 ? 0.5 : 1);
+    }
+    for (const object of marked) {
+      if (object < OBJECTS && alive[object]) outline(object, COLOUR.failed, 1.6);
+    }
   }
 
   segments(context, codes, colour, width, dash) {

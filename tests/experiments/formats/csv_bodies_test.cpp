@@ -110,7 +110,7 @@ TEST(CsvBodies, TracesTurnContinuously) {
   const auto& pieces = scene.objects[0].motion.pieces;
   ASSERT_EQ(pieces.size(), 6u);  // the second and the third are one
   for (std::size_t i = 1; i < pieces.size(); ++i) {
-    EXPECT_TRUE(pieces[i - 1].trajectory.meets(pieces[i].trajectory, *pieces[i].from)) << i;
+    EXPECT_TRUE(pieces[i - 1].trajectory.meets(pieces[i].trajectory, *pieces[i].from, true)) << i;
   }
   EXPECT_EQ(pieces[1].trajectory, trajectory({{0, 1}, {0}, {1}, {1}}));
   EXPECT_EQ(*pieces[1].to, Rational(3));

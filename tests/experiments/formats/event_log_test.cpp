@@ -122,6 +122,7 @@ TEST(LogRules, KindsAreThoseOfTheStructures) {
       parameters.dimension = 3;
       scene = lab::generate_scene(*lab::find_workload("uniform-square"), parameters);
     }
+    lab::give_extents(scene, info.extents);
     formats::set_maintain(scene, {std::string(info.name)});
     const auto simulator = lab::make_simulator(scene, "exact", {});
     const StructureId id = asked_structure(scene);

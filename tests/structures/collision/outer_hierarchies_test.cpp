@@ -79,7 +79,7 @@ TEST(OuterHierarchies, TheAuditLooksAtTheScenesPolygons) {
   Scene scene = scene_of({body("a", regular(12), 0), body("b", regular(5), 9)});
   Trial trial(scene, "outer_hierarchy", "exact", AuditLevel::kNone);
   AuditReport good, bad;
-  const Snapshot snapshot(Rational(0), 2, 2);
+  const Snapshot snapshot(Rational(0), 2, 2, 2);
   trial.simulator.structure(0).audit(snapshot, good);
   EXPECT_TRUE(good.violations.empty());
   scene.objects[0].polygon = regular(11);

@@ -105,7 +105,7 @@ inline std::vector<Rational> appearances(const SceneObject& body) {
   const MotionPiece* last = nullptr;
   for (const MotionPiece& piece : body.motion.pieces) {
     const bool goes_on = last != nullptr && last->to == piece.from &&
-                         last->trajectory.meets(piece.trajectory, *piece.from);
+                         last->trajectory.meets(piece.trajectory, *piece.from, true);
     if (piece.from && !goes_on) result.push_back(*piece.from);
     last = &piece;
   }

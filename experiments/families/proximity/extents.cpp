@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Discs and boxes that move: scenes of known numbers of meetings, and random ones.
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/families/proximity/experiments.h"
+#include "experiments/lab/workload_parts.h"
+
+namespace kinex::families {
+
+namespace {
+
+using Axes = std::vector<std::vector<Rational>>;
+
+// A disc or a box of these extents, as many as the scene's objects have.
+void add_extended(Scene& scene, std::string id, Axes position, Axes extents) {
+  for (std::vector<Rational>& axis : extents) position.push_back(std::move(axis));
+  lab::add_object(scene, std::move(id), std::move(position));
+}
+
+// p_i = (i t, i^2 t, ..), -2 <= t <= 2, radius or half extents 1/2: at t = 0 all centres coincide.
+// Objects i and j overlap along the last axis in the shortest time about 0, and touch within
+// |t| <= 1: each two meet once and part once, n(n-1) changes, which is the hard bound.
+void generate_fan(const lab::WorkloadParameters& parameters, Extents kind, Scene& scene) {
+  scene.start = Rational(-2);
+  scene.end = Rational(2);
+  scene.extents = kind;
+  for (std::int64_t i = 0; i < parameters.n; ++i) {
+    Axes position;
+    std::int64_t speed = 1;
+    for (int axis = 0; axis < parameters.dimension; ++axis) {
+      speed *= i;
+      position.push_back({lab::fraction(0, 1), lab::fraction(speed, 1)});
+    }
+    Axes extents(static_cast<std::size_t>(scene.extent_axes()), {lab::fraction(1, 2)});
+    add_extended(scene, "p" + std::to_string(i), std::move(position), std::move(extents));
+  }
+}
+
+// As small-integers (small_integers.cpp); then for each object its radius, or its half extent along
+// each axis, 1 + next() mod 12.
+void generate_small(const lab::WorkloadParameters& parameters, Extents kind, Scene& scene) {
+  std::uint64_t state = parameters.seed;
+  const auto next = [&state] {
+    state = (1103515245 * state + 12345) % (std::uint64_t{1} << 31);
+    return static_cast<std::int64_t>(state >> 16);
+  };
+  scene.start = 0;
+  scene.end = Rational(10);
+  scene.extents = kind;
+  for (int i = 0; i < parameters.n; ++i) {
+    Axes position, extents;
+    for (int axis = 0; axis < parameters.dimension; ++axis) {
+      const std::int64_t place = next() % 100, velocity = next() % 41 - 20;
+      position.push_back({lab::fraction(place, 1), lab::fraction(velocity, 1)});
+    }
+    for (int axis = 0; axis < scene.extent_axes(); ++axis) {
+      extents.push_back({lab::fraction(1 + next() % 12, 1)});
+    }
+    add_extended(scene, "p" + std::to_string(i), std::move(position), std::move(extents));
+  }
+}
+
+// On a line from one random place of the unit square (cube, interval) at t = 0 to another at t = 1;
+// radii and half extents go from one random number to another, each positive and at most 1 / (4 sqrt(n)),
+// with the root rounded up to a power of two. Multiples of 2^-20.
+void generate_random(const lab::WorkloadParameters& parameters, Extents kind, Scene& scene) {
+  lab::WorkloadRandom random(parameters.seed);
+  scene.start = 0;
+  scene.end = Rational(1);
+  scene.extents = kind;
+  std::int64_t root = 1;
+  while (root * root < parameters.n) root *= 2;
+  const auto line = [&random](std::int64_t least, std::int64_t most) {
+    const std::int64_t first = random.between(least, most), last = random.between(least, most);
+    return std::vector<Rational>{lab::on_grid(first), lab::on_grid(last - first)};
+  };
+  for (int i = 0; i < parameters.n; ++i) {
+    Axes position, extents;
+    for (int axis = 0; axis < parameters.dimension; ++axis) position.push_back(line(0, lab::kGridUnits));
+    for (int axis = 0; axis < scene.extent_axes(); ++axis) {
+      extents.push_back(line(1, std::max<std::int64_t>(1, lab::kGridUnits / (4 * root))));
+    }
+    add_extended(scene, "p" + std::to_string(i), std::move(position), std::move(extents));
+  }
+}
+
+}  // namespace
+
+void generate_fan_of_discs(const lab::WorkloadParameters& parameters, Scene& scene) {
+  generate_fan(parameters, Extents::kRadius, scene);
+}
+void generate_fan_of_boxes(const lab::WorkloadParameters& parameters, Scene& scene) {
+  generate_fan(parameters, Extents::kHalfExtents, scene);
+}
+void generate_small_discs(const lab::WorkloadParameters& parameters, Scene& scene) {
+  generate_small(parameters, Extents::kRadius, scene);
+}
+void generate_small_boxes(const lab::WorkloadParameters& parameters, Scene& scene) {
+  generate_small(parameters, Extents::kHalfExtents, scene);
+}
+void generate_random_discs(const lab::WorkloadParameters& parameters, Scene& scene) {
+  generate_random(parameters, Extents::kRadius, scene);
+}
+void generate_random_boxes(const lab::WorkloadParameters& parameters, Scene& scene) {
+  generate_random(parameters, Extents::kHalfExtents, scene);
+}
+
+}  // namespace kinex::families
