@@ -8,10 +8,12 @@
 
 #include "structures/proximity/closest_pair_all.h"
 #include "structures/proximity/closest_pair_delaunay.h"
+#include "structures/proximity/closest_pair_octants.h"
 #include "structures/proximity/closest_pair_range_tree.h"
 #include "structures/proximity/delaunay_tree.h"
 #include "structures/proximity/graph_tree.h"
 #include "structures/proximity/nearest_site.h"
+#include "structures/proximity/octants_listed.h"
 
 namespace kinex {
 namespace {
@@ -43,6 +45,30 @@ std::unique_ptr<Structure> make_delaunay(const MakerInput& in, bool classes) {
   std::optional<TwoClasses> two;
   if (classes) two.emplace(in.request, in.scene);
   return std::make_unique<ClosestPairDelaunay>(in.kernel, in.id, triangulation(in), std::move(two));
+}
+
+std::unique_ptr<Structure> make_octants_reader(const MakerInput& in, std::string_view name) {
+  return std::make_unique<ClosestPairOctants>(
+      in.kernel, in.id, dynamic_cast<const OctantNeighbours&>(*in.watched[0]), name);
+}
+
+std::vector<StructureInfo> octants() {
+  StructureInfo base;
+  base.group = "octants";
+  base.min_dimension = 2;
+  base.shape = Attribute::Shape::kTuples;
+  base.ties =
+      "points that are identically level are in the order after an infinitesimal turn, equal points "
+      "along (2, 1) by id";
+
+  StructureInfo listed = base;
+  listed.name = "octants_listed";
+  listed.summary = "the points that are next in four octants of each other, by four sorted lists";
+  listed.kinds = {{"point", Effect::kSometimes}, {"order", Effect::kNever}};
+  listed.certificates = "4(n - 1), one for each two neighbours by x, y, x + y and x - y";
+  listed.source = "Basch, Guibas, Hershberger, Data structures for mobile data (1997)";
+  listed.make = make_plain<OctantsListed>;
+  return {listed};
 }
 
 std::vector<StructureInfo> closest_pairs() {
@@ -85,6 +111,17 @@ std::vector<StructureInfo> closest_pairs() {
   tree.source = "Basch, Guibas, Zhang, Proximity problems on moving points (1997)";
   tree.make = make_plain<ClosestPairRangeTree>;
 
+  StructureInfo cones = base;
+  cones.name = "closest_pair_cones";
+  cones.summary = "the same in the plane, among points that are next in an octant";
+  cones.min_dimension = 2;
+  cones.reads = {{"octants_listed"}};
+  cones.certificates =
+      "at most 4n - 1, one for each match in the tournament of the pairs of a point and the next one "
+      "in an octant; those of octants_listed besides";
+  cones.source = "Basch, Guibas, Hershberger, Data structures for mobile data (1997)";
+  cones.make = [](const MakerInput& in) { return make_octants_reader(in, "closest_pair_cones"); };
+
   StructureInfo two = delaunay;
   two.name = "bichromatic_pair_delaunay";
   two.group = "bichromatic_pair";
@@ -106,7 +143,7 @@ std::vector<StructureInfo> closest_pairs() {
       "mn - 1 for m and n points of the two colours, one for each match in the tournament of "
       "their pairs";
   two_all.make = [](const MakerInput& in) { return make_all(in, true); };
-  return {delaunay, all, tree, two, two_all};
+  return {delaunay, all, tree, cones, two, two_all};
 }
 
 std::vector<StructureInfo> spanning_trees() {
@@ -191,7 +228,8 @@ std::vector<StructureInfo> graph_trees() {
 }  // namespace
 
 StructureFamily proximity_family() {
-  std::vector<StructureInfo> all = closest_pairs();
+  std::vector<StructureInfo> all = octants();
+  for (StructureInfo& pair : closest_pairs()) all.push_back(std::move(pair));
   all.push_back(nearest_site());
   for (StructureInfo& tree : spanning_trees()) all.push_back(std::move(tree));
   for (StructureInfo& tree : graph_trees()) all.push_back(std::move(tree));
