@@ -14,6 +14,7 @@
 #include "structures/proximity/graph_tree.h"
 #include "structures/proximity/nearest_site.h"
 #include "structures/proximity/octants_listed.h"
+#include "structures/proximity/octants_local.h"
 
 namespace kinex {
 namespace {
@@ -58,7 +59,8 @@ std::vector<StructureInfo> octants() {
   base.min_dimension = 2;
   base.shape = Attribute::Shape::kTuples;
   base.ties =
-      "points that are identically level are in the order after an infinitesimal turn, equal points "
+      "points that are identically level are in the order after an infinitesimal turn, equal "
+      "points "
       "along (2, 1) by id";
 
   StructureInfo listed = base;
@@ -68,7 +70,16 @@ std::vector<StructureInfo> octants() {
   listed.certificates = "4(n - 1), one for each two neighbours by x, y, x + y and x - y";
   listed.source = "Basch, Guibas, Hershberger, Data structures for mobile data (1997)";
   listed.make = make_plain<OctantsListed>;
-  return {listed};
+
+  StructureInfo local = base;
+  local.name = "octants_local";
+  local.summary = "the same, every point against the next one in each of its cones";
+  local.kinds = listed.kinds;
+  local.certificates =
+      "at most 12n, two for each point and cone with a next point: it is in the cone";
+  local.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+  local.make = make_plain<OctantsLocal>;
+  return {listed, local};
 }
 
 std::vector<StructureInfo> closest_pairs() {
@@ -87,7 +98,8 @@ std::vector<StructureInfo> closest_pairs() {
   delaunay.refuse = beyond_space;
   delaunay.reads = {{"delaunay_2"}};
   delaunay.certificates =
-      "at most 3n - 7, in space C(n,2) - 1, one for each match in the tournament of Delaunay edges; "
+      "at most 3n - 7, in space C(n,2) - 1, one for each match in the tournament of Delaunay "
+      "edges; "
       "those of delaunay_2 or delaunay_3 besides";
   delaunay.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 9";
   delaunay.make = [](const MakerInput& in) { return make_delaunay(in, false); };
@@ -117,10 +129,22 @@ std::vector<StructureInfo> closest_pairs() {
   cones.min_dimension = 2;
   cones.reads = {{"octants_listed"}};
   cones.certificates =
-      "at most 4n - 1, one for each match in the tournament of the pairs of a point and the next one "
+      "at most 4n - 1, one for each match in the tournament of the pairs of a point and the next "
+      "one "
       "in an octant; those of octants_listed besides";
   cones.source = "Basch, Guibas, Hershberger, Data structures for mobile data (1997)";
   cones.make = [](const MakerInput& in) { return make_octants_reader(in, "closest_pair_cones"); };
+
+  StructureInfo local = cones;
+  local.name = "closest_pair_local";
+  local.summary = "the same, without sorted lists";
+  local.reads = {{"octants_local"}};
+  local.certificates =
+      "at most 4n - 1, one for each match in the tournament of the pairs of a point and the next "
+      "one "
+      "in an octant; those of octants_local besides";
+  local.source = base.source;
+  local.make = [](const MakerInput& in) { return make_octants_reader(in, "closest_pair_local"); };
 
   StructureInfo two = delaunay;
   two.name = "bichromatic_pair_delaunay";
@@ -143,7 +167,7 @@ std::vector<StructureInfo> closest_pairs() {
       "mn - 1 for m and n points of the two colours, one for each match in the tournament of "
       "their pairs";
   two_all.make = [](const MakerInput& in) { return make_all(in, true); };
-  return {delaunay, all, tree, cones, two, two_all};
+  return {delaunay, all, tree, cones, local, two, two_all};
 }
 
 std::vector<StructureInfo> spanning_trees() {

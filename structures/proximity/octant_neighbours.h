@@ -35,6 +35,8 @@ class OctantNeighbours : public Structure {
   enum Kind : std::uint8_t { kPoint, kFirstOwnKind };
 
   StructureId id() const { return id_; }
+  // The number of the scene's objects, alive or not.
+  std::size_t objects() const { return woods_.objects(); }
   // The first point in the cone of p, as of now; kNoObject: none.
   ObjectId next(std::size_t cone, ObjectId p) const { return woods_.next(cone, p); }
   // The pairs of the attribute, ascending, and whether one is among them.

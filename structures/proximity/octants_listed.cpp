@@ -107,6 +107,7 @@ void OctantsListed::instant_settled() {
 
 void OctantsListed::visit_proof(ProofVisitor& visitor) const {
   ProofGroup group;
+  group.place = 0;
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
     group.kind = std::string("neighbours by ") + octant_axis_name(static_cast<OctantAxis>(axis));
     lists_[axis].each_link([&](Item a, Item b, CertificateId certificate) {

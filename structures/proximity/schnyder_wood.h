@@ -69,9 +69,9 @@ class SchnyderWood {
   std::size_t bytes() const;
 
  private:
-  struct Link {  // of a point p and a colour
-    ObjectId target = kNoObject;                       // next(colour, p)
-    ObjectId previous = kNoObject, next = kNoObject;   // in the chain of the target
+  struct Link {                                       // of a point p and a colour
+    ObjectId target = kNoObject;                      // next(colour, p)
+    ObjectId previous = kNoObject, next = kNoObject;  // in the chain of the target
   };
   struct Chain {  // of in(colour, q), by ascending f of the colour's successor
     ObjectId first = kNoObject, last = kNoObject;

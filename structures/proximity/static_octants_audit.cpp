@@ -41,8 +41,8 @@ struct Cone {
 
 // -K2, K1, and the quadrant of both of the opposite octants; -K4, K3, and theirs.
 constexpr Cone kStaticCones[6] = {
-    {-1, 0, 0, 1, 0, -1},  {0, 1, 0, 1, 1, 0},   {-1, 1, 0, 0, -1, 1},
-    {0, -1, 1, 0, 1, 0},   {-1, 0, 1, 0, 0, 1},  {-1, -1, 0, 0, -1, -1},
+    {-1, 0, 0, 1, 0, -1}, {0, 1, 0, 1, 1, 0},  {-1, 1, 0, 0, -1, 1},
+    {0, -1, 1, 0, 1, 0},  {-1, 0, 1, 0, 0, 1}, {-1, -1, 0, 0, -1, -1},
 };
 
 bool inside(const Cone& cone, const Offset& at) {
