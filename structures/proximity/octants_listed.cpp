@@ -40,13 +40,10 @@ void OctantsListed::exchange(OctantAxis axis, ObjectId before, ObjectId after) {
     const auto& orders = OctantWoods::orders(i);
     for (std::size_t order = 0; order < orders.size(); ++order) {
       if (orders[order].axis != axis || waits_[i]) continue;
-      if (woods().wood(i).alike(before, after)) {
-        waits_[i] = true;
-      } else if (orders[order].reversed) {
-        woods().wood(i).swap(order, after, before);
-      } else {
-        woods().wood(i).swap(order, before, after);
-      }
+      const bool reversed = orders[order].reversed;
+      const auto swapped =
+          woods().wood(i).swap(order, reversed ? after : before, reversed ? before : after);
+      waits_[i] = swapped == SchnyderWood::Swap::kImpossible;
     }
   }
 }

@@ -119,8 +119,8 @@ void OctantsLocal::certificate_failed(CertificateId failed) {
   const ObjectId p = c.point, q = next(c.cone, p);
   kernel().report(id(), kOrder, {q, p}, false);
   SchnyderWood& wood = woods().wood(i);
-  if (stale_[i] || kernel().instant_is_shared(id()) || wood.alike(p, q) ||
-      !wood.swap(order_of(c), q, p)) {
+  if (stale_[i] || kernel().instant_is_shared(id()) ||
+      wood.swap(order_of(c), q, p) != SchnyderWood::Swap::kDone) {
     slots_.drop(certificates_[tag(c)]);
     stale_[i] = true;
     return kernel().settle_later(id());

@@ -45,11 +45,6 @@ SchnyderWood::SchnyderWood(std::size_t objects, Before before, Changed changed)
   }
 }
 
-bool SchnyderWood::alike(ObjectId a, ObjectId b) const {
-  const bool first = before_(0, a, b);
-  return before_(1, a, b) == first && before_(2, a, b) == first;
-}
-
 // ---- links
 
 void SchnyderWood::unlink(std::size_t colour, ObjectId p) {
@@ -110,11 +105,14 @@ void SchnyderWood::make(const std::array<std::span<const ObjectId>, kColours>& o
 
 // ---- two neighbours that have changed places
 
-bool SchnyderWood::swap(std::size_t order, ObjectId q, ObjectId p) {
+SchnyderWood::Swap SchnyderWood::swap(std::size_t order, ObjectId q, ObjectId p) {
   const std::size_t j = order;
   std::size_t i = successor(j), k = predecessor(j);
-  if (!before_(i, p, q)) std::swap(i, k);
-  if (links_[i][p].target != q) return false;
+  const bool in_next = before_(i, p, q);
+  if (in_next == before_(k, p, q)) return Swap::kImpossible;
+  if (!in_next) std::swap(i, k);
+  if (links_[i][p].target != q) return Swap::kNothing;
+  if (links_[j][p].target == q || links_[i][q].target == p) return Swap::kImpossible;
   // The chains of j and of i by ascending f: in which direction depends on the names of i and k.
   const bool forward = i == successor(j);
   const End run = forward ? End::kFirst : End::kLast;
@@ -143,7 +141,7 @@ bool SchnyderWood::swap(std::size_t order, ObjectId q, ObjectId p) {
   unlink(k, q);
   link_at(k, q, p, j == successor(k) ? End::kFirst : End::kLast);
   point(k, q, old_of_q);
-  return true;
+  return Swap::kDone;
 }
 
 // ---- checks

@@ -54,15 +54,18 @@ class SchnyderWood {
 
   // kNoObject if there is none, or if p is no point of the wood.
   ObjectId next(std::size_t colour, ObjectId p) const { return links_[colour][p].target; }
-  // The two are ordered alike in all three orders: no swap rule holds.
-  bool alike(ObjectId a, ObjectId b) const;
-
   // The wood of these points, each order from its first one to its last one. O(n log n). Points that
   // were not there before, or are there no more, are reported like all others.
   void make(const std::array<std::span<const ObjectId>, kColours>& orders);
-  // Two neighbours of an order have changed places: `last` was the first of the two. False, with
-  // nothing changed, if no pointer joins them. O(1) for each pointer that changes.
-  bool swap(std::size_t order, ObjectId last, ObjectId first);
+  enum class Swap {
+    kNothing,     // no pointer joins the two
+    kDone,        // pointers have changed
+    kImpossible,  // nothing has changed: the two were ordered alike in all three orders, or are now;
+                  // in an inexact arithmetic also where pointers contradict the orders
+  };
+  // Two neighbours of an order have changed places: `last` was the first of the two. O(1) for each
+  // pointer that changes.
+  Swap swap(std::size_t order, ObjectId last, ObjectId first);
 
   // The links against each other, and the order of each chain.
   void check(AuditReport& report) const;

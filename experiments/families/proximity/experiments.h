@@ -20,7 +20,8 @@ void generate_pass_along_row(const lab::WorkloadParameters&, Scene&);
 // graphs.cpp
 void generate_parallel_edges(const lab::WorkloadParameters&, Scene&);
 void generate_random_graph(const lab::WorkloadParameters&, Scene&);
-// pair_cells.cpp, graph_cells.cpp
+// octant_cells.cpp, pair_cells.cpp, graph_cells.cpp
+void add_octant_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_graph_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // small_integers.cpp

@@ -79,14 +79,14 @@ struct Woods {
     const std::size_t i = at(points.size() - 1);
     const ObjectId q = points[i], p = points[i + 1];
     std::swap(orders.place[order][q], orders.place[order][p]);
-    if (wood.alike(p, q)) {
+    const std::uint64_t before = changes;
+    const auto swapped = wood.swap(order, q, p);
+    EXPECT_EQ(swapped == SchnyderWood::Swap::kDone, changes != before);
+    if (swapped == SchnyderWood::Swap::kImpossible) {
       std::swap(orders.place[order][q], orders.place[order][p]);
       return false;
     }
     std::swap(points[i], points[i + 1]);
-    const std::uint64_t before = changes;
-    const bool changed = wood.swap(order, q, p);
-    EXPECT_EQ(changed, changes != before);
     return true;
   }
   void expect_right(std::size_t n) {
