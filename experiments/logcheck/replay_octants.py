@@ -15,8 +15,7 @@ class Octants(OfMembers):
         super().__init__(checker, structure)
         self.pointers, self.pairs, self.missing = {}, [], None
         self.proofs = [Proof(self.world, self.label, checker.on[4])]  # without claims
-        if structure.name == "octants_local":
-            checker.note_partly(self.label, "internal events: its certificates are not followed")
+        checker.note_partly(self.label, "internal events: lists and certificates are not followed")
 
     def meanings(self, name, ids):
         if name == "order_direction":
@@ -73,6 +72,7 @@ class Octants(OfMembers):
         if not r.external:
             self.require(r.gone is None, "%s says nothing of the attribute", r.short())
             return
+        self.require(r.gone is not None and r.came is not None, "%s: what has changed?", r.short())
         ids = self.world.scene.ids
         said = [[tuple(ids.index(name) for name in pair) for pair in side] for side in (r.gone, r.came)]
         self.require(said[0] in ([], [gone]) and said[1] in ([], [came]) and said != [[], []],
