@@ -12,8 +12,8 @@ from replay_list import SortedList
 from replay_maximum import Maximum, OfList
 from replay_octants import Octants
 from replay_range import PseudoKdTree, RangeTree, RankKdTree, TrajectoryTree
-from replay_scratch import (BoundingBox, ClosestPair, ClosestPairOfOrders, FarthestPair, GraphTree, NearestSite,
-                            SpanningTree, TwoColours)
+from replay_scratch import (BoundingBox, ClosestPair, ClosestPairOfCells, ClosestPairOfOrders, FarthestPair, GraphTree,
+                            NearestSite, SpanningTree, TwoColours)
 from replay_space import DelaunayInSpace
 
 REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
@@ -22,6 +22,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "bounding_box": BoundingBox, "closest_pair_delaunay": ClosestPair,
             "closest_pair_all": ClosestPair, "closest_pair_range_tree": ClosestPairOfOrders,
             "closest_pair_cones": ClosestPair, "closest_pair_local": ClosestPair,
+            "closest_pair_bins": ClosestPairOfCells,
             "octants_listed": Octants, "octants_local": Octants,
             "nearest_site": NearestSite,
             "bichromatic_pair_delaunay": TwoColours, "bichromatic_pair_all": TwoColours,

@@ -7,9 +7,12 @@ winner of a duel inside a tournament) are checked at level 2, as certificates th
 there are is not followed.
 """
 
+from fractions import Fraction
 from functools import cmp_to_key
 from itertools import combinations
+from types import SimpleNamespace
 
+from log import Wrong
 from predicates import axis_order, distance_query
 from proof import Proof
 from replay_members import OfMembers
@@ -161,6 +164,53 @@ class ClosestPairOfOrders(ClosestPair):
         self.require_members(r, 2)
         if self.query(r) is not None:
             self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two points", r.short())
+
+
+class ClosestPairOfCells(ClosestPair):
+    """The same, with points that move to another cell of a grid; a line of it is named by its place."""
+
+    LINES = 1 << 30  # the numbers of lines: those of objects are smaller
+    PREDICATES = {"x_beyond": (0, 1), "x_short_of": (0, -1), "y_beyond": (1, 1), "y_short_of": (1, -1)}
+
+    def __init__(self, checker, structure):
+        super().__init__(checker, structure)
+        self.lines = {}
+
+    def own_query(self, r):
+        """The claim that a point is beyond a line, or short of it: an order of the two; None: it is none."""
+        if r.predicate not in self.PREDICATES:
+            return None
+        axis, way = self.PREDICATES[r.predicate]
+        self.require(r.kind == "cell" and len(r.arguments) == 2, "%s: no claim of a cell", r.short())
+        point, name = r.arguments
+        self.require(point in self.members and isinstance(name, str) and name[:2] == "xy"[axis] + "=",
+                     "%s: no point and line", r.short())
+        ids = (self.line(name), point)
+        return (axis_order(axis), ids if way > 0 else ids[::-1])
+
+    def line(self, name):
+        if name not in self.lines:
+            try:
+                at = Fraction(name[2:])
+            except ValueError:
+                raise Wrong("%s is no line" % name)
+            self.lines[name] = self.LINES + len(self.lines)
+            level = (at.numerator,) if at else ()
+            self.world.set_motion(self.lines[name], SimpleNamespace(denominator=at.denominator,
+                                                                    polynomials=[level, level]))
+        return self.lines[name]
+
+    def replaced(self, r, before, after):
+        if r.kind == "replace":
+            super().replaced(r, before, after)
+
+    def event(self, r, x):
+        if r.kind != "cell":
+            super().event(r, x)
+            return
+        self.require_members(r, 1)
+        if self.query(r) is not None:
+            self.require(r.ids[0] in self.query(r)[1], "%s is not a failure of the point", r.short())
 
 
 class SpanningTree(Scratch):

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "structures/proximity/closest_pair_all.h"
+#include "structures/proximity/closest_pair_bins.h"
 #include "structures/proximity/closest_pair_delaunay.h"
 #include "structures/proximity/closest_pair_octants.h"
 #include "structures/proximity/closest_pair_range_tree.h"
@@ -25,6 +26,12 @@ std::optional<Refusal> beyond_space(const Scene& scene) {
   if (scene.dimension <= 3) return std::nullopt;
   return Refusal{"is for 2 or 3 axes, the scene has " + std::to_string(scene.dimension),
                  "leave axes out, or maintain something else"};
+}
+
+std::optional<Refusal> endless(const Scene& scene) {
+  if (scene.end) return std::nullopt;
+  return Refusal{"keeps points in a grid over all that they pass, the scene has no end",
+                 "give it an \"end\", or maintain closest_pair_all"};
 }
 
 template <TreeProof proof>
@@ -146,6 +153,19 @@ std::vector<StructureInfo> closest_pairs() {
   local.source = base.source;
   local.make = [](const MakerInput& in) { return make_octants_reader(in, "closest_pair_local"); };
 
+  StructureInfo bins = base;
+  bins.name = "closest_pair_bins";
+  bins.summary = "the same in the plane, among points in near cells of a grid";
+  bins.min_dimension = 2;
+  bins.kinds = {
+      {"replace", Effect::kSometimes}, {"tie", Effect::kNever}, {"cell", Effect::kSometimes}};
+  bins.instead = "closest_pair_all";
+  bins.refuse = endless;
+  bins.certificates =
+      "at most 4n for the cells of the points, and one fewer than pairs of points at most two "
+      "columns and rows apart";
+  bins.make = make_plain<ClosestPairBins>;
+
   StructureInfo two = delaunay;
   two.name = "bichromatic_pair_delaunay";
   two.group = "bichromatic_pair";
@@ -167,7 +187,7 @@ std::vector<StructureInfo> closest_pairs() {
       "mn - 1 for m and n points of the two colours, one for each match in the tournament of "
       "their pairs";
   two_all.make = [](const MakerInput& in) { return make_all(in, true); };
-  return {delaunay, all, tree, cones, local, two, two_all};
+  return {delaunay, all, tree, cones, local, bins, two, two_all};
 }
 
 std::vector<StructureInfo> spanning_trees() {
