@@ -170,25 +170,24 @@ class ClosestPairOfCells(ClosestPair):
     """The same, with points that move to another cell of a grid; a line of it is named by its place."""
 
     LINES = 1 << 30  # the numbers of lines: those of objects are smaller
-    PREDICATES = {"x_beyond": (0, 1), "x_short_of": (0, -1), "y_beyond": (1, 1), "y_short_of": (1, -1)}
 
     def __init__(self, checker, structure):
         super().__init__(checker, structure)
         self.lines = {}
 
     def own_query(self, r):
-        """The claim that a point is beyond a line, or short of it: an order of the two; None: it is none."""
-        if r.predicate not in self.PREDICATES:
+        """The order of a point and a line; None: it is another claim."""
+        names = [a for a in r.arguments if isinstance(a, str)]
+        if not names:
             return None
-        axis, way = self.PREDICATES[r.predicate]
-        self.require(r.kind == "cell" and len(r.arguments) == 2, "%s: no claim of a cell", r.short())
-        point, name = r.arguments
-        self.require(point in self.members and isinstance(name, str) and name[:2] == "xy"[axis] + "=",
-                     "%s: no point and line", r.short())
-        ids = (self.line(name), point)
-        return (axis_order(axis), ids if way > 0 else ids[::-1])
+        ids = tuple(self.line(a, r.predicate) if isinstance(a, str) else a for a in r.arguments)
+        self.require(r.kind == "cell" and len(ids) == 2 and len(names) == 1, "%s: no claim of a cell", r.short())
+        self.require(self.members & set(ids), "%s: the certificate names no point that is there", r.short())
+        return (r.predicate, ids)
 
-    def line(self, name):
+    def line(self, name, order):
+        self.require(order in ("order_x", "order_y") and name[:2] == order[-1] + "=",
+                     "%s is no line for an %s", name, order)
         if name not in self.lines:
             try:
                 at = Fraction(name[2:])

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "predicates/bodies/body_gap.h"
+#include "predicates/predicates.h"
 
 namespace kinex {
 namespace {
@@ -85,8 +85,7 @@ FlightBox FlightBox::of(const Scene& scene) {
 PointGrid::PointGrid(Kernel& kernel, StructureId id, FlightBox box, std::size_t points)
     : slots_(kernel, id, "cells"),
       box_(std::move(box)),
-      beyond_{kernel.bind(make_beyond_line(0, false)), kernel.bind(make_beyond_line(1, false))},
-      short_of_{kernel.bind(make_beyond_line(0, true)), kernel.bind(make_beyond_line(1, true))},
+      order_{kernel.bind(make_coordinate_order(0)), kernel.bind(make_coordinate_order(1))},
       places_(points) {}
 
 // ---- lines
@@ -94,7 +93,7 @@ PointGrid::PointGrid(Kernel& kernel, StructureId id, FlightBox box, std::size_t 
 ObjectId PointGrid::line(std::size_t axis, const Rational& at) {
   const auto [place, is_new] = known_[axis].try_emplace(at, kNoObject);
   if (is_new) {
-    place->second = slots_.kernel().constant((axis == 0 ? "x=" : "y=") + at.to_string(), {at});
+    place->second = slots_.kernel().constant((axis == 0 ? "x=" : "y=") + at.to_string(), {at, at});
   }
   return place->second;
 }
@@ -141,8 +140,8 @@ bool PointGrid::has_side(ObjectId point, std::uint32_t side) const {
 Query PointGrid::query(ObjectId point, std::uint32_t side) const {
   const std::size_t axis = side / 2;
   const auto k = static_cast<std::size_t>(places_[point].cell[axis]);
-  if (side % 2 == 0) return Query(beyond_[axis], {point, lines_[axis][k - 1]});
-  return Query(short_of_[axis], {point, lines_[axis][k]});
+  if (side % 2 == 0) return Query(order_[axis], {lines_[axis][k - 1], point});
+  return Query(order_[axis], {point, lines_[axis][k]});
 }
 
 void PointGrid::certify(ObjectId point) {
@@ -172,7 +171,7 @@ void PointGrid::leave(ObjectId point) {
 void PointGrid::insert(ObjectId point) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto beyond = [&](ObjectId line) {
-      return slots_.kernel().sign_after(beyond_[axis], {point, line}) != Sign::kNegative;
+      return slots_.kernel().sign_after(order_[axis], {line, point}) != Sign::kNegative;
     };
     const std::vector<ObjectId>& lines = lines_[axis];
     places_[point].cell[axis] =

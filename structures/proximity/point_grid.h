@@ -87,7 +87,7 @@ class PointGrid {
 
   Slots slots_;
   FlightBox box_;
-  std::array<PredicateId, 2> beyond_, short_of_;       // per axis
+  std::array<PredicateId, 2> order_;                   // per axis
   std::array<std::map<Rational, ObjectId>, 2> known_;  // all lines so far
   std::array<std::vector<ObjectId>, 2> lines_;         // line k is between cells k, k + 1
   std::size_t squares_ = 0;
