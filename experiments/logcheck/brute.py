@@ -10,6 +10,7 @@ from fractions import Fraction
 from itertools import combinations, permutations
 
 from log import Wrong
+from octants import AXES, pairs_of_positions
 from replay_calipers import folds_of
 from replay_directions import all_directions, extent_query, half_directions, k_of, opposite
 from roots import Instant, all_roots, compare
@@ -283,6 +284,8 @@ def attribute_of(structure, key, positions, scene):
         return cells_of(positions)
     if name == "bounding_box":
         return box_of(positions)
+    if name.startswith("octants_"):
+        return pairs_of_positions(positions)
     if name.startswith(("closest_pair_", "bichromatic_pair_")):
         return closest_of(pairs_of(structure, positions, scene), positions)
     if name == "nearest_site":
@@ -358,7 +361,12 @@ def queries_of(structure, key, members, scene):
             for axis in range(dimension):
                 yield (axis_order(axis), pair)
         return
-    if name in ("closest_pair_delaunay", "closest_pair_all", "closest_pair_range_tree", "bichromatic_pair_delaunay", "bichromatic_pair_all",
+    if name.startswith("octants_"):
+        for pair in combinations(sorted(members), 2):
+            for axis in AXES:
+                yield (axis, pair)
+        return
+    if name.startswith(("closest_pair_", "bichromatic_pair_")) or name in (
                 "diameter_2", "diameter_all_pairs", "emst_list", "emst_cycles"):
         pairs = pairs_of(structure, members, scene)
         for front, back in combinations(pairs, 2):

@@ -10,9 +10,10 @@ from replay_heaps import Hanger, Heap, Tournament
 from replay_hull import HullBruteForce, HullOfDelaunay
 from replay_list import SortedList
 from replay_maximum import Maximum, OfList
+from replay_octants import Octants
 from replay_range import PseudoKdTree, RangeTree, RankKdTree, TrajectoryTree
-from replay_scratch import (BoundingBox, BoxesThatMeet, ClosestPair, ClosestPairOfOrders, DiscsThatMeet, FarthestPair,
-                            GraphTree, NearestSite, SpanningTree, TwoColours)
+from replay_scratch import (BoundingBox, BoxesThatMeet, ClosestPair, ClosestPairOfCells, ClosestPairOfOrders,
+                            DiscsThatMeet, FarthestPair, GraphTree, NearestSite, SpanningTree, TwoColours)
 from replay_space import DelaunayInSpace
 
 REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
@@ -20,6 +21,9 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "convex_hull_2": Envelopes, "convex_hull_2_naive": Envelopes,
             "bounding_box": BoundingBox, "closest_pair_delaunay": ClosestPair,
             "closest_pair_all": ClosestPair, "closest_pair_range_tree": ClosestPairOfOrders,
+            "closest_pair_cones": ClosestPair, "closest_pair_local": ClosestPair,
+            "closest_pair_bins": ClosestPairOfCells,
+            "octants_listed": Octants, "octants_local": Octants,
             "nearest_site": NearestSite,
             "bichromatic_pair_delaunay": TwoColours, "bichromatic_pair_all": TwoColours,
             "emst_list": SpanningTree, "emst_cycles": SpanningTree,

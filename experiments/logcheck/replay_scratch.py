@@ -7,9 +7,12 @@ winner of a duel inside a tournament) are checked at level 2, as certificates th
 there are is not followed.
 """
 
+from fractions import Fraction
 from functools import cmp_to_key
 from itertools import combinations
+from types import SimpleNamespace
 
+from log import Wrong
 from predicates import axis_order, distance_query
 from proof import Proof
 from replay_members import OfMembers
@@ -161,6 +164,52 @@ class ClosestPairOfOrders(ClosestPair):
         self.require_members(r, 2)
         if self.query(r) is not None:
             self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two points", r.short())
+
+
+class ClosestPairOfCells(ClosestPair):
+    """The same, with points that move to another cell of a grid; a line of it is named by its place."""
+
+    LINES = 1 << 30  # the numbers of lines: those of objects are smaller
+
+    def __init__(self, checker, structure):
+        super().__init__(checker, structure)
+        self.lines = {}
+
+    def own_query(self, r):
+        """The order of a point and a line; None: it is another claim."""
+        names = [a for a in r.arguments if isinstance(a, str)]
+        if not names:
+            return None
+        ids = tuple(self.line(a, r.predicate) if isinstance(a, str) else a for a in r.arguments)
+        self.require(r.kind == "cell" and len(ids) == 2 and len(names) == 1, "%s: no claim of a cell", r.short())
+        self.require(self.members & set(ids), "%s: the certificate names no point that is there", r.short())
+        return (r.predicate, ids)
+
+    def line(self, name, order):
+        self.require(order in ("order_x", "order_y") and name[:2] == order[-1] + "=",
+                     "%s is no line for an %s", name, order)
+        if name not in self.lines:
+            try:
+                at = Fraction(name[2:])
+            except ValueError:
+                raise Wrong("%s is no line" % name)
+            self.lines[name] = self.LINES + len(self.lines)
+            level = (at.numerator,) if at else ()
+            self.world.set_motion(self.lines[name], SimpleNamespace(denominator=at.denominator,
+                                                                    polynomials=[level, level]))
+        return self.lines[name]
+
+    def replaced(self, r, before, after):
+        if r.kind == "replace":
+            super().replaced(r, before, after)
+
+    def event(self, r, x):
+        if r.kind != "cell":
+            super().event(r, x)
+            return
+        self.require_members(r, 1)
+        if self.query(r) is not None:
+            self.require(r.ids[0] in self.query(r)[1], "%s is not a failure of the point", r.short())
 
 
 class SpanningTree(Scratch):

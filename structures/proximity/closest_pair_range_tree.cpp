@@ -23,8 +23,6 @@ constexpr Octant kOctants[] = {
     {kAlongY, kAlongSum, kAlongX, false, true, true},           // 0 < y < -x, by -x
 };
 
-constexpr const char* kListNames[kOctantAxes] = {"x", "y", "x + y", "x - y"};
-
 }  // namespace
 
 ClosestPairRangeTree::ClosestPairRangeTree(Kernel& kernel, StructureId id, const Scene& scene)
@@ -34,7 +32,7 @@ ClosestPairRangeTree::ClosestPairRangeTree(Kernel& kernel, StructureId id, const
       events_(kernel, id, Attribute::Shape::kTuples) {
   const std::size_t objects = scene.objects.size();
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
-    lists_.emplace_back(kernel, id, kListNames[axis],
+    lists_.emplace_back(kernel, id, octant_axis_name(static_cast<OctantAxis>(axis)),
                         OctantOrder(kernel, static_cast<OctantAxis>(axis)), objects);
     places_[axis].assign(objects, 0);
   }
@@ -151,7 +149,7 @@ void ClosestPairRangeTree::visit_proof(ProofVisitor& visitor) const {
   std::uint64_t place = std::uint64_t{1} << 32;  // those of the tournament are smaller
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
     group.kind = "neighbours";
-    group.text = std::string("by ") + kListNames[axis];
+    group.text = std::string("by ") + octant_axis_name(static_cast<OctantAxis>(axis));
     lists_[axis].each_link([&](Item a, Item b, CertificateId certificate) {
       group.about = {a, b};
       group.place = ++place;
@@ -198,7 +196,7 @@ std::vector<BoundCheck> ClosestPairRangeTree::bounds(const BoundContext& context
 
 void ClosestPairRangeTree::check_invariants(AuditReport& report) const {
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
-    lists_[axis].check(report, kListNames[axis]);
+    lists_[axis].check(report, octant_axis_name(static_cast<OctantAxis>(axis)));
     std::uint32_t place = 0;
     for (const ObjectId object : lists_[axis].items()) {
       report.check(places_[axis][object] == place++, [] { return "a place that is out of date"; });

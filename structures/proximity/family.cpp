@@ -8,12 +8,16 @@
 
 #include "structures/proximity/box_pairs.h"
 #include "structures/proximity/closest_pair_all.h"
+#include "structures/proximity/closest_pair_bins.h"
 #include "structures/proximity/closest_pair_delaunay.h"
+#include "structures/proximity/closest_pair_octants.h"
 #include "structures/proximity/closest_pair_range_tree.h"
 #include "structures/proximity/delaunay_tree.h"
 #include "structures/proximity/disc_pairs.h"
 #include "structures/proximity/graph_tree.h"
 #include "structures/proximity/nearest_site.h"
+#include "structures/proximity/octants_listed.h"
+#include "structures/proximity/octants_local.h"
 
 namespace kinex {
 namespace {
@@ -24,6 +28,12 @@ std::optional<Refusal> beyond_space(const Scene& scene) {
   if (scene.dimension <= 3) return std::nullopt;
   return Refusal{"is for 2 or 3 axes, the scene has " + std::to_string(scene.dimension),
                  "leave axes out, or maintain something else"};
+}
+
+std::optional<Refusal> endless(const Scene& scene) {
+  if (scene.end) return std::nullopt;
+  return Refusal{"keeps points in a grid over all that they pass, the scene has no end",
+                 "give it an \"end\", or maintain closest_pair_all"};
 }
 
 template <TreeProof proof>
@@ -47,6 +57,40 @@ std::unique_ptr<Structure> make_delaunay(const MakerInput& in, bool classes) {
   return std::make_unique<ClosestPairDelaunay>(in.kernel, in.id, triangulation(in), std::move(two));
 }
 
+std::unique_ptr<Structure> make_octants_reader(const MakerInput& in, std::string_view name) {
+  return std::make_unique<ClosestPairOctants>(
+      in.kernel, in.id, dynamic_cast<const OctantNeighbours&>(*in.watched[0]), name);
+}
+
+std::vector<StructureInfo> octants() {
+  StructureInfo base;
+  base.group = "octants";
+  base.min_dimension = 2;
+  base.shape = Attribute::Shape::kTuples;
+  base.ties =
+      "points that are identically level are in the order after an infinitesimal turn, equal "
+      "points "
+      "along (2, 1) by id";
+
+  StructureInfo listed = base;
+  listed.name = "octants_listed";
+  listed.summary = "the points that are next in four octants of each other, by four sorted lists";
+  listed.kinds = {{"point", Effect::kSometimes}, {"order", Effect::kNever}};
+  listed.certificates = "4(n - 1), one for each two neighbours by x, y, x + y and x - y";
+  listed.source = "Basch, Guibas, Hershberger, Data structures for mobile data (1997)";
+  listed.make = make_plain<OctantsListed>;
+
+  StructureInfo local = base;
+  local.name = "octants_local";
+  local.summary = "the same, every point against the next one in each of its cones";
+  local.kinds = listed.kinds;
+  local.certificates =
+      "at most 12n, two for each point and cone with a next point: it is in the cone";
+  local.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+  local.make = make_plain<OctantsLocal>;
+  return {listed, local};
+}
+
 std::vector<StructureInfo> closest_pairs() {
   StructureInfo base;
   base.group = "closest_pair";
@@ -63,7 +107,8 @@ std::vector<StructureInfo> closest_pairs() {
   delaunay.refuse = beyond_space;
   delaunay.reads = {{"delaunay_2"}};
   delaunay.certificates =
-      "at most 3n - 7, in space C(n,2) - 1, one for each match in the tournament of Delaunay edges; "
+      "at most 3n - 7, in space C(n,2) - 1, one for each match in the tournament of Delaunay "
+      "edges; "
       "those of delaunay_2 or delaunay_3 besides";
   delaunay.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 9";
   delaunay.make = [](const MakerInput& in) { return make_delaunay(in, false); };
@@ -87,6 +132,42 @@ std::vector<StructureInfo> closest_pairs() {
   tree.source = "Basch, Guibas, Zhang, Proximity problems on moving points (1997)";
   tree.make = make_plain<ClosestPairRangeTree>;
 
+  StructureInfo cones = base;
+  cones.name = "closest_pair_cones";
+  cones.summary = "the same in the plane, among points that are next in an octant";
+  cones.min_dimension = 2;
+  cones.reads = {{"octants_listed"}};
+  cones.certificates =
+      "at most 4n - 1, one for each match in the tournament of the pairs of a point and the next "
+      "one "
+      "in an octant; those of octants_listed besides";
+  cones.source = "Basch, Guibas, Hershberger, Data structures for mobile data (1997)";
+  cones.make = [](const MakerInput& in) { return make_octants_reader(in, "closest_pair_cones"); };
+
+  StructureInfo local = cones;
+  local.name = "closest_pair_local";
+  local.summary = "the same, without sorted lists";
+  local.reads = {{"octants_local"}};
+  local.certificates =
+      "at most 4n - 1, one for each match in the tournament of the pairs of a point and the next "
+      "one "
+      "in an octant; those of octants_local besides";
+  local.source = base.source;
+  local.make = [](const MakerInput& in) { return make_octants_reader(in, "closest_pair_local"); };
+
+  StructureInfo bins = base;
+  bins.name = "closest_pair_bins";
+  bins.summary = "the same in the plane, among points in near cells of a grid";
+  bins.min_dimension = 2;
+  bins.kinds = {
+      {"replace", Effect::kSometimes}, {"tie", Effect::kNever}, {"cell", Effect::kSometimes}};
+  bins.instead = "closest_pair_all";
+  bins.refuse = endless;
+  bins.certificates =
+      "at most 4n for the cells of the points, and one fewer than pairs of points at most two "
+      "columns and rows apart";
+  bins.make = make_plain<ClosestPairBins>;
+
   StructureInfo two = delaunay;
   two.name = "bichromatic_pair_delaunay";
   two.group = "bichromatic_pair";
@@ -108,7 +189,7 @@ std::vector<StructureInfo> closest_pairs() {
       "mn - 1 for m and n points of the two colours, one for each match in the tournament of "
       "their pairs";
   two_all.make = [](const MakerInput& in) { return make_all(in, true); };
-  return {delaunay, all, tree, two, two_all};
+  return {delaunay, all, tree, cones, local, bins, two, two_all};
 }
 
 std::vector<StructureInfo> spanning_trees() {
@@ -235,7 +316,8 @@ std::vector<StructureInfo> meetings() {
 }  // namespace
 
 StructureFamily proximity_family() {
-  std::vector<StructureInfo> all = closest_pairs();
+  std::vector<StructureInfo> all = octants();
+  for (StructureInfo& pair : closest_pairs()) all.push_back(std::move(pair));
   all.push_back(nearest_site());
   for (StructureInfo& tree : spanning_trees()) all.push_back(std::move(tree));
   for (StructureInfo& tree : graph_trees()) all.push_back(std::move(tree));

@@ -28,6 +28,11 @@ OctantAxis across(OctantAxis axis) {
 
 }  // namespace
 
+const char* octant_axis_name(OctantAxis axis) {
+  constexpr std::array<const char*, kOctantAxes> kNames{"x", "y", "x + y", "x - y"};
+  return kNames[axis];
+}
+
 OctantOrder::OctantOrder(Kernel& kernel, OctantAxis axis)
     : kernel_(&kernel),
       first_(bound(kernel, axis)),

@@ -29,6 +29,8 @@ namespace kinex {
 enum OctantAxis : std::size_t { kAlongX, kAlongY, kAlongSum, kAlongDifference };
 // The number of directions by which points are ordered.
 inline constexpr std::size_t kOctantAxes = 4;
+// "x", "y", "x + y", "x - y".
+const char* octant_axis_name(OctantAxis axis);
 
 class OctantOrder {
  public:

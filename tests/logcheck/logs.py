@@ -16,7 +16,9 @@ PLANE = ["convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force", "c
          "diameter_2", "diameter_all_pairs",
          "bounding_box_2_hull", "farthest_delaunay_2",
          "min_circle_2", "min_circle_2_brute_force",
-         "closest_pair_all", "closest_pair_range_tree", "bichromatic_pair_delaunay", "bichromatic_pair_all", "nearest_site"]
+         "closest_pair_all", "closest_pair_range_tree", "closest_pair_cones", "closest_pair_local", "closest_pair_bins",
+         "octants_listed", "octants_local",
+         "bichromatic_pair_delaunay", "bichromatic_pair_all", "nearest_site"]
 GRAPHS = ["graph_mst_list", "graph_mst_cycles"]
 EXTENTS = ["box_pairs", "disc_pairs_all", "disc_pairs_boxes"]  # points become boxes or discs
 SPACE = ["delaunay_3", "closest_pair_delaunay", "emst_list", "emst_cycles"]  # in scenes of three axes

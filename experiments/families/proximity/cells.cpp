@@ -78,6 +78,7 @@ void add_proximity_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   }
   for (const int size : {3, 4, 5}) add_rows(catalogue, size);
   add_small_integers(catalogue);
+  add_octant_cells(catalogue, extent);
   add_pair_cells(catalogue, extent);
   add_graph_cells(catalogue, extent);
   add_meeting_cells(catalogue, extent);

@@ -27,7 +27,8 @@ void generate_small_discs(const lab::WorkloadParameters&, Scene&);
 void generate_small_boxes(const lab::WorkloadParameters&, Scene&);
 void generate_random_discs(const lab::WorkloadParameters&, Scene&);
 void generate_random_boxes(const lab::WorkloadParameters&, Scene&);
-// pair_cells.cpp, graph_cells.cpp, meeting_cells.cpp
+// octant_cells.cpp, pair_cells.cpp, graph_cells.cpp, meeting_cells.cpp
+void add_octant_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_graph_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_meeting_cells(lab::Catalogue& catalogue, lab::Extent extent);

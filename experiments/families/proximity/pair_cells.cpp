@@ -52,7 +52,10 @@ void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
     add("closest_pair_all", "closest_pair.small_integers", one.pair);
     add("bichromatic_pair_all", "bichromatic_pair.small_integers", one.colours);
     if (one.dimension != 2) continue;
-    add("closest_pair_range_tree", "closest_pair.small_integers", one.pair);
+    for (const char* structure : {"closest_pair_range_tree", "closest_pair_cones",
+                                  "closest_pair_local", "closest_pair_bins"}) {
+      add(structure, "closest_pair.small_integers", one.pair);
+    }
     add("bichromatic_pair_delaunay", "bichromatic_pair.small_integers", one.colours);
     add("nearest_site", "nearest_site.small_integers", one.nearest);
   }
@@ -61,7 +64,8 @@ void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
 }  // namespace
 
 void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent) {
-  for (const char* structure : {"closest_pair_all", "closest_pair_range_tree"}) {
+  for (const char* structure : {"closest_pair_all", "closest_pair_range_tree", "closest_pair_cones",
+                                "closest_pair_local", "closest_pair_bins"}) {
     for (const int size : {3, 4, 5}) {
       lab::Cell cell = lab::worst_case_cell(structure, "pass-along-row", size, 1, 0.5);
       cell.parameters.m = size;
@@ -71,8 +75,8 @@ void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   }
   add_pairs_of_small_integers(catalogue);
   for (const char* structure :
-       {"closest_pair_all", "closest_pair_range_tree", "bichromatic_pair_all",
-        "bichromatic_pair_delaunay", "nearest_site"}) {
+       {"closest_pair_all", "closest_pair_range_tree", "closest_pair_cones", "closest_pair_local",
+        "closest_pair_bins", "bichromatic_pair_all", "bichromatic_pair_delaunay", "nearest_site"}) {
     const bool all_pairs = std::string_view(structure).ends_with("_all");
     for (const int n : {16, 64, 256}) {
       if (all_pairs && n > 64) continue;

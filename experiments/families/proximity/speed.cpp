@@ -17,7 +17,8 @@ std::vector<lab::SpeedRow> proximity_speed_rows(int scale) {
   rows.push_back(random_row("closest_pair_all", 1, n(50)));
   rows.push_back(random_row("bichromatic_pair_all", 1, n(50)));
   for (const char* structure :
-       {"closest_pair_range_tree", "bichromatic_pair_delaunay", "nearest_site"}) {
+       {"octants_listed", "octants_local", "closest_pair_range_tree", "closest_pair_cones",
+        "closest_pair_local", "closest_pair_bins", "bichromatic_pair_delaunay", "nearest_site"}) {
     rows.push_back(random_row(structure, 1, n(200)));
     rows.push_back(random_row(structure, 1, n(1000)));
   }

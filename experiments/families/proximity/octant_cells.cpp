@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions: do the points that are next in an octant change exactly as often as counted by brute
+//   force, in both structures? How many exchanges does random motion cause in four sorted lists, and
+//   how many failures without them?
+// Sources: pointers of small integers were counted by brute force over exact positions between all
+//   critical times, by another program. In random motion the orders at 0 and at 1 are independent,
+//   along every direction, so a list has n(n-1)/4 exchanges in expectation.
+// Expected: the integers below, in every run; the mean; every hard bound, and every audit.
+// Cost: about 10 s.
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include "experiments/families/points/random_motion.h"
+#include "experiments/families/proximity/experiments.h"
+#include "experiments/lab/cell_parts.h"
+
+namespace kinex::families {
+namespace {
+
+constexpr const char* kOctants[] = {"octants_listed", "octants_local"};
+
+void add_octants_of_small_integers(lab::Catalogue& catalogue, const char* structure) {
+  struct Pointers {
+    int n;
+    std::uint64_t seed;
+    int first, second;  // changes in the two woods
+  };
+  for (const Pointers& one :
+       {Pointers{6, 1, 49, 37}, {8, 1, 75, 62}, {10, 2, 116, 126}, {12, 3, 118, 82}}) {
+    lab::Cell cell = lab::worst_case_cell(structure, "small-integers", one.n, 1, 0.1);
+    cell.parameters.seed = one.seed;
+    cell.audit = AuditLevel::kEvents;
+    cell.expectations.push_back(lab::expect_exactly("octants.small_integers", "kind.point",
+                                                    Integer(one.first + one.second),
+                                                    "counted by brute force over exact positions"));
+    catalogue.cells.push_back(std::move(cell));
+  }
+}
+
+void add_random_octants(lab::Catalogue& catalogue, const char* structure, int n) {
+  lab::Cell cell = uniform_cell(structure, n, 2);
+  if (structure == std::string_view("octants_listed")) {
+    cell.precise = {{"kind.order", 0.02}};
+    cell.expectations.push_back(
+        lab::expect_mean("octants_listed.uniform", "kind.order", n * (n - 1.0),
+                         "E = n(n-1)/4 a list: independent orders; Guibas 1998, section 9"));
+  } else {
+    cell.precise = {{"external", kChangesError}};
+  }
+  cell.cost = n * n * 1e-4;
+  catalogue.cells.push_back(std::move(cell));
+}
+
+}  // namespace
+
+void add_octant_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  for (const char* const structure : kOctants) {
+    add_octants_of_small_integers(catalogue, structure);
+    for (const int n : {16, 64, 256}) {
+      if (n > 64 && extent == lab::Extent::kQuick) continue;
+      add_random_octants(catalogue, structure, n);
+    }
+  }
+}
+
+}  // namespace kinex::families

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ClosestPairBins: the closest pair of moving points in the plane, among points in near cells of a
+// grid.
+//
+// The points never leave a box that holds all flight plans. It is cut into fewer squares than there
+// are points (point_grid.h), so two points share one, and a closest pair is at most two columns and
+// two rows apart: farther points have twice the side between them, and a square has a diagonal of
+// less than that.
+//
+// Certificates.
+//   a point is on its side of the lines around its cell: at most 4n, degree d for motions of degree
+//   d
+//   the shortest of the pairs of points in near cells, by a ChangingExtremum: one fewer than pairs,
+//   degree 2d
+//
+// Quality, for n points: nothing happens between points that are far from each other. n points that
+// spread over the box have O(n) pairs and move through O(n^(3/2)) cells in all while each crosses
+// the box once; n points in one cell have all C(n, 2) pairs, as closest_pair_all. A point that moves
+// to another cell renews O(log n) certificates for each pair that comes or goes. The grid is laid
+// anew when there are no more points than squares, or four times as many.
+//
+// Requires a scene with an end: otherwise there is no box.
+//
+// Ties. Of pairs whose distances are identically equal the lexicographically smallest one.
+//
+// Source: Guibas, "Kinetic data structures: a state of the art report" (1998), section 7, remarks
+// that sorted lists pay for exchanges of points that are far from each other. The grid is ours.
+#ifndef KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_BINS_H
+#define KINEX_STRUCTURES_PROXIMITY_CLOSEST_PAIR_BINS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/engine/structure.h"
+#include "structures/parts/attribute_events.h"
+#include "structures/parts/changing_extremum.h"
+#include "structures/proximity/pair_distances.h"
+#include "structures/proximity/point_grid.h"
+
+namespace kinex {
+
+class ClosestPairBins final : public Structure {
+  using Pair = PairDistances::Value;
+  auto tied() {
+    return [this](const Pair& a, const Pair& b) {
+      kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);
+    };
+  }
+
+ public:
+  // kReplace: another winner of a duel of two pairs: the old one and the new one. kTie: the same,
+  // because the distances have become identically equal. kCell: a point has moved to another cell.
+  enum Kind : std::uint8_t { kReplace, kTie, kCell };
+
+  ClosestPairBins(Kernel& kernel, StructureId id, const Scene& scene);
+
+  std::string_view name() const override { return "closest_pair_bins"; }
+  std::vector<std::string_view> event_kinds() const override {
+    return common_event_kinds({"replace", "tie", "cell"});
+  }
+  void build(std::span<const ObjectId> objects) override;
+  void rebuild() override;
+  void certificate_failed(CertificateId failed) override;
+  void insert(ObjectId object) override;
+  void erase(ObjectId object) override;
+  void motions_changed(std::span<const ObjectId> objects) override {
+    pairs_.motions_changed(objects, tied());
+  }
+  void instant_over() override { events_.over(closest()); }
+  Attribute attribute() const override { return {Attribute::Shape::kTuples, closest()}; }
+  Attribute told() const override { return events_.told(); }
+  void visit_proof(ProofVisitor& visitor) const override;
+  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void check_invariants(AuditReport& report) const override;
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+  std::size_t bytes() const override;
+
+ private:
+  std::vector<ObjectId> closest() const;
+  std::vector<Pair> near_pairs() const;
+  void lay(std::size_t squares);
+  void begin();
+
+  Kernel* kernel_;
+  StructureId id_;
+  PointGrid grid_;
+  std::vector<ObjectId> members_;  // ascending
+  std::size_t most_lines_ = 0, layings_ = 0;
+  ChangingExtremum<PairDistances> pairs_;
+  AttributeEvents events_;
+};
+
+}  // namespace kinex
+
+#endif

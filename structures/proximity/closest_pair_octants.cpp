@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/proximity/closest_pair_octants.h"
+
+#include <algorithm>
+#include <string>
+
+#include "structures/parts/tournament_proof.h"
+#include "structures/proximity/static_closest_pair_audit.h"
+
+namespace kinex {
+
+ClosestPairOctants::ClosestPairOctants(Kernel& kernel, StructureId id,
+                                       const OctantNeighbours& octants, std::string_view name)
+    : kernel_(&kernel),
+      id_(id),
+      octants_(&octants),
+      name_(name),
+      pairs_(kernel, id, "pairs", PairDistances(kernel, 2)),
+      events_(kernel, id, Attribute::Shape::kTuples) {}
+
+std::span<const ObjectId> ClosestPairOctants::closest() const {
+  const Pair* front = pairs_.front();
+  return front == nullptr ? std::span<const ObjectId>() : std::span<const ObjectId>(*front);
+}
+
+void ClosestPairOctants::begin() {
+  pairs_.assign(octants_->pairs());
+  pairs_.apply(tied());
+  events_.begin(closest());
+}
+
+// A pair that an event of the octants names: it is a candidate now, or it is none.
+void ClosestPairOctants::follow(ObjectId a, ObjectId b) {
+  if (a == b) return;
+  const Pair pair{std::min(a, b), std::max(a, b)};
+  if (octants_->has(pair)) {
+    pairs_.come(pair);
+  } else {
+    pairs_.go(pair);
+  }
+}
+
+// Whether the closest pair is another one is seen when the instant is over: certificates of this
+// structure may fail at it, too.
+void ClosestPairOctants::watched_changed(const Event* event) {
+  if (event != nullptr && event->kind == OctantNeighbours::kPoint) {
+    follow(event->ids[0], event->ids[1]);
+    follow(event->ids[0], event->ids[2]);
+  } else {
+    pairs_.assign(octants_->pairs());
+  }
+  pairs_.apply(tied());
+  if (!std::ranges::equal(closest(), events_.told().ids)) kernel_->settle_later(id_);
+}
+
+void ClosestPairOctants::certificate_failed(CertificateId failed) {
+  const auto [old, fresh] = pairs_.failed(failed, tied());
+  events_.repaired(kReplace, {old[0], old[1], fresh[0], fresh[1]}, closest(), octants_->id());
+}
+
+void ClosestPairOctants::visit_proof(ProofVisitor& visitor) const {
+  visit_tournament(visitor, pairs_, 0, "pairs by distance", [](const Pair& winner) {
+    return std::vector<ObjectId>(winner.begin(), winner.end());
+  });
+}
+
+std::vector<BoundCheck> ClosestPairOctants::bounds(const BoundContext& context) const {
+  const StructureLedger& ledger = *context.ledger;
+  const std::size_t n = context.objects();
+  const std::string own(name_);
+  const Integer all = kinex::pairs(counted(n));
+  const Integer most = std::min(all, counted(4 * n));
+  std::vector<BoundCheck> result{
+      at_most(own + ".certificates", "a tournament of at most four pairs a point, or all pairs",
+              most.sign() > 0 ? most - Integer(1) : Integer(0), counted(ledger.max_live)),
+      at_most(own + ".events", "the epochs of the nodes of the tournament",
+              pairs_.most_failures(2 * context.degree), counted(ledger.failures))};
+  if (context.plain() && all.sign() > 0) {
+    result.push_back(at_most(
+        own + ".external", "pieces of the lower envelope of the distances of all pairs",
+        davenport_schinzel_bound(2 * context.degree, all) - Integer(1), counted(ledger.external)));
+  }
+  return result;
+}
+
+void ClosestPairOctants::check_invariants(AuditReport& report) const {
+  pairs_.check(report, "pairs");
+  report.check(pairs_.values() == octants_->pairs(),
+               [] { return "it has missed a change of the octants"; });
+  report.check(std::ranges::equal(closest(), events_.told().ids),
+               [] { return "a change of the closest pair was not reported"; });
+}
+
+void ClosestPairOctants::audit(const Snapshot& snapshot, AuditReport& report) const {
+  report.check(static_closest_pair(snapshot) == attribute().ids,
+               [] { return "another pair is the closest"; });
+}
+
+}  // namespace kinex

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/proximity/octant_neighbours.h"
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "structures/proximity/static_octants_audit.h"
+
+namespace kinex {
+namespace {
+
+OctantNeighbours::Pair ascending(ObjectId a, ObjectId b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+Attribute as_attribute(const std::vector<OctantNeighbours::Pair>& pairs) {
+  Attribute result{Attribute::Shape::kTuples, {}};
+  for (const auto& [a, b] : pairs) {
+    result.ids.push_back(a);
+    result.ids.push_back(b);
+  }
+  return result;
+}
+
+}  // namespace
+
+OctantNeighbours::OctantNeighbours(Kernel& kernel, StructureId id, std::size_t objects,
+                                   const OctantWoods::Before& before)
+    : kernel_(&kernel),
+      id_(id),
+      woods_(objects, before,
+             [this](std::size_t cone, ObjectId p, ObjectId old) { note(cone, p, old); }) {}
+
+// ---- the attribute
+
+template <class Next>
+std::vector<OctantNeighbours::Pair> OctantNeighbours::pairs_by(const Next& next) const {
+  std::vector<Pair> result;
+  for (std::size_t cone = 0; cone < OctantWoods::kCones; ++cone) {
+    if (!OctantWoods::is_octant(cone)) continue;
+    for (ObjectId p = 0; p < woods_.objects(); ++p) {
+      const ObjectId q = next(cone, p);
+      if (q != kNoObject) result.push_back(ascending(p, q));
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+std::vector<OctantNeighbours::Pair> OctantNeighbours::pairs() const {
+  return pairs_by([this](std::size_t cone, ObjectId p) { return next(cone, p); });
+}
+
+Attribute OctantNeighbours::attribute() const { return as_attribute(pairs()); }
+
+Attribute OctantNeighbours::told() const {
+  return as_attribute(
+      pairs_by([this](std::size_t cone, ObjectId p) { return told_next(cone, p); }));
+}
+
+bool OctantNeighbours::has(const Pair& pair) const {
+  for (std::size_t cone = 0; cone < OctantWoods::kCones; ++cone) {
+    if (!OctantWoods::is_octant(cone)) continue;
+    if (next(cone, pair[0]) == pair[1] || next(cone, pair[1]) == pair[0]) return true;
+  }
+  return false;
+}
+
+// As has(), of what was last reported.
+bool OctantNeighbours::had(const Pair& pair) const {
+  for (std::size_t cone = 0; cone < OctantWoods::kCones; ++cone) {
+    if (!OctantWoods::is_octant(cone)) continue;
+    if (told_next(cone, pair[0]) == pair[1] || told_next(cone, pair[1]) == pair[0]) return true;
+  }
+  return false;
+}
+
+// ---- changes
+
+void OctantNeighbours::note(std::size_t cone, ObjectId p, ObjectId old) {
+  changes_.try_emplace({p, cone}, old);
+  pointer_changed(cone, p);
+}
+
+ObjectId OctantNeighbours::told_next(std::size_t cone, ObjectId p) const {
+  const auto found = changes_.find({p, cone});
+  return found == changes_.end() ? next(cone, p) : found->second;
+}
+
+void OctantNeighbours::repaired() {
+  if (changes_.empty()) return;
+  if (kernel_->instant_is_shared(id_) || kernel_->failure_is_due()) {
+    kernel_->settle_later(id_);
+  } else {
+    tell();
+  }
+}
+
+// A pair that left or joined belongs to the first event that names it as the old or the new one.
+void OctantNeighbours::tell() {
+  struct Telling {
+    ObjectId point, old, fresh;
+    std::vector<ObjectId> gone, came;
+  };
+  std::vector<Telling> all;
+  std::set<Pair> gone, came;
+  for (const auto& [pointer, old] : changes_) {
+    const ObjectId p = pointer.point, fresh = next(pointer.cone, p);
+    if (old == fresh) continue;
+    Telling one{p, old == kNoObject ? p : old, fresh == kNoObject ? p : fresh, {}, {}};
+    if (OctantWoods::is_octant(pointer.cone)) {
+      const Pair before = ascending(p, old), after = ascending(p, fresh);
+      if (old != kNoObject && !has(before) && gone.insert(before).second) {
+        one.gone.assign(before.begin(), before.end());
+      }
+      if (fresh != kNoObject && !had(after) && came.insert(after).second) {
+        one.came.assign(after.begin(), after.end());
+      }
+    }
+    all.push_back(std::move(one));
+  }
+  changes_.clear();
+  for (const Telling& one : all) {
+    kernel_->report(id_, kPoint, {one.point, one.old, one.fresh},
+                    !one.gone.empty() || !one.came.empty(), one.gone, one.came);
+  }
+}
+
+// ---- checks
+
+void OctantNeighbours::add_bounds(const BoundContext& context,
+                                  std::vector<BoundCheck>& result) const {
+  const StructureLedger& ledger = *context.ledger;
+  const std::size_t n = context.objects();
+  if (!context.plain() || context.degree > 1 || n == 0) return;
+  const Integer changes = davenport_schinzel_bound(3, counted(n)) - Integer(1);
+  const auto points = ledger.by_kind.find("point");
+  result.push_back(at_most(std::string(name()) + ".point",
+                           "pieces of the lower envelope of n - 1 segments, for each pointer",
+                           counted(OctantWoods::kCones * n) * changes,
+                           counted(points == ledger.by_kind.end() ? 0 : points->second)));
+  result.push_back(at_most(std::string(name()) + ".external",
+                           "the same for the pointers into octants", counted(4 * n) * changes,
+                           counted(ledger.external)));
+}
+
+void OctantNeighbours::check_woods(AuditReport& report) const {
+  woods_.check(report);
+  report.check(changes_.empty(), [] { return "a change was not reported"; });
+}
+
+void OctantNeighbours::audit(const Snapshot& snapshot, AuditReport& report) const {
+  const auto right = static_octants(snapshot);
+  for (ObjectId p = 0; p < snapshot.objects(); ++p) {
+    for (std::size_t cone = 0; cone < OctantWoods::kCones; ++cone) {
+      report.check(right[p][cone] == next(cone, p), [&] {
+        return "another point is next in cone " + std::to_string(cone) + " of point " +
+               std::to_string(p);
+      });
+    }
+  }
+}
+
+}  // namespace kinex

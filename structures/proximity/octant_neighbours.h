@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// OctantNeighbours: what octants_listed and octants_local have in common: the two woods
+// (octant_woods.h), the attribute, and its events.
+//
+// Attribute. The pairs of points of which one is next in an octant of the other: at most 4n, among
+// which is every closest pair. Which point is next in which cone is read with next().
+//
+// Events. An instant changes the pointers from what they were just before to what they are just
+// after, and is reported once, when it is over: one event "point" for each pointer that differs, of
+// the quadrants too, in ascending order of points and cones: the point, the old one that was next,
+// the new one (the point itself: none). It is external if a pair has left the attribute or joined
+// it. So both structures report the same.
+//
+// Ties. Points that are identically level are in the order after an infinitesimal turn, equal points
+// along (2, 1) by id (octant_orders.h).
+#ifndef KINEX_STRUCTURES_PROXIMITY_OCTANT_NEIGHBOURS_H
+#define KINEX_STRUCTURES_PROXIMITY_OCTANT_NEIGHBOURS_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "core/engine/kernel.h"
+#include "core/engine/structure.h"
+#include "structures/proximity/octant_woods.h"
+
+namespace kinex {
+
+class OctantNeighbours : public Structure {
+ public:
+  using Pair = std::array<ObjectId, 2>;  // ids, ascending
+  // The kinds of events, by rank; a structure's own ones follow.
+  enum Kind : std::uint8_t { kPoint, kFirstOwnKind };
+
+  StructureId id() const { return id_; }
+  // The number of the scene's objects, alive or not.
+  std::size_t objects() const { return woods_.objects(); }
+  // The first point in the cone of p, as of now; kNoObject: none.
+  ObjectId next(std::size_t cone, ObjectId p) const { return woods_.next(cone, p); }
+  // The pairs of the attribute, ascending, and whether one is among them.
+  std::vector<Pair> pairs() const;
+  bool has(const Pair& pair) const;
+
+  Attribute attribute() const override;
+  Attribute told() const override;
+  void instant_over() override { tell(); }
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+
+ protected:
+  OctantNeighbours(Kernel& kernel, StructureId id, std::size_t objects,
+                   const OctantWoods::Before& before);
+
+  Kernel& kernel() const { return *kernel_; }
+  OctantWoods& woods() { return woods_; }
+  const OctantWoods& woods() const { return woods_; }
+  bool all_told() const { return changes_.empty(); }
+  // Nothing is left to be reported.
+  void begin() { changes_.clear(); }
+  // next(cone, p) has become another one.
+  virtual void pointer_changed(std::size_t cone, ObjectId p) {
+    static_cast<void>(cone);
+    static_cast<void>(p);
+  }
+  // A failure was repaired: reports what has changed, now or when the instant is over.
+  void repaired();
+  // The number of events "point" without flight-plan changes, of linear motions; external ones.
+  void add_bounds(const BoundContext& context, std::vector<BoundCheck>& result) const;
+  void check_woods(AuditReport& report) const;
+  std::size_t bytes_of_woods() const {
+    return woods_.bytes() + changes_.size() * (sizeof(Pointer) + 48);
+  }
+
+ private:
+  struct Pointer {
+    ObjectId point;
+    std::size_t cone;
+    auto operator<=>(const Pointer&) const = default;
+  };
+  void note(std::size_t cone, ObjectId p, ObjectId old);
+  void tell();
+  ObjectId told_next(std::size_t cone, ObjectId p) const;
+  bool had(const Pair& pair) const;
+  template <class Next>
+  std::vector<Pair> pairs_by(const Next& next) const;
+
+  Kernel* kernel_;
+  StructureId id_;
+  OctantWoods woods_;
+  std::map<Pointer, ObjectId> changes_;  // not reported yet: as last reported
+};
+
+}  // namespace kinex
+
+#endif

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/proximity/octants_local.h"
+
+#include <algorithm>
+#include <string>
+
+#include "structures/parts/merge_sort.h"
+
+namespace kinex {
+
+OctantsLocal::OctantsLocal(Kernel& kernel, StructureId id, const Scene& scene)
+    : OctantNeighbours(kernel, id, scene.objects.size(),
+                       [this](OctantAxis axis, ObjectId a, ObjectId b) {
+                         return in_front(this->kernel(), orders_[axis], a, b);
+                       }),
+      slots_(kernel, id, "pointers"),
+      certificates_(OctantWoods::kCones * scene.objects.size() * kClaims, kNoCertificate) {
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    orders_.emplace_back(kernel, static_cast<OctantAxis>(axis));
+  }
+}
+
+// ---- certificates
+
+OctantsLocal::Claim OctantsLocal::claim(std::uint32_t tag) const {
+  const std::size_t pointer = tag / kClaims;
+  return {pointer / objects(), static_cast<ObjectId>(pointer % objects()), tag % kClaims};
+}
+
+std::size_t OctantsLocal::order_of(const Claim& c) {
+  return (c.cone + 1 + c.which) % SchnyderWood::kColours;  // a wood's first cone is a multiple of 3
+}
+
+// "The next point is before this one in the order", or level with it.
+Query OctantsLocal::query(const Claim& c) const {
+  const ObjectId q = next(c.cone, c.point);
+  const auto& [axis, reversed] = OctantWoods::orders(c.cone / SchnyderWood::kColours)[order_of(c)];
+  return reversed ? orders_[axis].claim(c.point, q) : orders_[axis].claim(q, c.point);
+}
+
+// The claims of a pointer as they are now, in place of what was claimed of it.
+void OctantsLocal::certify(std::size_t cone, ObjectId p) {
+  for (std::size_t which = 0; which < kClaims; ++which) {
+    const Claim c{cone, p, which};
+    CertificateId& slot = certificates_[tag(c)];
+    if (next(cone, p) == kNoObject) {
+      slots_.drop(slot);
+      continue;
+    }
+    const Query now = query(c);
+    if (!slots_.holds(slot, now, tag(c))) slots_.set(slot, now, tag(c));
+  }
+}
+
+void OctantsLocal::certify_changed() {
+  std::sort(changed_.begin(), changed_.end());
+  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+  for (const auto& [cone, p] : changed_) certify(cone, p);
+  changed_.clear();
+}
+
+// ---- the woods
+
+// The pointers of others than the members are none already, or have just become so.
+void OctantsLocal::make_stale_woods() {
+  if (!stale_[0] && !stale_[1]) return;
+  OctantWoods::Lists points;
+  for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
+    points[axis] = members_;
+    merge_sort(points[axis],
+               [&](ObjectId a, ObjectId b) { return in_front(kernel(), orders_[axis], a, b); });
+  }
+  for (std::size_t i = 0; i < OctantWoods::kWoods; ++i) {
+    if (!stale_[i]) continue;
+    woods().make(i, points);
+    for (std::size_t colour = 0; colour < SchnyderWood::kColours; ++colour) {
+      for (const ObjectId p : members_) {
+        changed_.emplace_back(i * SchnyderWood::kColours + colour, p);
+      }
+    }
+  }
+  stale_.fill(false);
+  certify_changed();
+}
+
+void OctantsLocal::make_woods() {
+  stale_.fill(true);
+  make_stale_woods();
+  begin();
+}
+
+// ---- calls
+
+void OctantsLocal::build(std::span<const ObjectId> objects) {
+  members_.assign(objects.begin(), objects.end());
+  make_woods();
+}
+
+void OctantsLocal::rebuild() {
+  for (CertificateId& slot : certificates_) slots_.drop(slot);
+  make_woods();
+}
+
+void OctantsLocal::insert(ObjectId object) {
+  members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
+  make_woods();
+}
+
+void OctantsLocal::erase(ObjectId object) {
+  members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
+  make_woods();
+}
+
+// A failure alone is a swap of two neighbours of an order. Of several at one instant, and of two
+// points that meet, some swaps would leave two points ordered as no points of the plane can be.
+void OctantsLocal::certificate_failed(CertificateId failed) {
+  const Claim c = claim(slots_.failed(failed));
+  const std::size_t i = c.cone / SchnyderWood::kColours;
+  const ObjectId p = c.point, q = next(c.cone, p);
+  kernel().report(id(), kOrder, {q, p}, false);
+  SchnyderWood& wood = woods().wood(i);
+  if (stale_[i] || kernel().instant_is_shared(id()) ||
+      wood.swap(order_of(c), q, p) != SchnyderWood::Swap::kDone) {
+    slots_.drop(certificates_[tag(c)]);
+    stale_[i] = true;
+    return kernel().settle_later(id());
+  }
+  certify_changed();
+  repaired();
+}
+
+// ---- checks
+
+void OctantsLocal::visit_proof(ProofVisitor& visitor) const {
+  ProofGroup group;
+  for (std::size_t cone = 0; cone < OctantWoods::kCones; ++cone) {
+    for (const ObjectId p : members_) {
+      if (next(cone, p) == kNoObject) continue;
+      group.kind = OctantWoods::is_octant(cone) ? "next in an octant" : "next in a quadrant";
+      group.about = {p, next(cone, p)};
+      group.place = cone * objects() + p;
+      visitor.group(group);
+      for (std::size_t which = 0; which < kClaims; ++which) {
+        const CertificateId slot = certificates_[tag({cone, p, which})];
+        if (slot != kNoCertificate) visitor.certificate(slot, "in the cone");
+      }
+    }
+  }
+}
+
+std::vector<BoundCheck> OctantsLocal::bounds(const BoundContext& context) const {
+  const StructureLedger& ledger = *context.ledger;
+  std::vector<BoundCheck> result{
+      at_most("octants_local.certificates", "two for each of six pointers of a point",
+              counted(12 * context.objects()), counted(ledger.max_live)),
+      at_most(
+          "octants_local.events",
+          "each two points change their order in each of the three orders of each wood at every "
+          "root, and where pieces meet",
+          Integer(6) * pair_sign_changes(context.pieces, context.degree),
+          counted(ledger.failures))};
+  add_bounds(context, result);
+  return result;
+}
+
+void OctantsLocal::check_invariants(AuditReport& report) const {
+  report.check(!stale_[0] && !stale_[1], [] { return "a wood is still to be made"; });
+  check_woods(report);
+  for (std::uint32_t t = 0; t < certificates_.size(); ++t) {
+    const Claim c = claim(t);
+    const bool holds = next(c.cone, c.point) == kNoObject
+                           ? certificates_[t] == kNoCertificate
+                           : slots_.holds(certificates_[t], query(c), t);
+    report.check(holds, [&] {
+      return "a wrong certificate in cone " + std::to_string(c.cone) + " of point " +
+             std::to_string(c.point);
+    });
+  }
+}
+
+std::size_t OctantsLocal::bytes() const {
+  return bytes_of_woods() + members_.capacity() * sizeof(ObjectId) +
+         certificates_.capacity() * sizeof(CertificateId) +
+         changed_.capacity() * sizeof(changed_[0]);
+}
+
+}  // namespace kinex

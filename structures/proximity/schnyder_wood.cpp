@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/proximity/schnyder_wood.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace kinex {
+namespace {
+
+// The other two of three orders or colours, in cyclic order.
+std::size_t successor(std::size_t i) { return i == 2 ? 0 : i + 1; }
+std::size_t predecessor(std::size_t i) { return i == 0 ? 2 : i - 1; }
+
+// The smallest of the values entered so far at places below a bound (a Fenwick tree of minima).
+class PrefixMinimum {
+ public:
+  static constexpr std::size_t kNone = ~std::size_t{0};
+  explicit PrefixMinimum(std::size_t places) : least_(places + 1, kNone) {}
+  void enter(std::size_t place, std::size_t value) {
+    for (std::size_t i = place + 1; i < least_.size(); i += i & (~i + 1)) {
+      least_[i] = std::min(least_[i], value);
+    }
+  }
+  std::size_t below(std::size_t bound) const {
+    std::size_t result = kNone;
+    for (std::size_t i = bound; i > 0; i -= i & (~i + 1)) result = std::min(result, least_[i]);
+    return result;
+  }
+
+ private:
+  std::vector<std::size_t> least_;
+};
+
+}  // namespace
+
+SchnyderWood::SchnyderWood(std::size_t objects, Before before, Changed changed)
+    : objects_(objects),
+      before_(std::move(before)),
+      changed_(std::move(changed)),
+      present_(objects, false) {
+  for (std::size_t colour = 0; colour < kColours; ++colour) {
+    links_[colour].resize(objects);
+    chains_[colour].resize(objects + 1);
+  }
+}
+
+// ---- links
+
+void SchnyderWood::unlink(std::size_t colour, ObjectId p) {
+  std::vector<Link>& links = links_[colour];
+  const Link& link = links[p];
+  Chain& chain = chains_[colour][place(link.target)];
+  (link.previous == kNoObject ? chain.first : links[link.previous].next) = link.next;
+  (link.next == kNoObject ? chain.last : links[link.next].previous) = link.previous;
+}
+
+void SchnyderWood::link(std::size_t colour, ObjectId p, ObjectId q, ObjectId previous,
+                        ObjectId next) {
+  std::vector<Link>& links = links_[colour];
+  Chain& chain = chains_[colour][place(q)];
+  links[p] = {q, previous, next};
+  (previous == kNoObject ? chain.first : links[previous].next) = p;
+  (next == kNoObject ? chain.last : links[next].previous) = p;
+}
+
+void SchnyderWood::link_at(std::size_t colour, ObjectId p, ObjectId q, End at) {
+  if (at == End::kFirst) {
+    link(colour, p, q, kNoObject, end(colour, q, End::kFirst));
+  } else {
+    link(colour, p, q, end(colour, q, End::kLast), kNoObject);
+  }
+}
+
+// ---- the whole wood
+
+// In colour i, with j and k behind it: points in the order of f_j choose among those before them,
+// of which those with a smaller f_k count. Each joins the end of its chain.
+void SchnyderWood::make(const std::array<std::span<const ObjectId>, kColours>& orders) {
+  const std::size_t n = orders[0].size();
+  std::array<std::vector<std::size_t>, kColours> rank;
+  for (std::size_t order = 0; order < kColours; ++order) {
+    rank[order].assign(objects_, 0);
+    for (std::size_t i = 0; i < n; ++i) rank[order][orders[order][i]] = i;
+  }
+  present_.assign(objects_, false);
+  for (const ObjectId p : orders[0]) present_[p] = true;
+  for (std::size_t colour = 0; colour < kColours; ++colour) {
+    const std::size_t j = successor(colour), k = predecessor(colour);
+    std::vector<Link> old(objects_);
+    old.swap(links_[colour]);
+    chains_[colour].assign(objects_ + 1, Chain{});
+    PrefixMinimum chosen(n);
+    for (const ObjectId p : orders[j]) {
+      const std::size_t least = chosen.below(rank[k][p]);
+      link_at(colour, p, least == PrefixMinimum::kNone ? kNoObject : orders[colour][least],
+              End::kLast);
+      chosen.enter(rank[k][p], rank[colour][p]);
+    }
+    for (ObjectId p = 0; p < objects_; ++p) {
+      if (old[p].target != links_[colour][p].target) changed_(colour, p, old[p].target);
+    }
+  }
+}
+
+// ---- two neighbours that have changed places
+
+SchnyderWood::Swap SchnyderWood::swap(std::size_t order, ObjectId q, ObjectId p) {
+  const std::size_t j = order;
+  std::size_t i = successor(j), k = predecessor(j);
+  const bool in_next = before_(i, p, q);
+  if (in_next == before_(k, p, q)) return Swap::kImpossible;
+  if (!in_next) std::swap(i, k);
+  if (links_[i][p].target != q) return Swap::kNothing;
+  if (links_[j][p].target == q || links_[i][q].target == p) return Swap::kImpossible;
+  // The chains of j and of i by ascending f: in which direction depends on the names of i and k.
+  const bool forward = i == successor(j);
+  const End run = forward ? End::kFirst : End::kLast;
+  const End far = forward ? End::kLast : End::kFirst;
+  const ObjectId old_of_q = links_[k][q].target;
+
+  ObjectId r = end(j, q, run);
+  while (r != kNoObject && before_(k, p, r)) {
+    const ObjectId following = forward ? links_[j][r].next : links_[j][r].previous;
+    unlink(j, r);
+    link_at(j, r, p, far);
+    point(j, r, q);
+    r = following;
+  }
+  // In in(i, z) p is the one with the largest f_j; in in(i, next(i, q)) the neighbour of q before it.
+  unlink(i, p);
+  if (r != kNoObject) {
+    link_at(i, p, r, j == successor(i) ? End::kLast : End::kFirst);
+  } else if (j == successor(i)) {
+    link(i, p, links_[i][q].target, links_[i][q].previous, q);
+  } else {
+    link(i, p, links_[i][q].target, q, links_[i][q].next);
+  }
+  point(i, p, q);
+  // In in(k, p) q is the one with the smallest f_j.
+  unlink(k, q);
+  link_at(k, q, p, j == successor(k) ? End::kFirst : End::kLast);
+  point(k, q, old_of_q);
+  return Swap::kDone;
+}
+
+// ---- checks
+
+void SchnyderWood::check(AuditReport& report) const {
+  for (std::size_t colour = 0; colour < kColours; ++colour) {
+    std::vector<bool> seen(objects_, false);
+    const std::size_t j = successor(colour), k = predecessor(colour);
+    const std::vector<Link>& links = links_[colour];
+    for (std::size_t i = 0; i <= objects_; ++i) {
+      const ObjectId q = i == objects_ ? kNoObject : static_cast<ObjectId>(i);
+      ObjectId previous = kNoObject;
+      for (ObjectId p = chains_[colour][i].first; p != kNoObject && !seen[p]; p = links[p].next) {
+        const auto at = [&] { return " at point " + std::to_string(p); };
+        seen[p] = true;
+        report.check(links[p].target == q && links[p].previous == previous,
+                     [&] { return "a broken link" + at(); });
+        report.check(q == kNoObject || (before_(j, q, p) && before_(k, q, p)),
+                     [&] { return "a point in another cone" + at(); });
+        report.check(previous == kNoObject || (before_(j, previous, p) && before_(k, p, previous)),
+                     [&] { return "a chain in another order" + at(); });
+        previous = p;
+      }
+      report.check(chains_[colour][i].last == previous, [] { return "a chain with another end"; });
+    }
+    report.check(seen == present_, [] { return "points that are in no chain"; });
+  }
+}
+
+std::size_t SchnyderWood::bytes() const {
+  std::size_t total = present_.capacity() / 8;
+  for (std::size_t colour = 0; colour < kColours; ++colour) {
+    total += links_[colour].capacity() * sizeof(Link) + chains_[colour].capacity() * sizeof(Chain);
+  }
+  return total;
+}
+
+}  // namespace kinex
