@@ -6,6 +6,7 @@
 
 #include "tests/sanitized.h"
 #include "tests/structures/extent/circle_support.h"
+#include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
 namespace {
@@ -51,14 +52,7 @@ TEST(MinCircleDynamic, EachPointJumpsOrGoes) {
 }
 
 TEST(MinCircleDynamic, FromNothingToNothing) {
-  std::vector<Trajectory> t;
-  for (int i = 0; i < 7; ++i) t.push_back(path({{(i * 3) % 7, i - 3}, {(i * 5) % 7, 1}}));
-  Scene scene = scene_of(t, 0, Rational(20));
-  for (int i = 0; i < 7; ++i) {
-    auto& piece = scene.objects[static_cast<std::size_t>(i)].motion.pieces[0];
-    piece.from = Rational(i + 1);
-    piece.to = Rational(19 - 2 * ((i * 4) % 7));
-  }
+  const Scene scene = from_nothing_to_nothing();
   EXPECT_GT(expect_one_history(scene), 1u);
   const LayeredRun run(scene, "min_circle_2");
   EXPECT_EQ(run.values().front(), std::vector<ObjectId>{});
@@ -70,27 +64,15 @@ TEST(MinCircleDynamic, AllOnOneLineForAnInstant) {
   std::uint64_t changes = 0;
   for (std::uint64_t seed = 1; seed <= (kSanitized ? 3u : 25u); ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 6; ++i) {
-      const int slope = random.between(-9, 9);
-      t.push_back(path({{random.between(-9, 9), random.between(-9, 9)}, {0, slope}}));
-    }
-    changes += expect_one_history(scene_of(t, -1, Rational(1)));
+    changes += expect_one_history(on_a_line_for_an_instant(seed, 6, 9));
   }
   EXPECT_GT(changes, 100u);
 }
 
 TEST(MinCircleDynamic, ExtremeNumbers) {
-  for (const char* size : {"1e150", "1e-150", "1e400", "1e-400"}) {
+  for (const char* size : kExtremeUnits) {
     SCOPED_TRACE(size);
-    const Rational unit = *Rational::parse(size);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 6; ++i) {
-      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
-                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
-    }
-    EXPECT_GT(expect_one_history(scene_of(t, 0, Rational(9))), 0u);
+    EXPECT_GT(expect_one_history(in_units_of(size, 6)), 0u);
   }
 }
 
