@@ -135,6 +135,21 @@ TEST(Diameter, AllPairsAgree) {
   EXPECT_GT(external, 60u);
 }
 
+// 0 and 3 recede from each other until they are as far apart as 1 and 2, and stay so: of pairs that
+// are equally far identically the first one counts.
+TEST(Diameter, ThePlanThatMakesPairsEqual) {
+  Scene scene = scene_of(
+      {path({{-5}, {0}}), path({{0}, {5}}), path({{0}, {-5}}), path({{1, 4}, {0}})}, 0, Rational(2));
+  scene.objects[3].motion.pieces[0].to = Rational(1);
+  scene.objects[3].motion.pieces.push_back({Rational(1), std::nullopt, path({{5}, {0}})});
+  for (const std::string& hull : kHulls) {
+    const CaliperRun run(scene, "diameter_2", hull);
+    EXPECT_EQ(run.begins_with, (Ids{1, 2}));
+    EXPECT_EQ(run.ids(), (Ids{0, 3}));
+    EXPECT_EQ(run.ledger().external, 1u);
+  }
+}
+
 TEST(Diameter, AllPairsInOneAndThreeAxes) {
   for (const int dimension : {1, 3}) {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
