@@ -11,8 +11,7 @@ TournamentMaxima::TournamentMaxima(Kernel& kernel, StructureId structure, const 
                                    const std::vector<DirectionVector>& half)
     : DirectionMaxima(2 * half.size()), kernel_(&kernel), structure_(structure) {
   each_direction(half, [&](const Key& key, Extremum extremum) {
-    tournaments_.emplace_back(kernel, structure,
-                              "direction " + std::to_string(tournaments_.size()),
+    tournaments_.emplace_back(kernel, structure, "direction " + std::to_string(tournaments_.size()),
                               Contest(extremum, kernel, key, scene), scene.objects.size());
   });
 }

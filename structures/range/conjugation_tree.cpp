@@ -56,8 +56,8 @@ void ConjugationTree::make_chains(Ref node, const DualPoints& points,
     const std::size_t begin = chains_.size();
     for (const Vertex& next : by_slope) {
       while (chains_.size() >= begin + 2) {
-        const Sign turn = points.turn(chains_[chains_.size() - 2].object, chains_.back().object,
-                                      next.object);
+        const Sign turn =
+            points.turn(chains_[chains_.size() - 2].object, chains_.back().object, next.object);
         if (turn == (is_upper ? Sign::kNegative : Sign::kPositive)) break;
         chains_.pop_back();
       }

@@ -100,8 +100,8 @@ class ConjugationTree {
   // The halves are halves, and the chains are extreme at this time.
   void check(const Snapshot& now, AuditReport& report) const;
   std::size_t bytes() const {
-    return nodes_.capacity() * sizeof(Node) +
-           order_.capacity() * sizeof(ObjectId) + chains_.capacity() * sizeof(Vertex);
+    return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(ObjectId) +
+           chains_.capacity() * sizeof(Vertex);
   }
 
  private:

@@ -86,7 +86,7 @@ class LeafTree2 : public RangeStructure {
   void begin() override { is_changing_ = is_told_ = false; }
 
   bool is_changing_ = false;  // at this instant
-  bool is_told_ = false;      // told_ is the order that has been reported; always while is_changing_
+  bool is_told_ = false;  // told_ is the order that has been reported; always while is_changing_
   LeafSequence told_;
   std::vector<ObjectId> moved_;  // at this instant, the leaves that have been named; a few
   bool all_moved_ = false;       // or all of them

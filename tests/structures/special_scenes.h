@@ -16,6 +16,17 @@ namespace kinex::test {
 // Units in which coordinates, or their products, are too large or too small for doubles.
 inline constexpr std::array<const char*, 4> kExtremeUnits{"1e150", "1e-150", "1e400", "1e-400"};
 
+// The scene R(n) of small remainders, 0 < t < end: x = (37 i^2 + 11 i mod 101) + t ((17 i^2 + 5 i + 3
+// mod 21) - 10), y = (53 i^2 + 29 i + 7 mod 103) + t ((19 i^2 + 7 i + 1 mod 23) - 11).
+inline Scene remainders(int n, int end = 12) {
+  std::vector<Trajectory> t;
+  for (int i = 0; i < n; ++i) {
+    t.push_back(path({{(37 * i * i + 11 * i) % 101, (17 * i * i + 5 * i + 3) % 21 - 10},
+                      {(53 * i * i + 29 * i + 7) % 103, (19 * i * i + 7 * i + 1) % 23 - 11}}));
+  }
+  return scene_of(t, 0, Rational(end));
+}
+
 // n points whose coordinates and velocities are small multiples of the unit, 0 < t < 9.
 inline Scene in_units_of(const char* size, int n = 7) {
   const Rational unit = *Rational::parse(size);

@@ -151,7 +151,7 @@ TEST(Directions, GuaranteeForTheCircle) {
 TEST(Directions, ReferenceScenes) {
   for (const int n : {4, 6, 8, 10}) {
     SCOPED_TRACE(n);
-    for (const int k : {1, 2, 4}) run_both(residues(n), k);
+    for (const int k : {1, 2, 4}) run_both(remainders(n), k);
   }
 }
 
@@ -233,14 +233,14 @@ TEST(Directions, EndsInInexactArithmetics) {
 }
 
 TEST(Directions, AreReadAsAHull) {
-  const DirectionsRun run(residues(8), "directions_2", 4);
+  const DirectionsRun run(remainders(8), "directions_2", 4);
   const auto& source = dynamic_cast<const HullSource&>(run.simulator.structure(run.id));
   EXPECT_EQ(source.ring().cycle(), run.ids());
   EXPECT_EQ(source.ring().size(), run.ids().size());
 }
 
 TEST(Directions, TheNumberOfDirectionsIsChecked) {
-  const Scene scene = residues(4);
+  const Scene scene = remainders(4);
   const auto refused = [&](const Rational& k) {
     Scene asked = asking_along(scene, "directions_2", 1);
     asked.maintain[0].parameters[0].value = k;

@@ -33,9 +33,8 @@ TEST(Directions, CornersAreVertices) {
 // 0 reaches 1, and stays beside it: it is extreme, since its id is smaller.
 TEST(Directions, ThePlanThatMakesATieGivesWayToTheSmallerId) {
   for (const char* structure : kBoth) {
-    Scene scene = scene_of({path({{0, 5}, {1}}), path({{5}, {-1}}), path({{-3}, {4}}),
-                            path({{-3}, {-4}})},
-                           0, 2);
+    Scene scene = scene_of(
+        {path({{0, 5}, {1}}), path({{5}, {-1}}), path({{-3}, {4}}), path({{-3}, {-4}})}, 0, 2);
     stop_at_one(scene, 0, path({{5}, {1}}));
     const DirectionsRun run(scene, structure, 1);
     EXPECT_EQ(run.begins_with, (Ids{1, 2, 3}));
@@ -52,9 +51,8 @@ TEST(Directions, ThePlanThatMakesATieGivesWayToTheSmallerId) {
 // 1 and 2 come to stand above and below 0: the extreme objects stay, but 0 is no vertex any more.
 TEST(Directions, ThePlanThatMakesAnEdge) {
   for (const char* structure : kBoth) {
-    Scene scene = scene_of({path({{2}, {0}}), path({{1, 1}, {3}}), path({{1, 1}, {-4}}),
-                            path({{-1}, {0}})},
-                           0, 2);
+    Scene scene = scene_of(
+        {path({{2}, {0}}), path({{1, 1}, {3}}), path({{1, 1}, {-4}}), path({{-1}, {0}})}, 0, 2);
     for (const ObjectId object : {1u, 2u}) {
       stop_at_one(scene, object, path({{2}, {object == 1 ? 3 : -4}}));
     }

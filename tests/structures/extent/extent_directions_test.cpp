@@ -53,7 +53,7 @@ TEST(ExtentDirections, RandomFlights) {
 TEST(ExtentDirections, ReferenceScenes) {
   for (const int n : {4, 6, 8, 10}) {
     SCOPED_TRACE(n);
-    for (const int k : {1, 2, 7}) run_both(residues(n), k);
+    for (const int k : {1, 2, 7}) run_both(remainders(n), k);
   }
 }
 

@@ -51,6 +51,20 @@ TEST(MinCircleDynamic, EachPointJumpsOrGoes) {
   }
 }
 
+// 0 comes to stand on the circle of the others: the diagonal is then that of the smallest id.
+TEST(MinCircleDynamic, ThePlanThatPutsFourOnACircle) {
+  Scene scene =
+      scene_of({path({{1, 4}, {0}}), path({{0}, {5}}), path({{-5}, {0}}), path({{0}, {-5}})}, 0,
+               Rational(2));
+  scene.objects[0].motion.pieces[0].to = Rational(1);
+  scene.objects[0].motion.pieces.push_back({Rational(1), std::nullopt, path({{5}, {0}})});
+  EXPECT_EQ(expect_one_history(scene), 3u);
+  using Values = std::vector<std::vector<ObjectId>>;
+  EXPECT_EQ(LayeredRun(scene, "farthest_delaunay_2").values(),
+            (Values{{0, 1, 0, 3, 1, 2, 1, 3, 2, 3}, {0, 1, 0, 2, 0, 3, 1, 2, 2, 3}}));
+  EXPECT_EQ(LayeredRun(scene, "min_circle_2").values(), (Values{{1, 2, 3}, {0, 1, 2, 3}}));
+}
+
 TEST(MinCircleDynamic, FromNothingToNothing) {
   const Scene scene = from_nothing_to_nothing();
   EXPECT_GT(expect_one_history(scene), 1u);
