@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/arithmetic/coordinate_difference.h"
 #include "core/numbers/first_root.h"
 
 namespace kinex {
@@ -49,6 +50,9 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   model.in_lanes = model.reach_error > 0 && filter::has_lanes(model.degree);
   model.touches = dynamic_cast<const FailsAtTouch*>(&p) != nullptr;
   model.form = dynamic_cast<const LinearForm*>(&p);
+  if (const auto* const difference = dynamic_cast<const CoordinateDifference*>(&p)) {
+    model.difference_axis = difference->difference_axis();
+  }
   touches_ = touches_ || model.touches;
   models_.push_back(model);
 }
@@ -170,6 +174,12 @@ Sign ExactArithmetic::sign_after(const Query& query) {
     return *sign;
   }
   Approximation p;
+  if (approximate_difference(query, p)) {
+    if (const auto sign = sign_over_now(p)) {
+      ++counts[static_cast<int>(Stage::kDouble)];
+      return *sign;
+    }
+  }
   for (const Stage stage : {Stage::kDouble, Stage::kWide}) {
     if (!approximate(query, stage, p)) continue;
     const auto sign = p.degree < 0 ? std::optional<Sign>(Sign::kZero) : sign_over_now(p);

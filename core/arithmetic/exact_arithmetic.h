@@ -9,7 +9,8 @@
 //              exact; further rounding errors are bounded by the predicate's relative error
 //              (Predicate::reach_error) times the reach of the points.
 //              Other scenes: doubles with running error bounds.
-//              Signs of linear forms (linear_form.h) are first tried without the polynomial.
+//              Signs of linear forms (linear_form.h) are first tried without the polynomial, and
+//              those of differences of coordinates (coordinate_difference.h) without a formula.
 //              Groups of queries (begin_group): the polynomials and the first step of the filter
 //              are computed for all of them side by side (exact_arithmetic_group.cpp); every result
 //              is bit for bit that of a single query.
@@ -114,6 +115,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     bool touches = false;    // FailsAtTouch
     bool in_lanes = false;   // groups of its queries are evaluated side by side
     const LinearForm* form = nullptr;  // the predicate as a LinearForm, if it is one
+    int difference_axis = -1;          // of a CoordinateDifference; -1: it is none
   };
 
   // The queries of begin_group, one per lane. A query is known if the filter's first step answers
@@ -139,6 +141,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   // The polynomial in the form of one stage (kDouble or kWide); false if the stage cannot hold it.
   bool approximate(const Query& query, Stage stage, Approximation& p) const;
   void approximate_shifted(const Query& query, Approximation& p) const;
+  bool approximate_difference(const Query& query, Approximation& p) const;
   std::optional<double> shift_from_anchor(const Query& query) const;
   void update_origin();
   bool shift_is_exact(double origin, double step) const;

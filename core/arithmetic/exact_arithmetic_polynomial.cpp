@@ -78,6 +78,35 @@ std::optional<double> ExactArithmetic::shift_from_anchor(const Query& query) con
   return shift;
 }
 
+// A difference of coordinates, in t: less exact far from t = 0 than with an origin near now, but
+// nearly always exact enough for a sign.
+bool ExactArithmetic::approximate_difference(const Query& query, Approximation& p) const {
+  const int axis = models_[query.predicate].difference_axis;
+  const int degree = motions_.degree();
+  if (axis < 0 || degree > filter::kMaxFilterDegree) return false;
+  const ObjectId from = query.ids[0], to = query.ids[1];
+  const auto first = static_cast<std::size_t>(axis) * static_cast<std::size_t>(degree + 1);
+  p.degree = degree;
+  p.origin = 0;
+  if (motions_.is_narrow(from) && motions_.is_narrow(to)) {
+    const MotionView<double> a = motions_.narrow(from) + first, b = motions_.narrow(to) + first;
+    for (int k = 0; k <= degree; ++k) {
+      p.c[k] = b[k] - a[k];
+      p.m[k] = std::fabs(p.c[k]);
+    }
+    return true;
+  }
+  if (motions_.all_narrow()) return false;
+  const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(0);
+  const MotionView<Ball> a = motions_.ball(from) + first, b = motions_.ball(to) + first;
+  for (int k = 0; k <= degree; ++k) {
+    const Ball difference = b[k] - a[k];
+    p.c[k] = difference.value;
+    p.m[k] = std::fabs(difference.value) + difference.error * inverse_gamma;
+  }
+  return true;
+}
+
 bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation& p) const {
   const PredicateModel& model = models_[query.predicate];
   const Predicate& predicate = *predicates_[query.predicate];

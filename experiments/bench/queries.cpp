@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Question: how long does a query for a box take, and how long beside its output?
+// Question: how long does a query for a box take, and how long for each node that it looks at? How
+//   long do the trees take to follow a swap in their lists?
 // Workload: n random points of the unit square (uniform-square) right after the start. Boxes with
 //   sides of coordinates of points: small ones, with about 100 points, and thin ones across the
 //   whole square, likewise. The corners are placed and the answers' memory is there beforehand.
-// Time: the mean of a query; thread CPU time, the best of the rounds. `built`: seconds until the
+// Time: the mean of a query, and that over the nodes looked at, searches in the lists included; thread CPU time, the best of the rounds. `built`: seconds until the
 //   first answer.
-// Output: see result_table.h; options: see options.h (--rows: of "structure boxes n").
+// Swaps: the first ones of the same scene, in rounds of which the best counts. `own`: the time of a
+//   swap beyond that of the two lists alone.
+// Output: see result_table.h; options: see options.h (--rows: of "structure boxes n", or of
+//   "structure swaps n").
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/engine/simulator.h"
@@ -108,7 +113,79 @@ void time_queries(const Row& row, const BenchOptions& options, ResultTable& tabl
     const auto count = static_cast<double>(asked.size());
     table.row({row.structure, kind, row.n, 1e6 * best / count, static_cast<double>(points) / count,
                static_cast<double>(counts.nodes) / count, static_cast<double>(counts.signs) / count,
-               built});
+               1e9 * best / static_cast<double>(counts.nodes), built});
+  }
+}
+
+// ---- swaps
+
+struct Following {
+  const char* name;
+  std::vector<Request> trees;  // none: the lists alone
+};
+
+std::vector<Following> followings() {
+  const Request x{"sorted_list", "x", {}};
+  Request y{"sorted_list", "y", {}};
+  y.key.kind = Key::Kind::kCoordinate;
+  y.key.axis = 1;
+  const Request range{"range_tree_2", "range", {}}, rank{"rank_kd_tree_2", "rank", {}},
+      pseudo{"pseudo_kd_tree_2", "pseudo", {}};
+  return {{"lists", {x, y}},
+          {"range_tree_2", {range}},
+          {"rank_kd_tree_2", {rank}},
+          {"pseudo_kd_tree_2", {pseudo}},
+          {"all three", {range, rank, pseudo}}};
+}
+
+struct Swaps {
+  std::uint64_t count = 0;
+  double seconds = 0;
+};
+
+Swaps run_swaps(Scene scene, const std::vector<Request>& requests, std::uint64_t most) {
+  scene.maintain = requests;
+  SimulatorOptions options;
+  options.audit = AuditLevel::kNone;
+  options.max_events = most;
+  Simulator simulator(scene, planned_arithmetic("exact", scene), options);
+  add_structures(simulator, scene);
+  simulator.start();
+  const double begin = lab::cpu_seconds();
+  simulator.run_until(scene.end);
+  Swaps result;
+  result.seconds = lab::cpu_seconds() - begin;
+  for (StructureId id = 0; id < simulator.structures(); ++id) {
+    if (simulator.structure(id).name() == "sorted_list") {
+      result.count += simulator.ledger(id).external;
+    }
+  }
+  return result;
+}
+
+void time_swaps(int n, std::uint64_t most, const BenchOptions& options, ResultTable& table) {
+  lab::WorkloadParameters parameters;
+  parameters.n = n;
+  const Scene scene = lab::generate_scene("uniform-square", parameters, "range_tree_2");
+  std::vector<Following> asked = followings();
+  const auto is_asked = [&](const Following& following) {
+    const std::string name = std::string(following.name) + " swaps " + std::to_string(n);
+    return name.find(options.rows) != name.npos;
+  };
+  if (std::none_of(asked.begin(), asked.end(), is_asked)) return;
+  std::vector<Swaps> best(asked.size());
+  for (int round = 0; round < (options.smoke ? 1 : 5); ++round) {
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      if (i > 0 && !is_asked(asked[i])) continue;
+      const Swaps swaps = run_swaps(scene, asked[i].trees, most);
+      if (round == 0 || swaps.seconds < best[i].seconds) best[i] = swaps;
+    }
+  }
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (!is_asked(asked[i])) continue;
+    const auto count = static_cast<double>(best[i].count);
+    table.row({asked[i].name, n, best[i].count, best[i].seconds, count / best[i].seconds,
+               1e9 * (best[i].seconds - best[0].seconds) / count});
   }
 }
 
@@ -128,11 +205,24 @@ int main(int argc, char** argv) {
        {"points", 1},
        {"nodes", 1},
        {"signs", 1},
+       {"nanoseconds_a_node", 1},
        {"built", 2}});
   const int scale = options->smoke ? 1000 : 1;
   for (const char* structure :
        {"range_tree_2", "rank_kd_tree_2", "pseudo_kd_tree_2", "trajectory_tree"}) {
     time_queries({structure, 100000 / scale}, *options, table);
+  }
+  ResultTable swaps(*options, "queries_swaps",
+                    "Swaps in the lists of both coordinates, with the trees that follow them: a "
+                    "second, and nanoseconds of a swap beyond those of the lists.",
+                    {{"structure", ResultTable::kText, 22},
+                     {"n", 0, 7},
+                     {"swaps", 0, 8},
+                     {"seconds", 3},
+                     {"swaps_per_second", 0},
+                     {"own", 0, 7}});
+  for (const int n : {2000, 100000}) {
+    time_swaps(n / scale, static_cast<std::uint64_t>(400000 / scale), *options, swaps);
   }
   return 0;
 }

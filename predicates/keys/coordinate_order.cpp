@@ -3,6 +3,7 @@
 // Degree 1 in the coordinates, d in t. Identities: predicates/predicates.h.
 #include <array>
 
+#include "core/arithmetic/coordinate_difference.h"
 #include "core/arithmetic/predicate_formula.h"
 #include "predicates/predicates.h"
 
@@ -37,10 +38,22 @@ struct CoordinateOrder {
   }
 };
 
+class CoordinateOrderPredicate final : public FormulaPredicate<CoordinateOrder>,
+                                       public CoordinateDifference {
+ public:
+  explicit CoordinateOrderPredicate(int axis)
+      : FormulaPredicate(CoordinateOrder{axis}), axis_(axis) {}
+
+  int difference_axis() const override { return axis_; }
+
+ private:
+  int axis_;
+};
+
 }  // namespace
 
 std::shared_ptr<const Predicate> make_coordinate_order(int axis) {
-  return std::make_shared<FormulaPredicate<CoordinateOrder>>(CoordinateOrder{axis});
+  return std::make_shared<CoordinateOrderPredicate>(axis);
 }
 
 }  // namespace kinex

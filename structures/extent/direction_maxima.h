@@ -27,6 +27,7 @@
 #include "core/engine/proof.h"
 #include "core/motion/scene.h"
 #include "predicates/points/unit_directions.h"
+#include "structures/parts/key_order.h"
 
 namespace kinex {
 
@@ -51,14 +52,24 @@ class DirectionMaxima {
   virtual bool level(std::size_t i, ObjectId a, ObjectId b) const = 0;
 
   // `tied` is called for objects that are identically level from now on and change places.
-  virtual void build(std::span<const ObjectId> objects, const Tied& tied) = 0;
-  virtual void rebuild(const Tied& tied) = 0;
+  void build(std::span<const ObjectId> objects, const Tied& tied) {
+    for (std::size_t i = 0; i < size(); ++i) winners_[i] = built(i, objects, tied);
+  }
+  void rebuild(const Tied& tied) {
+    for (std::size_t i = 0; i < size(); ++i) winners_[i] = rebuilt(i, tied);
+  }
   // A certificate for which owns() is true has failed.
   virtual bool owns(CertificateId certificate) const = 0;
   virtual Duel failed(CertificateId certificate, const Tied& tied) = 0;
-  virtual void insert(ObjectId object, const Tied& tied) = 0;
-  virtual void erase(ObjectId object, const Tied& tied) = 0;
-  virtual void motions_changed(std::span<const ObjectId> objects, const Tied& tied) = 0;
+  void insert(ObjectId object, const Tied& tied) {
+    for (std::size_t i = 0; i < size(); ++i) winners_[i] = inserted(i, object, tied);
+  }
+  void erase(ObjectId object, const Tied& tied) {
+    for (std::size_t i = 0; i < size(); ++i) winners_[i] = erased(i, object, tied);
+  }
+  void motions_changed(std::span<const ObjectId> objects, const Tied& tied) {
+    for (std::size_t i = 0; i < size(); ++i) winners_[i] = moved(i, objects, tied);
+  }
 
   virtual int largest_motion_degree() const = 0;
   // Hard bounds: on live certificates, on those of one object, on failures so far.
@@ -71,6 +82,25 @@ class DirectionMaxima {
 
  protected:
   explicit DirectionMaxima(std::size_t directions) : winners_(directions, kNoObject) {}
+
+  // Of each direction in its order: the position along it, and which end of the order wins.
+  template <class Visit>
+  static void each_direction(const std::vector<DirectionVector>& half, const Visit& visit) {
+    for (const Extremum extremum : {Extremum::kMaximum, Extremum::kMinimum}) {
+      for (const DirectionVector& u : half) {
+        Key key;
+        key.kind = Key::Kind::kDirection;
+        key.direction = u;
+        visit(key, extremum);
+      }
+    }
+  }
+  // The changes of one direction. Each returns its winner.
+  virtual ObjectId built(std::size_t i, std::span<const ObjectId> objects, const Tied& tied) = 0;
+  virtual ObjectId rebuilt(std::size_t i, const Tied& tied) = 0;
+  virtual ObjectId inserted(std::size_t i, ObjectId object, const Tied& tied) = 0;
+  virtual ObjectId erased(std::size_t i, ObjectId object, const Tied& tied) = 0;
+  virtual ObjectId moved(std::size_t i, std::span<const ObjectId> objects, const Tied& tied) = 0;
 
   std::vector<ObjectId> winners_;  // by direction
 };

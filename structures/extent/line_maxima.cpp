@@ -15,89 +15,74 @@ LineMaxima::LineMaxima(Kernel& kernel, StructureId structure, const Scene& scene
     throw std::invalid_argument("dual hulls need linear motions, not motions of degree " +
                                 std::to_string(scene.degree()));
   }
-  for (const Extremum extremum : {Extremum::kMaximum, Extremum::kMinimum}) {
-    for (const DirectionVector& u : half) {
-      Key key;
-      key.kind = Key::Kind::kDirection;
-      key.direction = u;
-      directions_.emplace_back(kernel, scene, key, extremum);
-    }
-  }
+  each_direction(half, [&](const Key& key, Extremum extremum) {
+    directions_.emplace_back(kernel, scene, key, extremum);
+  });
 }
 
 bool LineMaxima::level(std::size_t i, ObjectId a, ObjectId b) const {
   return kernel_->sign_after(directions_[i].contest.claim(a, b)) == Sign::kZero;
 }
 
-// Finds the winner and the next vertex.
-void LineMaxima::look(std::size_t i) {
+ObjectId LineMaxima::look(std::size_t i) {
   const LineHull& hull = directions_[i].hull;
-  winners_[i] = hull.empty() ? kNoObject : hull.best();
-  expect(i, winners_[i] == kNoObject ? kNoObject : hull.next(winners_[i]));
+  const ObjectId winner = hull.empty() ? kNoObject : hull.best();
+  expect(i, winner, winner == kNoObject ? kNoObject : hull.next(winner));
+  return winner;
 }
 
-void LineMaxima::expect(std::size_t i, ObjectId next) {
+void LineMaxima::expect(std::size_t i, ObjectId winner, ObjectId next) {
   Direction& direction = directions_[i];
   direction.next = next;
   if (next == kNoObject) return slots_.drop(direction.certificate);
-  const Query query = direction.contest.claim(winners_[i], next);
+  const Query query = direction.contest.claim(winner, next);
   if (direction.certificate == kNoCertificate || !kernel_->claims(direction.certificate, query)) {
     slots_.set(direction.certificate, query, static_cast<std::uint32_t>(i));
   }
 }
 
-void LineMaxima::build(std::span<const ObjectId> objects, const Tied&) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    directions_[i].hull.build({objects.begin(), objects.end()});
-    look(i);
-  }
+ObjectId LineMaxima::built(std::size_t i, std::span<const ObjectId> objects, const Tied&) {
+  directions_[i].hull.build({objects.begin(), objects.end()});
+  return look(i);
 }
 
-void LineMaxima::rebuild(const Tied&) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    directions_[i].hull.build(directions_[i].hull.members());
-    look(i);
-  }
+ObjectId LineMaxima::rebuilt(std::size_t i, const Tied&) {
+  directions_[i].hull.build(directions_[i].hull.members());
+  return look(i);
 }
 
 DirectionMaxima::Duel LineMaxima::failed(CertificateId certificate, const Tied&) {
   const std::size_t i = slots_.failed(certificate);
   const ObjectId old = winners_[i];
   winners_[i] = directions_[i].next;
-  expect(i, directions_[i].hull.next(winners_[i]));
+  expect(i, winners_[i], directions_[i].hull.next(winners_[i]));
   return {i, old, winners_[i]};
 }
 
-void LineMaxima::insert(ObjectId object, const Tied&) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    directions_[i].hull.insert(object);
-    look(i);
-  }
+ObjectId LineMaxima::inserted(std::size_t i, ObjectId object, const Tied&) {
+  directions_[i].hull.insert(object);
+  return look(i);
 }
 
-void LineMaxima::erase(ObjectId object, const Tied&) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    directions_[i].hull.erase(object);
-    look(i);
-  }
+ObjectId LineMaxima::erased(std::size_t i, ObjectId object, const Tied&) {
+  directions_[i].hull.erase(object);
+  return look(i);
 }
 
 // If another object is best now, the certificate still claims the old winner: it fails at once, and
 // the change is an event like any other.
-void LineMaxima::motions_changed(std::span<const ObjectId> objects, const Tied& tied) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    Direction& direction = directions_[i];
-    direction.hull.change(objects);
-    if (direction.hull.empty()) continue;
-    const ObjectId old = winners_[i], best = direction.hull.best();
-    if (best != old &&
-        kernel_->sign_after(direction.contest.claim(old, best)) == Sign::kNegative) {
-      expect(i, best);
-      continue;
-    }
-    look(i);
-    if (best != old) tied({i, old, best});
+ObjectId LineMaxima::moved(std::size_t i, std::span<const ObjectId> objects, const Tied& tied) {
+  Direction& direction = directions_[i];
+  direction.hull.change(objects);
+  if (direction.hull.empty()) return kNoObject;
+  const ObjectId old = winners_[i], best = direction.hull.best();
+  if (best != old && kernel_->sign_after(direction.contest.claim(old, best)) == Sign::kNegative) {
+    expect(i, old, best);
+    return old;
   }
+  look(i);
+  if (best != old) tied({i, old, best});
+  return best;
 }
 
 // ---- bounds, proof, invariants

@@ -24,13 +24,8 @@ class LineMaxima final : public DirectionMaxima {
              const std::vector<DirectionVector>& half);
 
   bool level(std::size_t i, ObjectId a, ObjectId b) const override;
-  void build(std::span<const ObjectId> objects, const Tied& tied) override;
-  void rebuild(const Tied& tied) override;
   bool owns(CertificateId certificate) const override { return slots_.owns(certificate); }
   Duel failed(CertificateId certificate, const Tied& tied) override;
-  void insert(ObjectId object, const Tied& tied) override;
-  void erase(ObjectId object, const Tied& tied) override;
-  void motions_changed(std::span<const ObjectId> objects, const Tied& tied) override;
   int largest_motion_degree() const override { return 1; }
   Integer most_certificates(const BoundContext& context) const override;
   Integer most_per_object(const BoundContext& context) const override;
@@ -40,6 +35,12 @@ class LineMaxima final : public DirectionMaxima {
   std::size_t bytes() const override;
 
  private:
+  ObjectId built(std::size_t i, std::span<const ObjectId> objects, const Tied& tied) override;
+  ObjectId rebuilt(std::size_t i, const Tied& tied) override;
+  ObjectId inserted(std::size_t i, ObjectId object, const Tied& tied) override;
+  ObjectId erased(std::size_t i, ObjectId object, const Tied& tied) override;
+  ObjectId moved(std::size_t i, std::span<const ObjectId> objects, const Tied& tied) override;
+
   struct Direction {
     Direction(Kernel& kernel, const Scene& scene, const Key& key, Extremum extremum)
         : contest(extremum, kernel, key, scene),
@@ -52,8 +53,9 @@ class LineMaxima final : public DirectionMaxima {
     CertificateId certificate = kNoCertificate;
   };
 
-  void look(std::size_t i);
-  void expect(std::size_t i, ObjectId next);
+  // The winner of direction i, whose hull has changed: expects the next vertex.
+  ObjectId look(std::size_t i);
+  void expect(std::size_t i, ObjectId winner, ObjectId next);
 
   Kernel* kernel_;
   Slots slots_;

@@ -10,34 +10,25 @@ namespace kinex {
 TournamentMaxima::TournamentMaxima(Kernel& kernel, StructureId structure, const Scene& scene,
                                    const std::vector<DirectionVector>& half)
     : DirectionMaxima(2 * half.size()), kernel_(&kernel), structure_(structure) {
-  for (const Extremum extremum : {Extremum::kMaximum, Extremum::kMinimum}) {
-    for (const DirectionVector& u : half) {
-      Key key;
-      key.kind = Key::Kind::kDirection;
-      key.direction = u;
-      tournaments_.emplace_back(kernel, structure,
-                                "direction " + std::to_string(tournaments_.size()),
-                                Contest(extremum, kernel, key, scene), scene.objects.size());
-    }
-  }
+  each_direction(half, [&](const Key& key, Extremum extremum) {
+    tournaments_.emplace_back(kernel, structure, "direction " + std::to_string(tournaments_.size()),
+                              Contest(extremum, kernel, key, scene), scene.objects.size());
+  });
 }
 
 bool TournamentMaxima::level(std::size_t i, ObjectId a, ObjectId b) const {
   return kernel_->sign_after(tournaments_[i].claims().claim(a, b)) == Sign::kZero;
 }
 
-void TournamentMaxima::build(std::span<const ObjectId> objects, const Tied& tied) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    tournaments_[i].build({objects.begin(), objects.end()}, in(i, tied));
-    read(i);
-  }
+ObjectId TournamentMaxima::built(std::size_t i, std::span<const ObjectId> objects,
+                                 const Tied& tied) {
+  tournaments_[i].build({objects.begin(), objects.end()}, in(i, tied));
+  return tournaments_[i].winner();
 }
 
-void TournamentMaxima::rebuild(const Tied& tied) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    tournaments_[i].build(tournaments_[i].items(), in(i, tied));
-    read(i);
-  }
+ObjectId TournamentMaxima::rebuilt(std::size_t i, const Tied& tied) {
+  tournaments_[i].build(tournaments_[i].items(), in(i, tied));
+  return tournaments_[i].winner();
 }
 
 bool TournamentMaxima::owns(CertificateId certificate) const {
@@ -47,29 +38,24 @@ bool TournamentMaxima::owns(CertificateId certificate) const {
 DirectionMaxima::Duel TournamentMaxima::failed(CertificateId certificate, const Tied& tied) {
   const std::size_t i = kernel_->part(certificate);
   const auto [old, fresh] = tournaments_[i].failed(certificate, in(i, tied));
-  read(i);
+  winners_[i] = tournaments_[i].winner();
   return {i, old, fresh};
 }
 
-void TournamentMaxima::insert(ObjectId object, const Tied& tied) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    tournaments_[i].insert(object, in(i, tied));
-    read(i);
-  }
+ObjectId TournamentMaxima::inserted(std::size_t i, ObjectId object, const Tied& tied) {
+  tournaments_[i].insert(object, in(i, tied));
+  return tournaments_[i].winner();
 }
 
-void TournamentMaxima::erase(ObjectId object, const Tied& tied) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    tournaments_[i].erase(object, in(i, tied));
-    read(i);
-  }
+ObjectId TournamentMaxima::erased(std::size_t i, ObjectId object, const Tied& tied) {
+  tournaments_[i].erase(object, in(i, tied));
+  return tournaments_[i].winner();
 }
 
-void TournamentMaxima::motions_changed(std::span<const ObjectId> objects, const Tied& tied) {
-  for (std::size_t i = 0; i < size(); ++i) {
-    tournaments_[i].motions_changed(objects, in(i, tied));
-    read(i);
-  }
+ObjectId TournamentMaxima::moved(std::size_t i, std::span<const ObjectId> objects,
+                                 const Tied& tied) {
+  tournaments_[i].motions_changed(objects, in(i, tied));
+  return tournaments_[i].winner();
 }
 
 // ---- bounds, proof, invariants

@@ -19,13 +19,8 @@ class TournamentMaxima final : public DirectionMaxima {
                    const std::vector<DirectionVector>& half);
 
   bool level(std::size_t i, ObjectId a, ObjectId b) const override;
-  void build(std::span<const ObjectId> objects, const Tied& tied) override;
-  void rebuild(const Tied& tied) override;
   bool owns(CertificateId certificate) const override;
   Duel failed(CertificateId certificate, const Tied& tied) override;
-  void insert(ObjectId object, const Tied& tied) override;
-  void erase(ObjectId object, const Tied& tied) override;
-  void motions_changed(std::span<const ObjectId> objects, const Tied& tied) override;
   int largest_motion_degree() const override { return std::numeric_limits<int>::max(); }
   Integer most_certificates(const BoundContext& context) const override;
   Integer most_per_object(const BoundContext& context) const override;
@@ -35,11 +30,16 @@ class TournamentMaxima final : public DirectionMaxima {
   std::size_t bytes() const override;
 
  private:
+  ObjectId built(std::size_t i, std::span<const ObjectId> objects, const Tied& tied) override;
+  ObjectId rebuilt(std::size_t i, const Tied& tied) override;
+  ObjectId inserted(std::size_t i, ObjectId object, const Tied& tied) override;
+  ObjectId erased(std::size_t i, ObjectId object, const Tied& tied) override;
+  ObjectId moved(std::size_t i, std::span<const ObjectId> objects, const Tied& tied) override;
+
   // The tie report of the tournament of direction i.
   static auto in(std::size_t i, const Tied& tied) {
     return [i, &tied](ObjectId old, ObjectId fresh) { tied({i, old, fresh}); };
   }
-  void read(std::size_t i) { winners_[i] = tournaments_[i].winner(); }
 
   Kernel* kernel_;
   StructureId structure_;

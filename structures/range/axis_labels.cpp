@@ -27,6 +27,15 @@ std::size_t AxisLabels::rank(ObjectId object) const {
   return sum;
 }
 
+bool AxisLabels::are_neighbours(ObjectId object, ObjectId next) const {
+  constexpr Label kNear = 4;
+  const Label from = of_[object], to = of_[next];
+  if (to <= from) return false;
+  if (to - from > kNear) return rank(object) + 1 == rank(next);
+  return std::all_of(at_.begin() + from + 1, at_.begin() + to,
+                     [](ObjectId between) { return between == kNoObject; });
+}
+
 std::vector<ObjectId> AxisLabels::in_order() const {
   std::vector<ObjectId> result;
   result.reserve(count_);

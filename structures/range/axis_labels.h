@@ -8,7 +8,7 @@
 // Cost: an exchange of two neighbours O(1). An insertion takes a free label between its neighbours,
 // else spreads the smallest dyadic interval that is sparse enough: amortised O(log^2 n) moves. The
 // allowed density falls from 1 for single labels to 1/2 for all of them; then size() doubles.
-// A search by rank O(log n).
+// A search by rank, or for a place in the order, O(log n).
 //
 // Source: order maintenance in a packed array: Itai, Konheim, Rodeh, "A sparse table implementation
 // of priority queues" (1981).
@@ -50,6 +50,18 @@ class AxisLabels {
   ObjectId of_rank(std::size_t k) const;
   // The number of objects with a smaller label. O(log n).
   std::size_t rank(ObjectId object) const;
+  // True if `next` has the next larger label in use. O(1) without gaps, else O(log n).
+  bool are_neighbours(ObjectId object, ObjectId next) const;
+  // Labels that separate the objects which come first from the others.
+  struct Cut {
+    std::size_t count = 0;  // of the objects that come first
+    std::size_t first = 0;  // all labels from here on that are below `end` are free
+    std::size_t end = 0;    // the least label of the others; size(): there are none
+  };
+  // comes_first(object) is true for all objects up to some label, and then false. It is asked
+  // log2 size() + 1 times at most. O(log n), and O(log n) more for each gap in the labels that is met.
+  template <class ComesFirst>
+  Cut cut(const ComesFirst& comes_first) const;
   // The objects by label. O(size()).
   std::vector<ObjectId> in_order() const;
   // The least `bits` for n objects.
@@ -78,6 +90,14 @@ class AxisLabels {
   void put(ObjectId object, Label label);
   void take(ObjectId object);
   void add_to_sums(Label label, std::int32_t by);
+  // The last label in use below `end`. Requires that this is the k-th smallest one, k > 0.
+  Label last_below(std::size_t end, std::size_t k) const {
+    constexpr std::size_t kNear = 4;
+    for (std::size_t label = end; label > 0 && label + kNear > end; --label) {
+      if (at_[label - 1] != kNoObject) return static_cast<Label>(label - 1);
+    }
+    return of_[of_rank(k - 1)];
+  }
 
   unsigned bits_ = 0;
   std::size_t count_ = 0;
@@ -85,6 +105,23 @@ class AxisLabels {
   std::vector<ObjectId> at_;         // per label
   std::vector<std::uint32_t> sums_;  // a Fenwick tree over the labels in use, from 1
 };
+
+// Of a block of labels the last object decides. sums_[end + step] is the number of objects in the
+// block of `step` labels from `end` on, since `end` is a multiple of `step`.
+template <class ComesFirst>
+AxisLabels::Cut AxisLabels::cut(const ComesFirst& comes_first) const {
+  Cut cut;
+  for (std::size_t step = size(); step > 0; step /= 2) {
+    const std::size_t end = cut.end + step;
+    if (end > size()) continue;
+    const std::size_t count = cut.count + sums_[end];
+    if (count > cut.count && !comes_first(at_[last_below(end, count)])) continue;
+    cut.count = count;
+    cut.end = end;
+  }
+  cut.first = cut.count == 0 ? 0 : last_below(cut.end, cut.count) + std::size_t{1};
+  return cut;
+}
 
 }  // namespace kinex
 

@@ -46,14 +46,18 @@ void ConjugationTree::halve(Ref node, const DualPoints& points) {
 // The lower and the upper chain of the convex hull, strict vertices only.
 void ConjugationTree::make_chains(Ref node, const DualPoints& points,
                                   const std::vector<std::uint32_t>& rank) {
-  std::vector<ObjectId> by_slope(objects(node).begin(), objects(node).end());
+  std::vector<Vertex> by_slope;
+  for (std::uint32_t place = nodes_[node].first; place < nodes_[node].end; ++place) {
+    by_slope.push_back({order_[place], place});
+  }
   std::sort(by_slope.begin(), by_slope.end(),
-            [&](ObjectId a, ObjectId b) { return rank[a] < rank[b]; });
+            [&](const Vertex& a, const Vertex& b) { return rank[a.object] < rank[b.object]; });
   const auto add = [&](bool is_upper) {
     const std::size_t begin = chains_.size();
-    for (const ObjectId next : by_slope) {
+    for (const Vertex& next : by_slope) {
       while (chains_.size() >= begin + 2) {
-        const Sign turn = points.turn(chains_[chains_.size() - 2], chains_.back(), next);
+        const Sign turn =
+            points.turn(chains_[chains_.size() - 2].object, chains_.back().object, next.object);
         if (turn == (is_upper ? Sign::kNegative : Sign::kPositive)) break;
         chains_.pop_back();
       }
@@ -67,11 +71,11 @@ void ConjugationTree::make_chains(Ref node, const DualPoints& points,
 }
 
 // Along the lower chain coordinates fall, then rise.
-ObjectId ConjugationTree::least(Ref node, BoxAt& box) const {
+ConjugationTree::Vertex ConjugationTree::least(Ref node, BoxAt& box) const {
   std::uint32_t from = nodes_[node].lower, to = nodes_[node].upper - 1;
   while (from < to) {
     const std::uint32_t middle = (from + to) / 2;
-    if (box.precedes(axis_, chains_[middle + 1], chains_[middle])) {
+    if (box.precedes(axis_, chains_[middle + 1].object, chains_[middle].object)) {
       from = middle + 1;
     } else {
       to = middle;
@@ -80,11 +84,11 @@ ObjectId ConjugationTree::least(Ref node, BoxAt& box) const {
   return chains_[from];
 }
 
-ObjectId ConjugationTree::largest(Ref node, BoxAt& box) const {
+ConjugationTree::Vertex ConjugationTree::largest(Ref node, BoxAt& box) const {
   std::uint32_t from = nodes_[node].upper, to = nodes_[node].stop - 1;
   while (from < to) {
     const std::uint32_t middle = (from + to) / 2;
-    if (box.precedes(axis_, chains_[middle], chains_[middle + 1])) {
+    if (box.precedes(axis_, chains_[middle].object, chains_[middle + 1].object)) {
       from = middle + 1;
     } else {
       to = middle;
@@ -93,42 +97,58 @@ ObjectId ConjugationTree::largest(Ref node, BoxAt& box) const {
   return chains_[from];
 }
 
-NodePlace ConjugationTree::place(Ref node, BoxAt& box, Sides& sides) const {
-  if (sides.low && box.is_below(axis_, least(node, box))) {
-    if (box.is_below(axis_, largest(node, box))) return NodePlace::kOutside;
-  } else {
-    sides.low = false;
+NodePlace ConjugationTree::place(Ref node, BoxAt& box, Seen& seen) const {
+  const Node& there = nodes_[node];
+  const auto is_here = [&there](const Vertex& v) {
+    return there.first <= v.place && v.place < there.end;
+  };
+  // Those of the node above: the one is before a low side that is crossed and not beyond a high one,
+  // the other is beyond a high side that is crossed and not before a low one.
+  const bool knows_least = is_here(seen.least), knows_largest = is_here(seen.largest);
+  bool has_least = knows_least, has_largest = knows_largest;
+  const auto least = [&] {
+    if (!has_least) seen.least = this->least(node, box);
+    has_least = true;
+    return seen.least.object;
+  };
+  const auto largest = [&] {
+    if (!has_largest) seen.largest = this->largest(node, box);
+    has_largest = true;
+    return seen.largest.object;
+  };
+  if (seen.low) {
+    seen.low = knows_least || box.is_below(axis_, least());
+    if (seen.low && !knows_largest && box.is_below(axis_, largest())) return NodePlace::kOutside;
   }
-  if (sides.high && box.is_beyond(axis_, largest(node, box))) {
-    if (box.is_beyond(axis_, least(node, box))) return NodePlace::kOutside;
-  } else {
-    sides.high = false;
+  if (seen.high) {
+    seen.high = knows_largest || box.is_beyond(axis_, largest());
+    if (seen.high && !knows_least && box.is_beyond(axis_, least())) return NodePlace::kOutside;
   }
-  return sides.decided() ? NodePlace::kInside : NodePlace::kCrossed;
+  return seen.decided() ? NodePlace::kInside : NodePlace::kCrossed;
 }
 
 std::uint64_t ConjugationTree::search(BoxAt& box, std::vector<ObjectId>& out,
                                       QueryTrace* trace) const {
   std::uint64_t looked_at = 0;
-  std::vector<std::pair<Ref, Sides>> open{{kRoot, {}}};
+  std::vector<std::pair<Ref, Seen>> open{{kRoot, {}}};
   while (!open.empty()) {
-    auto [at, sides] = open.back();
+    auto [at, seen] = open.back();
     open.pop_back();
     ++looked_at;
     if (is_leaf(at)) {
       add_to(trace, at, NodePlace::kCrossed);
       for (const ObjectId object : objects(at)) {
         ++looked_at;
-        if (box.holds(axis_, object)) out.push_back(object);
+        if (seen.holds(box, axis_, object)) out.push_back(object);
       }
       continue;
     }
-    const NodePlace there = place(at, box, sides);
+    const NodePlace there = place(at, box, seen);
     add_to(trace, at, there);
     if (there == NodePlace::kInside) out.insert(out.end(), objects(at).begin(), objects(at).end());
     if (there != NodePlace::kCrossed) continue;
-    open.emplace_back(below(at, 1), sides);
-    open.emplace_back(below(at, 0), sides);
+    open.emplace_back(below(at, 1), seen);
+    open.emplace_back(below(at, 0), seen);
   }
   return looked_at;
 }
@@ -168,9 +188,12 @@ void ConjugationTree::check(const Snapshot& now, AuditReport& report) const {
         std::minmax_element(objects(at).begin(), objects(at).end(), smaller);
     const auto begin = chains_.begin();
     const Node& node = nodes_[at];
-    const ObjectId low = *std::min_element(begin + node.lower, begin + node.upper, smaller);
-    const ObjectId high = *std::max_element(begin + node.upper, begin + node.stop, smaller);
-    report.check(!smaller(*least, low) && !smaller(high, *largest),
+    const auto is_before = [&](const Vertex& a, const Vertex& b) {
+      return smaller(a.object, b.object);
+    };
+    const auto low = std::min_element(begin + node.lower, begin + node.upper, is_before);
+    const auto high = std::max_element(begin + node.upper, begin + node.stop, is_before);
+    report.check(!smaller(*least, low->object) && !smaller(high->object, *largest),
                  [&] { return "the hull of node " + std::to_string(at) + " is too small"; });
   }
 }

@@ -48,10 +48,22 @@ class ConjugationTree {
   using Ref = std::uint32_t;
   static constexpr Ref kRoot = 0;
 
-  // Which sides of the box have points of a node on both sides of them, as far as is known.
-  struct Sides {
+  // A vertex of a chain.
+  struct Vertex {
+    ObjectId object = kNoObject;
+    std::uint32_t place = 0xffffffffu;  // in the order of the leaves
+  };
+  // What is known of a node: the sides of the box that may have points of it on both of their
+  // sides, and, once it is crossed, its extreme points. Of two halves one has the least point of
+  // their node, which is before the low side if that is crossed, and not beyond the high side.
+  struct Seen {
     bool low = true, high = true;
+    Vertex least, largest;
     bool decided() const { return !low && !high; }
+    // An object of the node, without signs that are known.
+    bool holds(BoxAt& box, int axis, ObjectId object) const {
+      return !(low && box.is_below(axis, object)) && !(high && box.is_beyond(axis, object));
+    }
   };
 
   // Of these objects. Requires linear motions.
@@ -68,8 +80,10 @@ class ConjugationTree {
   std::span<const ObjectId> objects(Ref node) const {
     return {order_.data() + nodes_[node].first, order_.data() + nodes_[node].end};
   }
-  // Where an inner node is. `sides` is what is known of the node above, and then of this one.
-  NodePlace place(Ref node, BoxAt& box, Sides& sides) const;
+  // Where an inner node is. `seen` is what is known of the node above, which is crossed (at the root:
+  // nothing), and then of this one. Where a half has an extreme point of its node, that takes no
+  // signs.
+  NodePlace place(Ref node, BoxAt& box, Seen& seen) const;
   // Appends the objects in the interval of this axis, and the nodes looked at to `trace`, if there
   // is one. Returns the number of nodes looked at and points tested.
   std::uint64_t search(BoxAt& box, std::vector<ObjectId>& out, QueryTrace* trace) const;
@@ -86,8 +100,8 @@ class ConjugationTree {
   // The halves are halves, and the chains are extreme at this time.
   void check(const Snapshot& now, AuditReport& report) const;
   std::size_t bytes() const {
-    return nodes_.capacity() * sizeof(Node) +
-           (order_.capacity() + chains_.capacity()) * sizeof(ObjectId);
+    return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(ObjectId) +
+           chains_.capacity() * sizeof(Vertex);
   }
 
  private:
@@ -99,13 +113,13 @@ class ConjugationTree {
 
   void halve(Ref node, const DualPoints& points);
   void make_chains(Ref node, const DualPoints& points, const std::vector<std::uint32_t>& rank);
-  ObjectId least(Ref node, BoxAt& box) const;
-  ObjectId largest(Ref node, BoxAt& box) const;
+  Vertex least(Ref node, BoxAt& box) const;
+  Vertex largest(Ref node, BoxAt& box) const;
 
   int axis_;
   std::vector<Node> nodes_;
-  std::vector<ObjectId> order_;   // by leaves
-  std::vector<ObjectId> chains_;  // of inner nodes
+  std::vector<ObjectId> order_;  // by leaves
+  std::vector<Vertex> chains_;   // of inner nodes
 };
 
 }  // namespace kinex

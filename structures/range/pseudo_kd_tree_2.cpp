@@ -2,6 +2,7 @@
 #include "structures/range/pseudo_kd_tree_2.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -117,6 +118,7 @@ void PseudoKdTree2::rebuild_subtree(Ref at) {
   std::vector<Ref> open{at};
   std::vector<ObjectId> objects;
   collect(at, objects);
+  if (is_changing()) changing(objects);
   const int axis = node(at).axis;
   const Ref parent = node(at).above;
   while (!open.empty()) {
@@ -244,7 +246,7 @@ std::uint64_t PseudoKdTree2::exchange(int axis, ObjectId before, ObjectId after)
     labels_of(axis).exchange(before, after);
     return touched_;
   }
-  changing();
+  changing(std::array{before, after});
   const ObjectId beside_before = beside(before), beside_after = beside(after);
   unhang(before);
   unhang(after);
@@ -259,19 +261,37 @@ std::uint64_t PseudoKdTree2::exchange(int axis, ObjectId before, ObjectId after)
 
 // ---- search
 
-// Cells are ranges of labels, cut by the splits on the way down.
+// A split cuts off one side of each half; the other three are those of the node.
 PseudoKdTree2::Cost PseudoKdTree2::search(const LabelBox& box, std::vector<ObjectId>& out,
                                           QueryTrace* trace) const {
-  const auto most = static_cast<AxisLabels::Label>(labels(0).size() - 1);
-  const auto halves = [this](const Part& above, bool) -> std::array<Part, 2> {
+  const auto halves = [this, &box](const Part& above) -> std::array<Part, 2> {
     const Node& there = node(above.ref);
-    const auto axis = static_cast<std::size_t>(there.axis);
-    std::array<Part, 2> parts{Part{there.below[0], above.cell}, Part{there.below[1], above.cell}};
-    parts[0].cell.high[axis] = there.last;
-    parts[1].cell.low[axis] = there.last + 1;
-    return parts;
+    if (above.sides == kAllSides) {
+      return {Part{there.below[0], kAllSides}, Part{there.below[1], kAllSides}};
+    }
+    const auto a = static_cast<std::size_t>(there.axis);
+    Sides first = above.sides, second = above.sides;
+    if (there.last <= box.high[a]) first |= side_bit(a, true);
+    if (there.last < box.low[a]) first = kOutside;
+    if (box.low[a] <= there.last + 1) second |= side_bit(a, false);
+    if (box.high[a] <= there.last) second = kOutside;
+    return {Part{there.below[0], first}, Part{there.below[1], second}};
   };
-  return search_cells({root_, {{0, 0}, {most, most}}}, box, out, trace, halves);
+  const auto most = static_cast<AxisLabels::Label>(labels(0).size() - 1);
+  Sides sides = 0;
+  for (const std::size_t a : {0, 1}) {
+    if (box.low[a] == 0) sides |= side_bit(a, false);
+    if (most <= box.high[a]) sides |= side_bit(a, true);
+  }
+  return search_parts({root_, sides}, box, out, trace, halves);
+}
+
+ObjectId PseudoKdTree2::leaf_before(ObjectId leaf) const {
+  Ref from = leaf, at = above_leaf_[leaf];
+  for (; at != kNone && node(at).below[0] == from; at = node(at).above) from = at;
+  if (at == kNone) return kNoObject;
+  for (at = node(at).below[0]; !is_leaf(at);) at = node(at).below[1];
+  return at;
 }
 
 std::vector<ObjectId> PseudoKdTree2::leaves() const {

@@ -71,6 +71,7 @@ class PseudoKdTree2 final : public LeafTree2 {
   std::uint64_t most_looked_at(std::uint64_t k) const override;
   void check_tree(AuditReport& report) const override;
   std::vector<ObjectId> leaves() const override;
+  ObjectId leaf_before(ObjectId leaf) const override;
 
   Node& node(Ref ref) { return nodes_[ref - kInner]; }
   const Node& node(Ref ref) const { return nodes_[ref - kInner]; }

@@ -107,7 +107,7 @@ void RangeStructure::watched_changed(const Event* event) {
   const int axis = event->structure == list(0).id() ? 0 : 1;
   const ObjectId before = event->ids[0], after = event->ids[1];
   const bool is_swap = event->kind == SortedList::kSwap || event->kind == SortedList::kTie;
-  if (is_swap && labels(axis).rank(before) + 1 == labels(axis).rank(after)) {
+  if (is_swap && labels(axis).are_neighbours(before, after)) {
     touched_.note(exchange(axis, before, after), most_touched());
     swapped(axis, before, after);
   } else if (!is_in_step()) {
@@ -115,33 +115,29 @@ void RangeStructure::watched_changed(const Event* event) {
   }
 }
 
-// The number of points before the corner, or up to it if it is not the low one.
-std::size_t RangeStructure::count_while(int axis, ObjectId corner, bool is_low,
-                                        QueryCounts& counts) {
-  std::size_t from = 0, to = labels(axis).count();
-  while (from < to) {
-    const std::size_t middle = (from + to) / 2;
+// Where the points before the corner, and those that are level with it if it is not the low one,
+// end.
+AxisLabels::Cut RangeStructure::cut(int axis, ObjectId corner, bool is_low,
+                                    QueryCounts& counts) const {
+  const PredicateId order = orders_[static_cast<std::size_t>(axis)];
+  return labels(axis).cut([&](ObjectId object) {
     ++counts.signs;
-    const Sign sign = kernel_->sign_after(orders_[static_cast<std::size_t>(axis)],
-                                          {labels(axis).of_rank(middle), corner});
-    const bool is_counted = sign == Sign::kPositive || (sign == Sign::kZero && !is_low);
-    (is_counted ? from : to) = is_counted ? middle + 1 : middle;
-  }
-  return from;
+    const Sign sign = kernel_->sign_after(order, {object, corner});
+    return sign == Sign::kPositive || (sign == Sign::kZero && !is_low);
+  });
 }
 
-// The box in labels; nullopt: it holds no point.
-std::optional<LabelBox> RangeStructure::labelled(ObjectId low, ObjectId high, QueryCounts& counts) {
+// The box in labels, as large as its points allow; nullopt: it holds no point.
+std::optional<LabelBox> RangeStructure::labelled(ObjectId low, ObjectId high,
+                                                 QueryCounts& counts) const {
   LabelBox box;
   for (const int axis : {0, 1}) {
-    const std::size_t before = count_while(axis, low, true, counts);
-    const std::size_t up_to = count_while(axis, high, false, counts);
-    if (before >= up_to) return std::nullopt;
+    const AxisLabels::Cut before = cut(axis, low, true, counts);
+    const AxisLabels::Cut up_to = cut(axis, high, false, counts);
+    if (before.count >= up_to.count) return std::nullopt;
     const auto a = static_cast<std::size_t>(axis);
-    const AxisLabels& along = labels(axis);
-    box.low[a] = before == 0 ? 0 : along.of(along.of_rank(before - 1)) + 1;
-    box.high[a] = up_to == along.count() ? static_cast<AxisLabels::Label>(along.size() - 1)
-                                         : along.of(along.of_rank(up_to)) - 1;
+    box.low[a] = static_cast<AxisLabels::Label>(before.first);
+    box.high[a] = static_cast<AxisLabels::Label>(up_to.end - 1);
   }
   return box;
 }

@@ -11,7 +11,7 @@
 // A swap in a list is an exchange of two neighbours' labels. The order of the points on both axes
 // determines all answers, so the trees have no certificates of their own.
 //
-// Cost of a query: at most 4 (log2 n + 1) signs for the four sides of the box, and the nodes that
+// Cost of a query: at most 4 (log2 N + 1) signs for the four sides of the box, and the nodes that
 // the tree looks at.
 #ifndef KINEX_STRUCTURES_RANGE_RANGE_STRUCTURE_H
 #define KINEX_STRUCTURES_RANGE_RANGE_STRUCTURE_H
@@ -39,15 +39,6 @@ struct LabelBox {
   bool holds(int axis, AxisLabels::Label label) const {
     const auto a = static_cast<std::size_t>(axis);
     return low[a] <= label && label <= high[a];
-  }
-  // Where a cell is.
-  NodePlace place_of(const LabelBox& cell) const {
-    bool is_inside = true;
-    for (const std::size_t a : {0, 1}) {
-      if (cell.high[a] < low[a] || high[a] < cell.low[a]) return NodePlace::kOutside;
-      is_inside = is_inside && low[a] <= cell.low[a] && cell.high[a] <= high[a];
-    }
-    return is_inside ? NodePlace::kInside : NodePlace::kCrossed;
   }
 };
 
@@ -114,8 +105,8 @@ class RangeStructure : public Structure, public RangeSearch, public TracedSearch
  private:
   const SortedList& list(int axis) const { return *lists_[static_cast<std::size_t>(axis)]; }
   bool is_in_step() const;
-  std::optional<LabelBox> labelled(ObjectId low, ObjectId high, QueryCounts& counts);
-  std::size_t count_while(int axis, ObjectId corner, bool is_low, QueryCounts& counts);
+  std::optional<LabelBox> labelled(ObjectId low, ObjectId high, QueryCounts& counts) const;
+  AxisLabels::Cut cut(int axis, ObjectId corner, bool is_low, QueryCounts& counts) const;
   void audit_box(const Snapshot& snapshot, const std::array<std::array<Rational, 2>, 2>& box,
                  AuditReport& report) const;
 

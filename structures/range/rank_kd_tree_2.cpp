@@ -2,6 +2,7 @@
 #include "structures/range/rank_kd_tree_2.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <string>
 #include <utility>
@@ -18,15 +19,8 @@ std::uint64_t spread(std::uint64_t label) {
   return (label | label << 1) & 0x5555555555555555u;
 }
 
-// The inverse: every second bit.
-AxisLabels::Label gathered(std::uint64_t code) {
-  code &= 0x5555555555555555u;
-  code = (code | code >> 1) & 0x3333333333333333u;
-  code = (code | code >> 2) & 0x0f0f0f0f0f0f0f0fu;
-  code = (code | code >> 4) & 0x00ff00ff00ff00ffu;
-  code = (code | code >> 8) & 0x0000ffff0000ffffu;
-  return static_cast<AxisLabels::Label>(code | code >> 16);
-}
+// The bits of the labels by x, which come first, and by y.
+constexpr std::array<std::uint64_t, 2> kAlong{0xaaaaaaaaaaaaaaaau, 0x5555555555555555u};
 
 }  // namespace
 
@@ -144,7 +138,7 @@ std::uint64_t RankKdTree2::exchange(int axis, ObjectId before, ObjectId after) {
     labels_of(axis).exchange(before, after);
     return 2;
   }
-  changing();
+  changing(std::array{before, after});
   walked_ = 0;
   take_out(before);
   take_out(after);
@@ -154,23 +148,36 @@ std::uint64_t RankKdTree2::exchange(int axis, ObjectId before, ObjectId after) {
   return walked_;
 }
 
-LabelBox RankKdTree2::cell(const Node& node) const {
+// Numbers with the bits of one axis only are in the order of their labels.
+RankKdTree2::Sides RankKdTree2::sides_of(const Node& node, const CodeBox& box) const {
   const unsigned rest = code_bits() - node.depth;  // bits that are not fixed
   const Code free = rest == 64 ? ~Code{0} : (Code{1} << rest) - 1;
   const Code low = node.code & ~free, high = node.code | free;
-  return {{gathered(low >> 1), gathered(low)}, {gathered(high >> 1), gathered(high)}};
+  bool is_outside = false;
+  Sides sides = 0;
+  for (const std::size_t a : {0, 1}) {
+    const Code least = low & kAlong[a], largest = high & kAlong[a];
+    is_outside |= largest < box.low[a] || box.high[a] < least;
+    if (box.low[a] <= least) sides |= side_bit(a, false);
+    if (largest <= box.high[a]) sides |= side_bit(a, true);
+  }
+  return is_outside ? kOutside : sides;
 }
 
 RankKdTree2::Cost RankKdTree2::search(const LabelBox& box, std::vector<ObjectId>& out,
                                       QueryTrace* trace) const {
-  const auto part = [this](Ref ref, bool needs_cell) {
-    return Part{ref, needs_cell && !is_leaf(ref) ? cell(node(ref)) : LabelBox{}};
+  const CodeBox codes{{spread(box.low[0]) << 1, spread(box.low[1])},
+                      {spread(box.high[0]) << 1, spread(box.high[1])}};
+  const auto part = [&](Ref ref, Sides above) -> Part {
+    if (above == kAllSides) return {ref, kAllSides};
+    return {ref, is_leaf(ref) ? above : sides_of(node(ref), codes)};
   };
-  const auto halves = [&](const Part& above, bool needs_cells) -> std::array<Part, 2> {
+  const auto halves = [&](const Part& above) -> std::array<Part, 2> {
     const auto& below = node(above.ref).below;
-    return {part(below[0], needs_cells), part(below[1], needs_cells)};
+    return {part(below[0], above.sides), part(below[1], above.sides)};
   };
-  return search_cells(part(root_, root_ != kNone), box, out, trace, halves);
+  const Part root = root_ == kNone ? Part{} : part(root_, 0);
+  return search_parts(root, box, out, trace, halves);
 }
 
 // 50 sqrt(N) + 2k + 1, rounded up where it is not an integer.
@@ -181,6 +188,14 @@ std::uint64_t RankKdTree2::most_looked_at(std::uint64_t k) const {
     if ((root + bit) * (root + bit) <= square) root += bit;
   }
   return root + (root * root < square ? 1 : 0) + 2 * k + 1;
+}
+
+ObjectId RankKdTree2::leaf_before(ObjectId leaf) const {
+  Ref from = leaf, at = above_leaf_[leaf];
+  for (; at != kNone && node(at).below[0] == from; at = node(at).above) from = at;
+  if (at == kNone) return kNoObject;
+  for (at = node(at).below[0]; !is_leaf(at);) at = node(at).below[1];
+  return at;
 }
 
 std::vector<ObjectId> RankKdTree2::leaves() const {

@@ -54,6 +54,11 @@ class RankKdTree2 final : public LeafTree2 {
     std::array<Ref, 2> below{};
   };
 
+  // A box in codes, each axis with its bits only.
+  struct CodeBox {
+    std::array<Code, 2> low, high;
+  };
+
   void make_tree() override;
   void put_in(ObjectId object) override;
   void take_out(ObjectId object) override;
@@ -63,6 +68,7 @@ class RankKdTree2 final : public LeafTree2 {
   std::uint64_t most_looked_at(std::uint64_t k) const override;
   void check_tree(AuditReport& report) const override;
   std::vector<ObjectId> leaves() const override;
+  ObjectId leaf_before(ObjectId leaf) const override;
 
   unsigned code_bits() const { return 2 * labels(0).bits(); }
   Code code(ObjectId object) const;
@@ -76,7 +82,7 @@ class RankKdTree2 final : public LeafTree2 {
   void arrange();
   void replace_below(Ref above, Ref old, Ref fresh);
   bool stays(ObjectId object, Code fresh) const;
-  LabelBox cell(const Node& node) const;
+  Sides sides_of(const Node& node, const CodeBox& box) const;
 
   Ref root_ = kNone;
   std::vector<Node> nodes_;

@@ -102,25 +102,25 @@ std::uint64_t TrajectoryTree::search(const Forest& forest, BoxAt& box, std::vect
   using Ref = ConjugationTree::Ref;
   const ConjugationTree& by_x = forest.by_x;
   std::uint64_t looked_at = 0;
-  std::vector<std::pair<Ref, ConjugationTree::Sides>> open{{ConjugationTree::kRoot, {}}};
+  std::vector<std::pair<Ref, ConjugationTree::Seen>> open{{ConjugationTree::kRoot, {}}};
   while (!open.empty()) {
-    auto [at, sides] = open.back();
+    auto [at, seen] = open.back();
     open.pop_back();
     ++looked_at;
     if (by_x.is_leaf(at)) {
       by_x.add_to(trace, at, NodePlace::kCrossed);
       for (const ObjectId object : by_x.objects(at)) {
         ++looked_at;
-        if (box.holds(0, object) && box.holds(1, object)) out.push_back(object);
+        if (seen.holds(box, 0, object) && box.holds(1, object)) out.push_back(object);
       }
       continue;
     }
-    const NodePlace place = by_x.place(at, box, sides);
+    const NodePlace place = by_x.place(at, box, seen);
     by_x.add_to(trace, at, place == NodePlace::kInside ? NodePlace::kCrossed : place);
     if (place == NodePlace::kInside) looked_at += forest.by_y[at]->search(box, out, trace);
     if (place != NodePlace::kCrossed) continue;
-    open.emplace_back(by_x.below(at, 1), sides);
-    open.emplace_back(by_x.below(at, 0), sides);
+    open.emplace_back(by_x.below(at, 1), seen);
+    open.emplace_back(by_x.below(at, 0), seen);
   }
   return looked_at;
 }

@@ -26,8 +26,8 @@ TEST(Calipers2, ReferenceScenes) {
                          Row{10, 6, 9, 12, 3, 3}}) {
     for (const std::string& hull : kHulls) {
       SCOPED_TRACE(std::to_string(row.n) + " points, " + hull);
-      const CaliperRun two(reference(row.n), "calipers_2", hull),
-          four(reference(row.n), "calipers_2_4", hull);
+      const CaliperRun two(remainders(row.n), "calipers_2", hull),
+          four(remainders(row.n), "calipers_2_4", hull);
       EXPECT_EQ(two.ledger().external, row.antipodal);
       EXPECT_EQ(four.ledger().external, row.contacts);
       for (const CaliperRun* run : {&two, &four}) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tests/structures/extent/calipers_support.h"
+#include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
 namespace {
@@ -75,18 +76,8 @@ TEST_P(EveryCaliperStructure, HullsAgree) {
 
 // They come one by one and leave one by one; one jumps.
 TEST_P(EveryCaliperStructure, FromNothingToNothing) {
-  std::vector<Trajectory> t;
-  for (int i = 0; i < 7; ++i) t.push_back(path({{(i * 3) % 7, i - 3}, {(i * 5) % 7, 1}}));
-  Scene scene = scene_of(t, 0, Rational(20));
-  for (int i = 0; i < 7; ++i) {
-    auto& pieces = scene.objects[static_cast<std::size_t>(i)].motion.pieces;
-    pieces[0].from = Rational(i + 1);
-    pieces[0].to = Rational(19 - 2 * ((i * 4) % 7));
-    if (i != 3) continue;
-    const auto to = pieces[0].to;
-    pieces[0].to = Rational(5);
-    pieces.push_back({Rational(5), to, path({{40}, {-9, 1}})});
-  }
+  Scene scene = from_nothing_to_nothing();
+  jump(scene, 3, 5, path({{40}, {-9, 1}}));
   for (const std::string& hull : kHulls) {
     const CaliperRun run(scene, GetParam(), hull);
     EXPECT_EQ(run.begins_with, Ids{});
@@ -99,26 +90,15 @@ TEST_P(EveryCaliperStructure, FromNothingToNothing) {
 TEST_P(EveryCaliperStructure, AllOnOneLineForAnInstant) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 5; ++i) {
-      t.push_back(path({{random.between(-20, 20), random.between(-9, 9)},
-                        {0, random.between(-9, 9)}}));
-    }
-    const CaliperRun run(scene_of(t, -1, Rational(1)), GetParam(), kHulls[seed % kHulls.size()]);
+    const CaliperRun run(on_a_line_for_an_instant(seed, 5, 20), GetParam(),
+                         kHulls[seed % kHulls.size()]);
   }
 }
 
 TEST_P(EveryCaliperStructure, ExtremeNumbers) {
-  for (const char* size : {"1e150", "1e-150", "1e400", "1e-400"}) {
+  for (const char* size : kExtremeUnits) {
     SCOPED_TRACE(size);
-    const Rational unit = *Rational::parse(size);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 7; ++i) {
-      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
-                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
-    }
-    const CaliperRun run(scene_of(t, 0, Rational(9)), GetParam());
+    const CaliperRun run(in_units_of(size), GetParam());
     EXPECT_GT(run.ledger().external, 0u);
   }
 }
@@ -153,6 +133,21 @@ TEST(Diameter, AllPairsAgree) {
     external += fast.ledger().external;
   }
   EXPECT_GT(external, 60u);
+}
+
+// 0 and 3 recede from each other until they are as far apart as 1 and 2, and stay so: of pairs that
+// are equally far identically the first one counts.
+TEST(Diameter, ThePlanThatMakesPairsEqual) {
+  Scene scene = scene_of(
+      {path({{-5}, {0}}), path({{0}, {5}}), path({{0}, {-5}}), path({{1, 4}, {0}})}, 0, Rational(2));
+  scene.objects[3].motion.pieces[0].to = Rational(1);
+  scene.objects[3].motion.pieces.push_back({Rational(1), std::nullopt, path({{5}, {0}})});
+  for (const std::string& hull : kHulls) {
+    const CaliperRun run(scene, "diameter_2", hull);
+    EXPECT_EQ(run.begins_with, (Ids{1, 2}));
+    EXPECT_EQ(run.ids(), (Ids{0, 3}));
+    EXPECT_EQ(run.ledger().external, 1u);
+  }
 }
 
 TEST(Diameter, AllPairsInOneAndThreeAxes) {

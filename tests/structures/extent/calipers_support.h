@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "structures/plan.h"
+#include "tests/structures/special_scenes.h"
 #include "tests/structures/test_run.h"
-#include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
 
@@ -157,17 +157,6 @@ inline Scene comb(int n, int m) {
     t.push_back(path({{over(m, 2) - at, 1}, {g * at * at - Rational(1), Rational(-2) * g * at}}));
   }
   return scene_of(t, 0, Rational(end));
-}
-
-// A scene of integers that look random.
-inline Scene reference(int n) {
-  std::vector<Trajectory> t;
-  for (int i = 0; i < n; ++i) {
-    const int s = i * i;
-    t.push_back(path({{(37 * s + 11 * i) % 101, (17 * s + 5 * i + 3) % 21 - 10},
-                      {(53 * s + 29 * i + 7) % 103, (19 * s + 7 * i + 1) % 23 - 11}}));
-  }
-  return scene_of(t, 0, Rational(12));
 }
 
 // Few points with tiny coordinates: ties and meetings everywhere.

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "structures/plan.h"
+#include "tests/structures/special_scenes.h"
 #include "tests/structures/test_run.h"
-#include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
 
@@ -121,20 +121,10 @@ inline Scene see_saw(int n, int m) {
   return scene_of(t, 0, Rational(6 * m));
 }
 
-// A reference scene: pseudorandom lines.
-inline Scene reference(int n, int end = 12) {
-  std::vector<Trajectory> t;
-  for (int i = 0; i < n; ++i) {
-    t.push_back(path({{(37 * i * i + 11 * i) % 101, (17 * i * i + 5 * i + 3) % 21 - 10},
-                      {(53 * i * i + 29 * i + 7) % 103, (19 * i * i + 7 * i + 1) % 23 - 11}}));
-  }
-  return scene_of(t, 0, Rational(end));
-}
-
-// The velocities of reference(n), through the origin at 0.
+// The velocities of remainders(n), through the origin at 0.
 inline Scene through_origin(int n, Rational start) {
   std::vector<Trajectory> t;
-  for (const SceneObject& object : reference(n).objects) {
+  for (const SceneObject& object : remainders(n).objects) {
     const auto& c = object.motion.pieces[0].trajectory.coordinates;
     const auto velocity = [&c](std::size_t axis) {
       return c[axis].size() > 1 ? c[axis][1] : Rational(0);

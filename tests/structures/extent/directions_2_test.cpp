@@ -8,6 +8,7 @@
 #include "predicates/points/unit_directions.h"
 #include "structures/registry.h"
 #include "tests/structures/extent/directions_support.h"
+#include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
 namespace {
@@ -150,7 +151,7 @@ TEST(Directions, GuaranteeForTheCircle) {
 TEST(Directions, ReferenceScenes) {
   for (const int n : {4, 6, 8, 10}) {
     SCOPED_TRACE(n);
-    for (const int k : {1, 2, 4}) run_both(residues(n), k);
+    for (const int k : {1, 2, 4}) run_both(remainders(n), k);
   }
 }
 
@@ -204,10 +205,7 @@ TEST(Directions, EqualPoints) {
 }
 
 TEST(Directions, Jumps) {
-  Scene scene = scene_of({path({{0}, {0}}), path({{4}, {1}}), path({{9}, {3}}), path({{2}, {8}})},
-                         0, 4);
-  scene.objects[2].motion.pieces[0].to = Rational(1);
-  scene.objects[2].motion.pieces.push_back({Rational(1), std::nullopt, path({{2}, {2}})});
+  const Scene scene = one_jumps(2, 2);
   run_both(scene, 2);
   const DirectionsRun run(scene, "directions_2", 2);
   EXPECT_EQ(run.begins_with, (Ids{0, 2, 3}));
@@ -216,15 +214,9 @@ TEST(Directions, Jumps) {
 }
 
 TEST(Directions, ExtremeNumbers) {
-  for (const char* size : {"1e150", "1e-150", "1e400", "1e-400"}) {
+  for (const char* size : kExtremeUnits) {
     SCOPED_TRACE(size);
-    const Rational unit = *Rational::parse(size);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 7; ++i) {
-      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
-                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
-    }
-    run_both(scene_of(t, 0, 9), 3);
+    run_both(in_units_of(size), 3);
   }
 }
 
@@ -241,14 +233,14 @@ TEST(Directions, EndsInInexactArithmetics) {
 }
 
 TEST(Directions, AreReadAsAHull) {
-  const DirectionsRun run(residues(8), "directions_2", 4);
+  const DirectionsRun run(remainders(8), "directions_2", 4);
   const auto& source = dynamic_cast<const HullSource&>(run.simulator.structure(run.id));
   EXPECT_EQ(source.ring().cycle(), run.ids());
   EXPECT_EQ(source.ring().size(), run.ids().size());
 }
 
 TEST(Directions, TheNumberOfDirectionsIsChecked) {
-  const Scene scene = residues(4);
+  const Scene scene = remainders(4);
   const auto refused = [&](const Rational& k) {
     Scene asked = asking_along(scene, "directions_2", 1);
     asked.maintain[0].parameters[0].value = k;

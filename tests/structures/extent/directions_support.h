@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "structures/plan.h"
+#include "tests/structures/special_scenes.h"
 #include "tests/structures/test_run.h"
-#include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
 
@@ -71,16 +71,6 @@ inline Scene direction_lattice(std::uint64_t seed, int degree) {
   const int n = random.between(3, 8);
   for (int i = 0; i < n; ++i) t.push_back(random.small_path(2, degree, degree == 1 ? 2 : 1));
   return scene_of(t, -2, Rational(3));
-}
-
-// The reference scene of the tests of extents: n points on 0 <= t <= 12.
-inline Scene residues(int n) {
-  std::vector<Trajectory> t;
-  for (int i = 0; i < n; ++i) {
-    t.push_back(path({{(37 * i * i + 11 * i) % 101, (17 * i * i + 5 * i + 3) % 21 - 10},
-                      {(53 * i * i + 29 * i + 7) % 103, (19 * i * i + 7 * i + 1) % 23 - 11}}));
-  }
-  return scene_of(t, 0, Rational(12));
 }
 
 // All 2 n changes of a bounding box in two axes: the dual points of either axis are on a circle.

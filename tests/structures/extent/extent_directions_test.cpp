@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/structures/extent/directions_support.h"
+#include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
 namespace {
@@ -52,7 +53,7 @@ TEST(ExtentDirections, RandomFlights) {
 TEST(ExtentDirections, ReferenceScenes) {
   for (const int n : {4, 6, 8, 10}) {
     SCOPED_TRACE(n);
-    for (const int k : {1, 2, 7}) run_both(residues(n), k);
+    for (const int k : {1, 2, 7}) run_both(remainders(n), k);
   }
 }
 
@@ -115,10 +116,7 @@ TEST(ExtentDirections, WithoutExtent) {
 }
 
 TEST(ExtentDirections, Jumps) {
-  Scene scene = scene_of({path({{0}, {0}}), path({{4}, {1}}), path({{9}, {3}}), path({{2}, {8}})},
-                         0, Rational(4));
-  scene.objects[2].motion.pieces[0].to = Rational(1);
-  scene.objects[2].motion.pieces.push_back({Rational(1), std::nullopt, path({{2}, {2}})});
+  const Scene scene = one_jumps(2, 2);
   run_both(scene, 2);
   const DirectionsRun run(scene, "diameter_directions", 2);
   EXPECT_EQ(run.begins_with, (Ids{0, 2}));
@@ -127,15 +125,9 @@ TEST(ExtentDirections, Jumps) {
 }
 
 TEST(ExtentDirections, ExtremeNumbers) {
-  for (const char* size : {"1e150", "1e-150", "1e400", "1e-400"}) {
+  for (const char* size : kExtremeUnits) {
     SCOPED_TRACE(size);
-    const Rational unit = *Rational::parse(size);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 7; ++i) {
-      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
-                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
-    }
-    run_both(scene_of(t, 0, Rational(9)), 3);
+    run_both(in_units_of(size), 3);
   }
 }
 

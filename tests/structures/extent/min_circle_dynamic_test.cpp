@@ -6,6 +6,7 @@
 
 #include "tests/sanitized.h"
 #include "tests/structures/extent/circle_support.h"
+#include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
 namespace {
@@ -50,15 +51,22 @@ TEST(MinCircleDynamic, EachPointJumpsOrGoes) {
   }
 }
 
+// 0 comes to stand on the circle of the others: the diagonal is then that of the smallest id.
+TEST(MinCircleDynamic, ThePlanThatPutsFourOnACircle) {
+  Scene scene =
+      scene_of({path({{1, 4}, {0}}), path({{0}, {5}}), path({{-5}, {0}}), path({{0}, {-5}})}, 0,
+               Rational(2));
+  scene.objects[0].motion.pieces[0].to = Rational(1);
+  scene.objects[0].motion.pieces.push_back({Rational(1), std::nullopt, path({{5}, {0}})});
+  EXPECT_EQ(expect_one_history(scene), 3u);
+  using Values = std::vector<std::vector<ObjectId>>;
+  EXPECT_EQ(LayeredRun(scene, "farthest_delaunay_2").values(),
+            (Values{{0, 1, 0, 3, 1, 2, 1, 3, 2, 3}, {0, 1, 0, 2, 0, 3, 1, 2, 2, 3}}));
+  EXPECT_EQ(LayeredRun(scene, "min_circle_2").values(), (Values{{1, 2, 3}, {0, 1, 2, 3}}));
+}
+
 TEST(MinCircleDynamic, FromNothingToNothing) {
-  std::vector<Trajectory> t;
-  for (int i = 0; i < 7; ++i) t.push_back(path({{(i * 3) % 7, i - 3}, {(i * 5) % 7, 1}}));
-  Scene scene = scene_of(t, 0, Rational(20));
-  for (int i = 0; i < 7; ++i) {
-    auto& piece = scene.objects[static_cast<std::size_t>(i)].motion.pieces[0];
-    piece.from = Rational(i + 1);
-    piece.to = Rational(19 - 2 * ((i * 4) % 7));
-  }
+  const Scene scene = from_nothing_to_nothing();
   EXPECT_GT(expect_one_history(scene), 1u);
   const LayeredRun run(scene, "min_circle_2");
   EXPECT_EQ(run.values().front(), std::vector<ObjectId>{});
@@ -70,27 +78,15 @@ TEST(MinCircleDynamic, AllOnOneLineForAnInstant) {
   std::uint64_t changes = 0;
   for (std::uint64_t seed = 1; seed <= (kSanitized ? 3u : 25u); ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 6; ++i) {
-      const int slope = random.between(-9, 9);
-      t.push_back(path({{random.between(-9, 9), random.between(-9, 9)}, {0, slope}}));
-    }
-    changes += expect_one_history(scene_of(t, -1, Rational(1)));
+    changes += expect_one_history(on_a_line_for_an_instant(seed, 6, 9));
   }
   EXPECT_GT(changes, 100u);
 }
 
 TEST(MinCircleDynamic, ExtremeNumbers) {
-  for (const char* size : {"1e150", "1e-150", "1e400", "1e-400"}) {
+  for (const char* size : kExtremeUnits) {
     SCOPED_TRACE(size);
-    const Rational unit = *Rational::parse(size);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 6; ++i) {
-      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
-                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
-    }
-    EXPECT_GT(expect_one_history(scene_of(t, 0, Rational(9))), 0u);
+    EXPECT_GT(expect_one_history(in_units_of(size, 6)), 0u);
   }
 }
 

@@ -52,7 +52,7 @@ TEST(MinCircle, ReferenceCounts) {
   };
   for (const Row& row : {Row{4, 1, 1, 4}, Row{6, 1, 1, 3}, Row{8, 2, 3, 6}, Row{10, 2, 7, 13}}) {
     SCOPED_TRACE(row.n);
-    const Scene scene = reference(row.n);
+    const Scene scene = remainders(row.n);
     EXPECT_EQ(LayeredRun(scene, "min_circle_2_brute_force").external(), row.circle);
     for (const char* hull : kHullsBelow) {
       EXPECT_EQ(LayeredRun(scene, "min_circle_2", hull).external(), row.circle) << hull;

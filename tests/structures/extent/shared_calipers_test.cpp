@@ -117,7 +117,7 @@ std::vector<Request> requests_for(const std::vector<std::string>& structures,
 
 // The folds of the calipers in the plan of a scene that asks for these.
 std::vector<int> planned_folds(const std::vector<Request>& requests) {
-  Scene scene = reference(4);
+  Scene scene = remainders(4);
   scene.maintain = requests;
   std::vector<int> folds;
   for (const PlannedStructure& planned : plan_structures(scene)) {
@@ -155,13 +155,13 @@ TEST(SharedCalipers, ThePlan) {
 TEST(SharedCalipers, CertificatesArePaidForOnce) {
   for (const int n : {6, 8, 10}) {
     SCOPED_TRACE(n);
-    const TogetherRun together(reference(n), requests_for(kCaliperStructures));
+    const TogetherRun together(remainders(n), requests_for(kCaliperStructures));
     const std::vector<StructureId> calipers = together.all("calipers_2");
     ASSERT_EQ(calipers.size(), 1u);
     const StructureLedger& shared = together.ledger(calipers[0]);
     std::uint64_t created = 0, alone_created = 0, events = shared.failures, alone_events = 0;
     for (const std::string& structure : kCaliperStructures) {
-      const CaliperRun alone(reference(n), structure);
+      const CaliperRun alone(remainders(n), structure);
       const StructureLedger &mine = together.ledger(together.id(structure)), &own = alone.ledger();
       ASSERT_EQ(mine.parts.size(), 1u);  // the candidates
       ASSERT_EQ(own.parts.size(), 2u);

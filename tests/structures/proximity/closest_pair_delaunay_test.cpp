@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/structures/proximity/closest_pair_support.h"
+#include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
 namespace {
@@ -61,14 +62,7 @@ TEST(ClosestPair, NoPointToThree) {
 
 // They come one by one and leave one by one.
 TEST(ClosestPair, FromNothingToNothing) {
-  std::vector<Trajectory> t;
-  for (int i = 0; i < 7; ++i) t.push_back(path({{(i * 3) % 7, i - 3}, {(i * 5) % 7, 1}}));
-  Scene scene = scene_of(t, 0, Rational(20));
-  for (int i = 0; i < 7; ++i) {
-    auto& piece = scene.objects[static_cast<std::size_t>(i)].motion.pieces[0];
-    piece.from = Rational(i + 1);
-    piece.to = Rational(19 - 2 * ((i * 4) % 7));
-  }
+  const Scene scene = from_nothing_to_nothing();
   const PairRun run(scene);
   EXPECT_EQ(run.begins_with, Ids{});
   EXPECT_EQ(run.pair(), Ids{});
@@ -158,37 +152,22 @@ TEST(ClosestPair, AllOnOneLineForAnInstant) {
   std::uint64_t external = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 5; ++i) {
-      const int slope = random.between(-9, 9);
-      t.push_back(path({{random.between(-20, 20), random.between(-9, 9)}, {0, slope}}));
-    }
-    const PairRun run(scene_of(t, -1, Rational(1)));
+    const PairRun run(on_a_line_for_an_instant(seed, 5, 20));
     external += run.ledger().external;
   }
   EXPECT_GT(external, 40u);
 }
 
 TEST(ClosestPair, ExtremeNumbers) {
-  for (const char* size : {"1e150", "1e-150", "1e400", "1e-400"}) {
+  for (const char* size : kExtremeUnits) {
     SCOPED_TRACE(size);
-    const Rational unit = *Rational::parse(size);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 7; ++i) {
-      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
-                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
-    }
-    const PairRun run(scene_of(t, 0, Rational(9)));
+    const PairRun run(in_units_of(size));
     EXPECT_GT(run.ledger().external, 0u);
   }
 }
 
 TEST(ClosestPair, Jumps) {
-  Scene scene = scene_of({path({{0}, {0}}), path({{4}, {1}}), path({{9}, {3}}), path({{2}, {8}})},
-                         0, Rational(4));
-  scene.objects[2].motion.pieces[0].to = Rational(1);
-  scene.objects[2].motion.pieces.push_back({Rational(1), std::nullopt, path({{2}, {7}})});
+  const Scene scene = one_jumps(2, 7);
   const PairRun run(scene);
   EXPECT_EQ(run.begins_with, (Ids{0, 1}));
   EXPECT_EQ(run.pair(), (Ids{2, 3}));

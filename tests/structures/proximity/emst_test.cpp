@@ -11,6 +11,7 @@
 
 #include "structures/plan.h"
 #include "tests/structures/proximity/reference_scenes.h"
+#include "tests/structures/special_scenes.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
@@ -142,14 +143,7 @@ TEST(Emst, NoPointToThree) {
 }
 
 TEST(Emst, FromNothingToNothing) {
-  std::vector<Trajectory> t;
-  for (int i = 0; i < 7; ++i) t.push_back(path({{(i * 3) % 7, i - 3}, {(i * 5) % 7, 1}}));
-  Scene scene = scene_of(t, 0, Rational(20));
-  for (int i = 0; i < 7; ++i) {
-    auto& piece = scene.objects[static_cast<std::size_t>(i)].motion.pieces[0];
-    piece.from = Rational(i + 1);
-    piece.to = Rational(19 - 2 * ((i * 4) % 7));
-  }
+  const Scene scene = from_nothing_to_nothing();
   const TreeRun run(scene);
   EXPECT_EQ(run.begins_with, Ids{});
   EXPECT_EQ(run.tree(0), Ids{});
@@ -175,8 +169,7 @@ TEST(Emst, PointsMeetAndJump) {
   Scene scene = scene_of({path({{0}, {0}}), path({{4}, {1}}), path({{9}, {3}}), path({{2}, {8}}),
                           path({{8, -1}, {2}}), path({{0, 1}, {2}})},
                          0, Rational(8));
-  scene.objects[2].motion.pieces[0].to = Rational(1);
-  scene.objects[2].motion.pieces.push_back({Rational(1), std::nullopt, path({{2}, {7}})});
+  jump(scene, 2, 1, path({{2}, {7}}));
   const TreeRun run(scene);
   EXPECT_EQ(run.tree(0), run.tree(1));
   // All points pass through one at t = 0.
@@ -188,15 +181,9 @@ TEST(Emst, PointsMeetAndJump) {
 }
 
 TEST(Emst, ExtremeNumbers) {
-  for (const char* size : {"1e150", "1e-150", "1e400", "1e-400"}) {
+  for (const char* size : kExtremeUnits) {
     SCOPED_TRACE(size);
-    const Rational unit = *Rational::parse(size);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 7; ++i) {
-      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
-                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
-    }
-    const TreeRun run(scene_of(t, 0, Rational(9)));
+    const TreeRun run(in_units_of(size));
     EXPECT_GT(run.ledger().external, 0u);
   }
 }

@@ -10,6 +10,7 @@
 
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
+#include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
 namespace {
@@ -84,11 +85,10 @@ TEST(NearestSite, TheQueryComesAndGoes) {
       const TwinRun run(scene, {request});
     }
   }
-  Scene jump = scene_of({path({{0}, {0}}), path({{1}, {0}}), path({{9}, {0}})}, 0, Rational(4));
-  jump.jumps = true;
-  jump.objects[0].motion.pieces[0].to = Rational(2);
-  jump.objects[0].motion.pieces.push_back({Rational(2), std::nullopt, path({{8}, {0}})});
-  const TwinRun run(jump, {ask("nearest_site")});
+  Scene scene = scene_of({path({{0}, {0}}), path({{1}, {0}}), path({{9}, {0}})}, 0, Rational(4));
+  scene.jumps = true;
+  jump(scene, 0, 2, path({{8}, {0}}));
+  const TwinRun run(scene, {ask("nearest_site")});
   EXPECT_EQ(run.begins_with, Ids{1});
   EXPECT_EQ(run.attribute(), Ids{2});
   EXPECT_EQ(run.ledger().external, 0u);
@@ -128,15 +128,9 @@ TEST(NearestSite, Ties) {
 }
 
 TEST(NearestSite, ExtremeNumbers) {
-  for (const char* size : {"1e150", "1e400", "1e-400"}) {
+  for (const char* size : kExtremeUnits) {
     SCOPED_TRACE(size);
-    const Rational unit = *Rational::parse(size);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 7; ++i) {
-      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
-                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
-    }
-    const TwinRun run(scene_of(t, 0, Rational(9)), nearest_to(3));
+    const TwinRun run(in_units_of(size), nearest_to(3));
     EXPECT_GT(run.ledger().external, 0u);
   }
 }

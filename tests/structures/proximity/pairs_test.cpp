@@ -9,6 +9,7 @@
 
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
+#include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
 namespace {
@@ -154,14 +155,7 @@ TEST(Pairs, NoPointToThree) {
 }
 
 TEST(Pairs, FromNothingToNothing) {
-  std::vector<Trajectory> t;
-  for (int i = 0; i < 7; ++i) t.push_back(path({{(i * 3) % 7, i - 3}, {(i * 5) % 7, 1}}));
-  Scene scene = scene_of(t, 0, Rational(20));
-  for (int i = 0; i < 7; ++i) {
-    auto& piece = scene.objects[static_cast<std::size_t>(i)].motion.pieces[0];
-    piece.from = Rational(i + 1);
-    piece.to = Rational(19 - 2 * ((i * 4) % 7));
-  }
+  const Scene scene = from_nothing_to_nothing();
   for (const auto& requests : {pairs_in(2), colours_in(2)}) {
     const TwinRun run(scene, requests);
     EXPECT_EQ(run.begins_with, Ids{});
@@ -171,15 +165,9 @@ TEST(Pairs, FromNothingToNothing) {
 }
 
 TEST(Pairs, ExtremeNumbers) {
-  for (const char* size : {"1e150", "1e400", "1e-400"}) {
+  for (const char* size : kExtremeUnits) {
     SCOPED_TRACE(size);
-    const Rational unit = *Rational::parse(size);
-    std::vector<Trajectory> t;
-    for (int i = 0; i < 7; ++i) {
-      t.push_back(path({{unit * Rational((i * 5) % 7), unit * Rational(3 - i)},
-                        {unit * Rational((i * 3) % 7), unit * Rational((i * i) % 5)}}));
-    }
-    const TwinRun run(scene_of(t, 0, Rational(9)), colours_in(2));
+    const TwinRun run(in_units_of(size), colours_in(2));
     EXPECT_GT(run.ledger().external, 0u);
   }
 }

@@ -27,6 +27,27 @@ std::size_t insert_at(AxisLabels& labels, std::size_t place, ObjectId object) {
   return moves ? moves->size() : order.size();
 }
 
+// Cuts in front of, between and behind all objects, and neighbours, against the order.
+void expect_cuts(const AxisLabels& labels) {
+  const std::vector<ObjectId> order = labels.in_order();
+  for (std::size_t k = 0; k <= order.size(); ++k) {
+    std::size_t asked = 0;
+    const AxisLabels::Cut cut = labels.cut([&](ObjectId object) {
+      ++asked;
+      return labels.rank(object) < k;
+    });
+    EXPECT_EQ(cut.count, k);
+    EXPECT_EQ(cut.first, k == 0 ? 0 : labels.of(order[k - 1]) + std::size_t{1});
+    EXPECT_EQ(cut.end, k == order.size() ? labels.size() : labels.of(order[k]));
+    EXPECT_LE(asked, labels.bits() + std::size_t{1});
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t j = 0; j < order.size(); ++j) {
+      EXPECT_EQ(labels.are_neighbours(order[i], order[j]), i + 1 == j);
+    }
+  }
+}
+
 TEST(AxisLabels, Bits) {
   const std::vector<unsigned> expected{0, 0, 1, 2, 2, 3, 3, 3, 3, 4};
   for (std::size_t n = 0; n < expected.size(); ++n) {
@@ -63,8 +84,27 @@ TEST(AxisLabels, InsertionsAnywhere) {
         const int places = static_cast<int>(labels.count());
         insert_at(labels, static_cast<std::size_t>(random.between(0, places)), object);
       }
+      if (step % 10 == 0) expect_cuts(labels);
     }
   }
+}
+
+TEST(AxisLabels, CutsInWideGaps) {
+  AxisLabels labels(64);
+  std::vector<ObjectId> order;
+  for (ObjectId object = 0; object < 64; ++object) order.push_back(object);
+  for (const unsigned bits : {6u, 7u}) {
+    labels.assign(order, bits);
+    for (ObjectId object = 0; object < 64; ++object) {
+      if (object % 21 != 5) labels.erase(object);
+    }
+    EXPECT_EQ(labels.count(), 3u);
+    expect_cuts(labels);
+  }
+  labels.assign({}, 0);
+  expect_cuts(labels);
+  labels.assign({7}, 0);
+  expect_cuts(labels);
 }
 
 // At one end, the worst place: amortised O(log^2 n) moves.

@@ -14,7 +14,7 @@
 #include "structures/range/range_structure.h"
 #include "structures/range/static_range_audit.h"
 #include "tests/structures/event_replay.h"
-#include "tests/structures/test_scenes.h"
+#include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
 
@@ -179,17 +179,6 @@ class SearchedRun {
   std::vector<RangeSearch*> trees;
   std::vector<QueryCounts> counts;  // of the last answers
 };
-
-// The scene R(n) of small remainders: x = (37 i^2 + 11 i mod 101) + t ((17 i^2 + 5 i + 3 mod 21) -
-// 10), y = (53 i^2 + 29 i + 7 mod 103) + t ((19 i^2 + 7 i + 1 mod 23) - 11), 0 <= t <= 12.
-inline Scene remainders(int n) {
-  std::vector<Trajectory> t;
-  for (int i = 0; i < n; ++i) {
-    t.push_back(path({{(37 * i * i + 11 * i) % 101, (17 * i * i + 5 * i + 3) % 21 - 10},
-                      {(53 * i * i + 29 * i + 7) % 103, (19 * i * i + 7 * i + 1) % 23 - 11}}));
-  }
-  return scene_of(t, 0, Rational(12));
-}
 
 }  // namespace kinex::test
 
