@@ -149,6 +149,7 @@ void ClosestPairBins::check_invariants(AuditReport& report) const {
 }
 
 void ClosestPairBins::audit(const Snapshot& snapshot, AuditReport& report) const {
+  grid_.audit(snapshot, report);
   report.check(static_closest_pair(snapshot) == closest(),
                [] { return "another pair is the closest"; });
 }

@@ -119,12 +119,14 @@ void PointGrid::lay(std::size_t squares, std::span<const ObjectId> points) {
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
     lines_[axis].clear();
+    at_[axis].clear();
     if (side.sign() == 0) continue;  // all points are at one place
     Rational unit;
     const Rational width = rounded_up(side, unit);
     Rational at = rounded_down(box_.low[axis] + width, unit);
     for (std::size_t k = 1; k < count[axis] && at < box_.high[axis]; ++k, at += width) {
       lines_[axis].push_back(line(axis, at));
+      at_[axis].push_back(at);
     }
   }
   for (const ObjectId point : points) insert(point);
@@ -246,13 +248,27 @@ void PointGrid::check(AuditReport& report) const {
   }
 }
 
+void PointGrid::audit(const Snapshot& snapshot, AuditReport& report) const {
+  for (const auto& [cell, points] : cells_) {
+    for (const ObjectId point : points) {
+      for (const int axis : {0, 1}) {
+        const std::vector<Rational>& at = at_[static_cast<std::size_t>(axis)];
+        const auto k = static_cast<std::size_t>(cell[static_cast<std::size_t>(axis)]);
+        const Rational& x = snapshot.position(point, axis);
+        report.check((k == 0 || at[k - 1] <= x) && (k == at.size() || x <= at[k]),
+                     [point] { return "outside of its cell: point " + std::to_string(point); });
+      }
+    }
+  }
+}
+
 std::size_t PointGrid::bytes() const {
   constexpr std::size_t kNode = 48;
   std::size_t total = places_.capacity() * sizeof(Place) +
                       cells_.size() * (sizeof(Cell) + sizeof(std::vector<ObjectId>) + kNode);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     total += known_[axis].size() * (sizeof(Rational) + sizeof(ObjectId) + kNode) +
-             lines_[axis].capacity() * sizeof(ObjectId);
+             lines_[axis].capacity() * sizeof(ObjectId) + at_[axis].capacity() * sizeof(Rational);
   }
   for (const auto& [cell, points] : cells_) total += points.capacity() * sizeof(ObjectId);
   return total;

@@ -68,6 +68,8 @@ class PointGrid {
 
   void visit_proof(ProofVisitor& visitor) const;
   void check(AuditReport& report) const;
+  // The points are in their cells, at exact positions.
+  void audit(const Snapshot& snapshot, AuditReport& report) const;
   std::size_t bytes() const;
 
  private:
@@ -90,6 +92,7 @@ class PointGrid {
   std::array<PredicateId, 2> order_;                   // per axis
   std::array<std::map<Rational, ObjectId>, 2> known_;  // all lines so far
   std::array<std::vector<ObjectId>, 2> lines_;         // line k is between cells k, k + 1
+  std::array<std::vector<Rational>, 2> at_;            // the places of the lines
   std::size_t squares_ = 0;
   std::vector<Place> places_;                    // per point
   std::map<Cell, std::vector<ObjectId>> cells_;  // ascending ids; no empty ones
