@@ -58,7 +58,7 @@ struct ClaimForm {
   ClaimFigure figure = ClaimFigure::kNone;
   // -1: the claim is that of the figure negated ("inside" for "outside").
   int sign = 1;
-  std::span<const ArgumentRole> roles;  // one for each argument; static
+  std::span<const ArgumentRole> roles;  // one for each argument; it lives as long as the predicate
   // The claim in words: "{0}" stands for the first argument, and so on.
   std::string_view says;
   // kOrder, kGap, kBeyond: along this vector, one entry an axis; empty: by a key.

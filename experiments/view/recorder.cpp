@@ -188,7 +188,7 @@ class Recorder final : public EventSink {
       record.name = std::string(structure->name());
       record.key = planned.request.key;
       const StructureInfo* info = find_structure_info(planned.request.structure);
-      record.has_key = info != nullptr && info->uses_key;
+      record.has_key = (info != nullptr && info->uses_key) || scene_.dimension == 1;
       if (info != nullptr) record.role = std::string(info->role);
       if (!planned.watches.empty()) record.proof.reads = planned.watches.front();
       simulator_->add(

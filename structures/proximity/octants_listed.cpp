@@ -106,7 +106,8 @@ void OctantsListed::visit_proof(ProofVisitor& visitor) const {
   ProofGroup group;
   group.place = 0;
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
-    group.kind = std::string("neighbours by ") + octant_axis_name(static_cast<OctantAxis>(axis));
+    group.kind = "neighbours";
+    group.text = std::string("by ") + octant_axis_name(static_cast<OctantAxis>(axis));
     lists_[axis].each_link([&](Item a, Item b, CertificateId certificate) {
       group.about = {a, b};
       ++group.place;
