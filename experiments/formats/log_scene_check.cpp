@@ -5,7 +5,6 @@
 #include <array>
 #include <span>
 
-#include "experiments/formats/grid_line.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/log_rules.h"
 #include "experiments/formats/log_scene.h"
@@ -96,11 +95,7 @@ std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& 
   const bool fits = known != nullptr && said.ids.size() == static_cast<std::size_t>(known->arity());
   for (std::size_t i = 0; fits && i < said.ids.size(); ++i) {
     const auto object = objects_.find(said.ids[i]);
-    if (object != objects_.end()) {
-      motions[i] = motions_.of(object->second);
-    } else if (const auto at = grid_line(said.ids[i])) {
-      motions[i] = &lines_.try_emplace(said.ids[i], Trajectory{{{*at}, {*at}}}).first->second;
-    }
+    if (object != objects_.end()) motions[i] = motions_.of(object->second);
   }
   const std::span<const Trajectory* const> of(motions.data(), fits ? said.ids.size() : 0);
   if (!fits || std::find(of.begin(), of.end(), nullptr) != of.end()) {

@@ -45,7 +45,6 @@ class LogSceneCheck {
 
   const Scene& scene_;
   std::unordered_map<std::string, ObjectId> objects_;
-  std::map<std::string, Trajectory> lines_;  // of grids, by name
   std::map<std::string, Key> keys_;  // by label, of structures that have one
   std::set<std::string> touching_;   // labels of structures whose certificates fail at touches, too
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const Predicate>> predicates_;

@@ -111,16 +111,19 @@ void OctantsLocal::erase(ObjectId object) {
   make_woods();
 }
 
-// A failure alone is a swap of two neighbours of an order. Of several at one instant, and of two
-// points that meet, some swaps would leave two points ordered as no points of the plane can be.
+// The only failure of a wood at an instant is a swap of two neighbours of an order. Of several, and
+// of two points that meet, some swaps would leave two points ordered as no points of the plane can
+// be.
 void OctantsLocal::certificate_failed(CertificateId failed) {
   const Claim c = claim(slots_.failed(failed));
   const std::size_t i = c.cone / SchnyderWood::kColours;
   const ObjectId p = c.point, q = next(c.cone, p);
   kernel().report(id(), kOrder, {q, p}, false);
   SchnyderWood& wood = woods().wood(i);
-  if (stale_[i] || kernel().instant_is_shared(id()) ||
-      wood.swap(order_of(c), q, p) != SchnyderWood::Swap::kDone) {
+  const std::uint64_t instant = kernel().instant_number();
+  const bool again = failed_at_[i] == instant;
+  failed_at_[i] = instant;
+  if (stale_[i] || again || wood.swap(order_of(c), q, p) != SchnyderWood::Swap::kDone) {
     slots_.drop(certificates_[tag(c)]);
     stale_[i] = true;
     return kernel().settle_later(id());

@@ -12,7 +12,7 @@
 // as many as the swap rule says; each renews two certificates. Compact, not local. There is no order
 // of points that are far from each other: failures are those of two near points that enter another
 // cone of each other, at most 3n (lambda_3(n) - 1) for linear motions without flight-plan changes.
-// Two or more failures at an instant, new flight plans, insertions and erasures make a wood from
+// Two or more failures of a wood at an instant, new flight plans, insertions and erasures make a wood from
 // sorted points when the instant is settled: O(n log n) signs, and the certificates of the pointers
 // that have changed.
 //
@@ -83,11 +83,12 @@ class OctantsLocal final : public OctantNeighbours {
   void make_stale_woods();
 
   Slots slots_;
-  std::vector<OctantOrder> orders_;                        // by OctantAxis
-  std::vector<ObjectId> members_;                          // ascending
-  std::vector<CertificateId> certificates_;                // by tag
-  std::vector<std::pair<std::size_t, ObjectId>> changed_;  // pointers to be certified
-  std::array<bool, OctantWoods::kWoods> stale_{};          // to be made when the instant is settled
+  std::vector<OctantOrder> orders_;                             // by OctantAxis
+  std::vector<ObjectId> members_;                               // ascending
+  std::vector<CertificateId> certificates_;                     // by tag
+  std::vector<std::pair<std::size_t, ObjectId>> changed_;       // pointers to be certified
+  std::array<std::uint64_t, OctantWoods::kWoods> failed_at_{};  // number of the last such instant
+  std::array<bool, OctantWoods::kWoods> stale_{};  // to be made when the instant is settled
 };
 
 }  // namespace kinex
