@@ -23,16 +23,21 @@ Scene in_space(Scene scene) {
   return scene;
 }
 
+// Under sanitizers each structure has one of the arithmetics, which one depends on the scene.
 void expect_end(const Scene& given) {
   const Scene of_space = in_space(given);
+  std::size_t number = static_cast<std::size_t>(given.degree()) + (given.end ? 1 : 0);
   for (const StructureInfo& info : structure_infos()) {
+    ++number;
     if (info.bodies) continue;
     if (!info.reads.empty()) continue;  // only the structure that it reads can become corrupt
     if (info.linear() && given.degree() > 1) continue;
     // In space predicates of quadratic and cubic motion have degrees 10 and 15, and runs take minutes.
     if (info.min_dimension == 3 && given.degree() > 1) continue;
     const Scene scene = suited(info.min_dimension == 3 ? of_space : given, info);
-    for (const char* arithmetic : kInexact) {
+    for (std::size_t i = 0; i < std::size(kInexact); ++i) {
+      if (kSanitized && (number + i) % std::size(kInexact) != 0) continue;
+      const char* arithmetic = kInexact[i];
       SCOPED_TRACE(std::string(info.name) + " in " + arithmetic);
       Trial run(scene, std::string(info.name), arithmetic, AuditLevel::kEnd);
       EXPECT_EQ(run.simulator.run_until(std::nullopt), RunStatus::kDone);
