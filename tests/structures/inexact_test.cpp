@@ -35,6 +35,7 @@ void expect_end(const Scene& given) {
     // In space predicates of quadratic and cubic motion have degrees 10 and 15, and runs take minutes.
     if (info.min_dimension == 3 && given.degree() > 1) continue;
     const Scene scene = suited(info.min_dimension == 3 ? of_space : given, info);
+    if (refusal_of(info, scene)) continue;
     for (std::size_t i = 0; i < std::size(kInexact); ++i) {
       if (kSanitized && (number + i) % std::size(kInexact) != 0) continue;
       const char* arithmetic = kInexact[i];
