@@ -10,6 +10,7 @@
 #include "experiments/formats/log_scene.h"
 #include "predicates/points/space_predicates.h"
 #include "predicates/points/edge_predicates.h"
+#include "predicates/points/extent_predicates.h"
 #include "predicates/points/shared_arguments.h"
 #include "predicates/predicates.h"
 #include "structures/plan.h"
@@ -41,7 +42,14 @@ LogSceneCheck::LogSceneCheck(const LogHeader& header, const Scene& scene, const 
     if (!maintains_as_logged(maintaining, header)) {
       complain("a run of the scene would not have these structures");
     }
-    for (const PlannedStructure& planned : plan_structures(maintaining)) {
+    const std::vector<PlannedStructure> plan = plan_structures(maintaining);
+    for (const PlannedStructure& planned : plan) {
+      std::set<std::string>& watched = watched_[planned.request.label];
+      for (const StructureId read : planned.watches) {
+        const std::string& label = plan[read].request.label;
+        watched.insert(label);
+        watched.insert(watched_[label].begin(), watched_[label].end());
+      }
       const StructureInfo& info = *find_structure_info(planned.request.structure);
       if (info.uses_key) keys_.emplace(planned.request.label, planned.request.key);
       if (info.fails_at_touch) touching_.insert(planned.request.label);
@@ -53,6 +61,7 @@ LogSceneCheck::LogSceneCheck(const LogHeader& header, const Scene& scene, const 
 
 std::string LogSceneCheck::check(const LogRecord& record, RealRoot* instant) {
   note_change(record, instant);
+  if (instant != nullptr) note_instant(record);
   if (const std::string problem = feature_problem(record.ids); !problem.empty()) return problem;
   if (!record.certificate) return "";
   if (instant == nullptr || lost_ || scene_.has_bodies()) {
@@ -88,6 +97,29 @@ void LogSceneCheck::note_change(const LogRecord& record, RealRoot* instant) {
   if (inserted) appeared_.push_back(record.ids[0]);
 }
 
+void LogSceneCheck::note_instant(const LogRecord& record) {
+  if (record.time.root != instant_root_ || record.time.polynomial != instant_polynomial_) {
+    instant_root_ = record.time.root;
+    instant_polynomial_ = record.time.polynomial;
+    changed_.clear();
+    rearranged_.clear();
+  }
+  changed_.insert(record.structure);
+  for (const char* kind : {"blocked", "reinsert", "settled", "rebuild"}) {
+    if (record.kind == kind) rearranged_.insert(record.structure);
+  }
+}
+
+// A certificate that is made in the midst of an instant can be negative at once: after a repair of
+// several things, and where the structure follows a change of what it watches.
+bool LogSceneCheck::may_be_made_negative(const LogRecord& record) const {
+  if (rearranged_.count(record.structure) == 1) return true;
+  const auto watched = watched_.find(record.structure);
+  if (watched == watched_.end() || record.external) return false;
+  return std::any_of(watched->second.begin(), watched->second.end(),
+                     [this](const std::string& label) { return changed_.count(label) == 1; });
+}
+
 std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& instant) {
   const LogCertificate& said = *record.certificate;
   const Predicate* known = predicate(record.structure, said.predicate);
@@ -109,7 +141,7 @@ std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& 
                      std::any_of(said.ids.begin(), said.ids.end(), [this](const std::string& id) {
                        return std::find(appeared_.begin(), appeared_.end(), id) != appeared_.end();
                      });
-  if (!fresh && sign_at(polynomial, instant, counters_) != Sign::kZero) {
+  if (!fresh && !may_be_made_negative(record) && sign_at(polynomial, instant, counters_) != Sign::kZero) {
     return "its certificate does not vanish at that time";
   }
   const bool may_touch = !fresh && touching_.count(record.structure) == 1;
@@ -137,6 +169,30 @@ std::string LogSceneCheck::feature_problem(const std::vector<std::string>& ids) 
   return "";
 }
 
+namespace {
+
+// Of discs and boxes, by its name; null: none of the scene.
+std::shared_ptr<const Predicate> make_extent_predicate(const Scene& scene, std::string_view name) {
+  if (scene.extents == Extents::kNone) return nullptr;
+  const bool discs = scene.extents == Extents::kRadius;
+  if (discs && name == "disc_overlap") return make_disc_overlap(scene.dimension);
+  if (discs && name == "disc_apart") return make_disc_apart(scene.dimension);
+  for (int axis = 0; axis < scene.dimension; ++axis) {
+    const EndAxes axes{axis, scene.dimension + (discs ? 0 : axis), scene.dimension};
+    for (const EndClaim claim :
+         {EndClaim::kLowerEnds, EndClaim::kUpperEnds, EndClaim::kMeeting, EndClaim::kApart}) {
+      std::shared_ptr<const Predicate> order = make_end_order(claim, axes);
+      if (order->name() == name) return order;
+    }
+    for (std::shared_ptr<const Predicate> width : {make_half_width(axes), make_no_width(axes)}) {
+      if (width->name() == name) return width;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string& label,
                                                                const std::string& name) const {
   if (name == "orientation_2") return make_orientation_2();
@@ -150,6 +206,7 @@ std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string
   if (name == "order_strip") return make_strip_order_2();
   if (name == "order_rectangle_area") return make_rectangle_area_order_2();
   if (name == "order_rectangle_perimeter") return make_rectangle_perimeter_order_2();
+  if (auto of_extents = make_extent_predicate(scene_, name)) return of_extents;
   if (const std::size_t slash = name.find('/'); slash != std::string::npos) {
     const std::shared_ptr<const Predicate> whole = make_predicate(label, name.substr(0, slash));
     if (whole == nullptr || !arity_of(name)) return nullptr;

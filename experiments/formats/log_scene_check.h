@@ -39,6 +39,8 @@ class LogSceneCheck {
   void note_change(const LogRecord& record, RealRoot* instant);
   std::string check_certificate(const LogRecord& record, RealRoot& instant);
   std::string feature_problem(const std::vector<std::string>& ids) const;
+  void note_instant(const LogRecord& record);
+  bool may_be_made_negative(const LogRecord& record) const;
   std::shared_ptr<const Predicate> make_predicate(const std::string& label,
                                                   const std::string& name) const;
   const Predicate* predicate(const std::string& label, const std::string& name);
@@ -54,6 +56,13 @@ class LogSceneCheck {
   std::vector<std::string> appeared_;
   std::optional<Rational> appeared_at_;
   bool lost_ = false;  // a change of motion at an unknown time
+  // By label: what the structure watches, and what that watches.
+  std::map<std::string, std::set<std::string>> watched_;
+  // The instant of the last record, and the labels of the structures that have repaired something at it
+  // in a way that may leave negative certificates for later events of the same instant.
+  Polynomial instant_polynomial_;
+  int instant_root_ = 0;
+  std::set<std::string> changed_, rearranged_;
   std::uint64_t certificates_ = 0, unchecked_ = 0;
   RootCounters counters_;
 };
