@@ -14,7 +14,7 @@ PredicateId ExtentClaims::predicate(ObjectId i, ObjectId j,
   if (fresh) {
     DirectionVector u = directions_[i], v = directions_[j];
     for (DirectionVector* direction : {&u, &v}) {
-      for (Rational& part : *direction) {
+      for (auto& part : *direction) {
         if (negated) part = -part;
       }
     }

@@ -17,6 +17,8 @@ COMPUTING = re.compile(r"(_audit|_bounds|key_value)\b")
 # The frames of bodies: polygons, hierarchies and radii are numbers that do not move.
 FRAMES = {"body_frames", "body_grid", "body_volumes", "outer_hierarchy", "outer_hierarchy_cuts",
           "separation_hysteresis"}
+# The lines of a grid, and the box around all flights: numbers that do not move.
+GRIDS = {"point_grid"}
 # An audit needs the end of the scene, or a box.
 AUDITED = {"maximum_envelope", "range_structure"}
 # Descriptors and makers: the parameters of a request are numbers.
@@ -32,7 +34,7 @@ def faults_in(name, text):
         for word in REACHING.findall(line):
             if name not in PLAN:
                 yield number, word
-        if COMPUTING.search(name) or name in FRAMES | AUDITED | MAKERS | PLAN:
+        if COMPUTING.search(name) or name in FRAMES | GRIDS | AUDITED | MAKERS | PLAN:
             continue
         for word in NUMBERS.findall(line):
             yield number, word
