@@ -146,6 +146,8 @@ NumberNeeds plan_numbers(const Scene& scene) {
     const StructureInfo* info = find_structure_info(planned.request.structure);
     if (info == nullptr) continue;
     if (info->weights) needs.add_weights(scene);
+    // A scene without objects has no extents either.
+    if (info->extents != Extents::kNone) needs.axes = std::max(needs.axes, 2 * scene.dimension);
     if (info->derives != nullptr) info->derives(scene, needs);
   }
   return needs;

@@ -20,6 +20,8 @@ struct EndAxes {
   int dimension;   // axes of a position: those behind them are extents
 };
 
+// See make_end_order.
+enum class EndClaim : std::uint8_t { kLowerEnds, kUpperEnds, kMeeting, kApart };
 // The order of two ends of the intervals that two objects cover on an axis (named after it, as in
 // lower_ends_x). Degree 1 in the coordinates.
 //   kLowerEnds  (x_b - h_b) - (x_a - h_a): the lower end of a is in front of that of b
@@ -29,12 +31,12 @@ struct EndAxes {
 // (1) kLowerEnds and kUpperEnds alternate
 // (2) kApart(a, b) = -kMeeting(a, b)
 // (3) the intervals of a and b meet iff kMeeting(a, b) >= 0 and kMeeting(b, a) >= 0
-enum class EndClaim : std::uint8_t { kLowerEnds, kUpperEnds, kMeeting, kApart };
 std::shared_ptr<const Predicate> make_end_order(EndClaim claim, const EndAxes& axes);
 
 // half_width(a) = h_a on an axis (named half_width_x, half_width_y, half_width_z): the lower end of
 // a is in front of its upper end. no_width(a) is its negation. Degree 1 in the coordinates.
 std::shared_ptr<const Predicate> make_half_width(const EndAxes& axes);
+// See make_half_width.
 std::shared_ptr<const Predicate> make_no_width(const EndAxes& axes);
 
 // disc_overlap(a, b) = (r_a + r_b)^2 - |b - a|^2 in `dimension` axes, 1 to 3, and disc_apart(a, b),
@@ -45,6 +47,7 @@ std::shared_ptr<const Predicate> make_no_width(const EndAxes& axes);
 //   (3) with f(p) = |p|^2 - r^2 of a disc of centre p: disc_overlap >= 0 iff no point of the segment
 //       from (a, f(a)) to (b, f(b)) is strictly above the paraboloid z = |p|^2
 std::shared_ptr<const Predicate> make_disc_overlap(int dimension);
+// See make_disc_overlap.
 std::shared_ptr<const Predicate> make_disc_apart(int dimension);
 
 }  // namespace kinex

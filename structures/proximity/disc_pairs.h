@@ -33,6 +33,7 @@
 
 namespace kinex {
 
+// All pairs, each with a certificate of its own.
 class DiscPairsAll final : public Structure {
  public:
   DiscPairsAll(Kernel& kernel, StructureId id, const Scene& scene)
@@ -68,6 +69,7 @@ class DiscPairsAll final : public Structure {
   MeetingEvents events_;
 };
 
+// The pairs whose boxes meet.
 class DiscPairsBoxes final : public Structure {
  public:
   DiscPairsBoxes(Kernel& kernel, StructureId id, const Scene& scene)

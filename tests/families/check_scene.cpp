@@ -130,7 +130,11 @@ class Check {
       if (seen && seen->ended && arithmetic == "sturm")
         expect_same(info, arithmetic, *exact, *seen);
     }
+    // Where sides become parallel, the order of two strips or rectangles on them vanishes: an inexact
+    // arithmetic does not know which one is smaller right after it.
+    const bool on_sides = !info.shares.structure.empty();
     for (const std::string& arithmetic : what_.faithful) {
+      if (on_sides) continue;
       const std::optional<Seen> seen = run(scene, arithmetic, AuditLevel::kEnd);
       if (seen && seen->ended) expect_faithful(info, arithmetic, *exact, *seen);
     }

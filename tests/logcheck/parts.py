@@ -23,7 +23,7 @@ import polynomials as poly  # noqa: E402
 import predicates  # noqa: E402
 import roots  # noqa: E402
 from log import Wrong  # noqa: E402
-from scene import Scene  # noqa: E402
+from scene import Extended, Scene  # noqa: E402
 
 SCENE = {"kinex": 1, "name": "two", "dimension": 1, "time": {"start": 0, "end": 2},
          "objects": [{"id": "a", "motion": [[0, 1]]}, {"id": "b", "motion": [[1]]}], "maintain": ["sorted_list"]}
@@ -119,7 +119,8 @@ class Names(unittest.TestCase):
 
 class Formulas(unittest.TestCase):
     def value(self, name, *points):
-        p = predicates.formula_of(name)[0]([[(c,) if c else () for c in point] for point in points])
+        """The fourth number of a point and those after it are the extents there."""
+        p = predicates.formula_of(name)[0]([Extended([(c,) if c else () for c in point], 3) for point in points])
         return p[0] if p else 0
 
     def test_signs(self):
@@ -135,7 +136,7 @@ class Formulas(unittest.TestCase):
 
     def test_normal_forms_keep_the_value(self):
         rng = random.Random(2)
-        places = [tuple(rng.randint(-9, 9) for _ in range(3)) for _ in range(12)]
+        places = [tuple(rng.randint(-9, 9) for _ in range(6)) for _ in range(12)]
         for name, (_, arity, _) in predicates.FORMULAS.items():
             for _ in range(40):
                 ids = rng.sample(range(12), arity)

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Level 5: every polynomial on which an attribute depends, whether or not it is in a structure's proof."""
+
+from itertools import combinations, permutations
+
+from brute_attributes import few_extents, pairs_of
+from octants import AXES
+from replay_calipers import folds_of
+from replay_directions import extent_query, half_directions, k_of
+from subsets import query_of
+
+
+def queries_of(structure, key, members, scene):
+    """The polynomials that the attribute depends on."""
+    from predicates import Key, axis_order, distance_query
+
+    name, dimension = structure.name, scene.dimension
+    if name == "sorted_list" or name.startswith(("maximum_", "minimum_")):
+        k = Key(key)
+        for a, b in combinations(sorted(members - {k.reference}), 2):
+            yield k.claim(a, b)
+        return
+    if name == "nearest_site":
+        query = query_of(structure.options, scene)
+        for pair in combinations(sorted(members - {query}), 2):
+            if query in members:
+                yield ("order_squared_distance", (*pair, query))
+        return
+    if name.startswith("graph_mst_"):
+        for pair in combinations(sorted(members), 2):
+            yield (axis_order(0), pair)
+        return
+    if name.startswith("disc_pairs_"):
+        for pair in combinations(sorted(members), 2):
+            yield ("disc_overlap", pair)
+        return
+    if name == "box_pairs":
+        for pair in permutations(sorted(members), 2):
+            for axis in range(dimension):
+                yield ("meeting_" + "xyz"[axis], pair)
+        return
+    if name == "trajectory_tree":
+        return
+    if name in ("bounding_box", "range_tree_2", "rank_kd_tree_2", "pseudo_kd_tree_2"):
+        for pair in combinations(sorted(members), 2):
+            for axis in range(dimension):
+                yield (axis_order(axis), pair)
+        return
+    if name.startswith("octants_"):
+        for pair in combinations(sorted(members), 2):
+            for axis in AXES:
+                yield (axis, pair)
+        return
+    if name.startswith(("closest_pair_", "bichromatic_pair_")) or name in (
+                "diameter_2", "diameter_all_pairs", "emst_list", "emst_cycles"):
+        pairs = pairs_of(structure, members, scene)
+        for front, back in combinations(pairs, 2):
+            yield distance_query(front, back)
+        return
+    if name == "delaunay_3":
+        for size, predicate in ((4, "orientation_3"), (5, "in_sphere_3")):
+            for some in combinations(sorted(members), size):
+                yield (predicate, some)
+        for pair in combinations(sorted(members), 2):
+            for axis in range(3):
+                yield (axis_order(axis), pair)
+        return
+    if name.startswith("min_circle_2"):
+        for a, b, c in combinations(sorted(members), 3):
+            for triple in ((a, b, c), (b, c, a), (c, a, b)):
+                yield ("acute_angle_2", triple)
+    if name.startswith("directions_2") or name in ("diameter_directions", "width_directions"):
+        yield from along_directions(structure, members, dimension)
+        return
+    for pair in combinations(sorted(members), 2):
+        yield ("order_x", pair)
+        yield ("order_y", pair)
+    for triple in combinations(sorted(members), 3):
+        yield ("orientation_2", triple)
+    if name == "calipers_2":
+        for first, second in combinations(combinations(sorted(members), 2), 2):
+            yield ("slope_order_2", first + second)
+            if folds_of(structure) == 4:
+                yield ("edge_dot_2", first + second)
+    if name in ("delaunay_2", "farthest_delaunay_2") or name.startswith("min_circle_2"):
+        for quad in combinations(sorted(members), 4):
+            yield ("in_circle_2", quad)
+
+
+def along_directions(structure, members, dimension):
+    """Orders along every direction; for extents all pairs of extents, whatever their ends."""
+    half = half_directions(k_of(structure), dimension)
+    for u in half:
+        for pair in combinations(sorted(members), 2):
+            yield (("order_direction", u), pair)
+    if structure.name.startswith("directions_2") or not few_extents(structure, members, dimension):
+        return
+    pairs = list(permutations(sorted(members), 2))
+    for u, v in combinations(half, 2):
+        for a, b in pairs:
+            for c, d in pairs:
+                yield extent_query(u, v, a, b, c, d)
