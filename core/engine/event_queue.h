@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/arithmetic/arithmetic.h"
@@ -119,6 +120,12 @@ class EventQueue {
   void prefetch(CertificateId id) const {
     if (id != kNoCertificate) __builtin_prefetch(certificates_.data() + id, 1);
   }
+  // The same for its neighbours in the queue. The certificate itself is read.
+  void prefetch_neighbours(CertificateId id) const {
+    if (id == kNoCertificate || certificates_[id].where != kFar) return;
+    prefetch(certificates_[id].next);
+    prefetch(certificates_[id].previous);
+  }
   bool queued(CertificateId id) const { return certificates_[id].where != kNotQueued; }
   bool empty() const { return heap_.empty(); }
   std::size_t size() const { return heap_.size() + far_; }
@@ -199,6 +206,10 @@ class EventQueue {
   }
   void pour();
   void pour_bucket(std::uint32_t bucket);
+  void prefetch_lists(std::uint32_t bucket) const;
+  template <class Visit>
+  void each_in_list(std::uint32_t first, std::size_t size, const Visit& visit);
+  void distribute(std::span<const std::uint32_t> ids);
   void cut();
   void spill();
   void find_edge();

@@ -15,6 +15,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kPerBucket = 4;
 constexpr double kPart = 0.75;
 constexpr std::size_t kLookedAt = 128;
+// A list of at least this part of all certificates is read in the order of their ids: memory in its order
+// is several times as fast as links that lead anywhere.
+constexpr std::size_t kListIsMost = 4;
+// Entries whose new neighbours are fetched together.
+constexpr std::size_t kAhead = 16;
 
 }  // namespace
 
@@ -37,9 +42,25 @@ void EventQueue::pour() {
   }
 }
 
+// The next lists are brought near step by step: every pour takes one link of each.
+void EventQueue::prefetch_lists(std::uint32_t bucket) const {
+  const auto last = static_cast<std::uint32_t>(buckets_.size() - 1);
+  const auto link = [&](std::uint32_t ahead, int steps) {
+    if (bucket + ahead >= last) return;
+    std::uint32_t id = buckets_[bucket + ahead];
+    for (; steps > 0 && id != kNone; --steps) id = certificates_[id].next;
+    prefetch(id);
+  };
+  link(4, 0);
+  link(3, 1);
+  link(2, 2);
+  link(1, 3);
+}
+
 void EventQueue::pour_bucket(std::uint32_t bucket) {
   poured_ = bucket;
   find_edge();
+  prefetch_lists(bucket);
   for (std::uint32_t id = buckets_[bucket]; id != kNone;) {
     const Certificate& p = certificates_[id];
     heap_.emplace_back();
@@ -48,7 +69,6 @@ void EventQueue::pour_bucket(std::uint32_t bucket) {
     id = p.next;
   }
   buckets_[bucket] = kNone;
-  prefetch(buckets_[bucket + 1]);  // it exists: the last list is never poured
   spill_at_ = std::max(kSmall, 2 * heap_.size());
 }
 
@@ -66,6 +86,40 @@ void EventQueue::find_edge() {
   edge_ = edge;
 }
 
+// Calls visit(id) for all `size` entries of the list that begins with `first`, the only ones in lists. The
+// visitor may link them elsewhere.
+template <class Visit>
+void EventQueue::each_in_list(std::uint32_t first, std::size_t size, const Visit& visit) {
+  if (size * kListIsMost < certificates_.size()) {
+    for (std::uint32_t id = first, next; id != kNone; id = next) {
+      next = certificates_[id].next;
+      visit(id);
+    }
+    return;
+  }
+  for (std::size_t id = 0; id < certificates_.size(); ++id) {
+    if (certificates_[id].where == kFar) visit(static_cast<std::uint32_t>(id));
+  }
+}
+
+// Entries that are in no list go where their times belong. What they will be linked to is fetched first.
+void EventQueue::distribute(std::span<const std::uint32_t> ids) {
+  for (const std::uint32_t id : ids) {
+    const std::uint32_t bucket = bucket_of(certificates_[id].lo);
+    if (bucket > poured_) prefetch(buckets_[bucket]);
+  }
+  for (const std::uint32_t id : ids) {
+    const Entry e{certificates_[id].lo, certificates_[id].hi, id};
+    const std::uint32_t bucket = bucket_of(e.lo);
+    if (bucket > poured_) {
+      link(e, bucket);
+    } else {
+      heap_.emplace_back();
+      sift_up(heap_.size() - 1, e);
+    }
+  }
+}
+
 // Cuts the entries of the last list up to some time into buckets, and pours the first.
 void EventQueue::cut() {
   const std::uint32_t first = buckets_.back();
@@ -74,11 +128,11 @@ void EventQueue::cut() {
   std::array<double, kLookedAt> sample{};
   std::size_t looked_at = 0, at = 0;
   double least = kInfinity;
-  for (std::uint32_t id = first; id != kNone; id = certificates_[id].next) {
+  each_in_list(first, size, [&](std::uint32_t id) {
     const double lo = certificates_[id].lo;
     least = std::min(least, lo);
     if (at++ % stride == 0) sample[looked_at++] = lo;
-  }
+  });
   const auto end = sample.begin() + static_cast<std::ptrdiff_t>(looked_at);
   const auto part =
       sample.begin() + static_cast<std::ptrdiff_t>(kPart * static_cast<double>(looked_at));
@@ -93,17 +147,15 @@ void EventQueue::cut() {
   edge_ = kInfinity;
   if (!all) find_edge();
   far_ = 0;
-  for (std::uint32_t id = first, next; id != kNone; id = next) {
-    const Entry e{certificates_[id].lo, certificates_[id].hi, id};
-    next = certificates_[id].next;
-    const std::uint32_t bucket = bucket_of(e.lo);
-    if (bucket > poured_) {
-      link(e, bucket);
-    } else {
-      heap_.emplace_back();
-      sift_up(heap_.size() - 1, e);
-    }
-  }
+  std::array<std::uint32_t, kAhead> waiting{};
+  std::size_t waits = 0;
+  each_in_list(first, size, [&](std::uint32_t id) {
+    waiting[waits++] = id;
+    if (waits < kAhead) return;
+    distribute(waiting);
+    waits = 0;
+  });
+  distribute(std::span(waiting).first(waits));
   spill_at_ = std::max(kSmall, 2 * heap_.size());
 }
 

@@ -142,6 +142,10 @@ class Kernel {
   PartId part(CertificateId id) const { return queue_.certificate(id).part; }
   // Prefetches the memory of a certificate that will be replaced or retracted soon.
   void prefetch(CertificateId id) const { queue_.prefetch(id); }
+  // The same for what its replacement touches beside it. In small runs all of it is near anyway.
+  void prefetch_neighbours(CertificateId id) const {
+    if (objects_ >= kManyObjects) queue_.prefetch_neighbours(id);
+  }
   // Prefetches what is kept for objects whose certificates of `structure` will be made or withdrawn
   // soon. Objects of few scenes are near anyway: nothing is done for them.
   void prefetch(StructureId structure, std::span<const ObjectId> objects) const {

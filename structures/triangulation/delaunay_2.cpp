@@ -224,9 +224,14 @@ void Delaunay2::prefetch_next() const {
   }
 }
 
-// The points on the other side of the rim of the flip that comes now.
+// The points on the other side of the rim of the flip that comes now, and what its certificates are
+// queued beside.
 void Delaunay2::prefetch_rim(HalfEdge h) const {
   const HalfEdge g = store_.twin(h);
+  for (const HalfEdge side : {h, g}) {
+    kernel_->prefetch_neighbours(store_.label(Triangulation2::next(side)));
+    kernel_->prefetch_neighbours(store_.label(Triangulation2::previous(side)));
+  }
   prefetch_points({store_.apex(store_.twin(Triangulation2::next(h))),
                    store_.apex(store_.twin(Triangulation2::previous(h))),
                    store_.apex(store_.twin(Triangulation2::next(g))),

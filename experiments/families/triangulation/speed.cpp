@@ -17,6 +17,7 @@ std::vector<lab::SpeedRow> triangulation_speed_rows(int scale) {
   rows.push_back(random_row("delaunay_2", 1, n(1000), 50000));
   rows.push_back(random_row("delaunay_2", 1, n(10000), 200000));
   rows.push_back(random_row("delaunay_2", 1, n(100000), 400000));
+  rows.push_back(random_row("delaunay_2", 1, n(1000000), static_cast<std::uint64_t>(n(1000000))));
   rows.push_back(plans_row("delaunay_2", 100, scale));
   add_common_rows(rows, "delaunay_2", scale, 1000);
   rows.push_back({"delaunay_2", random, 1, n(200), reference});

@@ -107,6 +107,27 @@ TEST(EventQueue, RandomOperations) {
   }
 }
 
+// Failures are cut into buckets while few of the certificates are queued, and while all of them are: a list
+// is then read by its links, or by ids.
+TEST(EventQueue, FewOfManyCertificatesAreQueued) {
+  for (const int queued_every : {1, 3, 20}) {
+    Fixture f;
+    f.arithmetic.slack = 0.4;
+    for (int i = 0; i < 8000; ++i) {
+      const auto object = static_cast<ObjectId>(i);
+      if (i % queued_every == 0) {
+        f.add((i * 3011) % 8000, 0, 0, object, 10000);
+      } else {
+        f.queue.allocate(0, Query(0, {object, 10000}), 0);
+      }
+    }
+    ASSERT_EQ(f.queue.size(), f.expected.size());
+    while (!f.queue.empty() && !testing::Test::HasFatalFailure()) f.pop();
+    EXPECT_TRUE(f.expected.empty());
+    EXPECT_EQ(f.arithmetic.numbers, 0);
+  }
+}
+
 TEST(EventQueue, DisjointEnclosuresAreNotAskedAbout) {
   Fixture f;
   f.arithmetic.slack = 0.4;
