@@ -109,12 +109,17 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
     return Refusal{"is for edges of a graph, the scene has objects without ends",
                    "give every object \"ends\": [VERTEX, VERTEX], or maintain something else"};
   }
+  if (info.weights && scene.extents == Extents::kHalfExtents) {
+    return Refusal{"is for points with weights and for discs, the scene has boxes",
+                   "give the objects a \"weight\" or a \"radius\" instead of \"half_extents\", or "
+                   "maintain something else"};
+  }
   const bool fits = info.extents == scene.extents || info.extents == Extents::kNone ||
                     (info.extents == Extents::kHalfExtents && scene.extents == Extents::kRadius);
   if (!fits && !scene.objects.empty()) {
     const bool discs = info.extents == Extents::kRadius;
     return Refusal{std::string("is for ") + (discs ? "discs" : "boxes") + ", the scene has " +
-                       (scene.extents == Extents::kNone ? "points" : "boxes"),
+                       (scene.extents == Extents::kHalfExtents ? "boxes" : "points"),
                    std::string("give every object ") +
                        (discs ? "a \"radius\"" : "\"half_extents\", or a \"radius\"") +
                        ", or maintain something else"};

@@ -46,8 +46,10 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
     // gamma grows with the degree: dividing by the smallest covers polynomials whose degree drops.
     model.reach_error = p.reach_error(numbers.degree) * (1 + 0x1p-20) / filter::gamma(0);
     model.linear = model.degree == 1 && numbers.degree == 1 && model.reach_error == 0;
+    model.in_balls = std::isinf(model.reach_error);
+    if (model.in_balls) motions_.need_balls();
   }
-  model.in_lanes = model.reach_error > 0 && filter::has_lanes(model.degree);
+  model.in_lanes = model.reach_error > 0 && !model.in_balls && filter::has_lanes(model.degree);
   model.touches = dynamic_cast<const FailsAtTouch*>(&p) != nullptr;
   model.form = dynamic_cast<const LinearForm*>(&p);
   if (const auto* const difference = dynamic_cast<const CoordinateDifference*>(&p)) {

@@ -112,6 +112,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     std::size_t reads = 0;  // the number of coefficients that are read of one argument
     bool linear = false;     // a difference of linear motions: doubles hold the polynomial
     double reach_error = 0;  // Predicate::reach_error divided by gamma (core/numbers/first_root.h)
+    bool in_balls = false;   // no reach bounds the errors: doubles with error bounds take their place
     bool touches = false;    // FailsAtTouch
     bool in_lanes = false;   // groups of its queries are evaluated side by side
     const LinearForm* form = nullptr;  // the predicate as a LinearForm, if it is one

@@ -113,7 +113,7 @@ bool ExactArithmetic::approximate(const Query& query, Stage stage, Approximation
   const int degree = model.degree;
   p.degree = degree;
   p.origin = 0;
-  if (all_narrow(query)) {
+  if (all_narrow(query) && !(model.in_balls && stage == Stage::kDouble)) {
     if (stage == Stage::kDouble) {
       approximate_shifted(query, p);
     } else {

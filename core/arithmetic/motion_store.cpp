@@ -59,7 +59,6 @@ NumberModel choose_number_model(const Scene& scene, const NumberNeeds& needs) {
   const std::size_t powers = static_cast<std::size_t>(model.degree) + 1;
   const auto each = [&](auto&& visit) {
     for (const SceneObject& object : scene.objects) {
-      if (needs.weights && object.weight && !visit(0, *object.weight)) return false;
       for (const MotionPiece& piece : object.motion.pieces) {
         for (const auto& axis : piece.trajectory.coordinates) {
           for (std::size_t k = 0; k < axis.size(); ++k) {

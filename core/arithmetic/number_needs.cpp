@@ -19,7 +19,7 @@ void NumberNeeds::add(const DerivedKind& kind) {
 void NumberNeeds::add_weights(const Scene& scene) {
   require(!scene.has_bodies(), "bodies have no weights");
   weights = true;
-  axes = std::max(axes, scene.axes() + 1);
+  axes = std::max(axes, scene.dimension + 1);
 }
 
 NumberNeeds needs_of_objects(const Scene& scene) {

@@ -28,20 +28,20 @@ struct DerivedKind {
 struct NumberNeeds {
   int axes = 0;    // the most axes of an object; 0: unknown, predicates are not checked against it
   int degree = 0;  // the largest degree in t of any motion
-  bool weights = false;   // every point has its weight as last axis, 0 if the scene gives none
+  bool weights = false;   // points have an axis behind their position, 0 if the scene gives none
   bool anchored = false;  // some derived kind is anchored
   std::vector<DerivedKind> derived;  // in the order in which they were added, each once
 
   // Requires kind.axes <= kMostAxes.
   void add(const DerivedKind& kind);
-  // Requires a scene of points.
+  // Structures read weights, or radii in their place. Requires a scene without bodies.
   void add_weights(const Scene& scene);
 };
 
 // No object has more axes.
 inline constexpr int kMostAxes = 32;
 
-// The needs of the scene's own objects, without weights. O(coefficients).
+// The needs of the scene's own objects. O(coefficients).
 NumberNeeds needs_of_objects(const Scene& scene);
 
 }  // namespace kinex

@@ -108,7 +108,8 @@ class Predicate {
   }
   // If the shifted motions and their differences are exact in doubles, then coefficient k of
   // plain_with_reach is off by at most this number times coefficient k of
-  // (reach[0] + reach[1] t + ..)^homogeneity() (underflow aside). motion_degree <= kMaxFixedDegree.
+  // (reach[0] + reach[1] t + ..)^homogeneity() (underflow aside). Infinity: nothing is known; `ball`
+  // is used instead. motion_degree <= kMaxFixedDegree.
   virtual double reach_error(int motion_degree) const = 0;
   // The formula's degree in the coordinates and the unit.
   virtual int homogeneity() const = 0;

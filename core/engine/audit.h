@@ -14,7 +14,8 @@
 namespace kinex {
 
 // Exact positions of all living objects at one rational time: the first dimension() axes. Behind
-// them are a body's rotor, the extents (Scene::extents), and in runs that read weights the weight.
+// them are a body's rotor, the extents or the weight (Scene::extents); in runs that read weights there
+// is one such axis at least, 0 in scenes of plain points.
 class Snapshot {
  public:
   Snapshot(Rational time, int dimension, int axes, std::size_t objects)

@@ -22,8 +22,7 @@ class Scheduler final : public Kernel {
             Scheduling scheduling = Scheduling::kLazy)
       : Kernel(std::move(arithmetic), objects, scheduling) {}
 
-  // Sets the motion of an object of the scene from now on, its weight included (Scene::weighted),
-  // and the motions of the objects derived from it.
+  // Sets the motion of an object of the scene from now on, and the motions of the objects derived from it.
   void set_motion(ObjectId object, const Trajectory& trajectory,
                   const std::optional<Rational>& until);
   // It outlives the kernel.

@@ -21,7 +21,8 @@ constexpr std::size_t kInexactSteps = 8;
 }  // namespace
 
 Snapshot Simulator::snapshot(const Rational& t) const {
-  const int axes = scene_.axes() + (kernel_.arithmetic().needs().weights ? 1 : 0);
+  const bool weights = kernel_.arithmetic().needs().weights;
+  const int axes = std::max(scene_.axes(), scene_.dimension + (weights ? 1 : 0));
   Snapshot result(t, scene_.dimension, axes, alive_.size());
   for (ObjectId object = 0; object < alive_.size(); ++object) {
     if (!alive_[object]) continue;

@@ -26,11 +26,7 @@ void Simulator::check_trajectory(const Trajectory& trajectory) const {
 
 void Simulator::put_in_force(ObjectId object, const Trajectory& trajectory,
                              const std::optional<Rational>& until) {
-  if (kernel_.arithmetic().needs().weights && scene_.objects[object].weight) {
-    kernel_.set_motion(object, scene_.weighted(object, trajectory), until);
-  } else {
-    kernel_.set_motion(object, trajectory, until);
-  }
+  kernel_.set_motion(object, trajectory, until);
   ++pieces_[object];
 }
 

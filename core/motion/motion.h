@@ -27,9 +27,9 @@ struct Trajectory {
   void normalise();
   // Requires axis < dimension().
   Rational position(int axis, const Rational& t) const;
-  // True if both are at the same place at t, with the same extents. Of bodies: also in the same
+  // True if both are at the same place at t, with the same extents or weight. Of bodies: also in the same
   // orientation, which means rotors that are equal up to a factor. Requires that `other` has at
-  // least as many axes; further axes (a weight) are not compared.
+  // least as many axes.
   bool meets(const Trajectory& other, const Rational& t, bool bodies = false) const;
   friend bool operator==(const Trajectory&, const Trajectory&) = default;
 };

@@ -11,11 +11,6 @@ int Scene::degree() const {
   return degree;
 }
 
-bool Scene::has_weights() const {
-  return std::any_of(objects.begin(), objects.end(),
-                     [](const SceneObject& object) { return object.weight.has_value(); });
-}
-
 std::vector<bool> Scene::members(const Subset& subset) const {
   if (subset.kind == Subset::Kind::kAll) return {};
   std::vector<bool> result(objects.size(), subset.kind == Subset::Kind::kAllBut);
@@ -27,13 +22,6 @@ std::vector<bool> Scene::members(const Subset& subset) const {
   } else {
     for (const ObjectId object : subset.objects) result[object] = !result[object];
   }
-  return result;
-}
-
-Trajectory Scene::weighted(ObjectId object, const Trajectory& motion) const {
-  Trajectory result = motion;
-  const std::optional<Rational>& weight = objects[object].weight;
-  if (weight) result.coordinates.push_back({*weight});
   return result;
 }
 

@@ -20,15 +20,15 @@ inline constexpr ObjectId kNoObject = 0xffffffffu;  // none
 // A vertex of a polygon in the frame of the body that carries it.
 using Vertex2 = std::array<Rational, 2>;
 
-// A point, a disc (a ball, in one dimension an interval), a box with sides along the axes, or a
-// rigid body: a convex polygon, vertices counter-clockwise. The motion of a disc has its radius as
-// last axis, that of a box its half extents, that of a body kBodyAxes axes.
+// A point, with a weight or without, a disc (a ball, in one dimension an interval), a box with sides
+// along the axes, or a rigid body: a convex polygon, vertices counter-clockwise. The motion of a
+// point with a weight has the weight as last axis, that of a disc its radius, that of a box its half
+// extents, that of a body kBodyAxes axes.
 struct SceneObject {
   std::string id;
   Motion motion;
-  std::vector<Vertex2> polygon = {};    // empty: a point
-  std::optional<Rational> weight = {};  // of a point; none: 0
-  std::string colour = {};              // of a point; empty: none
+  std::vector<Vertex2> polygon = {};  // empty: a point
+  std::string colour = {};            // of a point; empty: none
   // An edge of a graph: its two vertices, which differ; its coordinate is its weight. Empty: none.
   std::vector<std::string> ends = {};
 };
@@ -84,12 +84,14 @@ enum class OverlappingStarts {
   kContact,  // they begin in contact
 };
 
-// What the objects extend to about their positions: axes of their motions behind those of the
-// position, as many as Scene::extent_axes says, never negative while the object exists.
+// What the objects have beside their positions: axes of their motions behind those of the position,
+// as many as Scene::extent_axes says. Radii and half extents are never negative while the object
+// exists.
 enum class Extents {
   kNone,         // points, or bodies
   kRadius,       // closed discs: one axis
   kHalfExtents,  // closed boxes: half the width along each axis
+  kWeight,       // points with weights: one axis, of either sign
 };
 
 struct Scene {
@@ -112,15 +114,10 @@ struct Scene {
   int axes() const { return has_bodies() ? kBodyAxes : dimension + extent_axes(); }
   int extent_axes() const {
     if (extents == Extents::kNone) return 0;
-    return extents == Extents::kRadius ? 1 : dimension;
+    return extents == Extents::kHalfExtents ? dimension : 1;
   }
-  // True if an object has a weight.
-  bool has_weights() const;
   // By object: true for those of the subset. Empty: all of them.
   std::vector<bool> members(const Subset& subset) const;
-  // The motion with the object's weight, if it has one, as a last axis: the axes that predicates
-  // read in runs that read weights (core/arithmetic/number_needs.h).
-  Trajectory weighted(ObjectId object, const Trajectory& motion) const;
 };
 
 }  // namespace kinex

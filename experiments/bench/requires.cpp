@@ -5,7 +5,7 @@
 //   shared  one, two, three attributes of one scene: the sum of their single costs, and less where
 //           a structure is shared
 //   padded  a scene of degree 1 written with coefficients 0 up to degree 3 runs as fast as without
-//   unread  weights that no structure reads cost neither time nor memory
+//   unread  weights that no structure reads cost no time, and the memory of their axis
 // Workload: uniform-square. Rounds are interleaved; the best of each counts; thread CPU time.
 // Output: see result_table.h; options: see options.h.
 #include <algorithm>
@@ -17,6 +17,7 @@
 #include "core/engine/simulator.h"
 #include "experiments/bench/options.h"
 #include "experiments/bench/result_table.h"
+#include "experiments/formats/weights.h"
 #include "experiments/lab/cpu_clock.h"
 #include "experiments/lab/workload.h"
 #include "structures/plan.h"
@@ -183,7 +184,10 @@ void padded(const BenchOptions& options) {
 
 Scene with_weights(Scene scene) {
   std::int64_t weight = 0;
-  for (SceneObject& object : scene.objects) object.weight = Rational(++weight * 1000003);
+  for (SceneObject& object : scene.objects) {
+    formats::append_weight(object.motion, {Rational(++weight * 1000003)});
+  }
+  formats::complete_weights(scene);
   return scene;
 }
 

@@ -9,19 +9,12 @@ namespace kinex::formats {
 
 MotionsInForce::MotionsInForce(const Scene& scene)
     : scene_(scene), trajectories_(scene.objects.size(), nullptr) {
-  if (scene.has_weights()) held_.resize(scene.objects.size());
   for (ObjectId object = 0; object < trajectories_.size(); ++object) changed(object, scene.start);
 }
 
 void MotionsInForce::changed(ObjectId object, const Rational& t) {
   const MotionPiece* piece = scene_.objects[object].motion.piece_after(t);
-  if (piece == nullptr) return;
-  if (held_.empty()) {
-    trajectories_[object] = &piece->trajectory;
-  } else {
-    held_[object] = scene_.weighted(object, piece->trajectory);
-    trajectories_[object] = &held_[object];
-  }
+  if (piece != nullptr) trajectories_[object] = &piece->trajectory;
 }
 
 Polynomial certificate_polynomial(const Predicate& predicate,

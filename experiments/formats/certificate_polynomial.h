@@ -26,7 +26,6 @@ class MotionsInForce {
  private:
   const Scene& scene_;
   std::vector<const Trajectory*> trajectories_;
-  std::vector<Trajectory> held_;  // with weights, in scenes that have some
 };
 
 // A positive multiple of the predicate's value with coprime integer coefficients; zero if it is

@@ -108,9 +108,6 @@ void check_kind_of_extents(const JsonNode& object, const Scene& scene) {
   }
   if (scene.extents == Extents::kNone) return;
   const std::string of = scene.extents == Extents::kRadius ? " of a disc" : " of a box";
-  if (const auto weight = object.find("weight")) {
-    weight->fail("a weight" + of, "remove it, or the " + quoted(scene.extents));
-  }
   if (const auto ends = object.find("ends")) {
     ends->fail("vertices" + of, "remove them, or the " + quoted(scene.extents));
   }

@@ -43,6 +43,8 @@ constexpr Arity kArities[] = {
     {"line_turn", 3},
     {"line_meeting", 5},
     // of discs and boxes
+    {"power_2", 4},
+    {"disc_power_2", 4},
     {"disc_overlap", 2},
     {"disc_apart", 2},
     {"lower_ends_x", 2},

@@ -11,6 +11,7 @@
 #include "predicates/points/space_predicates.h"
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/extent_predicates.h"
+#include "predicates/points/power_predicates.h"
 #include "predicates/points/shared_arguments.h"
 #include "predicates/predicates.h"
 #include "structures/plan.h"
@@ -171,10 +172,12 @@ std::string LogSceneCheck::feature_problem(const std::vector<std::string>& ids) 
 
 namespace {
 
-// Of discs and boxes, by its name; null: none of the scene.
+// Of discs, boxes and points with weights, by its name; null: none of the scene.
 std::shared_ptr<const Predicate> make_extent_predicate(const Scene& scene, std::string_view name) {
-  if (scene.extents == Extents::kNone) return nullptr;
+  if (name == "power_2" && scene.dimension == 2) return make_power_2();
+  if (scene.extents == Extents::kNone || scene.extents == Extents::kWeight) return nullptr;
   const bool discs = scene.extents == Extents::kRadius;
+  if (discs && scene.dimension == 2 && name == "disc_power_2") return make_disc_power_2();
   if (discs && name == "disc_overlap") return make_disc_overlap(scene.dimension);
   if (discs && name == "disc_apart") return make_disc_apart(scene.dimension);
   for (int axis = 0; axis < scene.dimension; ++axis) {

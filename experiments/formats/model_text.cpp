@@ -8,6 +8,7 @@
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/formats/weights.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
 
@@ -100,19 +101,32 @@ std::string described_bodies(const Scene& scene) {
          ", rotors of degree " + std::to_string(rotors) + "\n";
 }
 
+// Behind the axes of the position.
+int degree_of_extents(const Scene& scene, const SceneObject& object) {
+  int degree = 0;
+  for (const MotionPiece& piece : object.motion.pieces) {
+    degree = std::max(degree, piece.trajectory.degree_of_axes(scene.dimension, scene.axes()));
+  }
+  return degree;
+}
+
 std::string described_weights(const Scene& scene) {
-  const auto weighted = std::count_if(scene.objects.begin(), scene.objects.end(),
-                                      [](const SceneObject& o) { return o.weight.has_value(); });
+  int degree = 0;
+  const auto weighted =
+      std::count_if(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+        degree = std::max(degree, degree_of_extents(scene, object));
+        const auto weight = common_weight(object, scene);
+        return !weight || weight->size() > 1 || !(*weight)[0].is_zero();
+      });
   return "weights   of " + counted(static_cast<std::uint64_t>(weighted), "point", "points") +
+         (degree == 0 ? "" : ", of degree " + std::to_string(degree) + " at most") +
          (plan_numbers(scene).weights ? "; 0 for others\n" : ", which no structure reads\n");
 }
 
 std::string described_extents(const Scene& scene) {
   int degree = 0;
   for (const SceneObject& object : scene.objects) {
-    for (const MotionPiece& piece : object.motion.pieces) {
-      degree = std::max(degree, piece.trajectory.degree_of_axes(scene.dimension, scene.axes()));
-    }
+    degree = std::max(degree, degree_of_extents(scene, object));
   }
   return std::string("extents   ") +
          (scene.extents == Extents::kRadius ? "discs, radii" : "boxes, half extents") +
@@ -133,8 +147,11 @@ std::string describe_model(const Scene& scene, const std::string& hash) {
           std::to_string(scene.degree()) + " at most, " + std::to_string(counts.at_rest) +
           " at rest\n";
   if (scene.has_bodies()) text += described_bodies(scene);
-  if (scene.extents != Extents::kNone) text += described_extents(scene);
-  if (scene.has_weights()) text += described_weights(scene);
+  if (scene.extents == Extents::kWeight) {
+    text += described_weights(scene);
+  } else if (scene.extents != Extents::kNone) {
+    text += described_extents(scene);
+  }
   text += "plan      " + counted(counts.updates, "change", "changes") + ", " +
           counted(counts.insertions, "insertion", "insertions") + ", " +
           counted(counts.erasures, "erasure", "erasures") + "\n";

@@ -77,7 +77,7 @@ void add_rotor(const JsonNode& owner, MotionPiece& piece, const Scene& scene) {
 // Fills `piece`, which must be empty: numbers are made where they stay.
 void read_piece(const JsonNode& node, const Scene& scene, bool body, bool first, bool last,
                 MotionPiece& piece) {
-  node.require_object({"from", "to", "coordinates", "rotor", "radius", "half_extents"});
+  node.require_object({"from", "to", "coordinates", "rotor", "radius", "half_extents", "weight"});
   if (const auto from = node.find("from")) {
     from->read(piece.from.emplace());
   } else if (!first) {

@@ -11,6 +11,7 @@
 #include "experiments/formats/json_defect.h"
 #include "experiments/formats/json_document.h"
 #include "experiments/formats/scene_reader.h"
+#include "experiments/formats/weights.h"
 
 namespace kinex::formats {
 
@@ -246,7 +247,7 @@ class Reader {
       return !track.geometry.polygon.empty();
     });
     const bool body = polygons || options_.common.polygons;
-    bool assumed = false;
+    bool assumed = false, weighted = false;
     std::optional<Rational> first, last;
     std::unordered_map<std::string, std::size_t> lines;
     PolygonTable table{file_, {}, {}};
@@ -267,12 +268,17 @@ class Reader {
         table.number.emplace(track.id, table.entries.size());
         table.entries.push_back({track.id, track.line, track.geometry.polygon});
       }
-      scene.objects.push_back({track.id, std::move(motion), {}, track.weight});
+      if (track.weight && !body) {
+        append_weight(motion, {*track.weight});
+        weighted = true;
+      }
+      scene.objects.push_back({track.id, std::move(motion)});
     }
     if (scene.objects.empty())
       throw InputError(file_, "", "no object has two times", "write at least two of one id");
     set_time(own, *first, *last);
     for (const std::string& row : options_.common.fixed) add_fixed(scene, row, body);
+    if (weighted) complete_weights(scene);
     if (assumed) report_.notes.push_back("no interpolation is named, Linear is assumed");
     if (const std::string plane = options_.plane.text(); !plane.empty())
       report_.notes.push_back(plane);

@@ -12,6 +12,7 @@
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/plane.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/formats/weights.h"
 
 namespace kinex::formats {
 
@@ -69,7 +70,7 @@ class Writer {
     if (!scene.end && !form.until) {
       throw InputError(file, "/time", "the scene has no end, and a file needs one", "give --until");
     }
-    if (scene.extents != Extents::kNone) {
+    if (scene.extents == Extents::kRadius || scene.extents == Extents::kHalfExtents) {
       throw InputError(file, "/objects", "discs or boxes, whose extents such a file cannot hold",
                        "leave \"radius\" and \"half_extents\" out to write the centres");
     }
@@ -161,8 +162,20 @@ class Writer {
       ++result_.inexact;
       result_.error = std::max(result_.error, error_);
     }
-    if (object.weight) json_.key("weight").quoted(*object.weight);
+    if (scene_.extents == Extents::kWeight) write_weight(object);
     json_.end_object().end_object().end_object();
+  }
+
+  // The weight, 0 left out.
+  void write_weight(const SceneObject& object) {
+    const auto weight = common_weight(object, scene_);
+    if (!weight || weight->size() > 1) {
+      throw InputError(file_, "",
+                       "the weight of " + show_text(object.id) +
+                           " changes, which such a file cannot hold",
+                       "export scenes with constant weights, or without weights");
+    }
+    if (!(*weight)[0].is_zero()) json_.key("weight").quoted((*weight)[0]);
   }
 
   // The polygon of a body in its orientation, which must be one for all time; empty for a point.

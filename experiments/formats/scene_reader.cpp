@@ -11,6 +11,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_node.h"
 #include "experiments/formats/scene_parts.h"
+#include "experiments/formats/weights.h"
 
 namespace kinex::formats {
 
@@ -60,16 +61,6 @@ std::vector<Vertex2> read_shape(const JsonNode& object, bool first, const Scene&
                      "body " + show_text(object.member("id").string()) + ": " + error.problem(),
                      error.remedy());
   }
-}
-
-// The weight of a point, if it has one.
-std::optional<Rational> read_weight(const JsonNode& object) {
-  const auto weight = object.find("weight");
-  if (!weight) return std::nullopt;
-  if (object.find("polygon")) {
-    weight->fail("a weight of a body", "remove it: points alone have weights");
-  }
-  return weight->rational();
 }
 
 // The colour of a point; empty: none.
@@ -122,6 +113,7 @@ void read_objects(const JsonNode& node, Scene& scene) {
   node.require_array();
   IdIndex seen(node.size());
   scene.objects.reserve(node.size());
+  bool weighted = false;
   for (std::size_t i = 0; i < node.size(); ++i) {
     const JsonNode entry = node.at(i);
     entry.require_object({"id", "motion", "polygon", "rotor", "weight", "colour", "ends", "radius",
@@ -143,12 +135,13 @@ void read_objects(const JsonNode& node, Scene& scene) {
     scene.objects.push_back({std::string(id.string()),
                              {},
                              std::move(polygon),
-                             read_weight(entry),
                              read_colour(entry),
                              read_ends(entry, scene)});
     SceneObject& object = scene.objects.back();
     read_motion(entry, scene, !object.polygon.empty(), object.motion);
+    weighted = add_weights(entry, scene, object.motion) || weighted;
   }
+  if (weighted) complete_weights(scene);
   if (!scene.has_bodies() || scene.overlapping_starts == OverlappingStarts::kContact) return;
   check_apart(node, scene);
   check_appearances(node, scene);

@@ -3,6 +3,7 @@
 
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/sha256.h"
+#include "experiments/formats/weights.h"
 
 namespace kinex::formats {
 
@@ -39,6 +40,15 @@ bool turns(const Trajectory& trajectory) {
          trajectory.coordinates[3] != std::vector<Rational>{0};
 }
 
+void write_weight(JsonWriter& json, const std::vector<Rational>& weight) {
+  json.key("weight");
+  if (weight.size() == 1) {
+    write_number(json, weight[0]);
+  } else {
+    write_numbers(json, weight);
+  }
+}
+
 // The coordinates as the value of the key just written, then the rotor of a body that has one, or
 // the extents.
 void write_trajectory(JsonWriter& json, const Trajectory& trajectory, const Scene& scene) {
@@ -54,8 +64,11 @@ void write_trajectory(JsonWriter& json, const Trajectory& trajectory, const Scen
   write_axes(json, trajectory, 2, kBodyAxes);
 }
 
-void write_motion(JsonWriter& json, const Motion& motion, const Scene& scene) {
+// A weight that is not the same in all pieces stands in each of them.
+void write_motion(JsonWriter& json, const SceneObject& object, const Scene& scene) {
+  const Motion& motion = object.motion;
   const MotionPiece& first = motion.pieces.front();
+  const bool own_weights = scene.extents == Extents::kWeight && !common_weight(object, scene);
   if (motion.pieces.size() == 1 && !first.from && !first.to) {
     write_trajectory(json, first.trajectory, scene);
     return;
@@ -73,6 +86,7 @@ void write_motion(JsonWriter& json, const Motion& motion, const Scene& scene) {
     }
     json.key("coordinates");
     write_trajectory(json, piece.trajectory, scene);
+    if (own_weights) write_weight(json, piece.trajectory.coordinates.back());
     json.end_object();
   }
   json.end_array();
@@ -179,14 +193,14 @@ std::string write_scene(const Scene& scene) {
       for (const Vertex2& vertex : object.polygon) write_numbers(json, vertex);
       json.end_array();
     }
-    if (object.weight) {
-      json.key("weight");
-      write_number(json, *object.weight);
+    if (scene.extents == Extents::kWeight) {
+      const auto weight = common_weight(object, scene);
+      if (weight && *weight != std::vector<Rational>{Rational()}) write_weight(json, *weight);
     }
     if (!object.colour.empty()) json.key("colour").string(object.colour);
     if (!object.ends.empty()) write_texts(json.key("ends"), object.ends);
     json.key("motion");
-    write_motion(json, object.motion, scene);
+    write_motion(json, object, scene);
     json.end_object();
   }
   json.end_array();

@@ -173,13 +173,14 @@ void give_extents(Scene& scene, Extents extents) {
   }
   std::int64_t root = 1;  // at least the square root of n
   while (static_cast<std::size_t>(root * root) < scene.objects.size()) root *= 2;
-  const int axes = extents == Extents::kRadius ? 1 : scene.dimension;
+  const int axes = extents == Extents::kHalfExtents ? scene.dimension : 1;
   std::int64_t k = 0;
   for (SceneObject& object : scene.objects) {
     for (int axis = 0; axis < axes; ++axis) {
       k = (5 * k + 3) % 16;
       const Rational half = spread * fraction(4 + k % 13, 48 * root);
-      for (MotionPiece& piece : object.motion.pieces) piece.trajectory.coordinates.push_back({half});
+      const Rational value = extents == Extents::kWeight ? half * half : half;
+      for (MotionPiece& piece : object.motion.pieces) piece.trajectory.coordinates.push_back({value});
     }
   }
   scene.extents = extents;
@@ -195,7 +196,7 @@ Scene generate_scene(std::string_view workload, const WorkloadParameters& parame
   scene.maintain = {std::move(request)};
   const StructureInfo* const info = find_structure_info(structure);
   if (info != nullptr && info->graph) join_vertices(scene);
-  if (info != nullptr) give_extents(scene, info->extents);
+  if (info != nullptr) give_extents(scene, info->usual_extents());
   return scene;
 }
 

@@ -66,7 +66,8 @@ Scene generate_scene(const Workload& workload, WorkloadParameters parameters);
 void join_vertices(Scene& scene);
 // Makes the points of a scene discs or boxes, if they are points: the radii, or half extents, are
 // constants from a twelfth to a third of the largest distance that two of the n points have along an
-// axis at the start, divided by the root of n (of the next power of two).
+// axis at the start, divided by the root of n (of the next power of two). Or gives the points weights:
+// the squares of such radii.
 void give_extents(Scene& scene, Extents extents);
 // The same for a workload by its name, with this structure alone to maintain; its points are edges
 // if the structure is for graphs, discs or boxes if it is for these. Throws std::invalid_argument for an unknown workload.

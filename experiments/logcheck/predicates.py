@@ -213,7 +213,32 @@ def disc_apart(points):
     return scaled(disc_overlap(points), -1)
 
 
+def power(points, heights):
+    """The last point is below the plane of the others, lifted to x^2 + y^2 - height."""
+    x, y, lift = [], [], []
+    for p, h in zip(points[:3], heights[:3]):
+        x.append(subtract(p[0], points[3][0]))
+        y.append(subtract(p[1], points[3][1]))
+        square = add(multiply(x[-1], x[-1]), multiply(y[-1], y[-1]))
+        lift.append(add(square, subtract(heights[3], h)))
+    total = ()
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        total = add(total, multiply(lift[i], subtract(multiply(x[j], y[k]), multiply(x[k], y[j]))))
+    return total
+
+
+def power_2(points):
+    return power(points, [p.extents[0] if getattr(p, "extents", None) else () for p in points])
+
+
+def disc_power_2(points):
+    return power(points, [multiply(p.extents[0], p.extents[0]) for p in points])
+
+
 FORMULAS = {
+    "power_2": (power_2, 4, 4),
+    "disc_power_2": (disc_power_2, 4, 4),
     "disc_overlap": (disc_overlap, 2, 1),
     "disc_apart": (disc_apart, 2, 1),
     **end_orders(0), **end_orders(1), **end_orders(2),
@@ -235,7 +260,7 @@ FORMULAS = {
     "obtuse_angle_2": (obtuse_angle_2, 3, 1),
 }
 # Axes that an argument must have.
-LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2,
+LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2, "power_2": 2, "disc_power_2": 2,
               "orientation_3": 3, "in_sphere_3": 3,
               "acute_angle_2": 2, "obtuse_angle_2": 2,
               **{name: axis + 1 for axis in (1, 2) for name in end_orders(axis)}}

@@ -101,7 +101,8 @@ class Piece:
 
 
 class Extended(list):
-    """The axes of a position, with those of the extents of the disc or box there: a radius, or half extents."""
+    """The axes of a position, with those of the extents of the disc or box there: a radius, or half extents; or with the
+    weight of the point."""
 
     def __init__(self, axes, dimension):
         super().__init__(axes[:dimension])
@@ -117,7 +118,7 @@ class Object:
         self.name, self.pieces, self.polygon = name, pieces, polygon
         self.open = False  # written as one motion, not as a list of pieces
         self.colour, self.ends = "", []  # the ends of an edge of a graph: two vertices
-        self.extents = None  # "radius" or "half_extents": axes of the motion behind those of the position
+        self.extents = None  # "radius", "half_extents", "weight": axes of the motion behind those of the position
 
 
 class Request:
@@ -157,6 +158,11 @@ class Scene:
         if len(self.number) != len(self.ids):
             raise BadInput("%s: two objects have one id" % self.path)
         self.bodies = any(o.polygon for o in self.objects)
+        if any(o.extents == "weight" for o in self.objects):
+            for o in self.objects:
+                if o.extents is None:  # its weight is 0
+                    o.extents = "weight"
+                    o.pieces = [Piece(p.start, p.end, p.axes + [[Fraction(0)]]) for p in o.pieces]
         kinds = {o.extents for o in self.objects}
         if len(kinds) > 1:
             raise BadInput("%s: objects of different extents" % self.path)
@@ -168,7 +174,7 @@ class Scene:
         self.changes = self.plan()
 
     def read_object(self, tree, place):
-        extents = next((k for k in ("radius", "half_extents")
+        extents = next((k for k in ("radius", "half_extents", "weight")
                         for owner in [tree, tree["motion"][0]] if k in owner), None)
 
         def numbers(list_, where):
@@ -186,6 +192,9 @@ class Scene:
                 result += [numbers(a, where + "/rotor") for a in owner.get("rotor", [[1], [0]])]
             if extents == "radius":
                 result.append(numbers(owner["radius"], where + "/radius"))
+            elif extents == "weight":
+                weight = tree["weight"] if "weight" in tree else owner["weight"]
+                result.append(numbers(weight if isinstance(weight, list) else [weight], where + "/weight"))
             elif extents:
                 result += [numbers(a, where + "/half_extents") for a in owner["half_extents"]]
                 if len(result) != 2 * self.dimension:
@@ -294,16 +303,27 @@ def trajectory_text(axes, body, extents, dimension):
     text = axes_text(axes[:2] if body else axes[:dimension])
     if extents == "radius":
         text += ', "radius": ' + numbers_text(axes[-1])
-    elif extents:
+    elif extents == "half_extents":
         text += ', "half_extents": ' + axes_text(axes[dimension:])
     if body and axes[2:] != [[1], [0]]:
         text += ', "rotor": ' + axes_text(axes[2:])
     return text
 
 
+def common_weight(o):
+    """The weight that all pieces have, or None."""
+    weights = [p.axes[-1] for p in o.pieces]
+    return weights[0] if all(w == weights[0] for w in weights) else None
+
+
+def weight_text(weight):
+    return number_text(weight[0]) if len(weight) == 1 else numbers_text(weight)
+
+
 def motion_text(o, dimension):
     body = bool(o.polygon)
     first = o.pieces[0]
+    own_weights = o.extents == "weight" and common_weight(o) is None
     if len(o.pieces) == 1 and first.start is None and first.end is None:
         return trajectory_text(first.axes, body, o.extents, dimension)
     pieces = []
@@ -314,6 +334,8 @@ def motion_text(o, dimension):
         if p.end is not None:
             members.append('"to": ' + number_text(p.end))
         members.append('"coordinates": ' + trajectory_text(p.axes, body, o.extents, dimension))
+        if own_weights:
+            members.append('"weight": ' + weight_text(p.axes[-1]))
         pieces.append("{" + ", ".join(members) + "}")
     return "[" + ", ".join(pieces) + "]"
 
@@ -369,6 +391,8 @@ def canonical_text(scene):
         text = '{"id": ' + json_string(o.name)
         if o.polygon:
             text += ', "polygon": ' + axes_text(o.polygon)
+        if o.extents == "weight" and common_weight(o) not in (None, [0]):
+            text += ', "weight": ' + weight_text(common_weight(o))
         if o.colour:
             text += ', "colour": ' + json_string(o.colour)
         if o.ends:

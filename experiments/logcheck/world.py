@@ -27,6 +27,8 @@ class World:
         pieces = [self.piece[i] for i in ids]
         common = lcm(*(p.denominator for p in pieces))
         points = [[scaled(axis, common // p.denominator) for axis in p.polynomials] for p in pieces]
+        if self.scene.extents == "weight":  # has the units of a square
+            points = [p[:-1] + [scaled(p[-1], common)] for p in points]
         if self.scene.extents:
             points = [Extended(p, self.scene.dimension) for p in points]
         return primitive(formula_of(predicate)[0](points))

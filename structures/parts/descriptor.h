@@ -99,7 +99,7 @@ struct StructureInfo {
   std::string_view role = {};       // what it can be read as ("hull"); empty: by its name only
   std::vector<ParameterInfo> parameters = {};
   std::string_view instead = {};    // a structure of its group that takes every scene; empty: itself
-  bool weights = false;             // it reads the weights of points
+  bool weights = false;  // it reads the weights of points, or the radii of discs
   bool query = false;               // it is about one object, the request's "query"
   bool colours = false;             // it is about two classes of objects, the request's "colours"
   bool graph = false;               // for edges of graphs ("ends"), and only these
@@ -119,6 +119,8 @@ struct StructureInfo {
   static constexpr int kAnyDegree = 1 << 30;
   static constexpr std::uint8_t kWidthOfParameter = 0;  // the value of its first parameter
   bool linear() const { return largest_degree == 1; }
+  // What points are given to make them objects that it is about.
+  Extents usual_extents() const { return weights ? Extents::kWeight : extents; }
   // It maintains an attribute of bodies that changes as they move.
   bool follows_bodies() const { return bodies && has_events; }
 };

@@ -4,15 +4,18 @@
 
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/extent_predicates.h"
+#include "predicates/points/power_predicates.h"
 #include "predicates/points/shared_arguments.h"
 #include "predicates/points/space_predicates.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace kinex {
@@ -61,6 +64,8 @@ std::vector<Named> all_predicates() {
           {"apart", make_end_order(EndClaim::kApart, {1, 3, 3})},
           {"half_width", make_half_width({0, 2, 2})},
           {"no_width", make_no_width({1, 3, 2})},
+          {"power_2", make_power_2()},
+          {"disc_power_2", make_disc_power_2()},
           {"disc_overlap_1", make_disc_overlap(1)},
           {"disc_overlap_2", make_disc_overlap(2)},
           {"disc_apart_3", make_disc_apart(3)},
@@ -71,6 +76,21 @@ std::vector<Named> all_predicates() {
 }
 
 // Motions of `arity` objects in `axes` axes, in every ring, from the same integers.
+// The unit of predicates that have one, in every ring.
+template <class R>
+const R& unit_of() {
+  static const R one = [] {
+    if constexpr (std::is_same_v<R, MpFloat>) {
+      return MpFloat(300L, Rational(1));
+    } else if constexpr (std::is_same_v<R, Ball>) {
+      return Ball{1, 0};
+    } else {
+      return R(1);
+    }
+  }();
+  return one;
+}
+
 struct Motions {
   int degree;
   std::size_t stride;
@@ -98,6 +118,7 @@ struct Motions {
   std::vector<MotionView<R>> views(const std::vector<R>& all, const std::vector<std::size_t>& order) const {
     std::vector<MotionView<R>> out;
     for (std::size_t i : order) out.push_back(&all[i * stride]);
+    out.push_back(&unit_of<R>());
     return out;
   }
 };
@@ -240,6 +261,7 @@ class KnownSigns : public ::testing::Test {
       motions.push_back(std::move(motion));
     }
     for (const auto& motion : motions) views.push_back(motion.data());
+    views.push_back(&unit_of<Integer>());
     const Polynomial value = p->exact(1, views.data());
     return value.is_zero() ? 0 : value[0].sign();
   }
@@ -296,6 +318,62 @@ TEST(InSphere3, HasTheValueOfTheDeterminant) {
   for (const auto& motion : points) views.push_back(motion.data());
   EXPECT_EQ(make_in_sphere_3()->rational(1, views.data())[0], Rational(576));
   EXPECT_EQ(make_orientation_3()->rational(1, views.data())[0], Rational(64));
+}
+
+// Weights, or radii, last. A heavy point shows outside the circle, a light one not inside it.
+TEST_F(KnownSigns, Powers) {
+  const std::vector<std::vector<int>> corner{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}};
+  const auto side = [&corner](const std::shared_ptr<const Predicate>& p, std::vector<int> point) {
+    return sign(p, {corner[0], corner[1], corner[2], std::move(point)});
+  };
+  for (const auto& p : {make_power_2(), make_disc_power_2()}) {
+    EXPECT_EQ(side(p, {1, 1, 1}), 1);
+    EXPECT_EQ(side(p, {4, 4, 1}), 0);
+    EXPECT_EQ(side(p, {4, 4, 2}), 1);
+    EXPECT_EQ(side(p, {4, 4, 0}), -1);
+    EXPECT_EQ(side(p, {5, 5, 1}), -1);
+  }
+  EXPECT_EQ(side(make_power_2(), {2, 2, -7}), 0);  // 8 below the circle's
+  EXPECT_EQ(side(make_power_2(), {2, 2, -8}), -1);
+  EXPECT_EQ(side(make_power_2(), {5, 5, 11}), 0);
+  EXPECT_EQ(side(make_disc_power_2(), {5, 4, 2}), -1);  // the square of the tangent is 5
+  EXPECT_EQ(side(make_disc_power_2(), {5, 4, 3}), 1);
+}
+
+// Weights of degree 3 on linear motions: the value has degree 5 and not 12, in every form.
+TEST(Power2, CoefficientsBeyondItsDegreeAreExactZeros) {
+  const auto p = make_power_2();
+  std::mt19937_64 random(8);
+  constexpr int kDegree = 3;
+  constexpr std::size_t kAll = 4 * 3 * (kDegree + 1);
+  std::vector<Ball> balls(kAll);
+  std::vector<double> doubles(kAll);
+  for (std::size_t k = 0; k < kAll; ++k) {
+    const bool high = k % (kDegree + 1) > 1, weight = k / (kDegree + 1) % 3 == 2;
+    if (high && !weight) continue;
+    doubles[k] = static_cast<double>(random() % 1000) - 500.25;
+    balls[k] = {doubles[k], 1e-9};
+  }
+  std::array<MotionView<Ball>, kMaxViews> views{};
+  std::array<MotionView<double>, kMaxViews> plain{};
+  const Ball one{1, 0};
+  const double unit = 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    views[i] = &balls[12 * i];
+    plain[i] = &doubles[12 * i];
+  }
+  views[4] = &one;
+  plain[4] = &unit;
+  std::array<Ball, 13> out;
+  std::array<double, 13> value;
+  p->ball(kDegree, views.data(), 0.5, out.data());
+  p->plain(kDegree, plain.data(), 0.5, value.data());
+  for (std::size_t k = 0; k <= 12; ++k) {
+    EXPECT_EQ(out[k].error == 0, k > 5) << k;
+    EXPECT_EQ(value[k] == 0, k > 5) << k;
+    EXPECT_LE(std::fabs(out[k].value - value[k]), out[k].error) << k;
+  }
+  EXPECT_TRUE(std::isinf(p->reach_error(1)));
 }
 
 TEST_F(KnownSigns, SlopeOrder) {

@@ -164,7 +164,8 @@ inline Scene random_flights(std::uint64_t seed, int n, int dimension, int degree
   return scene;
 }
 
-// Makes the points of a scene discs or boxes with small constant extents, some of them 0.
+// Makes the points of a scene discs or boxes with small constant extents, some of them 0, or gives them
+// such weights.
 inline void with_extents(Scene& scene, Extents extents) {
   if (scene.extents != Extents::kNone) return;
   scene.extents = extents;
@@ -181,7 +182,7 @@ inline void with_extents(Scene& scene, Extents extents) {
 // The scene in a form that the structure takes: for structures of space with a third axis, on which
 // nothing moves; for structures of graphs its first axis alone, and the points as edges, the k-th
 // between the k-th pair of vertices in the order 01, 02, 12, 03, ..; for structures of discs and
-// boxes with small constant extents.
+// boxes with small constant extents, for those that read weights with such weights.
 inline Scene suited(Scene scene, const StructureInfo& info) {
   if (scene.dimension < info.min_dimension && info.min_dimension == 3) {
     scene.dimension = 3;
@@ -194,7 +195,7 @@ inline Scene suited(Scene scene, const StructureInfo& info) {
       }
     }
   }
-  if (info.extents != Extents::kNone) with_extents(scene, info.extents);
+  if (info.usual_extents() != Extents::kNone) with_extents(scene, info.usual_extents());
   if (!info.graph) return scene;
   scene.dimension = 1;
   int u = 0, v = 1;

@@ -92,16 +92,20 @@ Scene random_scene(Draw& draw, Kind kind, int degree, int objects) {
   }
   Scene scene = test::make_scene(coordinates, Rational(draw.below(3) - 1));
   for (SceneObject& object : scene.objects) {
-    if (draw.below(4) != 0) object.weight = draw.number(kind);
+    auto& axes = object.motion.pieces[0].trajectory.coordinates;
+    axes.push_back({draw.below(4) != 0 ? draw.number(kind) : Rational()});
   }
+  scene.extents = Extents::kWeight;
   return scene;
 }
 
+// The weights stay.
 Scene moved(Scene scene, const Rational& scale, const Rational& by) {
   for (SceneObject& object : scene.objects) {
-    for (auto& axis : object.motion.pieces[0].trajectory.coordinates) {
-      for (Rational& c : axis) c *= scale;
-      axis[0] += by;
+    auto& axes = object.motion.pieces[0].trajectory.coordinates;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      for (Rational& c : axes[axis]) c *= scale;
+      axes[axis][0] += by;
     }
   }
   return scene;
@@ -125,10 +129,9 @@ struct Case {
       for (const int place : places) {
         const SceneObject& object = scene.objects[static_cast<std::size_t>(place)];
         Place& p = positions.emplace_back();
-        for (int axis = 0; axis < 2; ++axis) {
+        for (int axis = 0; axis < 3; ++axis) {
           p.push_back(object.motion.pieces[0].trajectory.position(axis, t));
         }
-        p.push_back(object.weight.value_or(Rational()));
       }
       return general.value(positions);
     };
@@ -142,16 +145,10 @@ std::vector<int> in_order(int n) {
   return places;
 }
 
-NumberNeeds with_weights(const Scene& scene) {
-  NumberNeeds needs = needs_of_objects(scene);
-  needs.add_weights(scene);
-  return needs;
-}
-
 std::unique_ptr<Arithmetic> arithmetic_of(const char* name, const Scene& scene) {
-  auto arithmetic = make_arithmetic(name, scene, with_weights(scene));
+  auto arithmetic = make_arithmetic(name, scene);
   for (ObjectId i = 0; i < scene.objects.size(); ++i) {
-    arithmetic->set_motion(i, scene.weighted(i, scene.objects[i].motion.pieces[0].trajectory), {});
+    arithmetic->set_motion(i, scene.objects[i].motion.pieces[0].trajectory, {});
   }
   arithmetic->set_now(scene.start);
   return arithmetic;
@@ -332,7 +329,7 @@ TEST_P(GeneralPredicates, DoNotDependOnOriginAndUnit) {
         if (!homogeneous) break;
         variants.push_back(moved(scene, scale, Rational()));
         for (SceneObject& object : variants.back().objects) {
-          if (object.weight) *object.weight *= scale * scale;
+          object.motion.pieces[0].trajectory.coordinates[2][0] *= scale * scale;
         }
       }
       const auto first = arithmetic_of("sturm", scene);
@@ -405,7 +402,10 @@ INSTANTIATE_TEST_SUITE_P(All, GeneralPredicates,
 TEST(GeneralPredicate, IsRefusedWithoutRoom) {
   Draw draw(1);
   Scene scene = random_scene(draw, Kind::kSmall, 1, 4);
-  for (SceneObject& object : scene.objects) object.weight.reset();
+  scene.extents = Extents::kNone;
+  for (SceneObject& object : scene.objects) {
+    object.motion.pieces[0].trajectory.coordinates.resize(2);
+  }
   for (const char* name : kArithmetics) {
     const auto arithmetic = make_arithmetic(name, scene);
     try {

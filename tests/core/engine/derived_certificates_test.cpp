@@ -166,12 +166,13 @@ Scene random_scene(std::uint64_t seed, bool integers) {
   };
   Scene scene;
   scene.dimension = 2;
+  scene.extents = Extents::kWeight;
   scene.start = 0;
   scene.end = 3;
   for (ObjectId i = 0; i < kPoints; ++i) {
     SceneObject object;
     object.id = std::to_string(i);
-    if (i % 3 != 0) object.weight = number();
+    const Rational weight = i % 3 != 0 ? number() : Rational();
     const Rational seam(Integer(i % 2 == 0 ? 2 : static_cast<int>(2 + i)), Integer(2));
     Trajectory first{{{number(), number()}, {number(), number()}}}, second;
     for (const auto& axis : first.coordinates) {
@@ -179,6 +180,7 @@ Scene random_scene(std::uint64_t seed, bool integers) {
       second.coordinates.push_back({axis[0] + axis[1] * seam - slope * seam + bend * seam * seam,
                                     slope - Rational(2) * bend * seam, bend});
     }
+    for (Trajectory* const motion : {&first, &second}) motion->coordinates.push_back({weight});
     second.normalise();
     object.motion.pieces.push_back({std::nullopt, seam, std::move(first)});
     object.motion.pieces.push_back({seam, std::nullopt, std::move(second)});
@@ -189,7 +191,6 @@ Scene random_scene(std::uint64_t seed, bool integers) {
 
 NumberNeeds needs_of(const Scene& scene) {
   NumberNeeds needs = needs_of_objects(scene);
-  needs.add_weights(scene);
   needs.add({"middle", 3, scene.degree(), false});
   return needs;
 }

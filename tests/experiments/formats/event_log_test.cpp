@@ -86,7 +86,7 @@ TEST(EventLog, DegenerateLogsOfEveryStructureVerify) {
         parameters.seed = seed;
         parameters.dimension = std::max(2, info.min_dimension);
         Scene scene = lab::generate_scene(*lab::find_workload(name), parameters);
-        lab::give_extents(scene, info.extents);
+        lab::give_extents(scene, info.usual_extents());
         formats::set_maintain(scene, {std::string(info.name)});
         const formats::LogVerdict verdict = formats::check_log(
             run(scene, "exact").log, "log", &scene, formats::scene_hash(scene));
@@ -150,7 +150,7 @@ TEST(LogRules, KindsAreThoseOfTheStructures) {
       parameters.dimension = 3;
       scene = lab::generate_scene(*lab::find_workload("uniform-square"), parameters);
     }
-    lab::give_extents(scene, info.extents);
+    lab::give_extents(scene, info.usual_extents());
     formats::set_maintain(scene, {std::string(info.name)});
     const auto simulator = lab::make_simulator(scene, "exact", {});
     const StructureId id = asked_structure(scene);
