@@ -311,7 +311,7 @@ TEST(Meetings, Metamorphic) {
       std::vector<ObjectId> name;
       for (ObjectId i = 0; i < 8; ++i) name.push_back((3 * i + 2) % 8);
       for (const std::string& structure : extents == Extents::kRadius
-               ? std::vector<std::string>{"disc_pairs_all", "disc_pairs_boxes", "box_pairs"}
+               ? std::vector<std::string>{"disc_pairs_all", "disc_pairs_boxes", "disc_pairs_grid", "box_pairs"}
                : std::vector<std::string>{"box_pairs"}) {
         const auto expected = moments({scene, {}, 1, 0, false, {}, "the same"}, structure);
         seen += expected.size();
