@@ -35,7 +35,7 @@ std::vector<ClosestPairBins::Pair> ClosestPairBins::near_pairs() const {
 }
 
 void ClosestPairBins::lay(std::size_t squares) {
-  grid_.lay(std::max<std::size_t>(squares, 1), Rational(), members_);
+  grid_.lay(std::max<std::size_t>(squares, 1), members_);
   most_lines_ = std::max(most_lines_, grid_.lines());
   ++layings_;
   pairs_.assign(near_pairs());

@@ -8,8 +8,7 @@
 namespace kinex {
 
 DiscPairsGrid::DiscPairsGrid(Kernel& kernel, StructureId id, const Scene& scene)
-    : diameter_(Rational(2) * largest_radius(scene)),
-      grid_(kernel, id, FlightBox::of(scene), scene.objects.size(), kReach),
+    : grid_(kernel, id, FlightBox::of_discs(scene), scene.objects.size(), kReach),
       claims_(kernel, id, scene),
       events_(kernel, id) {}
 
@@ -28,7 +27,7 @@ std::vector<DiscPairsGrid::Pair> DiscPairsGrid::near_pairs() const {
 
 // The pairs become those that are near in a new grid.
 void DiscPairsGrid::lay() {
-  grid_.lay(std::max<std::size_t>(members_.size(), 1), diameter_, members_);
+  grid_.lay(std::max<std::size_t>(members_.size(), 1), members_);
   most_lines_ = std::max(most_lines_, grid_.lines());
   ++layings_;
   const std::vector<Pair> wanted = near_pairs();

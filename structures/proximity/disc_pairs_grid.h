@@ -79,7 +79,6 @@ class DiscPairsGrid final : public Structure {
   void lay();
   void cell_changed(CertificateId failed);
 
-  Rational diameter_;  // no disc has a larger one
   PointGrid grid_;
   std::vector<ObjectId> members_;  // ascending
   std::size_t most_lines_ = 0, layings_ = 0;

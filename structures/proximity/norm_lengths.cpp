@@ -41,26 +41,30 @@ void NormLengths::remove(Item item) {
 // ---- claims
 
 // The plane turned by an infinitesimal angle, counter-clockwise: u.x becomes u.x + eps (u1 x - u0 y).
-std::vector<Rational> NormLengths::vector(const Along& along) const {
+NormLengths::Vector NormLengths::vector(const Along& along) const {
   const auto [x, y] = units_[along.direction];
   const Vector v = along.turned ? Vector{y, -x} : Vector{x, y};
   const int sign = along.negative ? -1 : 1;
-  return {Rational(sign * v[0]), Rational(sign * v[1])};
+  return {sign * v[0], sign * v[1]};
 }
 
 PredicateId NormLengths::order(const Along& along) const {
   const auto [place, fresh] = orders_.try_emplace(along, PredicateId{});
   if (!fresh) return place->second;
-  const std::vector<Rational> u = vector(along);
-  if (u[1].is_zero() && u[0].sign() > 0) return place->second = kernel_->bind(make_coordinate_order(0));
-  if (u[0].is_zero() && u[1].sign() > 0) return place->second = kernel_->bind(make_coordinate_order(1));
-  return place->second = kernel_->bind(make_direction_order(u));
+  const Vector u = vector(along);
+  const bool on_axis = (u[0] == 0 && u[1] > 0) || (u[1] == 0 && u[0] > 0);
+  place->second = kernel_->bind(on_axis ? make_coordinate_order(u[0] == 0 ? 1 : 0)
+                                        : make_direction_order({u[0], u[1]}));
+  return place->second;
 }
 
 PredicateId NormLengths::extents(const Along& u, const Along& v,
                                  const std::array<int, 4>& places) const {
   const auto [place, fresh] = extents_.try_emplace({u, v, places}, PredicateId{});
-  if (fresh) place->second = kernel_->bind(make_extent_order(vector(u), vector(v), places));
+  if (fresh) {
+    const Vector a = vector(u), b = vector(v);
+    place->second = kernel_->bind(make_extent_order({a[0], a[1]}, {b[0], b[1]}, places));
+  }
   return place->second;
 }
 
@@ -71,8 +75,8 @@ Query NormLengths::difference(Item a, Item b, bool turned) const {
   if (short_one.direction == long_one.direction) {
     // Along the direction; a query of the opposite order where the vector has no positive part.
     Along along{short_one.direction, turned, false};
-    const std::vector<Rational> u = vector(along);
-    along.negative = u[0].sign() < 0 || (u[0].is_zero() && u[1].sign() < 0);
+    const Vector u = vector(along);
+    along.negative = u[0] < 0 || (u[0] == 0 && u[1] < 0);
     std::array<ObjectId, 2> ends{kNoObject, kNoObject};
     if (short_one.from == long_one.from) ends = {short_one.to, long_one.to};
     if (short_one.to == long_one.to) ends = {long_one.from, short_one.from};

@@ -78,7 +78,7 @@ class NormLengths final : public TreeEdges {
   static Pair pair_of(const Form& form) {
     return {std::min(form.from, form.to), std::max(form.from, form.to)};
   }
-  std::vector<Rational> vector(const Along& along) const;
+  Vector vector(const Along& along) const;
   Query difference(Item a, Item b, bool turned) const;
   std::int64_t by_ids(const Form& form) const;
   PredicateId order(const Along& along) const;

@@ -116,7 +116,7 @@ class LayoutSearch {
 
 FlightBox FlightBox::of(const Scene& scene) {
   const auto axes = static_cast<std::size_t>(scene.dimension);
-  FlightBox box{std::vector<Rational>(axes), std::vector<Rational>(axes)};
+  FlightBox box{std::vector<Rational>(axes), std::vector<Rational>(axes), {}};
   for (std::size_t axis = 0; axis < axes; ++axis) {
     const std::vector<Rational> values = values_along(scene, axis);
     if (values.empty()) continue;
@@ -126,10 +126,12 @@ FlightBox FlightBox::of(const Scene& scene) {
   return box;
 }
 
-Rational largest_radius(const Scene& scene) {
-  const std::vector<Rational> values =
+FlightBox FlightBox::of_discs(const Scene& scene) {
+  FlightBox box = of(scene);
+  const std::vector<Rational> radii =
       values_along(scene, static_cast<std::size_t>(scene.dimension));
-  return values.empty() ? Rational() : *std::max_element(values.begin(), values.end());
+  if (!radii.empty()) box.diameter = Rational(2) * *std::max_element(radii.begin(), radii.end());
+  return box;
 }
 
 PointGrid::PointGrid(Kernel& kernel, StructureId id, FlightBox box, std::size_t points,
@@ -157,7 +159,7 @@ ObjectId PointGrid::line(std::size_t axis, const Rational& at) {
   return place->second;
 }
 
-void PointGrid::lay(std::size_t cells, const Rational& length, std::span<const ObjectId> points) {
+void PointGrid::lay(std::size_t cells, std::span<const ObjectId> points) {
   for (const ObjectId point : points) {
     for (CertificateId& slot : places_[point].certificate) slots_.drop(slot);
   }
@@ -170,8 +172,8 @@ void PointGrid::lay(std::size_t cells, const Rational& length, std::span<const O
     axis.at.clear();
     if (layout.side.sign() == 0) continue;  // all points are at one place
     Rational unit;
-    Rational width = rounded_up(std::max(layout.side, length), unit);
-    if (!(length < width)) width += unit;
+    Rational width = rounded_up(std::max(layout.side, box_.diameter), unit);
+    if (!(box_.diameter < width)) width += unit;
     Rational at = rounded_down(box_.low[i] + width, unit);
     for (std::size_t k = 1; k < layout.count[i] && at < box_.high[i]; ++k, at += width) {
       axis.lines.push_back(line(i, at));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PointGrid: moving points, in 1 to 3 axes, in the cells of a grid over a box that they never leave:
-// at most m cubes of side W, which is larger than a given length.
+// at most m cubes of side W, which is larger than the largest diameter of a disc, if there are discs.
 //
 //     line 1   line 2           The outer cells have no outer sides: no point is beyond the box. A
 //   +---+--------+----+         cell is at most W wide and high within the box, and just W between
@@ -35,24 +35,23 @@ namespace kinex {
 // A box that holds all flight plans of a scene from its start to its end.
 struct FlightBox {
   std::vector<Rational> low, high;  // by axis of a position
+  Rational diameter;                // no disc of the scene has a larger one; 0 unless asked for
 
   // Tight for linear motions. Requires an end.
   static FlightBox of(const Scene& scene);
+  // Of a scene of discs, balls or intervals: the same for their centres, and the diameter, tight for
+  // linear radii.
+  static FlightBox of_discs(const Scene& scene);
 };
-
-// No radius of a scene of discs, balls or intervals is larger, from its start to its end; 0 without
-// objects. Tight for linear radii. Requires an end.
-Rational largest_radius(const Scene& scene);
 
 class PointGrid {
  public:
   // Two points are near each other if their cells are at most `reach` columns, rows and layers apart.
   PointGrid(Kernel& kernel, StructureId id, FlightBox box, std::size_t points, std::int64_t reach);
 
-  // Lays the lines anew, at most `cells` >= 1 cells of a side larger than `length` >= 0, and puts
-  // these points into them. O(cells), in space O(cells log cells), and, for each point, O(log cells)
-  // signs.
-  void lay(std::size_t cells, const Rational& length, std::span<const ObjectId> points);
+  // Lays the lines anew, at most `cells` >= 1 cells, and puts these points into them. O(cells), in
+  // space O(cells log cells), and, for each point, O(log cells) signs.
+  void lay(std::size_t cells, std::span<const ObjectId> points);
   // As asked for last.
   std::size_t cells() const { return cells_asked_; }
   std::size_t lines() const;
