@@ -29,21 +29,35 @@ Parts size_of(Parts parts) {
 }  // namespace
 
 std::vector<ObjectId> static_maximum_norm_tree(const Snapshot& snapshot) {
-  using Candidate = std::tuple<Parts, std::array<ObjectId, 2>>;
+  using Edge = std::array<ObjectId, 2>;
+  const auto parts = [&snapshot](const Edge& edge) {
+    const auto [a, b] = edge;
+    const Rational x = snapshot.position(b, 0) - snapshot.position(a, 0);
+    const Rational y = snapshot.position(b, 1) - snapshot.position(a, 1);
+    const Rational step(static_cast<int>(b - a));
+    return std::max(size_of({x, -y, Rational(2) * step}), size_of({y, x, step}));
+  };
+  struct Candidate {
+    Rational length;  // the first part
+    Edge edge;
+  };
   std::vector<Candidate> all;
   for (ObjectId a = 0; a < snapshot.objects(); ++a) {
     for (ObjectId b = a + 1; b < snapshot.objects(); ++b) {
       if (!snapshot.alive(a) || !snapshot.alive(b)) continue;
-      const Rational x = snapshot.position(b, 0) - snapshot.position(a, 0);
-      const Rational y = snapshot.position(b, 1) - snapshot.position(a, 1);
-      const Rational step(static_cast<int>(b - a));
-      all.emplace_back(std::max(size_of({x, -y, Rational(2) * step}), size_of({y, x, step})),
-                       std::array{a, b});
+      Rational x = snapshot.position(b, 0) - snapshot.position(a, 0);
+      Rational y = snapshot.position(b, 1) - snapshot.position(a, 1);
+      if (x.sign() < 0) x = -x;
+      if (y.sign() < 0) y = -y;
+      all.push_back({x < y ? std::move(y) : std::move(x), {a, b}});
     }
   }
-  std::sort(all.begin(), all.end());
-  std::vector<std::array<ObjectId, 2>> edges, tree;
-  for (const auto& [length, edge] : all) edges.push_back(edge);
+  std::sort(all.begin(), all.end(), [&parts](const Candidate& one, const Candidate& other) {
+    if (const auto order = one.length <=> other.length; order != 0) return order < 0;
+    return std::tuple(parts(one.edge), one.edge) < std::tuple(parts(other.edge), other.edge);
+  });
+  std::vector<Edge> edges, tree;
+  for (const Candidate& one : all) edges.push_back(one.edge);
   const std::vector<bool> chosen = kruskal(edges, snapshot.objects());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (chosen[i]) tree.push_back(edges[i]);
