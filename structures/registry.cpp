@@ -223,7 +223,13 @@ std::optional<Refusal> refusal_of_objects(const StructureInfo& info, const Reque
   if (info.colours && request.of.kind != Subset::Kind::kAll) {
     return Refusal{"takes the objects of its two colours", "remove \"of\""};
   }
-  if (info.query && request.of.kind != Subset::Kind::kAll &&
+  if (info.query_is_site && request.of.kind != Subset::Kind::kAll &&
+      query_of(request) < scene.objects.size() && !scene.members(request.of)[query_of(request)]) {
+    return Refusal{"is about " + scene.objects[query_of(request)].id +
+                       ", which is not among its sites",
+                   "take it into \"of\""};
+  }
+  if (info.query && !info.query_is_site && request.of.kind != Subset::Kind::kAll &&
       request.of.kind != Subset::Kind::kAllBut && query_of(request) < scene.objects.size() &&
       scene.members(request.of)[query_of(request)]) {
     return Refusal{"has its query " + scene.objects[query_of(request)].id + " among its sites",

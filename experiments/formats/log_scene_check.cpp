@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 
+#include "experiments/formats/grid_line.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/log_rules.h"
 #include "experiments/formats/log_scene.h"
@@ -121,14 +122,34 @@ bool LogSceneCheck::may_be_made_negative(const LogRecord& record) const {
                      [this](const std::string& label) { return changed_.count(label) == 1; });
 }
 
+// The order of a point and a line of a grid; null: the certificate is about something else.
+std::shared_ptr<const Predicate> LogSceneCheck::order_on_grid(const LogCertificate& said) const {
+  const bool has_line = std::any_of(said.ids.begin(), said.ids.end(), [this](const std::string& id) {
+    return objects_.count(id) == 0 && grid_line(id);
+  });
+  for (int axis = 0; has_line && axis < scene_.dimension; ++axis) {
+    std::shared_ptr<const Predicate> order = make_coordinate_order(axis);
+    if (order->name() == said.predicate) return order;
+  }
+  return nullptr;
+}
+
 std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& instant) {
   const LogCertificate& said = *record.certificate;
-  const Predicate* known = predicate(record.structure, said.predicate);
+  const std::shared_ptr<const Predicate> on_grid = order_on_grid(said);
+  const Predicate* known =
+      on_grid ? on_grid.get() : predicate(record.structure, said.predicate);
   std::array<const Trajectory*, kMaxArity> motions{};
+  std::array<Trajectory, kMaxArity> lines;  // of grids, which do not move
   const bool fits = known != nullptr && said.ids.size() == static_cast<std::size_t>(known->arity());
   for (std::size_t i = 0; fits && i < said.ids.size(); ++i) {
     const auto object = objects_.find(said.ids[i]);
-    if (object != objects_.end()) motions[i] = motions_.of(object->second);
+    if (object != objects_.end()) {
+      motions[i] = motions_.of(object->second);
+    } else if (const auto at = grid_line(said.ids[i])) {
+      lines[i].coordinates.assign(static_cast<std::size_t>(scene_.dimension), {*at});
+      motions[i] = &lines[i];
+    }
   }
   const std::span<const Trajectory* const> of(motions.data(), fits ? said.ids.size() : 0);
   if (!fits || std::find(of.begin(), of.end(), nullptr) != of.end()) {

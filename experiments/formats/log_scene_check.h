@@ -37,6 +37,7 @@ class LogSceneCheck {
 
  private:
   void note_change(const LogRecord& record, RealRoot* instant);
+  std::shared_ptr<const Predicate> order_on_grid(const LogCertificate& said) const;
   std::string check_certificate(const LogRecord& record, RealRoot& instant);
   std::string feature_problem(const std::vector<std::string>& ids) const;
   void note_instant(const LogRecord& record);

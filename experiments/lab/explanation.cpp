@@ -250,7 +250,10 @@ Explanation explain(const StructureInfo& info) {
   add("for", {domain_of(info)});
   if (info.uses_key)
     add("key", {"x (default), y, z, a direction, or the squared distance to an object"});
-  if (info.query) add("query", {"an object (default: the first); the others are the sites"});
+  if (info.query) {
+    add("query", {info.query_is_site ? "a site (default: the first)"
+                                     : "an object (default: the first); the others are the sites"});
+  }
   if (info.colours) {
     add("colours", {"two colours of objects (default: the objects at even and at odd places)"});
   }

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Level 5: the attributes of all structures at one time, from positions."""
 
+from functools import cmp_to_key
 from itertools import combinations
 
 from octants import pairs_of_positions
 from replay_calipers import folds_of
 from replay_directions import all_directions, half_directions, k_of, opposite
+from replay_norms import MOST_MEMBERS, norm_tree_of
 from space import cells_of
-from static import forest_edges, spanning_tree
+from static import forest_edges, rotated, spanning_tree
 from subsets import TWO_COLOURS, classes_of, query_of
 
 MOST_EXTENTS = 12000
@@ -96,6 +98,22 @@ def delaunay_of(positions):
         line = sorted(points, key=lambda o: tuple(points[o]))
         edges = {(min(e), max(e)) for e in zip(line, line[1:])}
     return sorted(edges)
+
+
+def cell_of(site, positions):
+    """The Delaunay neighbours of a site, counter-clockwise from the smallest."""
+    if site not in positions:
+        return []
+    here = tuple(positions[site])
+    vertex = min(o for o in positions if tuple(positions[o]) == here)
+    around = [a if b == vertex else b for a, b in delaunay_of(positions) if vertex in (a, b)]
+
+    def before(a, b):
+        u, v = ([q - p for p, q in zip(here, positions[o])] for o in (a, b))
+        halves = [w[1] < 0 or (w[1] == 0 and w[0] < 0) for w in (u, v)]
+        return halves[0] - halves[1] or (u[1] * v[0] > u[0] * v[1]) - (u[1] * v[0] < u[0] * v[1])
+
+    return rotated(sorted(around, key=cmp_to_key(before)))
 
 
 def box_of(positions):
@@ -275,12 +293,16 @@ def attribute_of(structure, key, positions, scene):
         return closest_of(pairs_of(structure, positions, scene), positions)
     if name == "nearest_site":
         return nearest_of(query_of(structure.options, scene), positions)
+    if name == "voronoi_cell_2":
+        return cell_of(query_of(structure.options, scene), positions)
     if name.startswith("graph_mst_"):
         return lightest_of(positions, scene)
     if name == "box_pairs":
         return meetings_of(positions, boxes_meet)
     if name.startswith("disc_pairs_"):
         return meetings_of(positions, discs_meet)
+    if name.startswith("mst_maximum_norm_"):
+        return norm_tree_of(positions) if len(positions) <= MOST_MEMBERS else None
     if name.startswith("emst_"):
         return tree_of(positions)
     if name in ("diameter_2", "diameter_all_pairs"):

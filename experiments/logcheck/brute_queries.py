@@ -7,6 +7,7 @@ from brute_attributes import few_extents, pairs_of
 from octants import AXES
 from replay_calipers import folds_of
 from replay_directions import extent_query, half_directions, k_of
+from replay_norms import MOST_MEMBERS, norm_queries
 from subsets import query_of
 
 
@@ -46,6 +47,10 @@ def queries_of(structure, key, members, scene):
             for axis in range(dimension):
                 yield (axis_order(axis), pair)
         return
+    if name.startswith("mst_maximum_norm_"):
+        if len(members) <= MOST_MEMBERS:
+            yield from norm_queries(members)
+        return
     if name.startswith("octants_"):
         for pair in combinations(sorted(members), 2):
             for axis in AXES:
@@ -82,7 +87,7 @@ def queries_of(structure, key, members, scene):
             yield ("slope_order_2", first + second)
             if folds_of(structure) == 4:
                 yield ("edge_dot_2", first + second)
-    if name in ("delaunay_2", "farthest_delaunay_2") or name.startswith("min_circle_2"):
+    if name in ("delaunay_2", "farthest_delaunay_2", "voronoi_cell_2") or name.startswith("min_circle_2"):
         for quad in combinations(sorted(members), 4):
             yield ("in_circle_2", quad)
 

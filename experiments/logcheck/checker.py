@@ -336,6 +336,9 @@ class Checker:
             self.touched[r.structure.index] = replay
 
     def settle(self, x):
+        for i, replay in enumerate(self.replays):
+            if replay is not None and replay.at_every_instant:
+                self.touched[i] = replay
         for replay in list(self.touched.values()):
             replay.settle(x)
         self.touched.clear()

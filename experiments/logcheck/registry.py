@@ -10,11 +10,13 @@ from replay_heaps import Hanger, Heap, Tournament
 from replay_hull import HullBruteForce, HullOfDelaunay
 from replay_list import SortedList
 from replay_maximum import Maximum, OfList
+from replay_norms import MaximumNormTree
 from replay_octants import Octants
 from replay_range import PseudoKdTree, RangeTree, RankKdTree, TrajectoryTree
 from replay_scratch import (BoundingBox, BoxesThatMeet, ClosestPair, ClosestPairOfCells, ClosestPairOfOrders,
-                            DiscsThatMeet, FarthestPair, GraphTree, NearestSite, SpanningTree, TwoColours)
+                            DiscsOfCells, DiscsThatMeet, FarthestPair, GraphTree, NearestSite, SpanningTree, TwoColours)
 from replay_space import DelaunayInSpace
+from replay_voronoi import VoronoiCell
 
 REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
             "convex_hull_2_brute_force": HullBruteForce, "convex_hull_2_delaunay": HullOfDelaunay,
@@ -24,10 +26,12 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "closest_pair_cones": ClosestPair, "closest_pair_local": ClosestPair,
             "closest_pair_bins": ClosestPairOfCells,
             "octants_listed": Octants, "octants_local": Octants,
-            "nearest_site": NearestSite,
+            "nearest_site": NearestSite, "voronoi_cell_2": VoronoiCell,
             "bichromatic_pair_delaunay": TwoColours, "bichromatic_pair_all": TwoColours,
+            "mst_maximum_norm_list": MaximumNormTree, "mst_maximum_norm_cycles": MaximumNormTree,
             "emst_list": SpanningTree, "emst_cycles": SpanningTree,
             "box_pairs": BoxesThatMeet, "disc_pairs_all": DiscsThatMeet, "disc_pairs_boxes": DiscsThatMeet,
+            "disc_pairs_grid": DiscsOfCells,
             "graph_mst_list": GraphTree, "graph_mst_cycles": GraphTree,
             "diameter_2": FarthestPair, "diameter_all_pairs": FarthestPair,
             "bounding_box_2_hull": BoxOfHull, "farthest_delaunay_2": FarthestDelaunay,

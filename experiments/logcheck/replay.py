@@ -8,6 +8,8 @@ from subsets import own_objects
 class Replay:
     """The state of one structure, advanced by the records of its log. Subclasses keep `attribute`."""
 
+    at_every_instant = False  # to be settled at all instants of the log, with or without a record of its own
+
     def __init__(self, checker, structure):
         self.checker, self.structure = checker, structure
         self.world = checker.world

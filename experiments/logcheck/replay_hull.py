@@ -29,8 +29,11 @@ class Hull(OfMembers):
         return list(self.cycle)
 
     def begin(self, x):
-        self.cycle = hull(self.world, self.members, x)
+        self.cycle = self.current(x)
         self.claims(x)
+
+    def current(self, x):
+        return hull(self.world, self.members, x)
 
     def claims(self, x):
         wanted = {}
@@ -88,7 +91,7 @@ class Hull(OfMembers):
         raise Wrong("%s: this structure has no such events" % r.short())
 
     def change(self, r, x):
-        fresh = hull(self.world, self.members, x)
+        fresh = self.current(x)
         self.checker.check_change(self, r, self.cycle, fresh)
         self.cycle = fresh
         self.look = True
@@ -98,7 +101,7 @@ class Hull(OfMembers):
         self.look = False
         if not failing:
             return
-        fresh = hull(self.world, self.members, x)
+        fresh = self.current(x)
         due = changes(self.cycle, fresh)
         if self.events != due:
             self.wrong(self.events, due, fresh, x)
@@ -112,7 +115,7 @@ class Hull(OfMembers):
                 "" if gone is None else " from %s to %s" % (self.names(gone), self.names(came)))
                 for kind, ids, gone, came in events) or "nothing"
 
-        raise Wrong("%s: at %r the hull changes from %s to %s; due are %s; told are %s" % (
+        raise Wrong("%s: at %r it changes from %s to %s; due are %s; told are %s" % (
             self.label, x, self.names(self.cycle), self.names(fresh), said(due), said(told)))
 
 

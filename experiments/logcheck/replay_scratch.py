@@ -166,8 +166,8 @@ class ClosestPairOfOrders(ClosestPair):
             self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two points", r.short())
 
 
-class ClosestPairOfCells(ClosestPair):
-    """The same, with points that move to another cell of a grid; a line of it is named by its place."""
+class OfCells:
+    """With points that move to another cell of a grid; a line of it is named by its place."""
 
     LINES = 1 << 30  # the numbers of lines: those of objects are smaller
 
@@ -186,7 +186,7 @@ class ClosestPairOfCells(ClosestPair):
         return (r.predicate, ids)
 
     def line(self, name, order):
-        self.require(order in ("order_x", "order_y") and name[:2] == order[-1] + "=",
+        self.require(order in ("order_x", "order_y", "order_z") and name[:2] == order[-1] + "=",
                      "%s is no line for an %s", name, order)
         if name not in self.lines:
             try:
@@ -195,9 +195,19 @@ class ClosestPairOfCells(ClosestPair):
                 raise Wrong("%s is no line" % name)
             self.lines[name] = self.LINES + len(self.lines)
             level = (at.numerator,) if at else ()
+            axes = 2 * self.world.scene.dimension  # extents included
             self.world.set_motion(self.lines[name], SimpleNamespace(denominator=at.denominator,
-                                                                    polynomials=[level, level]))
+                                                                    polynomials=[level] * axes))
         return self.lines[name]
+
+    def moved(self, r):
+        self.require_members(r, 1)
+        if self.query(r) is not None:
+            self.require(r.ids[0] in self.query(r)[1], "%s is not a failure of the point", r.short())
+
+
+class ClosestPairOfCells(OfCells, ClosestPair):
+    """The same, among points in near cells."""
 
     def replaced(self, r, before, after):
         if r.kind == "replace":
@@ -206,10 +216,8 @@ class ClosestPairOfCells(ClosestPair):
     def event(self, r, x):
         if r.kind != "cell":
             super().event(r, x)
-            return
-        self.require_members(r, 1)
-        if self.query(r) is not None:
-            self.require(r.ids[0] in self.query(r)[1], "%s is not a failure of the point", r.short())
+        else:
+            self.moved(r)
 
 
 class SpanningTree(Scratch):
@@ -232,6 +240,12 @@ class SpanningTree(Scratch):
     def current(self, x):
         return spanning_tree(self.in_order(x))
 
+    def tied(self, old, fresh, x):
+        return self.world.is_zero(self.claim(old, fresh))
+
+    def names_both(self, r):
+        return set(self.query(r)[1]) == set(r.ids)
+
     def record(self, r, x):
         self.look = True
         if r.kind not in ("settled", "rebuild"):
@@ -240,10 +254,9 @@ class SpanningTree(Scratch):
             self.require(old == tuple(sorted(old)) and fresh == tuple(sorted(fresh)) and old != fresh,
                          "%s: no two edges", r.short())
             if r.kind == "tie":
-                self.require(self.world.is_zero(self.claim(old, fresh)), "%s: the lengths are not identically equal",
-                             r.short())
+                self.require(self.tied(old, fresh, x), "%s: the lengths are not identically equal", r.short())
             elif self.query(r) is not None and not r.external:
-                self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of the two edges", r.short())
+                self.require(self.names_both(r), "%s is not a failure of the two edges", r.short())
         if not r.external:
             self.require(r.gone is None, "%s says nothing of the attribute", r.short())
             return
@@ -320,6 +333,18 @@ class BoxesThatMeet(Scratch):
 
 class DiscsThatMeet(BoxesThatMeet):
     meet = staticmethod(discs_meet)
+
+
+class DiscsOfCells(OfCells, DiscsThatMeet):
+    """The same, among discs in neighbouring cells."""
+
+    def record(self, r, x):
+        if r.kind != "cell":
+            super().record(r, x)
+            return
+        self.look = True
+        self.moved(r)
+        self.require(not r.external and r.gone is None, "%s says nothing of the attribute", r.short())
 
 
 class TwoColours(ClosestPair):

@@ -101,6 +101,7 @@ struct StructureInfo {
   std::string_view instead = {};    // a structure of its group that takes every scene; empty: itself
   bool weights = false;  // it reads the weights of points, or the radii of discs
   bool query = false;               // it is about one object, the request's "query"
+  bool query_is_site = false;       // and that one is among the others: for structures with a query
   bool colours = false;             // it is about two classes of objects, the request's "colours"
   bool graph = false;               // for edges of graphs ("ends"), and only these
   // For objects with these extents; boxes are about discs, too, so that kHalfExtents takes either.

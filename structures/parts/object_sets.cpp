@@ -12,7 +12,7 @@ Subset sites_of(const StructureInfo& info, const Request& request, const Scene& 
     return {Subset::Kind::kColours, {}, request.colours};
   }
   Subset result = request.of;
-  if (!info.query || scene.objects.empty()) return result;
+  if (!info.query || info.query_is_site || scene.objects.empty()) return result;
   const ObjectId query = query_of(request);
   if (result.kind == Subset::Kind::kAll) result.kind = Subset::Kind::kAllBut;
   if (result.kind != Subset::Kind::kAllBut) return result;

@@ -15,7 +15,8 @@ namespace kinex {
 
 // The request's query; the first object if it names none.
 ObjectId query_of(const Request& request);
-// The objects of "of" without the query; of a structure of two colours those of both.
+// The objects of "of", without the query unless it is a site; of a structure of two colours those of
+// both.
 Subset sites_of(const StructureInfo& info, const Request& request, const Scene& scene);
 // By object: true for those that the structure is built from, the query included. Empty: all.
 std::vector<bool> members_of(const StructureInfo& info, const Request& request, const Scene& scene);

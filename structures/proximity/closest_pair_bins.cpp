@@ -11,7 +11,7 @@ namespace kinex {
 ClosestPairBins::ClosestPairBins(Kernel& kernel, StructureId id, const Scene& scene)
     : kernel_(&kernel),
       id_(id),
-      grid_(kernel, id, FlightBox::of(scene), scene.objects.size()),
+      grid_(kernel, id, FlightBox::of(scene), scene.objects.size(), kReach),
       pairs_(kernel, id, "pairs", PairDistances(kernel, 2)),
       events_(kernel, id, Attribute::Shape::kTuples) {}
 
@@ -63,7 +63,7 @@ void ClosestPairBins::rebuild() {
 void ClosestPairBins::insert(ObjectId object) {
   members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
   grid_.insert(object);
-  if (members_.size() > 4 * grid_.squares()) {
+  if (members_.size() > 4 * grid_.cells()) {
     lay(members_.size() - 1);
   } else {
     for (const ObjectId other : grid_.near(object)) {
@@ -80,7 +80,7 @@ void ClosestPairBins::erase(ObjectId object) {
   }
   grid_.erase(object);
   members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
-  if (members_.size() <= grid_.squares() && grid_.squares() > 1) lay(members_.size() / 2);
+  if (members_.size() <= grid_.cells() && grid_.cells() > 1) lay(members_.size() / 2);
   begin();
 }
 
@@ -140,7 +140,7 @@ std::vector<BoundCheck> ClosestPairBins::bounds(const BoundContext& context) con
 
 void ClosestPairBins::check_invariants(AuditReport& report) const {
   grid_.check(report);
-  report.check(members_.size() < 2 || grid_.squares() < members_.size(),
+  report.check(members_.size() < 2 || grid_.cells() < members_.size(),
                [] { return "too many cells for its points"; });
   report.check(pairs_.values() == near_pairs(),
                [] { return "other pairs than those in near cells"; });

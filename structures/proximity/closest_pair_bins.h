@@ -79,6 +79,9 @@ class ClosestPairBins final : public Structure {
   std::size_t bytes() const override;
 
  private:
+  // Columns and rows between two points that may be the closest of more points than squares.
+  static constexpr std::int64_t kReach = 2;
+
   std::vector<ObjectId> closest() const;
   std::vector<Pair> near_pairs() const;
   void lay(std::size_t squares);

@@ -14,10 +14,13 @@
 #include "structures/proximity/closest_pair_range_tree.h"
 #include "structures/proximity/delaunay_tree.h"
 #include "structures/proximity/disc_pairs.h"
+#include "structures/proximity/disc_pairs_grid.h"
 #include "structures/proximity/graph_tree.h"
 #include "structures/proximity/nearest_site.h"
+#include "structures/proximity/octant_tree.h"
 #include "structures/proximity/octants_listed.h"
 #include "structures/proximity/octants_local.h"
+#include "structures/proximity/voronoi_cell_2.h"
 
 namespace kinex {
 namespace {
@@ -36,9 +39,20 @@ std::optional<Refusal> endless(const Scene& scene) {
                  "give it an \"end\", or maintain closest_pair_all"};
 }
 
+std::optional<Refusal> endless_discs(const Scene& scene) {
+  if (scene.end) return std::nullopt;
+  return Refusal{"keeps discs in a grid over all that they pass, the scene has no end",
+                 "give it an \"end\", or maintain disc_pairs_all"};
+}
+
 template <TreeProof proof>
 std::unique_ptr<Structure> make_tree(const MakerInput& in) {
   return std::make_unique<DelaunayTree>(in.kernel, in.id, triangulation(in), proof);
+}
+template <TreeProof proof>
+std::unique_ptr<Structure> make_octant_tree(const MakerInput& in) {
+  return std::make_unique<OctantTree>(in.kernel, in.id,
+                                      dynamic_cast<const OctantNeighbours&>(*in.watched[0]), proof);
 }
 template <TreeProof proof>
 std::unique_ptr<Structure> make_graph_tree(const MakerInput& in) {
@@ -65,6 +79,7 @@ std::unique_ptr<Structure> make_octants_reader(const MakerInput& in, std::string
 std::vector<StructureInfo> octants() {
   StructureInfo base;
   base.group = "octants";
+  base.role = "octants";
   base.min_dimension = 2;
   base.shape = Attribute::Shape::kTuples;
   base.ties =
@@ -224,6 +239,38 @@ std::vector<StructureInfo> spanning_trees() {
   return {list, cycles};
 }
 
+std::vector<StructureInfo> norm_trees() {
+  StructureInfo base;
+  base.group = "mst_maximum_norm";
+  base.min_dimension = 2;
+  base.shape = Attribute::Shape::kTuples;
+  base.reads = {{"octants_local", "octants"}};
+  base.ties =
+      "lengths that are identically equal are in the order after an infinitesimal turn, then in "
+      "that of the lengths by ids along (2, 1)";
+  base.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+
+  StructureInfo list = base;
+  list.name = "mst_maximum_norm_list";
+  list.summary =
+      "the minimum spanning tree in the maximum norm, by the order of all pairs of octants";
+  list.kinds = {{"swap", Effect::kAlways}, {"order", Effect::kNever}, {"tie", Effect::kNever}};
+  list.certificates =
+      "at most 4n - 1, one for each two neighbours in the list of the pairs of a point and the next "
+      "one in an octant; those of the octants besides";
+  list.make = make_octant_tree<TreeProof::kList>;
+
+  StructureInfo cycles = base;
+  cycles.name = "mst_maximum_norm_cycles";
+  cycles.summary = "the same, every pair outside the tree against those of its cycle";
+  cycles.kinds = {{"swap", Effect::kAlways}, {"exchange", Effect::kNever}, {"tie", Effect::kNever}};
+  cycles.certificates =
+      "at most (3n + 1)(n - 1): every pair of an octant outside the tree is the longest of its "
+      "cycle; those of the octants besides";
+  cycles.make = make_octant_tree<TreeProof::kCycles>;
+  return {list, cycles};
+}
+
 StructureInfo nearest_site() {
   StructureInfo info{.name = "nearest_site",
                      .summary = "the site nearest to a moving query, by its Delaunay neighbours"};
@@ -239,6 +286,26 @@ StructureInfo nearest_site() {
   info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
   info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
     return std::make_unique<NearestSite>(
+        in.kernel, in.id, dynamic_cast<const Delaunay2&>(*in.watched[0]), query_of(in.request));
+  };
+  return info;
+}
+
+StructureInfo voronoi_cell() {
+  StructureInfo info{.name = "voronoi_cell_2",
+                     .summary = "the neighbours of a site in the Voronoi diagram, in order"};
+  info.min_dimension = 2;
+  info.query = true;
+  info.query_is_site = true;
+  info.shape = Attribute::Shape::kCycle;
+  info.reads = {{"delaunay_2"}};
+  info.kinds = {{"leave", Effect::kAlways}, {"enter", Effect::kAlways}, {"turn", Effect::kAlways}};
+  info.certificates = "none: it reads delaunay_2, of the sites";
+  info.ties =
+      "of sites that are identically on an empty circle the smallest is a neighbour of the others";
+  info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+  info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
+    return std::make_unique<VoronoiCell2>(
         in.kernel, in.id, dynamic_cast<const Delaunay2&>(*in.watched[0]), query_of(in.request));
   };
   return info;
@@ -310,7 +377,18 @@ std::vector<StructureInfo> meetings() {
       "2n - 1 an axis, one for each two neighbours among the ends of the discs' boxes, and one for "
       "each pair of boxes that meet";
   in_boxes.make = make_plain<DiscPairsBoxes>;
-  return {boxes, all, in_boxes};
+
+  StructureInfo in_cells = all;
+  in_cells.name = "disc_pairs_grid";
+  in_cells.summary = "the same, only pairs watched in neighbouring cells of a grid";
+  in_cells.kinds.push_back({"cell", Effect::kNever});
+  in_cells.instead = "disc_pairs_all";
+  in_cells.refuse = endless_discs;
+  in_cells.certificates =
+      "at most 2n an axis for the cells of the centres, and one for each pair in neighbouring "
+      "cells";
+  in_cells.make = make_plain<DiscPairsGrid>;
+  return {boxes, all, in_boxes, in_cells};
 }
 
 }  // namespace
@@ -319,7 +397,9 @@ StructureFamily proximity_family() {
   std::vector<StructureInfo> all = octants();
   for (StructureInfo& pair : closest_pairs()) all.push_back(std::move(pair));
   all.push_back(nearest_site());
+  all.push_back(voronoi_cell());
   for (StructureInfo& tree : spanning_trees()) all.push_back(std::move(tree));
+  for (StructureInfo& tree : norm_trees()) all.push_back(std::move(tree));
   for (StructureInfo& tree : graph_trees()) all.push_back(std::move(tree));
   for (StructureInfo& pairs : meetings()) all.push_back(std::move(pairs));
   return {"proximity", std::move(all)};

@@ -6,10 +6,10 @@
 
 namespace kinex {
 
-void MeetingEvents::repaired(ObjectId a, ObjectId b) {
+void MeetingEvents::repaired(ObjectId a, ObjectId b, MeetingEventKind inside) {
   const bool over_now = !kernel_->instant_is_shared(id_) && !kernel_->failure_is_due();
   if (over_now && tell()) return;
-  report_inside(kMeetingInside, a, b);
+  report_inside(inside, a, b);
   if (any()) kernel_->settle_later(id_);
 }
 

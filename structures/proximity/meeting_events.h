@@ -24,6 +24,7 @@ enum MeetingEventKind : std::uint8_t {
   kPart,           // external: those of a pair that is gone
   kMeetingInside,  // internal: a failure was repaired that changes nothing, or nothing yet
   kMeetingTie,     // internal: two objects touch identically from now on
+  kMeetingCell,    // internal, of disc_pairs_grid alone: an object has moved to the next cell
 };
 
 class MeetingEvents {
@@ -40,8 +41,9 @@ class MeetingEvents {
   }
   // Nothing is left to be reported.
   void begin() { changes_.clear(); }
-  // A failure about these two objects (or one: a == b) was repaired. Reports at least one event.
-  void repaired(ObjectId a, ObjectId b);
+  // A failure about these two objects (or one: a == b) was repaired. Reports at least one event, of
+  // this kind if nothing changes.
+  void repaired(ObjectId a, ObjectId b, MeetingEventKind inside = kMeetingInside);
   // Reports a tie that was put in order.
   void tied(ObjectId a, ObjectId b);
   // The instant is over: reports what has changed.

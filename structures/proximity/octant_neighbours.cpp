@@ -84,6 +84,7 @@ bool OctantNeighbours::had(const Pair& pair) const {
 void OctantNeighbours::note(std::size_t cone, ObjectId p, ObjectId old) {
   changes_.try_emplace({p, cone}, old);
   pointer_changed(cone, p);
+  for (OctantWatcher* const watcher : watchers_) watcher->pointer_changed(p, old, next(cone, p));
 }
 
 ObjectId OctantNeighbours::told_next(std::size_t cone, ObjectId p) const {

@@ -28,6 +28,14 @@
 
 namespace kinex {
 
+// Is told of every pointer that changes, when it does, and whether or not the attribute changes.
+class OctantWatcher {
+ public:
+  virtual ~OctantWatcher() = default;
+  // The first point in some cone of `point` is `fresh`, and was `old`; kNoObject: none.
+  virtual void pointer_changed(ObjectId point, ObjectId old, ObjectId fresh) = 0;
+};
+
 class OctantNeighbours : public Structure {
  public:
   using Pair = std::array<ObjectId, 2>;  // ids, ascending
@@ -42,6 +50,8 @@ class OctantNeighbours : public Structure {
   // The pairs of the attribute, ascending, and whether one is among them.
   std::vector<Pair> pairs() const;
   bool has(const Pair& pair) const;
+  // `watcher` lives as long as changes are made. It changes nothing of the octants.
+  void add_watcher(OctantWatcher& watcher) const { watchers_.push_back(&watcher); }
 
   Attribute attribute() const override;
   Attribute told() const override;
@@ -89,6 +99,7 @@ class OctantNeighbours : public Structure {
   StructureId id_;
   OctantWoods woods_;
   std::map<Pointer, ObjectId> changes_;  // not reported yet: as last reported
+  mutable std::vector<OctantWatcher*> watchers_;
 };
 
 }  // namespace kinex

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PointGrid: moving points in the cells of a grid over a box that they never leave: at most m
-// squares, of side W.
+// PointGrid: moving points, in 1 to 3 axes, in the cells of a grid over a box that they never leave:
+// at most m cubes of side W, which is larger than the largest diameter of a disc, if there are discs.
 //
 //     line 1   line 2           The outer cells have no outer sides: no point is beyond the box. A
 //   +---+--------+----+         cell is at most W wide and high within the box, and just W between
-//   |   |        |    |  1      two lines. So of more than m points two share a cell, less than 2W
-//   +---+--------+----+         apart, and two points three columns or rows apart, or more, have a
-//   |   |        |    |  0      distance of 2W at least.
+//   |   |        |    |  1      two lines. So of more than m points two share a cell, and two
+//   +---+--------+----+         points two columns or rows apart, or more, have a distance of W at
+//   |   |        |    |  0      least; in the plane those of one cell are less than 2W apart.
 //   +---+--------+----+
 //     0     1      2
 //
-// Certificates: a point is on its side of each line beside its cell, at most four, of degree d for
-// motions of degree d. One that fails moves its point to the next cell. A point on a line
+// Certificates: a point is on its side of each line beside its cell, at most two an axis, of degree
+// d for motions of degree d. One that fails moves its point to the next cell. A point on a line
 // identically is in either cell.
 #ifndef KINEX_STRUCTURES_PROXIMITY_POINT_GRID_H
 #define KINEX_STRUCTURES_PROXIMITY_POINT_GRID_H
@@ -32,38 +32,39 @@
 
 namespace kinex {
 
-// A box that holds all flight plans of a scene from its start to its end, in the plane.
+// A box that holds all flight plans of a scene from its start to its end.
 struct FlightBox {
-  std::array<Rational, 2> low, high;
+  std::vector<Rational> low, high;  // by axis of a position
+  Rational diameter;                // no disc of the scene has a larger one; 0 unless asked for
 
   // Tight for linear motions. Requires an end.
   static FlightBox of(const Scene& scene);
+  // Of a scene of discs, balls or intervals: the same for their centres, and the diameter, tight for
+  // linear radii.
+  static FlightBox of_discs(const Scene& scene);
 };
 
 class PointGrid {
  public:
-  // The cells of a point are nearer than this to each other, in columns and in rows, if the two may
-  // be the closest of more than `squares` points.
-  static constexpr std::int64_t kReach = 2;
+  // Two points are near each other if their cells are at most `reach` columns, rows and layers apart.
+  PointGrid(Kernel& kernel, StructureId id, FlightBox box, std::size_t points, std::int64_t reach);
 
-  PointGrid(Kernel& kernel, StructureId id, FlightBox box, std::size_t points);
-
-  // Lays the lines anew, at most `squares` >= 1 cells, and puts these points into them. O(squares)
-  // and, for each point, O(log squares) signs.
-  void lay(std::size_t squares, std::span<const ObjectId> points);
-  // As laid last.
-  std::size_t squares() const { return squares_; }
-  std::size_t lines() const { return lines_[0].size() + lines_[1].size(); }
+  // Lays the lines anew, at most `cells` >= 1 cells, and puts these points into them. O(cells), in
+  // space O(cells log cells), and, for each point, O(log cells) signs.
+  void lay(std::size_t cells, std::span<const ObjectId> points);
+  // As asked for last.
+  std::size_t cells() const { return cells_asked_; }
+  std::size_t lines() const;
+  std::size_t axes() const { return axes_.size(); }
 
   void insert(ObjectId point);
   void erase(ObjectId point);
   bool owns(CertificateId failed) const { return slots_.owns(failed); }
   // The point of a certificate that has failed, which is still in its cell.
-  ObjectId point_of(CertificateId failed) const { return slots_.kernel().tag(failed) / kSides; }
+  ObjectId point_of(CertificateId failed) const { return slots_.kernel().tag(failed) / sides(); }
   // Moves it to the next cell.
   void move_on(CertificateId failed);
-  // The points whose cells are at most kReach columns and rows from its own, in ascending order,
-  // without itself.
+  // The points that are near this one, in ascending order, without itself.
   std::vector<ObjectId> near(ObjectId point) const;
 
   void visit_proof(ProofVisitor& visitor) const;
@@ -73,27 +74,35 @@ class PointGrid {
   std::size_t bytes() const;
 
  private:
-  static constexpr std::uint32_t kSides = 4;  // low x, high x, low y, high y
-  using Cell = std::array<std::int64_t, 2>;
+  static constexpr std::size_t kMostAxes = 3;
+  static constexpr std::uint32_t kMostSides = 2 * kMostAxes;  // low x, high x, low y, ..
+  using Cell = std::array<std::int64_t, kMostAxes>;           // 0 on axes that are not there
   struct Place {
     Cell cell{};
-    std::array<CertificateId, kSides> certificate{kNoCertificate, kNoCertificate, kNoCertificate,
-                                                  kNoCertificate};
+    std::array<CertificateId, kMostSides> certificate{kNoCertificate, kNoCertificate,
+                                                      kNoCertificate, kNoCertificate,
+                                                      kNoCertificate, kNoCertificate};
   };
+  struct Axis {
+    PredicateId order;
+    std::map<Rational, ObjectId> known;  // all lines so far
+    std::vector<ObjectId> lines;         // line k is between cells k, k + 1
+    std::vector<Rational> at;            // the places of the lines
+  };
+  std::uint32_t sides() const { return static_cast<std::uint32_t>(2 * axes_.size()); }
   ObjectId line(std::size_t axis, const Rational& at);
   bool has_side(ObjectId point, std::uint32_t side) const;
   Query query(ObjectId point, std::uint32_t side) const;
   void certify(ObjectId point);
   void enter(ObjectId point);
   void leave(ObjectId point);
+  void add_near(std::size_t axis, const Cell& own, Cell& from, std::vector<ObjectId>& result) const;
 
   Slots slots_;
   FlightBox box_;
-  std::array<PredicateId, 2> order_;                   // per axis
-  std::array<std::map<Rational, ObjectId>, 2> known_;  // all lines so far
-  std::array<std::vector<ObjectId>, 2> lines_;         // line k is between cells k, k + 1
-  std::array<std::vector<Rational>, 2> at_;            // the places of the lines
-  std::size_t squares_ = 0;
+  std::int64_t reach_;
+  std::vector<Axis> axes_;
+  std::size_t cells_asked_ = 0;
   std::vector<Place> places_;                    // per point
   std::map<Cell, std::vector<ObjectId>> cells_;  // ascending ids; no empty ones
 };

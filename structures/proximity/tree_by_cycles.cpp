@@ -24,7 +24,13 @@ void TreeByCycles::add_record(Item inside, Item outside) {
   record = {inside, outside, kNoCertificate};
   places_[inside].push_back(place);
   places_[outside].push_back(place);
-  const Outlook outlook = slots_.set(record.certificate, edges_->claim(inside, outside), place);
+  certify(place);
+}
+
+void TreeByCycles::certify(Place place) {
+  Record& record = records_[place];
+  const Query claim = edges_->claim(record.inside, record.outside);
+  const Outlook outlook = slots_.set(record.certificate, claim, place);
   if (outlook == Outlook::kIdenticallyZero) tied_.push_back(place);
   if (outlook == Outlook::kFailsNow) failing_.push_back(place);
 }
@@ -199,6 +205,22 @@ void TreeByCycles::motions_changed(std::span<const ObjectId> objects) {
   }
   settle_ties();
   failing_.clear();
+}
+
+void TreeByCycles::renew(std::span<const Item> items) {
+  for (const Item item : items) {
+    for (const Place place : places_[item]) {
+      const Record& record = records_[place];
+      const Query claim = edges_->claim(record.inside, record.outside);
+      if (!slots_.holds(record.certificate, claim, place)) {
+        certify(place);
+      } else if (slots_.is_tie(record.certificate)) {
+        tied_.push_back(place);
+      }
+    }
+  }
+  settle_ties();
+  failing_.clear();  // they fail next
 }
 
 // ---- checks

@@ -44,6 +44,7 @@ class TreeByCycles final : public TreeEngine {
   void finish(Change change) override;
   void certificate_failed(CertificateId failed) override;
   void motions_changed(std::span<const ObjectId> objects) override;
+  void renew(std::span<const Item> items) override;
   void visit_proof(ProofVisitor& visitor) const override;
   Integer most_certificates(std::size_t edges, std::size_t vertices) const override;
   std::string_view why_most() const override {
@@ -66,6 +67,7 @@ class TreeByCycles final : public TreeEngine {
   void swap(Item before, Item after);
   void prove(Item outside);
   void add_record(Item inside, Item outside);
+  void certify(Place place);
   void drop_record(Place place);
   void drop_records(Item item);
   Item replacement_of(Item item) const;

@@ -54,6 +54,7 @@ class TreeByList final : public TreeEngine {
   void motions_changed(std::span<const ObjectId> objects) override {
     list_.motions_changed(objects, tied());
   }
+  void renew(std::span<const Item> items) override { list_.renew(items, tied()); }
   void visit_proof(ProofVisitor& visitor) const override;
   Integer most_certificates(std::size_t edges, std::size_t vertices) const override;
   std::string_view why_most() const override { return "a list of all edges"; }

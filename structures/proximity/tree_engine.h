@@ -54,6 +54,9 @@ class TreeEngine {
   virtual void finish(Change change) = 0;
   virtual void certificate_failed(CertificateId failed) = 0;
   virtual void motions_changed(std::span<const ObjectId> objects) = 0;
+  // The claims about these edges may be others now, after new motions of their objects: makes their
+  // certificates anew where they are. Takes the place of motions_changed.
+  virtual void renew(std::span<const Item> items) = 0;
 
   std::size_t size() const { return size_; }
   bool has(Item item) const { return item < state_.size() && state_[item] != State::kAbsent; }

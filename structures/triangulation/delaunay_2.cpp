@@ -384,7 +384,7 @@ std::vector<ObjectId> Delaunay2::hull() const {
   return hull;
 }
 
-std::vector<ObjectId> Delaunay2::neighbours(ObjectId vertex) const {
+std::vector<ObjectId> Delaunay2::around(ObjectId vertex) const {
   std::vector<ObjectId> result;
   if (on_line_) {
     const auto place = std::find(line_.begin(), line_.end(), vertex);
@@ -399,6 +399,11 @@ std::vector<ObjectId> Delaunay2::neighbours(ObjectId vertex) const {
       h = store_.around(h);
     } while (h != first);
   }
+  return result;
+}
+
+std::vector<ObjectId> Delaunay2::neighbours(ObjectId vertex) const {
+  std::vector<ObjectId> result = around(vertex);
   std::sort(result.begin(), result.end());
   return result;
 }

@@ -129,7 +129,9 @@ class Delaunay2 final : public Structure {
   std::size_t objects() const { return representative_.size(); }
   // Hull vertices counter-clockwise from the smallest id; on a line, the chain.
   std::vector<ObjectId> hull() const;
-  // The neighbours of a vertex, ascending. O(degree); on a line O(n).
+  // The neighbours of a vertex, counter-clockwise from any. O(degree); on a line O(n).
+  std::vector<ObjectId> around(ObjectId vertex) const;
+  // The same, ascending.
   std::vector<ObjectId> neighbours(ObjectId vertex) const;
   // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
   ObjectId representative(ObjectId object) const { return representative_[object]; }

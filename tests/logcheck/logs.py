@@ -18,9 +18,10 @@ PLANE = ["convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force", "c
          "min_circle_2", "min_circle_2_brute_force",
          "closest_pair_all", "closest_pair_range_tree", "closest_pair_cones", "closest_pair_local", "closest_pair_bins",
          "octants_listed", "octants_local",
-         "bichromatic_pair_delaunay", "bichromatic_pair_all", "nearest_site"]
+         "bichromatic_pair_delaunay", "bichromatic_pair_all", "nearest_site", "voronoi_cell_2",
+         "mst_maximum_norm_list", "mst_maximum_norm_cycles"]
 GRAPHS = ["graph_mst_list", "graph_mst_cycles"]
-EXTENTS = ["box_pairs", "disc_pairs_all", "disc_pairs_boxes"]  # points become boxes or discs
+EXTENTS = ["box_pairs", "disc_pairs_all", "disc_pairs_boxes", "disc_pairs_grid"]  # points become boxes or discs
 SPACE = ["delaunay_3", "closest_pair_delaunay", "emst_list", "emst_cycles"]  # in scenes of three axes
 BODIES = ["separation_mixed", "separation_minkowski", "separation_hysteresis", "closest_features",
           "inner_tangents", "bounding_volumes"]

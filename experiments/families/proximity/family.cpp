@@ -42,7 +42,8 @@ lab::FamilyExperiments proximity_experiments() {
                    {16, 36},
                    {8, 16},
                    {{8, 16, 32}, {8, 16, 32, 64, 128}}}};
-  for (const std::string_view tree : {"emst_list", "emst_cycles"}) {
+  for (const std::string_view tree : {"emst_list", "emst_cycles", "mst_maximum_norm_list",
+                                      "mst_maximum_norm_cycles"}) {
     family.trade.push_back({tree,
                             2,
                             {12, 32},
@@ -59,14 +60,16 @@ lab::FamilyExperiments proximity_experiments() {
     family.trade.push_back(
         {pair, 2, {12, 24}, "pass-along-row", {4, 8}, {16, 25}, {8, 16}, {{8, 16}, {8, 16, 32}}});
   }
-  family.trade.push_back({"nearest_site",
-                          2,
-                          {12, 32},
-                          "pass-along-row",
-                          {4, 8},
-                          {16, 36},
-                          {8, 16},
-                          {{8, 16, 32}, {8, 16, 32, 64, 128}}});
+  for (const std::string_view site : {"nearest_site", "voronoi_cell_2"}) {
+    family.trade.push_back({site,
+                            2,
+                            {12, 32},
+                            "pass-along-row",
+                            {4, 8},
+                            {16, 36},
+                            {8, 16},
+                            {{8, 16, 32}, {8, 16, 32, 64, 128}}});
+  }
   for (const std::string_view tree : {"graph_mst_list", "graph_mst_cycles"}) {
     family.trade.push_back({tree,
                             1,
@@ -77,7 +80,8 @@ lab::FamilyExperiments proximity_experiments() {
                             {8, 16},
                             {{8, 16, 32}, {8, 16, 32, 64, 128}}});
   }
-  for (const std::string_view pairs : {"box_pairs", "disc_pairs_all", "disc_pairs_boxes"}) {
+  for (const std::string_view pairs :
+       {"box_pairs", "disc_pairs_all", "disc_pairs_boxes", "disc_pairs_grid"}) {
     family.trade.push_back({pairs,
                             2,
                             {12, 32},

@@ -16,7 +16,8 @@
 namespace kinex::families {
 namespace {
 
-constexpr const char* kMeetings[] = {"disc_pairs_all", "disc_pairs_boxes", "box_pairs"};
+constexpr const char* kMeetings[] = {"disc_pairs_all", "disc_pairs_boxes", "disc_pairs_grid",
+                                      "box_pairs"};
 
 std::string scenes_for(std::string_view structure, const char* discs, const char* boxes) {
   return structure == "box_pairs" ? boxes : discs;

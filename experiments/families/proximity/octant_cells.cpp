@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions: do the points that are next in an octant change exactly as often as counted by brute
-//   force, in both structures? How many exchanges does random motion cause in four sorted lists, and
+// Questions: do the points that are next in an octant, and the tree in the maximum norm that is read
+//   off them, change exactly as often as counted by brute force, in all structures? How many exchanges does random motion cause in four sorted lists, and
 //   how many failures without them?
 // Sources: pointers of small integers were counted by brute force over exact positions between all
 //   critical times, by another program. In random motion the orders at 0 and at 1 are independent,
@@ -19,6 +19,7 @@ namespace kinex::families {
 namespace {
 
 constexpr const char* kOctants[] = {"octants_listed", "octants_local"};
+constexpr const char* kNormTrees[] = {"mst_maximum_norm_list", "mst_maximum_norm_cycles"};
 
 void add_octants_of_small_integers(lab::Catalogue& catalogue, const char* structure) {
   struct Pointers {
@@ -52,6 +53,23 @@ void add_random_octants(lab::Catalogue& catalogue, const char* structure, int n)
   catalogue.cells.push_back(std::move(cell));
 }
 
+void add_norm_trees_of_small_integers(lab::Catalogue& catalogue, const char* structure) {
+  struct Swaps {
+    int n;
+    std::uint64_t seed;
+    int swaps;
+  };
+  for (const Swaps& one : {Swaps{6, 1, 10}, {8, 1, 19}}) {
+    lab::Cell cell = lab::worst_case_cell(structure, "small-integers", one.n, 1, 0.1);
+    cell.parameters.seed = one.seed;
+    cell.audit = AuditLevel::kEvents;
+    cell.expectations.push_back(lab::expect_exactly("mst_maximum_norm.small_integers", "external",
+                                                    Integer(one.swaps),
+                                                    "counted by brute force over exact positions"));
+    catalogue.cells.push_back(std::move(cell));
+  }
+}
+
 }  // namespace
 
 void add_octant_cells(lab::Catalogue& catalogue, lab::Extent extent) {
@@ -60,6 +78,16 @@ void add_octant_cells(lab::Catalogue& catalogue, lab::Extent extent) {
     for (const int n : {16, 64, 256}) {
       if (n > 64 && extent == lab::Extent::kQuick) continue;
       add_random_octants(catalogue, structure, n);
+    }
+  }
+  for (const char* const structure : kNormTrees) {
+    add_norm_trees_of_small_integers(catalogue, structure);
+    for (const int n : {16, 64}) {
+      if (n > 16 && extent == lab::Extent::kQuick) continue;
+      lab::Cell cell = uniform_cell(structure, n, 2);
+      cell.precise = {{"external", kChangesError}};
+      cell.cost = n * n * 1e-3;
+      catalogue.cells.push_back(std::move(cell));
     }
   }
 }

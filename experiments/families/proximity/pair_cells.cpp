@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions: do closest pairs of two colours and nearest sites change exactly as often as counted by
+// Questions: do closest pairs of two colours, nearest sites and cells of sites change exactly as often as counted by
 //   hand, or by brute force? Do all structures of one attribute agree? Do they keep their bounds in
 //   random motion?
 // Sources: pass_along_row.cpp counts the changes of rows; the objects at even and at odd places are
@@ -32,17 +32,17 @@ void add_counted(lab::Catalogue& catalogue, lab::Cell cell, std::string claim, i
 struct Counted {
   int n, dimension;
   std::uint64_t seed;
-  int pair, colours, nearest;  // nearest to the first object; -1: not in the plane
+  int pair, colours, nearest, cell;  // of the first object; -1: not in the plane
 };
 
 void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
-  for (const Counted& one : {Counted{6, 2, 1, 4, 5, 1},
-                             {8, 2, 1, 5, 3, 2},
-                             {10, 2, 2, 8, 6, 4},
-                             {12, 2, 3, 7, 5, 3},
-                             {6, 3, 1, 4, 3, -1},
-                             {7, 3, 2, 7, 5, -1},
-                             {8, 3, 1, 5, 4, -1}}) {
+  for (const Counted& one : {Counted{6, 2, 1, 4, 5, 1, 4 + 5},
+                             {8, 2, 1, 5, 3, 2, 4 + 4},
+                             {10, 2, 2, 8, 6, 4, 9 + 9},
+                             {12, 2, 3, 7, 5, 3, 6 + 5},
+                             {6, 3, 1, 4, 3, -1, -1},
+                             {7, 3, 2, 7, 5, -1, -1},
+                             {8, 3, 1, 5, 4, -1, -1}}) {
     const auto add = [&](const char* structure, const char* claim, int count) {
       lab::Cell cell = lab::worst_case_cell(structure, "small-integers", one.n, 1, 0.1);
       cell.parameters.seed = one.seed;
@@ -58,6 +58,7 @@ void add_pairs_of_small_integers(lab::Catalogue& catalogue) {
     }
     add("bichromatic_pair_delaunay", "bichromatic_pair.small_integers", one.colours);
     add("nearest_site", "nearest_site.small_integers", one.nearest);
+    add("voronoi_cell_2", "voronoi_cell.small_integers", one.cell);
   }
 }
 
@@ -76,7 +77,7 @@ void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   add_pairs_of_small_integers(catalogue);
   for (const char* structure :
        {"closest_pair_all", "closest_pair_range_tree", "closest_pair_cones", "closest_pair_local",
-        "closest_pair_bins", "bichromatic_pair_all", "bichromatic_pair_delaunay", "nearest_site"}) {
+        "closest_pair_bins", "bichromatic_pair_all", "bichromatic_pair_delaunay", "nearest_site", "voronoi_cell_2"}) {
     const bool all_pairs = std::string_view(structure).ends_with("_all");
     for (const int n : {16, 64, 256}) {
       if (all_pairs && n > 64) continue;

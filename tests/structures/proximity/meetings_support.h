@@ -19,6 +19,7 @@ inline const std::vector<Extents> kBothExtents{Extents::kRadius, Extents::kHalfE
 inline std::vector<Request> meetings_in(const Scene& scene) {
   if (scene.extents == Extents::kHalfExtents) return {ask("box_pairs")};
   std::vector<Request> requests{ask("disc_pairs_all"), ask("disc_pairs_boxes")};
+  if (scene.end) requests.push_back(ask("disc_pairs_grid"));
   if (scene.dimension == 1) requests.push_back(ask("box_pairs"));  // intervals are both
   return requests;
 }

@@ -204,6 +204,18 @@ TEST(Meetings, IdenticalTouches) {
   }
 }
 
+// A grid whose cells could be just as wide as the discs: a centre that comes to rest on a line stays
+// in its cell, and touches a disc on the next line, two cells away.
+TEST(Meetings, TouchesAcrossACell) {
+  std::vector<Trajectory> t{path({{1, 1}, {1}}), path({{4}, {1}}), path({{0}, {0}})};
+  for (const int x : {8, 9, 10, 11, 12, 14, 16, 18, 20, 22, 24}) t.push_back(path({{x}, {0}}));
+  Scene scene = extended_scene(t, Extents::kRadius, 0, Rational(3));
+  auto& pieces = scene.objects[0].motion.pieces;
+  pieces[0].to = Rational(1);
+  pieces.push_back({Rational(1), std::nullopt, path({{2}, {1}})});
+  EXPECT_EQ(changes(scene), std::vector<std::string>{"meet 0 1"});
+}
+
 // Extents that move: discs at rest meet and part as their radii do.
 TEST(Meetings, RadiiThatMove) {
   // r = 2 - (t - 1)(t - 3) (t - 5) / 8 at the distance 4 from a disc of radius 2.
@@ -311,7 +323,7 @@ TEST(Meetings, Metamorphic) {
       std::vector<ObjectId> name;
       for (ObjectId i = 0; i < 8; ++i) name.push_back((3 * i + 2) % 8);
       for (const std::string& structure : extents == Extents::kRadius
-               ? std::vector<std::string>{"disc_pairs_all", "disc_pairs_boxes", "box_pairs"}
+               ? std::vector<std::string>{"disc_pairs_all", "disc_pairs_boxes", "disc_pairs_grid", "box_pairs"}
                : std::vector<std::string>{"box_pairs"}) {
         const auto expected = moments({scene, {}, 1, 0, false, {}, "the same"}, structure);
         seen += expected.size();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "structures/plan.h"
+#include "tests/structures/recorder.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
@@ -100,6 +101,31 @@ inline Request ask(std::string structure) {
   Request request;
   request.structure = std::move(structure);
   return request;
+}
+
+// The external events of one structure, with the exact names of their instants; the run is clean.
+inline std::vector<Recorded> external_events(const Scene& given, Request request) {
+  class Sink final : public EventSink {
+   public:
+    explicit Sink(StructureId id) : id_(id) { recorder.instants = 1000000; }
+    void event(const Event& event, Arithmetic& arithmetic) override {
+      if (event.structure == id_ && event.external) recorder.event(event, arithmetic);
+    }
+    Recorder recorder;
+
+   private:
+    StructureId id_;
+  };
+  const Scene scene = TwinRun::asking(given, {std::move(request)});
+  Simulator simulator(scene, planned_arithmetic("exact", scene),
+                      Trial::options(AuditLevel::kEvents));
+  Sink sink(asked_structure(scene));
+  add_structures(simulator, scene);
+  simulator.set_sink(&sink);
+  simulator.start();
+  simulator.run_until(std::nullopt);
+  EXPECT_EQ(simulator.violations(), std::vector<std::string>{});
+  return sink.recorder.events;
 }
 
 }  // namespace kinex::test

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""mst_maximum_norm_list, _cycles: the minimum spanning tree in the maximum norm, from scratch right after every
+instant that has a record. Lengths that are identically equal are compared after an infinitesimal turn, then as if the
+points had been moved by their numbers along (2, 1)."""
+
+from functools import cmp_to_key
+from itertools import combinations
+
+from octants import DIFFERENCE, SUM, X, Y, precedes_by
+from replay_directions import Along, extent_query
+from replay_scratch import SpanningTree
+from static import spanning_tree
+
+AXIS = {X: (1, 0), Y: (0, 1)}
+ALL = ((1, 0), (0, 1), (-1, 0), (0, -1))
+
+
+def turned(u):
+    return (u[1], -u[0])
+
+
+class MaximumNormTree(SpanningTree):
+    def meanings(self, name, ids):
+        if name in ("order_x", "order_y"):
+            return [(name, ids)]
+        if name == "order_direction":
+            return [(("order_direction", u), ids) for u in ALL]
+        found = []
+        if name == Along.NAMES.get(len(ids)):
+            for u in ALL:
+                for v in ALL:
+                    found += [extent_query(u, v, *(ids[i] for i in places)) for places in Along.PLACES[len(ids)]]
+        return [q for q in found if q is not None]
+
+    def precedes(self, x):
+        return precedes_by(lambda axis, a, b: self.world.sign_after(
+            ("order_x" if axis == X else "order_y" if axis == Y else
+             ("order_direction", (1, 1) if axis == SUM else (1, -1)), (a, b)), x))
+
+    def form(self, pair, precedes):
+        """(direction, from, to): the length is that of the step along the direction."""
+        p, q = pair
+        axis = X if precedes(SUM, p, q) == precedes(DIFFERENCE, p, q) else Y
+        return (AXIS[axis], p, q) if precedes(axis, p, q) else (AXIS[axis], q, p)
+
+    def compared(self, one, other, x):
+        """Positive: the other form is the longer one; 0 if only numbers decide."""
+        (u, a, b), (v, c, d) = one, other
+        for turn in (lambda w: w, turned):
+            query = extent_query(turn(v), turn(u), d, c, b, a)
+            sign = 0 if query is None else self.world.sign_after(query, x)
+            if sign:
+                return sign
+        return 0
+
+    def in_order(self, x):
+        precedes = self.precedes(x)
+        forms = {pair: self.form(pair, precedes) for pair in self.edges()}
+
+        def step(pair):
+            u, a, b = forms[pair]
+            return (b - a) * (2 * u[0] + u[1])
+
+        def order(one, other):
+            return -self.compared(forms[one], forms[other], x) or (
+                -1 if (step(one), one) < (step(other), other) else 1)
+
+        return sorted(forms, key=cmp_to_key(order))
+
+    def tied(self, old, fresh, x):
+        precedes = self.precedes(x)
+        return self.compared(self.form(old, precedes), self.form(fresh, precedes), x) == 0
+
+    def names_both(self, r):
+        """Of two lengths along one axis with an end in common only the other ends are named."""
+        return set(self.query(r)[1]) <= set(r.ids)
+
+
+def norm_length(p, q, i, j):
+    """The length of the pair i < j at these positions, for comparisons: as it is, what an infinitesimal turn adds, and
+    what a step by the numbers along (2, 1) adds."""
+    x, y, step = q[0] - p[0], q[1] - p[1], j - i
+
+    def size(parts):
+        return max(parts, tuple(-v for v in parts))
+
+    return max(size((x, -y, 2 * step)), size((y, x, step)))
+
+
+def norm_tree_of(positions):
+    pairs = combinations(sorted(positions), 2)
+    return spanning_tree(sorted(pairs, key=lambda e: (norm_length(positions[e[0]], positions[e[1]], *e), e)))
+
+
+def norm_queries(members):
+    """All equalities of two differences of coordinates, up to their signs; the octants."""
+    pairs = list(combinations(sorted(members), 2))
+    for pair in pairs:
+        yield ("order_x", pair)
+        yield ("order_y", pair)
+        for u in ((1, 1), (1, -1)):
+            yield (("order_direction", u), pair)
+    for (a, b), (c, d) in combinations(pairs, 2):
+        for u in ALL[:2]:
+            for v in ALL:
+                query = extent_query(u, v, a, b, c, d)
+                if query is not None:
+                    yield query
+
+
+MOST_MEMBERS = 9  # of a structure whose polynomials are examined
