@@ -109,6 +109,14 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
     return Refusal{"is for edges of a graph, the scene has objects without ends",
                    "give every object \"ends\": [VERTEX, VERTEX], or maintain something else"};
   }
+  if (info.lines == LineUse::kNone && scene.has_lines()) {
+    return Refusal{"is for points, the scene has lines",
+                   "remove \"line\": true, or maintain something else"};
+  }
+  if (info.lines != LineUse::kNone && !scene.objects.empty() && !scene.has_lines()) {
+    return Refusal{"is for lines, the scene has none",
+                   "write \"line\": true for each line, or maintain something else"};
+  }
   const bool fits = info.extents == scene.extents || info.extents == Extents::kNone ||
                     (info.extents == Extents::kHalfExtents && scene.extents == Extents::kRadius);
   if (!fits && !scene.objects.empty()) {

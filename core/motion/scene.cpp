@@ -16,6 +16,11 @@ bool Scene::has_weights() const {
                      [](const SceneObject& object) { return object.weight.has_value(); });
 }
 
+bool Scene::has_lines() const {
+  return std::any_of(objects.begin(), objects.end(),
+                     [](const SceneObject& object) { return object.line; });
+}
+
 std::vector<bool> Scene::members(const Subset& subset) const {
   if (subset.kind == Subset::Kind::kAll) return {};
   std::vector<bool> result(objects.size(), subset.kind == Subset::Kind::kAllBut);

@@ -119,6 +119,13 @@ std::string described_extents(const Scene& scene) {
          " of degree " + std::to_string(degree) + " at most\n";
 }
 
+std::string described_lines(const Scene& scene) {
+  const auto lines = static_cast<std::size_t>(std::count_if(
+      scene.objects.begin(), scene.objects.end(), [](const SceneObject& o) { return o.line; }));
+  return "lines     " + counted(lines, "line", "lines") + " y = a x + b by (a, b), " +
+         counted(scene.objects.size() - lines, "point", "points") + "\n";
+}
+
 }  // namespace
 
 std::string describe_model(const Scene& scene, const std::string& hash) {
@@ -134,6 +141,7 @@ std::string describe_model(const Scene& scene, const std::string& hash) {
           " at rest\n";
   if (scene.has_bodies()) text += described_bodies(scene);
   if (scene.extents != Extents::kNone) text += described_extents(scene);
+  if (scene.has_lines()) text += described_lines(scene);
   if (scene.has_weights()) text += described_weights(scene);
   text += "plan      " + counted(counts.updates, "change", "changes") + ", " +
           counted(counts.insertions, "insertion", "insertions") + ", " +
