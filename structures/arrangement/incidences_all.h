@@ -30,6 +30,7 @@
 
 namespace kinex {
 
+// All pairs of a line and a point, each with a certificate of its own.
 class IncidencesAll final : public Structure {
  public:
   IncidencesAll(Kernel& kernel, StructureId id, const Scene& scene);

@@ -25,7 +25,7 @@ namespace kinex {
 
 class LineSides {
  public:
-  struct Pair {
+  struct Pair {  // a line and a point
     ObjectId line = kNoObject, point = kNoObject;
     friend auto operator<=>(const Pair&, const Pair&) = default;
   };
