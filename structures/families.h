@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "structures/arrangement/family.h"
 #include "structures/collision/family.h"
 #include "structures/extent/family.h"
 #include "structures/hull/family.h"
@@ -21,7 +22,8 @@ namespace kinex {
 inline constexpr std::array kStructureFamilies{&order_family, &maximum_family,
                                                &triangulation_family, &hull_family,
                                                &collision_family, &extent_family,
-                                               &proximity_family, &range_family};
+                                               &proximity_family, &range_family,
+                                               &arrangement_family};
 
 }  // namespace kinex
 

@@ -114,6 +114,14 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
                    "give the objects a \"weight\" or a \"radius\" instead of \"half_extents\", or "
                    "maintain something else"};
   }
+  if (info.lines == LineUse::kNone && scene.has_lines()) {
+    return Refusal{"is for points, the scene has lines",
+                   "remove \"line\": true, or maintain something else"};
+  }
+  if (info.lines != LineUse::kNone && !scene.objects.empty() && !scene.has_lines()) {
+    return Refusal{"is for lines, the scene has none",
+                   "write \"line\": true for each line, or maintain something else"};
+  }
   const bool fits = info.extents == scene.extents || info.extents == Extents::kNone ||
                     (info.extents == Extents::kHalfExtents && scene.extents == Extents::kRadius);
   if (!fits && !scene.objects.empty()) {

@@ -39,6 +39,21 @@ AttributeDifference difference_of_tuples(const std::vector<ObjectId>& before,
 
 }  // namespace
 
+std::size_t width_of_orders(const Attribute& attribute) {
+  const std::size_t size = attribute.ids.size();
+  std::size_t width = 0, most = size;
+  while (width < most) {
+    const std::size_t middle = width + (most - width + 1) / 2;
+    if (middle < size / middle) {
+      width = middle;
+    } else {
+      most = middle - 1;
+    }
+  }
+  while (width * (width + 1) < size) ++width;
+  return width;
+}
+
 std::vector<std::string_view> common_event_kinds(std::vector<std::string_view> own) {
   for (const std::string_view kind : {"motion", "insert", "erase", "settled", "rebuild"}) {
     own.push_back(kind);

@@ -28,12 +28,17 @@ struct Attribute {
     kTuples,    // a set of tuples of `width` ids, flattened: edges, triangles, tetrahedra; ids
                 // ascend in a tuple, tuples ascend
     kCycle,     // ids counter-clockwise, starting at the smallest id
+    kOrders,    // n + 1 rows of n ids: an order of all n, then for each, ascending, the id itself
+                // and an order of the others
   };
   Shape shape = Shape::kSequence;
   std::vector<ObjectId> ids;
   std::uint8_t width = 2;  // kTuples
   friend bool operator==(const Attribute&, const Attribute&) = default;
 };
+
+// kOrders: the number n of ids in a row. O(log n).
+std::size_t width_of_orders(const Attribute& attribute);
 
 // Events that every structure has: they come last in its event_kinds(), in this order.
 //   motion, insert, erase  name the object and are never external

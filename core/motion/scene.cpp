@@ -11,6 +11,11 @@ int Scene::degree() const {
   return degree;
 }
 
+bool Scene::has_lines() const {
+  return std::any_of(objects.begin(), objects.end(),
+                     [](const SceneObject& object) { return object.line; });
+}
+
 std::vector<bool> Scene::members(const Subset& subset) const {
   if (subset.kind == Subset::Kind::kAll) return {};
   std::vector<bool> result(objects.size(), subset.kind == Subset::Kind::kAllBut);

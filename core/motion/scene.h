@@ -20,9 +20,10 @@ inline constexpr ObjectId kNoObject = 0xffffffffu;  // none
 // A vertex of a polygon in the frame of the body that carries it.
 using Vertex2 = std::array<Rational, 2>;
 
-// A point, with a weight or without, a disc (a ball, in one dimension an interval), a box with sides
-// along the axes, or a rigid body: a convex polygon, vertices counter-clockwise. The motion of a
-// point with a weight has the weight as last axis, that of a disc its radius, that of a box its half
+// A point, with a weight or without, a line of the plane, a disc (a ball, in one dimension an
+// interval), a box with sides along the axes, or a rigid body: a convex polygon, vertices
+// counter-clockwise. The motion of the line y = a x + b has the axes (a, b), that of a point with a
+// weight has the weight as last axis, that of a disc its radius, that of a box its half
 // extents, that of a body kBodyAxes axes.
 struct SceneObject {
   std::string id;
@@ -31,6 +32,7 @@ struct SceneObject {
   std::string colour = {};            // of a point; empty: none
   // An edge of a graph: its two vertices, which differ; its coordinate is its weight. Empty: none.
   std::vector<std::string> ends = {};
+  bool line = false;  // the line y = a x + b; only in scenes of two axes
 };
 
 // The value by which a one-dimensional structure orders objects.
@@ -116,6 +118,8 @@ struct Scene {
     if (extents == Extents::kNone) return 0;
     return extents == Extents::kHalfExtents ? dimension : 1;
   }
+  // True if an object is a line; the others are points.
+  bool has_lines() const;
   // By object: true for those of the subset. Empty: all of them.
   std::vector<bool> members(const Subset& subset) const;
 };

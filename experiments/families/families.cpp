@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All families of experiments: the one place where a family is listed.
+#include "experiments/families/arrangement/family.h"
 #include "experiments/families/collision/family.h"
 #include "experiments/families/extent/family.h"
 #include "experiments/families/hull/family.h"
@@ -19,7 +20,7 @@ const std::vector<lab::FamilyExperiments>& experiment_families() {
       families::maximum_experiments(),   families::triangulation_experiments(),
       families::hull_experiments(),      families::collision_experiments(),
       families::extent_experiments(),    families::proximity_experiments(),
-      families::range_experiments()};
+      families::range_experiments(),     families::arrangement_experiments()};
   return kFamilies;
 }
 

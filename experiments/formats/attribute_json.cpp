@@ -20,6 +20,17 @@ void write_attribute(JsonWriter& json, const Attribute& attribute, const Scene& 
       for (const ObjectId id : ids) write_id(id);
       json.end_array();
       break;
+    case Attribute::Shape::kOrders: {
+      const std::size_t width = width_of_orders(attribute);
+      json.begin_array();
+      for (std::size_t i = 0; i < ids.size(); i += width) {
+        json.begin_array();
+        for (std::size_t k = i; k < i + width; ++k) write_id(ids[k]);
+        json.end_array();
+      }
+      json.end_array();
+      break;
+    }
     case Attribute::Shape::kTuples:
       json.begin_array();
       for (std::size_t i = 0; i + attribute.width <= ids.size(); i += attribute.width) {

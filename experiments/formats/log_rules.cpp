@@ -65,6 +65,9 @@ constexpr Arity kArities[] = {
     {"no_width_x", 1},
     {"no_width_y", 1},
     {"no_width_z", 1},
+    // of lines
+    {"line_side", 2},
+    {"line_under", 2},
     // of rigid polygons
     {"discs_apart", 3},
     {"discs_overlap", 3},

@@ -13,6 +13,7 @@
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/extent_predicates.h"
 #include "predicates/points/power_predicates.h"
+#include "predicates/points/line_predicates.h"
 #include "predicates/points/shared_arguments.h"
 #include "predicates/predicates.h"
 #include "structures/plan.h"
@@ -230,6 +231,8 @@ std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string
   if (name == "order_strip") return make_strip_order_2();
   if (name == "order_rectangle_area") return make_rectangle_area_order_2();
   if (name == "order_rectangle_perimeter") return make_rectangle_perimeter_order_2();
+  if (name == "line_side") return make_line_side();
+  if (name == "line_under") return make_line_under();
   if (auto of_extents = make_extent_predicate(scene_, name)) return of_extents;
   if (const std::size_t slash = name.find('/'); slash != std::string::npos) {
     const std::shared_ptr<const Predicate> whole = make_predicate(label, name.substr(0, slash));

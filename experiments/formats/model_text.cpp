@@ -133,6 +133,13 @@ std::string described_extents(const Scene& scene) {
          " of degree " + std::to_string(degree) + " at most\n";
 }
 
+std::string described_lines(const Scene& scene) {
+  const auto lines = static_cast<std::size_t>(std::count_if(
+      scene.objects.begin(), scene.objects.end(), [](const SceneObject& o) { return o.line; }));
+  return "lines     " + counted(lines, "line", "lines") + " y = a x + b by (a, b), " +
+         counted(scene.objects.size() - lines, "point", "points") + "\n";
+}
+
 }  // namespace
 
 std::string describe_model(const Scene& scene, const std::string& hash) {
@@ -152,6 +159,7 @@ std::string describe_model(const Scene& scene, const std::string& hash) {
   } else if (scene.extents != Extents::kNone) {
     text += described_extents(scene);
   }
+  if (scene.has_lines()) text += described_lines(scene);
   text += "plan      " + counted(counts.updates, "change", "changes") + ", " +
           counted(counts.insertions, "insertion", "insertions") + ", " +
           counted(counts.erasures, "erasure", "erasures") + "\n";

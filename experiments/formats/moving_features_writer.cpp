@@ -74,6 +74,10 @@ class Writer {
       throw InputError(file, "/objects", "discs or boxes, whose extents such a file cannot hold",
                        "leave \"radius\" and \"half_extents\" out to write the centres");
     }
+    if (scene.has_lines()) {
+      throw InputError(file, "/objects", "lines, which such a file cannot hold",
+                       "leave \"line\": true out to write the points (a, b)");
+    }
     end_ = form.until ? *form.until : *scene.end;
     axes_ = scene.has_bodies() ? 2 : scene.dimension;
   }

@@ -99,6 +99,27 @@ std::vector<std::string> read_ends(const JsonNode& object, const Scene& scene) {
   return result;
 }
 
+// True for a line of the plane.
+bool read_line(const JsonNode& object, const Scene& scene) {
+  const auto line = object.find("line");
+  if (!line || !line->boolean()) return false;
+  if (scene.dimension != 2) {
+    line->fail("a line in a scene of dimension " + std::to_string(scene.dimension),
+               "write \"dimension\": 2: the axes of the line y = a x + b are (a, b)");
+  }
+  for (const char* const other : {"polygon", "weight"}) {
+    if (const auto node = object.find(other)) {
+      node->fail(std::string("\"") + other + "\" of a line", "remove it, or \"line\": true");
+    }
+  }
+  if (scene.extents != Extents::kNone) {
+    line->fail(std::string("a line in a scene of ") +
+                   (scene.extents == Extents::kRadius ? "discs" : "boxes"),
+               "remove \"line\": true, or what makes the others more than points");
+  }
+  return true;
+}
+
 void read_overlapping_starts(const JsonNode& node, Scene& scene) {
   const std::string_view choice = node.string();
   if (choice == "contact") {
@@ -117,7 +138,7 @@ void read_objects(const JsonNode& node, Scene& scene) {
   for (std::size_t i = 0; i < node.size(); ++i) {
     const JsonNode entry = node.at(i);
     entry.require_object({"id", "motion", "polygon", "rotor", "weight", "colour", "ends", "radius",
-                          "half_extents"});
+                          "half_extents", "line"});
     const JsonNode id = entry.member("id");
     if (id.string().empty()) id.fail("an empty id", "write a name");
     if (id.string().size() > kMaxIdBytes) {
@@ -136,7 +157,8 @@ void read_objects(const JsonNode& node, Scene& scene) {
                              {},
                              std::move(polygon),
                              read_colour(entry),
-                             read_ends(entry, scene)});
+                             read_ends(entry, scene),
+                             read_line(entry, scene)});
     SceneObject& object = scene.objects.back();
     read_motion(entry, scene, !object.polygon.empty(), object.motion);
     weighted = add_weights(entry, scene, object.motion) || weighted;

@@ -199,6 +199,7 @@ std::string write_scene(const Scene& scene) {
     }
     if (!object.colour.empty()) json.key("colour").string(object.colour);
     if (!object.ends.empty()) write_texts(json.key("ends"), object.ends);
+    if (object.line) json.key("line").boolean(true);
     json.key("motion");
     write_motion(json, object, scene);
     json.end_object();

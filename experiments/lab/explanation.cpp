@@ -36,6 +36,8 @@ std::string shape_of(const StructureInfo& info) {
                              : "a set of tuples of " + std::to_string(info.width) + " ids";
     case Attribute::Shape::kCycle:
       return "a cycle of ids, counter-clockwise";
+    case Attribute::Shape::kOrders:
+      return "an order of ids, and for every id an order of the others";
   }
   return "";
 }
@@ -44,6 +46,8 @@ std::string domain_of(const StructureInfo& info) {
   std::string text = info.bodies  ? "rigid convex polygons"
                      : info.extents == Extents::kRadius      ? "discs"
                      : info.extents == Extents::kHalfExtents ? "boxes, discs"
+                     : info.lines == LineUse::kAlone      ? "lines"
+                     : info.lines == LineUse::kWithPoints ? "lines and points"
                      : info.graph ? "edges of graphs"
                                   : "points";
   text += " in " + formats::counted(static_cast<std::uint64_t>(info.min_dimension), "axis", "axes");

@@ -186,6 +186,14 @@ void give_extents(Scene& scene, Extents extents) {
   scene.extents = extents;
 }
 
+void make_lines(Scene& scene, LineUse lines) {
+  if (lines == LineUse::kNone || scene.dimension != 2 || scene.has_bodies()) return;
+  if (scene.extents != Extents::kNone || scene.has_lines()) return;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    scene.objects[i].line = lines == LineUse::kAlone || i % 2 == 0;
+  }
+}
+
 Scene generate_scene(std::string_view workload, const WorkloadParameters& parameters,
                      std::string_view structure) {
   const Workload* known = find_workload(workload);
@@ -197,6 +205,7 @@ Scene generate_scene(std::string_view workload, const WorkloadParameters& parame
   const StructureInfo* const info = find_structure_info(structure);
   if (info != nullptr && info->graph) join_vertices(scene);
   if (info != nullptr) give_extents(scene, info->usual_extents());
+  if (info != nullptr) make_lines(scene, info->lines);
   return scene;
 }
 

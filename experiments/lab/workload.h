@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/motion/scene.h"
+#include "structures/parts/descriptor.h"
 
 namespace kinex::lab {
 
@@ -69,8 +70,11 @@ void join_vertices(Scene& scene);
 // axis at the start, divided by the root of n (of the next power of two). Or gives the points weights:
 // the squares of such radii.
 void give_extents(Scene& scene, Extents extents);
+// Makes the points of a plane scene lines y = a x + b with (a, b) in the place of (x, y), if none is
+// one: all of them, or with points every second one.
+void make_lines(Scene& scene, LineUse lines);
 // The same for a workload by its name, with this structure alone to maintain; its points are edges
-// if the structure is for graphs, discs or boxes if it is for these. Throws std::invalid_argument for an unknown workload.
+// if the structure is for graphs, discs, boxes or lines if it is for these. Throws std::invalid_argument for an unknown workload.
 Scene generate_scene(std::string_view workload, const WorkloadParameters& parameters,
                      std::string_view structure);
 

@@ -267,6 +267,16 @@ def meetings_of(positions, meet):
     return [(a, b) for a, b in combinations(sorted(positions), 2) if meet(positions[a], positions[b])]
 
 
+def points_above(positions, scene):
+    """The pairs of a line y = a x + b and a point above it."""
+    result = []
+    for line, (a, b) in positions.items():
+        for point, (x, y) in positions.items():
+            if scene.objects[line].line and not scene.objects[point].line and y > a * x + b:
+                result.append((min(line, point), max(line, point)))
+    return sorted(result)
+
+
 def attribute_of(structure, key, positions, scene):
     name = structure.name
     if name == "sorted_list":
@@ -297,6 +307,8 @@ def attribute_of(structure, key, positions, scene):
         return cell_of(query_of(structure.options, scene), positions)
     if name.startswith("graph_mst_"):
         return lightest_of(positions, scene)
+    if name.startswith("incidences_"):
+        return points_above(positions, scene)
     if name == "box_pairs":
         return meetings_of(positions, boxes_meet)
     if name.startswith("disc_pairs_"):

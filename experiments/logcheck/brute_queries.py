@@ -35,6 +35,11 @@ def queries_of(structure, key, members, scene):
         for pair in combinations(sorted(members), 2):
             yield ("disc_overlap", pair)
         return
+    if name.startswith("incidences_"):
+        for line, point in permutations(sorted(members), 2):
+            if scene.objects[line].line and not scene.objects[point].line:
+                yield ("line_side", (line, point))
+        return
     if name == "box_pairs":
         for pair in permutations(sorted(members), 2):
             for axis in range(dimension):

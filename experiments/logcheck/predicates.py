@@ -239,6 +239,22 @@ def disc_power_2(points):
 FORMULAS = {
     "power_2": (power_2, 4, 4),
     "disc_power_2": (disc_power_2, 4, 4),
+def line_side(points):
+    """The point is above the line y = a x + b, a and b its axes; the third argument is the unit."""
+    (a, b), (x, y), unit = points
+    return subtract(multiply(subtract(y, b), unit), multiply(a, x))
+
+
+def line_under(points):
+    return scaled(line_side(points), -1)
+
+
+# Formulas that are not homogeneous: behind the arguments they get the common denominator.
+NEED_UNIT = (line_side, line_under)
+
+FORMULAS = {
+    "line_side": (line_side, 2, 1),
+    "line_under": (line_under, 2, 1),
     "disc_overlap": (disc_overlap, 2, 1),
     "disc_apart": (disc_apart, 2, 1),
     **end_orders(0), **end_orders(1), **end_orders(2),
@@ -262,7 +278,7 @@ FORMULAS = {
 # Axes that an argument must have.
 LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2, "power_2": 2, "disc_power_2": 2,
               "orientation_3": 3, "in_sphere_3": 3,
-              "acute_angle_2": 2, "obtuse_angle_2": 2,
+              "acute_angle_2": 2, "obtuse_angle_2": 2, "line_side": 2, "line_under": 2,
               **{name: axis + 1 for axis in (1, 2) for name in end_orders(axis)}}
 
 

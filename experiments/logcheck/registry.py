@@ -8,6 +8,7 @@ from replay_directions import Directions, Extent
 from replay_envelopes import Envelopes
 from replay_heaps import Hanger, Heap, Tournament
 from replay_hull import HullBruteForce, HullOfDelaunay
+from replay_lines import PointsAboveLines
 from replay_list import SortedList
 from replay_maximum import Maximum, OfList
 from replay_norms import MaximumNormTree
@@ -32,6 +33,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "emst_list": SpanningTree, "emst_cycles": SpanningTree,
             "box_pairs": BoxesThatMeet, "disc_pairs_all": DiscsThatMeet, "disc_pairs_boxes": DiscsThatMeet,
             "disc_pairs_grid": DiscsOfCells,
+            "incidences_all": PointsAboveLines,
             "graph_mst_list": GraphTree, "graph_mst_cycles": GraphTree,
             "diameter_2": FarthestPair, "diameter_all_pairs": FarthestPair,
             "bounding_box_2_hull": BoxOfHull, "farthest_delaunay_2": FarthestDelaunay,

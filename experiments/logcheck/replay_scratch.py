@@ -303,6 +303,7 @@ class BoxesThatMeet(Scratch):
     an instant changes."""
 
     partly = "internal events: the lists of ends are not followed"
+    KINDS = ("meet", "part")
     meet = staticmethod(boxes_meet)
 
     def current(self, x):
@@ -311,11 +312,11 @@ class BoxesThatMeet(Scratch):
     def record(self, r, x):
         self.look = True
         ids = self.world.scene.ids
-        if r.kind in ("meet", "part"):
+        if r.kind in self.KINDS:
             self.require_members(r, 2)
             self.require(r.external and r.ids[0] < r.ids[1], "%s: no pair that changes", r.short())
             pair = [[[ids[o] for o in r.ids]], []]
-            self.require([r.came, r.gone] == (pair if r.kind == "meet" else pair[::-1]),
+            self.require([r.came, r.gone] == (pair if r.kind == self.KINDS[0] else pair[::-1]),
                          "%s: another pair changes than its own", r.short())
         elif r.kind not in ("settled", "rebuild"):
             self.require_members(r, len(r.ids))

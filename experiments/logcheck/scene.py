@@ -118,6 +118,7 @@ class Object:
         self.name, self.pieces, self.polygon = name, pieces, polygon
         self.open = False  # written as one motion, not as a list of pieces
         self.colour, self.ends = "", []  # the ends of an edge of a graph: two vertices
+        self.line = False  # the line y = a x + b by its axes (a, b)
         self.extents = None  # "radius", "half_extents", "weight": axes of the motion behind those of the position
 
 
@@ -212,6 +213,7 @@ class Scene:
                 pieces.append(Piece(*times, axes(p["coordinates"], p, where)))
         result = Object(tree["id"], pieces, polygon)
         result.extents = extents
+        result.line = tree.get("line", False)
         result.colour, result.ends = tree.get("colour", ""), tree.get("ends", [])
         return result
 
@@ -397,6 +399,8 @@ def canonical_text(scene):
             text += ', "colour": ' + json_string(o.colour)
         if o.ends:
             text += ', "ends": ' + set_text(o.ends)
+        if o.line:
+            text += ', "line": true'
         objects.append(text + ', "motion": ' + motion_text(o, scene.dimension) + "}")
     maintain = "[" + ", ".join(request_text(r, scene) for r in scene.maintain) + "]"
     queries = ['{"at": %s, "box": %s}' % (number_text(t), axes_text(box)) for t, box in scene.queries]

@@ -4,7 +4,7 @@
 from math import lcm
 
 from polynomials import negated, primitive, scaled
-from predicates import formula_of, normal_form
+from predicates import NEED_UNIT, formula_of, normal_form
 from roots import SignChanges, compare, window_of
 from scene import Extended
 
@@ -29,6 +29,8 @@ class World:
         points = [[scaled(axis, common // p.denominator) for axis in p.polynomials] for p in pieces]
         if self.scene.extents == "weight":  # has the units of a square
             points = [p[:-1] + [scaled(p[-1], common)] for p in points]
+        if formula_of(predicate)[0] in NEED_UNIT:
+            points.append((common,))
         if self.scene.extents:
             points = [Extended(p, self.scene.dimension) for p in points]
         return primitive(formula_of(predicate)[0](points))

@@ -101,6 +101,7 @@ void generate(const GenOptions& options, const Voice& voice) {
     if (std::any_of(options.maintain.begin(), options.maintain.end(), names)) {
       if (info.graph) lab::join_vertices(scene);
       lab::give_extents(scene, info.usual_extents());
+      lab::make_lines(scene, info.lines);
     }
   }
   if (!options.maintain.empty()) formats::set_maintain(scene, options.maintain);

@@ -72,12 +72,14 @@ DrawnMotions drawn_motions(const Scene& scene, const Rational& start, const Rati
     }
   }
   for (std::vector<ExactPiece>& pieces : exact) {
+    const bool line = scene.objects[result.objects.size()].line;
     std::vector<DrawnPiece>& drawn = result.objects.emplace_back();
     for (ExactPiece& piece : pieces) {
       const Rational turn = scene.has_bodies() ? largest_of(piece, 2) : scale;
       for (const std::vector<Rational>& c : piece.coordinates) {
         std::vector<double>& out = piece.drawn.coordinates.emplace_back();
-        const Rational& by = piece.drawn.coordinates.size() > 2 ? turn : scale;
+        const bool slope = line && piece.drawn.coordinates.size() == 1;
+        const Rational by = piece.drawn.coordinates.size() > 2 ? turn : slope ? Rational(1) : scale;
         for (const Rational& x : c) out.push_back((x / by).to_double());
       }
       drawn.push_back(std::move(piece.drawn));

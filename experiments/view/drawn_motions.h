@@ -24,7 +24,8 @@ struct DrawnMotions {
   Rational exact_scale = Rational(1);
 };
 
-// Each rotor is divided by a positive number, which does not change the turn. Pieces outside
+// Each rotor is divided by a positive number, which does not change the turn; slopes of lines are as
+// they are. Pieces outside
 // [start, start + span] are left out. Requires span > 0.
 DrawnMotions drawn_motions(const Scene& scene, const Rational& start, const Rational& span);
 

@@ -27,6 +27,8 @@ std::string_view shape_name(Attribute::Shape shape) {
       return "tuples";
     case Attribute::Shape::kCycle:
       return "cycle";
+    case Attribute::Shape::kOrders:
+      return "orders";
   }
   return "";
 }
@@ -345,7 +347,15 @@ std::string page_data(const Scene& scene, const std::string& hash,
       .key("scene")
       .begin_object();
   json.key("name").string(scene.name).key("hash").string(hash);
-  json.key("dimension").number(scene.dimension).end_object();
+  json.key("dimension").number(scene.dimension);
+  if (scene.has_lines()) {
+    json.key("lines").begin_array();
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      if (scene.objects[i].line) json.number(static_cast<int>(i));
+    }
+    json.end_array();
+  }
+  json.end_object();
   json.key("time").begin_object().key("start").begin_array().string(start.to_string());
   write_double(json, start.to_double());
   json.end_array().key("span");

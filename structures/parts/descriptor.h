@@ -77,6 +77,13 @@ struct KindRule {  // what events of a kind do
   Effect effect;
 };
 
+// The lines of a scene (SceneObject::line), for a structure.
+enum class LineUse : std::uint8_t {
+  kNone,        // it is for scenes without lines
+  kAlone,       // it is built from the lines alone
+  kWithPoints,  // it is built from lines and points
+};
+
 struct StructureInfo {
   std::string_view name;     // as in "maintain"
   std::string_view summary;  // one line
@@ -106,6 +113,7 @@ struct StructureInfo {
   bool graph = false;               // for edges of graphs ("ends"), and only these
   // For objects with these extents; boxes are about discs, too, so that kHalfExtents takes either.
   Extents extents = Extents::kNone;
+  LineUse lines = LineUse::kNone;
   // Adds the objects that it derives in the scene; nullptr: it derives none.
   void (*derives)(const Scene& scene, NumberNeeds& needs) = nullptr;
   // Refuses scenes that it cannot maintain for another reason; nullptr: there is none. Called only

@@ -25,6 +25,10 @@ std::vector<bool> members_of(const StructureInfo& info, const Request& request,
                              const Scene& scene) {
   if (info.query && request.of.kind == Subset::Kind::kAll) return {};
   std::vector<bool> result = scene.members(sites_of(info, request, scene));
+  if (info.lines == LineUse::kAlone) {
+    result.resize(scene.objects.size(), true);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] && scene.objects[i].line;
+  }
   if (info.query && !result.empty()) result[query_of(request)] = true;
   return result;
 }

@@ -167,7 +167,8 @@ class ExtremeScene : public testing::Test {
       if (name == own || info.min_dimension > scene.dimension || info.bodies) continue;
       if (!info.any_dimension && info.min_dimension < scene.dimension) continue;
       if (info.linear() && scene.degree() > 1) continue;
-      if (info.graph || info.extents != Extents::kNone) continue;  // these scenes have only points
+      // These scenes have only points.
+      if (info.graph || info.extents != Extents::kNone || info.lines != LineUse::kNone) continue;
       SCOPED_TRACE(name);
       scene.maintain = {{name, name, {}}};
       const ExactRun exact(scene, "exact", test::kSanitized ? AuditLevel::kEnd : audit);

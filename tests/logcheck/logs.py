@@ -22,6 +22,7 @@ PLANE = ["convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force", "c
          "mst_maximum_norm_list", "mst_maximum_norm_cycles"]
 GRAPHS = ["graph_mst_list", "graph_mst_cycles"]
 EXTENTS = ["box_pairs", "disc_pairs_all", "disc_pairs_boxes", "disc_pairs_grid"]  # points become boxes or discs
+LINES = ["incidences_all"]  # every second point becomes a line
 SPACE = ["delaunay_3", "closest_pair_delaunay", "emst_list", "emst_cycles"]  # in scenes of three axes
 BODIES = ["separation_mixed", "separation_minkowski", "separation_hysteresis", "closest_features",
           "inner_tangents", "bounding_volumes"]

@@ -25,7 +25,7 @@ def maintained(structure):
 def main():
     program, folder = sys.argv[1:3]
     chosen = (sys.argv[3].split(",") if len(sys.argv) > 3
-              else logs.LINE + logs.PLANE + logs.GRAPHS + logs.EXTENTS + logs.SPACE[:1] + logs.BODIES)
+              else logs.LINE + logs.PLANE + logs.GRAPHS + logs.EXTENTS + logs.LINES + logs.SPACE[:1] + logs.BODIES)
     modules = logs.checker(folder)
     logs.skip_old(program)
     tried, levels, wrong = collections.Counter(), collections.defaultdict(collections.Counter), []
@@ -76,6 +76,15 @@ def main():
                 family += "-boxes" if structure == "box_pairs" else "-discs"
                 for dimension in "123":
                     check(scratch, structure, family, 5, 3, structure, "--dimension", dimension)
+        for i, structure in enumerate(logs.LINES):
+            if structure not in chosen:
+                continue
+            for j, family in enumerate(logs.POINT_FAMILIES):
+                check(scratch, structure, family, 8, i + j, structure)
+                check(scratch, structure, family, 5, i + 2 * j, structure)
+            check(scratch, structure, "gaussian", 6, i, structure, "--degree", "2")
+            check(scratch, structure, "small-lines-and-points", 8, 1, structure)
+            check(scratch, structure, "points-through-lines", 3, 1, structure, "--m", "2")
         for i, structure in enumerate(logs.SPACE):
             if structure not in chosen:
                 continue

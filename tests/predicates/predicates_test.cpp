@@ -4,6 +4,7 @@
 
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/extent_predicates.h"
+#include "predicates/points/line_predicates.h"
 #include "predicates/points/power_predicates.h"
 #include "predicates/points/shared_arguments.h"
 #include "predicates/points/space_predicates.h"
@@ -69,10 +70,27 @@ std::vector<Named> all_predicates() {
           {"disc_overlap_1", make_disc_overlap(1)},
           {"disc_overlap_2", make_disc_overlap(2)},
           {"disc_apart_3", make_disc_apart(3)},
+          {"line_side", make_line_side()},
+          {"line_under", make_line_under()},
           {"edge_dot_shared", shared(make_edge_dot_2(), {0, 1, 1, 2})},
           {"strip_shared", shared(make_strip_order_2(), {0, 1, 2, 1, 3, 0})},
           {"rectangle_shared",
            shared(make_rectangle_area_order_2(), {0, 1, 1, 2, 3, 1, 4, 4, 0, 3})}};
+}
+
+// The unit of predicates that have one.
+template <class R>
+const R& one() {
+  if constexpr (std::is_same_v<R, Ball>) {
+    static const Ball kOne{1, 0};
+    return kOne;
+  } else if constexpr (std::is_same_v<R, MpFloat>) {
+    static const MpFloat kOne(300L, Rational(1));
+    return kOne;
+  } else {
+    static const R kOne(1);
+    return kOne;
+  }
 }
 
 // Motions of `arity` objects in `axes` axes, in every ring, from the same integers.
@@ -398,6 +416,17 @@ TEST_F(KnownSigns, PairDistances) {
   EXPECT_EQ(sign(make_pair_distance_order(2), {{0, 0}, {3, 4}, {9, 9}, {9, 15}}), 1);
   EXPECT_EQ(sign(make_pair_distance_order(2), {{0, 0}, {3, 4}, {9, 9}, {9, 14}}), 0);
   EXPECT_EQ(sign(make_pair_distance_order(1), {{0, 8}, {5, 0}, {7, 9}, {9, 0}}), -1);
+}
+
+// Slope and height of a line; a point.
+TEST_F(KnownSigns, Lines) {
+  EXPECT_EQ(sign(make_line_side(), {{2, -1}, {3, 6}}), 1);
+  EXPECT_EQ(sign(make_line_side(), {{2, -1}, {3, 5}}), 0);
+  EXPECT_EQ(sign(make_line_side(), {{2, -1}, {3, 4}}), -1);
+  EXPECT_EQ(sign(make_line_under(), {{2, -1}, {3, 4}}), 1);
+  // (3): the dual point and line.
+  EXPECT_EQ(sign(make_line_side(), {{3, -6}, {2, 1}}), 1);
+  EXPECT_EQ(sign(make_line_under(), {{3, -4}, {2, 1}}), 1);
 }
 
 // Centre and radius; centre and half extents.

@@ -19,6 +19,7 @@ from view_page import FRAMES, Page, fail
 POINTS = ["uniform-square", "--n", "14", "--seed", "4"]
 SPACE = ["uniform-square", "--dimension", "3", "--n", "9", "--seed", "4"]
 DISCS = ["random-discs", "--n", "9", "--seed", "4"]
+LINES = ["random-lines-and-points", "--n", "9", "--seed", "4"]
 BOXES = ["random-boxes", "--n", "9", "--seed", "4"]
 GRAPH = ["random-graph", "--n", "14", "--m", "8", "--seed", "4"]
 BODIES = ["polygons-in-box", "--n", "5", "--m", "3", "--seed", "2"]
@@ -38,6 +39,7 @@ SCENES = [
                         "bichromatic_pair_delaunay", "nearest_site", "voronoi_cell_2"]),
     ("octants", POINTS, ["octants_listed", "octants_local", "closest_pair_cones", "closest_pair_local",
                          "closest_pair_bins", "mst_maximum_norm_list", "mst_maximum_norm_cycles"]),
+    ("lines", LINES, ["incidences_all"]),
     ("discs", DISCS, ["disc_pairs_all", "disc_pairs_boxes", "disc_pairs_grid"]),
     ("boxes", BOXES, ["box_pairs"]),
     ("graphs", GRAPH, ["graph_mst_list", "graph_mst_cycles"]),

@@ -65,6 +65,8 @@ class ReplayedAttribute {
         if (kind == "separation" || kind == "part") return remove(id(0), id(1));
         if (kind == "graze") return "";
         return "an external event of another kind";
+      case Attribute::Shape::kOrders:
+        return "a change of orders without a difference";
       case Attribute::Shape::kCycle:
         if (kind == "leave") return leave(id(0));
         if (kind == "enter") return enter(event);

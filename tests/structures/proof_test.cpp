@@ -148,6 +148,8 @@ TEST(Proof, EveryLiveCertificateIsShownOnce) {
     add(check(random_flights(seed, 7, 3, 1, seed % 2 == 0), 8));
     const StructureInfo& discs = *find_structure_info("disc_pairs_boxes");
     add(check(suited(random_flights(seed, 8, 2, 1, true), discs), 8));
+    const StructureInfo& lines = *find_structure_info("incidences_all");
+    add(check(suited(random_flights(seed, 8, 2, 1, true), lines), 8));
   }
   add(check(boxes(2, true), 40));
   add(check(boxes(2, false), 40));

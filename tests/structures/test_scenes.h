@@ -179,10 +179,19 @@ inline void with_extents(Scene& scene, Extents extents) {
   }
 }
 
+// Makes the points of a scene lines: all of them, or every second one.
+inline void with_lines(Scene& scene, LineUse lines) {
+  if (lines == LineUse::kNone || scene.dimension != 2 || scene.has_lines()) return;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    scene.objects[i].line = lines == LineUse::kAlone || i % 2 == 0;
+  }
+}
+
 // The scene in a form that the structure takes: for structures of space with a third axis, on which
 // nothing moves; for structures of graphs its first axis alone, and the points as edges, the k-th
 // between the k-th pair of vertices in the order 01, 02, 12, 03, ..; for structures of discs and
-// boxes with small constant extents, for those that read weights with such weights.
+// boxes with small constant extents, for those that read weights with such weights; for structures of
+// lines with lines.
 inline Scene suited(Scene scene, const StructureInfo& info) {
   if (scene.dimension < info.min_dimension && info.min_dimension == 3) {
     scene.dimension = 3;
@@ -196,6 +205,7 @@ inline Scene suited(Scene scene, const StructureInfo& info) {
     }
   }
   if (info.usual_extents() != Extents::kNone) with_extents(scene, info.usual_extents());
+  with_lines(scene, info.lines);
   if (!info.graph) return scene;
   scene.dimension = 1;
   int u = 0, v = 1;

@@ -60,7 +60,7 @@ void add_group_comparisons(lab::Catalogue& catalogue, lab::Extent extent) {
     // Structures of bodies and of keys have comparisons of their own; these scenes have no graphs,
     // colours or extents.
     if (info.group.empty() || info.bodies || info.uses_key || info.graph || info.colours) continue;
-    if (info.extents != Extents::kNone) continue;
+    if (info.extents != Extents::kNone || info.lines != LineUse::kNone) continue;
     groups[std::string(info.group)].push_back(&info);
   }
   for (const auto& [group, members] : groups) {

@@ -24,6 +24,10 @@ function pieceAt(object, u) {
   return last && u >= 1 && last[1] !== null && last[1] >= u ? last : null;
 }
 
+// By object: 1 for a line y = a x + b, whose axes are (a, b).
+const IS_LINE = new Uint8Array(OBJECTS);
+(DATA.scene.lines || []).forEach(object => { IS_LINE[object] = 1; });
+
 // Positions of all objects at one time.
 const X = [0, 1, 2].map(() => new Float64Array(OBJECTS));
 // The axes behind those of a position: one for the radius of a disc, one per axis for a box.

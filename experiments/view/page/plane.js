@@ -9,12 +9,13 @@ const WHOLE_RUN = (() => {
     place(i / 16);
     growBox(box);
   }
+  if (!(box[0] <= box[1])) growByCrossings(box);
   return box;
 })();
 function emptyBox() { return [Infinity, -Infinity, Infinity, -Infinity]; }
 function growBox(box) {
   for (let object = 0; object < OBJECTS; ++object) {
-    if (!alive[object]) continue;
+    if (!alive[object] || IS_LINE[object]) continue;
     const [hx, hy] = HALF.length > 0 ? [HALF[0][object], HALF[1][object]] : [0, 0];
     box[0] = Math.min(box[0], X[0][object] - hx);
     box[1] = Math.max(box[1], X[0][object] + hx);
@@ -22,9 +23,28 @@ function growBox(box) {
     box[3] = Math.max(box[3], X[1][object] + hy);
   }
 }
+// The box of most crossings of lines, where there are no points.
+function growByCrossings(box) {
+  const lines = [];
+  for (let object = 0; object < OBJECTS && lines.length < 60; ++object) {
+    if (alive[object] && IS_LINE[object]) lines.push(object);
+  }
+  const xs = [], ys = [];
+  lines.forEach((l, i) => lines.slice(0, i).forEach(m => {
+    const x = (X[1][m] - X[1][l]) / (X[0][l] - X[0][m]);
+    if (isFinite(x)) xs.push(x), ys.push(X[0][l] * x + X[1][l]);
+  }));
+  const between = list => {
+    list.sort((a, b) => a - b);
+    const cut = Math.floor(list.length / 10);
+    return [list[cut], list[list.length - 1 - cut]];
+  };
+  if (xs.length > 0) [box[0], box[1], box[2], box[3]] = [...between(xs), ...between(ys)];
+}
 function boxToShow() {
   const now = emptyBox();
   growBox(now);
+  if (!(now[0] <= now[1])) growByCrossings(now);
   const size = b => Math.max(b[1] - b[0], b[3] - b[2]);
   return size(WHOLE_RUN) <= 1.8 * size(now) || !(now[0] <= now[1]) ? WHOLE_RUN : now;
 }
@@ -50,8 +70,37 @@ class Plane {
     this.sx = this.sx || new Float64Array(OBJECTS);
     this.sy = this.sy || new Float64Array(OBJECTS);
     for (let object = 0; object < OBJECTS; ++object) {
-      this.sx[object] = cx + this.dx + (X[0][object] - mx) * scale;
-      this.sy[object] = cy + this.dy - (X[1][object] - my) * scale;
+      // Of a line the point in the middle of the picture.
+      const x = IS_LINE[object] ? mx - this.dx / scale : X[0][object];
+      const y = IS_LINE[object] ? X[0][object] * x + X[1][object] : X[1][object];
+      this.sx[object] = cx + this.dx + (x - mx) * scale;
+      this.sy[object] = cy + this.dy - (y - my) * scale;
+    }
+  }
+  // The height on the screen of a line at a place there.
+  heightAt(line, x) { return this.sy[line] - X[0][line] * (x - this.sx[line]); }
+  // A line across the picture.
+  across(line) {
+    const [left, , width] = this.rectangle;
+    return { from: [left, this.heightAt(line, left)], to: [left + width, this.heightAt(line, left + width)] };
+  }
+  // A claim about lines: the lines, and each point with the way straight up or down to the first.
+  linesOf(ids) {
+    const lines = ids.filter(id => IS_LINE[id]), points = ids.filter(id => !IS_LINE[id]);
+    const threads = points.map(id => ({ from: this.at(id),
+                                        to: [this.sx[id], this.heightAt(lines[0], this.sx[id])] }));
+    return [...lines.map(line => this.across(line)), ...threads, ...points.map(id => ({ dot: this.at(id) }))];
+  }
+  shapesOf(claim) {
+    return claim.ids.some(id => IS_LINE[id]) ? this.linesOf(claim.ids) : shapesOf(claim, id => this.at(id));
+  }
+  drawLines(context, marked) {
+    const line = (object, colour, width) => drawShapes(context, [this.across(object)], colour, { width });
+    for (let object = 0; object < OBJECTS; ++object) {
+      if (alive[object] && IS_LINE[object]) line(object, COLOUR.point, OBJECTS > 300 ? 0.5 : 1);
+    }
+    for (const object of marked) {
+      if (alive[object] && IS_LINE[object]) line(object, COLOUR.failed, 1.6);
     }
   }
   at(id) { return [this.sx[id], this.sy[id]]; }
@@ -76,6 +125,7 @@ class Plane {
     context.clip();
     this.drawAxes(context);
     this.drawExtents(context, marked);
+    this.drawLines(context, marked);
     this.drawAttribute(context);
     this.drawProof(context);
     drawQuery(context, this);
@@ -84,13 +134,13 @@ class Plane {
     context.fillStyle = COLOUR.point;
     context.beginPath();
     for (let object = 0; object < OBJECTS; ++object) {
-      if (!alive[object]) continue;
+      if (!alive[object] || IS_LINE[object]) continue;
       context.moveTo(this.sx[object] + radius, this.sy[object]);
       context.arc(this.sx[object], this.sy[object], radius, 0, 2 * Math.PI);
     }
     context.fill();
     for (const object of marked) {
-      if (alive[object]) dot(context, this.sx[object], this.sy[object], radius + 1.6, COLOUR.failed);
+      if (alive[object] && !IS_LINE[object]) dot(context, this.sx[object], this.sy[object], radius + 1.6, COLOUR.failed);
     }
     this.drawNames(context, marked);
     context.restore();
@@ -139,8 +189,13 @@ class Plane {
     for (const code of codes) {
       const a = Math.floor(code / OBJECTS), b = code % OBJECTS;
       if (!alive[a] || !alive[b]) continue;
-      context.moveTo(this.sx[a], this.sy[a]);
-      context.lineTo(this.sx[b], this.sy[b]);
+      const [p, q] = IS_LINE[a] ? [b, a] : [a, b];  // a pair of a point and a line: straight down
+      context.moveTo(this.sx[p], this.sy[p]);
+      if (IS_LINE[q]) {
+        context.lineTo(this.sx[p], this.heightAt(q, this.sx[p]));
+      } else {
+        context.lineTo(this.sx[q], this.sy[q]);
+      }
     }
     context.stroke();
     context.setLineDash([]);
@@ -214,7 +269,7 @@ class Plane {
     this.shapes = new Map();
     const shapes = c => {
       if (!this.shapes.has(c)) {
-        this.shapes.set(c, shapesOf(proof.certificate(c), id => this.at(id)));
+        this.shapes.set(c, this.shapesOf(proof.certificate(c)));
       }
       return this.shapes.get(c);
     };
@@ -227,7 +282,8 @@ class Plane {
       this.drawAll(context, proof.certificatesOf(group.group), shapes, 0.9);
       this.drawMarks(context, group);
       if (group.about.length === 2 && group.about.every(id => id < OBJECTS && alive[id])) {
-        drawShapes(context, [{ from: this.at(group.about[0]), to: this.at(group.about[1]) }],
+        drawShapes(context, group.about.some(id => IS_LINE[id]) ? this.linesOf(group.about)
+                                : [{ from: this.at(group.about[0]), to: this.at(group.about[1]) }],
                    COLOUR.selected, { width: 3.5 });
       }
     }
@@ -289,7 +345,7 @@ class Plane {
     if (marked.length === 0) return;
     const failed = app.failedClaim();
     if (failed !== null && failed.ids.every(id => id < OBJECTS && alive[id])) {
-      drawShapes(context, shapesOf(failed, id => this.at(id)), COLOUR.failed, { dash: [2, 3] });
+      drawShapes(context, this.shapesOf(failed), COLOUR.failed, { dash: [2, 3] });
     }
     if (app.replay.tuples === null || app.shown() !== app.eventStructure()) return;
     const codes = ids => app.replay.cut(ids).flatMap(sidesOf);
@@ -333,7 +389,7 @@ class Plane {
     for (const c of proof.live) {
       if (!this.isThere(c)) continue;
       const claim = proof.certificate(c);
-      let d = distanceToShapes(shapesOf(claim, id => this.at(id)), x, y);
+      let d = distanceToShapes(this.shapesOf(claim), x, y);
       const { about } = proof.group(claim.group) || { about: [] };
       if (about.length === 2) {  // the edge that it is about goes before circles
         const [px, py] = nearestOn(about.map(id => this.at(id)), [x, y]);

@@ -87,12 +87,13 @@ TEST(EventLog, DegenerateLogsOfEveryStructureVerify) {
         parameters.dimension = std::max(2, info.min_dimension);
         Scene scene = lab::generate_scene(*lab::find_workload(name), parameters);
         lab::give_extents(scene, info.usual_extents());
+        lab::make_lines(scene, info.lines);
         formats::set_maintain(scene, {std::string(info.name)});
         const formats::LogVerdict verdict = formats::check_log(
             run(scene, "exact").log, "log", &scene, formats::scene_hash(scene));
         EXPECT_EQ(verdict.problems, std::vector<std::string>{}) << info.name << " " << scene.name;
         certificates += verdict.certificates;
-        if (info.extents != Extents::kNone) {
+        if (info.extents != Extents::kNone || info.lines != LineUse::kNone) {
           EXPECT_EQ(verdict.unchecked, 0u) << info.name << " " << scene.name;
         }
       }
@@ -151,6 +152,7 @@ TEST(LogRules, KindsAreThoseOfTheStructures) {
       scene = lab::generate_scene(*lab::find_workload("uniform-square"), parameters);
     }
     lab::give_extents(scene, info.usual_extents());
+    lab::make_lines(scene, info.lines);
     formats::set_maintain(scene, {std::string(info.name)});
     const auto simulator = lab::make_simulator(scene, "exact", {});
     const StructureId id = asked_structure(scene);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The experiments on moving lines; each source file states its question.
+#ifndef KINEX_EXPERIMENTS_FAMILIES_ARRANGEMENT_EXPERIMENTS_H
+#define KINEX_EXPERIMENTS_FAMILIES_ARRANGEMENT_EXPERIMENTS_H
+
+#include <vector>
+
+#include "experiments/lab/cell.h"
+#include "experiments/lab/speed_row.h"
+#include "experiments/lab/workload.h"
+
+namespace kinex::families {
+
+// cells.cpp
+void add_arrangement_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// speed.cpp
+std::vector<lab::SpeedRow> arrangement_speed_rows(int scale);
+// lines_and_points.cpp
+void generate_points_through_lines(const lab::WorkloadParameters&, Scene&);
+void generate_small_lines_and_points(const lab::WorkloadParameters&, Scene&);
+void generate_random_lines_and_points(const lab::WorkloadParameters&, Scene&);
+
+}  // namespace kinex::families
+
+#endif
