@@ -279,6 +279,13 @@ Rational MakerInput::parameter(std::string_view name) const {
   return parameter_of(*find_structure_info(request.structure), request, name);
 }
 
+std::vector<std::vector<Rational>> directions_of(const StructureInfo& info, const Request& request,
+                                                 int axes) {
+  if (info.directions == nullptr) return {};
+  const Rational parameter = parameter_of(info, request, info.parameters.front().name);
+  return info.directions(static_cast<int>(parameter.numerator().to_int64()), axes);
+}
+
 std::size_t width_of(const StructureInfo& info, const Request& request) {
   if (info.shape != Attribute::Shape::kTuples) return 0;
   if (info.width != StructureInfo::kWidthOfParameter) return info.width;

@@ -44,6 +44,10 @@ std::optional<Refusal> refusal_of_objects(const StructureInfo& info, const Reque
                                           const Scene& scene);
 // The value of a parameter in a request: the usual one if it is not given.
 Rational parameter_of(const StructureInfo& info, const Request& request, std::string_view name);
+// The vectors along which its certificates order objects and extents (StructureInfo::directions), in a
+// scene of so many axes; empty: it has none.
+std::vector<std::vector<Rational>> directions_of(const StructureInfo& info, const Request& request,
+                                                 int axes);
 // The width of the tuples of its attribute; 0 if that is no set of tuples.
 std::size_t width_of(const StructureInfo& info, const Request& request);
 

@@ -38,9 +38,9 @@ enum class ClaimFigure : std::uint8_t {
   kOrder,       // two points in order along a direction, or by a key
   kNearer,      // two points in the order of their distances from a third
   kLengths,     // two pairs of points in the order of their distances
-  kTurn,        // three points that turn left
+  kTurn,        // three points that turn left; in space a plane through three, and a fourth beside it
   kDirections,  // two pairs of points: the turn from one direction to the other
-  kCircle,      // a circle through three points, and a fourth
+  kCircle,      // a circle through three points, and a fourth; in space a sphere, and a fifth
   kHalfPlane,   // a pose, a line of one body, a point of the other: the line moved by the point
   kAlong,       // a pose, a line, two points: the place along the line
   kRay,         // a pose, two points of each body: the ray from one sum to the other

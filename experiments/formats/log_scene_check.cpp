@@ -55,6 +55,9 @@ LogSceneCheck::LogSceneCheck(const LogHeader& header, const Scene& scene, const 
       }
       const StructureInfo& info = *find_structure_info(planned.request.structure);
       if (info.uses_key) keys_.emplace(planned.request.label, planned.request.key);
+      if (auto vectors = directions_of(info, planned.request, scene.dimension); !vectors.empty()) {
+        directions_.emplace(planned.request.label, std::move(vectors));
+      }
       if (info.fails_at_touch) touching_.insert(planned.request.label);
     }
   } catch (const InputError& error) {
@@ -137,12 +140,16 @@ std::shared_ptr<const Predicate> LogSceneCheck::order_on_grid(const LogCertifica
 
 std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& instant) {
   const LogCertificate& said = *record.certificate;
+  const auto meanings = directions_.find(record.structure);
+  const auto along = meanings == directions_.end() ? std::nullopt : DirectionMeanings::arity_of(said.predicate);
   const std::shared_ptr<const Predicate> on_grid = order_on_grid(said);
-  const Predicate* known =
-      on_grid ? on_grid.get() : predicate(record.structure, said.predicate);
+  const Predicate* known = along     ? nullptr
+                           : on_grid ? on_grid.get()
+                                     : predicate(record.structure, said.predicate);
   std::array<const Trajectory*, kMaxArity> motions{};
   std::array<Trajectory, kMaxArity> lines;  // of grids, which do not move
-  const bool fits = known != nullptr && said.ids.size() == static_cast<std::size_t>(known->arity());
+  const bool fits = along ? said.ids.size() == *along
+                          : known != nullptr && said.ids.size() == static_cast<std::size_t>(known->arity());
   for (std::size_t i = 0; fits && i < said.ids.size(); ++i) {
     const auto object = objects_.find(said.ids[i]);
     if (object != objects_.end()) {
@@ -158,20 +165,42 @@ std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& 
     return "";
   }
   ++certificates_;
-  const Polynomial polynomial = certificate_polynomial(*known, of);
-  if (polynomial.is_zero()) return "its certificate is identically zero and cannot fail";
   const bool fresh = appeared_at_ && compare(instant, *appeared_at_, counters_) == 0 &&
                      std::any_of(said.ids.begin(), said.ids.end(), [this](const std::string& id) {
                        return std::find(appeared_.begin(), appeared_.end(), id) != appeared_.end();
                      });
-  if (!fresh && !may_be_made_negative(record) && sign_at(polynomial, instant, counters_) != Sign::kZero) {
+  const Failure failure{!fresh && !may_be_made_negative(record),
+                        fresh || touching_.count(record.structure) == 0};
+  if (along) return direction_problem(meanings->second, said.predicate, of, failure, instant);
+  return polynomial_problem(certificate_polynomial(*known, of), failure, instant);
+}
+
+std::string LogSceneCheck::polynomial_problem(const Polynomial& polynomial, const Failure& failure,
+                                              RealRoot& instant) {
+  if (polynomial.is_zero()) return "its certificate is identically zero and cannot fail";
+  if (failure.vanishes && sign_at(polynomial, instant, counters_) != Sign::kZero) {
     return "its certificate does not vanish at that time";
   }
-  const bool may_touch = !fresh && touching_.count(record.structure) == 1;
-  if (!may_touch && sign_after(polynomial, instant, counters_) != Sign::kNegative) {
+  if (failure.negative_after && sign_after(polynomial, instant, counters_) != Sign::kNegative) {
     return "its certificate is not negative right after that time";
   }
   return "";
+}
+
+std::string LogSceneCheck::direction_problem(const DirectionMeanings& meanings,
+                                             const std::string& predicate,
+                                             std::span<const Trajectory* const> of,
+                                             const Failure& failure, RealRoot& instant) {
+  std::optional<DirectionMeanings::Instant> vanishing;
+  if (failure.vanishes) {
+    instant.refine_to(60, counters_);
+    vanishing = {instant.lower_double(), instant.upper_double()};
+  }
+  const bool found = meanings.any(predicate, of, vanishing, [&](const Predicate& meaning) {
+    return polynomial_problem(certificate_polynomial(meaning, of), failure, instant).empty();
+  });
+  if (found) return "";
+  return "its certificate does not fail at that time, along whatever vectors of the structure";
 }
 
 // "ferry.v2": the body has a vertex of that number.
@@ -233,6 +262,13 @@ std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string
   if (name == "order_rectangle_perimeter") return make_rectangle_perimeter_order_2();
   if (name == "line_side") return make_line_side();
   if (name == "line_under") return make_line_under();
+  if (name == "order_pair_distance") return make_pair_distance_order(scene_.dimension);
+  if (name == "order_squared_distance") return make_squared_distance_order(scene_.dimension);
+  // Whether the structure has a key or not.
+  for (int axis = 0; axis < scene_.dimension; ++axis) {
+    std::shared_ptr<const Predicate> order = make_coordinate_order(axis);
+    if (order->name() == name) return order;
+  }
   if (auto of_extents = make_extent_predicate(scene_, name)) return of_extents;
   if (const std::size_t slash = name.find('/'); slash != std::string::npos) {
     const std::shared_ptr<const Predicate> whole = make_predicate(label, name.substr(0, slash));

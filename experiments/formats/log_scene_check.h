@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "core/motion/scene.h"
 #include "core/numbers/real_root.h"
 #include "experiments/formats/certificate_polynomial.h"
+#include "experiments/formats/direction_meanings.h"
 #include "experiments/formats/log_reader.h"
 
 namespace kinex::formats {
@@ -39,6 +41,14 @@ class LogSceneCheck {
   void note_change(const LogRecord& record, RealRoot* instant);
   std::shared_ptr<const Predicate> order_on_grid(const LogCertificate& said) const;
   std::string check_certificate(const LogRecord& record, RealRoot& instant);
+  // What a certificate must be like at an instant.
+  struct Failure {
+    bool vanishes = true, negative_after = true;
+  };
+  std::string polynomial_problem(const Polynomial& polynomial, const Failure& failure, RealRoot& instant);
+  std::string direction_problem(const DirectionMeanings& meanings, const std::string& predicate,
+                                std::span<const Trajectory* const> of, const Failure& failure,
+                                RealRoot& instant);
   std::string feature_problem(const std::vector<std::string>& ids) const;
   void note_instant(const LogRecord& record);
   bool may_be_made_negative(const LogRecord& record) const;
@@ -49,6 +59,7 @@ class LogSceneCheck {
   const Scene& scene_;
   std::unordered_map<std::string, ObjectId> objects_;
   std::map<std::string, Key> keys_;  // by label, of structures that have one
+  std::map<std::string, DirectionMeanings> directions_;  // by label, of structures that have some
   std::set<std::string> touching_;   // labels of structures whose certificates fail at touches, too
   std::map<std::pair<std::string, std::string>, std::shared_ptr<const Predicate>> predicates_;
   MotionsInForce motions_;

@@ -28,10 +28,9 @@ struct InSphere3 {
 
   std::string_view name() const { return "in_sphere_3"; }
   int dimension() const { return 3; }
-  // No figure of the plane shows it.
   ClaimForm form() const {
     return {
-        ClaimFigure::kNone,
+        ClaimFigure::kCircle,
         1,
         kRoles,
         "{4} is not inside the sphere through {0}, {1}, {2} and {3}, whose orientation is negative",

@@ -20,9 +20,8 @@ struct Orientation3 {
 
   std::string_view name() const { return "orientation_3"; }
   int dimension() const { return 3; }
-  // No figure of the plane shows it.
   ClaimForm form() const {
-    return {ClaimFigure::kNone,
+    return {ClaimFigure::kTurn,
             1,
             kRoles,
             "{3} is not on the side of the plane through {0}, {1} and {2} from which they are "

@@ -44,7 +44,7 @@ StructureInfo triangulation() {
   info.min_dimension = 2;
   info.shape = Attribute::Shape::kTuples;
   info.reads = {{.structure = "convex_hull_2", .role = "hull"}};
-  info.kinds = {{"flip", Effect::kSometimes}, {"later", Effect::kNever}};
+  info.kinds = {{"flip", Effect::kSometimes}};
   info.certificates = "h - 3 for h hull vertices, one for each diagonal; those of the hull besides";
   info.ties = "the diagonal of four identically cocircular points contains the smallest id";
   info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 6.9";

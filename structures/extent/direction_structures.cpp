@@ -53,6 +53,7 @@ std::vector<StructureInfo> direction_structures() {
                          "4k (n - 1), of tournaments";
   polygon.ties = "of points that are identically level in a direction the smallest id is extreme; "
                  "only strict vertices are on the polygon";
+  polygon.directions = [](int k, int) { return unit_directions_2(k); };
   polygon.make = make_directions<MaximaChoice::kByDegree>;
 
   StructureInfo tournament = polygon;
@@ -76,6 +77,7 @@ std::vector<StructureInfo> direction_structures() {
       "those of the extreme points of 4k directions, as in directions_2, and 2k - 1 of the extents";
   diameter.ties = "of points that are identically level in a direction the smallest id counts; of "
                   "extents that are identically equal the one of the first direction";
+  diameter.directions = ExtentDirections::directions;
   diameter.make = make_extent<Extremum::kMaximum>;
 
   StructureInfo width = diameter;

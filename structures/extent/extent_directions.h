@@ -34,12 +34,14 @@
 #ifndef KINEX_STRUCTURES_EXTENT_EXTENT_DIRECTIONS_H
 #define KINEX_STRUCTURES_EXTENT_EXTENT_DIRECTIONS_H
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/engine/structure.h"
+#include "predicates/points/unit_directions_3.h"
 #include "structures/extent/direction_maxima.h"
 #include "structures/extent/extent_claims.h"
 #include "structures/parts/attribute_events.h"
@@ -58,6 +60,10 @@ class ExtentDirections final : public Structure {
   // that; kMinimum: the width in the plane. Throws std::invalid_argument for another dimension.
   static constexpr int kMostInSpace = 6;
   ExtentDirections(Kernel& kernel, StructureId id, const Scene& scene, int k, Extremum extremum);
+  // The directions that extents are measured along, one of each two opposite ones.
+  static std::vector<DirectionVector> directions(int k, int dimension) {
+    return unit_directions(dimension == 3 ? std::min(k, kMostInSpace) : k, dimension);
+  }
 
   std::string_view name() const override {
     return maximum() ? "diameter_directions" : "width_directions";

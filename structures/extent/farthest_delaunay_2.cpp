@@ -14,7 +14,6 @@ FarthestDelaunay2::FarthestDelaunay2(Kernel& kernel, StructureId id, const Scene
       id_(id),
       hull_(&hull),
       in_circle_(kernel.bind(make_in_circle_2())),
-      orientation_(kernel.bind(make_orientation_2())),
       slots_(kernel, id, "diagonals"),
       store_(scene.objects.size()) {}
 
@@ -86,20 +85,7 @@ void FarthestDelaunay2::settle_ties() {
   });
 }
 
-// The four points around the diagonal are in convex position right after now, in the order of the
-// cycle. If not, the hull will change at this instant.
-bool FarthestDelaunay2::upright(HalfEdge h) const {
-  const HalfEdge g = store_.twin(h);
-  const ObjectId u = store_.origin(h), v = store_.origin(g);
-  const ObjectId p = store_.apex(h), q = store_.apex(g);
-  const auto left = [this](ObjectId a, ObjectId b, ObjectId c) {
-    return kernel_->sign_after(orientation_, {a, b, c}) == Sign::kPositive;
-  };
-  return left(u, v, p) && left(v, u, q) && left(p, u, q) && left(q, v, p);
-}
-
-// Flips until every diagonal holds. Requires that the cycle is convex right after now: the lifted
-// surface then rises with every flip, so this ends.
+// Flips until every diagonal holds.
 void FarthestDelaunay2::finish() {
   const std::uint64_t h = store_.vertices();
   std::uint64_t left = 64 + h * h;
@@ -132,14 +118,6 @@ void FarthestDelaunay2::certificate_failed(CertificateId failed) {
   const HalfEdge h = slots_.failed(failed);
   const Query query = kernel_->query(failed);
   if (repeats(query)) return give_up("a certificate fails again and again");
-  const bool shared = kernel_->instant_is_shared(id_) || hull_->shares_instant(*kernel_);
-  if (behind_ || (shared && !upright(h))) {
-    drop_certificate(h);
-    behind_ = true;
-    settle_below();
-    return kernel_->report(id_, kLater, {query.ids[0], query.ids[1], query.ids[2], query.ids[3]},
-                           false);
-  }
   const ObjectId u = store_.origin(h), v = store_.target(h);
   const auto [p, q] = std::minmax({store_.apex(h), store_.apex(store_.twin(h))});
   const bool first = untold_.size() == 0;
@@ -175,13 +153,7 @@ void FarthestDelaunay2::instant_settled() {
   if (corrupt_) return;
   synchronise();
   settle_ties();
-  if (!behind_) return failing_.clear();
-  behind_ = false;
-  for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
-    if (!store_.live(Triangulation2::triangle(h)) || !is_diagonal(h)) continue;
-    if (store_.label(h) == kNoCertificate) set_certificate(h);
-  }
-  finish();
+  failing_.clear();
 }
 
 void FarthestDelaunay2::instant_over() {

@@ -7,8 +7,13 @@
 // opposite vertices p and q: q is in the circle through u, v, p; in_circle_2, degree 4d for motions
 // of degree d. The lifted points over the two triangles are then concave along the diagonal; a
 // surface over a convex polygon that is concave along every diagonal is concave. The hull proves
-// that the polygon is convex, so any triangulation of its cycle has upright triangles: no failure
-// is blocked, at no instant.
+// that the polygon is convex, so any triangulation of its cycle has upright triangles.
+//
+// Flips end, wherever the points are: at an instant at which the hull is yet to change the cycle may
+// be that of a polygon which crosses itself, and triangles may be inverted. The signed volume below
+// the lifted triangles is larger after a flip of a failing diagonal than before it, by the signed
+// volume of the tetrahedron of its four points, which is in_circle_2 but for a factor. So no
+// triangulation of a cycle comes back, and no failure has to wait for the hull.
 //
 //          p                  p
 //        1/ \4              1/|\4        The certificate of uv fails: uv is flipped to pq, and up
@@ -51,10 +56,9 @@ namespace kinex {
 
 class FarthestDelaunay2 final : public Structure {
  public:
-  // kFlip: the diagonal that goes, the one that comes, smaller id first. kLater: a certificate
-  // failed while the hull is about to change; its points. Changes with the hull are reported as
-  // "settled".
-  enum Kind : std::uint8_t { kFlip, kLater };
+  // kFlip: the diagonal that goes, the one that comes, smaller id first. Changes with the hull are
+  // reported as "settled".
+  enum Kind : std::uint8_t { kFlip };
   using HalfEdge = Triangulation2::HalfEdge;
   using Triangle = Triangulation2::Triangle;
   static constexpr std::uint32_t kNone = Triangulation2::kNone;
@@ -65,7 +69,7 @@ class FarthestDelaunay2 final : public Structure {
 
   std::string_view name() const override { return "farthest_delaunay_2"; }
   std::vector<std::string_view> event_kinds() const override {
-    return common_event_kinds({"flip", "later"});
+    return common_event_kinds({"flip"});
   }
   void build(std::span<const ObjectId>) override { begin(); }
   void rebuild() override;
@@ -121,7 +125,6 @@ class FarthestDelaunay2 final : public Structure {
   void drop_certificate(HalfEdge h);
   HalfEdge flip(HalfEdge h);
   bool wants_other_diagonal(HalfEdge h) const;
-  bool upright(HalfEdge h) const;
   void settle_ties();
   void finish();
   bool repeats(const Query& failed);
@@ -145,7 +148,7 @@ class FarthestDelaunay2 final : public Structure {
   Kernel* kernel_;
   StructureId id_;
   const HullSource* hull_;
-  PredicateId in_circle_, orientation_;
+  PredicateId in_circle_;
   Slots slots_;
   Ties ties_;                      // half-edges whose diagonals may be tied the other way
   std::vector<HalfEdge> failing_;  // of diagonals whose certificates were made negative
@@ -154,7 +157,6 @@ class FarthestDelaunay2 final : public Structure {
 
   // The present instant.
   EdgeChanges untold_;   // of the attribute, not reported
-  bool behind_ = false;  // a diagonal is without certificate: the hull will change, too
   bool corrupt_ = false;
   RepeatGuard repeats_;
   // scratch

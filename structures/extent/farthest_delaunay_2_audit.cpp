@@ -52,7 +52,7 @@ void FarthestDelaunay2::check_invariants(AuditReport& report) const {
   const HullRing& ring = hull_->ring();
   report.check(cycle() == (ring.size() == 0 ? std::vector<ObjectId>{} : ring.cycle()),
                [] { return "its cycle is not that of the hull"; });
-  report.check(untold_.size() == 0 && !behind_ && failing_.empty() && ties_.empty(),
+  report.check(untold_.size() == 0 && failing_.empty() && ties_.empty(),
                [] { return "an instant is not over"; });
   const std::string defect = store_.defect();
   report.check(defect.empty(), [&] { return defect; });

@@ -138,7 +138,6 @@ void FarthestDelaunay2::synchronise() {
 
 void FarthestDelaunay2::begin() {
   repeats_.clear();
-  behind_ = false;
   synchronise();
   finish();
   untold_.clear();
@@ -146,7 +145,6 @@ void FarthestDelaunay2::begin() {
 
 void FarthestDelaunay2::rebuild() {
   failing_.clear();
-  behind_ = false;
   const HullRing& ring = hull_->ring();
   construct(ring.size() == 0 ? std::vector<ObjectId>{} : ring.cycle(), false);
   settle_ties();

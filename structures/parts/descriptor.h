@@ -114,6 +114,9 @@ struct StructureInfo {
   // For objects with these extents; boxes are about discs, too, so that kHalfExtents takes either.
   Extents extents = Extents::kNone;
   LineUse lines = LineUse::kNone;
+  // Of its first parameter and the number of axes: the vectors along which its certificates order
+  // objects and extents, one of each two opposite ones; nullptr: it has no vectors of its own.
+  std::vector<std::vector<Rational>> (*directions)(int parameter, int axes) = nullptr;
   // Adds the objects that it derives in the scene; nullptr: it derives none.
   void (*derives)(const Scene& scene, NumberNeeds& needs) = nullptr;
   // Refuses scenes that it cannot maintain for another reason; nullptr: there is none. Called only

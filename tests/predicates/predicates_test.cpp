@@ -78,22 +78,6 @@ std::vector<Named> all_predicates() {
            shared(make_rectangle_area_order_2(), {0, 1, 1, 2, 3, 1, 4, 4, 0, 3})}};
 }
 
-// The unit of predicates that have one.
-template <class R>
-const R& one() {
-  if constexpr (std::is_same_v<R, Ball>) {
-    static const Ball kOne{1, 0};
-    return kOne;
-  } else if constexpr (std::is_same_v<R, MpFloat>) {
-    static const MpFloat kOne(300L, Rational(1));
-    return kOne;
-  } else {
-    static const R kOne(1);
-    return kOne;
-  }
-}
-
-// Motions of `arity` objects in `axes` axes, in every ring, from the same integers.
 // The unit of predicates that have one, in every ring.
 template <class R>
 const R& unit_of() {
@@ -109,6 +93,7 @@ const R& unit_of() {
   return one;
 }
 
+// Motions of `arity` objects in `axes` axes, in every ring, from the same integers.
 struct Motions {
   int degree;
   std::size_t stride;

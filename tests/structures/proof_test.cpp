@@ -57,10 +57,8 @@ void expect_form(const Predicate& predicate, const std::string& where) {
     if (form.roles[i].kind == ArgumentRole::Kind::kPose) continue;
     EXPECT_NE(form.says.find("{" + std::to_string(i) + "}"), std::string_view::npos) << name;
   }
-  // No figure shows space.
-  const bool in_space = predicate.name() == "orientation_3" || predicate.name() == "in_sphere_3";
   // Without a figure a segment is drawn between two objects, which says enough.
-  const bool simple = in_space || predicate.arity() <= 2;
+  const bool simple = predicate.arity() <= 2;
   EXPECT_TRUE(simple || form.figure != ClaimFigure::kNone) << name;
   std::set<std::uint8_t> placed;
   for (const std::uint8_t place : form.places) {

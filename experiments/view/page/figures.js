@@ -1,11 +1,14 @@
 // How the claim of a certificate on points is drawn, by its figure: as segments and circles on the
-// screen. `where(id)` is the place of a point there.
-function shapesOf({ form, ids }, where) {
-  const p = (form.places ? form.places.map(i => ids[i]) : ids).map(where);
+// screen. `view` knows the place of each point there, and in space.
+function shapesOf({ form, ids }, view) {
+  const named = form.places ? form.places.map(i => ids[i]) : ids;
+  const p = named.map(id => view.at(id));
   switch (form.figure) {
     case "circle":
+      if (p.length === 5) return sphereShapes(view, named, p);
       return [circleThrough(p[0], p[1], p[2]), { dot: p[3] }];
     case "turn":
+      if (p.length === 4) return planeShapes(p);
       return [{ from: p[0], to: p[1], arrow: true }, { from: p[1], to: p[2], faint: true },
               { dot: p[2] }];
     case "directions":
@@ -26,11 +29,26 @@ function shapesOf({ form, ids }, where) {
       return [{ from: p[0], to: p[1] }, { from: p[2], to: p[3], faint: true }];
     case "nearer":
       return [{ from: p[2], to: p[0] }, { from: p[2], to: p[1], faint: true },
-              { centre: p[2], radius: Math.hypot(p[1][0] - p[2][0], p[1][1] - p[2][1]),
-                faint: true }];
+              { centre: p[2], radius: distanceOnScreen(view, named[1], named[2]), faint: true }];
     default:
       return p.slice(1).map((q, i) => ({ from: p[i], to: q }));
   }
+}
+
+// A sphere through four points, and a fifth; its outline is a circle however it is turned.
+function sphereShapes(view, ids, p) {
+  const { centre, radius } = sphereThrough(ids.slice(0, 4).map(id => view.positionOf(id)));
+  return [{ centre: view.seenAt(centre), radius: radius * view.scale }, { dot: p[4] },
+          ...[[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]].map(([i, j]) => ({ from: p[i], to: p[j] }))];
+}
+// A plane through three points, and a fourth.
+function planeShapes(p) {
+  const around = [0, 1, 2].map(i => ({ from: p[i], to: p[(i + 1) % 3], arrow: true }));
+  return [...around, { dot: p[3] }, ...[0, 1, 2].map(i => ({ from: p[i], to: p[3], faint: true }))];
+}
+// In space this is longer than the segment between the two on the screen.
+function distanceOnScreen(view, a, b) {
+  return Math.hypot(...minus(view.positionOf(a), view.positionOf(b))) * view.scale;
 }
 
 // The rectangle on the line of a and b whose other sides pass through r, c and l; of a strip only

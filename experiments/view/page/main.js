@@ -257,8 +257,13 @@ class App {
     if (!this.playing) {
       const which = this.index === 0 ? "" : "&structure=" +
         encodeURIComponent(DATA.structures[this.index].label);
-      history.replaceState(null, "", "#event=" + this.k + which);
+      history.replaceState(null, "", "#event=" + this.k + which + this.turnedText());
     }
+  }
+  // For the address: how a picture of space is turned.
+  turnedText() {
+    const { camera } = this.plane || {};
+    return !camera || camera.isAtStart() ? "" : "&view=" + [camera.yaw, camera.pitch].map(x => +x.toFixed(1));
   }
   drawControls() {
     const set = (id, value) => {

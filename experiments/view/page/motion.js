@@ -1,6 +1,7 @@
 // Where the objects are, in doubles: for drawing only.
 const MOTIONS = DATA.motions;
 const AXES = DATA.scene.dimension;
+const DRAWN = AXES > 2 ? [0, 1, 2] : [0, 1];  // axes of the picture
 
 function evaluate(c, u) {
   let value = 0;
@@ -33,8 +34,8 @@ const X = [0, 1, 2].map(() => new Float64Array(OBJECTS));
 // The axes behind those of a position: one for the radius of a disc, one per axis for a box.
 const EXTENT_AXES = DATA.polygons !== undefined ? 0
     : (MOTIONS.find(pieces => pieces.length > 0) || [[0, 0, []]])[0][2].length - AXES;
-// Half the widths of discs and boxes along the first two axes, at that time.
-const HALF = EXTENT_AXES > 0 ? [0, 1].map(() => new Float64Array(OBJECTS)) : [];
+// Half the widths of discs and boxes along the axes that are drawn, at that time.
+const HALF = EXTENT_AXES > 0 ? DRAWN.map(() => new Float64Array(OBJECTS)) : [];
 const alive = new Uint8Array(OBJECTS);
 let placedAt = NaN;
 function place(u) {

@@ -1,4 +1,4 @@
-// The picture in the plane: points, the attribute by its shape (tuples, cycle, object, sequence), and
+// The picture in the plane, or of space in projection (space.js): points, the attribute by its shape (tuples, cycle, object, sequence), and
 // the certificates by their figures.
 
 // The box to show: that of the whole run if it is not much larger than what is there now, else one
@@ -12,15 +12,15 @@ const WHOLE_RUN = (() => {
   if (!(box[0] <= box[1])) growByCrossings(box);
   return box;
 })();
-function emptyBox() { return [Infinity, -Infinity, Infinity, -Infinity]; }
+function emptyBox() { return DRAWN.flatMap(() => [Infinity, -Infinity]); }
 function growBox(box) {
   for (let object = 0; object < OBJECTS; ++object) {
     if (!alive[object] || IS_LINE[object]) continue;
-    const [hx, hy] = HALF.length > 0 ? [HALF[0][object], HALF[1][object]] : [0, 0];
-    box[0] = Math.min(box[0], X[0][object] - hx);
-    box[1] = Math.max(box[1], X[0][object] + hx);
-    box[2] = Math.min(box[2], X[1][object] - hy);
-    box[3] = Math.max(box[3], X[1][object] + hy);
+    for (const axis of DRAWN) {
+      const half = HALF.length > 0 ? HALF[axis][object] : 0;
+      box[2 * axis] = Math.min(box[2 * axis], X[axis][object] - half);
+      box[2 * axis + 1] = Math.max(box[2 * axis + 1], X[axis][object] + half);
+    }
   }
 }
 // The box of most crossings of lines, where there are no points.
@@ -45,31 +45,43 @@ function boxToShow() {
   const now = emptyBox();
   growBox(now);
   if (!(now[0] <= now[1])) growByCrossings(now);
-  const size = b => Math.max(b[1] - b[0], b[3] - b[2]);
+  const size = b => Math.max(...DRAWN.map(axis => b[2 * axis + 1] - b[2 * axis]));
   return size(WHOLE_RUN) <= 1.8 * size(now) || !(now[0] <= now[1]) ? WHOLE_RUN : now;
 }
 
 class Plane {
   constructor(app) {
     this.app = app;
+    this.camera = AXES > 2 ? new Camera() : null;
     this.fit();
   }
   fit() { this.zoom = 1; this.dx = this.dy = 0; }
 
-  // Screen coordinates of all objects, in this.sx and this.sy.
+  // Screen coordinates of all objects, in this.sx and this.sy; in space how near they are, in this.sz.
   project([left, top, width, height]) {
-    const [x0, x1, y0, y1] = boxToShow();
+    const box = this.box = boxToShow(), [x0, x1, y0, y1] = box;
     const room = Math.min(40, width / 8, height / 8);
     this.places = new Places([left, top, left + width, top + height]);
-    const fitted = Math.min((width - 2 * room) / (x1 - x0), (height - 2 * room) / (y1 - y0));
+    // In space the ball around the box fits, however it is turned.
+    this.reach = this.camera === null ? 0 : Math.hypot(...DRAWN.map(axis => box[2 * axis + 1] - box[2 * axis])) / 2;
+    const fitted = this.camera !== null
+      ? (Math.min(width, height) - 2 * room) / (2 * this.reach)
+      : Math.min((width - 2 * room) / (x1 - x0), (height - 2 * room) / (y1 - y0));
     const scale = this.zoom * (isFinite(fitted) && fitted > 0 ? fitted : 1);
     const cx = this.cx = left + width / 2, cy = this.cy = top + height / 2;
-    const mx = (x0 + x1) / 2 || 0, my = (y0 + y1) / 2 || 0;
     this.scale = scale;
-    this.middle = [mx, my];
+    const [mx, my] = this.middle = DRAWN.map(axis => (box[2 * axis] + box[2 * axis + 1]) / 2 || 0);
     this.sx = this.sx || new Float64Array(OBJECTS);
     this.sy = this.sy || new Float64Array(OBJECTS);
+    this.sz = this.sz || new Float64Array(OBJECTS);
     for (let object = 0; object < OBJECTS; ++object) {
+      if (this.camera !== null) {
+        const [right, up, near] = this.camera.seen(minus(this.positionOf(object), this.middle));
+        this.sx[object] = cx + this.dx + right * scale;
+        this.sy[object] = cy + this.dy - up * scale;
+        this.sz[object] = near;
+        continue;
+      }
       // Of a line the point in the middle of the picture.
       const x = IS_LINE[object] ? mx - this.dx / scale : X[0][object];
       const y = IS_LINE[object] ? X[0][object] * x + X[1][object] : X[1][object];
@@ -92,7 +104,7 @@ class Plane {
     return [...lines.map(line => this.across(line)), ...threads, ...points.map(id => ({ dot: this.at(id) }))];
   }
   shapesOf(claim) {
-    return claim.ids.some(id => IS_LINE[id]) ? this.linesOf(claim.ids) : shapesOf(claim, id => this.at(id));
+    return claim.ids.some(id => IS_LINE[id]) ? this.linesOf(claim.ids) : shapesOf(claim, this);
   }
   drawLines(context, marked) {
     const line = (object, colour, width) => drawShapes(context, [this.across(object)], colour, { width });
@@ -104,6 +116,12 @@ class Plane {
     }
   }
   at(id) { return [this.sx[id], this.sy[id]]; }
+  positionOf(id) { return DRAWN.map(axis => X[axis][id]); }
+  // The place of a position in space.
+  seenAt(position) {
+    const [right, up] = this.camera.seen(minus(position, this.middle));
+    return [this.cx + this.dx + right * this.scale, this.cy + this.dy - up * this.scale];
+  }
   onScreen(x, y) {
     const [mx, my] = this.middle;
     return [this.cx + this.dx + (x - mx) * this.scale, this.cy + this.dy - (y - my) * this.scale];
@@ -135,8 +153,9 @@ class Plane {
     context.beginPath();
     for (let object = 0; object < OBJECTS; ++object) {
       if (!alive[object] || IS_LINE[object]) continue;
-      context.moveTo(this.sx[object] + radius, this.sy[object]);
-      context.arc(this.sx[object], this.sy[object], radius, 0, 2 * Math.PI);
+      const own = radius * (1 + 0.45 * (this.sz[object] / this.reach || 0));  // near points are larger
+      context.moveTo(this.sx[object] + own, this.sy[object]);
+      context.arc(this.sx[object], this.sy[object], own, 0, 2 * Math.PI);
     }
     context.fill();
     for (const object of marked) {
@@ -147,6 +166,10 @@ class Plane {
   }
 
   drawAxes(context) {
+    if (this.camera !== null) {
+      if (this.box[0] <= this.box[1]) drawSpaceScales(context, this, this.box);
+      return;
+    }
     const [mx, my] = this.middle;
     const origin = [this.cx + this.dx - mx * this.scale, this.cy + this.dy + my * this.scale];
     drawScales(context, this.rectangle, origin, this.scale, this.places);
@@ -156,6 +179,10 @@ class Plane {
   drawExtents(context, marked) {
     if (HALF.length === 0) return;
     const outline = (object, colour, width) => {
+      if (this.camera !== null && EXTENT_AXES > 1) {
+        const box = DRAWN.flatMap(axis => [-1, 1].map(side => X[axis][object] + side * Math.max(0, HALF[axis][object])));
+        return drawWires(context, this, box, colour, width);
+      }
       const x = this.sx[object], y = this.sy[object];
       const hx = Math.max(0, HALF[0][object] * this.scale);
       const hy = Math.max(0, HALF[1][object] * this.scale);
@@ -185,19 +212,26 @@ class Plane {
     context.strokeStyle = colour;
     context.lineWidth = width;
     context.setLineDash(dash || []);
-    context.beginPath();
-    for (const code of codes) {
-      const a = Math.floor(code / OBJECTS), b = code % OBJECTS;
-      if (!alive[a] || !alive[b]) continue;
-      const [p, q] = IS_LINE[a] ? [b, a] : [a, b];  // a pair of a point and a line: straight down
-      context.moveTo(this.sx[p], this.sy[p]);
-      if (IS_LINE[q]) {
-        context.lineTo(this.sx[p], this.heightAt(q, this.sx[p]));
-      } else {
-        context.lineTo(this.sx[q], this.sy[q]);
+    const ends = code => [Math.floor(code / OBJECTS), code % OBJECTS];
+    const depthOf = code => ends(code).reduce((sum, id) => sum + this.sz[id], 0) / 2;
+    const layers = this.camera === null ? [{ alpha: 1, things: codes }] : inLayers(codes, depthOf, this.reach);
+    for (const { alpha, things } of layers) {
+      context.globalAlpha = alpha;
+      context.beginPath();
+      for (const code of things) {
+        const [a, b] = ends(code);
+        if (!alive[a] || !alive[b]) continue;
+        const [p, q] = IS_LINE[a] ? [b, a] : [a, b];  // a pair of a point and a line: straight down
+        context.moveTo(this.sx[p], this.sy[p]);
+        if (IS_LINE[q]) {
+          context.lineTo(this.sx[p], this.heightAt(q, this.sx[p]));
+        } else {
+          context.lineTo(this.sx[q], this.sy[q]);
+        }
       }
+      context.stroke();
     }
-    context.stroke();
+    context.globalAlpha = 1;
     context.setLineDash([]);
   }
 
@@ -210,7 +244,7 @@ class Plane {
   drawAttribute(context) {
     const { replay, other } = this.app;
     const outlineOf = OUTLINES[DATA.structures[this.app.shown()].role];
-    if (outlineOf !== undefined && DATA.scene.dimension === 2) {
+    if (outlineOf !== undefined) {
       if (!replay.lost) drawOutline(context, outlineOf(this, replay.ids), COLOUR.first, []);
       if (other !== null && !other.lost && other.ids.join() !== replay.ids.join()) {
         drawOutline(context, outlineOf(this, other.ids), COLOUR.second, [6, 4]);
@@ -405,5 +439,10 @@ class Plane {
     this.dy = cy - (cy - this.dy) * factor;
     this.zoom *= factor;
   }
-  move(dx, dy) { this.dx += dx; this.dy += dy; }
+  // A picture of space is turned, unless `shifted`.
+  move(dx, dy, x, y, shifted) {
+    if (this.camera !== null && !shifted) return this.camera.turn(-dx / 2, dy / 2);
+    this.dx += dx;
+    this.dy += dy;
+  }
 }

@@ -57,9 +57,14 @@ function drawQuery(context, plane) {
 
 // The corners of attributes that are boxes, by the role of the structure.
 const OUTLINES = {
-  // The least and the largest on each axis.
-  box: (plane, [left, right, bottom, top]) => {
-    if (top === undefined) return [];
+  // The least and the largest on each axis. In space all edges, in one line that passes some twice.
+  box: (plane, ids) => {
+    const [left, right, bottom, top] = ids;
+    if (ids.length < 2 * DRAWN.length) return [];
+    if (plane.camera !== null) {
+      const seen = cornersOf(ids.map((id, i) => X[i >> 1][id])).map(p => plane.seenAt(p));
+      return [0, 1, 3, 2, 0, 4, 5, 1, 5, 7, 3, 7, 6, 2, 6, 4].map(i => seen[i]);
+    }
     const x = [plane.sx[left], plane.sx[right]], y = [plane.sy[bottom], plane.sy[top]];
     return [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
   },

@@ -16,7 +16,7 @@ function describePage() {
   let facts = OBJECTS + " objects in " + AXES + "-D \u00b7 " + run(FIRST);
   if (OTHER !== null) facts += " \u00b7 " + run(OTHER);
   if (BEFORE > 0) facts += " \u00b7 from t = " + DATA.time.start[0] + ", log record " + (BEFORE + 1);
-  if (AXES > 2) facts += " \u00b7 drawn by their first two coordinates";
+  if (AXES > 2) document.querySelector("#drawing option[value=plane]").textContent = "in space";
   document.getElementById("facts").textContent = facts + " \u00b7 " + DATA.program;
   document.getElementById("of").textContent = "of " + LAST;
   const select = document.getElementById("structure");
@@ -156,6 +156,7 @@ function pressed(key) {
     "/": () => document.getElementById("search").focus(),
     ",": () => app.setSpan(1.5), ".": () => app.setSpan(1 / 1.5),
     d: () => { if (PARTED > BEFORE) app.setEvent(PARTED); },
+    ...(app.drawing.camera ? turns(app.drawing.camera) : {}),
     q: () => { if (FIRST.queries.length > 0) app.setTime(nextQuery(app).u); },
     t: () => { if (BODIES) app.drawing.chart.turnOver(); },
     c: () => {
@@ -175,6 +176,17 @@ function pressed(key) {
   action();
 }
 
+// The keys that turn a picture of space: the digits as they lie on a block of numbers.
+function turns(camera) {
+  const turned = turn => () => { turn(); app.changed(); };
+  return {
+    4: turned(() => camera.turn(-15, 0)), 6: turned(() => camera.turn(15, 0)),
+    8: turned(() => camera.turn(0, 15)), 2: turned(() => camera.turn(0, -15)),
+    5: turned(() => camera.reset()),
+    ...Object.fromEntries(Object.entries(Camera.VIEWS).map(([axis, view]) => [axis, turned(() => camera.look(...view))])),
+  };
+}
+
 function listenToPointers() {
   const place = (element, event) => {
     const box = element.getBoundingClientRect();
@@ -189,7 +201,7 @@ function listenToPointers() {
   canvas.addEventListener("pointermove", e => {
     const [x, y] = place(canvas, e);
     if (dragged !== null) {
-      const sideways = app.drawing.move(x - dragged[0], y - dragged[1], ...dragged);
+      const sideways = app.drawing.move(x - dragged[0], y - dragged[1], ...dragged, e.shiftKey);
       if (sideways) app.setTime(app.u - (x - dragged[0]) / canvas.clientWidth * app.span);
       dragged = [x, y];
       app.changed();
@@ -234,7 +246,8 @@ function listenToPointers() {
   whole.addEventListener("pointermove", go);
 }
 
-// #event=K opens the page at the state after event K; &structure=LABEL chooses what is shown.
+// #event=K opens the page at the state after event K; &structure=LABEL chooses what is shown, &view=YAW,PITCH
+// how a picture of space is turned.
 function fromHash() {
   const wanted = new URLSearchParams(location.hash.slice(1));
   const structure = DATA.structures.findIndex(s => s.label === wanted.get("structure"));
@@ -242,6 +255,11 @@ function fromHash() {
   if (!app.mode || index !== app.index) {
     document.getElementById("structure").value = index;
     app.setStructure(index);
+  }
+  const view = (wanted.get("view") || "").split(",").map(Number), { camera } = app.plane || {};
+  if (camera && view.length === 2 && view.every(isFinite)) {
+    camera.look(...view);
+    app.changed();
   }
   const k = wanted.get("event");
   if (k !== null && /^[0-9]+$/.test(k) && +k !== app.k) app.setEvent(+k);
