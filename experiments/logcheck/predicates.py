@@ -236,9 +236,6 @@ def disc_power_2(points):
     return power(points, [multiply(p.extents[0], p.extents[0]) for p in points])
 
 
-FORMULAS = {
-    "power_2": (power_2, 4, 4),
-    "disc_power_2": (disc_power_2, 4, 4),
 def line_side(points):
     """The point is above the line y = a x + b, a and b its axes; the third argument is the unit."""
     (a, b), (x, y), unit = points
@@ -253,6 +250,8 @@ def line_under(points):
 NEED_UNIT = (line_side, line_under)
 
 FORMULAS = {
+    "power_2": (power_2, 4, 4),
+    "disc_power_2": (disc_power_2, 4, 4),
     "line_side": (line_side, 2, 1),
     "line_under": (line_under, 2, 1),
     "disc_overlap": (disc_overlap, 2, 1),
