@@ -119,7 +119,7 @@ TEST_F(Limits, TheEndOfMemoryIsALimit) {
     text += "]]}";
   }
   write_file(scratch_.file("scene"), text + R"(], "maintain": ["sorted_list"]})");
-  for (const char* size : {"30000", "60000"}) {
+  for (const char* size : {"36000", "60000"}) {
     EXPECT_EQ(shell(std::string("ulimit -v ") + size + "; $KINEX run scene > out"), 3) << size;
     EXPECT_THAT(file("err"), HasSubstr("memory")) << size;
   }

@@ -73,6 +73,7 @@ TEST(Workload, EveryFamilyIsAValidScene) {
         const std::map<std::string_view, std::size_t> others{
             {"hull-worst", 16}, {"pass-over-row", 16}, {"pass-along-row", 16},
             {"seesaw", 16},     {"vernier", 16},       {"comb", 19},
+            {"points-through-lines", 16},
             {"skew-curves", 17}};
         const auto other = others.find(workload.name);
         EXPECT_EQ(scene.objects.size(), other == others.end() ? 8u : other->second)
