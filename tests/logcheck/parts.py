@@ -120,10 +120,18 @@ class Names(unittest.TestCase):
 class Formulas(unittest.TestCase):
     def value(self, name, *points):
         """The fourth number of a point and those after it are the extents there."""
-        p = predicates.formula_of(name)[0]([Extended([(c,) if c else () for c in point], 3) for point in points])
+        formula = predicates.formula_of(name)[0]
+        on_lines = formula in predicates.NEED_UNIT  # in the plane, and with the unit as last argument
+        axes = 2 if on_lines else 3
+        values = [Extended([(c,) if c else () for c in point], axes) for point in points]
+        p = formula(values + [(1,)] if on_lines else values)
         return p[0] if p else 0
 
     def test_signs(self):
+        self.assertGreater(self.value("line_side", (2, 1), (3, 8)), 0)  # above y = 2 x + 1
+        self.assertLess(self.value("line_side", (2, 1), (3, 6)), 0)
+        self.assertEqual(self.value("line_side", (2, 1), (3, 7)), 0)
+        self.assertLess(self.value("line_under", (2, 1), (3, 8)), 0)
         self.assertGreater(self.value("order_x", (0, 5), (1, 0)), 0)
         self.assertLess(self.value("order_y", (0, 5), (1, 0)), 0)
         self.assertGreater(self.value(("order_direction", (Fraction(1, 2), Fraction(-1))), (0, 0), (0, -1)), 0)
