@@ -7,22 +7,23 @@
 namespace kinex {
 namespace {
 
-std::vector<CellChanges::Cell> cells_of(const std::vector<ObjectId>& ids) {
-  std::vector<CellChanges::Cell> cells;
-  for (std::size_t i = 0; i + 3 < ids.size(); i += 4) {
-    cells.push_back({ids[i], ids[i + 1], ids[i + 2], ids[i + 3]});
-  }
+template <std::size_t Width>
+std::vector<std::array<ObjectId, Width>> cells_of(const std::vector<ObjectId>& ids) {
+  std::vector<std::array<ObjectId, Width>> cells(ids.size() / Width);
+  for (std::size_t i = 0; i < ids.size(); ++i) cells[i / Width][i % Width] = ids[i];
   return cells;
 }
 
 }  // namespace
 
-void CellChanges::add(Cell cell, bool came) {
+template <std::size_t Width>
+void CellChanges<Width>::add(Cell cell, bool came) {
   std::sort(cell.begin(), cell.end());
   changes_.push_back({cell, came});
 }
 
-AttributeDifference CellChanges::net() const {
+template <std::size_t Width>
+AttributeDifference CellChanges<Width>::net() const {
   std::vector<Change> sorted = changes_;
   std::sort(sorted.begin(), sorted.end(),
             [](const Change& a, const Change& b) { return a.cell < b.cell; });
@@ -37,11 +38,12 @@ AttributeDifference CellChanges::net() const {
   return result;
 }
 
-Attribute CellChanges::undone(Attribute after) const {
+template <std::size_t Width>
+Attribute CellChanges<Width>::undone(Attribute after) const {
   if (changes_.empty()) return after;
   const AttributeDifference change = net();
-  const std::vector<Cell> now = cells_of(after.ids), gone = cells_of(change.gone);
-  const std::vector<Cell> came = cells_of(change.came);
+  const std::vector<Cell> now = cells_of<Width>(after.ids), gone = cells_of<Width>(change.gone);
+  const std::vector<Cell> came = cells_of<Width>(change.came);
   std::vector<Cell> kept, before;
   std::set_difference(now.begin(), now.end(), came.begin(), came.end(), std::back_inserter(kept));
   std::merge(kept.begin(), kept.end(), gone.begin(), gone.end(), std::back_inserter(before));
@@ -49,5 +51,8 @@ Attribute CellChanges::undone(Attribute after) const {
   for (const Cell& cell : before) after.ids.insert(after.ids.end(), cell.begin(), cell.end());
   return after;
 }
+
+template class CellChanges<3>;
+template class CellChanges<4>;
 
 }  // namespace kinex

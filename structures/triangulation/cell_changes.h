@@ -12,9 +12,11 @@
 
 namespace kinex {
 
+// Width: vertices of a cell; 3 or 4.
+template <std::size_t Width>
 class CellChanges {
  public:
-  using Cell = std::array<ObjectId, 4>;  // in any order
+  using Cell = std::array<ObjectId, Width>;  // in any order
 
   void came(Cell cell) { add(cell, true); }
   void gone(Cell cell) { add(cell, false); }

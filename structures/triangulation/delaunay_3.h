@@ -190,7 +190,7 @@ class Delaunay3 final : public Structure {
   bool flat_ = true;
   bool corrupt_ = false;
   bool comes_or_goes_ = false;  // its changes of cells are not reported
-  CellChanges untold_;
+  CellChanges<4> untold_;
 
   // the present instant
   std::vector<ObjectId> suspects_;  // vertices whose cells are examined when it is settled

@@ -3,6 +3,7 @@
 
 #include "structures/triangulation/delaunay_2.h"
 #include "structures/triangulation/delaunay_3.h"
+#include "structures/triangulation/regular_2.h"
 
 namespace kinex {
 
@@ -31,6 +32,30 @@ StructureInfo delaunay_in_space() {
   return info;
 }
 
+StructureInfo regular_in_the_plane() {
+  StructureInfo info{.name = "regular_2",
+                     .summary = "the regular triangulation of points with weights in the plane"};
+  info.min_dimension = 2;
+  info.weights = true;
+  info.shape = Attribute::Shape::kTuples;
+  info.width = 3;
+  info.kinds = {{"flip", Effect::kAlways},   {"enter", Effect::kAlways},
+                {"leave", Effect::kAlways},  {"show", Effect::kAlways},
+                {"hide", Effect::kAlways},   {"witness", Effect::kNever},
+                {"retile", Effect::kSometimes}, {"blocked", Effect::kNever}};
+  info.certificates =
+      "at most 4n - 6: one for each edge, those to the vertex at infinity included, and four for each "
+      "hidden point";
+  info.ties =
+      "of points identically in one lifted plane those with smaller ids have their heights lowered "
+      "more; points identically on one line have no triangles";
+  info.source =
+      "Guibas, Kinetic data structures: a state of the art report (1998), section 7; Edelsbrunner, "
+      "Shah (1996); Devillers, Teillaud (2011)";
+  info.make = make_plain<Regular2>;
+  return info;
+}
+
 }  // namespace
 
 StructureFamily triangulation_family() {
@@ -50,7 +75,7 @@ StructureFamily triangulation_family() {
       "Guibas, Kinetic data structures: a state of the art report (1998), section 7; "
       "Guibas, Mitchell, Roos (1991)";
   delaunay.make = make_plain<Delaunay2>;
-  return {"triangulation", {delaunay, delaunay_in_space()}};
+  return {"triangulation", {delaunay, delaunay_in_space(), regular_in_the_plane()}};
 }
 
 }  // namespace kinex

@@ -57,6 +57,7 @@ class ReplayedAttribute {
         return "";
       case Attribute::Shape::kTuples:
         if (value_.width == 4) return apply_in_space(kind, event);
+        if (value_.width == 3) return apply_in_plane(kind, event);
         if (kind == "flip") return remove(id(0), id(1)) + add(id(2), id(3));
         if (kind == "enter") return remove(id(1), id(2));
         if (kind == "leave") return add(id(1), id(2));
@@ -86,7 +87,7 @@ class ReplayedAttribute {
       return "";
     }
     if (value_.width == 1) return apply_members(event);
-    if (value_.width == 4) return apply_cells(event);
+    if (value_.width > 2) return apply_cells(event);
     std::string wrong;
     const auto ascending = [](std::span<const ObjectId> flat) {
       for (std::size_t i = 0; i < flat.size(); i += 2) {
@@ -119,7 +120,23 @@ class ReplayedAttribute {
     }
     return "";
   }
-  using Cell = std::array<ObjectId, 4>;
+  using Cell = std::vector<ObjectId>;
+  // Triangles: a flip of two, one at the hull, or a vertex that shows in one, or beyond a hull edge.
+  std::string apply_in_plane(std::string_view kind, const Event& event) {
+    const auto& v = event.ids;
+    std::string wrong;
+    if (kind == "flip") {
+      for (const ObjectId end : {v[2], v[3]}) wrong += change(false, {v[0], v[1], end});
+      for (const ObjectId end : {v[0], v[1]}) wrong += change(true, {v[2], v[3], end});
+      return wrong;
+    }
+    const bool joins = kind == "leave" || kind == "show";
+    if (event.count == 3) return change(joins, {v[0], v[1], v[2]});
+    wrong += change(!joins, {v[1], v[2], v[3]});
+    wrong += change(joins, {v[0], v[1], v[2]});
+    wrong += change(joins, {v[0], v[2], v[3]});
+    return wrong + change(joins, {v[0], v[1], v[3]});
+  }
   // A flip in space: two cells on five points for three, or the reverse; or one cell at the hull.
   std::string apply_in_space(std::string_view kind, const Event& event) {
     const auto& v = event.ids;
@@ -136,8 +153,9 @@ class ReplayedAttribute {
   std::string apply_cells(const Event& event) {
     std::string wrong;
     for (const auto& [ids, joins] : {std::pair(event.gone, false), std::pair(event.came, true)}) {
-      for (std::size_t i = 0; i + 3 < ids.size(); i += 4) {
-        wrong += change(joins, {ids[i], ids[i + 1], ids[i + 2], ids[i + 3]});
+      for (std::size_t i = 0; i < ids.size(); i += value_.width) {
+        wrong += change(joins, Cell(ids.begin() + static_cast<std::ptrdiff_t>(i),
+                                    ids.begin() + static_cast<std::ptrdiff_t>(i + value_.width)));
       }
     }
     return wrong;
@@ -145,8 +163,8 @@ class ReplayedAttribute {
   std::string change(bool joins, Cell cell) {
     std::sort(cell.begin(), cell.end());
     std::vector<Cell> cells;
-    for (std::size_t i = 0; i + 3 < value_.ids.size(); i += 4) {
-      cells.push_back({value_.ids[i], value_.ids[i + 1], value_.ids[i + 2], value_.ids[i + 3]});
+    for (auto at = value_.ids.begin(); at != value_.ids.end(); at += value_.width) {
+      cells.emplace_back(at, at + value_.width);
     }
     const auto at = std::lower_bound(cells.begin(), cells.end(), cell);
     const bool there = at != cells.end() && *at == cell;
