@@ -95,7 +95,7 @@ void OctantTree::rebuild() {
   begin();
 }
 
-// Whatever the octants report, the tree is told of every pointer, and read when the instant is
+// The octants notify the tree of every pointer, whatever they report; it is read when the instant is
 // settled: a pair may change its octant and stay in the attribute of the octants.
 void OctantTree::pointer_changed(ObjectId point, ObjectId old, ObjectId fresh) {
   if (!built_) return;
