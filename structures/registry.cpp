@@ -2,6 +2,7 @@
 #include "structures/registry.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -78,6 +79,20 @@ const StructureInfo* find_structure_info(std::string_view name) {
   return nullptr;
 }
 
+std::string_view meaning_of_kind(const StructureInfo& info, std::string_view kind) {
+  static constexpr KindRule kCommon[] = {
+      {"motion", Effect::kNever, "an object gets another flight plan"},
+      {"insert", Effect::kNever, "an object appears"},
+      {"erase", Effect::kNever, "an object disappears"},
+      {"settled", Effect::kSometimes, "the instant is over: its changes are reported together"},
+      {"rebuild", Effect::kSometimes, "the whole proof is made anew"}};
+  const auto is_asked = [kind](const KindRule& rule) { return rule.kind == kind; };
+  const auto own = std::find_if(info.kinds.begin(), info.kinds.end(), is_asked);
+  if (own != info.kinds.end()) return own->text;
+  const auto* const common = std::find_if(std::begin(kCommon), std::end(kCommon), is_asked);
+  return common == std::end(kCommon) ? std::string_view() : common->text;
+}
+
 std::string_view family_of(std::string_view structure) {
   for (const StructureFamily& family : families()) {
     for (const StructureInfo& info : family.structures) {
@@ -132,7 +147,8 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
                        (discs ? "a \"radius\"" : "\"half_extents\", or a \"radius\"") +
                        ", or maintain something else"};
   }
-  const std::string axes = std::to_string(info.min_dimension) + " axes, the scene has " +
+  const std::string axes = std::to_string(info.min_dimension) + (info.min_dimension == 1 ? " axis" : " axes") +
+                           ", the scene has " +
                            std::to_string(scene.dimension);
   if (scene.dimension < info.min_dimension) {
     return Refusal{"needs " + axes, "maintain something else, or give the scene more axes"};
@@ -275,8 +291,10 @@ Rational parameter_of(const StructureInfo& info, const Request& request, std::st
   throw std::logic_error("a parameter that is not in the descriptor");
 }
 
+const StructureInfo& MakerInput::info() const { return *find_structure_info(request.structure); }
+
 Rational MakerInput::parameter(std::string_view name) const {
-  return parameter_of(*find_structure_info(request.structure), request, name);
+  return parameter_of(info(), request, name);
 }
 
 std::vector<std::vector<Rational>> directions_of(const StructureInfo& info, const Request& request,

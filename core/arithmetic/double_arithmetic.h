@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `double`: the filter's algorithms in plain IEEE doubles, with no error accounting. It is the best
-// floating-point kinetic arithmetic that we can write, and so a fair rival of `exact`. No
-// guarantee.
+// `double`: the filter's algorithms in plain IEEE doubles, with no error accounting. It guarantees
+// nothing. It is the strongest floating-point arithmetic we know how to write, so that comparisons
+// with `exact` are fair.
 #ifndef KINEX_CORE_ARITHMETIC_DOUBLE_ARITHMETIC_H
 #define KINEX_CORE_ARITHMETIC_DOUBLE_ARITHMETIC_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `gsl`: doubles with GSL's polynomial solvers, the usual floating-point arithmetic of kinetic
-// software. It guarantees nothing but that it never crashes, loops or returns a NaN.
+// software. It never crashes, loops or returns a NaN; it guarantees nothing else.
 //
 // GSL's error handler is one pointer per process, and by default it aborts the process. Making the
 // first arithmetic of this kind turns it off for good (once, thread-safe).

@@ -3,6 +3,13 @@
 // objects need their axes and the degree of their motions. Structures add the weights that they
 // read and the objects that they derive (structures/plan.h). An arithmetic is made for the union of
 // these needs and has no room for more.
+//
+// Predicates are not among the needs. What is kept for each object, and how wide its numbers are,
+// depends on axes and degrees alone. The size of a predicate's polynomial follows from these and
+// from the predicate's own degree: when the maker of a structure binds it (Arithmetic::bind), each
+// predicate is sized on its own, in fixed arrays or, beyond kMaxFixedDegree, in dynamic ones. One
+// that reads more axes than the needs have is refused there, by name. A list of predicates beside
+// the makers would say the same a second time, and could contradict them.
 #ifndef KINEX_CORE_ARITHMETIC_NUMBER_NEEDS_H
 #define KINEX_CORE_ARITHMETIC_NUMBER_NEEDS_H
 

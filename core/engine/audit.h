@@ -3,6 +3,7 @@
 #ifndef KINEX_CORE_ENGINE_AUDIT_H
 #define KINEX_CORE_ENGINE_AUDIT_H
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -12,6 +13,9 @@
 #include "core/numbers/rational.h"
 
 namespace kinex {
+
+// A box in the plane: per axis the least and the largest coordinate.
+using ExactBox = std::array<std::array<Rational, 2>, 2>;
 
 // Exact positions of all living objects at one rational time: the first dimension() axes. Behind
 // them are a body's rotor, the extents or the weight (Scene::extents); in runs that read weights there

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Event: one change that a run made, as data: printable, hashable, storable, replayable.
+// Event: one change made by a run, as plain data that can be printed, hashed, stored and replayed.
 #ifndef KINEX_CORE_ENGINE_EVENT_H
 #define KINEX_CORE_ENGINE_EVENT_H
 

@@ -10,7 +10,6 @@
 
 #include "core/engine/repeated_object.h"
 #include "core/numbers/check.h"
-#include "core/numbers/time_text.h"
 
 namespace kinex {
 
@@ -56,11 +55,6 @@ Kernel::Kernel(std::unique_ptr<Arithmetic> arithmetic, std::size_t objects, Sche
 
 PredicateId Kernel::bind(std::shared_ptr<const Predicate> predicate) {
   return arithmetic_->bind(std::move(predicate));
-}
-
-std::string Kernel::now_text() {
-  const InstantName& now = arithmetic_->name_now(InstantDetail::kName);
-  return now.is_rational() ? time_text(now.lower) : "about " + now.decimal;
 }
 
 // ---- derived objects

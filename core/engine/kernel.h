@@ -22,6 +22,8 @@
 #include "core/engine/event_reporter.h"
 #include "core/engine/ledger.h"
 #include "core/motion/derived_objects.h"
+#include "core/numbers/coarse_time.h"
+#include "core/numbers/instant_name.h"
 #include "core/numbers/stop.h"
 
 namespace kinex {
@@ -154,20 +156,16 @@ class Kernel {
     const std::uint32_t* const live = live_per_object_[structure].data();
     for (const ObjectId object : objects) __builtin_prefetch(live + object, 1);
   }
-  // The tag of a certificate of `structure` that probably fails soon (EventQueue::upcoming); else
-  // kNoTag.
-  static constexpr std::uint32_t kNoTag = 0xffffffffu;
-  std::uint32_t upcoming_tag(StructureId structure, std::size_t i) const {
+  // A certificate that probably fails soon (EventQueue::upcoming), if it is one of `structure`; else
+  // kNoCertificate.
+  CertificateId upcoming(StructureId structure, std::size_t i) const {
     const CertificateId id = queue_.upcoming(i);
-    if (id == kNoCertificate || queue_.certificate(id).structure != structure) return kNoTag;
-    return queue_.certificate(id).tag;
+    if (id == kNoCertificate || queue_.certificate(id).structure != structure) {
+      return kNoCertificate;
+    }
+    return id;
   }
   void set_tag(CertificateId id, std::uint32_t tag) { queue_.certificate(id).tag = tag; }
-  // True if the certificate belongs to this structure and is identically zero.
-  bool is_tie_of(StructureId structure, CertificateId id) const {
-    const Certificate& c = queue_.certificate(id);
-    return c.structure == structure && c.outlook == Outlook::kIdenticallyZero;
-  }
   // All live certificates, of any structure, with `object` as an argument. Requires that it is no
   // constant. The first call builds an index, which is kept up to date from then on.
   std::span<const CertificateId> certificates_of(ObjectId object);
@@ -196,15 +194,21 @@ class Kernel {
   bool failure_is_due() const {
     return !queue_.empty() && queue_.certificate(queue_.top()).outlook == Outlook::kFailsNow;
   }
+  // For a structure that has repaired a failure: no other certificate of `structure` fails at this
+  // instant, and none is due, so that what holds now holds right after it. If false the instant may
+  // go on: Structure::instant_over follows where it is shared, or after settle_later.
+  bool instant_is_over(StructureId structure) const {
+    return !instant_is_shared(structure) && !failure_is_due();
+  }
   // Counts certificates that may be zero at now (Arithmetic::possible_zeros).
   std::uint64_t possible_zeros() const { return arithmetic_->possible_zeros(); }
   // The number of the present instant in the run, from 1.
   std::uint64_t instant_number() const { return instant_number_; }
   // A time near now that is the same in every exact arithmetic (Arithmetic::now_rounded), for
   // choices that any time near now would serve.
-  auto coarse_now() { return arithmetic_->now_rounded(); }
-  // The present instant, for messages: short.
-  std::string now_text();
+  CoarseTime coarse_now() { return CoarseTime(arithmetic_->now_rounded()); }
+  // The present instant, for reports and messages (time_text). Valid until now moves.
+  const InstantName& now() { return arithmetic_->name_now(InstantDetail::kName); }
   // The structure was rebuilt from its static algorithm at this instant, for this reason. Logged as
   // the common event "rebuild", external if the attribute changed; the structure's watchers are
   // notified when its present call has returned.

@@ -20,7 +20,15 @@
 
 namespace kinex {
 
-// The value of a configuration function.
+// The value of a configuration function: discrete, and constant between two events. The shapes are
+// few and generic, so that logs, summaries and viewers handle a shape and know no structure.
+//
+//   a tree             is a set of edges, kTuples: it is unrooted, and a root or an order of
+//                      children would be no part of the attribute
+//   faces              of a triangulation are a set of tuples, too; faces of different sizes have
+//                      no shape, since no structure maintains them
+//   a length, an area  is no attribute, since it changes at all times; its value at a time follows
+//                      from the ids and the exact positions then
 struct Attribute {
   enum class Shape {
     kSequence,  // ids in order

@@ -63,7 +63,7 @@ class DerivedObjects {
     std::optional<PolygonFeature> feature;  // the feature that the object stands for in events
   };
 
-  // Below, "the dependents are left to renew": the caller must renew() all_dependents(), in order.
+  // "The dependents are left to renew" means: the caller must then renew() all_dependents(), in order.
   //
   // Sets the motion of an object of the scene; the dependents are left to renew. `until`: the end
   // of the flight plan; nullopt: none.

@@ -9,7 +9,7 @@
 
 namespace kinex {
 
-// Dyadic ends that are not roots, lower < upper; first_upper <= second_lower.
+// Two isolating intervals: dyadic ends that are not roots, lower < upper, first_upper <= second_lower.
 struct ClosePair {
   Rational first_lower, first_upper;
   Rational second_lower, second_upper;

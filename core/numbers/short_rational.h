@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ShortRational: a fraction of two machine words, for hot paths in which GMP is too slow.
 //
-// Nearly all numbers of input files are short. Every function here may abstain, and none is ever
-// wrong; callers then continue with Rational.
+// Nearly all numbers of input files are short. A function may abstain but is never wrong; its caller
+// then continues with Rational.
 #ifndef KINEX_CORE_NUMBERS_SHORT_RATIONAL_H
 #define KINEX_CORE_NUMBERS_SHORT_RATIONAL_H
 
@@ -27,7 +27,7 @@ std::optional<ShortRational> parse_short(std::string_view text);
 // `value` if both of its parts fit a word. No allocation.
 std::optional<ShortRational> shortened(const Rational& value);
 
-// target = value. Allocates only what `target` has not got.
+// target = value. Allocates only if `target` lacks the room.
 void assign(Rational& target, const ShortRational& value);
 
 // Whether a0 + a1 t = b0 + b1 t; nullopt where 128 bits do not hold the products.

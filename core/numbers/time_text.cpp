@@ -30,4 +30,8 @@ std::string time_text(const Rational& t) {
   return exact + " (" + short_decimal(t) + ")";
 }
 
+std::string time_text(const InstantName& instant) {
+  return instant.is_rational() ? time_text(instant.lower) : "about " + instant.decimal;
+}
+
 }  // namespace kinex

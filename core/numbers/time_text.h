@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/numbers/instant_name.h"
 #include "core/numbers/rational.h"
 
 namespace kinex {
@@ -13,6 +14,9 @@ namespace kinex {
 //   "3/2 (1.5)", "1/3 (0.3333333333)"  fractions      (at most 20 characters)
 //   "about 0.3333333333"               other numbers  (ten significant digits, maybe an exponent)
 std::string time_text(const Rational& t);
+// The same of an instant that is named in full (InstantDetail::kName); about its decimal where it is
+// irrational, or the arithmetic inexact.
+std::string time_text(const InstantName& instant);
 
 }  // namespace kinex
 

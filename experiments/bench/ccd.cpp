@@ -8,16 +8,16 @@
 //   answer  yes or no
 //   first   with the first time of contact
 //   exact   the exact stage alone
-// Ratio: exact over first. Output: see result_table.h; options: see options.h.
+// Ratio: exact over first. Output: see result_table.h; options: see bench_options.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
 #include <vector>
 
-#include "experiments/bench/options.h"
-#include "experiments/bench/result_table.h"
+#include "experiments/lab/bench_run.h"
 #include "experiments/lab/cpu_clock.h"
+#include "experiments/lab/result_table.h"
 #include "predicates/ccd/contact_exact.h"
 #include "predicates/ccd/continuous_contact.h"
 
@@ -95,17 +95,16 @@ class Maker {
 // Microseconds a query.
 template <class Ask>
 double best_of(int rounds, const std::vector<ContactQuery>& queries, const Ask& ask) {
-  double best = 0;
-  for (int round = 0; round < rounds; ++round) {
+  const auto ask_all = [&] {
     const double begin = lab::cpu_seconds();
     for (const ContactQuery& query : queries) ask(query);
-    const double seconds = lab::cpu_seconds() - begin;
-    if (round == 0 || seconds < best) best = seconds;
-  }
-  return best * 1e6 / static_cast<double>(queries.size());
+    return lab::BenchRun{.seconds = lab::cpu_seconds() - begin};
+  };
+  return lab::best_of_rounds({ask_all}, {.count = rounds})[0].seconds * 1e6 /
+         static_cast<double>(queries.size());
 }
 
-void measure(ResultTable& table, ContactKind kind, const char* workload,
+void measure(lab::ResultTable& table, ContactKind kind, const char* workload,
              const std::vector<ContactQuery>& queries, int rounds) {
   ContactCounters stages, ignored;
   std::size_t contacts = 0;
@@ -128,16 +127,12 @@ void measure(ResultTable& table, ContactKind kind, const char* workload,
              exact / first});
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const auto options = bench_options(argc, argv);
-  if (!options) return 2;
-  ResultTable table(
-      *options, "ccd",
+void ccd(const lab::BenchOptions& options) {
+  lab::ResultTable table(
+      options, "ccd",
       "Continuous collision queries; shares in percent, times in microseconds a query.",
-      {{"kind", ResultTable::kText, 11},
-       {"workload", ResultTable::kText, 11},
+      {{"kind", lab::ResultTable::kText, 11},
+       {"workload", lab::ResultTable::kText, 11},
        {"queries", 0},
        {"contacts", 1},
        {"at_once", 1},
@@ -147,7 +142,7 @@ int main(int argc, char** argv) {
        {"us_first", 3},
        {"us_exact", 1},
        {"ratio", 1}});
-  const int count = options->smoke ? 30 : 20000, rounds = options->smoke ? 1 : 5;
+  const int count = options.smoke ? 30 : 20000, rounds = options.rounds(5);
   for (const ContactKind kind : {ContactKind::kVertexFace, ContactKind::kEdgeEdge}) {
     Maker make(kind);
     const auto run = [&](const char* workload, const auto& next) {
@@ -164,5 +159,8 @@ int main(int argc, char** argv) {
     run("gap 1e-15", [&] { return make.near(1e-15); });
     run("integers", [&] { return make.integers(); });
   }
-  return 0;
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return kinex::lab::bench_main(argc, argv, ccd); }

@@ -18,10 +18,11 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const std::string text = "# Benchmarks\n\nMade by " +
-                             lab::provenance(argv[1], lab::build_facts(), lab::machine_facts()) +
-                             ". One core; CPU seconds; ratios within one process.\n" +
-                             ratios_text(exact_over_double(formats::read_text_file(argv[2]), argv[2]));
+    const std::string text =
+        "# Benchmarks\n\nMade by " +
+        lab::provenance(argv[1], lab::build_facts(), lab::machine_facts()) +
+        ". One core; CPU seconds; ratios within one process.\n" +
+        bench::ratios_text(bench::exact_over_double(formats::read_text_file(argv[2]), argv[2]));
     std::fwrite(text.data(), 1, text.size(), stdout);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", argv[0], error.what());

@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Question: which priority queue serves kinetic runs best?
-// Workload: the queue operations of real runs (uniform-square, exact, lazy scheduling), replayed on
+// Workload: the queue operations of real runs (random motion, exact, lazy scheduling), replayed on
 //   Boost's binary and 4-ary heaps with positions, Boost's pairing heap, and kinex's EventQueue (a
 //   4-ary heap of the near future, unsorted buckets behind it). All compare enclosures in the same
 //   way. Rounds are interleaved; the best of each counts; thread CPU time.
-// Output: see result_table.h; options: see options.h.
+// Output: see result_table.h; options: see bench_options.h.
 #include <boost/heap/d_ary_heap.hpp>
 #include <boost/heap/pairing_heap.hpp>
-#include <cstdio>
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "core/engine/event_queue.h"
-#include "experiments/bench/options.h"
 #include "experiments/bench/queue_trace.h"
-#include "experiments/bench/result_table.h"
+#include "experiments/lab/bench_row.h"
+#include "experiments/lab/bench_run.h"
 #include "experiments/lab/cpu_clock.h"
-#include "experiments/lab/workload.h"
+#include "experiments/lab/result_table.h"
 #include "predicates/predicates.h"
 
 namespace {
 
 using namespace kinex;
+using bench::QueueOperation;
+using bench::QueueTrace;
 using Kind = QueueOperation::Kind;
 
 struct Entry {
@@ -105,15 +109,10 @@ class BucketQueue {
   EventQueue queue_;
 };
 
-struct Result {
-  double seconds = 0;
-  std::uint64_t astray = 0;  // pops of another certificate than in the run
-};
-
 template <class Queue>
-Result replay(const QueueTrace& trace) {
+lab::BenchRun replay(const QueueTrace& trace) {
   Queue queue(trace.certificates);
-  Result result;
+  std::uint64_t astray = 0;  // pops of another certificate than in the run
   const double begin = lab::cpu_seconds();
   for (const QueueOperation& o : trace.operations) {
     switch (o.kind) {
@@ -131,79 +130,56 @@ Result replay(const QueueTrace& trace) {
           queue.pop();
         } else {  // enclosures overlap
           queue.remove(o.id);
-          ++result.astray;
+          ++astray;
         }
         break;
     }
   }
-  result.seconds = lab::cpu_seconds() - begin;
-  return result;
+  const double seconds = lab::cpu_seconds() - begin;
+  if (astray > trace.events / 100) throw std::logic_error("this is not the order of the run");
+  return {.seconds = seconds, .events = trace.events};
 }
 
 struct Candidate {
   const char* name;
-  Result (*run)(const QueueTrace&);
+  lab::BenchRun (*run)(const QueueTrace&);
 };
 
-struct Contest {
-  const char* structure;
-  int degree;
-  int n;
-};
-
-void run_contest(const Contest& contest, std::uint64_t events, int rounds, ResultTable& table) {
+void add_rows(const lab::BenchRow& row, lab::ResultTable& table) {
   static constexpr Candidate kCandidates[] = {
       {"boost binary", replay<BoostQueue<DAryHeap<2>>>},
       {"boost 4-ary", replay<BoostQueue<DAryHeap<4>>>},
       {"boost pairing", replay<BoostQueue<PairingHeap>>},
       {"kinex buckets", replay<BucketQueue>},
   };
-  lab::WorkloadParameters parameters;
-  parameters.n = contest.n;
-  parameters.degree = contest.degree;
-  const QueueTrace trace = record_queue(
-      lab::generate_scene(*lab::find_workload("uniform-square"), parameters), contest.structure, events);
-  Result best[std::size(kCandidates)];
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < std::size(kCandidates); ++i) {
-      const Result r = kCandidates[i].run(trace);
-      if (r.astray > trace.events / 100) throw std::logic_error("this is not the order of the run");
-      if (round == 0 || r.seconds < best[i].seconds) best[i] = r;
-    }
+  const QueueTrace trace = bench::record_queue(lab::scene_of(row), row.events);
+  std::vector<std::function<lab::BenchRun()>> ways;
+  for (const Candidate& candidate : kCandidates) {
+    ways.emplace_back([&trace, &candidate] { return candidate.run(trace); });
   }
+  const std::vector<lab::BenchRun> best = lab::best_of_rounds(ways, {.count = row.rounds});
   const double operations = static_cast<double>(trace.operations.size());
-  for (std::size_t i = 0; i < std::size(kCandidates); ++i) {
-    const double ratio = best[i].seconds / best[0].seconds;
-    const double each = best[i].seconds / operations * 1e9;
-    table.row({contest.structure, contest.degree, contest.n, kCandidates[i].name, trace.events,
-               trace.operations.size(), each, ratio});
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    table.row({row.structure, row.parameters.degree, row.parameters.n, kCandidates[i].name,
+               trace.events, trace.operations.size(), best[i].seconds / operations * 1e9,
+               best[i].seconds / best[0].seconds});
   }
+}
+
+void queue(const lab::BenchOptions& options) {
+  lab::ResultTable table(options, "queue",
+                         "Priority queues on the operations of real runs: time over a binary heap.",
+                         {{"structure", lab::ResultTable::kText, 19},
+                          {"degree", 0},
+                          {"n", 0, 7},
+                          {"queue", lab::ResultTable::kText, 14},
+                          {"events", 0, 9},
+                          {"operations", 0, 11},
+                          {"ns_per_operation", 1},
+                          {"time_over_binary", 3}});
+  for (const lab::BenchRow& row : lab::bench_rows("queue", options)) add_rows(row, table);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const auto options = bench_options(argc, argv);
-  if (!options) return 2;
-  const bool smoke = options->smoke;
-  ResultTable table(*options, "queue",
-                    "Priority queues on the operations of real runs: time over a binary heap.",
-                    {{"structure", ResultTable::kText, 19},
-                     {"degree", 0},
-                     {"n", 0, 7},
-                     {"queue", ResultTable::kText, 14},
-                     {"events", 0, 9},
-                     {"operations", 0, 11},
-                     {"ns_per_operation", 1},
-                     {"time_over_binary", 3}});
-  const int scale = smoke ? 100 : 1;
-  const std::uint64_t events = smoke ? 500 : 30000;
-  for (const Contest& contest :
-       {Contest{"sorted_list", 1, 1000}, Contest{"sorted_list", 1, 10000},
-        Contest{"delaunay_2", 1, 1000}, Contest{"delaunay_2", 1, 10000},
-        Contest{"delaunay_2", 3, 1000}, Contest{"maximum_heap", 1, 10000}}) {
-    run_contest({contest.structure, contest.degree, contest.n / scale}, events, smoke ? 1 : 5,
-                table);
-  }
-  return 0;
-}
+int main(int argc, char** argv) { return kinex::lab::bench_main(argc, argv, queue); }

@@ -9,7 +9,7 @@
 #include "structures/plan.h"
 #include "structures/registry.h"
 
-namespace kinex {
+namespace kinex::bench {
 namespace {
 
 using Kind = QueueOperation::Kind;
@@ -85,21 +85,21 @@ class Recorder final : public Structure {
 
 }  // namespace
 
-QueueTrace record_queue(const Scene& scene, const char* structure, std::uint64_t events) {
+QueueTrace record_queue(const Scene& scene, std::uint64_t events) {
   QueueTrace trace;
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   options.max_events = events;
   Simulator simulator(scene, planned_arithmetic("exact", scene), options);
-  const Request request{structure, structure, {}};
+  const Request& request = scene.maintain.front();
   const StructureId id = simulator.reserve();
   simulator.add(id,
                 std::make_unique<Recorder>(make_structure(request, scene, simulator.kernel(), id),
                                            simulator.kernel(), trace),
-                structure);
+                request.label);
   simulator.start();
   simulator.run_until(scene.end);
   return trace;
 }
 
-}  // namespace kinex
+}  // namespace kinex::bench

@@ -9,7 +9,7 @@
 
 #include "core/motion/scene.h"
 
-namespace kinex {
+namespace kinex::bench {
 
 struct QueueOperation {
   enum class Kind : std::uint8_t { kPush, kReset, kRemove, kPop };
@@ -24,10 +24,11 @@ struct QueueTrace {
   std::vector<QueueOperation> operations;
 };
 
-// Runs `structure` over `scene` in `exact` for at most `events` failures, and compares the queue
-// before and after each. O(live certificates) a failure: for recording only.
-QueueTrace record_queue(const Scene& scene, const char* structure, std::uint64_t events);
+// Runs the first structure that the scene maintains, one that reads no other, in `exact` for at most
+// `events` failures, and compares the queue before and after each. O(live certificates) a failure:
+// for recording only.
+QueueTrace record_queue(const Scene& scene, std::uint64_t events);
 
-}  // namespace kinex
+}  // namespace kinex::bench
 
 #endif

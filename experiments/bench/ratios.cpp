@@ -11,20 +11,32 @@
 #include "experiments/formats/json_document.h"
 #include "experiments/lab/workload.h"
 
-namespace kinex {
+namespace kinex::bench {
 
 namespace {
 
 const std::vector<std::string>& kinds() {
   static const std::vector<std::string> kKinds{"points in random motion", "points full of ties",
+                                               "points full of new plans", "worst cases",
                                                "collisions"};
   return kKinds;
 }
 
 std::size_t kind_of(const Ratio& ratio) {
   const lab::Workload* workload = lab::find_workload(ratio.scene);
-  if (workload != nullptr && workload->bodies) return 2;
-  return ratio.scene.rfind("uniform-", 0) == 0 || ratio.scene == "gaussian" ? 0 : 1;
+  if (workload == nullptr) return 3;
+  if (workload->bodies) return 4;
+  switch (workload->scenes) {
+    case lab::SceneKind::kRandom:
+      return 0;
+    case lab::SceneKind::kTies:
+      return 1;
+    case lab::SceneKind::kNewPlans:
+      return 2;
+    case lab::SceneKind::kWorst:
+      break;
+  }
+  return 3;
 }
 
 struct Range {
@@ -98,7 +110,7 @@ std::string ratios_text(const std::vector<Ratio>& ratios) {
     text += fmt::format("{:.2f} to {:.2f}; worst: {}", range.least->value, range.most->value,
                         scene_text(*range.most));
     if (range.astray > 0) {
-      text += fmt::format(" (in {} of {} rows doubles handle other events, or come to no end)",
+      text += fmt::format(" (in {} of {} rows doubles handle other events, or do not finish)",
                           range.astray, range.rows);
     }
     text += "\n";
@@ -118,4 +130,4 @@ std::string ratios_text(const std::vector<Ratio>& ratios) {
   return text;
 }
 
-}  // namespace kinex
+}  // namespace kinex::bench

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kinex {
+namespace kinex::bench {
 
 struct Ratio {
   std::string structure, scene;
@@ -21,10 +21,10 @@ struct Ratio {
 // `file` and the line, for text that is not JSON.
 std::vector<Ratio> exact_over_double(std::string_view lines, const std::string& file);
 
-// Markdown: a sentence with the ranges for points in random motion, scenes full of ties and
-// collisions, and the worst row of each; then a table by structure. Empty without rows.
+// Markdown: a sentence with the ranges for random motion, scenes full of ties or of new plans, worst
+// cases and collisions, and the worst row of each; then a table by structure. Empty without rows.
 std::string ratios_text(const std::vector<Ratio>& ratios);
 
-}  // namespace kinex
+}  // namespace kinex::bench
 
 #endif

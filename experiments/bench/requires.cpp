@@ -6,154 +6,115 @@
 //           a structure is shared
 //   padded  a scene of degree 1 written with coefficients 0 up to degree 3 runs as fast as without
 //   unread  weights that no structure reads cost no time, and the memory of their axis
-// Workload: uniform-square. Rounds are interleaved; the best of each counts; thread CPU time.
-// Output: see result_table.h; options: see options.h.
-#include <algorithm>
-#include <cstdio>
-#include <cstring>
+// Workload: random motion. Rounds are interleaved; the best of each counts; thread CPU time.
+// Output: see result_table.h; options: see bench_options.h.
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "core/engine/simulator.h"
-#include "experiments/bench/options.h"
-#include "experiments/bench/result_table.h"
 #include "experiments/formats/weights.h"
-#include "experiments/lab/cpu_clock.h"
-#include "experiments/lab/workload.h"
-#include "structures/plan.h"
+#include "experiments/lab/bench_row.h"
+#include "experiments/lab/bench_run.h"
+#include "experiments/lab/result_table.h"
 
 namespace {
 
 using namespace kinex;
 
-Scene uniform_square(int n, int dimension, std::uint64_t seed) {
-  lab::WorkloadParameters parameters;
-  parameters.n = n;
-  parameters.dimension = dimension;
-  parameters.seed = seed;
-  return lab::generate_scene(*lab::find_workload("uniform-square"), parameters);
-}
-
-struct Result {
-  double setup = 0, seconds = 0;
-  std::uint64_t events = 0;
-  std::uint64_t polynomials = 0;  // failure times that took a polynomial, of any degree but 0
-  std::uint64_t roots = 0;        // failure times found
-  std::uint64_t bytes = 0;
-};
-
-Result run_once(const Scene& scene) {
-  SimulatorOptions options;
-  options.audit = AuditLevel::kNone;
-  const double before = lab::cpu_seconds();
-  Simulator simulator(scene, planned_arithmetic("exact", scene), options);
-  add_structures(simulator, scene);
-  simulator.start();
-  const double begin = lab::cpu_seconds();
-  simulator.run_until(scene.end);
-  Result result;
-  result.setup = begin - before;
-  result.seconds = lab::cpu_seconds() - begin;
-  result.events = simulator.ledger().events;
-  result.bytes = simulator.ledger().peak_bytes;
-  const auto& solved = simulator.arithmetic().counters().polynomials_solved;
-  for (std::size_t d = 1; d < solved.size(); ++d) result.polynomials += solved[d];
-  for (StructureId id = 0; id < simulator.structures(); ++id) {
-    result.roots += simulator.ledger(id).failures_found;
+// The best runs in `exact`.
+std::vector<lab::BenchRun> run_all(const std::vector<Scene>& scenes, int rounds) {
+  std::vector<std::function<lab::BenchRun()>> ways;
+  for (const Scene& scene : scenes) {
+    ways.emplace_back([&scene] { return lab::run_once(scene, {}); });
   }
-  return result;
+  return lab::best_of_rounds(ways, {.count = rounds});
 }
 
-// The best of several rounds, all scenes alternating.
-std::vector<Result> run_all(const std::vector<Scene>& scenes, int rounds) {
-  std::vector<Result> best(scenes.size());
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-      const Result r = run_once(scenes[i]);
-      if (round == 0 || r.seconds < best[i].seconds) best[i] = r;
-    }
-  }
-  return best;
+// Failure times that took a polynomial, of any degree but 0.
+std::uint64_t polynomials_of(const lab::BenchRun& run) {
+  std::uint64_t sum = 0;
+  const auto& solved = run.numbers.polynomials_solved;
+  for (std::size_t degree = 1; degree < solved.size(); ++degree) sum += solved[degree];
+  return sum;
 }
 
-void ask_for(Scene& scene, const std::vector<const char*>& structures) {
-  scene.maintain.clear();
-  for (const char* name : structures) scene.maintain.push_back({name, name, {}});
+// Failure times found.
+std::uint64_t roots_of(const lab::BenchRun& run) {
+  std::uint64_t sum = 0;
+  for (const StructureLedger& ledger : run.structures) sum += ledger.failures_found;
+  return sum;
 }
 
-// k points that move across the square, n that stand.
-Scene few_moving(const char* structure, int k, int n) {
-  const int dimension = std::strcmp(structure, "sorted_list") == 0 ? 1 : 2;
-  Scene scene = uniform_square(n, dimension, 1);
+// k points that move across the square among the n of the row, which stand.
+Scene few_moving(const lab::BenchRow& row, int k) {
+  Scene scene = lab::scene_of(row);
   for (SceneObject& object : scene.objects) {
     for (auto& axis : object.motion.pieces[0].trajectory.coordinates) axis.resize(1);
   }
   // The same ones for every n. They are few, so that no two coincide.
-  const Scene moving = uniform_square(k == 0 ? 1 : k, dimension, 2);
+  lab::BenchRow few = row;
+  few.parameters.n = k == 0 ? 1 : k;
+  few.parameters.seed = 2;
+  const Scene moving = lab::scene_of(few);
   for (int i = 0; i < k; ++i) {
     scene.objects[static_cast<std::size_t>(i)].motion =
         moving.objects[static_cast<std::size_t>(i)].motion;
   }
-  ask_for(scene, {structure});
   return scene;
 }
 
-void moving(const BenchOptions& options) {
-  const bool smoke = options.smoke;
-  ResultTable table(options, "requires_moving", "moving: k points move among n that stand.",
-                    {{"structure", ResultTable::kText, 12},
-                     {"n", 0, 7},
-                     {"k", 0, 5},
-                     {"events", 0, 9},
-                     {"polynomials", 0},
-                     {"roots", 0, 10},
-                     {"bytes", 0, 12},
-                     {"seconds", 4}});
-  for (const char* structure : {"sorted_list", "delaunay_2"}) {
-    for (const int n : smoke ? std::vector<int>{100, 200} : std::vector<int>{2500, 10000, 40000}) {
-      for (const int k : smoke ? std::vector<int>{0, 4} : std::vector<int>{0, 1, 10, 100}) {
-        const Result r = run_all({few_moving(structure, k, n)}, smoke ? 1 : 3)[0];
-        table.row({structure, n, k, r.events, r.polynomials, r.roots, r.bytes, r.seconds});
-      }
+void moving(const lab::BenchOptions& options) {
+  lab::ResultTable table(options, "requires_moving", "moving: k points move among n that stand.",
+                         {{"structure", lab::ResultTable::kText, 12},
+                          {"n", 0, 7},
+                          {"k", 0, 5},
+                          {"events", 0, 9},
+                          {"polynomials", 0},
+                          {"roots", 0, 10},
+                          {"bytes", 0, 12},
+                          {"seconds", 4}});
+  for (const lab::BenchRow& row : lab::bench_rows("requires_moving", options)) {
+    for (const int k : options.smoke ? std::vector<int>{0, 4} : std::vector<int>{0, 1, 10, 100}) {
+      const lab::BenchRun run = run_all({few_moving(row, k)}, row.rounds)[0];
+      table.row({row.structure, row.parameters.n, k, run.events, polynomials_of(run), roots_of(run),
+                 run.peak_bytes, run.seconds});
     }
   }
 }
 
-void shared(const BenchOptions& options) {
-  const bool smoke = options.smoke;
-  const Scene square = uniform_square(smoke ? 30 : 2000, 2, 1);
-  const std::vector<std::vector<const char*>> asked{
-      {"sorted_list"},
-      {"maximum_tournament"},
-      {"delaunay_2"},
-      {"sorted_list", "maximum_tournament"},
-      {"sorted_list", "maximum_tournament", "delaunay_2"},
-      {"maximum_sorted_list"},
-      {"minimum_sorted_list"},
-      {"sorted_list", "maximum_sorted_list", "minimum_sorted_list"},
+void shared(const lab::BenchOptions& options) {
+  lab::BenchOptions all = options;
+  all.rows.clear();
+  const std::vector<lab::BenchRow> rows = lab::bench_rows("requires_shared", all);
+  std::vector<Scene> scenes;
+  for (const lab::BenchRow& row : rows) scenes.push_back(lab::scene_of(row));
+  const std::vector<lab::BenchRun> runs = run_all(scenes, rows.front().rounds);
+  lab::ResultTable table(
+      options, "requires_shared",
+      "shared: attributes of one scene; the sum is of what each costs alone, n = " +
+          std::to_string(scenes.front().objects.size()) + ".",
+      {{"attributes", lab::ResultTable::kText, 58},
+       {"events", 0, 9},
+       {"polynomials", 0, 12},
+       {"seconds", 4},
+       {"time_over_sum", 3}});
+  const auto alone = [&](const std::string& structure) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::vector<Request>& maintain = rows[i].maintain;
+      if (maintain.size() == 1 && maintain[0].structure == structure) return runs[i].seconds;
+    }
+    return 0.0;
   };
-  std::vector<Scene> scenes(asked.size(), square);
-  for (std::size_t i = 0; i < asked.size(); ++i) ask_for(scenes[i], asked[i]);
-  const std::vector<Result> results = run_all(scenes, smoke ? 1 : 3);
-  ResultTable table(options, "requires_shared",
-                    "shared: attributes of one scene; the sum is of what each costs alone, n = " +
-                        std::to_string(square.objects.size()) + ".",
-                    {{"attributes", ResultTable::kText, 58},
-                     {"events", 0, 9},
-                     {"polynomials", 0, 12},
-                     {"seconds", 4},
-                     {"time_over_sum", 3}});
-  for (std::size_t i = 0; i < asked.size(); ++i) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     double sum = 0;
     std::string names;
-    for (const char* name : asked[i]) {
-      names += (names.empty() ? "" : ", ") + std::string(name);
-      for (std::size_t j = 0; j < asked.size(); ++j) {
-        if (asked[j].size() == 1 && std::strcmp(asked[j][0], name) == 0) sum += results[j].seconds;
-      }
+    for (const Request& request : rows[i].maintain) {
+      names += (names.empty() ? "" : ", ") + request.structure;
+      sum += alone(request.structure);
     }
-    const Result& r = results[i];
-    table.row({names, r.events, r.polynomials, r.seconds, r.seconds / sum});
+    table.row(
+        {names, runs[i].events, polynomials_of(runs[i]), runs[i].seconds, runs[i].seconds / sum});
   }
 }
 
@@ -164,21 +125,18 @@ Scene padded_with_zeros(Scene scene) {
   return scene;
 }
 
-void padded(const BenchOptions& options) {
-  const bool smoke = options.smoke;
-  ResultTable table(options, "requires_padded",
-                    "padded: degree 1, written with coefficients 0 up to degree 3.",
-                    {{"structure", ResultTable::kText, 12},
-                     {"n", 0, 7},
-                     {"seconds", 4},
-                     {"padded_over_plain", 4}});
-  for (const char* structure : {"sorted_list", "delaunay_2"}) {
-    const bool list = std::strcmp(structure, "sorted_list") == 0;
-    Scene scene = uniform_square(smoke ? 30 : 1500, list ? 1 : 2, 1);
-    ask_for(scene, {structure});
-    const std::vector<Result> results = run_all({scene, padded_with_zeros(scene)}, smoke ? 1 : 7);
-    table.row({structure, scene.objects.size(), results[0].seconds,
-               results[1].seconds / results[0].seconds});
+void padded(const lab::BenchOptions& options) {
+  lab::ResultTable table(options, "requires_padded",
+                         "padded: degree 1, written with coefficients 0 up to degree 3.",
+                         {{"structure", lab::ResultTable::kText, 12},
+                          {"n", 0, 7},
+                          {"seconds", 4},
+                          {"padded_over_plain", 4}});
+  for (const lab::BenchRow& row : lab::bench_rows("requires_padded", options)) {
+    const Scene scene = lab::scene_of(row);
+    const std::vector<lab::BenchRun> runs = run_all({scene, padded_with_zeros(scene)}, row.rounds);
+    table.row(
+        {row.structure, row.parameters.n, runs[0].seconds, runs[1].seconds / runs[0].seconds});
   }
 }
 
@@ -191,32 +149,28 @@ Scene with_weights(Scene scene) {
   return scene;
 }
 
-void unread(const BenchOptions& options) {
-  const bool smoke = options.smoke;
-  ResultTable table(options, "requires_unread", "unread: weights that no structure reads.",
-                    {{"structure", ResultTable::kText, 12},
-                     {"n", 0, 7},
-                     {"seconds", 4},
-                     {"weighted_over_plain", 4},
-                     {"more_bytes", 0}});
-  for (const char* structure : {"sorted_list", "delaunay_2"}) {
-    const bool list = std::strcmp(structure, "sorted_list") == 0;
-    Scene scene = uniform_square(smoke ? 30 : 1500, list ? 1 : 2, 1);
-    ask_for(scene, {structure});
-    const std::vector<Result> results = run_all({scene, with_weights(scene)}, smoke ? 1 : 7);
-    table.row({structure, scene.objects.size(), results[0].seconds,
-               results[1].seconds / results[0].seconds, results[1].bytes - results[0].bytes});
+void unread(const lab::BenchOptions& options) {
+  lab::ResultTable table(options, "requires_unread", "unread: weights that no structure reads.",
+                         {{"structure", lab::ResultTable::kText, 12},
+                          {"n", 0, 7},
+                          {"seconds", 4},
+                          {"weighted_over_plain", 4},
+                          {"more_bytes", 0}});
+  for (const lab::BenchRow& row : lab::bench_rows("requires_unread", options)) {
+    const Scene scene = lab::scene_of(row);
+    const std::vector<lab::BenchRun> runs = run_all({scene, with_weights(scene)}, row.rounds);
+    table.row({row.structure, row.parameters.n, runs[0].seconds, runs[1].seconds / runs[0].seconds,
+               runs[1].peak_bytes - runs[0].peak_bytes});
   }
+}
+
+void requirements(const lab::BenchOptions& options) {
+  moving(options);
+  shared(options);
+  padded(options);
+  unread(options);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const auto options = bench_options(argc, argv);
-  if (!options) return 2;
-  moving(*options);
-  shared(*options);
-  padded(*options);
-  unread(*options);
-  return 0;
-}
+int main(int argc, char** argv) { return kinex::lab::bench_main(argc, argv, requirements); }

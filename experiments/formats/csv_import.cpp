@@ -50,6 +50,7 @@ class Importer {
     if (unused != used.end() && !options_.ignore_columns) {
       fail_unused(table_.columns[static_cast<std::size_t>(unused - used.begin())]);
     }
+    tell_columns(used);
   }
 
   ImportReport import() {
@@ -113,10 +114,36 @@ class Importer {
     const auto found = column(name);
     if (!found) {
       throw InputError(
-          file_, "line 1", "there is no column " + show_text(name),
-          std::string(kColumns) + ", or say which they are: --column " + name + "=NAME");
+          file_, "line 1",
+          "there is no column " + (name == "vx" ? "\"t\", and none \"vx\"" : show_text(name)),
+          std::string(kColumns) + ", or say which they are: --column " + (name == "vx" ? "t" : name) +
+              "=NAME");
     }
     return *found;
+  }
+
+  // "columns: id from trackId, t, x, y", "ignored: speed", "fields are separated by semicolons".
+  void tell_columns(const std::vector<bool>& used) {
+    std::string meanings, ignored;
+    const auto tell = [&](const std::string& meaning, std::size_t column) {
+      meanings += (meanings.empty() ? "" : ", ") + meaning;
+      if (table_.columns[column] != meaning) meanings += " from " + table_.columns[column];
+    };
+    tell("id", id_);
+    if (time_) tell("t", *time_);
+    for (std::size_t axis = 0; axis < coordinates_.size(); ++axis)
+      tell(std::string(1, "xyz"[axis]), coordinates_[axis]);
+    for (std::size_t axis = 0; axis < velocities_.size(); ++axis)
+      tell(std::string("v") + "xyz"[axis], velocities_[axis]);
+    if (heading_) tell(options_.heading->compass ? "bearing" : "heading", *heading_);
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      if (!used[i]) ignored += (ignored.empty() ? "" : ", ") + table_.columns[i];
+    }
+    report_.details.push_back("columns: " + meanings);
+    if (!ignored.empty()) report_.details.push_back("ignored: " + ignored);
+    if (table_.separator == ',') return;
+    report_.details.push_back(std::string("fields are separated by ") +
+                              (table_.separator == ';' ? "semicolons" : "tabs"));
   }
 
   std::optional<Rational> start() const {

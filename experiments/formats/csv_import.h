@@ -47,7 +47,8 @@ struct ImportReport {
   std::size_t repeated_fixes = 0;  // identical rows of one id and time: read once
   std::size_t ignored_columns = 0;
   std::string time_zero;              // of dates: the date at which t = 0; otherwise empty
-  std::vector<std::string> notes;     // what somebody should know
+  std::vector<std::string> notes;     // what the user should know
+  std::vector<std::string> details;   // what was read as what
   std::vector<std::string> maintain;  // as set_maintain() takes it, if the file says so
 };
 

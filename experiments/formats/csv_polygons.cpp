@@ -16,7 +16,7 @@ namespace kinex::formats {
 
 namespace {
 
-constexpr const char* kColumns = "name the columns id,x,y: a row for each vertex";
+constexpr const char* kPolygonColumns = "name the columns id,x,y: a row for each vertex";
 
 // Reads the polygon as that of a scene, so that both refuse the same ones. Fields that are numbers
 // need no escapes.
@@ -93,9 +93,9 @@ PolygonTable parse_polygons(std::string_view text, const std::string& file) {
   const CsvTable table = parse_csv(text, file);
   const auto id = table.column("id"), x = table.column("x"), y = table.column("y");
   if (!id || !x || !y || table.columns.size() != 3) {
-    throw InputError(file, "line 1", "the columns are not id, x and y", kColumns);
+    throw InputError(file, "line 1", "the columns are not id, x and y", kPolygonColumns);
   }
-  if (table.rows.empty()) throw InputError(file, "", "there are no rows", kColumns);
+  if (table.rows.empty()) throw InputError(file, "", "there are no rows", kPolygonColumns);
   PolygonTable polygons{file, {}, {}};
   std::vector<std::vector<const CsvRow*>> rows;  // of each entry
   for (const CsvRow& row : table.rows) {

@@ -107,8 +107,9 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const {
 CsvTable parse_csv(std::string_view text, const std::string& file, char separator) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.substr(0, 3) == kByteOrderMark) text.remove_prefix(3);
-  CsvParser parser(text, file, separator == kGuessedSeparator ? separator_of(text) : separator);
   CsvTable table;
+  table.separator = separator == kGuessedSeparator ? separator_of(text) : separator;
+  CsvParser parser(text, file, table.separator);
   CsvRow row;
   if (!parser.next(row))
     throw InputError(file, "", "the file is empty", "name the columns in line 1");

@@ -19,6 +19,7 @@ struct CsvRow {
 struct CsvTable {
   std::vector<std::string> columns;  // of the first line, blanks around the names removed
   std::vector<CsvRow> rows;          // each has as many fields as there are columns
+  char separator = ',';
 
   std::optional<std::size_t> column(std::string_view name) const;
 };

@@ -7,6 +7,9 @@
 #include <memory>
 #include <utility>
 
+#include "experiments/formats/log_rules.h"
+#include "predicates/points/box_order.h"
+#include "predicates/points/shared_arguments.h"
 #include "predicates/predicates.h"
 
 namespace kinex::formats {
@@ -20,6 +23,8 @@ std::vector<Ends> ends_of(std::size_t arity) {
   if (arity == 3) return {{0, 1, 0, 2}, {0, 1, 2, 0}, {0, 1, 1, 2}, {0, 1, 2, 1}};
   return {{0, 1, 0, 1}, {0, 1, 1, 0}};
 }
+
+constexpr std::string_view kBox = "order_box_";
 
 std::vector<Rational> opposite(std::vector<Rational> vector) {
   for (Rational& entry : vector) entry = -entry;
@@ -35,7 +40,7 @@ std::optional<std::size_t> DirectionMeanings::arity_of(std::string_view predicat
   if (predicate == "order_direction" || predicate == "order_extent_2") return 2;
   if (predicate == "order_extent_3") return 3;
   if (predicate == "order_extent") return 4;
-  return std::nullopt;
+  return predicate.starts_with(kBox) ? formats::arity_of(predicate) : std::nullopt;
 }
 
 // A double and a product of doubles are off by 2^-53 of their size; a few dozen of them make up a place.
@@ -69,10 +74,55 @@ DirectionMeanings::Places DirectionMeanings::places(std::span<const Trajectory* 
   return result;
 }
 
+// The order of two boxes, of which the objects that touch them are named.
+bool DirectionMeanings::any_box(std::string_view predicate, const std::optional<Places>& at,
+                                const std::function<bool(const Predicate&)>& fits) const {
+  const std::size_t slash = predicate.find('/'), k = vectors_.size() / 2;
+  const bool area = predicate.substr(0, slash) == "order_box_area";
+  std::vector<std::uint8_t> who{0, 1, 2, 3, 4, 5, 6, 7};
+  if (slash != std::string_view::npos) {
+    for (std::size_t i = 0; i < who.size(); ++i) {
+      who[i] = static_cast<std::uint8_t>(predicate[slash + 1 + i] - '0');
+    }
+  }
+  const auto extent = [&](std::size_t vector, std::size_t first) {
+    const Place &high = (*at)[vector][who[first]], &low = (*at)[vector][who[first + 1]];
+    return Place{high.value - low.value, high.margin + low.margin};
+  };
+  const auto size = [&](std::size_t vector, std::size_t first) {
+    const Place w = extent(vector, first), h = extent(vector + k, first + 2);
+    if (!area) return Place{w.value + h.value, w.margin + h.margin};
+    return Place{w.value * h.value, (std::abs(w.value) + w.margin) * h.margin +
+                                        std::abs(h.value) * w.margin +
+                                        1e-15 * std::abs(w.value * h.value)};
+  };
+  for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t j = i + 1; j < k; ++j) {
+      if (at) {
+        const Place a = size(i, 0), b = size(j, 4);
+        if (std::abs(b.value - a.value) > a.margin + b.margin && std::isfinite(b.value - a.value)) {
+          continue;
+        }
+      }
+      for (const SmallerBox smaller : {SmallerBox::kFirst, SmallerBox::kSecond}) {
+        std::shared_ptr<const Predicate> order =
+            make_box_order(area ? BoxMeasure::kArea : BoxMeasure::kPerimeter, vectors_[i],
+                           vectors_[j], smaller);
+        if (slash != std::string_view::npos) order = make_shared_arguments(std::move(order), who);
+        if (fits(*order)) return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool DirectionMeanings::any(std::string_view predicate, std::span<const Trajectory* const> motions,
                             const std::optional<Instant>& vanishing,
                             const std::function<bool(const Predicate&)>& fits) const {
   const Places at = vanishing ? places(motions, *vanishing) : Places{};
+  if (predicate.starts_with(kBox)) {
+    return any_box(predicate, vanishing ? std::optional(at) : std::nullopt, fits);
+  }
   // Of the sum of places with signs; not finite: it may be zero.
   const auto is_zero = [](std::initializer_list<std::pair<int, const Place*>> sum) {
     Place all;

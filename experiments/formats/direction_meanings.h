@@ -5,6 +5,10 @@
 //   order_direction(a, b)          one vector: as many meanings as there are vectors
 //   order_extent(a, b, c, d)       two of them, u and v, or both opposite: u.(a - b) - v.(c - d)
 //   order_extent_3, order_extent_2 likewise, for each way in which two of the four ends are one object
+//   order_box_area(r, l, t, b, ..) two of the first half of them, each with the one that is turned by 90
+//                                  degrees: the order of two boxes, in either direction
+//   order_box_area/01232345        likewise; the digits tell the object that is each of the eight
+//   order_box_perimeter            likewise
 //
 // 2k vectors have O(k^2) meanings. Where the value has to vanish at an instant, those whose value is
 // certainly not zero there are passed over: in doubles, with a margin that is far above their rounding
@@ -50,6 +54,8 @@ class DirectionMeanings {
   using Places = std::vector<std::vector<Place>>;  // by vector, then by object
 
   Places places(std::span<const Trajectory* const> motions, const Instant& at) const;
+  bool any_box(std::string_view predicate, const std::optional<Places>& at,
+               const std::function<bool(const Predicate&)>& fits) const;
 
   std::vector<std::vector<Rational>> vectors_;
 };

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Kept by hand, because rapidjson::Writer gives other bytes, and scene hashes, keys of cells and event
+// logs are made of these:
+//   strings   it writes \n, \t, \u001F and DEL as it is; here they are \u000a, \u0009, \u001f and \u007f
+//   spaces    one after each ',' and ':', all on one line: neither Writer nor PrettyWriter has that
+//   reals     it writes the shortest text that reads back, here they have 6 digits
+//   exact     numbers of any length are quoted from their own digits, without a copy
+// A class derived from it as PrettyWriter is would replace all four, and use its stack of brackets
+// alone, for which it allocates memory in each line of a log.
 #include "experiments/formats/json_writer.h"
 
 #include <cmath>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "experiments/formats/log_instant.h"
 #include "experiments/formats/log_reader.h"
 #include "experiments/formats/log_scene.h"
+#include "experiments/formats/log_table.h"
 
 namespace kinex::formats {
 
@@ -19,11 +19,14 @@ namespace {
 
 struct Entry {
   std::uint32_t name;     // of structure, kind, ids and change
+  std::uint32_t kind;     // of structure and kind
   std::uint32_t instant;  // place in Log::instants
   bool external;
   std::size_t line;
-  std::string_view text;
 };
+
+// The label that a log has for a structure -> the one under which it is compared.
+using Labels = std::map<std::string, std::string>;
 
 struct Log {
   LogHeader header;
@@ -51,10 +54,10 @@ void write_ids(JsonWriter& json, const std::vector<std::string>& ids) {
   json.end_array();
 }
 
-std::string name_of(const LogRecord& record) {
+std::string name_of(const LogRecord& record, const std::string& label) {
   std::string text;
   JsonWriter json(text);
-  json.begin_array().string(record.structure).string(record.kind);
+  json.begin_array().string(label).string(record.kind);
   write_ids(json, record.ids);
   if (record.change) {
     write_ids(json, record.change->gone);
@@ -71,13 +74,39 @@ bool is_change(const LogRecord& record) {
          record.kind == "rebuild";
 }
 
-Log read_log(LogReader& reader, const std::set<std::string>& structures, Names& names) {
+// Numbers of (structure, kind), with their tallies.
+class Kinds {
+ public:
+  std::uint32_t number(const std::string& label, const std::string& kind) {
+    const auto [place, is_new] =
+        numbers_.try_emplace({label, kind}, static_cast<std::uint32_t>(tallies_.size()));
+    if (is_new) {
+      KindDifference& tally = tallies_.emplace_back();
+      tally.structure = label;
+      tally.kind = kind;
+    }
+    return place->second;
+  }
+  KindDifference& of(const Entry& entry) { return tallies_[entry.kind]; }
+  std::vector<KindDifference> sorted() const {
+    std::vector<KindDifference> result;
+    for (const auto& [name, number] : numbers_) result.push_back(tallies_[number]);
+    return result;
+  }
+
+ private:
+  std::map<std::pair<std::string, std::string>, std::uint32_t> numbers_;
+  std::vector<KindDifference> tallies_;
+};
+
+Log read_log(LogReader& reader, const Labels& labels, Names& names, Kinds& kinds) {
   Log log;
   log.header = reader.header();
   LogRecord record;
   while (reader.next(record)) {
-    if (structures.count(record.structure) == 0) continue;
-    const std::uint32_t name = names.number(name_of(record));
+    const auto label = labels.find(record.structure);
+    if (label == labels.end()) continue;
+    const std::uint32_t name = names.number(name_of(record, label->second));
     if (is_change(record)) {
       log.changes.push_back(name);
       continue;
@@ -85,8 +114,9 @@ Log read_log(LogReader& reader, const std::set<std::string>& structures, Names& 
     if (log.instants.empty() || !same_text(log.instants.back(), record.time)) {
       log.instants.push_back(record.time);
     }
-    log.events.push_back({name, static_cast<std::uint32_t>(log.instants.size() - 1),
-                          record.external, record.line, record.text});
+    log.events.push_back({name, kinds.number(label->second, record.kind),
+                          static_cast<std::uint32_t>(log.instants.size() - 1), record.external,
+                          record.line});
   }
   return log;
 }
@@ -189,41 +219,59 @@ void find_first(const std::vector<Entry>& a, const std::vector<Entry>& b, Instan
       continue;
     }
     result.first = i + 1;
-    if (i < a.size()) {
-      result.line_a = a[i].line;
-      result.text_a = a[i].text;
-    }
-    if (i < b.size()) {
-      result.line_b = b[i].line;
-      result.text_b = b[i].text;
-    }
+    if (i < a.size()) result.line_a = a[i].line;
+    if (i < b.size()) result.line_b = b[i].line;
     return;
   }
 }
 
-// The labels of structures that both logs have; the others go into the result.
-std::set<std::string> common_structures(const LogHeader& a, const LogHeader& b,
-                                        LogDifference& result) {
-  std::set<std::string> common;
-  const auto compare = [&common](const LogHeader& one, const LogHeader& other,
-                                 std::vector<std::string>& only) {
-    for (const LogStructure& structure : one.structures) {
-      const bool there = std::any_of(
-          other.structures.begin(), other.structures.end(), [&](const LogStructure& candidate) {
-            return candidate.label == structure.label &&
-                   candidate.structure == structure.structure && candidate.key == structure.key &&
-                   candidate.options == structure.options;
-          });
-      if (there) {
-        common.insert(structure.label);
-      } else {
-        only.push_back(structure.label);
+bool is_same(const LogStructure& a, const LogStructure& b) {
+  return a.structure == b.structure && a.key == b.key && a.options == b.options;
+}
+
+// The structures that both logs have, by the label in each; the others go into the result.
+std::pair<Labels, Labels> common_structures(const LogHeader& a, const LogHeader& b,
+                                            LogDifference& result) {
+  std::pair<Labels, Labels> common;
+  const auto pair_up = [&](bool by_label) {
+    for (const LogStructure& one : a.structures) {
+      for (const LogStructure& other : b.structures) {
+        if (!is_same(one, other) || common.first.contains(one.label) ||
+            common.second.contains(other.label) || (by_label && one.label != other.label)) {
+          continue;
+        }
+        common.first.emplace(one.label, one.label);
+        common.second.emplace(other.label, one.label);
+        if (!by_label) result.other_labels.push_back({one.label, other.label});
       }
     }
   };
-  compare(a, b, result.only_a);
-  compare(b, a, result.only_b);
+  pair_up(true);
+  pair_up(false);
+  for (const LogStructure& one : a.structures) {
+    if (!common.first.contains(one.label)) result.only_a.push_back(one.label);
+  }
+  for (const LogStructure& one : b.structures) {
+    if (!common.second.contains(one.label)) result.only_b.push_back(one.label);
+  }
   return common;
+}
+
+// The records of two lines, as rows of one table; line 0: no record.
+void show_rows(std::string_view text_a, std::string_view text_b, LogDifference& result) {
+  std::vector<LogRow> rows;
+  for (const auto& [text, line] :
+       {std::pair(text_a, result.line_a), std::pair(text_b, result.line_b)}) {
+    if (line == 0) continue;
+    LogReader reader(text, "");
+    LogRecord record;
+    while (reader.next(record) && record.line != line) {
+    }
+    rows.push_back(log_row(record, reader.header()));
+  }
+  const std::vector<std::string> lines = aligned_rows(rows);
+  if (result.line_a != 0) result.row_a = lines.front();
+  if (result.line_b != 0) result.row_b = lines.back();
 }
 
 }  // namespace
@@ -233,18 +281,19 @@ LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std:
   LogReader reader_a(text_a, file_a);
   LogReader reader_b(text_b, file_b);
   LogDifference result;
-  const std::set<std::string> structures =
+  const auto [labels_a, labels_b] =
       common_structures(reader_a.header(), reader_b.header(), result);
-  if (structures.empty() && !(result.only_a.empty() && result.only_b.empty())) {
+  if (labels_a.empty() && !(result.only_a.empty() && result.only_b.empty())) {
     throw InputError(file_b, "line 1",
                      "it has no structure in common with " + file_a + ": it maintains " +
                          structures_of(reader_b.header()) + ", the other " +
                          structures_of(reader_a.header()),
-                     "compare runs with a structure in common, of the same label and key");
+                     "compare runs with a structure in common, by the same key and with the same parameters");
   }
   Names names;
-  const Log a = read_log(reader_a, structures, names);
-  const Log b = read_log(reader_b, structures, names);
+  Kinds kinds;
+  const Log a = read_log(reader_a, labels_a, names, kinds);
+  const Log b = read_log(reader_b, labels_b, names, kinds);
   Instants instants(a, b);
 
   result.events_a = a.events.size();
@@ -253,11 +302,22 @@ LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std:
   result.other_scenes = a.header.scene_hash != b.header.scene_hash;
   result.other_records = not_in_both(a.changes, b.changes);
   find_first(a.events, b.events, instants, result);
+  if (result.first != 0) show_rows(text_a, text_b, result);
+  for (const Entry& event : a.events) {
+    ++kinds.of(event).events_a;
+    ++kinds.of(event).missing;  // less the matched ones, below
+  }
+  for (const Entry& event : b.events) {
+    ++kinds.of(event).events_b;
+    ++kinds.of(event).invented;
+  }
   const std::vector<std::size_t> matched = match(a.events, b.events, names.size());
   std::size_t common = 0;
   for (std::size_t i = 0; i < a.events.size(); ++i) {
     if (matched[i] == kNone) continue;
     ++common;
+    --kinds.of(a.events[i]).missing;
+    --kinds.of(a.events[i]).invented;
     const Entry& other = b.events[matched[i]];
     if (a.events[i].external != other.external) ++result.other_effects;
     if (!instants.same(a.events[i].instant, other.instant)) ++result.other_instants;
@@ -265,6 +325,7 @@ LogDifference diff_logs(std::string_view text_a, const std::string& file_a, std:
   result.missing = a.events.size() - common;
   result.invented = b.events.size() - common;
   result.out_of_order = common - longest_in_order(matched);
+  result.kinds = kinds.sorted();
   return result;
 }
 

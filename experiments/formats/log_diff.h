@@ -18,17 +18,31 @@ enum class InstantsCompared {
   kNot,        // one log has none, or is of an inexact arithmetic
 };
 
-// Compares the structures that both logs have (same label, structure and key), and their events,
-// external and internal: all records except those of changes (motion, insert, erase, and a rebuild
-// that changed nothing). Two events are the same if structure, kind, ids, "gone" and "came" agree;
-// the k-th such event of one log is matched with the k-th of the other.
+// A structure that both logs have under different labels.
+struct OtherLabel {
+  std::string label_a, label_b;
+};
+
+// The events of one kind of a structure in both logs.
+struct KindDifference {
+  std::string structure, kind;  // the label in a
+  std::uint64_t events_a = 0, events_b = 0;
+  std::uint64_t missing = 0, invented = 0;  // as below
+};
+
+// Compares the structures that both logs have (same structure, key and options; of several such those
+// with the same label), and their events, external and internal: all records except those of changes
+// (motion, insert, erase, and a rebuild that changed nothing). Two events are the same if structure,
+// kind, ids, "gone" and "came" agree; the k-th such event of one log is matched with the k-th of the
+// other.
 struct LogDifference {
   std::uint64_t events_a = 0, events_b = 0;  // of the structures in both
-  // The first place at which the events differ, counted from 1, with both lines ("" past a log's
-  // end): other events, or one event with another effect or at another instant.
+  // The first place at which the events differ, counted from 1, with both records as rows of a table
+  // (log_table.h; "" and line 0 past a log's end): other events, or one event with another effect or at
+  // another instant.
   std::uint64_t first = 0;  // 0: none
   std::size_t line_a = 0, line_b = 0;
-  std::string text_a, text_b;
+  std::string row_a, row_b;
   std::uint64_t missing = 0;   // in a, not in b
   std::uint64_t invented = 0;  // in b, not in a
   // The fewest matched events to remove so that the rest are in the same order.
@@ -39,6 +53,8 @@ struct LogDifference {
   std::uint64_t other_records = 0;
   InstantsCompared instants = InstantsCompared::kNot;
   std::vector<std::string> only_a, only_b;  // labels of structures that the other log does not have
+  std::vector<OtherLabel> other_labels;
+  std::vector<KindDifference> kinds;  // by structure and kind
   bool other_scenes = false;                // the scene hashes differ
 
   bool equal() const { return first == 0 && other_records == 0; }

@@ -36,6 +36,8 @@ constexpr Arity kArities[] = {
     {"order_extent", 4},
     {"order_extent_3", 3},
     {"order_extent_2", 2},
+    {"order_box_area", 8},
+    {"order_box_perimeter", 8},
     {"order_strip", 6},
     {"order_rectangle_area", 10},
     {"order_rectangle_perimeter", 10},
@@ -68,6 +70,7 @@ constexpr Arity kArities[] = {
     // of lines
     {"line_side", 2},
     {"line_under", 2},
+    {"line_order", 3},
     // of rigid polygons
     {"discs_apart", 3},
     {"discs_overlap", 3},

@@ -262,6 +262,7 @@ std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string
   if (name == "order_rectangle_perimeter") return make_rectangle_perimeter_order_2();
   if (name == "line_side") return make_line_side();
   if (name == "line_under") return make_line_under();
+  if (name == "line_order") return make_line_order();
   if (name == "order_pair_distance") return make_pair_distance_order(scene_.dimension);
   if (name == "order_squared_distance") return make_squared_distance_order(scene_.dimension);
   // Whether the structure has a key or not.

@@ -2,18 +2,17 @@
 #include "experiments/formats/log_table.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
+#include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
+#include "experiments/formats/near_names.h"
 
 namespace kinex::formats {
 
 namespace {
 
 constexpr std::size_t kLongestExact = 40;
-constexpr std::size_t kPlainColumns = 8;
-using PlainRow = std::array<std::string, kPlainColumns>;
 
 // "4 - 6 t + t^2"
 std::string polynomial_words(const Polynomial& polynomial) {
@@ -74,6 +73,39 @@ const std::vector<std::string>& csv_columns() {
   return kColumns;
 }
 
+constexpr std::size_t kSequence = 0, kTime = 1, kExactly = 2;
+
+const LogRow& plain_columns() {
+  static const LogRow kColumns{"seq",  "time", "exactly", "structure",
+                               "kind", "ids",  "effect",  "certificate"};
+  return kColumns;
+}
+
+// All places if none is named.
+std::vector<std::size_t> places_of(const std::vector<std::string>& wanted,
+                                   const std::vector<std::string>& columns) {
+  std::vector<std::size_t> places;
+  for (const std::string& name : wanted) {
+    const auto at = std::find(columns.begin(), columns.end(), name);
+    if (at == columns.end()) {
+      std::string all;
+      for (const std::string& one : columns) all += (all.empty() ? "write some of " : ", ") + one;
+      throw InputError("--columns", "", show_text(name) + " is not a column of the table",
+                       did_you_mean(name, columns, all));
+    }
+    places.push_back(static_cast<std::size_t>(at - columns.begin()));
+  }
+  for (std::size_t i = 0; wanted.empty() && i < columns.size(); ++i) places.push_back(i);
+  return places;
+}
+
+std::vector<std::string> chosen(const std::vector<std::string>& fields,
+                                const std::vector<std::size_t>& places) {
+  std::vector<std::string> result;
+  for (const std::size_t place : places) result.push_back(fields[place]);
+  return result;
+}
+
 std::vector<std::string> csv_row(const LogRecord& record, const LogHeader& header) {
   std::string polynomial, root, lower, upper;
   if (header.has_names()) {
@@ -104,7 +136,23 @@ std::vector<std::string> csv_row(const LogRecord& record, const LogHeader& heade
           record.reason.value_or("")};
 }
 
-PlainRow plain_row(const LogRecord& record, const LogHeader& header) {
+}  // namespace
+
+std::string instant_words(const LogInstant& instant, const LogHeader& header) {
+  if (!header.has_names()) return "";
+  if (instant.lower == instant.upper) {
+    std::string exact = instant.lower.to_string();
+    if (exact.size() <= kLongestExact) return exact;
+    return "a fraction of " + std::to_string(exact.size() - 1) + " digits";
+  }
+  const std::string root = "root " + std::to_string(instant.root) + " of ";
+  const std::string words = polynomial_words(instant.polynomial);
+  if (words.size() <= kLongestExact) return root + words;
+  return root + "a polynomial of degree " +
+         std::to_string(instant.polynomial.coefficients().size() - 1);
+}
+
+LogRow log_row(const LogRecord& record, const LogHeader& header) {
   std::string certificate;
   if (record.certificate)
     certificate = record.certificate->predicate + "(" + ids_text(record.certificate->ids) + ")";
@@ -123,64 +171,57 @@ PlainRow plain_row(const LogRecord& record, const LogHeader& header) {
           std::move(certificate)};
 }
 
-std::string aligned(const std::vector<PlainRow>& rows) {
-  std::array<std::size_t, kPlainColumns> widths{};
-  for (const PlainRow& row : rows) {
-    for (std::size_t i = 0; i < kPlainColumns; ++i) widths[i] = std::max(widths[i], row[i].size());
+std::vector<std::string> aligned_rows(const std::vector<LogRow>& rows, std::size_t numbers) {
+  std::vector<std::size_t> widths;
+  for (const LogRow& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
   }
-  std::string text;
-  for (const PlainRow& row : rows) {
+  std::vector<std::string> lines;
+  for (const LogRow& row : rows) {
     std::string line;
-    for (std::size_t i = 0; i < kPlainColumns; ++i) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
       if (widths[i] == 0) continue;  // a log without times
       if (!line.empty()) line += "  ";
       const std::string space(widths[i] - row[i].size(), ' ');
-      line += i == 0 ? space + row[i] : row[i] + space;
+      line += i == numbers ? space + row[i] : row[i] + space;
     }
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
   }
-  return text;
+  return lines;
 }
 
-}  // namespace
-
-std::string instant_words(const LogInstant& instant, const LogHeader& header) {
-  if (!header.has_names()) return "";
-  if (instant.lower == instant.upper) {
-    std::string exact = instant.lower.to_string();
-    if (exact.size() <= kLongestExact) return exact;
-    return "a fraction of " + std::to_string(exact.size() - 1) + " digits";
-  }
-  const std::string root = "root " + std::to_string(instant.root) + " of ";
-  const std::string words = polynomial_words(instant.polynomial);
-  if (words.size() <= kLongestExact) return root + words;
-  return root + "a polynomial of degree " +
-         std::to_string(instant.polynomial.coefficients().size() - 1);
-}
-
-LogTable log_table(LogReader& reader, const LogFilter& filter, LogTableForm form) {
+LogTable log_table(LogReader& reader, const LogFilter& filter, LogTableForm form,
+                   const std::vector<std::string>& columns) {
   const LogHeader& header = reader.header();
+  const bool csv = form == LogTableForm::kCsv;
+  const std::vector<std::size_t> places =
+      places_of(columns, csv ? csv_columns() : plain_columns());
   LogTable table;
-  std::vector<PlainRow> rows;
-  if (form == LogTableForm::kCsv) {
-    append_csv_row(table.text, csv_columns());
+  std::vector<LogRow> rows;
+  if (csv) {
+    append_csv_row(table.text, chosen(csv_columns(), places));
   } else {
-    rows.push_back({"seq", header.has_times() ? "time" : "", header.has_names() ? "exactly" : "",
-                    "structure", "kind", "ids", "effect", "certificate"});
+    LogRow head = plain_columns();
+    if (!header.has_times()) head[kTime].clear();
+    if (!header.has_names()) head[kExactly].clear();
+    rows.push_back(chosen(head, places));
   }
   LogRecord record;
   while (reader.next(record)) {
     ++table.records;
     if (!filter.wants(record)) continue;
     ++table.shown;
-    if (form == LogTableForm::kCsv) {
-      append_csv_row(table.text, csv_row(record, header));
+    if (csv) {
+      append_csv_row(table.text, chosen(csv_row(record, header), places));
     } else {
-      rows.push_back(plain_row(record, header));
+      rows.push_back(chosen(log_row(record, header), places));
     }
   }
   table.complete = reader.end().has_value();
-  if (form == LogTableForm::kPlain) table.text = aligned(rows);
+  const auto numbers = std::find(places.begin(), places.end(), kSequence) - places.begin();
+  for (const std::string& line : aligned_rows(rows, static_cast<std::size_t>(numbers)))
+    table.text += line + "\n";
   return table;
 }
 

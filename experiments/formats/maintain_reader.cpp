@@ -21,15 +21,6 @@ namespace {
 constexpr std::string_view kAxisNames = "xyz";
 const std::string kOption = "--maintain";  // the place of errors outside a file
 
-std::string known_structures() {
-  std::string result;
-  for (const StructureInfo& info : structure_infos()) {
-    if (!result.empty()) result += ", ";
-    result += info.name;
-  }
-  return "known are " + result;
-}
-
 std::vector<std::string> structure_names() {
   std::vector<std::string> names;
   for (const StructureInfo& info : structure_infos()) names.emplace_back(info.name);
@@ -57,7 +48,7 @@ std::optional<Refusal> complaint_about(const std::string& name, const Scene& sce
   const StructureInfo* info = find_structure_info(name);
   if (info == nullptr)
     return Refusal{show_text(name) + " is not a known structure",
-                   did_you_mean(name, structure_names(), known_structures())};
+                   did_you_mean(name, structure_names(), "kinex list structures names them")};
   std::optional<Refusal> refusal = refusal_of(*info, scene);
   if (refusal) refusal->problem = show_text(name) + " " + refusal->problem;
   return refusal;

@@ -71,7 +71,7 @@ std::string left_out(const Scene& scene, const PlanCounts& counts) {
   if (counts.at_rest == scene.objects.size()) {
     add("all scheduling (nothing moves)");
   } else if (counts.at_rest > 1) {
-    add("failure times among the " + std::to_string(counts.at_rest) + " objects at rest");
+    add("failure times among the " + counted(counts.at_rest, "object", "objects") + " at rest");
   }
   if (counts.updates == 0) add("flight-plan changes");
   if (counts.insertions + counts.erasures == 0) add("insertions and erasures");

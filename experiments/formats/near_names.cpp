@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMostNames = 3;
 constexpr std::size_t kLongestName = 100;  // nobody means a name by a longer text
-constexpr std::size_t kShortestPart = 4;
+constexpr std::size_t kShortestPart = 4, kShortestBeginning = 3;
 
 std::string plain(std::string_view name) {
   std::string result(name);
@@ -18,6 +18,13 @@ std::string plain(std::string_view name) {
     if (c == '-') c = '_';
   }
   return result;
+}
+
+// Without the number of axes at the end: "delaunay" of "delaunay_2".
+std::string_view stem(std::string_view name) {
+  const bool numbered =
+      name.size() > 2 && name[name.size() - 2] == '_' && name.back() >= '0' && name.back() <= '9';
+  return numbered ? name.substr(0, name.size() - 2) : name;
 }
 
 }  // namespace
@@ -46,13 +53,13 @@ std::vector<std::string> near_names(std::string_view name, const std::vector<std
   std::size_t nearest = std::max<std::size_t>(1, name.size() / 3);
   std::vector<std::string> near, holding;
   for (const std::string& other : known) {
-    const std::size_t distance = name_distance(name, other);
+    const std::size_t distance = std::min(name_distance(name, other), name_distance(name, stem(other)));
     if (distance < nearest) near.clear();
     if (distance <= nearest) near.push_back(other);
     nearest = std::min(nearest, distance);
-    const bool part =
-        name.size() >= kShortestPart && plain(other).find(plain(name)) != std::string::npos;
-    if (part) holding.push_back(other);
+    const std::size_t at = plain(other).find(plain(name));
+    if (at == std::string::npos) continue;
+    if (name.size() >= (at == 0 ? kShortestBeginning : kShortestPart)) holding.push_back(other);
   }
   if (near.empty()) near = std::move(holding);
   if (near.size() > kMostNames) near.resize(kMostNames);

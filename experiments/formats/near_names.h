@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Did you mean": the names that somebody who wrote another one may have meant.
+// "Did you mean": the known names that are most like a name that is not known.
 #ifndef KINEX_EXPERIMENTS_FORMATS_NEAR_NAMES_H
 #define KINEX_EXPERIMENTS_FORMATS_NEAR_NAMES_H
 
@@ -10,12 +10,13 @@
 
 namespace kinex::formats {
 
-// The fewest letters to insert, remove, replace or exchange with a neighbour that make one name the
-// other. Case is ignored, and '-' is '_'. O(length^2).
+// The edit distance: the fewest insertions, deletions, substitutions and swaps of neighbouring letters
+// that turn one name into the other. Case is ignored, and '-' is '_'. O(length^2).
 std::size_t name_distance(std::string_view a, std::string_view b);
 
 // At most three of `known`, the nearest first: those at the smallest distance if that is at most a
-// third of the length of `name` (1 at least), else those of which it is a part of four letters or more.
+// third of the length of `name` (1 at least), else those of which it is a part of four letters or more,
+// or a beginning of three or more.
 std::vector<std::string> near_names(std::string_view name, const std::vector<std::string>& known);
 
 // The remedy for an unknown name: "did you mean a or b?", or `otherwise` where nothing is near.

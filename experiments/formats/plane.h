@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plane: how the coordinates of a geographic file become those of a scene.
 //
-// A scene's coordinates are planar. Degrees are not: a file whose coordinate reference system is geographic,
-// or not named (WGS 84, then), is refused unless somebody says what to do.
+// A scene's coordinates are planar; degrees are not. A file whose coordinate reference system is geographic,
+// or not named (then it is WGS 84), is refused unless the user says how to project it.
 #ifndef KINEX_EXPERIMENTS_FORMATS_PLANE_H
 #define KINEX_EXPERIMENTS_FORMATS_PLANE_H
 

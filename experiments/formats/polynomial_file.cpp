@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_document.h"
 
@@ -39,7 +40,8 @@ Polynomial read_polynomial(const std::vector<std::string_view>& words, const std
   }
   const auto count = static_cast<std::size_t>(degree->to_int64()) + 1;
   if (words.size() != count + 1) {
-    fail(std::to_string(words.size() - 1) + " coefficients for degree " + degree->to_string(),
+    fail(counted(words.size() - 1, "coefficient", "coefficients") + " for degree " +
+             degree->to_string(),
          "write " + std::to_string(count) + ", low degree first");
   }
   std::vector<Rational> coefficients;

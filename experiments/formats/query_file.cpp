@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t kRows = 2 * ContactQuery::kPoints;  // of a query
 constexpr std::size_t kColumns = 6;                       // without the truth
-constexpr std::string_view kBlanks = " \t\r";
+constexpr std::string_view kSpaces = " \t\r";
 constexpr std::uint64_t kExactDouble = std::uint64_t{1} << 53;
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
+  const std::size_t begin = text.find_first_not_of(kSpaces);
   if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+  return text.substr(begin, text.find_last_not_of(kSpaces) - begin + 1);
 }
 
 // One coordinate: a double if that is quick to see, else a fraction.

@@ -14,7 +14,7 @@ namespace kinex::formats {
 
 namespace {
 
-// From `from` to `to`; where it goes on from the last piece it is a part of that.
+// Appends the piece [from, to], or extends the last piece if it ends at `from` with the same trajectory.
 void append_piece(Motion& motion, const Rational& from, const Rational& to, Trajectory trajectory) {
   trajectory.normalise();
   const bool goes_on = !motion.pieces.empty() && motion.pieces.back().to == from;

@@ -12,6 +12,7 @@
 #include "core/engine/simulator.h"
 #include "core/motion/scene.h"
 #include "core/numbers/integer.h"
+#include "experiments/lab/scene_change.h"
 #include "experiments/lab/workload.h"
 
 namespace kinex::lab {
@@ -33,13 +34,13 @@ enum class ExpectationKind {
   kAtMost,   // or more
 };
 
-// The variable of a family of scenes.
-enum class Variable {
-  kObjects,   // n
-  kVertices,  // the parameter n of two bodies: vertices of each, or of one
-  kMu,        // of two bodies: min(all vertices, sqrt(diameter / separation))
-  kLogMu,     // log2 of that
-  kHalvings,  // log2(4 / separation): the number of halvings of the distance in an approach
+// Where a cell is in its family: what its counts are said to grow with, and its value here. The
+// cells of one family have one name.
+struct Axis {
+  std::string name;  // empty: the objects of the scene, which are counted when it runs
+  double value = 0;
+
+  bool is_objects() const { return name.empty(); }
 };
 
 struct Expectation {
@@ -61,13 +62,13 @@ struct Cell {
   std::string structure;
   std::string workload;
   WorkloadParameters parameters;  // its seed is the first; scene k has seed + k
-  bool turned = false;            // bodies: scene k is turned by the k-th angle (turned_scene.h)
-  bool mirrored = false;          // all coordinates negated: a maximum's scene becomes a minimum's
-  std::string family;             // the curve it is a point of, for plots and growth claims
+  const SceneChange* change = nullptr;  // nullptr: none
+  bool mirrored = false;                // all coordinates negated
+  std::string family;                   // the curve it is a point of, for plots and growth claims
+  Axis axis;                            // of that curve
   bool random = false;
-  Variable variable = Variable::kObjects;  // of its family
-  std::string comparison;                  // the table of measures with a row for it; empty: none
-  std::string story;  // bodies: the rows in the table of all methods; empty: none
+  std::string comparison;  // the table of measures with a row for it; empty: none
+  std::string family_row;  // the row of its family's own tables (family.h) that it is in; empty: none
   // Random families: seeds are added until the standard error of the mean of every quantity in
   // `precise` is below its relative error times the mean, from min_seeds to max_seeds.
   int min_seeds = 1;
@@ -86,14 +87,11 @@ struct Cell {
   // "worst-case family, degree 2": the workload and its parameters that are not defaults, without
   // n.
   std::string workload_text() const;
+  // "mirrored turned": what `kinex gen` does not do; empty: nothing.
+  std::string changes_text() const;
 };
 
-// The variable of two bodies of radius 1: vertices, mu, ..
-double variable_of(const Cell& cell, Variable variable);
-std::string variable_name(Variable variable);  // "objects n"
-
-// The counts of the cells of one family of a structure grow like x^exponent, x the number of
-// objects or another variable.
+// The counts of the cells of one family of a structure grow like x^exponent, x the value of their axis.
 struct GrowthClaim {
   std::string claim;
   std::string structure;
@@ -103,9 +101,8 @@ struct GrowthClaim {
   double exponent = 1;
   double tolerance = 0.03;
   std::string source;
-  Variable variable = Variable::kObjects;
   bool at_most = false;  // or slower
-  // The law is a + b x^exponent log^logs x, and `tolerance` is of its bend (growth.h).
+  // The law is a + b x^exponent log^logs x, and `tolerance` is of its bend (law_verdict.h).
   int logs = 0;
   double lower_order = 1;  // ClaimedPower (power_verdict.h)
   std::size_t sizes = 0;   // cells that the family has; 0: not known

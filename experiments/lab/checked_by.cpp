@@ -26,12 +26,12 @@ void write_levels(formats::JsonWriter& json, const CheckedBy& checked) {
 }  // namespace
 
 std::string CheckedBy::verdict() const {
-  switch (outcome) {
-    case Outcome::kFine:
+  switch (finding) {
+    case Finding::kFine:
       return "nothing wrong";
-    case Outcome::kRefused:
+    case Finding::kRefused:
       return "refused: " + message;
-    case Outcome::kNotChecked:
+    case Finding::kNotChecked:
       break;
   }
   return "not checked: " + message;
@@ -52,8 +52,8 @@ void write_checked_by(formats::JsonWriter& json, const CheckedBy& checked) {
   write_levels(json, checked);
   if (!checked.run.structure.empty()) {
     json.key("structure").string(checked.run.structure);
-    json.key("workload").string(checked.run.workload).key("n").number(checked.run.n);
-    json.key("seed").number(checked.run.seed).key("run").string(checked.run.text());
+    json.key("workload").string(checked.run.workload).key("n").number(checked.run.parameters.n);
+    json.key("seed").number(checked.run.parameters.seed).key("run").string(checked.run.text());
   }
   if (!checked.left_out.empty()) json.key("left_out").string(checked.left_out);
   json.key("verdict").string(checked.verdict()).end_object();
@@ -61,7 +61,7 @@ void write_checked_by(formats::JsonWriter& json, const CheckedBy& checked) {
 
 template <class Archive>
 void fields(Archive& archive, CheckedBy& value) {
-  archive(value.program, value.levels, value.left_out, value.outcome, value.message);
+  archive(value.program, value.levels, value.left_out, value.finding, value.message);
 }
 
 Fields check_fields(const CheckedBy& checked) { return to_fields(checked); }

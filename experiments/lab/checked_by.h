@@ -18,7 +18,7 @@ class JsonWriter;
 namespace kinex::lab {
 
 struct CheckedBy {
-  enum class Outcome {
+  enum class Finding {
     kFine,
     kRefused,
     kNotChecked,
@@ -27,7 +27,7 @@ struct CheckedBy {
   RunKey run;               // the run that made the log; without a structure: no run
   std::vector<int> levels;  // the levels checked, see experiments/logcheck
   std::string left_out;     // levels not checked, or parts not followed, and why
-  Outcome outcome = Outcome::kNotChecked;
+  Finding finding = Finding::kNotChecked;
   std::string message;  // the reason for kRefused or kNotChecked
 
   // "nothing wrong", "refused: line 3: ..", "not checked: python3 was not found"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ChildProcess: another program that runs in parallel; its output is read while it runs, and its
-// CPU time and memory are measured.
+// CPU time and memory are measured. Not by Boost.Process, which waits by itself: only wait4 has both.
 #ifndef KINEX_EXPERIMENTS_LAB_CHILD_PROCESS_H
 #define KINEX_EXPERIMENTS_LAB_CHILD_PROCESS_H
 

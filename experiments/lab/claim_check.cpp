@@ -15,10 +15,11 @@ RunKey small_run(RunKey run) {
   constexpr int kVertices = 3;        // or over all pairs of a vertex and an edge
   constexpr std::uint64_t kSeed = 2;  // of so few points the first scene has a maximum that stays
   const StructureInfo* structure = find_structure_info(run.structure);
-  run.n = run.dimension == 1 ? kOnALine : kInThePlane;
-  if (structure != nullptr && structure->bodies) run.n = kVertices;
-  run.m = std::min(run.m, run.n);
-  run.seed = kSeed;
+  WorkloadParameters& size = run.parameters;
+  size.n = size.dimension == 1 ? kOnALine : kInThePlane;
+  if (structure != nullptr && structure->bodies) size.n = kVertices;
+  size.m = std::min(size.m, size.n);
+  size.seed = kSeed;
   run.max_events = 0;
   return run;
 }
@@ -37,12 +38,12 @@ std::vector<std::string> check_claims(std::vector<PaperClaim>& claims, const std
     auto known = done.find(key);
     if (known == done.end()) {
       known = done.emplace(key, check(claim.small_run)).first;
-      if (known->second.outcome == CheckedBy::Outcome::kRefused) {
+      if (known->second.finding == CheckedBy::Finding::kRefused) {
         refusals.push_back(known->second.text());
       }
     }
     claim.checked_by = known->second;
-    if (claim.checked_by.outcome != CheckedBy::Outcome::kRefused) continue;
+    if (claim.checked_by.finding != CheckedBy::Finding::kRefused) continue;
     if (claim.verdict == Verdict::kConfirmed) claim.verdict = Verdict::kOpen;
     claim.observed += "; but a second program refuses the log of a small run";
   }

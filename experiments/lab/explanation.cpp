@@ -10,6 +10,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/family.h"
 #include "experiments/lab/scene_run.h"
+#include "experiments/lab/structure_words.h"
 #include "structures/registry.h"
 
 namespace kinex::lab {
@@ -19,47 +20,6 @@ namespace {
 using Lines = std::vector<std::string>;
 
 constexpr int kFewObjects = 8;
-
-std::string shape_of(const StructureInfo& info) {
-  switch (info.shape) {
-    case Attribute::Shape::kSequence:
-      return "a sequence of ids";
-    case Attribute::Shape::kObject:
-      return "one id";
-    case Attribute::Shape::kTuples:
-      if (info.width == 1) return "a set of ids";
-      if (info.width == StructureInfo::kWidthOfParameter) {
-        return "a set of tuples of ids, \"" + std::string(info.parameters.front().name) +
-               "\" of them each";
-      }
-      return info.width == 2 ? "a set of pairs of ids"
-                             : "a set of tuples of " + std::to_string(info.width) + " ids";
-    case Attribute::Shape::kCycle:
-      return "a cycle of ids, counter-clockwise";
-    case Attribute::Shape::kOrders:
-      return "an order of ids, and for every id an order of the others";
-  }
-  return "";
-}
-
-std::string domain_of(const StructureInfo& info) {
-  std::string text = info.bodies  ? "rigid convex polygons"
-                     : info.extents == Extents::kRadius      ? "discs"
-                     : info.extents == Extents::kHalfExtents ? "boxes, discs"
-                     : info.lines == LineUse::kAlone      ? "lines"
-                     : info.lines == LineUse::kWithPoints ? "lines and points"
-                     : info.graph ? "edges of graphs"
-                                  : "points";
-  text += " in " + formats::counted(static_cast<std::uint64_t>(info.min_dimension), "axis", "axes");
-  if (info.any_dimension) text += " or more";
-  if (!info.has_events) return text + "; it follows no motion";
-  if (info.linear()) return text + ", linear motions";
-  if (info.largest_degree != StructureInfo::kAnyDegree) {
-    return text + ", motions of degree " + std::to_string(info.largest_degree) + " at most";
-  }
-  return text +
-         (info.bodies ? ", rigid motions of every degree" : ", polynomial motions of every degree");
-}
 
 std::string effect_of(Effect effect) {
   switch (effect) {
@@ -115,44 +75,6 @@ Lines predicates_of(const StructureInfo& info, const Simulator& simulator) {
                        degree_of(predicate, info, std::max(1, numbers.needs().degree));
     if (!words.empty()) line += ": " + words;
     if (told.insert(line).second) lines.push_back(std::move(line));
-  }
-  return lines;
-}
-
-Lines readings_of(const StructureInfo& info) {
-  Lines lines;
-  for (const Reading& reading : info.reads) {
-    std::string line(reading.structure);
-    if (reading.axis) line += std::string(" by ") + "xyz"[*reading.axis];
-    if (!reading.role.empty()) {
-      line += ", or another " + std::string(reading.role) + " that \"over\" names:";
-      for (const StructureInfo& other : structure_infos()) {
-        if (other.role == reading.role && other.name != reading.structure) {
-          line += " " + std::string(other.name);
-        }
-      }
-    }
-    if (reading.passes_over) line += "; \"over\" names what that one reads";
-    lines.push_back(std::move(line));
-  }
-  if (!info.shares.structure.empty()) {
-    lines.push_back(std::string(info.shares.structure) +
-                    ", where another structure of the scene can share it; else a part of its own");
-  }
-  return lines;
-}
-
-Lines parameters_of(const StructureInfo& info) {
-  Lines lines;
-  for (const ParameterInfo& one : info.parameters) {
-    std::string line = "\"" + std::string(one.name) + "\", " + std::string(one.summary) + ": " +
-                       (one.whole ? "an integer" : "a number") + " of at least " +
-                       std::string(one.least);
-    if (!one.most.empty()) {
-      line += (one.most_is_allowed ? ", at most " : ", less than ") + std::string(one.most);
-    }
-    if (!one.step.empty()) line += ", in steps of " + std::string(one.step);
-    lines.push_back(line + " (default " + std::string(one.usual) + ")");
   }
   return lines;
 }
@@ -250,8 +172,8 @@ Explanation explain(const StructureInfo& info) {
   const auto text = [](std::string_view line) {
     return line.empty() ? Lines{} : Lines{std::string(line)};
   };
-  add("maintains", {shape_of(info)});
-  add("for", {domain_of(info)});
+  add("maintains", {attribute_in_words(info)});
+  add("for", {domain_in_words(info)});
   if (info.uses_key)
     add("key", {"x (default), y, z, a direction, or the squared distance to an object"});
   if (info.query) {
@@ -261,8 +183,8 @@ Explanation explain(const StructureInfo& info) {
   if (info.colours) {
     add("colours", {"two colours of objects (default: the objects at even and at odd places)"});
   }
-  add("reads", readings_of(info));
-  add("parameters", parameters_of(info));
+  add("reads", readings_in_words(info));
+  add("parameters", parameters_in_words(info));
   add("family",
       {std::string(family_of(info.name)) +
        (info.group.empty() ? "" : "; one of the structures for " + std::string(info.group))});
@@ -278,7 +200,8 @@ Explanation explain(const StructureInfo& info) {
   }
   Lines events;
   for (const KindRule& rule : info.kinds)
-    events.push_back(std::string(rule.kind) + ": " + effect_of(rule.effect));
+    events.push_back(std::string(rule.kind) + ": " + std::string(rule.text) + " (" +
+                     effect_of(rule.effect) + ")");
   add("events", std::move(events));
   add("ties", text(info.ties));
   add("bounds", std::move(bounds));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/lab/family.h"
 
+#include <utility>
+
 #include "structures/registry.h"
 
 namespace kinex::lab {
@@ -8,6 +10,32 @@ namespace kinex::lab {
 const FamilyExperiments* experiments_on(std::string_view structure) {
   for (const FamilyExperiments& family : experiment_families()) {
     if (family.name == family_of(structure)) return &family;
+  }
+  return nullptr;
+}
+
+std::vector<Table> family_tables(const std::vector<CellResult>& cells) {
+  std::vector<Table> tables;
+  for (const FamilyExperiments& family : experiment_families()) {
+    if (family.tables == nullptr) continue;
+    for (Table& table : family.tables(cells)) tables.push_back(std::move(table));
+  }
+  for (Table& table : comparison_tables(cells)) tables.push_back(std::move(table));
+  return tables;
+}
+
+std::vector<Figure> family_figures(const std::vector<CellResult>& cells) {
+  std::vector<Figure> figures;
+  for (const FamilyExperiments& family : experiment_families()) {
+    if (family.figures == nullptr) continue;
+    for (Figure& figure : family.figures(cells)) figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+const Thinning* known_thinning() {
+  for (const FamilyExperiments& family : experiment_families()) {
+    if (family.thinning != nullptr) return family.thinning;
   }
   return nullptr;
 }

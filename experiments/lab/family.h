@@ -9,12 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
 #include "experiments/lab/gnuplot.h"
 #include "experiments/lab/judge.h"
 #include "experiments/lab/measures.h"
 #include "experiments/lab/part.h"
-#include "experiments/lab/speed_row.h"
+#include "experiments/lab/thinning.h"
 #include "experiments/lab/trade_plan.h"
 #include "experiments/lab/workload.h"
 #include "structures/parts/descriptor.h"
@@ -44,6 +45,10 @@ struct FamilyExperiments {
   void (*add_cells)(Catalogue& catalogue, Extent extent) = nullptr;
   // True for structures with a hard bound on all their events; nullptr: all have one.
   bool (*bounds_events)(std::string_view structure) = nullptr;
+  // The hard bound on all events of a structure has the id STRUCTURE.events, or ends in one of these.
+  std::vector<std::string_view> event_bounds = {};
+  // Structures whose audits after every event are long: scenes of common cells have half the objects.
+  std::vector<std::string_view> long_audits = {};
   // Hard bounds and audits of any structure, also of other families, on scenes of this family.
   void (*add_common_cells)(Catalogue& catalogue, const StructureInfo& structure,
                            Extent extent) = nullptr;
@@ -54,8 +59,9 @@ struct FamilyExperiments {
   std::vector<Table> (*tables)(const std::vector<CellResult>& cells) = nullptr;
   std::vector<Figure> (*figures)(const std::vector<CellResult>& cells) = nullptr;
   std::vector<TradePlan> trade = {};
-  // Rows of `bench/run speed`, with all sizes divided by `scale`; nullptr: none.
-  std::vector<SpeedRow> (*speed)(int scale) = nullptr;
+  const Thinning* thinning = nullptr;  // nullptr: none
+  // Rows of the benchmarks, with all sizes divided by `scale`; nullptr: none.
+  std::vector<BenchRow> (*bench_rows)(int scale) = nullptr;
   // Parts of papers; several families may have parts of one paper.
   std::vector<Paper> papers = {};
 };
@@ -66,6 +72,13 @@ const std::vector<FamilyExperiments>& experiment_families();
 
 // The experiments of the family of a structure; nullptr if it has none.
 const FamilyExperiments* experiments_on(std::string_view structure);
+
+// The tables and figures of all families, then (of tables) one per comparison.
+std::vector<Table> family_tables(const std::vector<CellResult>& cells);
+std::vector<Figure> family_figures(const std::vector<CellResult>& cells);
+
+// The method of `kinex thin`: that of the first family with one; nullptr: none has.
+const Thinning* known_thinning();
 
 // The usual structure of a scene; empty if there is none.
 std::string usual_structure(bool bodies, int dimension);

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/numbers/integer.h"
+#include "core/numbers/rational.h"
 
 namespace kinex::lab {
 
@@ -61,6 +61,10 @@ class FieldWriter {
   void put(Integer& value) {
     std::string digits = value.to_string();
     put(digits);
+  }
+  void put(Rational& value) {
+    std::string fraction = value.to_string();
+    put(fraction);
   }
   template <class Value>
   void put(std::optional<Value>& value) {
@@ -155,6 +159,13 @@ class FieldReader {
     std::string digits;
     get(digits);
     const std::optional<Integer> number = Integer::parse(digits);
+    if (!number) fail();
+    value = *number;
+  }
+  void get(Rational& value) {
+    std::string fraction;
+    get(fraction);
+    const std::optional<Rational> number = Rational::parse(fraction);
     if (!number) fail();
     value = *number;
   }

@@ -163,6 +163,11 @@ std::optional<Fit> fit_law_with(std::string law, std::span<const FitPoint> point
   return fit;
 }
 
+std::optional<double> chi_square_of(const Fit& fit) {
+  if (!fit.weighted) return std::nullopt;
+  return fit.chi_square;
+}
+
 bool is_improbable(const Fit& fit) {
   constexpr double kOnceInSoMany = 1e-3;
   return fit.weighted && gsl_cdf_chisq_Q(fit.chi_square, fit.degrees) < kOnceInSoMany;

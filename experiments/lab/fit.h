@@ -56,6 +56,9 @@ std::optional<Fit> fit_power_with(std::string law, std::span<const FitPoint> poi
 std::optional<Fit> fit_law_with(std::string law, std::span<const FitPoint> points,
                                 std::function<double(double)> g, std::function<double(double)> h);
 
+// Chi squared, if it means anything: every point has a standard error.
+std::optional<double> chi_square_of(const Fit& fit);
+
 // True if chance leaves so large a chi squared less than once in a thousand times. Never of a fit
 // without standard errors.
 bool is_improbable(const Fit& fit);

@@ -27,12 +27,36 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
+void replace_all(std::string& text, const std::string& old, const std::string& fresh) {
+  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += fresh.size()) {
+    text.replace(at, old.size(), fresh);
+  }
+}
+
 // gnuplot names one font; a machine without it would take one with serifs.
 std::string with_known_fonts(std::string svg) {
-  const std::string one = "font-family=\"Helvetica\"";
-  const std::string several = "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\"";
-  for (std::size_t at = 0; (at = svg.find(one, at)) != std::string::npos; at += several.size()) {
-    svg.replace(at, one.size(), several);
+  replace_all(svg, "font-family=\"Helvetica\"",
+              "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\"");
+  return svg;
+}
+
+// Without what draws nothing: half of the file. Groups without content, filters of no text, and the font
+// of a part of a text, which is that of the text.
+std::string slim(std::string svg) {
+  replace_all(svg, "<tspan font-family=\"Helvetica\" ", "<tspan ");
+  const std::string end = ">\n</g>\n";
+  for (std::size_t at = 0; (at = svg.find(end, at)) != std::string::npos;) {
+    const std::size_t line = svg.rfind('\n', at) + 1;
+    if (svg.compare(line, 3, "<g ") == 0 && svg.find('>', line) == at) {
+      svg.erase(line, at + end.size() - line);
+      at = line;
+    } else {
+      at += end.size();
+    }
+  }
+  const std::size_t filters = svg.find("\t<filter"), defs = svg.find("</defs>");
+  if (filters < defs && defs != std::string::npos && svg.find("url(#") == std::string::npos) {
+    svg.erase(filters, defs - filters);
   }
   return svg;
 }
@@ -63,7 +87,7 @@ Drawings draw(const std::vector<Figure>& figures, const std::string& program,
       run_helper(program, {(folder.path() / "plots.gp").string()}, log, log, go_on);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const std::string svg = read(folder.path() / (std::to_string(i) + ".svg"));
-    if (svg.find("</svg>") != std::string::npos) drawings.svg[i] = with_known_fonts(svg);
+    if (svg.find("</svg>") != std::string::npos) drawings.svg[i] = with_known_fonts(slim(svg));
   }
   if (end.how == HelperEnd::How::kNotFound) {
     drawings.problem = program + " is not installed";

@@ -13,7 +13,8 @@ namespace kinex::lab {
 
 struct GrowthResult {
   GrowthClaim claim;
-  std::vector<FitPoint> points;  // ascending n
+  std::string axis;              // of the family's cells (Axis::name)
+  std::vector<FitPoint> points;  // ascending values of that
   std::optional<Fit> fit;        // of a power
   // The power with a term of lower order, if chance does not explain the chi squared of `fit`.
   std::optional<Fit> corrected;
@@ -23,23 +24,11 @@ struct GrowthResult {
 
 // Fits the counts of the family over its cells. A power is judged by judge_power
 // (power_verdict.h).
-// A law with logarithms is judged by the bend of the counts over it (bend_of): confirmed if the
-// bend's interval lies within the tolerance, refuted if it lies outside, else open; and open if a
-// neighbour fits better, or (unless the law is a bound) one is indistinguishable from it.
-// Nothing is confirmed from fewer cells than the claim has, or, for a law with logarithms, from
-// fewer than six sizes. There is no judgement at all if a cell has fewer seeds than its least
-// number, or too few for its required precision. So less data never confirm more.
+// A law with logarithms is judged by judge_law (law_verdict.h).
+// Nothing is confirmed from fewer cells than the claim has. There is no judgement at all if a cell has
+// fewer seeds than its least number, or too few for its required precision. So less data never confirms
+// more.
 GrowthResult judge_growth(const GrowthClaim& claim, const std::vector<CellResult>& cells);
-
-// The departure of the counts from a + b law: c (G / 2)^2 over the mean count, of the fit
-// a + b law + c law^2 over a range G of the law. 0 for a straight line, and above 0 for what grows
-// faster.
-struct Bend {
-  double value = 0;
-  double lower = 0, upper = 0;  // 95 % confidence interval
-};
-// nullopt for fewer than four points.
-std::optional<Bend> bend_of(const std::vector<FitPoint>& points, const Law& law);
 
 }  // namespace kinex::lab
 

@@ -1,46 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/lab/html_page.h"
 
-#include <fmt/format.h>
+#include <utility>
 
-#include <cctype>
-
-#include "experiments/lab/html.h"
 #include "experiments/lab/html_style.h"
 
 namespace kinex::lab {
 
-HtmlPage::HtmlPage(std::string title, std::string verdict, bool good, std::string lead)
-    : title_(std::move(title)), verdict_(std::move(verdict)), lead_(std::move(lead)), good_(good) {}
+HtmlPage::HtmlPage(std::string title, std::string verdict, bool good, Html lead)
+    : title_(std::move(title)), verdict_(std::move(verdict)), good_(good), lead_(std::move(lead)) {}
 
-void HtmlPage::section(std::string id, std::string title, std::string html) {
-  if (!html.empty()) sections_.push_back({std::move(id), std::move(title), std::move(html)});
+void HtmlPage::add(HtmlSection section) {
+  if (!section.html.empty()) sections_.push_back(std::move(section));
 }
 
 std::string HtmlPage::text() const {
-  std::string text = fmt::format(
+  Html page = html(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
       "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
       "<title>{0}: {1}</title>\n<style>{2}</style></head><body>\n<header><h1>{0}</h1>\n"
       "<p class=\"verdict {3}\">{1}</p>\n{4}</header>\n<nav aria-label=\"Contents\">",
-      escape(title_), escape(verdict_), kPageStyle, good_ ? "PASS" : "FAIL", lead_);
-  for (const Section& one : sections_)
-    text += fmt::format("<a href=\"#{}\">{}</a>\n", one.id, escape(one.title));
-  text += "</nav>\n";
-  for (const Section& one : sections_) {
-    text += fmt::format("<section><h2 id=\"{0}\"><a href=\"#{0}\">{1}</a></h2>\n{2}</section>\n",
-                        one.id, escape(one.title), one.html);
+      title_, verdict_, Html::markup(kPageStyle), good_ ? "PASS" : "FAIL", lead_);
+  for (const HtmlSection& one : sections_) {
+    page += html("<a href=\"#{}\">{}</a>\n", one.id, one.title);
   }
-  return text + fmt::format("<script>{}</script>\n</body></html>\n", kPageScript);
+  page += Html::markup("</nav>\n");
+  for (const HtmlSection& one : sections_) {
+    page += html("<section><h2 id=\"{0}\"><a href=\"#{0}\">{1}</a></h2>\n{2}</section>\n", one.id,
+                 one.title, one.html);
+  }
+  page += html("<script>{}</script>\n</body></html>\n", Html::markup(kPageScript));
+  return page.text();
 }
 
-std::string html_table(const std::vector<HtmlColumn>& columns, const std::vector<HtmlRow>& rows) {
+Html html_table(const std::vector<HtmlColumn>& columns, const std::vector<HtmlRow>& rows) {
   std::string text = "<div class=\"wide\"><table class=\"data\"><thead><tr>";
   for (const HtmlColumn& column : columns) {
-    text += fmt::format("<th scope=\"col\"{}>{}</th>", column.number ? " class=\"r\"" : "",
-                        column.title);
+    text += column.number ? "<th scope=\"col\" class=\"r\">" : "<th scope=\"col\">";
+    text += escape(column.title) + "</th>";
   }
   text += "</tr></thead><tbody>\n";
   for (const HtmlRow& row : rows) {
@@ -50,28 +49,44 @@ std::string html_table(const std::vector<HtmlColumn>& columns, const std::vector
     text += ">";
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       text += i < columns.size() && columns[i].number ? "<td class=\"r\">" : "<td>";
-      text += row.cells[i] + "</td>";
+      text += row.cells[i].text() + "</td>";
     }
     text += "</tr>\n";
-    if (!row.more.empty()) {
-      text += fmt::format("<tr class=\"more\"><td colspan=\"{}\">{}</td></tr>\n", columns.size(),
-                          row.more);
-    }
+    if (row.more.empty()) continue;
+    text += html("<tr class=\"more\"><td colspan=\"{}\"><div>{}</div></td></tr>\n", columns.size(), row.more).text();
   }
-  return text + "</tbody></table></div>\n";
+  return Html::markup(text + "</tbody></table></div>\n");
 }
 
-std::string anchor_of(const std::string& text) {
-  std::string anchor;
-  for (const char c : text) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
-      anchor += c;
-    } else if (!anchor.empty() && anchor.back() != '-') {
-      anchor += '-';
-    }
+std::vector<HtmlColumn> html_columns(std::span<const TextColumn> columns) {
+  std::vector<HtmlColumn> result;
+  for (const TextColumn& one : columns) {
+    result.push_back({one.page_title == nullptr ? one.title : one.page_title, one.number});
   }
-  while (!anchor.empty() && anchor.back() == '-') anchor.pop_back();
-  return anchor;
+  return result;
+}
+
+Html unfolding_button(std::string_view text, std::string_view title) {
+  return html("<button class=\"open\" title=\"{}\">{}</button>", title, text);
+}
+
+Html html_table(const Table& table) {
+  std::vector<HtmlColumn> columns;
+  for (std::size_t i = 0; i < table.header.size(); ++i) {
+    columns.push_back({table.header[i], i > 0 && has_numbers(table, i)});
+  }
+  std::vector<HtmlRow> rows;
+  std::string group;
+  for (const auto& cells : table.rows) {
+    HtmlRow row;
+    row.cells.assign(cells.begin(), cells.end());
+    const std::string own = cells.size() < 2 ? "" : cells[0] + " " + cells[1];
+    row.first = own != group;
+    group = own;
+    rows.push_back(std::move(row));
+  }
+  const Html note = table.note.empty() ? Html() : html("<p class=\"facts\">{}</p>\n", table.note);
+  return note + html_table(columns, rows);
 }
 
 }  // namespace kinex::lab

@@ -4,44 +4,50 @@
 #ifndef KINEX_EXPERIMENTS_LAB_HTML_PAGE_H
 #define KINEX_EXPERIMENTS_LAB_HTML_PAGE_H
 
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "experiments/lab/html.h"
+#include "experiments/lab/table.h"
 
 namespace kinex::lab {
 
+struct HtmlSection {
+  std::string id, title;  // of its anchor; of its heading
+  Html html;              // empty: the section is left out
+};
+
 class HtmlPage {
  public:
-  // All but `title` and `verdict` is HTML. `good`: of the verdict's colour.
-  HtmlPage(std::string title, std::string verdict, bool good, std::string lead);
-  // `id`: of its anchor. A section without text is left out.
-  void section(std::string id, std::string title, std::string html);
+  // `good`: of the verdict's colour.
+  HtmlPage(std::string title, std::string verdict, bool good, Html lead);
+  void add(HtmlSection section);
   std::string text() const;
 
  private:
-  struct Section {
-    std::string id, title, html;
-  };
-  std::string title_, verdict_, lead_;
+  std::string title_, verdict_;
   bool good_;
-  std::vector<Section> sections_;
+  Html lead_;
+  std::vector<HtmlSection> sections_;
 };
 
-// A table that is filtered and sorted on the page. Cells are HTML.
+// A table that is filtered and sorted on the page.
 struct HtmlColumn {
   std::string title;
   bool number = false;  // aligned to the right, sorted as a number
 };
 struct HtmlRow {
-  std::vector<std::string> cells;
-  std::string id = {};    // of an anchor; empty: none
-  std::string more = {};  // unfolds below the row, by a cell's <button class="open">
-  bool first = false;     // of a group
+  std::vector<Html> cells;
+  std::string id = {};  // of an anchor; empty: none
+  Html more = {};       // unfolds below the row, by a cell that is an unfolding_button
+  bool first = false;   // of a group
 };
-std::string html_table(const std::vector<HtmlColumn>& columns, const std::vector<HtmlRow>& rows);
-
-// An anchor of letters, digits and "-" made of a text.
-std::string anchor_of(const std::string& text);
+Html html_table(const std::vector<HtmlColumn>& columns, const std::vector<HtmlRow>& rows);
+std::vector<HtmlColumn> html_columns(std::span<const TextColumn> columns);
+Html unfolding_button(std::string_view text, std::string_view title);
+// With its note, without its title. Rows whose first two cells are equal are a group.
+Html html_table(const Table& table);
 
 }  // namespace kinex::lab
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Style and script of the pages of results. Without the script everything is there, unfolded.
+// Style and script of the pages of results. Without the script everything is there: tables are whole,
+// and details unfold by themselves.
 #include "experiments/lab/html_style.h"
 
 namespace kinex::lab {
@@ -11,7 +12,7 @@ const char* const kPageStyle = R"(
 @media (prefers-color-scheme: dark) {
   :root { --back: #14161a; --text: #e7e9ec; --quiet: #a2a8b1; --line: #33383f; --strong: #565d67;
     --panel: #1e2126; --link: #7db7f0; --good: #5fc795; --bad: #ff9a63; --open: #e0bb4e; --mark: #3f3710; }
-  figure img { filter: invert(1) hue-rotate(180deg); }
+  figure img { filter: invert(.9) hue-rotate(180deg) brightness(1.25); }
 }
 * { box-sizing: border-box; }
 body { font: 15px/1.45 system-ui, "Helvetica Neue", Arial, sans-serif; color: var(--text);
@@ -45,6 +46,13 @@ th button:focus-visible, .open:focus-visible { outline: 2px solid var(--link); }
 th[aria-sort=ascending] button::after { content: " \25B2"; }
 th[aria-sort=descending] button::after { content: " \25BC"; }
 td.r, th.r { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+details { min-width: 0; } summary { cursor: pointer; overflow-wrap: anywhere; padding: .15rem 0; }
+details.row { grid-column: 1 / -1; } details.row figure > div { display: grid; gap: .6rem;
+  grid-template-columns: repeat(auto-fit, minmax(min(380px, 100%), 1fr)); }
+.more-rows { margin: .4rem 0; font: inherit; color: var(--link); background: none; border: 0; padding: 0;
+  cursor: pointer; }
+/* What a row unfolds is as wide as the page, however wide its table, and stays in sight. */
+tr.more > td > div { position: sticky; left: .5rem; max-width: min(1280px, calc(100vw - 4.5rem)); }
 tr.first td { border-top: 2px solid var(--strong); } tr.more > td { background: var(--panel); }
 .open { all: unset; cursor: pointer; color: var(--link); white-space: nowrap; }
 .filter { display: flex; gap: .6rem; align-items: baseline; flex-wrap: wrap; margin: .4rem 0; }
@@ -65,6 +73,15 @@ const numberOf = text => {
   const found = text.replace(/\u2212/g, "-").match(/-?\d+(\.\d+)?(e[+-]?\d+)?/i);
   return found ? parseFloat(found[0]) : NaN;
 };
+const MOST = 100;  // rows of a table that is not unfolded
+// What a link leads to is unfolded.
+const unfold = () => {
+  const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  for (let at = target; at; at = at.parentElement) if (at.tagName === "DETAILS") at.open = true;
+  if (target) target.scrollIntoView();
+};
+addEventListener("hashchange", unfold);
+unfold();
 for (const table of document.querySelectorAll("table.data")) {
   const body = table.tBodies[0];
   // A row, and the one that belongs to it.
@@ -84,9 +101,28 @@ for (const table of document.querySelectorAll("table.data")) {
     const button = one.row.querySelector(".open");
     if (button) button.addEventListener("click", () => show(one, one.more.hidden));
   }
+  // Of the rows that a filter leaves the first ones, in the order of the table; all on request.
+  let most = rows.length > 1.2 * MOST ? MOST : Infinity, fits = () => true, order = rows;
+  const rest = document.createElement("button");
+  const showRows = () => {
+    let found = 0;
+    for (const one of order) {
+      const is = fits(one) && ++found <= most;
+      one.row.hidden = !is;
+      if (!is) show(one, false);
+    }
+    rest.hidden = found <= most;
+    rest.textContent = "Show all " + found + " rows";
+    return found;
+  };
+  rest.className = "more-rows";
+  rest.addEventListener("click", () => { most = Infinity; showRows(); });
+  if (most < Infinity) table.parentElement.after(rest);
+  showRows();
   const open = () => {
     const at = rows.find(one => one.row.id && "#" + one.row.id === decodeURIComponent(location.hash));
     if (!at) return;
+    if (at.row.hidden) { most = Infinity; showRows(); }
     show(at, true);
     at.row.scrollIntoView({ block: "center" });
   };
@@ -103,15 +139,9 @@ for (const table of document.querySelectorAll("table.data")) {
     table.parentElement.before(box);
     const filter = () => {
       const words = input.value.toLowerCase().split(/\s+/).filter(word => word !== "" && word !== "-");
-      let shown = 0;
-      for (const one of rows) {
-        const is = words.every(word => word.startsWith("-") ? !one.text.includes(word.slice(1))
-                                                            : one.text.includes(word));
-        one.row.hidden = !is;
-        if (!is) show(one, false);
-        shown += is;
-      }
-      count.textContent = shown + " of " + rows.length + " rows";
+      fits = one => words.every(word => word.startsWith("-") ? !one.text.includes(word.slice(1))
+                                                             : one.text.includes(word));
+      count.textContent = showRows() + " of " + rows.length + " rows";
     };
     input.addEventListener("input", filter);
     filter();
@@ -129,15 +159,17 @@ for (const table of document.querySelectorAll("table.data")) {
         const text = one.row.cells[column] ? one.row.cells[column].textContent : "";
         return numeric ? numberOf(text) : text;
       };
-      const order = (a, b) => numeric ? (isNaN(a) ? (isNaN(b) ? 0 : 1) : isNaN(b) ? -1 : up ? a - b : b - a)
+      const compare = (a, b) => numeric ? (isNaN(a) ? (isNaN(b) ? 0 : 1) : isNaN(b) ? -1 : up ? a - b : b - a)
         : (up ? 1 : -1) * a.localeCompare(b, "en", { numeric: true });
       const keyed = rows.map((one, i) => [key(one), i, one]);
-      keyed.sort((a, b) => order(a[0], b[0]) || a[1] - b[1]);
+      keyed.sort((a, b) => compare(a[0], b[0]) || a[1] - b[1]);
+      order = keyed.map(([, , one]) => one);
       for (const [, , one] of keyed) {
         one.row.classList.remove("first");
         body.append(one.row);
         if (one.more) body.append(one.more);
       }
+      showRows();
     });
   });
 }

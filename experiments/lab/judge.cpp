@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/formats/counted.h"
+#include "experiments/lab/family.h"
 #include "experiments/lab/scene_run.h"
 
 namespace kinex::lab {
@@ -172,8 +173,16 @@ void add_runs(const std::vector<Trial>& trials, std::vector<Check>& checks) {
   if (stopped) checks.push_back(*std::move(stopped));
 }
 
-bool ends_with(const std::string& text, std::string_view end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+// The id is STRUCTURE.NAME.
+bool is_of_events(const std::string& id) {
+  const std::size_t dot = id.rfind('.');
+  if (dot == id.npos) return false;
+  const std::string_view name = std::string_view(id).substr(dot + 1);
+  if (name == "events") return true;
+  const FamilyExperiments* family = experiments_on(std::string_view(id).substr(0, dot));
+  if (family == nullptr) return false;
+  return std::find(family->event_bounds.begin(), family->event_bounds.end(), name) !=
+         family->event_bounds.end();
 }
 
 }  // namespace
@@ -234,10 +243,7 @@ std::vector<Check> judge(const Cell& cell, const std::vector<Trial>& trials) {
 
 const BoundCheck* event_bound(const Measurement& measurement) {
   for (const BoundCheck& bound : measurement.bounds) {
-    if (ends_with(bound.id, ".events") || ends_with(bound.id, ".swaps") ||
-        ends_with(bound.id, ".passes") || ends_with(bound.id, ".line")) {
-      return &bound;
-    }
+    if (is_of_events(bound.id)) return &bound;
   }
   return nullptr;
 }
@@ -250,6 +256,15 @@ std::string number_text(double value, int digits) {
     std::snprintf(text, sizeof text, "%.*g", digits, value);
   }
   return text;
+}
+
+std::optional<std::string> number_text(const std::optional<double>& value, int digits) {
+  if (!value) return std::nullopt;
+  return number_text(*value, digits);
+}
+
+std::optional<std::string> unless_empty(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(text);
 }
 
 std::string mean_text(double mean, double error) {

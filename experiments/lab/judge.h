@@ -58,8 +58,8 @@ int seeds_needed(const Cell& cell, const std::vector<Trial>& trials);
 // comes nearest to the bound, or breaks it), then the audits. Requires at least one trial.
 std::vector<Check> judge(const Cell& cell, const std::vector<Trial>& trials);
 
-// The hard bound on the number of events: the one whose id ends in ".events", ".swaps", ".passes"
-// or ".line". nullptr if the run has none.
+// The hard bound on the number of events, by its id (FamilyExperiments::event_bounds). nullptr if the
+// run has none.
 const BoundCheck* event_bound(const Measurement& measurement);
 
 struct StudyResult {
@@ -72,6 +72,10 @@ struct StudyResult {
 
 // A readable number: integers whole, others with about `digits` significant digits.
 std::string number_text(double value, int digits);
+// Of a number that may be absent; databases have exact numbers as such texts.
+std::optional<std::string> number_text(const std::optional<double>& value, int digits);
+// The text; nullopt if it is empty.
+std::optional<std::string> unless_empty(const std::string& text);
 // "586 +-6": the error with two digits, the mean to the same place.
 std::string mean_text(double mean, double error);
 

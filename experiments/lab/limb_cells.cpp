@@ -26,10 +26,10 @@ Left& left() {
 bool LimbCells::refill() {
   {
     const std::lock_guard lock(left().mutex);
-    free_ = static_cast<Cell*>(std::exchange(left().list, nullptr));
+    free_ = static_cast<Slot*>(std::exchange(left().list, nullptr));
   }
   if (free_ != nullptr) return true;
-  fresh_ = static_cast<Cell*>(std::malloc(kCellsInBlock * sizeof(Cell)));
+  fresh_ = static_cast<Slot*>(std::malloc(kCellsInBlock * sizeof(Slot)));
   end_ = fresh_ == nullptr ? nullptr : fresh_ + kCellsInBlock;
   return fresh_ != nullptr;
 }
@@ -37,10 +37,10 @@ bool LimbCells::refill() {
 LimbCells::~LimbCells() {
   while (fresh_ != end_) give_back(fresh_++);
   if (free_ == nullptr) return;
-  Cell* last = free_;
+  Slot* last = free_;
   while (last->next != nullptr) last = last->next;
   const std::lock_guard lock(left().mutex);
-  last->next = static_cast<Cell*>(left().list);
+  last->next = static_cast<Slot*>(left().list);
   left().list = free_;
   free_ = nullptr;
 }

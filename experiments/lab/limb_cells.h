@@ -23,26 +23,26 @@ class LimbCells {
   // nullptr: memory is exhausted.
   void* take() {
     if (free_ != nullptr) {
-      Cell* const cell = free_;
-      free_ = cell->next;
-      return cell;
+      Slot* const slot = free_;
+      free_ = slot->next;
+      return slot;
     }
     if (fresh_ == end_ && !refill()) return nullptr;
     return free_ != nullptr ? take() : static_cast<void*>(fresh_++);
   }
-  void give_back(void* cell) { free_ = new (cell) Cell{free_}; }
+  void give_back(void* cell) { free_ = new (cell) Slot{free_}; }
 
  private:
-  union Cell {
-    Cell* next;
+  union Slot {
+    Slot* next;
     unsigned char bytes[kBytes];
   };
   // Cells of ended threads, or a new block.
   bool refill();
 
-  Cell* free_ = nullptr;
-  Cell* fresh_ = nullptr;  // never used yet, up to end_
-  Cell* end_ = nullptr;
+  Slot* free_ = nullptr;
+  Slot* fresh_ = nullptr;  // never used yet, up to end_
+  Slot* end_ = nullptr;
 };
 
 }  // namespace kinex::lab

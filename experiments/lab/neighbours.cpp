@@ -34,6 +34,20 @@ std::string margin_text(const Neighbours& neighbours, double lead) {
   return number + (neighbours.weighted ? " chi squared" : " times the scatter");
 }
 
+std::string left_text(bool weighted, const Fit& fit, double scatter) {
+  if (weighted) return fmt::format("chi^2 = {:.1f} on {}", fit.chi_square, fit.degrees);
+  return fmt::format("scatter {:.2g} %", 100 * scatter);
+}
+
+std::string standing_text(const Neighbours& neighbours, const Neighbours::Rival& rival) {
+  const char* const standing = rival.better == BetterFit::kFirst    ? "beaten"
+                               : rival.better == BetterFit::kSecond ? "fits better"
+                                                                    : "cannot be excluded";
+  const int places = std::fabs(rival.lead) < 100 ? 1 : 0;
+  if (neighbours.weighted) return fmt::format("{}: {:+.{}f} chi^2", standing, rival.lead, places);
+  return fmt::format("{}: {:.{}f} times the scatter", standing, rival.lead, places);
+}
+
 }  // namespace
 
 double Law::at(double n) const { return std::pow(n, power) * std::pow(std::log(n), logs); }
@@ -122,6 +136,37 @@ std::string neighbours_text(const Neighbours& neighbours) {
     text += (i == 0 ? ": it " : "; ") + rival_text(neighbours, neighbours.rivals[i]);
   }
   return text;
+}
+
+std::string_view outcome_word(BetterFit better) {
+  return better == BetterFit::kFirst    ? "beaten"
+         : better == BetterFit::kSecond ? "better"
+                                        : "undecided";
+}
+
+Table neighbours_table(const std::vector<FittedLaws>& fitted) {
+  Table table;
+  table.title = "Laws against their neighbours";
+  table.header = {"family", "sizes", "law", "left by a + b law", "against the claimed law"};
+  table.note =
+      "Each law has two numbers, a + b law, and a power a n^b; they are fitted to the same means. "
+      "With standard errors a neighbour is beaten if it leaves 9 more of chi^2 (times what the better "
+      "one leaves for each degree of freedom, if that is more than 1); without, if it scatters twice "
+      "as much.";
+  for (const FittedLaws& one : fitted) {
+    const Neighbours& neighbours = one.neighbours;
+    const auto add = [&](const std::string& law, std::string left, std::string standing) {
+      table.rows.push_back(
+          {one.family, std::to_string(one.sizes), law, std::move(left), std::move(standing)});
+    };
+    add(neighbours.law, left_text(neighbours.weighted, neighbours.claimed, neighbours.scatter),
+        neighbours.is_beaten() ? "claimed" : "claimed; the counts are consistent with it");
+    for (const Neighbours::Rival& rival : neighbours.rivals) {
+      add(rival.law, left_text(neighbours.weighted, rival.fit, rival.scatter),
+          standing_text(neighbours, rival));
+    }
+  }
+  return table;
 }
 
 }  // namespace kinex::lab

@@ -7,9 +7,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/lab/fit.h"
+#include "experiments/lab/table.h"
 
 namespace kinex::lab {
 
@@ -50,12 +52,23 @@ struct Neighbours {
 std::optional<Neighbours> neighbours_of(std::span<const FitPoint> points, const Law& law,
                                         const std::string& x);
 
+// Of a rival, for programs: "beaten", "better" (kSecond) or "undecided".
+std::string_view outcome_word(BetterFit better);
+
 // "beats n log n by 41 chi squared", "scatters 3.1 times less than n log n", "cannot be told from
 // n log n (by 2 chi squared)", "is beaten by n log n by 12 chi squared".
 std::string rival_text(const Neighbours& neighbours, const Neighbours::Rival& rival);
 // "consistent with n" and the texts of all rivals; "is not the best of its neighbours" if it is
 // beaten.
 std::string neighbours_text(const Neighbours& neighbours);
+
+// A row for each law: what it leaves, and how the rivals stand against the claimed one.
+struct FittedLaws {
+  std::string family;     // of the counts
+  std::size_t sizes = 0;  // that are fitted
+  Neighbours neighbours;
+};
+Table neighbours_table(const std::vector<FittedLaws>& fitted);
 
 }  // namespace kinex::lab
 

@@ -17,10 +17,10 @@ constexpr double kLongestEta = 1e7;
 
 }  // namespace
 
-Progress::Progress() : terminal_(::isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool wanted) : shows_(wanted && ::isatty(STDERR_FILENO) != 0) {}
 
 void Progress::show(const std::function<std::string(double seconds)>& text) {
-  if (!terminal_) return;
+  if (!shows_) return;
   const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
   if (std::chrono::duration<double>(now - last_).count() < kInterval) return;

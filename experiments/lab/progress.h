@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Progress: a line on standard error, if that is a terminal.
+// Progress: a line on standard error, if that is a terminal and the line is wanted.
 #ifndef KINEX_EXPERIMENTS_LAB_PROGRESS_H
 #define KINEX_EXPERIMENTS_LAB_PROGRESS_H
 
@@ -17,7 +17,7 @@ namespace kinex::lab {
 // All functions may be called from any thread.
 class Progress {
  public:
-  Progress();
+  explicit Progress(bool wanted = true);
   ~Progress() { wipe(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -30,7 +30,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  const bool terminal_;
+  const bool shows_;
   std::mutex mutex_;
   bool shown_ = false;
   Clock::time_point began_ = Clock::now();

@@ -6,8 +6,6 @@
 #include "experiments/lab/cpu_clock.h"
 #include "experiments/lab/gmp_memory.h"
 #include "experiments/lab/scene_run.h"
-#include "experiments/lab/turned_scene.h"
-#include "experiments/lab/workload.h"
 #include "structures/plan.h"
 
 namespace kinex::lab {
@@ -25,27 +23,21 @@ std::uint64_t signs_of(const ArithmeticCounters& counters) {
 }  // namespace
 
 std::string RunKey::text() const {
-  std::string text = structure + " " + workload + " n=" + std::to_string(n) +
-                     " d=" + std::to_string(dimension) + " seed=" + std::to_string(seed);
-  if (m != 0) text += " m=" + std::to_string(m);
-  if (!separation.empty()) text += " separation=" + separation;
-  if (turns != -1) text += " turns=" + std::to_string(turns);
-  if (turned) text += " turned";
+  std::string text = structure + " " + workload + " n=" + std::to_string(parameters.n) +
+                     " d=" + std::to_string(parameters.dimension) +
+                     " seed=" + std::to_string(parameters.seed);
+  if (parameters.m != 0) text += " m=" + std::to_string(parameters.m);
+  if (parameters.separation) text += " separation=" + parameters.separation->to_string();
+  if (parameters.turns != -1) text += " turns=" + std::to_string(parameters.turns);
+  if (change != nullptr) text += " " + std::string(change->name);
   if (forever) text += " forever";
   if (max_events != 0) text += " events=" + std::to_string(max_events);
   return text;
 }
 
 Scene scene_for(const RunKey& key) {
-  WorkloadParameters parameters;
-  parameters.n = key.n;
-  parameters.dimension = key.dimension;
-  parameters.seed = key.seed;
-  parameters.m = key.m;
-  if (!key.separation.empty()) parameters.separation = Rational::parse(key.separation);
-  parameters.turns = key.turns;
-  Scene scene = generate_scene(key.workload, parameters, key.structure);
-  if (key.turned) turn_scene(scene, static_cast<int>(key.seed) - 1);
+  Scene scene = generate_scene(key.workload, key.parameters, key.structure);
+  if (key.change != nullptr) key.change->apply(scene, static_cast<int>(key.parameters.seed) - 1);
   if (key.forever) scene.end.reset();
   return scene;
 }

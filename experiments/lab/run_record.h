@@ -11,9 +11,8 @@
 #include <string>
 #include <vector>
 
-namespace kinex {
-struct Scene;
-}  // namespace kinex
+#include "experiments/lab/scene_change.h"
+#include "experiments/lab/workload.h"
 
 namespace kinex::lab {
 
@@ -21,16 +20,10 @@ namespace kinex::lab {
 struct RunKey {
   std::string structure;
   std::string workload;
-  int n = 0;
-  int dimension = 2;
-  std::uint64_t seed = 1;
-  bool forever = false;          // the scene has no end: run until no event is left
-  std::uint64_t max_events = 0;  // the run stops there; 0: no limit
-  // Parameters of workloads of bodies. Empty, 0 and -1 stand for the workload's defaults.
-  int m = 0;
-  std::string separation;  // a rational
-  int turns = -1;
-  bool turned = false;  // by an angle given by the seed (turned_scene.h)
+  WorkloadParameters parameters = {.n = 0, .dimension = 2};
+  const SceneChange* change = nullptr;  // nullptr: none; of the number seed - 1
+  bool forever = false;                 // the scene has no end: run until no event is left
+  std::uint64_t max_events = 0;         // the run stops there; 0: no limit
 
   // "convex_hull_2 uniform-square n=100 d=2 seed=1 forever"
   std::string text() const;

@@ -23,6 +23,11 @@ std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Sce
     const std::string message = error.what();
     const std::size_t end = message.find("; ");
     if (end == std::string::npos) throw formats::InputError("--arithmetic", "", message, "write exact");
+    if (name.starts_with("mpfr")) {
+      throw formats::InputError("--arithmetic", "",
+                                show_text(name) + " is not mpfr:P for P from 2 to 100000 bits",
+                                "write such a number of bits, as mpfr:100");
+    }
     std::vector<std::string> names;
     for (const ArithmeticInfo& info : arithmetic_infos()) names.emplace_back(info.name);
     throw formats::InputError("--arithmetic", "", message.substr(0, end),

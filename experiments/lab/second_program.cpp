@@ -188,9 +188,9 @@ CheckedBy SecondProgram::check(const RunKey& run) const {
   }
   if (told.empty()) told = "exit code " + std::to_string(end.code);
   if (end.code == 0 && !checked.levels.empty()) {
-    checked.outcome = CheckedBy::Outcome::kFine;
+    checked.finding = CheckedBy::Finding::kFine;
   } else if (end.code == kWrong) {
-    checked.outcome = CheckedBy::Outcome::kRefused;
+    checked.finding = CheckedBy::Finding::kRefused;
     checked.message = told;
   } else {
     checked.message = end.code == kGaveUp ? name_ + " gave up: " + told : told;

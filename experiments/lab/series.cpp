@@ -67,8 +67,7 @@ std::optional<SeriesResult> run_point(const SeriesPoint& point, const SeriesOpti
   for (std::uint64_t seed = 1; !is_precise(result); ++seed) {
     if (!options.go_on()) return std::nullopt;
     RunKey key = point.key;
-    key.seed = seed;
-    if (options.on_run) options.on_run(key.text());
+    key.parameters.seed = seed;
     std::optional<RunRecord> record = run_record(key, options.go_on, options.interrupt);
     if (!record) return std::nullopt;
     result.runs.push_back(*std::move(record));

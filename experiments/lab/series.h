@@ -40,8 +40,7 @@ struct SeriesResult {
 
 struct SeriesOptions {
   std::function<bool()> go_on = [] { return true; };
-  const std::atomic<bool>* interrupt = nullptr;    // as in SimulatorOptions
-  std::function<void(const std::string&)> on_run;  // gets the text of the key, before the run
+  const std::atomic<bool>* interrupt = nullptr;  // as in SimulatorOptions
 };
 
 // All runs of a point; nullopt if it was interrupted.

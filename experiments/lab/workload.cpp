@@ -101,6 +101,15 @@ std::string describe(const Workload& workload, const WorkloadParameters& paramet
 
 }  // namespace
 
+void set_kind(std::vector<Workload>& all, SceneKind kind,
+              const std::vector<std::string_view>& names) {
+  for (Workload& workload : all) {
+    for (const std::string_view name : names) {
+      if (workload.name == name) workload.scenes = kind;
+    }
+  }
+}
+
 const std::vector<Workload>& workloads() {
   static const std::vector<Workload> kWorkloads = [] {
     std::vector<Workload> all;

@@ -25,6 +25,14 @@ struct WorkloadParameters {
   int turns = -1;                                     // -1: once
 };
 
+// What makes the scenes of a workload easy or hard.
+enum class SceneKind {
+  kWorst,     // many events by construction; everything else
+  kRandom,    // random motion in general position
+  kTies,      // simultaneous and degenerate events
+  kNewPlans,  // flight plans that change, objects that come and go
+};
+
 struct Workload {
   std::string_view name;
   std::string_view summary;  // one line
@@ -44,7 +52,12 @@ struct Workload {
   int min_turns = 1;
   std::optional<Rational> min_separation = std::nullopt;  // nullopt: anything above 0
   std::optional<Rational> max_separation = std::nullopt;  // nullopt: any
+  SceneKind scenes = SceneKind::kWorst;
 };
+
+// Sets the kind of the scenes of these workloads among `all`.
+void set_kind(std::vector<Workload>& all, SceneKind kind,
+              const std::vector<std::string_view>& names);
 
 inline constexpr int kMaxWorkloadSize = 10000000;
 inline constexpr int kMaxWorkloadDegree = 20;

@@ -35,6 +35,25 @@ class WorkloadRandom {
   std::mt19937_64 engine_;
 };
 
+// A linear congruential generator that every program can repeat: s := (1103515245 s + 12345) mod 2^31
+// from s = seed; each number is floor(s / 2^16).
+class RepeatableNumbers {
+ public:
+  explicit RepeatableNumbers(std::uint64_t seed) : state_(seed) {}
+  std::int64_t next() {
+    state_ = (1103515245 * state_ + 12345) % (std::uint64_t{1} << 31);
+    return static_cast<std::int64_t>(state_ >> 16);
+  }
+  // A position, next() mod 100, and a velocity, (next() mod 41) - 20.
+  std::vector<Rational> line() {
+    const std::int64_t position = next() % 100, velocity = next() % 41 - 20;
+    return {Rational(position), Rational(velocity)};
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
 // Coordinates are multiples of 2^-20.
 inline constexpr std::int64_t kGridUnits = std::int64_t{1} << 20;
 inline Rational on_grid(std::int64_t units) {

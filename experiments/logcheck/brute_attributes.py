@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Level 5: the attributes of all structures at one time, from positions."""
 
+from fractions import Fraction
 from functools import cmp_to_key
 from itertools import combinations
 
-from octants import pairs_of_positions
+from octants import pairs_of_pointers, pairs_of_positions, pointers_of
+from polygons import cones, corners_of, counted, precedes_along, sign_at, units
 from replay_calipers import folds_of
 from replay_directions import all_directions, half_directions, k_of, opposite
 from replay_norms import MOST_MEMBERS, norm_tree_of
-from space import cells_of
+from space import cells_of, regular_of
 from static import forest_edges, rotated, spanning_tree
 from subsets import TWO_COLOURS, classes_of, query_of
 
@@ -277,6 +279,24 @@ def points_above(positions, scene):
     return sorted(result)
 
 
+def orders_of(positions, scene):
+    """The orders of the arrangement of the lines y = a x + b. At a common crossing the smallest number that matters
+    is raised by 1, alone, and crossings are compared by how far they go to the right."""
+    lines = {o: positions[o] for o in sorted(positions) if scene.objects[o].line}
+    rows = [tuple(sorted(lines, key=lambda o: (lines[o][0], -lines[o][1], o)))] if lines else []
+    for line, (a, b) in lines.items():
+        crossed = [m for m in lines if lines[m][0] != a]
+
+        def place(m):
+            slope = lines[m][0] - a
+            moved = [Fraction((who == line) - (who == m)) / slope for who in lines]
+            return (Fraction(b - lines[m][1]) / slope, moved, m)
+
+        parallel = [m for m in lines if m != line and lines[m][0] == a]
+        rows.append(tuple(parallel + [line] + sorted(crossed, key=place)))
+    return rows
+
+
 def attribute_of(structure, key, positions, scene):
     name = structure.name
     if name == "sorted_list":
@@ -295,6 +315,8 @@ def attribute_of(structure, key, positions, scene):
         return delaunay_of(positions)
     if name == "delaunay_3":
         return cells_of(positions)
+    if name == "regular_2":
+        return regular_of(positions, scene.extents == "radius")
     if name == "bounding_box":
         return box_of(positions)
     if name.startswith("octants_"):
@@ -309,12 +331,21 @@ def attribute_of(structure, key, positions, scene):
         return lightest_of(positions, scene)
     if name.startswith("incidences_"):
         return points_above(positions, scene)
+    if name == "line_arrangement_2":
+        return orders_of(positions, scene)
     if name == "box_pairs":
         return meetings_of(positions, boxes_meet)
     if name.startswith("disc_pairs_"):
         return meetings_of(positions, discs_meet)
     if name.startswith("mst_maximum_norm_"):
         return norm_tree_of(positions) if len(positions) <= MOST_MEMBERS else None
+    if name.startswith("mst_polygon_"):
+        vectors = units(corners_of(structure))
+        return norm_tree_of(positions, vectors) if len(positions) <= MOST_MEMBERS else None
+    if name == "cones_local":
+        corners = corners_of(structure)
+        pointers = pointers_of(sorted(positions), precedes_along(sign_at(positions)), cones(corners))
+        return pairs_of_pointers(pointers, counted(corners))
     if name.startswith("emst_"):
         return tree_of(positions)
     if name in ("diameter_2", "diameter_all_pairs"):

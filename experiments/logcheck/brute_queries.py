@@ -5,6 +5,7 @@ from itertools import combinations, permutations
 
 from brute_attributes import few_extents, pairs_of
 from octants import AXES
+from polygons import cones, corners_of
 from replay_calipers import folds_of
 from replay_directions import extent_query, half_directions, k_of
 from replay_norms import MOST_MEMBERS, norm_queries
@@ -40,6 +41,14 @@ def queries_of(structure, key, members, scene):
             if scene.objects[line].line and not scene.objects[point].line:
                 yield ("line_side", (line, point))
         return
+    if name == "line_arrangement_2":
+        lines = [o for o in sorted(members) if scene.objects[o].line]
+        for pair in combinations(lines, 2):
+            yield ("order_x", pair)
+            yield ("order_y", pair)
+        for triple in combinations(lines, 3):
+            yield ("orientation_2", triple)
+        return
     if name == "box_pairs":
         for pair in permutations(sorted(members), 2):
             for axis in range(dimension):
@@ -56,13 +65,21 @@ def queries_of(structure, key, members, scene):
         if len(members) <= MOST_MEMBERS:
             yield from norm_queries(members)
         return
+    if name.startswith("mst_polygon_"):
+        return
+    if name == "cones_local":
+        for pair in combinations(sorted(members), 2):
+            for cone in cones(corners_of(structure)):
+                for u, _ in cone:
+                    yield (("order_direction", u), pair)
+        return
     if name.startswith("octants_"):
         for pair in combinations(sorted(members), 2):
             for axis in AXES:
                 yield (axis, pair)
         return
     if name.startswith(("closest_pair_", "bichromatic_pair_")) or name in (
-                "diameter_2", "diameter_all_pairs", "emst_list", "emst_cycles"):
+                "diameter_2", "diameter_all_pairs", "emst_list", "emst_cycles", "emst_clusters"):
         pairs = pairs_of(structure, members, scene)
         for front, back in combinations(pairs, 2):
             yield distance_query(front, back)
@@ -92,6 +109,9 @@ def queries_of(structure, key, members, scene):
             yield ("slope_order_2", first + second)
             if folds_of(structure) == 4:
                 yield ("edge_dot_2", first + second)
+    if name == "regular_2":
+        for quad in combinations(sorted(members), 4):
+            yield ("disc_power_2" if scene.extents == "radius" else "power_2", quad)
     if name in ("delaunay_2", "farthest_delaunay_2", "voronoi_cell_2") or name.startswith("min_circle_2"):
         for quad in combinations(sorted(members), 4):
             yield ("in_circle_2", quad)

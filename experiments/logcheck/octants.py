@@ -25,14 +25,14 @@ def precedes_by(sign):
     return precedes
 
 
-def pointers_of(members, precedes):
+def pointers_of(members, precedes, cones=CONES):
     """{(p, cone): the next point}, without those that have none."""
     def ahead(axis, way, a, b):
         return precedes(axis, a, b) if way > 0 else precedes(axis, b, a)
 
     result = {}
     for p in members:
-        for cone, (one, other, by) in enumerate(CONES):
+        for cone, (one, other, by) in enumerate(cones):
             for q in members:
                 if q == p or not ahead(*one, p, q) or not ahead(*other, p, q):
                     continue
@@ -42,8 +42,8 @@ def pointers_of(members, precedes):
     return result
 
 
-def pairs_of_pointers(pointers):
-    return sorted({tuple(sorted((p, q))) for (p, cone), q in pointers.items() if cone in OCTANTS})
+def pairs_of_pointers(pointers, counted=OCTANTS):
+    return sorted({tuple(sorted((p, q))) for (p, cone), q in pointers.items() if cone in counted})
 
 
 def pairs_of_positions(positions):

@@ -1,18 +1,33 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parameters of structures, and the values that they have if none is given."""
+"""The parameters of structures, and the values that they have if none is given.
+
+Of a structure that is not known here every further member of its entry counts as a parameter with another value.
+"""
 
 from fractions import Fraction
 
 USUAL = {name: {"k": Fraction(4)}
          for name in ("directions_2", "directions_2_tournament", "diameter_directions", "width_directions")}
 USUAL["calipers_2"] = {"folds": Fraction(2)}
+USUAL["pseudo_kd_tree_2"] = {"delta": Fraction(1, 4)}
+USUAL["cones_local"] = {"corners": Fraction(12)}
+for clusters in ("emst_clusters", "graph_mst_clusters"):
+    USUAL[clusters] = {"cluster": Fraction(0)}
+# Members that are no parameters.
+OTHERS = ("structure", "key", "over", "of", "query", "colours", "as")
+# What is read if "over" does not say otherwise.
+USUALLY_READ = ("convex_hull_2", "octants_local", "cones_local")
 
 
 def unusual(structure, tree, number):
     """Those of an entry of "maintain" that have another value, in its order. `number` reads one."""
     usual = USUAL.get(structure, {})
-    given = [(name, number(value)) for name, value in tree.items() if name in usual]
-    return [(name, value) for name, value in given if value != usual[name]]
+    given = [(name, number(value)) for name, value in tree.items() if name not in OTHERS]
+    return [(name, value) for name, value in given if name not in usual or value != usual[name]]
+
+
+def is_known(structure, name):
+    return name in USUAL.get(structure, {})
 
 
 def value_of(structure, options, name, number):

@@ -246,14 +246,21 @@ def line_under(points):
     return scaled(line_side(points), -1)
 
 
+def line_order(points):
+    """At the x of the point the second line is above the first; the fourth argument is the unit."""
+    (a, b), (c, d), (x, _), unit = points
+    return add(multiply(subtract(c, a), x), multiply(subtract(d, b), unit))
+
+
 # Formulas that are not homogeneous: behind the arguments they get the common denominator.
-NEED_UNIT = (line_side, line_under)
+NEED_UNIT = (line_side, line_under, line_order)
 
 FORMULAS = {
     "power_2": (power_2, 4, 4),
     "disc_power_2": (disc_power_2, 4, 4),
     "line_side": (line_side, 2, 1),
     "line_under": (line_under, 2, 1),
+    "line_order": (line_order, 3, 2),
     "disc_overlap": (disc_overlap, 2, 1),
     "disc_apart": (disc_apart, 2, 1),
     **end_orders(0), **end_orders(1), **end_orders(2),
@@ -277,7 +284,7 @@ FORMULAS = {
 # Axes that an argument must have.
 LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2, "power_2": 2, "disc_power_2": 2,
               "orientation_3": 3, "in_sphere_3": 3,
-              "acute_angle_2": 2, "obtuse_angle_2": 2, "line_side": 2, "line_under": 2,
+              "acute_angle_2": 2, "obtuse_angle_2": 2, "line_side": 2, "line_under": 2, "line_order": 2,
               **{name: axis + 1 for axis in (1, 2) for name in end_orders(axis)}}
 
 

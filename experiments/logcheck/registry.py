@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The replay of each structure."""
+"""The replay of each structure. A structure without one is reported as such: its certificates are checked where their
+formulas are known, its events are not followed."""
 
 from replay_calipers import Area, Calipers, Perimeter, Width
 from replay_circle import BoxOfHull, FarthestDelaunay, MinCircle
@@ -8,33 +9,37 @@ from replay_directions import Directions, Extent
 from replay_envelopes import Envelopes
 from replay_heaps import Hanger, Heap, Tournament
 from replay_hull import HullBruteForce, HullOfDelaunay
-from replay_lines import PointsAboveLines
+from replay_lines import ArrangementOfLines, PointsAboveLines
 from replay_list import SortedList
 from replay_maximum import Maximum, OfList
-from replay_norms import MaximumNormTree
-from replay_octants import Octants
+from replay_norms import MaximumNormTree, PolygonTree
+from replay_octants import Cones, Octants
 from replay_range import PseudoKdTree, RangeTree, RankKdTree, TrajectoryTree
+from replay_regular import RegularInThePlane
 from replay_scratch import (BoundingBox, BoxesThatMeet, ClosestPair, ClosestPairOfCells, ClosestPairOfOrders,
                             DiscsOfCells, DiscsThatMeet, FarthestPair, GraphTree, NearestSite, SpanningTree, TwoColours)
 from replay_space import DelaunayInSpace
 from replay_voronoi import VoronoiCell
 
 REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
+            "regular_2": RegularInThePlane,
             "convex_hull_2_brute_force": HullBruteForce, "convex_hull_2_delaunay": HullOfDelaunay,
             "convex_hull_2": Envelopes, "convex_hull_2_naive": Envelopes,
             "bounding_box": BoundingBox, "closest_pair_delaunay": ClosestPair,
             "closest_pair_all": ClosestPair, "closest_pair_range_tree": ClosestPairOfOrders,
             "closest_pair_cones": ClosestPair, "closest_pair_local": ClosestPair,
             "closest_pair_bins": ClosestPairOfCells,
-            "octants_listed": Octants, "octants_local": Octants,
+            "octants_listed": Octants, "octants_local": Octants, "cones_local": Cones,
             "nearest_site": NearestSite, "voronoi_cell_2": VoronoiCell,
             "bichromatic_pair_delaunay": TwoColours, "bichromatic_pair_all": TwoColours,
             "mst_maximum_norm_list": MaximumNormTree, "mst_maximum_norm_cycles": MaximumNormTree,
-            "emst_list": SpanningTree, "emst_cycles": SpanningTree,
+            "mst_polygon_list": PolygonTree, "mst_polygon_cycles": PolygonTree,
+            "emst_list": SpanningTree, "emst_cycles": SpanningTree, "emst_clusters": SpanningTree,
             "box_pairs": BoxesThatMeet, "disc_pairs_all": DiscsThatMeet, "disc_pairs_boxes": DiscsThatMeet,
             "disc_pairs_grid": DiscsOfCells,
-            "incidences_all": PointsAboveLines,
+            "incidences_all": PointsAboveLines, "line_arrangement_2": ArrangementOfLines,
             "graph_mst_list": GraphTree, "graph_mst_cycles": GraphTree,
+            "graph_mst_clusters": GraphTree, "graph_mst_sparsified": GraphTree,
             "diameter_2": FarthestPair, "diameter_all_pairs": FarthestPair,
             "bounding_box_2_hull": BoxOfHull, "farthest_delaunay_2": FarthestDelaunay,
             "min_circle_2": MinCircle, "min_circle_2_brute_force": MinCircle,
@@ -48,9 +53,17 @@ for extremum in ("maximum_", "minimum_"):
     REPLAYS.update({extremum + "sorted_list": OfList, extremum + "heap": Heap, extremum + "hanger": Hanger,
                     extremum + "tournament": Tournament, extremum + "envelope": Maximum,
                     extremum + "dual_hull": Maximum})
-BODY_STRUCTURES = ["separation_mixed", "separation_minkowski", "separation_hysteresis", "closest_features",
-                   "inner_tangents", "bounding_volumes", "outer_hierarchy"]
 
 
-def replay_of(name):
-    return REPLAYS.get(name)
+# Hulls of some of the points: what is read off them is not an attribute of all points.
+PARTIAL_HULLS = ("directions_2", "directions_2_tournament")
+
+
+def reads_partial_hull(options):
+    over = (options or {}).get("over")
+    return (over["structure"] if isinstance(over, dict) else over) in PARTIAL_HULLS
+
+
+def replay_of(name, options=None):
+    """None: the structure has none, or none over what it reads."""
+    return None if reads_partial_hull(options) else REPLAYS.get(name)

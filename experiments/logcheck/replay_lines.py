@@ -2,7 +2,10 @@
 """Lines y = a x + b, among themselves and against points: from scratch, right after every instant that may change
 the attribute."""
 
-from replay_scratch import BoxesThatMeet
+from functools import cmp_to_key
+from itertools import combinations
+
+from replay_scratch import BoxesThatMeet, Scratch
 
 
 def lines_and_points(members, scene):
@@ -22,3 +25,99 @@ class PointsAboveLines(BoxesThatMeet):
         lines, points = lines_and_points(self.members, self.world.scene)
         return sorted((min(line, point), max(line, point)) for line in lines for point in points
                       if self.world.sign_after(("line_side", (line, point)), x) > 0)
+
+
+class Signs:
+    """What the arrangement of lines is, right after an instant: of each two lines the order by slope, of each
+    three the sign of their triangle. Lines are raised by infinitesimals, more so the smaller the number."""
+
+    def __init__(self, world, lines, x):
+        self.lines = lines
+        self.side, self.first, self.triangle = {}, {}, {}
+        for i, j in combinations(lines, 2):
+            side = sign(world.sign_after(("order_x", (i, j)), x))
+            self.side[i, j], self.side[j, i] = side, -side
+            first = side or sign(world.sign_after(("order_y", (j, i)), x)) or 1
+            self.first[i, j], self.first[j, i] = first, -first
+        for i, j, k in combinations(lines, 3):
+            self.triangle[i, j, k] = (sign(world.sign_after(("orientation_2", (i, j, k)), x)) or self.side[j, k]
+                                      or self.side[k, i] or self.side[i, j])
+
+    def orientation(self, *ids):
+        turns = sum(a > b for a, b in combinations(ids, 2))
+        return self.triangle[tuple(sorted(ids))] * (-1) ** turns
+
+    def before(self, line, m, k):
+        """-1: the line crosses m before k."""
+        same = self.side[line, m] == self.side[line, k]
+        return -self.orientation(line, k, m) if same else -self.orientation(line, m, k)
+
+    def orders(self):
+        """By slope from above, far to the left; then for every line its parallels, itself, what it crosses."""
+        rows = [tuple(sorted(self.lines, key=cmp_to_key(lambda i, j: -self.first[i, j])))] if self.lines else []
+        for line in self.lines:
+            others = [m for m in self.lines if m != line]
+            crossed = sorted((m for m in others if self.side[line, m]),
+                             key=cmp_to_key(lambda m, k, line=line: self.before(line, m, k)))
+            rows.append(tuple([m for m in others if not self.side[line, m]] + [line] + crossed))
+        return rows
+
+    def events_since(self, old):
+        """None: some two lines are parallel identically, and were not, or the reverse."""
+        if any((self.side[p] == 0) != (old.side[p] == 0) for p in self.side):
+            return None
+        pairs = [p for p in combinations(self.lines, 2) if self.first[p] != old.first[p]]
+        return ([("triple", list(t)) for t in sorted(self.triangle) if self.triangle[t] != old.triangle[t]]
+                + [("parallel", list(p)) for p in pairs if self.side[p]]
+                + [("equal", list(p)) for p in pairs if not self.side[p]])
+
+
+def sign(value):
+    return (value > 0) - (value < 0)
+
+
+class ArrangementOfLines(Scratch):
+    """The orders of an arrangement. One event for each triangle that turned over, each two slopes that changed
+    their order, and each two parallel lines that passed through each other."""
+
+    partly = "internal events: the lists of crossings are not followed"
+    KINDS = ("triple", "parallel", "equal")
+
+    def current(self, x):
+        self.fresh = Signs(self.world, lines_and_points(self.members, self.world.scene)[0], x)
+        return self.fresh.orders()
+
+    def begin(self, x):
+        super().begin(x)
+        self.signs, self.events, self.difference = self.fresh, [], None
+
+    def record(self, r, x):
+        self.look = True
+        self.require_members(r, len(r.ids))
+        if r.kind in self.KINDS:
+            self.require(r.external and r.gone is None, "%s is a change that its lines tell", r.short())
+            self.events.append((r.kind, list(r.ids)))
+        elif r.external:
+            self.require(self.difference is None and r.kind in ("settled", "rebuild"), "%s: one too many", r.short())
+            self.difference = (r.gone, r.came)
+        else:
+            self.require(r.gone is None, "%s says nothing of the attribute", r.short())
+            if self.query(r) is not None and r.kind != "tie":
+                self.require(set(self.query(r)[1]) == set(r.ids), "%s is not a failure of its lines", r.short())
+
+    def settle(self, x):
+        if not self.look:
+            return
+        self.look = False
+        before, after = self.told, self.current(x)
+        due = self.fresh.events_since(self.signs)
+        names = [[[self.world.scene.ids[o] for o in row] for row in rows] for rows in (before, after)]
+        if self.difference is None and due is None:
+            self.require(before == after, "%s: right after %r the orders are others", self.label, x)
+        elif self.difference is None:
+            self.require(self.events == due, "%s: at %r there are %s, not %s", self.label, x, self.events, due)
+        else:
+            self.require(list(self.difference) == names and not self.events, "%s: at %r the orders change from %s to %s",
+                         self.label, x, *names)
+        self.told = after
+        self.signs, self.events, self.difference = self.fresh, [], None

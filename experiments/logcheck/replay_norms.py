@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""mst_maximum_norm_list, _cycles: the minimum spanning tree in the maximum norm, from scratch right after every
+"""mst_maximum_norm_*, mst_polygon_*: the minimum spanning tree in the norm of a polygon, from scratch right after every
 instant that has a record. Lengths that are identically equal are compared after an infinitesimal turn, then as if the
 points had been moved by their numbers along (2, 1)."""
 
@@ -7,6 +7,7 @@ from functools import cmp_to_key
 from itertools import combinations
 
 from octants import DIFFERENCE, SUM, X, Y, precedes_by
+from polygons import cones, corners_of, counted, opposite, precedes_along, turned, units
 from replay_directions import Along, extent_query
 from replay_scratch import SpanningTree
 from static import spanning_tree
@@ -15,20 +16,19 @@ AXIS = {X: (1, 0), Y: (0, 1)}
 ALL = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
-def turned(u):
-    return (u[1], -u[0])
-
-
 class MaximumNormTree(SpanningTree):
+    def vectors(self):
+        return ALL
+
     def meanings(self, name, ids):
         if name in ("order_x", "order_y"):
             return [(name, ids)]
         if name == "order_direction":
-            return [(("order_direction", u), ids) for u in ALL]
+            return [(("order_direction", u), ids) for u in self.vectors()]
         found = []
         if name == Along.NAMES.get(len(ids)):
-            for u in ALL:
-                for v in ALL:
+            for u in self.vectors():
+                for v in self.vectors():
                     found += [extent_query(u, v, *(ids[i] for i in places)) for places in Along.PLACES[len(ids)]]
         return [q for q in found if q is not None]
 
@@ -76,7 +76,30 @@ class MaximumNormTree(SpanningTree):
         return set(self.query(r)[1]) <= set(r.ids)
 
 
-def norm_length(p, q, i, j):
+class PolygonTree(MaximumNormTree):
+    def vectors(self):
+        return signed_units(corners_of(self.structure))
+
+    def precedes(self, x):
+        return precedes_along(lambda u, a, b: self.world.sign_after((("order_direction", u), (a, b)), x))
+
+    def form(self, pair, precedes):
+        corners = corners_of(self.structure)
+        for cone, u in zip(counted(corners), units(corners)):
+            (one, _), (other, _), _ = cones(corners)[cone]
+            for p, q in (pair, pair[::-1]):
+                if precedes(one, q, p) and precedes(other, q, p):
+                    return (u, p, q)
+        raise AssertionError("a point in no cone of another")
+
+
+def signed_units(corners):
+    """Those that lengths compare, and what a turn makes of them."""
+    both = units(corners) + [turned(u) for u in units(corners)]
+    return both + [opposite(u) for u in both]
+
+
+def norm_length(p, q, i, j, vectors):
     """The length of the pair i < j at these positions, for comparisons: as it is, what an infinitesimal turn adds, and
     what a step by the numbers along (2, 1) adds."""
     x, y, step = q[0] - p[0], q[1] - p[1], j - i
@@ -84,12 +107,12 @@ def norm_length(p, q, i, j):
     def size(parts):
         return max(parts, tuple(-v for v in parts))
 
-    return max(size((x, -y, 2 * step)), size((y, x, step)))
+    return max(size((u * x + v * y, v * x - u * y, (2 * u + v) * step)) for u, v in vectors)
 
 
-def norm_tree_of(positions):
+def norm_tree_of(positions, vectors=ALL[:2]):
     pairs = combinations(sorted(positions), 2)
-    return spanning_tree(sorted(pairs, key=lambda e: (norm_length(positions[e[0]], positions[e[1]], *e), e)))
+    return spanning_tree(sorted(pairs, key=lambda e: (norm_length(positions[e[0]], positions[e[1]], *e, vectors), e)))
 
 
 def norm_queries(members):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""octants_listed, octants_local: the pairs of a point and the next one in an octant, from scratch right after every
+"""octants_listed, octants_local, cones_local: the pairs of a point and the next one in a cone, from scratch right after every
 instant. Every event "point" names a point, the one that was next in a cone of it and the one that is (itself: none),
 and the pairs that left or joined the attribute, if any. Each pointer that differs has one event, and no other has."""
 
 from octants import AXES, OCTANTS, pairs_of_pointers, pointers_of, precedes_by
+from polygons import all_vectors, cones, corners_of, counted, precedes_along
 from proof import Proof
 from replay_members import OfMembers
 
@@ -32,9 +33,12 @@ class Octants(OfMembers):
 
         return pointers_of(sorted(self.members), precedes_by(sign))
 
+    def pairs_of(self, pointers):
+        return pairs_of_pointers(pointers, OCTANTS)
+
     def begin(self, x):
         self.pointers, self.look, self.missing = self.current(x), False, None
-        self.pairs = pairs_of_pointers(self.pointers)
+        self.pairs = self.pairs_of(self.pointers)
 
     def differing(self, fresh):
         """The events "point" of an instant, in their order."""
@@ -49,7 +53,7 @@ class Octants(OfMembers):
         self.look = True
         if r.kind == "rebuild":
             fresh = self.current(x)
-            pairs = pairs_of_pointers(fresh)
+            pairs = self.pairs_of(fresh)
             self.sides(r, sorted(set(self.pairs) - set(pairs)), sorted(set(pairs) - set(self.pairs)))
             self.pointers, self.pairs, self.missing = fresh, pairs, None
             return
@@ -63,7 +67,7 @@ class Octants(OfMembers):
         if self.missing is None:
             self.fresh = self.current(x)
             self.missing = self.differing(self.fresh)
-            pairs = pairs_of_pointers(self.fresh)
+            pairs = self.pairs_of(self.fresh)
             self.leaving, self.joining = set(self.pairs) - set(pairs), set(pairs) - set(self.pairs)
         self.require(self.missing and self.missing[0] == list(r.ids), "%s: the next change is %s", r.short(),
                      self.names(self.missing[0]) if self.missing else "none")
@@ -100,10 +104,28 @@ class Octants(OfMembers):
             self.require(not self.missing, "%s: right after %r a change is missing", self.label, x)
             self.pointers, self.missing = self.fresh, None
         self.require(self.pointers == fresh, "%s: right after %r other points are next", self.label, x)
-        self.require(self.pairs == pairs_of_pointers(fresh), "%s: right after %r the pairs are others", self.label, x)
+        self.require(self.pairs == self.pairs_of(fresh), "%s: right after %r the pairs are others", self.label, x)
 
     def finish(self, end):
         super().finish(end)
         if end is not None:
             self.require(self.pointers == self.current(end), "%s: right after the end other points are next",
                          self.label)
+
+
+class Cones(Octants):
+    """cones_local: the cones of a polygon."""
+
+    def meanings(self, name, ids):
+        if name == "order_direction":
+            return [((name, u), ids) for u in all_vectors(corners_of(self.structure))]
+        return [(name, ids)]
+
+    def current(self, x):
+        def sign(u, a, b):
+            return self.world.sign_after((("order_direction", u), (a, b)), x)
+
+        return pointers_of(sorted(self.members), precedes_along(sign), cones(corners_of(self.structure)))
+
+    def pairs_of(self, pointers):
+        return pairs_of_pointers(pointers, counted(corners_of(self.structure)))

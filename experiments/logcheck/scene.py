@@ -12,7 +12,7 @@ import re
 from fractions import Fraction
 from math import lcm
 
-from parameters import unusual
+from parameters import USUALLY_READ, is_known, unusual
 from subsets import sets_of
 
 MOST_EXPONENT = 100000  # of a decimal number
@@ -123,10 +123,11 @@ class Object:
 
 
 class Request:
-    def __init__(self, structure, key, label, parameters=(), sets=()):
+    def __init__(self, structure, key, label, parameters=(), sets=(), over=None):
         self.structure, self.key, self.label = structure, key, label
         self.parameters = parameters  # (name, value), those that have another value than usual
         self.sets = sets  # (name, value) of "of", "query" and "colours" (subsets.py)
+        self.over = over  # the request for what it reads in place of the usual structure; None: that one
 
 
 class Scene:
@@ -142,7 +143,15 @@ class Scene:
         except (KeyError, TypeError, IndexError, AttributeError, ZeroDivisionError) as error:
             raise BadInput("%s: not a scene: %s %s; `kinex check` says more"
                            % (path, type(error).__name__, error)) from None
-        self.hash = hashlib.sha256(canonical_text(self).encode()).hexdigest()
+        self.hash = self.hash_of_text()
+        # Of structures that are not known here: whether a parameter has its usual value is not known, either.
+        self.hashes = {self.hash}
+        for request in self.maintain:
+            request.parameters = [one for one in request.parameters if is_known(request.structure, one[0])]
+        self.hashes.add(self.hash_of_text())
+
+    def hash_of_text(self):
+        return hashlib.sha256(canonical_text(self).encode()).hexdigest()
 
     def read(self, tree):
         self.name = tree.get("name", "")
@@ -234,8 +243,16 @@ class Scene:
             return Request(tree, ("axis", 0), tree)
         return Request(tree["structure"], self.read_key(tree.get("key", "x")),
                        tree.get("as", tree["structure"]),
-                       unusual(tree["structure"], tree, lambda value: Fraction(str(value))),
-                       sets_of(tree, self))
+                       unusual(tree["structure"], tree, lambda value: exact(value, self.path + ": /maintain")),
+                       sets_of(tree, self), self.read_over(tree.get("over")))
+
+    def read_over(self, tree):
+        """The request for another structure to be read, without a label."""
+        if tree is None:
+            return None
+        over = self.read_request(tree)
+        over.label = over.structure
+        return None if over.structure in USUALLY_READ and request_text(over, self)[0] == '"' else over
 
     # ---- flight plans
 
@@ -361,12 +378,14 @@ def set_text(value):
 
 def request_text(r, scene):
     plain = r.key == ("axis", 0)
-    if plain and r.label == r.structure and not r.parameters and not r.sets:
+    if plain and r.label == r.structure and not r.parameters and not r.sets and r.over is None:
         return json_string(r.structure)
     members = ['"structure": ' + json_string(r.structure)]
     if not plain:
         members.append('"key": ' + key_text(r.key, scene))
     members += [json_string(name) + ": " + set_text(value) for name, value in r.sets]
+    if r.over is not None:
+        members.append('"over": ' + request_text(r.over, scene))
     members += [json_string(name) + ": " + number_text(value) for name, value in r.parameters]
     if r.label != r.structure:
         members.append('"as": ' + json_string(r.label))

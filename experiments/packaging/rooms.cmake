@@ -6,28 +6,27 @@ include_guard(GLOBAL)
 # in a room, as families/hull, is kinex_FOLDER_families_hull. Those of experiments/ are the program's alone.
 function(kinex_room folder room)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/${room}/*.cpp)
-  set(audits ${sources})
-  list(FILTER audits INCLUDE REGEX "_audit\\.cpp$")
   string(REPLACE "/" "_" name ${room})
   set(target kinex_${folder}_${name})
-  add_library(${target} STATIC ${sources})
+  # Alone: audits, which include other libraries, whose names are many; what is compiled anew for every commit; small
+  # rooms whose files define the same names in their unnamed namespaces.
+  set(alone ${sources})
+  set(single core/numbers core/arithmetic core/engine predicates/bodies predicates/ccd)
+  if(NOT ${folder}/${room} IN_LIST single)
+    list(FILTER alone INCLUDE REGEX "_audit\\.cpp$|/machine\\.cpp$")
+  endif()
+  list(REMOVE_ITEM sources ${alone} "")
+  set(size 6)
+  if(folder STREQUAL experiments)
+    set(size 8)
+  endif()
+  kinex_batches(batches ${target} ${size} ${sources})
+  add_library(${target} STATIC ${batches} ${alone})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/kinex>)
   target_link_libraries(${target} ${ARGN} PRIVATE $<BUILD_INTERFACE:kinex_warnings>)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder}_${name})
   kinex_precompile(${target})
-  # Files are compiled several at once, but not those of these rooms: their unnamed namespaces define the same
-  # names.
-  set(single core/numbers core/arithmetic core/engine predicates/bodies predicates/ccd experiments/formats
-    experiments/families/collision experiments/families/points experiments/families/range experiments/trade
-    experiments/verbs)
-  # Audits include other libraries, whose names are many.
-  if(audits)
-    set_source_files_properties(${audits} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  endif()
-  if(${folder}/${room} IN_LIST single)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
-  endif()
   if(NOT folder STREQUAL experiments)
     set_property(GLOBAL APPEND PROPERTY KINEX_ROOMS ${target})
   endif()

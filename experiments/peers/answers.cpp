@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/bench/result_table.h"
+#include "experiments/lab/result_table.h"
 #include "experiments/peers/tables.h"
 #include "experiments/peers/worker.h"
 
@@ -34,10 +34,10 @@ std::vector<Judgement> judgements(const PeerMethod& method, const Family& family
   return result;
 }
 
-Standing standing_of(const PeerMethod& method, const Family& family) {
-  Standing standing;
-  for (const Judgement& one : judgements(method, family)) standing.add(one);
-  return standing;
+PeerTally tally_of(const PeerMethod& method, const Family& family) {
+  PeerTally tally;
+  for (const Judgement& one : judgements(method, family)) tally.add(one);
+  return tally;
 }
 
 std::string exponent(int k) { return "1e-" + std::to_string(k); }
@@ -60,34 +60,34 @@ std::string checked(const Family& family) {
          " by a second structure. ";
 }
 
-void families_table(const BenchOptions& options, const std::vector<PeerMethod>& methods,
+void families_table(const lab::BenchOptions& options, const std::vector<PeerMethod>& methods,
                     const std::vector<Family>& families) {
   std::string about =
       "Answers by family. missed: false negatives. alarms: false positives at a gap beyond the "
       "documented tolerance. tolerated: contacts within it, or at a mere touch. Of right contacts: "
       "the widest gap and the deepest overlap of the reported pose, and how far its time is off. ";
   for (const Family& family : families) about += checked(family);
-  ResultTable table(options, "peers_answers", about,
-                    {{"family", ResultTable::kText, 14},
-                     {"method", ResultTable::kText, 22},
-                     {"certifies", ResultTable::kText, 19},
-                     {"asked", 0},
-                     {"right", 0},
-                     {"missed", 0},
-                     {"alarms", 0},
-                     {"tolerated", 0},
-                     {"failed", 0},
-                     {"NaN", 0},
-                     {"no_end", 0},
-                     {"crashed", 0},
-                     {"not_taken", 0},
-                     {"widest_gap", 9},
-                     {"deepest_overlap", 9},
-                     {"earliest", 9},
-                     {"latest", 9}});
+  lab::ResultTable table(options, "peers_answers", about,
+                         {{"family", lab::ResultTable::kText, 14},
+                          {"method", lab::ResultTable::kText, 22},
+                          {"certifies", lab::ResultTable::kText, 19},
+                          {"asked", 0},
+                          {"right", 0},
+                          {"missed", 0},
+                          {"alarms", 0},
+                          {"tolerated", 0},
+                          {"failed", 0},
+                          {"NaN", 0},
+                          {"no_end", 0},
+                          {"crashed", 0},
+                          {"not_taken", 0},
+                          {"widest_gap", 9},
+                          {"deepest_overlap", 9},
+                          {"earliest", 9},
+                          {"latest", 9}});
   for (const Family& family : families) {
     for (const PeerMethod& method : methods) {
-      const Standing s = standing_of(method, family);
+      const PeerTally s = tally_of(method, family);
       table.row({family.name, method.name, method.certifies, s.asked, s.right, s.missed, s.alarms,
                  s.tolerated, s.failed, s.not_a_number, s.no_end, s.crashed, s.unsupported,
                  s.widest_gap, s.deepest_overlap, s.earliest, s.latest});
@@ -96,16 +96,16 @@ void families_table(const BenchOptions& options, const std::vector<PeerMethod>& 
 }
 
 // A column for each gap: the errors of the answers.
-void gaps_table(const BenchOptions& options, PeerQuestions& questions,
+void gaps_table(const lab::BenchOptions& options, PeerQuestions& questions,
                 const std::vector<PeerMethod>& methods, bool apart, const std::vector<int>& powers,
                 const std::vector<int>& sizes) {
   std::vector<Family> families;
-  std::vector<ResultTable::Column> columns{{"method", ResultTable::kText, 22}};
+  std::vector<lab::ResultTable::Column> columns{{"method", lab::ResultTable::kText, 22}};
   for (const int k : powers) {
     std::vector<PeerCase> cases;
     for (const int n : sizes) cases.push_back(line_case(n, (apart ? 1 : -1) * std::pow(10.0, -k)));
     families.push_back(family_of(questions, "", cases));
-    columns.push_back({exponent(k), ResultTable::kText, 8});
+    columns.push_back({exponent(k), lab::ResultTable::kText, 8});
   }
   std::string about = apart ? "B passes A at this gap: false alarms beyond the tolerance."
                             : "B overlaps A by this much, in passing: overlaps that are missed.";
@@ -114,11 +114,12 @@ void gaps_table(const BenchOptions& options, PeerQuestions& questions,
            "tolerance or at a touch; f: failed, NaN or no end; -: not taken. Truth is that of the "
            "numbers given: floats cannot hold the small gaps, and what is then a touch or the "
            "other answer is judged as that.";
-  ResultTable table(options, apart ? "peers_apart" : "peers_overlap", about, std::move(columns));
+  lab::ResultTable table(options, apart ? "peers_apart" : "peers_overlap", about,
+                         std::move(columns));
   for (const PeerMethod& method : methods) {
-    std::vector<ResultTable::Cell> row{method.name};
+    std::vector<lab::ResultTable::Field> row{method.name};
     for (const Family& family : families) {
-      const Standing s = standing_of(method, family);
+      const PeerTally s = tally_of(method, family);
       const int wrong = s.missed + s.alarms;
       const int failed = s.failed + s.not_a_number + s.no_end + s.crashed;
       std::string text = wrong > 0 ? std::to_string(wrong) : ".";
@@ -131,29 +132,30 @@ void gaps_table(const BenchOptions& options, PeerQuestions& questions,
   }
 }
 
-void corpus_table(const BenchOptions& options, PeerQuestions& questions,
+void corpus_table(const lab::BenchOptions& options, PeerQuestions& questions,
                   std::vector<PeerMethod> methods) {
   const Family corpus = family_of(questions, "corpus", corpus_cases());
-  std::vector<ResultTable::Column> columns{{"case", ResultTable::kText, 40},
-                                           {"exact", ResultTable::kText, 10}};
+  std::vector<lab::ResultTable::Column> columns{{"case", lab::ResultTable::kText, 40},
+                                                {"exact", lab::ResultTable::kText, 10}};
   std::erase_if(methods, [](const PeerMethod& method) {
     return method.kind == PeerMethod::Kind::kAdvance && method.stop != 1e-3;
   });
   std::vector<std::vector<Judgement>> all;
   for (const PeerMethod& method : methods) {
-    columns.push_back({method.name, ResultTable::kText, 12});
+    columns.push_back({method.name, lab::ResultTable::kText, 12});
     all.push_back(judgements(method, corpus));
   }
-  ResultTable table(options, "peers_corpus",
-                    "Reported failures: the exact time of the first overlap, and what is said "
-                    "(with the error of the time). One step each, as far as a library takes it: "
-                    "FCL and Bullet take less than half a turn, so longer ones are cut.",
-                    std::move(columns));
+  lab::ResultTable table(
+      options, "peers_corpus",
+      "Reported failures: the exact time of the first overlap, and what is said "
+      "(with the error of the time). One step each, as far as a library takes it: "
+      "FCL and Bullet take less than half a turn, so longer ones are cut.",
+      std::move(columns));
   for (std::size_t i = 0; i < corpus.questions.size(); ++i) {
     const PeerQuestion& question = corpus.questions[i];
     char exact[40];
     std::snprintf(exact, sizeof exact, "%.6f", question.truth.latest);
-    std::vector<ResultTable::Cell> row{
+    std::vector<lab::ResultTable::Field> row{
         question.exact.name, question.truth.kind == TruthKind::kOverlap ? exact : "apart"};
     for (const auto& judged : all) row.push_back(in_words(judged[i]));
     table.row(row);
@@ -162,7 +164,7 @@ void corpus_table(const BenchOptions& options, PeerQuestions& questions,
 
 }  // namespace
 
-void answer_tables(const BenchOptions& options, PeerQuestions& questions) {
+void answer_tables(const lab::BenchOptions& options, PeerQuestions& questions) {
   const bool quick = options.smoke;
   const std::vector<PeerMethod> methods = peer_methods();
   const std::vector<int> sizes =

@@ -24,10 +24,10 @@ class Box2d final : public Peer {
     return put(a, vertices_a_, a_) && put(b, vertices_b_, b_);
   }
 
-  Verdict overlap(int, const PeerPose& a, const PeerPose& b) override {
+  PeerReply overlap(int, const PeerPose& a, const PeerPose& b) override {
     const double d = distance(0, a, b);
-    if (d != d) return Verdict::kNotANumber;
-    return d <= 0 ? Verdict::kHit : Verdict::kMiss;
+    if (d != d) return PeerReply::kNotANumber;
+    return d <= 0 ? PeerReply::kHit : PeerReply::kMiss;
   }
 
   double distance(int, const PeerPose& a, const PeerPose& b) override {
@@ -58,11 +58,11 @@ class Box2d final : public Peer {
     b2TimeOfImpact(&output, &input);
     work.iterations += static_cast<std::uint64_t>(b2_gjkIters - iterations);
     work.steps += static_cast<std::uint64_t>(b2_toiIters - steps);
-    Cast result{Verdict::kFailed, static_cast<double>(output.t)};
-    if (result.time != result.time) result.verdict = Verdict::kNotANumber;
-    if (output.state == b2TOIOutput::e_separated) result.verdict = Verdict::kMiss;
+    Cast result{PeerReply::kFailed, static_cast<double>(output.t)};
+    if (result.time != result.time) result.reply = PeerReply::kNotANumber;
+    if (output.state == b2TOIOutput::e_separated) result.reply = PeerReply::kMiss;
     if (output.state == b2TOIOutput::e_touching || output.state == b2TOIOutput::e_overlapped) {
-      result.verdict = Verdict::kHit;
+      result.reply = PeerReply::kHit;
     }
     return result;
   }

@@ -48,10 +48,10 @@ class Bullet final : public Peer {
     return true;
   }
 
-  Verdict overlap(int, const PeerPose& a, const PeerPose& b) override {
+  PeerReply overlap(int, const PeerPose& a, const PeerPose& b) override {
     const double d = distance(0, a, b);
-    if (d != d) return Verdict::kNotANumber;
-    return d <= 0 ? Verdict::kHit : Verdict::kMiss;
+    if (d != d) return PeerReply::kNotANumber;
+    return d <= 0 ? PeerReply::kHit : PeerReply::kMiss;
   }
 
   double distance(int, const PeerPose& a, const PeerPose& b) override {
@@ -76,9 +76,9 @@ class Bullet final : public Peer {
         test.calcTimeOfImpact(transform(a0), transform(a1), transform(b0), transform(b1), report);
     work.iterations += (work.supports - before) / 2;
     const double time = static_cast<double>(report.m_fraction);
-    if (time != time) return {Verdict::kNotANumber, 0};
-    if (hit) return {Verdict::kHit, time};
-    return {report.failed ? Verdict::kFailed : Verdict::kMiss, time};
+    if (time != time) return {PeerReply::kNotANumber, 0};
+    if (hit) return {PeerReply::kHit, time};
+    return {report.failed ? PeerReply::kFailed : PeerReply::kMiss, time};
   }
 
   void forget() override { detector_->setCachedSeparatingAxis(first_axis_); }

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/bench/result_table.h"
+#include "experiments/lab/result_table.h"
 #include "experiments/peers/tables.h"
 #include "experiments/peers/worker.h"
 
@@ -33,7 +33,7 @@ struct Cost {
 };
 
 Cost our_cost(const Group& group, const std::string& structure, const std::string& arithmetic,
-              int rounds, Standing& standing) {
+              int rounds, PeerTally& tally) {
   Cost cost;
   for (const PeerQuestion& question : group.questions) {
     const Scene scene = group.orbit ? orbit_scene(question.exact) : scene_of(question.exact);
@@ -51,26 +51,26 @@ Cost our_cost(const Group& group, const std::string& structure, const std::strin
     cost.polynomials += static_cast<double>(run.polynomials);
     cost.roots += static_cast<double>(run.roots);
     cost.signs += static_cast<double>(run.signs);
-    ++standing.asked;
+    ++tally.asked;
     const bool overlap = question.truth.kind == TruthKind::kOverlap;
     if (question.truth.kind == TruthKind::kUnknown) {
-      ++standing.unknown;
+      ++tally.unknown;
     } else if (overlap == run.contact.has_value()) {
-      ++standing.right;
+      ++tally.right;
     }
   }
   return cost;
 }
 
 Cost peer_cost(const Group& group, const PeerMethod& method, const WorkerLimits& limits,
-               Standing& standing) {
+               PeerTally& tally) {
   std::vector<PeerCase> cases;
   for (const PeerQuestion& question : group.questions) cases.push_back(question.exact);
   const std::vector<PeerAnswer> answers = ask_all(method, cases, limits);
   Cost cost;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const PeerAnswer& answer = answers[i];
-    standing.add(judge(method, group.questions[i], answer));
+    tally.add(judge(method, group.questions[i], answer));
     cost.run += 1e6 * answer.seconds;
     cost.build += 1e6 * answer.load_seconds;
     cost.steps += static_cast<double>(answer.work.steps);
@@ -82,7 +82,7 @@ Cost peer_cost(const Group& group, const PeerMethod& method, const WorkerLimits&
 
 }  // namespace
 
-void cost_table(const BenchOptions& options, PeerQuestions& questions) {
+void cost_table(const lab::BenchOptions& options, PeerQuestions& questions) {
   const bool quick = options.smoke;
   std::vector<Group> groups;
   if (quick) {
@@ -103,7 +103,7 @@ void cost_table(const BenchOptions& options, PeerQuestions& questions) {
     groups.push_back(group_of(questions, "random, n=8", small));
     groups.push_back(group_of(questions, "random, n=64", large));
   }
-  ResultTable table(
+  lab::ResultTable table(
       options, "peers_costs",
       "Cost of one question, means over the group. Microseconds of CPU time, medians of repeats; "
       "us build: making the library's shapes, or kinex's hierarchies and first proof. GJK's "
@@ -112,9 +112,9 @@ void cost_table(const BenchOptions& options, PeerQuestions& questions) {
       "found, signs. right: of the questions asked; t: contacts within the tolerance, ?: truth not "
       "known; a fast answer that is wrong is no answer. In "
       "spin and random kinex has a flight plan a tenth of a radian, to follow the peers' angle.",
-      {{"group", ResultTable::kText, 24},
-       {"method", ResultTable::kText, 30},
-       {"right", ResultTable::kText, 7},
+      {{"group", lab::ResultTable::kText, 24},
+       {"method", lab::ResultTable::kText, 30},
+       {"right", lab::ResultTable::kText, 7},
        {"us_query", 2},
        {"us_build", 2},
        {"us_total", 2},
@@ -126,12 +126,12 @@ void cost_table(const BenchOptions& options, PeerQuestions& questions) {
        {"roots", 1},
        {"signs", 1}});
   const auto row = [&](const Group& group, const std::string& name, const Cost& cost,
-                       const Standing& standing) {
+                       const PeerTally& tally) {
     const double n = static_cast<double>(group.questions.size());
-    std::string right = std::to_string(standing.right);
-    if (standing.tolerated > 0) right += "+" + std::to_string(standing.tolerated) + "t";
-    if (standing.unknown > 0) right += "+" + std::to_string(standing.unknown) + "?";
-    table.row({group.name, name, right + "/" + std::to_string(standing.asked), cost.run / n,
+    std::string right = std::to_string(tally.right);
+    if (tally.tolerated > 0) right += "+" + std::to_string(tally.tolerated) + "t";
+    if (tally.unknown > 0) right += "+" + std::to_string(tally.unknown) + "?";
+    table.row({group.name, name, right + "/" + std::to_string(tally.asked), cost.run / n,
                cost.build / n, (cost.run + cost.build) / n, cost.steps / n, cost.iterations / n,
                cost.supports / n, cost.events / n, cost.polynomials / n, cost.roots / n,
                cost.signs / n});
@@ -144,14 +144,14 @@ void cost_table(const BenchOptions& options, PeerQuestions& questions) {
     if (!group.questions.front().exact.turns()) ours.push_back({"separation_minkowski", "exact"});
     ours.push_back({"separation_hysteresis", "exact"});
     for (const auto& [structure, arithmetic] : ours) {
-      Standing standing;
-      const Cost cost = our_cost(group, structure, arithmetic, rounds, standing);
-      row(group, "kinex " + structure + " " + arithmetic, cost, standing);
+      PeerTally tally;
+      const Cost cost = our_cost(group, structure, arithmetic, rounds, tally);
+      row(group, "kinex " + structure + " " + arithmetic, cost, tally);
     }
     for (const PeerMethod& method : peer_methods()) {
-      Standing standing;
-      const Cost cost = peer_cost(group, method, limits, standing);
-      row(group, method.name, cost, standing);
+      PeerTally tally;
+      const Cost cost = peer_cost(group, method, limits, tally);
+      row(group, method.name, cost, tally);
     }
   }
 }

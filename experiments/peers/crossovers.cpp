@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/bench/result_table.h"
+#include "experiments/lab/result_table.h"
 #include "experiments/peers/tables.h"
 #include "experiments/peers/worker.h"
 
@@ -30,33 +30,33 @@ double our_microseconds(const Scene& scene, int looks, int rounds) {
 std::optional<double> peer_microseconds(const PeerMethod& method, const PeerQuestion& question,
                                         double measure) {
   const PeerAnswer answer = ask_all(method, {question.exact}, {20, measure}).front();
-  const Outcome outcome = judge(method, question, answer).outcome;
-  if (outcome != Outcome::kRight) return std::nullopt;
+  const PeerGrade grade = judge(method, question, answer).grade;
+  if (grade != PeerGrade::kRight) return std::nullopt;
   return 1e6 * (answer.seconds + answer.load_seconds);
 }
 
 class Sweep {
  public:
-  Sweep(ResultTable& table, std::string name) : table_(table), name_(std::move(name)) {}
+  Sweep(lab::ResultTable& table, std::string name) : table_(table), name_(std::move(name)) {}
   void put(const std::string& method, double x, std::optional<double> microseconds) {
     char place[40];
     std::snprintf(place, sizeof place, "%g", x);
     table_.row(
         {name_, place, method, microseconds ? "right" : "wrong or none", microseconds.value_or(0)});
     auto found = std::find_if(curves_.begin(), curves_.end(),
-                              [&](const Curve& curve) { return curve.name == method; });
+                              [&](const PeerCurve& curve) { return curve.name == method; });
     if (found == curves_.end()) {
       curves_.push_back({method, {}});
       found = curves_.end() - 1;
     }
     if (microseconds) found->points.push_back({x, *microseconds});
   }
-  const std::vector<Curve>& curves() const { return curves_; }
+  const std::vector<PeerCurve>& curves() const { return curves_; }
 
  private:
-  ResultTable& table_;
+  lab::ResultTable& table_;
   std::string name_;
-  std::vector<Curve> curves_;
+  std::vector<PeerCurve> curves_;
 };
 
 // The compared methods that consider all instants, not samples.
@@ -74,19 +74,20 @@ std::vector<PeerMethod> continuous_methods() {
 
 }  // namespace
 
-std::vector<lab::Figure> crossover_tables(const BenchOptions& options, PeerQuestions& questions) {
+std::vector<lab::Figure> crossover_tables(const lab::BenchOptions& options,
+                                          PeerQuestions& questions) {
   const bool quick = options.smoke;
   const double measure = quick ? 0.001 : 0.01;
   const int rounds = quick ? 1 : 5;
-  ResultTable table(
+  lab::ResultTable table(
       options, "peers_crossovers",
       "Time of one question in microseconds, build included, against the gap (orbit, "
       "n=64), the vertices (orbit, gap 1e-2) and the looks on the way (line, n=64, gap "
       "1e-3: kinex is stopped and asked at each, a library tests each pose).",
-      {{"sweep", ResultTable::kText, 8},
-       {"at", ResultTable::kText, 8},
-       {"method", ResultTable::kText, 26},
-       {"answer", ResultTable::kText, 14},
+      {{"sweep", lab::ResultTable::kText, 8},
+       {"at", lab::ResultTable::kText, 8},
+       {"method", lab::ResultTable::kText, 26},
+       {"answer", lab::ResultTable::kText, 14},
        {"us", 1}});
   const std::vector<PeerMethod> methods = continuous_methods();
   Sweep by_gap(table, "gap"), by_size(table, "n"), by_looks(table, "looks");

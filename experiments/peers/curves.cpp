@@ -6,7 +6,7 @@ namespace kinex::peers {
 
 lab::Figure figure_of(const std::string& title, const std::string& caption,
                       const std::string& x_label, const std::string& y_label,
-                      const std::vector<Curve>& curves, bool log_y) {
+                      const std::vector<PeerCurve>& curves, bool log_y) {
   lab::Figure figure;
   figure.title = title;
   figure.caption = caption;

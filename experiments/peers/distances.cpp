@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/bench/result_table.h"
+#include "experiments/lab/result_table.h"
 #include "experiments/peers/tables.h"
 #include "experiments/peers/worker.h"
 
@@ -30,22 +30,23 @@ std::vector<PeerCase> poses(int n, int pairs, int looks) {
 
 }  // namespace
 
-void distance_table(const BenchOptions& options) {
+void distance_table(const lab::BenchOptions& options) {
   const bool quick = options.smoke;
-  ResultTable table(options, "peers_distances",
-                    "Distances of random pairs in poses that are more than 1e-3 apart, against the "
-                    "distance over all vertices and edges: how many are off by more than 1e-6, "
-                    "1e-4 and 1e-2; the largest excess, which lets conservative advancement jump "
-                    "over a contact, and the largest shortfall.",
-                    {{"solver", ResultTable::kText, 14},
-                     {"n", 0},
-                     {"poses", 0},
-                     {"off_1e-6", 0},
-                     {"off_1e-4", 0},
-                     {"off_1e-2", 0},
-                     {"no_number", 0},
-                     {"excess", 9},
-                     {"shortfall", 9}});
+  lab::ResultTable table(
+      options, "peers_distances",
+      "Distances of random pairs in poses that are more than 1e-3 apart, against the "
+      "distance over all vertices and edges: how many are off by more than 1e-6, "
+      "1e-4 and 1e-2; the largest excess, which lets conservative advancement jump "
+      "over a contact, and the largest shortfall.",
+      {{"solver", lab::ResultTable::kText, 14},
+       {"n", 0},
+       {"poses", 0},
+       {"off_1e-6", 0},
+       {"off_1e-4", 0},
+       {"off_1e-2", 0},
+       {"no_number", 0},
+       {"excess", 9},
+       {"shortfall", 9}});
   struct Solver {
     const char* name;
     const char* module;
@@ -69,7 +70,7 @@ void distance_table(const BenchOptions& options) {
       int off6 = 0, off4 = 0, off2 = 0, none = 0;
       double excess = 0, shortfall = 0;
       for (std::size_t i = 0; i < answers.size(); ++i) {
-        if (answers[i].verdict != Verdict::kHit) {
+        if (answers[i].reply != PeerReply::kHit) {
           ++none;
           continue;
         }

@@ -84,12 +84,12 @@ class Fcl final : public Peer {
     return true;
   }
 
-  Verdict overlap(int, const PeerPose& a, const PeerPose& b) override {
+  PeerReply overlap(int, const PeerPose& a, const PeerPose& b) override {
     ++work.steps;
     fcl::CollisionRequestd request;
     fcl::CollisionResultd result;
     fcl::collide(a_.convex.get(), transform(a), b_.convex.get(), transform(b), request, result);
-    return result.isCollision() ? Verdict::kHit : Verdict::kMiss;
+    return result.isCollision() ? PeerReply::kHit : PeerReply::kMiss;
   }
 
   double distance(int variant, const PeerPose& a, const PeerPose& b) override {
@@ -117,8 +117,8 @@ class Fcl final : public Peer {
     const Motion motion_a = motion(a0, a1), motion_b = motion(b0, b1);
     fcl::ContinuousCollisionResultd result;
     fcl::continuousCollide<double>(a, &motion_a, b, &motion_b, request, result);
-    if (result.time_of_contact != result.time_of_contact) return {Verdict::kNotANumber, 0};
-    return {result.is_collide ? Verdict::kHit : Verdict::kMiss, result.time_of_contact};
+    if (result.time_of_contact != result.time_of_contact) return {PeerReply::kNotANumber, 0};
+    return {result.is_collide ? PeerReply::kHit : PeerReply::kMiss, result.time_of_contact};
   }
 
  private:

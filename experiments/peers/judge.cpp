@@ -34,51 +34,51 @@ Judgement judge(const PeerMethod& method, const PeerQuestion& question, const Pe
   const Truth& truth = method.single ? question.truth_single : question.truth;
   const PeerCase& asked = method.single ? question.single : question.exact;
   Judgement result;
-  result.verdict = answer.verdict;
-  if (truth.kind == TruthKind::kUnknown) result.outcome = Outcome::kUnknown;
-  if (answer.verdict == Verdict::kMiss && truth.kind != TruthKind::kUnknown) {
-    result.outcome = truth.kind == TruthKind::kOverlap ? Outcome::kMissed : Outcome::kRight;
+  result.reply = answer.reply;
+  if (truth.kind == TruthKind::kUnknown) result.grade = PeerGrade::kUnknown;
+  if (answer.reply == PeerReply::kMiss && truth.kind != TruthKind::kUnknown) {
+    result.grade = truth.kind == TruthKind::kOverlap ? PeerGrade::kMissed : PeerGrade::kRight;
   }
-  if (answer.verdict != Verdict::kHit || truth.kind == TruthKind::kUnknown) return result;
+  if (answer.reply != PeerReply::kHit || truth.kind == TruthKind::kUnknown) return result;
   result.gap = signed_distance(asked, asked.at(answer.time));
   if (truth.kind == TruthKind::kOverlap) {
-    result.outcome = Outcome::kRight;
+    result.grade = PeerGrade::kRight;
     result.late = beyond(answer.time, truth);
   } else {
     const double rounding = method.single ? kSingleRounding : kRounding;
-    result.outcome =
-        result.gap <= method.tolerance + rounding ? Outcome::kTolerated : Outcome::kAlarm;
+    result.grade =
+        result.gap <= method.tolerance + rounding ? PeerGrade::kTolerated : PeerGrade::kAlarm;
   }
   return result;
 }
 
-void Standing::add(const Judgement& one) {
+void PeerTally::add(const Judgement& one) {
   ++asked;
-  switch (one.outcome) {
-    case Outcome::kRight:
+  switch (one.grade) {
+    case PeerGrade::kRight:
       ++right;
       break;
-    case Outcome::kMissed:
+    case PeerGrade::kMissed:
       ++missed;
       break;
-    case Outcome::kAlarm:
+    case PeerGrade::kAlarm:
       ++alarms;
       break;
-    case Outcome::kTolerated:
+    case PeerGrade::kTolerated:
       ++tolerated;
       break;
-    case Outcome::kUnknown:
+    case PeerGrade::kUnknown:
       ++unknown;
       break;
-    case Outcome::kNone:
-      failed += one.verdict == Verdict::kFailed ? 1 : 0;
-      not_a_number += one.verdict == Verdict::kNotANumber ? 1 : 0;
-      no_end += one.verdict == Verdict::kNoEnd ? 1 : 0;
-      crashed += one.verdict == Verdict::kCrash ? 1 : 0;
-      unsupported += one.verdict == Verdict::kUnsupported ? 1 : 0;
+    case PeerGrade::kNone:
+      failed += one.reply == PeerReply::kFailed ? 1 : 0;
+      not_a_number += one.reply == PeerReply::kNotANumber ? 1 : 0;
+      no_end += one.reply == PeerReply::kNoEnd ? 1 : 0;
+      crashed += one.reply == PeerReply::kCrash ? 1 : 0;
+      unsupported += one.reply == PeerReply::kUnsupported ? 1 : 0;
       break;
   }
-  if (one.outcome != Outcome::kRight || one.verdict != Verdict::kHit) return;
+  if (one.grade != PeerGrade::kRight || one.reply != PeerReply::kHit) return;
   widest_gap = std::max(widest_gap, one.gap);
   deepest_overlap = std::max(deepest_overlap, -one.gap);
   earliest = std::max(earliest, -one.late);
@@ -86,32 +86,32 @@ void Standing::add(const Judgement& one) {
 }
 
 std::string in_words(const Judgement& one) {
-  switch (one.outcome) {
-    case Outcome::kRight: {
-      if (one.verdict == Verdict::kMiss) return "right";
+  switch (one.grade) {
+    case PeerGrade::kRight: {
+      if (one.reply == PeerReply::kMiss) return "right";
       char text[60];
       std::snprintf(text, sizeof text, "right, %+.0e", one.late);
       return one.late == 0 ? "right" : text;
     }
-    case Outcome::kMissed:
+    case PeerGrade::kMissed:
       return "MISSED";
-    case Outcome::kAlarm:
+    case PeerGrade::kAlarm:
       return "FALSE ALARM";
-    case Outcome::kTolerated:
+    case PeerGrade::kTolerated:
       return "within tolerance";
-    case Outcome::kUnknown:
+    case PeerGrade::kUnknown:
       return "not known";
-    case Outcome::kNone:
+    case PeerGrade::kNone:
       break;
   }
-  switch (one.verdict) {
-    case Verdict::kFailed:
+  switch (one.reply) {
+    case PeerReply::kFailed:
       return "failed";
-    case Verdict::kNotANumber:
+    case PeerReply::kNotANumber:
       return "NaN";
-    case Verdict::kNoEnd:
+    case PeerReply::kNoEnd:
       return "no end";
-    case Verdict::kCrash:
+    case PeerReply::kCrash:
       return "crash";
     default:
       return "-";

@@ -26,19 +26,19 @@ class PeerQuestions {
   std::map<std::string, PeerQuestion> known_;  // by family and name
 };
 
-enum class Outcome {
+enum class PeerGrade {
   kRight,
   kMissed,     // they overlap, and the answer is that they never do: a false negative
   kAlarm,      // they never overlap, and it reports a contact at a gap beyond its tolerance
                // (and the rounding of its numbers)
   kTolerated,  // the same within its documented tolerance, or at a mere touch
   kUnknown,    // the truth is not known
-  kNone,       // no answer; the verdict gives the reason
+  kNone,       // no answer; the reply is the reason
 };
 
 struct Judgement {
-  Outcome outcome = Outcome::kNone;
-  Verdict verdict = Verdict::kUnsupported;
+  PeerGrade grade = PeerGrade::kNone;
+  PeerReply reply = PeerReply::kUnsupported;
   // Of a reported contact: the distance of the bodies there, or minus the depth of their overlap;
   // and the delay after the true time.
   double gap = 0, late = 0;
@@ -47,7 +47,7 @@ struct Judgement {
 Judgement judge(const PeerMethod& method, const PeerQuestion& question, const PeerAnswer& answer);
 
 // Counts over the questions of a family.
-struct Standing {
+struct PeerTally {
   int asked = 0, right = 0, missed = 0, alarms = 0, tolerated = 0, unknown = 0;
   int failed = 0, not_a_number = 0, no_end = 0, crashed = 0, unsupported = 0;
   // Of right contacts.

@@ -76,28 +76,28 @@ class Libccd final : public Peer {
     return true;
   }
 
-  Verdict overlap(int variant, const PeerPose& a, const PeerPose& b) override {
+  PeerReply overlap(int variant, const PeerPose& a, const PeerPose& b) override {
     a_.place(a);
     b_.place(b);
     ++work.steps;
     const std::uint64_t before = work.supports;
-    Verdict verdict = Verdict::kMiss;
+    PeerReply reply = PeerReply::kMiss;
     if (variant == 2) {
       ccd_real_t depth = 0;
       ccd_vec3_t direction, position;
       ccdVec3Set(&direction, 0, 0, 0);
       if (ccdGJKPenetration(&a_, &b_, &ccd_, &depth, &direction, &position) == 0) {
-        verdict = Verdict::kHit;
+        reply = PeerReply::kHit;
         const double sum = depth + ccdVec3X(&direction) + ccdVec3Y(&direction);
-        if (std::isnan(sum)) verdict = Verdict::kNotANumber;
+        if (std::isnan(sum)) reply = PeerReply::kNotANumber;
       }
     } else if (variant == 1 ? ccdMPRIntersect(&a_, &b_, &ccd_) != 0
                             : ccdGJKIntersect(&a_, &b_, &ccd_) != 0) {
-      verdict = Verdict::kHit;
+      reply = PeerReply::kHit;
     }
     const std::uint64_t iterations = (work.supports - before) / 2;
     work.iterations += iterations;
-    return iterations >= kMostIterations ? Verdict::kFailed : verdict;
+    return iterations >= kMostIterations ? PeerReply::kFailed : reply;
   }
 
   double distance(int, const PeerPose&, const PeerPose&) override {

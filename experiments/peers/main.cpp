@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/lab/machine.h"
 #include "experiments/peers/tables.h"
 
 namespace {
@@ -21,7 +22,7 @@ using namespace kinex;
 using namespace kinex::peers;
 
 struct Options {
-  BenchOptions bench;
+  lab::BenchOptions bench;
   std::string plots;
 };
 
@@ -47,6 +48,16 @@ std::optional<Options> read_options(int argc, char** argv) {
   return options;
 }
 
+// The first line of the markdown (experiments/packaging/stale-pages reads it).
+void write_origin(const Options& options) {
+  if (options.bench.markdown.empty()) return;
+  const std::string command =
+      std::string("sh experiments/peers/run --markdown FILE") + (options.bench.smoke ? " --quick" : "");
+  std::ofstream(options.bench.markdown, std::ios::app)
+      << "Made by " << lab::provenance(command, lab::build_facts(), lab::machine_facts())
+      << ". One core; CPU time.\n";
+}
+
 void write_plots(const Options& options, const std::vector<lab::Figure>& figures) {
   const lab::Drawings drawings = lab::draw(figures);
   if (!drawings.problem.empty()) std::fprintf(stderr, "%s\n", drawings.problem.c_str());
@@ -66,6 +77,7 @@ int main(int argc, char** argv) {
   const auto options = read_options(argc, argv);
   if (!options) return 2;
   try {
+    write_origin(*options);
     PeerQuestions questions;
     answer_tables(options->bench, questions);
     distance_table(options->bench);

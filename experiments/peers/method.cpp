@@ -12,12 +12,12 @@ namespace {
 
 PeerAnswer by_steps(Peer& peer, const PeerMethod& method, const PeerCase& question) {
   PeerAnswer answer;
-  answer.verdict = Verdict::kMiss;
+  answer.reply = PeerReply::kMiss;
   for (int i = 0; i <= method.steps; ++i) {
     const double t = static_cast<double>(i) / method.steps;
     const PeerFrame frame = question.at(t);
-    const Verdict verdict = peer.overlap(method.variant, frame.a, frame.b);
-    if (verdict != Verdict::kMiss) return {verdict, t, {}, 0, 0};
+    const PeerReply reply = peer.overlap(method.variant, frame.a, frame.b);
+    if (reply != PeerReply::kMiss) return {reply, t, {}, 0, 0};
   }
   return answer;
 }
@@ -43,15 +43,15 @@ PeerAnswer by_advancing(Peer& peer, const PeerMethod& method, const PeerCase& qu
     for (;;) {
       const PeerFrame frame = question.at(t);
       const double distance = peer.distance(method.variant, frame.a, frame.b);
-      if (std::isnan(distance)) return {Verdict::kNotANumber, t, {}, 0, 0};
-      if (distance <= method.stop) return {Verdict::kHit, t, {}, 0, 0};
-      if (++steps > kMostAdvances) return {Verdict::kFailed, t, {}, 0, 0};
+      if (std::isnan(distance)) return {PeerReply::kNotANumber, t, {}, 0, 0};
+      if (distance <= method.stop) return {PeerReply::kHit, t, {}, 0, 0};
+      if (++steps > kMostAdvances) return {PeerReply::kFailed, t, {}, 0, 0};
       if (distance >= speed * (end - t)) break;
       t += distance / speed;
     }
     t = end;
   }
-  return {Verdict::kMiss, 1, {}, 0, 0};
+  return {PeerReply::kMiss, 1, {}, 0, 0};
 }
 
 PeerAnswer by_casting(Peer& peer, const PeerMethod& method, const PeerCase& question) {
@@ -64,11 +64,11 @@ PeerAnswer by_casting(Peer& peer, const PeerMethod& method, const PeerCase& ques
     const double end = static_cast<double>(k + 1) / count;
     const PeerFrame from = question.at(begin), to = question.at(end);
     const Peer::Cast cast = peer.cast(method.variant, from.a, to.a, from.b, to.b);
-    if (cast.verdict != Verdict::kMiss) {
-      return {cast.verdict, begin + (end - begin) * cast.time, {}, 0, 0};
+    if (cast.reply != PeerReply::kMiss) {
+      return {cast.reply, begin + (end - begin) * cast.time, {}, 0, 0};
     }
   }
-  return {Verdict::kMiss, 1, {}, 0, 0};
+  return {PeerReply::kMiss, 1, {}, 0, 0};
 }
 
 std::string short_number(double x) {
@@ -97,7 +97,7 @@ PeerAnswer ask(Peer& peer, const PeerMethod& method, const PeerCase& question) {
       break;
     case PeerMethod::Kind::kDistance:
       answer.time = peer.distance(method.variant, question.frames[0].a, question.frames[0].b);
-      answer.verdict = std::isnan(answer.time) ? Verdict::kNotANumber : Verdict::kHit;
+      answer.reply = std::isnan(answer.time) ? PeerReply::kNotANumber : PeerReply::kHit;
       break;
   }
   answer.work = peer.work;

@@ -30,7 +30,7 @@ struct PeerMethod {
 };
 
 struct PeerAnswer {
-  Verdict verdict = Verdict::kUnsupported;
+  PeerReply reply = PeerReply::kUnsupported;
   double time = 0;  // of the reported contact
   PeerWork work;
   double seconds = 0;       // CPU time of one query; 0 if not measured

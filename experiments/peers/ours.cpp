@@ -17,7 +17,7 @@ namespace {
 class FirstContact final : public EventSink {
  public:
   void event(const Event& event, Arithmetic& arithmetic) override {
-    if (event.kind == CollisionPairs::kContact && !time) time = arithmetic.now_approximate();
+    if (event.kind == CollisionEvent::kContact && !time) time = arithmetic.now_approximate();
   }
   std::optional<double> time;
 };

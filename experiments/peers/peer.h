@@ -20,7 +20,7 @@ struct PeerPose {
   double x = 0, y = 0, angle = 0;
 };
 
-enum class Verdict : std::uint8_t {
+enum class PeerReply : std::uint8_t {
   kMiss,
   kHit,
   kFailed,       // the library reports failure, or it or its caller gave up at a limit
@@ -42,12 +42,12 @@ class Peer {
   // Makes the library's shapes; false if it does not take them.
   virtual bool load(const PeerShape& a, const PeerShape& b) = 0;
   // Do the bodies overlap in these poses? `variant`: of the library's tests.
-  virtual Verdict overlap(int variant, const PeerPose& a, const PeerPose& b) = 0;
+  virtual PeerReply overlap(int variant, const PeerPose& a, const PeerPose& b) = 0;
   // Their distance; 0 or less if they overlap, NaN if the library knows none. `variant`: of the
   // library's solvers.
   virtual double distance(int variant, const PeerPose& a, const PeerPose& b) = 0;
   struct Cast {
-    Verdict verdict = Verdict::kUnsupported;
+    PeerReply reply = PeerReply::kUnsupported;
     double time = 0;  // of the contact, in [0, 1]
   };
   // The library's own continuous test, from one pose to the other.

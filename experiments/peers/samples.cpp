@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/bench/result_table.h"
+#include "experiments/lab/result_table.h"
 #include "experiments/peers/tables.h"
 #include "experiments/peers/worker.h"
 
@@ -33,7 +33,7 @@ Family overlaps(PeerQuestions& questions, std::string name, const std::vector<Pe
 
 }  // namespace
 
-std::vector<lab::Figure> sample_tables(const BenchOptions& options, PeerQuestions& questions) {
+std::vector<lab::Figure> sample_tables(const lab::BenchOptions& options, PeerQuestions& questions) {
   const bool quick = options.smoke;
   std::vector<Family> families;
   std::vector<PeerCase> cases;
@@ -49,41 +49,41 @@ std::vector<lab::Figure> sample_tables(const BenchOptions& options, PeerQuestion
   cases.clear();
   for (int seed = 1; seed <= (quick ? 2 : 30); ++seed) cases.push_back(random_case(8, seed));
   families.push_back(overlaps(questions, "random, n=8", cases));
-  ResultTable table(
+  lab::ResultTable table(
       options, "peers_samples",
       "Fixed steps: of the questions of a family that overlap, how many are missed with 2^k steps; "
       "the first row of 0 is the largest step that misses nothing there. us: microseconds a "
       "question, for all that are asked.",
-      {{"family", ResultTable::kText, 18},
-       {"library", ResultTable::kText, 10},
+      {{"family", lab::ResultTable::kText, 18},
+       {"library", lab::ResultTable::kText, 10},
        {"steps", 0},
        {"overlaps", 0},
        {"missed", 0},
        {"other", 0},
        {"us", 1}});
-  std::vector<Curve> curves;
+  std::vector<PeerCurve> curves;
   for (const Family& family : families) {
     for (const char* module : {"box2d", "bullet64", "fcl", "libccd"}) {
       if (!has_module(module)) continue;
-      Curve curve{family.name, {}};
+      PeerCurve curve{family.name, {}};
       cases.clear();
       for (const PeerQuestion& question : family.questions) cases.push_back(question.exact);
       for (int level = 0; level <= (quick ? 4 : kMostLevels); ++level) {
         const PeerMethod method = steps_method(module, 1 << level);
         const std::vector<PeerAnswer> answers = ask_all(method, cases, {20, 1e-6});
-        Standing standing;
+        PeerTally tally;
         double microseconds = 0;
         for (std::size_t i = 0; i < answers.size(); ++i) {
-          standing.add(judge(method, family.questions[i], answers[i]));
+          tally.add(judge(method, family.questions[i], answers[i]));
           microseconds += 1e6 * answers[i].seconds;
         }
         const double asked = static_cast<double>(answers.size());
-        if (level % 2 == 0 || standing.missed == 0) {
-          table.row({family.name, module, method.steps, standing.asked, standing.missed,
-                     standing.asked - standing.right - standing.missed, microseconds / asked});
+        if (level % 2 == 0 || tally.missed == 0) {
+          table.row({family.name, module, method.steps, tally.asked, tally.missed,
+                     tally.asked - tally.right - tally.missed, microseconds / asked});
         }
-        curve.points.push_back({static_cast<double>(method.steps), 100 * standing.missed / asked});
-        if (standing.missed == 0) break;
+        curve.points.push_back({static_cast<double>(method.steps), 100 * tally.missed / asked});
+        if (tally.missed == 0) break;
       }
       if (std::string(module) == "bullet64") curves.push_back(std::move(curve));
     }

@@ -123,7 +123,7 @@ std::vector<PeerAnswer> ask_all(const PeerMethod& method, const std::vector<Peer
         throw std::runtime_error(method.module + ": its module cannot be used");
       }
       PeerAnswer lost;
-      lost.verdict = ended ? Verdict::kCrash : Verdict::kNoEnd;
+      lost.reply = ended ? PeerReply::kCrash : PeerReply::kNoEnd;
       answers.push_back(lost);
     }
   }

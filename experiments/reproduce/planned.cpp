@@ -27,15 +27,16 @@ std::string series_json(const lab::SeriesPoint& point) {
   const lab::RunKey& key = point.key;
   std::string text;
   formats::JsonWriter json(text);
-  json.begin_object().key(kSeries).begin_object().key("structure").string(key.structure);
-  json.key("workload").string(key.workload).key("n").number(key.n);
-  json.key("dimension").number(key.dimension);
-  if (key.forever) json.key("forever").boolean(true);
-  if (key.max_events != 0) json.key("max_events").number(key.max_events);
-  if (key.m != 0) json.key("m").number(key.m);
-  if (!key.separation.empty()) json.key("separation").string(key.separation);
-  if (key.turns != -1) json.key("turns").number(key.turns);
-  if (key.turned) json.key("turned").boolean(true);
+  const lab::WorkloadParameters& parameters = key.parameters;
+  json.begin_object().key(kSeries).begin_object();
+  json.members("structure", key.structure, "workload", key.workload, "n", parameters.n, "dimension",
+               parameters.dimension);
+  if (key.forever) json.members("forever", true);
+  if (key.max_events != 0) json.members("max_events", key.max_events);
+  if (parameters.m != 0) json.members("m", parameters.m);
+  if (parameters.separation) json.members("separation", parameters.separation->to_string());
+  if (parameters.turns != -1) json.members("turns", parameters.turns);
+  if (key.change != nullptr) json.members(key.change->name, true);
   json.key("precise").string(point.precise).key("error").real(point.relative_error);
   json.key("min_seeds").number(point.min_seeds).key("max_seeds").number(point.max_seeds);
   json.end_object().end_object();
@@ -73,7 +74,7 @@ sweep::CellReport run_study(const formats::JsonNode& content) {
   fail_unknown(content);
 }
 
-std::vector<sweep::Cell> cells_of(const sweep::Selection& selection) {
+std::vector<sweep::PlanCell> cells_of(const sweep::Selection& selection) {
   if (!selection.options.empty()) {
     throw formats::InputError("--" + selection.options.begin()->first, "",
                               "reproduce has no such option", "leave it out");
@@ -81,7 +82,7 @@ std::vector<sweep::Cell> cells_of(const sweep::Selection& selection) {
   const lab::Paper& paper = paper_named(selection.names.empty() ? "" : selection.names.front());
   std::vector<std::string> parts = selection.names;
   parts.erase(parts.begin());
-  std::vector<sweep::Cell> cells;
+  std::vector<sweep::PlanCell> cells;
   for (const lab::PaperPart* part : parts_named(paper, parts)) {
     for (const lab::SeriesPoint& point : part->points(selection.quick)) {
       cells.push_back(planned(point));
@@ -136,11 +137,11 @@ std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
   return parts;
 }
 
-sweep::Cell planned(const lab::SeriesPoint& point) {
+sweep::PlanCell planned(const lab::SeriesPoint& point) {
   return sweep::make_cell(point.key.structure, series_json(point), milliseconds(point.cost));
 }
 
-sweep::Cell planned_study(const lab::PaperPart& part, bool quick) {
+sweep::PlanCell planned_study(const lab::PaperPart& part, bool quick) {
   std::string text;
   formats::JsonWriter json(text);
   json.begin_object().key(kStudy).begin_object().key("part").string(part.name);
@@ -148,7 +149,7 @@ sweep::Cell planned_study(const lab::PaperPart& part, bool quick) {
   return sweep::make_cell("study " + std::string(part.name), text, milliseconds(kStudyCost));
 }
 
-sweep::Cell planned_check(const lab::RunKey& run, std::string_view program) {
+sweep::PlanCell planned_check(const lab::RunKey& run, std::string_view program) {
   std::string text;
   formats::JsonWriter json(text);
   json.begin_object().key(kCheck).begin_object().key("program").string(program);

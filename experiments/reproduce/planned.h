@@ -22,12 +22,12 @@ std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
                                                const std::vector<std::string>& names);
 
 // {"series": {..}}: everything that decides the runs. Parts of papers may share a point.
-sweep::Cell planned(const lab::SeriesPoint& point);
+sweep::PlanCell planned(const lab::SeriesPoint& point);
 // {"paper_study": {"part": .., "quick": ..}}
-sweep::Cell planned_study(const lab::PaperPart& part, bool quick);
+sweep::PlanCell planned_study(const lab::PaperPart& part, bool quick);
 // {"checked": {"program": .., "run": ..}}: the second program's verdict on a small run. Checks are
 // in journals and in no plan: they take seconds, and no other machine needs to have that program.
-sweep::Cell planned_check(const lab::RunKey& run, std::string_view program);
+sweep::PlanCell planned_check(const lab::RunKey& run, std::string_view program);
 
 // kFailed where an audit or a bound of a run failed.
 sweep::CellReport report_of(const lab::SeriesResult& result);

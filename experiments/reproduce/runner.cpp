@@ -14,72 +14,66 @@ namespace kinex::reproduce {
 
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 struct PointResult {
   lab::SeriesResult series;
   std::string trouble;
 };
 
-std::optional<PointResult> find_or_run(const lab::SeriesPoint& point, std::size_t place,
-                                       sweep::Journal& journal, const RunnerOptions& options) {
-  PointResult result;
-  const sweep::Cell cell = planned(point);
-  const sweep::Record* record = journal.find(cell.key);
-  if (record == nullptr) {
-    const auto begin = std::chrono::steady_clock::now();
+// nullopt: interrupted.
+std::optional<PointResult> run_point(const lab::SeriesPoint& point, std::size_t place,
+                                     const RunnerOptions& options) {
+  const sweep::PlanCell cell = planned(point);
+  if (options.on_start && options.source.is_to_be_run(cell)) options.on_start(place, point);
+  const auto record = options.source.record_of(cell, [&]() -> std::optional<sweep::CellReport> {
     lab::SeriesOptions running;
-    running.go_on = options.go_on;
+    running.go_on = options.source.go_on;
     running.interrupt = options.interrupt;
-    if (options.on_run) {
-      running.on_run = [&](const std::string& what) { options.on_run(place, what); };
-    }
     const std::optional<lab::SeriesResult> series = lab::run_point(point, running);
     if (!series) return std::nullopt;
-    record = &journal.add(sweep::record_of(cell, report_of(*series), seconds_since(begin)));
-  }
+    return report_of(*series);
+  });
+  if (!record) return std::nullopt;
+  PointResult result;
   result.series = series_of(*record, point, result.trouble);
   return result;
 }
 
 // nullopt: interrupted.
-std::optional<lab::StudyResult> find_or_study(const lab::PaperPart& part, sweep::Journal& journal,
-                                              const RunnerOptions& options, std::string& trouble) {
-  const sweep::Cell cell = planned_study(part, options.quick);
-  const sweep::Record* record = journal.find(cell.key);
-  if (record == nullptr) {
-    const auto begin = std::chrono::steady_clock::now();
-    const lab::StudyResult result = part.study(options.quick, options.go_on);
-    if (!options.go_on()) return std::nullopt;
-    record = &journal.add(sweep::record_of(cell, report_of(result), seconds_since(begin)));
-  }
+std::optional<lab::StudyResult> run_study(const lab::PaperPart& part, const RunnerOptions& options,
+                                          std::string& trouble) {
+  const auto record = options.source.record_of(
+      planned_study(part, options.quick), [&]() -> std::optional<sweep::CellReport> {
+        return report_of(part.study(options.quick, options.source.go_on));
+      });
+  if (!record) return std::nullopt;
   return study_of(*record, trouble);
 }
 
-lab::CheckedBy find_or_check(const lab::RunKey& run, sweep::Journal& journal,
-                             const lab::SecondProgram& program, const RunnerOptions& options) {
-  const sweep::Cell cell = planned_check(run, program.name());
+// In this process: checks are of no plan.
+lab::CheckedBy find_or_check(const lab::RunKey& run, const lab::SecondProgram& program,
+                             const RunnerOptions& options) {
+  sweep::Journal& journal = *options.source.journal;
+  const sweep::PlanCell cell = planned_check(run, program.name());
   if (const sweep::Record* record = journal.find(cell.key)) return check_of(*record, run);
   if (options.on_check) options.on_check(run);
   const auto begin = std::chrono::steady_clock::now();
   lab::CheckedBy checked = program.check(run);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   // A refusal is not kept: the program, or the machine, may be mended.
-  if (checked.outcome == lab::CheckedBy::Outcome::kFine && journal.runs()) {
-    journal.add(sweep::record_of(cell, report_of(checked), seconds_since(begin)));
+  if (checked.finding == lab::CheckedBy::Finding::kFine && journal.runs()) {
+    journal.add(sweep::record_of(cell, report_of(checked), seconds.count()));
   }
   return checked;
 }
 
 }  // namespace
 
-ReproducedPart run_part(const lab::PaperPart& part, sweep::Journal& journal,
-                        const lab::SecondProgram& program, const RunnerOptions& options) {
+ReproducedPart run_part(const lab::PaperPart& part, const lab::SecondProgram& program,
+                        const RunnerOptions& options) {
   const std::vector<lab::SeriesPoint> points = part.points(options.quick);
   auto [found, interrupted] = lab::run_in_order<PointResult>(
       points.size(), options.jobs,
-      [&](std::size_t i) { return find_or_run(points[i], i, journal, options); },
+      [&](std::size_t i) { return run_point(points[i], i, options); },
       [&](std::size_t i, const PointResult&) {
         if (options.on_point) options.on_point(i);
       });
@@ -103,7 +97,7 @@ ReproducedPart run_part(const lab::PaperPart& part, sweep::Journal& journal,
     done.report = part.report(results, options.command);
   } else {
     std::string trouble;
-    if (const auto study = find_or_study(part, journal, options, trouble)) {
+    if (const auto study = run_study(part, options, trouble)) {
       done.report = part.study_report(*study, options.command);
     } else {
       done.interrupted = true;
@@ -118,10 +112,10 @@ ReproducedPart run_part(const lab::PaperPart& part, sweep::Journal& journal,
   }
   for (std::string& refusal : lab::check_claims(
            done.report.claims, program.name(),
-           [&](const lab::RunKey& run) { return find_or_check(run, journal, program, options); })) {
+           [&](const lab::RunKey& run) { return find_or_check(run, program, options); })) {
     done.troubles.push_back(std::move(refusal));
   }
-  done.interrupted = done.interrupted || !options.go_on();
+  done.interrupted = done.interrupted || !options.source.go_on();
   return done;
 }
 

@@ -10,7 +10,7 @@
 
 #include "experiments/lab/second_program.h"
 #include "experiments/reproduce/paper_files.h"
-#include "experiments/sweep/journal.h"
+#include "experiments/sweep/cell_source.h"
 
 namespace kinex::reproduce {
 
@@ -18,18 +18,18 @@ struct RunnerOptions {
   int jobs = 1;
   bool quick = false;
   std::string command;                                 // reproduces the part
-  std::function<bool()> go_on = [] { return true; };   // from any thread
-  const std::atomic<bool>* interrupt = nullptr;        // as in SimulatorOptions
-  // Called before a run, from any thread: the point's place in the part, and the run.
-  std::function<void(std::size_t, const std::string&)> on_run;
+  sweep::CellSource source;                            // with a journal
+  const std::atomic<bool>* interrupt = nullptr;        // as in SimulatorOptions, of runs in this process
+  // A point is about to be run; its place in the part. Called from any thread.
+  std::function<void(std::size_t, const lab::SeriesPoint&)> on_start;
   std::function<void(std::size_t)> on_point;           // in order
   std::function<void(const lab::RunKey&)> on_check;
 };
 
 // What is in the journal is not run again; new records are added to it. After an interruption all
 // claims are open.
-ReproducedPart run_part(const lab::PaperPart& part, sweep::Journal& journal,
-                        const lab::SecondProgram& program, const RunnerOptions& options);
+ReproducedPart run_part(const lab::PaperPart& part, const lab::SecondProgram& program,
+                        const RunnerOptions& options);
 
 }  // namespace kinex::reproduce
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- The tables that kinex sweep merge writes. Those up to "violation" hold exact results alone: they are, byte for byte, the
--- same whatever shards, order and machines ran the plan. A test holds the program's databases to this file.
+-- same whatever shards, order and machines ran the plan. The program makes its tables from this file.
 
 CREATE TABLE plan(
   id INTEGER PRIMARY KEY,

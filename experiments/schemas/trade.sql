@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- The tables of trade.sqlite, which kinex trade writes. Every run is compared with the exact run of its scene. A test
--- holds the program's databases to this file.
+-- The tables of trade.sqlite, which kinex trade writes. Every run is compared with the exact run of its scene. The
+-- program makes its tables from this file.
 
 -- The program that made the database: one row.
 CREATE TABLE build(

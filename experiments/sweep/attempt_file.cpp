@@ -62,7 +62,7 @@ void read_attempt(const std::string& path, std::vector<Attempt>& attempts) {
 }  // namespace
 
 AttemptFile::AttemptFile(const std::string& folder, const Shard& shard,
-                         const Provenance& provenance) {
+                         const AttemptProvenance& provenance) {
   const std::string begin =
       folder + "/shard-" + std::to_string(shard.index) + "-" + utc_text("%Y%m%dT%H%M%SZ") + "-";
   do {
@@ -109,7 +109,7 @@ std::vector<Attempt> read_attempts(const std::vector<std::string>& folders) {
     for (const std::string& path : attempt_paths(folder)) read_attempt(path, attempts);
   }
   for (const Attempt& attempt : attempts) {
-    const Provenance& first = attempts.front().provenance;
+    const AttemptProvenance& first = attempts.front().provenance;
     if (attempt.provenance.program == first.program) continue;
     throw formats::InputError(attempt.path, "line 1",
                      "its records are of another commit, " + lab::commit_text(attempt.provenance.build) +

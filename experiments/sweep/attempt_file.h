@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/sweep/provenance.h"
+#include "experiments/sweep/attempt_provenance.h"
 #include "experiments/sweep/record.h"
 
 namespace kinex::sweep {
@@ -23,7 +23,7 @@ namespace kinex::sweep {
 class AttemptFile {
  public:
   // Creates a new file; never opens an existing one. Throws InputError.
-  AttemptFile(const std::string& folder, const Shard& shard, const Provenance& provenance);
+  AttemptFile(const std::string& folder, const Shard& shard, const AttemptProvenance& provenance);
   ~AttemptFile();
   AttemptFile(const AttemptFile&) = delete;
   AttemptFile& operator=(const AttemptFile&) = delete;
@@ -44,7 +44,7 @@ class AttemptFile {
 // The contents of an attempt file.
 struct Attempt {
   std::string path;
-  Provenance provenance;
+  AttemptProvenance provenance;
   std::vector<Record> records;  // record k is line k + 2
 };
 

@@ -46,14 +46,6 @@ std::vector<std::string> workload_names() {
   return names;
 }
 
-std::string known_workloads() {
-  std::string text = "known are ";
-  for (const lab::Workload& workload : lab::workloads()) {
-    text += (&workload == &lab::workloads().front() ? "" : ", ") + std::string(workload.name);
-  }
-  return text;
-}
-
 std::uint64_t read_seed(const formats::JsonNode& node) {
   std::uint64_t seed = 0;
   const std::string_view text = node.value().text();
@@ -182,7 +174,8 @@ class BlockReader {
     add("workload", given, [](const formats::JsonNode& node) {
       const std::string_view name = node.string();
       if (lab::find_workload(name) == nullptr) {
-        node.refuse("a workload", formats::did_you_mean(name, workload_names(), known_workloads()));
+        node.refuse("a workload", formats::did_you_mean(name, workload_names(),
+                                                        "kinex list workloads names them"));
       }
       return [name](RunCell& cell) { cell.workload = name; };
     });

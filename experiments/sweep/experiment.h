@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "experiments/formats/json_node.h"
-#include "experiments/sweep/cell.h"
+#include "experiments/sweep/plan_cell.h"
 #include "experiments/sweep/cell_run.h"
 
 namespace kinex::sweep {
@@ -33,7 +33,7 @@ struct Experiment {
   std::string name;
   std::string summary;
   // Throws InputError for a selection that it does not have.
-  std::function<std::vector<Cell>(const Selection&)> cells;
+  std::function<std::vector<PlanCell>(const Selection&)> cells;
 };
 
 // How cells of one kind are run, from the value of that member. Throws InputError for a cell that

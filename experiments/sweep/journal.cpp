@@ -38,7 +38,7 @@ bool is_by(const std::string& line, const std::string& path, const std::string& 
 
 }  // namespace
 
-Journal::Journal(std::string path, const Provenance& provenance, bool fresh)
+Journal::Journal(std::string path, const AttemptProvenance& provenance, bool fresh)
     : path_(std::move(path)) {
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file_ < 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Journal: the records of a plan that this process runs by itself, in one file beside its results,
-// from which the same command goes on, however it was stopped; or the records of a sweep that was
-// run elsewhere.
+// Journal: the records of an experiment while it runs (cell_source.h), in one file beside its results,
+// from which the same command goes on, however it was stopped; or the records of a sweep that was run
+// elsewhere.
 //
 // The file is like an attempt file: provenance, then a record a line; and lines that name the
 // results that were written from it.
@@ -24,7 +24,7 @@ class Journal {
  public:
   // Records of another program are refused. `fresh`: begins anew whatever the file holds. One
   // process at a time uses the file.
-  Journal(std::string path, const Provenance& provenance, bool fresh);
+  Journal(std::string path, const AttemptProvenance& provenance, bool fresh);
   // The settled records of attempts, without a file: nothing is added.
   explicit Journal(const std::vector<Attempt>& attempts);
   ~Journal();

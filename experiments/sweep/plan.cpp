@@ -39,11 +39,11 @@ Limits read_limits(const formats::JsonNode& node) {
   return limits;
 }
 
-Cell planned(const RunCell& cell) {
+PlanCell planned(const RunCell& cell) {
   return make_cell(cell.structure + " " + cell.arithmetic, cell_text(cell), expected_cost(cell));
 }
 
-void read_blocks(const formats::JsonNode& blocks, PlanCheck check, std::vector<Cell>& cells) {
+void read_blocks(const formats::JsonNode& blocks, PlanCheck check, std::vector<PlanCell>& cells) {
   blocks.require_array();
   if (blocks.size() == 0) blocks.fail("a plan without blocks", "write one");
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -63,7 +63,7 @@ std::vector<std::string> read_strings(const formats::JsonNode& node) {
 }
 
 void read_selection(const formats::JsonNode& node, const Experiments& experiments,
-                    std::vector<Cell>& cells) {
+                    std::vector<PlanCell>& cells) {
   node.require_object({"experiment", "names", "quick", "options"});
   Selection selection;
   const formats::JsonNode name = node.member("experiment");
@@ -87,11 +87,11 @@ void read_selection(const formats::JsonNode& node, const Experiments& experiment
   cells = experiment->cells(selection);
 }
 
-void sort_and_unite(std::vector<Cell>& cells) {
-  std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+void sort_and_unite(std::vector<PlanCell>& cells) {
+  std::sort(cells.begin(), cells.end(), [](const PlanCell& a, const PlanCell& b) {
     return a.cost != b.cost ? a.cost > b.cost : a.key < b.key;
   });
-  const auto same = [](const Cell& a, const Cell& b) { return a.key == b.key; };
+  const auto same = [](const PlanCell& a, const PlanCell& b) { return a.key == b.key; };
   cells.erase(std::unique(cells.begin(), cells.end(), same), cells.end());
 }
 
@@ -195,8 +195,8 @@ std::string shard_text(const Shard& shard) {
   return std::to_string(shard.index) + "/" + std::to_string(shard.count);
 }
 
-std::vector<Cell> shard_of(const Plan& plan, const Shard& shard) {
-  std::vector<Cell> cells;
+std::vector<PlanCell> shard_of(const Plan& plan, const Shard& shard) {
+  std::vector<PlanCell> cells;
   const auto step = static_cast<std::size_t>(shard.count);
   for (std::size_t i = static_cast<std::size_t>(shard.index); i < plan.cells.size(); i += step) {
     cells.push_back(plan.cells[i]);

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/sweep/cell.h"
+#include "experiments/sweep/plan_cell.h"
 #include "experiments/sweep/experiment.h"
 #include "experiments/sweep/run_cell.h"
 
@@ -35,7 +35,7 @@ struct Plan : PlanText {
   Limits limits;
   // Each key once, even if several blocks have it. In the order of descending expected cost, then
   // ascending key: the same on every machine.
-  std::vector<Cell> cells;
+  std::vector<PlanCell> cells;
 };
 
 // The checks of a reader.
@@ -63,7 +63,7 @@ Shard parse_shard(const std::string& text);
 std::string shard_text(const Shard& shard);
 
 // Cells i, i + N, i + 2N, .. of the plan. The shards of a plan are disjoint and cover it.
-std::vector<Cell> shard_of(const Plan& plan, const Shard& shard);
+std::vector<PlanCell> shard_of(const Plan& plan, const Shard& shard);
 
 }  // namespace kinex::sweep
 

@@ -52,7 +52,7 @@ void take_report(Record& record, const CellReport& report) {
 
 }  // namespace
 
-Record record_of(const Cell& cell, const Limits& limits, const lab::ChildProcess& child,
+Record record_of(const PlanCell& cell, const Limits& limits, const lab::ChildProcess& child,
                  const lab::ChildEnd& end) {
   Record record;
   record.key = cell.key;
@@ -76,7 +76,7 @@ Record record_of(const Cell& cell, const Limits& limits, const lab::ChildProcess
   return record;
 }
 
-Record record_of(const Cell& cell, const CellReport& report, double wall_s) {
+Record record_of(const PlanCell& cell, const CellReport& report, double wall_s) {
   Record record;
   record.key = cell.key;
   record.cell = cell.text;

@@ -34,10 +34,10 @@ struct Record {
 };
 
 // The record of a child that ran `cell` with these limits and has ended.
-Record record_of(const Cell& cell, const Limits& limits, const lab::ChildProcess& child,
+Record record_of(const PlanCell& cell, const Limits& limits, const lab::ChildProcess& child,
                  const lab::ChildEnd& end);
 // Of a cell that was run in this process, without limits.
-Record record_of(const Cell& cell, const CellReport& report, double wall_s);
+Record record_of(const PlanCell& cell, const CellReport& report, double wall_s);
 
 // One line, without a line break. parse_record reads it back, and record_line of the result is the
 // same text.

@@ -84,7 +84,7 @@ bool is_settled(const Record& record, const Limits& limits, bool retry) {
 std::vector<Plan> plans_of(const std::vector<Attempt>& attempts, const Experiments& experiments) {
   std::map<std::pair<std::string, std::string>, const Attempt*> first;
   for (const Attempt& attempt : attempts) {
-    const Provenance& of = attempt.provenance;
+    const AttemptProvenance& of = attempt.provenance;
     first.try_emplace({of.plan_name, of.plan_hash}, &attempt);
   }
   std::vector<Plan> plans;
@@ -108,9 +108,9 @@ std::string Tally::text() const {
   return text.empty() ? "no cells" : text;
 }
 
-Tally tally(const std::vector<Cell>& cells, const Settled& settled) {
+Tally tally(const std::vector<PlanCell>& cells, const Settled& settled) {
   Tally result;
-  for (const Cell& cell : cells) {
+  for (const PlanCell& cell : cells) {
     const auto found = settled.find(cell.key);
     if (found == settled.end()) {
       ++result.missing;
@@ -121,13 +121,13 @@ Tally tally(const std::vector<Cell>& cells, const Settled& settled) {
   return result;
 }
 
-std::optional<double> expected_rest(const std::vector<Cell>& cells, const Settled& settled) {
+std::optional<double> expected_rest(const std::vector<PlanCell>& cells, const Settled& settled) {
   struct Sum {
     double seconds = 0, cost = 0;
   };
   std::map<std::string, Sum> by_kind;
   Sum all;
-  for (const Cell& cell : cells) {
+  for (const PlanCell& cell : cells) {
     const auto found = settled.find(cell.key);
     if (found == settled.end() || found->second->outcome == Outcome::kKilled) continue;
     Sum& sum = by_kind[cell.kind];
@@ -138,7 +138,7 @@ std::optional<double> expected_rest(const std::vector<Cell>& cells, const Settle
   }
   if (all.cost == 0) return std::nullopt;
   double rest = 0;
-  for (const Cell& cell : cells) {
+  for (const PlanCell& cell : cells) {
     const auto found = settled.find(cell.key);
     if (found != settled.end() && found->second->outcome != Outcome::kKilled) continue;
     const auto known = by_kind.find(cell.kind);

@@ -59,12 +59,12 @@ struct Tally {
   // "12 done, 1 limit, 3 missing"; kinds without cells are left out.
   std::string text() const;
 };
-Tally tally(const std::vector<Cell>& cells, const Settled& settled);
+Tally tally(const std::vector<PlanCell>& cells, const Settled& settled);
 
 // Expected CPU seconds of the cells that are missing or were killed: their expected costs, scaled
 // by the times of finished cells of the same kind (or of all, if there are none). nullopt if no cell
 // is done yet.
-std::optional<double> expected_rest(const std::vector<Cell>& cells, const Settled& settled);
+std::optional<double> expected_rest(const std::vector<PlanCell>& cells, const Settled& settled);
 
 }  // namespace kinex::sweep
 

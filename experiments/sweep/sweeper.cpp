@@ -18,7 +18,7 @@ struct Running {
   std::unique_ptr<lab::ChildProcess> child;
 };
 
-std::unique_ptr<lab::ChildProcess> start(const Cell& cell, const SweepOptions& options) {
+std::unique_ptr<lab::ChildProcess> start(const PlanCell& cell, const SweepOptions& options) {
   std::vector<std::string> arguments{"sweep", "cell", cell.text, "--parent",
                                      std::to_string(::getpid())};
   const auto add = [&](const char* option, int value) {
@@ -44,13 +44,13 @@ void wait_for_output(const std::list<Running>& running) {
 
 }  // namespace
 
-bool run_cells(const std::vector<Cell>& cells, const SweepOptions& options) {
+bool run_cells(const std::vector<PlanCell>& cells, const SweepOptions& options) {
   std::list<Running> running;
   std::size_t next = 0;
   while (next < cells.size() || !running.empty()) {
     if (!options.go_on()) return false;
     while (next < cells.size() && running.size() < static_cast<std::size_t>(options.jobs)) {
-      options.on_start(next);
+      if (options.on_start) options.on_start(next);
       running.push_back({next, start(cells[next], options)});
       ++next;
     }
@@ -62,7 +62,7 @@ bool run_cells(const std::vector<Cell>& cells, const SweepOptions& options) {
       }
       const lab::ChildEnd end = one->child->wait();
       const Record record = record_of(cells[one->place], options.limits, *one->child, end);
-      // Who is asked to end may see its children end first.
+      // A sweep that is asked to end may see its children end first.
       if (record.outcome == Outcome::kKilled && !options.go_on()) return false;
       options.on_end(one->place, record);
       one = running.erase(one);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs cells, each in a child process.
+// Runs cells, each in a child process (lab/child_process.h: posix_spawn and wait4, for a record has the
+// CPU time and the peak memory of its child).
 #ifndef KINEX_EXPERIMENTS_SWEEP_SWEEPER_H
 #define KINEX_EXPERIMENTS_SWEEP_SWEEPER_H
 
@@ -25,7 +26,7 @@ struct SweepOptions {
 // Starts the cells in their order and reports each as it ends. Returns false if go_on() did:
 // running cells were then ended and are not reported. An exception of on_end ends them, too, and is
 // passed on.
-bool run_cells(const std::vector<Cell>& cells, const SweepOptions& options);
+bool run_cells(const std::vector<PlanCell>& cells, const SweepOptions& options);
 
 }  // namespace kinex::sweep
 

@@ -11,7 +11,6 @@ namespace kinex::trade {
 namespace {
 
 constexpr long kSure = 64;
-constexpr int kDecimals = 17;
 
 struct Range {
   Rational lower, upper;
@@ -51,7 +50,7 @@ BitsNeeded bits_needed(ExactTrace& exact, const Rational& end) {
     bits.push_back(bits_between(a, b, counters));
     if (bits.back() <= result.most) return;
     result.most = bits.back();
-    result.time = decimal(a, kDecimals, counters);
+    result.time = rational_near(a, counters);
   };
   result.instants = exact.times.size();
   for (std::size_t i = 1; i < exact.times.size(); ++i) add(exact.times[i - 1], exact.times[i]);

@@ -4,7 +4,7 @@
 #define KINEX_EXPERIMENTS_TRADE_BITS_NEEDED_H
 
 #include <cstddef>
-#include <string>
+#include <optional>
 
 #include "experiments/trade/trace.h"
 
@@ -18,7 +18,7 @@ struct BitsNeeded {
   std::size_t pairs = 0;   // of consecutive instants, and of the last one and the end
   long most = 0;           // 0: there are no pairs
   long percentile_99 = 0;  // nearest rank: at most 1 in 100 pairs needs more
-  std::string time;        // decimal: the earlier instant of the pair that needs most
+  std::optional<Rational> time;  // rational_near the earlier instant of the pair that needs most
 };
 
 // Exact, from refined instants; a ratio within 2^-64 of a power of two counts as the larger one.

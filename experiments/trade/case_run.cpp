@@ -20,7 +20,6 @@ namespace kinex::trade {
 
 namespace {
 
-constexpr int kTimeDigits = 17;
 constexpr double kLongEnough = 0.05;   // seconds for all rounds of one arithmetic
 constexpr double kOnceIsEnough = 1;    // seconds of a round that is not repeated
 constexpr double kMeasurable = 20e-6;  // seconds of one round
@@ -34,7 +33,7 @@ SimulatorOptions simulator_options(const TradeOptions& options, std::uint64_t ma
   result.max_events = max_events;
   result.max_seconds = options.max_seconds;
   result.interrupt = options.interrupt;
-  result.progress = [go_on = options.go_on](const Simulator&) { return go_on(); };
+  result.progress = [go_on = options.source.go_on](const Simulator&) { return go_on(); };
   return result;
 }
 
@@ -54,8 +53,8 @@ std::string corruption_of(const Simulator& simulator) {
   return simulator.ledger(id).corruption;
 }
 
-void note_wrong(TradeRun& run, const std::string& time, const std::string& what) {
-  if (!run.first_wrong.empty()) return;
+void note_wrong(TradeRun& run, const Rational& time, const std::string& what) {
+  if (run.first_wrong) return;
   run.first_wrong = time;
   run.violation = what;
 }
@@ -70,12 +69,12 @@ bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& che
   for (const Rational& t : checkpoints) {
     status = simulator.run_until(t);
     if (status != RunStatus::kDone || ledger.corrupt) {
-      note_wrong(run, decimal(t, kTimeDigits), "");
+      note_wrong(run, t, "");
       break;
     }
     const std::string violation = audit_at(simulator, t);
     run.valid += violation.empty() ? 1 : 0;
-    if (!violation.empty()) note_wrong(run, decimal(t, kTimeDigits), violation);
+    if (!violation.empty()) note_wrong(run, t, violation);
   }
   if (status == RunStatus::kDone && !ledger.corrupt) {
     status = simulator.run_until(std::nullopt);  // with the simulator's audit
@@ -83,7 +82,7 @@ bool run_with_checkpoints(Simulator& simulator, const std::vector<Rational>& che
         status == RunStatus::kDone && !ledger.corrupt && ledger.audit_violations == 0;
     run.valid += run.valid_at_end ? 1 : 0;
     if (!run.valid_at_end) {
-      note_wrong(run, decimal(*simulator.scene().end, kTimeDigits),
+      note_wrong(run, *simulator.scene().end,
                  simulator.violations().empty() ? "" : simulator.violations().front());
     }
   }
@@ -146,7 +145,7 @@ std::optional<TradeRun> compared_run(Exact& exact, EventNames& names, const std:
     simulator->set_sink(bits == 0 ? static_cast<EventSink*>(&exact_recorder) : &inexact_recorder);
     if (!run_with_checkpoints(*simulator, exact.checkpoints, budget, run)) return std::nullopt;
   } catch (const Stopped&) {
-    if (!options.go_on()) return std::nullopt;
+    if (!options.source.go_on()) return std::nullopt;
     run.ending = Ending::kGaveUp;
   } catch (const std::exception& error) {
     run.ending = Ending::kThrew;
@@ -180,7 +179,7 @@ bool measure_times(const Scene& scene, std::vector<TradeRun>& runs, const TradeO
       simulator->start();
       const RunStatus status = simulator->run_until(std::nullopt);
       const double seconds = lab::cpu_seconds() - begin;
-      if (status == RunStatus::kInterrupted || !options.go_on()) return false;
+      if (status == RunStatus::kInterrupted || !options.source.go_on()) return false;
       run.seconds = run.seconds ? std::min(*run.seconds, seconds) : seconds;
       total[i] += seconds;
       measured = true;
@@ -256,15 +255,14 @@ std::vector<std::string> CaseResult::faults() const {
     } else if (exact && run.differs) {
       result.push_back(run.arithmetic + " does not give the events of exact");
     } else if (exact && run.ending == Ending::kEnded && run.valid != run.checkpoints) {
-      result.push_back(run.arithmetic + " is wrong at t = " + run.first_wrong + ": " +
-                       run.violation);
+      const std::string when = run.first_wrong ? " at t = " + time_decimal(*run.first_wrong) : "";
+      result.push_back(run.arithmetic + " is wrong" + when + ": " + run.violation);
     }
   }
   return result;
 }
 
-std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& options,
-                                   const std::function<void(const std::string&)>& on_run) {
+std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   CaseResult result;
   result.which = which;
@@ -279,16 +277,15 @@ std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& o
   result.objects = scene.objects.size();
   EventNames names;
   Exact exact;
-  if (on_run) on_run("exact");
   try {
     exact = exact_run(std::move(scene), names, options);
   } catch (const Stopped&) {
-    exact.status = options.go_on() ? RunStatus::kLimit : RunStatus::kInterrupted;
+    exact.status = options.source.go_on() ? RunStatus::kLimit : RunStatus::kInterrupted;
   } catch (const std::exception& error) {
     result.problem = std::string("exact threw: ") + error.what();
     return finish();
   }
-  if (exact.status == RunStatus::kInterrupted || !options.go_on()) return std::nullopt;
+  if (exact.status == RunStatus::kInterrupted || !options.source.go_on()) return std::nullopt;
   if (exact.status == RunStatus::kLimit) {
     result.gave_up = true;
     result.problem = "the exact run takes too long: nothing to compare with";
@@ -297,12 +294,10 @@ std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& o
   result.events = exact.trace.size();
   result.bits = bits_needed(exact.trace, *exact.scene.end);
   for (const std::string& arithmetic : in_order(options.arithmetics)) {
-    if (on_run) on_run(arithmetic);
     std::optional<TradeRun> run = compared_run(exact, names, arithmetic, options);
-    if (!run || !options.go_on()) return std::nullopt;
+    if (!run || !options.source.go_on()) return std::nullopt;
     result.runs.push_back(*std::move(run));
   }
-  if (on_run) on_run("the clock");
   if (!measure_times(exact.scene, result.runs, options)) return std::nullopt;
   return finish();
 }

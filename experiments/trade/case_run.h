@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/sweep/journal.h"
+#include "experiments/sweep/cell_source.h"
 #include "experiments/trade/bits_needed.h"
 #include "experiments/trade/cases.h"
 #include "experiments/trade/deviation.h"
@@ -49,8 +49,8 @@ struct TradeRun {
   // with an independent exact computation; one that was not reached is not valid.
   int checkpoints = 0, valid = 0;
   bool valid_at_end = false;
-  std::string first_wrong;  // decimal time of the first checkpoint that is not valid; empty: none
-  std::string violation;    // the audit's message there
+  std::optional<Rational> first_wrong;  // the first checkpoint that is not valid
+  std::string violation;                // the audit's message there
 
   Standing standing() const;
 };
@@ -84,14 +84,12 @@ struct TradeOptions {
   // An inexact run is endless after events_factor times the exact run's events, plus events_more.
   std::uint64_t events_factor = 4;
   std::uint64_t events_more = 10000;
-  sweep::Journal* journal = nullptr;  // its cells are not run again; new records are added
-  std::function<bool()> go_on = [] { return true; };  // called from all threads
-  const std::atomic<bool>* interrupt = nullptr;       // as in SimulatorOptions
+  sweep::CellSource source;                      // runs cases, or has their records
+  const std::atomic<bool>* interrupt = nullptr;  // as in SimulatorOptions, of runs in this process
 };
 
-// nullopt if go_on returns false. `on_run` is called before each arithmetic is run.
-std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& options,
-                                   const std::function<void(const std::string&)>& on_run);
+// In this process; nullopt if source.go_on returns false.
+std::optional<CaseResult> run_case(const TradeCase& which, const TradeOptions& options);
 
 // The bits needed by the instants of the scene's exact run; nullopt if go_on returns false or the
 // run gave up.

@@ -11,6 +11,7 @@
 #include "experiments/formats/near_names.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/lab/family.h"
+#include "structures/registry.h"
 
 namespace kinex::trade {
 
@@ -49,13 +50,14 @@ void add_case(TradeCatalogue& catalogue, const lab::TradePlan& plan, const std::
 
 void add_plan(TradeCatalogue& catalogue, const lab::TradePlan& plan, lab::Extent extent) {
   const std::size_t size = extent == lab::Extent::kQuick ? 0 : 1;
-  for (const int degree : {1, 2, 3}) {
+  const int largest = find_structure_info(plan.structure)->largest_degree;
+  for (int degree = 1; degree <= std::min(3, largest); ++degree) {
     add_case(catalogue, plan, "uniform-square", plan.uniform[size], degree, degree);
   }
   add_case(catalogue, plan, std::string(plan.worst), plan.worst_n[size], 1, 1);
   add_case(catalogue, plan, "grid", plan.grid[size], 1, 1);
   add_case(catalogue, plan, "near-one-point", plan.near[size], 1, 1);
-  for (const int degree : {1, 2, 3}) {
+  for (int degree = 1; degree <= std::min(3, largest); ++degree) {
     for (const int n : plan.bits[size]) {
       BitsCase one;
       one.structure = plan.structure;
@@ -88,6 +90,20 @@ void add_file(TradeCatalogue& catalogue, const std::string& file) {
   }
 }
 
+[[noreturn]] void refuse(const std::string& name) {
+  if (find_structure_info(name) != nullptr) {
+    throw formats::InputError("trade", "", name + " has no scenes of its own here",
+                              "name a scene that maintains it: kinex explain " + name +
+                                  " has an example");
+  }
+  std::vector<std::string> choices{"all"};
+  for (const lab::TradePlan& plan : plans()) choices.emplace_back(plan.structure);
+  throw formats::InputError(
+      "trade", "", show_text(name) + " is neither a file nor a structure",
+      formats::did_you_mean(name, choices,
+                            "name a scene, or one of kinex list structures, or all"));
+}
+
 bool is_file(const std::string& name) {
   std::error_code error;
   return name == "-" || std::filesystem::exists(name, error);
@@ -110,17 +126,7 @@ TradeCatalogue make_trade_catalogue(const std::vector<std::string>& what, lab::E
       add_plan(catalogue, plan, extent);
     }
     if (known) continue;
-    if (!is_file(name)) {
-      std::string names = "all";
-      std::vector<std::string> choices{"all"};
-      for (const lab::TradePlan& plan : plans()) {
-        names += ", " + std::string(plan.structure);
-        choices.emplace_back(plan.structure);
-      }
-      throw formats::InputError(
-          "trade", "", show_text(name) + " is neither a file nor a structure here",
-          formats::did_you_mean(name, choices, "name a scene, or choose one of " + names));
-    }
+    if (!is_file(name)) refuse(name);
     add_file(catalogue, name);
   }
   return catalogue;

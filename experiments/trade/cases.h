@@ -7,7 +7,7 @@
 //   the structure's worst case, at sizes that its family gives (lab/trade_plan.h)
 //   grid                 integer velocities: simultaneous events
 //   near-one-point       all events within 2^-59: nearly degenerate
-// Expected: `exact` and `sturm` agree and are valid everywhere; the others end.
+// Expected: `exact` and `sturm` agree and are valid everywhere; runs in the others finish.
 #ifndef KINEX_EXPERIMENTS_TRADE_CASES_H
 #define KINEX_EXPERIMENTS_TRADE_CASES_H
 

@@ -16,7 +16,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The largest table for the assignment: beyond it events are matched in order only.
 constexpr std::size_t kMostSteps = 4000000;
 constexpr int kErrorBits = 20;
-constexpr int kDecimals = 17;
 
 using Places = std::vector<std::size_t>;
 
@@ -82,8 +81,7 @@ void find_first(ExactTrace& exact, const InexactTrace& inexact, Deviation& resul
   for (std::size_t k = 0; k < std::max(exact.size(), inexact.size()); ++k) {
     if (k >= exact.size()) {
       result.first = k + 1;
-      const std::optional<Rational>& t = inexact.times[k];
-      result.first_time = t ? decimal(*t, kDecimals) : "";
+      result.first_time = inexact.times[k];
       return;
     }
     if (due.empty()) {
@@ -97,7 +95,7 @@ void find_first(ExactTrace& exact, const InexactTrace& inexact, Deviation& resul
         k < inexact.size() ? std::find(due.begin(), due.end(), inexact.names[k]) : due.end();
     if (found == due.end()) {
       result.first = k + 1;
-      result.first_time = decimal(exact.times[exact.instants[k]], kDecimals, counters);
+      result.first_time = rational_near(exact.times[exact.instants[k]], counters);
       return;
     }
     due.erase(found);

@@ -28,7 +28,9 @@ struct Deviation {
   // first, after all of those before it. 0: none. If a run has ended too early, the index after its
   // last.
   std::uint64_t first = 0;
-  std::string first_time;  // decimal: the time of the due event in the exact run
+  // rational_near the time of the due event in the exact run; past its end, that of the inexact run's
+  // event, nullopt if it is no number.
+  std::optional<Rational> first_time;
   // Of the matched events: |time - exact time|, from instants refined until 20 bits of it are
   // right, rounded up. A time that is no number counts as infinitely wrong.
   double error = 0;       // seconds: the scene's unit of time

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "experiments/trade/report.h"
+#include "experiments/trade/report_text.h"
 #include "experiments/trade/standings.h"
 
 namespace kinex::trade {
@@ -29,21 +29,18 @@ std::string scene_text(const CaseResult& one) {
 std::string matrix(const std::vector<const CaseResult*>& cases,
                    const std::vector<ArithmeticStandings>& arithmetics,
                    const std::function<std::string(const CaseResult&, const TradeRun&)>& cell) {
-  std::string header = "| scene |", line = "| --- |";
-  for (const ArithmeticStandings& one : arithmetics) {
-    header += " " + one.arithmetic + " |";
-    line += " --- |";
-  }
-  std::string text = header + "\n" + line + "\n";
+  lab::Table table;
+  table.header = {"scene"};
+  for (const ArithmeticStandings& one : arithmetics) table.header.push_back(one.arithmetic);
   for (const CaseResult* one : cases) {
-    text += "| " + scene_text(*one) + " |";
+    std::vector<std::string>& row = table.rows.emplace_back();
+    row.push_back(scene_text(*one));
     for (const ArithmeticStandings& arithmetic : arithmetics) {
       const TradeRun* run = one->run_in(arithmetic.arithmetic);
-      text += " " + (run == nullptr ? "-" : cell(*one, *run)) + " |";
+      row.push_back(run == nullptr ? "-" : cell(*one, *run));
     }
-    text += "\n";
   }
-  return text + "\n";
+  return lab::markdown_rows(table) + "\n";
 }
 
 std::string outcome(const CaseResult&, const TradeRun& run) {
@@ -75,10 +72,7 @@ std::string error(const CaseResult&, const TradeRun& run) {
                      short_number(run.deviation.error_ulps, 2));
 }
 
-std::string first(const CaseResult&, const TradeRun& run) {
-  if (run.deviation.first == 0) return "-";
-  return fmt::format("{} at {}", run.deviation.first, short_decimal(run.deviation.first_time));
-}
+std::string first(const CaseResult&, const TradeRun& run) { return first_text(run.deviation); }
 
 std::string cost(const CaseResult& one, const TradeRun& run) {
   const std::optional<double> time = one.time_ratio(run), memory = one.memory_ratio(run);
@@ -89,24 +83,27 @@ std::string cost(const CaseResult& one, const TradeRun& run) {
 }
 
 std::string bits_table(const std::vector<const CaseResult*>& cases) {
-  std::string text =
-      "| scene | log records | instants | bits needed, at most | bits, 99 % of neighbours |\n"
-      "| --- | --- | --- | --- | --- |\n";
+  lab::Table table;
+  table.header = {"scene", "log records", "instants", "bits needed, at most",
+                  "bits, 99 % of neighbours"};
   for (const CaseResult* one : cases) {
     const bool any = one->bits.pairs > 0;
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", scene_text(*one), one->events,
-                        one->bits.instants, any ? std::to_string(one->bits.most) : "-",
-                        any ? std::to_string(one->bits.percentile_99) : "-");
+    table.rows.push_back({scene_text(*one), std::to_string(one->events),
+                          std::to_string(one->bits.instants),
+                          any ? std::to_string(one->bits.most) : "-",
+                          any ? std::to_string(one->bits.percentile_99) : "-"});
   }
-  return text + "\n";
+  return lab::markdown_rows(table) + "\n";
 }
 
 std::string growth_table(const TradeResult& result) {
   if (result.growths.empty()) return "";
-  std::string text =
-      "## Bits needed against n\n\n"
-      "Mean over random scenes of the bits that the closest pair of neighbouring instants needs, "
-      "and the fit.\n\n| structure | family | n: bits | fit |\n| --- | --- | --- | --- |\n";
+  lab::Table table;
+  table.title = "Bits needed against n";
+  table.note =
+      "Mean over random scenes of the bits that the closest pair of neighbouring instants needs, and "
+      "the fit.";
+  table.header = {"structure", "family", "n: bits", "fit"};
   for (const BitsGrowth& growth : result.growths) {
     std::string sizes;
     for (const BitsResult& one : result.bits) {
@@ -114,10 +111,9 @@ std::string growth_table(const TradeResult& result) {
       sizes += fmt::format("{}{}: {:.1f}", sizes.empty() ? "" : ", ", one.which.parameters.n,
                            one.most.mean());
     }
-    text += fmt::format("| {} | {} | {} | {} |\n", growth.structure, growth.family, sizes,
-                        growth_text(*growth.most));
+    table.rows.push_back({growth.structure, growth.family, sizes, growth_text(*growth.most)});
   }
-  return text + "\n";
+  return lab::markdown(table).substr(1) + "\n";
 }
 
 }  // namespace
@@ -138,12 +134,13 @@ std::string trade_markdown(const TradeResult& result, const lab::PageFacts& fact
       "that exact signs cannot reach (guard: repairs or rebuilds did not end). **endless**: "
       "stopped after four times the events of the exact run.\n\n",
       facts.command, lab::provenance(facts.command, facts.build, facts.machine), facts.build.libraries);
-  text += "| arithmetic | same | valid | wrong |\n| --- | --- | --- | --- |\n";
+  lab::Table counts;
+  counts.header = {"arithmetic", "same", "valid", "wrong"};
   for (const ArithmeticStandings& one : arithmetics) {
-    text += fmt::format("| {} | {} | {} | {} |\n", one.arithmetic, one.cases[0], one.cases[1],
-                        one.cases[2]);
+    counts.rows.push_back({one.arithmetic, std::to_string(one.cases[0]),
+                           std::to_string(one.cases[1]), std::to_string(one.cases[2])});
   }
-  text += "\n";
+  text += lab::markdown_rows(counts) + "\n";
   for (const std::string& structure : structures_of(result)) {
     const std::vector<const CaseResult*> cases = cases_of(result, structure);
     text += "## " + structure + "\n\n" + bits_table(cases);

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "experiments/lab/html.h"
+#include "experiments/lab/report.h"
 #include "experiments/trade/runner.h"
 
 namespace kinex::trade {

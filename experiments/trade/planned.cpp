@@ -2,7 +2,6 @@
 #include "experiments/trade/planned.h"
 
 #include <cstdlib>
-#include <stdexcept>
 #include <utility>
 
 #include "experiments/formats/input_error.h"
@@ -51,7 +50,7 @@ sweep::CellReport run_planned_case(const formats::JsonNode& content) {
   for (std::size_t i = 0; i < arithmetics.size(); ++i) {
     options.arithmetics.emplace_back(arithmetics.at(i).string());
   }
-  return report_of(run_case(which, options, nullptr).value());
+  return report_of(run_case(which, options).value());
 }
 
 sweep::CellReport run_planned_bits(const formats::JsonNode& content) {
@@ -61,9 +60,7 @@ sweep::CellReport run_planned_bits(const formats::JsonNode& content) {
   which.workload = one.workload;
   which.parameters = one.parameters;
   which.seeds = content.member("seeds").integer(1, kMostScenes);
-  const auto result = run_bits(which, read_limits(content));
-  if (!result) throw std::runtime_error("the exact run takes too long");
-  return report_of(*result);
+  return report_of(run_bits(which, read_limits(content)));
 }
 
 // Throws InputError for other options.
@@ -81,11 +78,11 @@ TradeOptions options_of(const sweep::Selection& selection) {
   return options;
 }
 
-std::vector<sweep::Cell> cells_of(const sweep::Selection& selection) {
+std::vector<sweep::PlanCell> cells_of(const sweep::Selection& selection) {
   const TradeOptions options = options_of(selection);
   const TradeCatalogue catalogue = make_trade_catalogue(
       selection.names, selection.quick ? lab::Extent::kQuick : lab::Extent::kFull);
-  std::vector<sweep::Cell> cells;
+  std::vector<sweep::PlanCell> cells;
   for (const TradeCase& which : catalogue.cases) {
     if (which.given != nullptr) {
       throw formats::InputError(which.name, "", "a scene of a file is of no plan",
@@ -110,7 +107,7 @@ std::string reason(const sweep::Record& record) {
 
 }  // namespace
 
-sweep::Cell planned(const TradeCase& which, const TradeOptions& options) {
+sweep::PlanCell planned(const TradeCase& which, const TradeOptions& options) {
   std::string text;
   formats::JsonWriter json(text);
   json.begin_object().key(kCase).begin_object().key("structure").string(which.structure);
@@ -128,7 +125,7 @@ sweep::Cell planned(const TradeCase& which, const TradeOptions& options) {
   return sweep::make_cell(which.structure, text, milliseconds(which.cost));
 }
 
-sweep::Cell planned(const BitsCase& which, const TradeOptions& options) {
+sweep::PlanCell planned(const BitsCase& which, const TradeOptions& options) {
   std::string text;
   formats::JsonWriter json(text);
   json.begin_object().key(kBits).begin_object().key("structure").string(which.structure);
@@ -149,8 +146,12 @@ sweep::CellReport report_of(const CaseResult& result) {
   return sweep::report_of(outcome, faults.empty() ? "" : faults.front(), case_fields_of(result));
 }
 
-sweep::CellReport report_of(const BitsResult& result) {
-  return sweep::report_of(sweep::Outcome::kDone, "", bits_fields_of(result));
+sweep::CellReport report_of(const std::optional<BitsResult>& result) {
+  if (result) return sweep::report_of(sweep::Outcome::kDone, "", bits_fields_of(*result));
+  sweep::CellReport report;
+  report.outcome = sweep::Outcome::kLimit;
+  report.message = "the exact run takes too long";
+  return report;
 }
 
 CaseResult result_of(const sweep::Record& record, const TradeCase& which) {

@@ -4,6 +4,7 @@
 #ifndef KINEX_EXPERIMENTS_TRADE_PLANNED_H
 #define KINEX_EXPERIMENTS_TRADE_PLANNED_H
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,12 @@ namespace kinex::trade {
 
 // {"trade": {..}}, {"bits": {..}}: everything that decides the runs. A scene that was given is in
 // it by its hash: such a cell is of no plan, and no other process can run it.
-sweep::Cell planned(const TradeCase& which, const TradeOptions& options);
-sweep::Cell planned(const BitsCase& which, const TradeOptions& options);
+sweep::PlanCell planned(const TradeCase& which, const TradeOptions& options);
+sweep::PlanCell planned(const BitsCase& which, const TradeOptions& options);
 
 // kFailed for faults; kLimit where a run gave up.
 sweep::CellReport report_of(const CaseResult& result);
-sweep::CellReport report_of(const BitsResult& result);
+sweep::CellReport report_of(const std::optional<BitsResult>& result);  // nullopt: kLimit
 
 // Where the record has no result, the problem says why.
 CaseResult result_of(const sweep::Record& record, const TradeCase& which);

@@ -3,166 +3,149 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstdlib>
+#include <utility>
+#include <vector>
 
-#include "experiments/formats/counted.h"
 #include "experiments/lab/scene_command.h"
+#include "experiments/trade/plots.h"
+#include "experiments/trade/report_text.h"
 #include "experiments/trade/standings.h"
 
 namespace kinex::trade {
 
 namespace {
 
-constexpr const char* kRowFormat =
-    "  {:<10} {:>8} {:>8} {:>7} {:>8} {:>8} {:>19} {:>8} {:>8} {:>6}  {}\n";
+using lab::html;
+using lab::Html;
+using lab::HtmlRow;
 
-std::string ratio_text(const std::optional<double>& ratio) {
-  return ratio ? fmt::format("{:.{}f}", *ratio, *ratio < 100 ? 2 : 0) : "-";
+// By standing.
+constexpr lab::Verdict kColours[] = {lab::Verdict::kConfirmed, lab::Verdict::kOpen,
+                                     lab::Verdict::kRefuted};
+
+lab::Verdict colour_of(Standing standing) { return kColours[static_cast<std::size_t>(standing)]; }
+
+std::string id_of(const CaseResult& one) {
+  return lab::anchor_of("case " + one.which.structure + " " + one.which.name);
 }
 
-std::string standing_text(const TradeRun& run) {
-  const std::string since = run.first_wrong.empty() ? "" : short_decimal(run.first_wrong);
-  switch (run.ending) {
-    case Ending::kEnded:
-      break;
-    case Ending::kCorrupt:
-      return fmt::format("CORRUPT{}: {}", run.guard_fired ? ", guard" : "", run.trouble);
-    case Ending::kEndless:
-      return fmt::format("ENDLESS: stopped after {} log records", run.events);
-    case Ending::kGaveUp:
-      return "gave up at the limit of time";
-    case Ending::kThrew:
-      return "THREW: " + run.trouble;
+HtmlRow row_of(const CaseResult& one, const TradeRun& run) {
+  const std::vector<std::string> texts = run_texts(one, run);
+  HtmlRow row;
+  row.cells.assign(texts.begin(), texts.end());
+  row.cells.back() = lab::verdict_mark(colour_of(run.standing()), texts.back(), run.violation);
+  return row;
+}
+
+Html standings_part(const TradeResult& result) {
+  std::vector<HtmlRow> rows;
+  for (const ArithmeticStandings& one : standings_of(result)) {
+    HtmlRow row{{one.arithmetic}};
+    for (std::size_t i = 0; i < one.cases.size(); ++i) {
+      row.cells.push_back(one.cases[i] == 0
+                              ? Html("-")
+                              : lab::verdict_mark(kColours[i], std::to_string(one.cases[i])));
+    }
+    rows.push_back(std::move(row));
   }
-  if (run.differs) return "DIFFERS from exact";
-  switch (run.standing()) {
-    case Standing::kSame:
-      return "same events";
-    case Standing::kValid:
-      return "other events, valid";
-    case Standing::kWrong:
-      return run.valid_at_end ? "WRONG at t = " + since + ", right at the end"
-                              : "WRONG from t = " + since;
+  return lab::html_table({{"arithmetic"},
+                          {"same events", true},
+                          {"other events, valid", true},
+                          {"wrong", true}},
+                         rows) +
+         lab::note_part(
+             "Same events: all events of the exact run, none other, and in an order that agrees with "
+             "the exact instants. Valid: other events, or events in another order, but every audited "
+             "state agrees with an independent exact computation (events at one instant can be "
+             "handled in many ways). Wrong: some state does not, or the run was corrupt or endless.");
+}
+
+Html bits_part(const TradeResult& result) {
+  if (result.bits.empty()) return {};
+  std::vector<HtmlRow> rows;
+  for (const BitsGrowth& growth : result.growths) {
+    rows.push_back({{growth.structure, growth.family, growth_text(*growth.most),
+                     growth.percentile_99 ? growth_text(*growth.percentile_99) : "-"}});
   }
-  return "";
+  return lab::note_part(
+             "To tell two instants a < b apart a number needs ceil(log2(max(|a|, |b|) / (b - a))) + 1 "
+             "significant bits. With fewer the run cannot know which event comes first.") +
+         lab::html_table(
+             {{"structure"}, {"family"}, {"most bits of a scene"}, {"of 99 % of the pairs"}}, rows);
+}
+
+// Every run of every scene in one table, to be filtered and sorted.
+Html all_runs_part(const TradeResult& result) {
+  std::vector<HtmlRow> rows;
+  for (const CaseResult& one : result.cases) {
+    for (const TradeRun& run : one.runs) {
+      HtmlRow row = row_of(one, run);
+      row.cells.insert(row.cells.begin(),
+                       {one.which.structure, html("<a href=\"#{}\">{}</a>", id_of(one), one.which.name),
+                        std::to_string(one.objects)});
+      row.first = &run == &one.runs.front();
+      rows.push_back(std::move(row));
+    }
+  }
+  if (rows.empty()) return {};
+  std::vector<lab::HtmlColumn> columns = lab::html_columns(run_columns());
+  columns.insert(columns.begin(), {{"structure"}, {"scene"}, {"n", true}});
+  return lab::html_table(columns, rows);
+}
+
+// Its runs; scene, commit and commands; folded.
+Html case_part(const CaseResult& one, const lab::PageFacts& facts) {
+  const TradeCase& which = one.which;
+  if (one.runs.empty()) return html("<p id=\"{}\">{}</p>\n", id_of(one), case_heading(one));
+  std::vector<HtmlRow> rows;
+  for (const TradeRun& run : one.runs) rows.push_back(row_of(one, run));
+  Html origin = lab::origin_part(
+      fmt::format("scene {} (SHA-256 {}); ", one.scene_name, one.scene_hash), facts);
+  if (!which.workload.empty()) {
+    origin += lab::commands_part(
+        lab::scene_commands(which.workload, which.parameters, which.structure) +
+        "kinex trade scene.json -o trade");
+  }
+  return html("<details id=\"{}\"><summary>{}</summary>{}{}</details>\n", id_of(one), case_heading(one),
+              lab::html_table(lab::html_columns(run_columns()), rows), origin);
+}
+
+Html cases_part(const TradeResult& result, const lab::PageFacts& facts) {
+  if (result.cases.empty()) return {};
+  Html text = lab::note_part(
+      "Time: CPU time of the whole run, set-up included, best of several rounds in turn; memory: the "
+      "largest number of bytes in motions, certificates, queue and structure. \"-\": the run did not "
+      "reach its end, or is too short to be timed. An event is missed or invented if the two runs have "
+      "it in different numbers; inversions are pairs of events in the wrong order. Errors are those of "
+      "the events that both have.");
+  for (const CaseResult& one : result.cases) text += case_part(one, facts);
+  return text;
 }
 
 }  // namespace
 
-std::string short_number(double value, int digits) {
-  if (std::isinf(value)) return "inf";
-  if (value == 0) return "0";
-  return fmt::format("{:.{}g}", value, digits);
-}
-
-std::string short_decimal(const std::string& decimal) {
-  return decimal.empty() ? "-" : fmt::format("{:.8g}", std::strtod(decimal.c_str(), nullptr));
-}
-
-TradeRow trade_row(const CaseResult& one, const TradeRun& run) {
-  const Deviation& deviation = run.deviation;
-  TradeRow row;
-  row.arithmetic = run.arithmetic;
-  row.time = ratio_text(one.time_ratio(run));
-  row.memory = ratio_text(one.memory_ratio(run));
-  row.missed = std::to_string(deviation.missed);
-  row.invented = std::to_string(deviation.invented);
-  row.inversions = std::to_string(deviation.inversions);
-  row.first = deviation.first == 0
-                  ? "-"
-                  : fmt::format("{} at {}", deviation.first, short_decimal(deviation.first_time));
-  row.error = short_number(deviation.error, 2);
-  row.ulps = short_number(deviation.error_ulps, 2);
-  row.state = fmt::format("{}/{}", run.valid, run.checkpoints);
-  row.standing = standing_text(run);
-  return row;
-}
-
-std::string bits_sentence(const BitsNeeded& bits) {
-  if (bits.pairs == 0) return "needs no bits: nothing has to be told apart";
-  return fmt::format("needs {} bits (99 %: {})", bits.most, bits.percentile_99);
-}
-
-std::string case_heading(const CaseResult& one) {
-  const std::string what =
-      fmt::format("{}, {}, n = {}", one.which.structure, one.which.name, one.objects);
-  if (!one.problem.empty()) return what + ": " + one.problem;
-  return fmt::format("{}: {} at {}; {}", what, formats::counted(one.events, "log record", "log records"),
-                     formats::counted(one.bits.instants, "instant", "instants"), bits_sentence(one.bits));
-}
-
-std::string growth_text(const lab::Fit& fit) {
-  return fmt::format("bits = {:.2f} log2(n) {} {:.1f}, slope 95 % in [{:.2f}, {:.2f}]", fit.b,
-                     fit.a < 1 ? "-" : "+", std::fabs(std::log2(fit.a)), fit.lower, fit.upper);
-}
-
-std::string table_of(const CaseResult& one) {
-  std::string text = case_heading(one) + "\n";
-  if (one.runs.empty()) return text + "\n";
-  text += fmt::format(fmt::runtime(kRowFormat), "arithmetic", "time/dbl", "mem/dbl", "missed",
-                      "invented", "inverted", "first difference", "error/s", "ulps", "valid",
-                      "outcome");
-  for (const TradeRun& run : one.runs) {
-    const TradeRow row = trade_row(one, run);
-    text += fmt::format(fmt::runtime(kRowFormat), row.arithmetic, row.time, row.memory, row.missed,
-                        row.invented, row.inversions, row.first, row.error, row.ulps, row.state,
-                        row.standing);
+lab::Report trade_report(const TradeResult& result, const lab::PageFacts& facts) {
+  lab::Report report;
+  report.title = "kinex trade";
+  report.verdict = verdict_line(result, facts.seconds);
+  report.good = result.faults().empty();
+  report.interrupted = result.interrupted;
+  for (const std::string& fault : result.faults()) {
+    report.lead += html("<p class=\"v text FAIL\">{}</p>\n", fault);
   }
-  return text + "\n";
-}
-
-std::string bits_header() {
-  return fmt::format("{:<18} {:<26} {:>6} {:>6} {:>10} {:>12} {:>12}\n", "bits needed", "family",
-                     "n", "scenes", "instants", "at most", "99 %");
-}
-
-std::string table_row(const BitsResult& one) {
-  const auto mean = [](const lab::RunningMean& m) {
-    return m.count() == 0 ? "-" : fmt::format("{:.1f} +- {:.1f}", m.mean(), m.standard_error());
-  };
-  return fmt::format("{:<18} {:<26} {:>6} {:>6} {:>10.0f} {:>12} {:>12}\n", one.which.structure,
-                     one.which.family, one.which.parameters.n, one.which.seeds, one.instants.mean(),
-                     mean(one.most), mean(one.percentile_99));
-}
-
-std::string table_row(const BitsGrowth& growth) {
-  std::string text =
-      fmt::format("{:<18} {:<26} {}", growth.structure, growth.family, growth_text(*growth.most));
-  if (growth.percentile_99) text += fmt::format("; 99 %: {:.2f}", growth.percentile_99->b);
-  return text + "\n";
-}
-
-std::string verdict_line(const TradeResult& result, double seconds) {
-  std::string always, sometimes;
-  for (const ArithmeticStandings& one : standings_of(result)) {
-    const int right = one.cases[0] + one.cases[1], all = right + one.cases[2];
-    if (right == all) {
-      always += (always.empty() ? "" : ", ") + one.arithmetic;
-    } else {
-      sometimes +=
-          fmt::format("{}{} in {}", sometimes.empty() ? "; " : ", ", one.arithmetic, right);
-    }
-  }
-  std::string text = fmt::format("{}: {} right in all of them{}",
-                                 formats::counted(result.cases.size(), "scene", "scenes"),
-                                 always.empty() ? "none" : always, sometimes);
-  const std::size_t faults = result.faults().size();
-  if (faults > 0) text += "; " + formats::counted(faults, "fault", "faults");
-  if (result.interrupted) text += "; interrupted";
-  return text + "; " + lab::duration_text(seconds);
-}
-
-std::string closing_lines(const TradeResult& result) {
-  std::string text =
-      fmt::format("{}; same events / other events, valid / wrong:\n",
-                  formats::counted(result.cases.size(), "case", "cases"));
-  for (const ArithmeticStandings& one : standings_of(result)) {
-    text += fmt::format("  {:<10} {:>3} / {} / {}\n", one.arithmetic, one.cases[0], one.cases[1],
-                        one.cases[2]);
-  }
-  for (const std::string& fault : result.faults()) text += "FAIL " + fault + "\n";
-  return text;
+  report.question =
+      "What is gained and what is lost when a run is not exact? Every run is compared with the exact "
+      "one, event by event, and its states are audited exactly.";
+  report.figures = trade_figures(result);
+  report.before = {{"standings",
+                    result.cases.size() == 1
+                         ? std::string("Was each right on the scene?")
+                         : fmt::format("In how many of the {} scenes was each right?", result.cases.size()),
+                    standings_part(result)}};
+  report.after = {{"bits", "Bits needed", bits_part(result)},
+                  {"runs", "All runs", all_runs_part(result)},
+                  {"scenes", "All scenes", cases_part(result, facts)}};
+  return report;
 }
 
 }  // namespace kinex::trade

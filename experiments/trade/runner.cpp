@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/trade/runner.h"
 
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -18,22 +17,27 @@ std::string describe(const TradeCase& which) {
   return which.structure + ", " + which.name + ", n = " + std::to_string(which.parameters.n);
 }
 
-// As `run`, except that a cell of the journal is not run again.
-template <class Result, class Which, class Run>
-std::optional<Result> find_or_run(const sweep::Cell& key, const Which& which,
-                                  const TradeOptions& options, const Run& run) {
-  if (options.journal != nullptr) {
-    if (const sweep::Record* record = options.journal->find(key.key)) {
-      return result_of(*record, which);
-    }
-  }
-  const auto begin = std::chrono::steady_clock::now();
-  std::optional<Result> result = run();
-  if (result && options.journal != nullptr) {
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    options.journal->add(sweep::record_of(key, report_of(*result), seconds.count()));
-  }
-  return result;
+// From its record. A scene of a file is run here: its cell is of no plan.
+std::optional<CaseResult> recorded_case(const TradeCase& which, const TradeOptions& options) {
+  sweep::CellSource source = options.source;
+  if (which.given != nullptr) source.program.clear();
+  const auto record =
+      source.record_of(planned(which, options), [&]() -> std::optional<sweep::CellReport> {
+        const std::optional<CaseResult> result = run_case(which, options);
+        if (!result) return std::nullopt;
+        return report_of(*result);
+      });
+  if (!record) return std::nullopt;
+  return result_of(*record, which);
+}
+
+std::optional<BitsResult> recorded_bits(const BitsCase& which, const TradeOptions& options) {
+  const auto record = options.source.record_of(
+      planned(which, options), [&]() -> std::optional<sweep::CellReport> {
+        return report_of(run_bits(which, options));  // after an interruption nothing is recorded
+      });
+  if (!record) return std::nullopt;
+  return result_of(*record, which);
 }
 
 std::optional<lab::Fit> fit(const std::vector<const BitsResult*>& family,
@@ -60,7 +64,7 @@ std::optional<BitsResult> run_bits(const BitsCase& which, const TradeOptions& op
   one.workload = which.workload;
   one.parameters = which.parameters;
   for (int k = 0; k < which.seeds; ++k) {
-    if (!options.go_on()) return std::nullopt;
+    if (!options.source.go_on()) return std::nullopt;
     const std::optional<BitsNeeded> bits = bits_of_scene(one.scene(), options);
     if (!bits) return std::nullopt;
     ++one.parameters.seed;
@@ -117,11 +121,8 @@ TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& optio
       count, options.jobs,
       [&](std::size_t i) {
         const TradeCase& which = catalogue.cases[i];
-        return find_or_run<CaseResult>(planned(which, options), which, options, [&] {
-          return run_case(which, options, [&](const std::string& arithmetic) {
-            if (watch.on_work) watch.on_work(i, describe(which) + ": " + arithmetic);
-          });
-        });
+        if (watch.on_work) watch.on_work(i, describe(which));
+        return recorded_case(which, options);
       },
       [&](std::size_t i, const CaseResult& one) {
         if (watch.on_finished) watch.on_finished(i);
@@ -138,8 +139,7 @@ TradeResult run_trade(const TradeCatalogue& catalogue, const TradeOptions& optio
           watch.on_work(count + i, which.structure + ", bits, " + which.family +
                                        ", n = " + std::to_string(which.parameters.n));
         }
-        return find_or_run<BitsResult>(planned(which, options), which, options,
-                                       [&] { return run_bits(which, options); });
+        return recorded_bits(which, options);
       },
       [&](std::size_t i, const BitsResult& one) {
         if (watch.on_finished) watch.on_finished(count + i);

@@ -7,6 +7,15 @@
 
 namespace kinex::trade {
 
+namespace {
+
+constexpr int kDecimals = 17;
+constexpr long kTraceBits = 60;  // 2^-60 < 10^-kDecimals / 8
+
+Integer floor_of(const Rational& x) { return floor_divide(x.numerator(), x.denominator()); }
+
+}  // namespace
+
 std::uint32_t EventNames::number(const Event& event) {
   Name name{};
   name[0] = event.kind;
@@ -41,6 +50,28 @@ bool equal(ExactTrace& a, ExactTrace& b) {
     if (compare(a.times[i], b.times[i], counters) != 0) return false;
   }
   return true;
+}
+
+Rational rational_near(RealRoot& instant, RootCounters& counters) {
+  const Rational scale(power(Integer(10), kDecimals));
+  instant.refine_to(kTraceBits, counters);
+  while (!instant.is_rational()) {
+    const Integer high = floor_of(instant.upper() * scale);
+    // Between two multiples of 10^-kDecimals all numbers have the same decimals.
+    if (floor_of(instant.lower() * scale) == high) {
+      return (instant.lower() + instant.upper()) / Rational(2);
+    }
+    if (compare(instant, Rational(high) / scale, counters) == 0) return Rational(high) / scale;
+    instant.refine(counters);
+  }
+  return instant.value();
+}
+
+std::string time_decimal(const Rational& time) { return decimal(time, kDecimals); }
+
+std::optional<std::string> time_decimal(const std::optional<Rational>& time) {
+  if (!time) return std::nullopt;
+  return time_decimal(*time);
 }
 
 }  // namespace kinex::trade

@@ -72,6 +72,13 @@ class InexactRecorder final : public EventSink {
 // True if events, order and instants are exactly the same. May refine the instants.
 bool equal(ExactTrace& a, ExactTrace& b);
 
+// A rational number with the same decimals as the instant, as many as time_decimal writes: the
+// instant itself if it is rational. May refine the instant.
+Rational rational_near(RealRoot& instant, RootCounters& counters);
+// With 17 decimals, rounded towards zero: "0.26376261582597332".
+std::string time_decimal(const Rational& time);
+std::optional<std::string> time_decimal(const std::optional<Rational>& time);
+
 }  // namespace kinex::trade
 
 #endif

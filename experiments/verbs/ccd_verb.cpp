@@ -19,14 +19,14 @@ namespace kinex::verbs {
 
 namespace {
 
-struct Options {
+struct CcdOptions {
   std::vector<std::string> files;
   std::string kind;
   bool json = false;
   bool tally = false;
 };
 
-ContactKind kind_of(const Options& options, const std::string& file) {
+ContactKind kind_of(const CcdOptions& options, const std::string& file) {
   if (!options.kind.empty()) {
     const std::optional<ContactKind> kind = formats::find_contact_kind(options.kind);
     if (kind) return *kind;
@@ -41,8 +41,8 @@ ContactKind kind_of(const Options& options, const std::string& file) {
 }
 
 // Returns false if it was interrupted.
-bool answer_file(const Options& options, const std::string& file, const InterruptGuard& interrupt,
-                 formats::ContactTally& tally) {
+bool answer_file(const CcdOptions& options, const std::string& file, const InterruptGuard& interrupt,
+                 const Voice& voice, formats::ContactTally& tally) {
   constexpr std::size_t kFlush = 1 << 16;
   const ContactKind kind = kind_of(options, file);
   Deadline deadline(0, &interrupt.flag());
@@ -56,7 +56,7 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
   ContactCounters counters;
   counters.roots.deadline = &deadline;
   constexpr std::size_t kEvery = 64;  // queries: the clock is not read at each
-  lab::Progress progress;
+  lab::Progress progress(!voice.quiet);
   std::string text;
   for (const formats::FileQuery& one : queries.queries) {
     if (interrupt.interrupted()) break;
@@ -92,16 +92,19 @@ bool answer_file(const Options& options, const std::string& file, const Interrup
                        : formats::tally_text(tally, file, kind, queries.has_truth);
   progress.wipe();
   print(text);
+  voice.detail(file + ": in doubles " + std::to_string(counters.at_once) + " at once, " +
+               std::to_string(counters.subdivided) + " after [0, 1] was cut; exactly " +
+               std::to_string(counters.exact));
   return tally.queries == queries.queries.size();
 }
 
-void answer_files(const Options& options, const Voice& voice, int& exit_code) {
+void answer_files(const CcdOptions& options, const Voice& voice, int& exit_code) {
   for (const std::string& file : options.files) kind_of(options, file);
   InterruptGuard interrupt;
   bool differs = false;
   for (const std::string& file : options.files) {
     formats::ContactTally tally;
-    const bool finished = answer_file(options, file, interrupt, tally);
+    const bool finished = answer_file(options, file, interrupt, voice, tally);
     differs = differs || tally.differs();
     if (finished) continue;
     voice.error("interrupted; the tally is that of the first " +
@@ -115,7 +118,7 @@ void answer_files(const Options& options, const Voice& voice, int& exit_code) {
 }  // namespace
 
 void add_ccd_verb(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CcdOptions>();
   CLI::App* verb = app.add_subcommand(
       "ccd", "Continuous collision detection: exact answers and first times of contact");
   verb->add_option(
@@ -129,6 +132,8 @@ void add_ccd_verb(CLI::App& app, int& exit_code) {
   verb->add_flag("--tally", options->tally,
                  "Print only the numbers of contacts and of answers that differ");
   verb->add_flag("--json", options->json, "Print one JSON object per query, and one per file");
+  add_voice(*verb, "Print the answers and errors",
+            "Count the answers by the stage that found them, on standard error");
   verb->footer(
       "Touching is contact, also at t = 0 and t = 1; a triangle or an edge may be degenerate.\n"
       "A first time that is not rational is printed as the root of a polynomial.\n"

@@ -15,6 +15,7 @@
 #include "experiments/formats/model_text.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
@@ -112,19 +113,41 @@ void report_log(const formats::LogVerdict& verdict, const CheckOptions& options,
 }
 
 // The file beside the log with the name of its scene, if that is the scene.
-std::optional<Scene> scene_beside(const std::string& text, const std::string& path) {
+std::optional<Scene> scene_beside(const std::string& text, const std::string& path,
+                                  const Voice& voice) {
   const formats::LogHeader header = formats::LogReader(text, path).header();
   if (path == "-" || header.scene.find('/') != std::string::npos) return std::nullopt;
   const std::filesystem::path file =
       std::filesystem::path(path).parent_path() / (header.scene + ".json");
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    voice.detail("without the scene: there is no " + file.string());
+    return std::nullopt;
+  }
   try {
     Scene scene = formats::read_scene(file.string());
-    if (formats::scene_hash(scene) == header.scene_hash) return scene;
-  } catch (const formats::InputError&) {
+    if (formats::scene_hash(scene) == header.scene_hash) {
+      voice.detail("with the scene " + file.string());
+      return scene;
+    }
+    voice.detail("without the scene: " + file.string() + " has another hash");
+  } catch (const formats::InputError& problem) {
+    voice.detail("without the scene: " + std::string(problem.what()));
   }
   return std::nullopt;
+}
+
+// The model of its run, as kinex run --explain prints it.
+void tell_model(const Scene& scene, const Voice& voice) {
+  if (!voice.verbose) return;
+  if (scene.maintain.empty()) {
+    voice.detail("nothing is to be maintained");
+    return;
+  }
+  const auto planned = lab::make_simulator(scene, "exact", {});
+  const std::string text = formats::explain_model(scene, *planned);
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
+    voice.detail(text.substr(at, text.find('\n', at) - at));
 }
 
 void check(const CheckOptions& options, const Voice& voice, int& exit_code) {
@@ -132,7 +155,7 @@ void check(const CheckOptions& options, const Voice& voice, int& exit_code) {
   if (formats::looks_like_log(text)) {
     std::optional<Scene> scene;
     if (options.scene.empty()) {
-      scene = scene_beside(text, options.file);
+      scene = scene_beside(text, options.file, voice);
     } else {
       scene = formats::read_scene(options.scene);
     }
@@ -152,6 +175,7 @@ void check(const CheckOptions& options, const Voice& voice, int& exit_code) {
   } else {
     voice.report(formats::describe_model(scene, formats::scene_hash(scene)) + "valid\n");
   }
+  tell_model(scene, voice);
 }
 
 }  // namespace
@@ -164,6 +188,9 @@ void add_check_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--scene", options->scene,
                    "The scene of the log (default: NAME.json next to the log, if its hash agrees)");
   verb->add_flag("--json", options->json, "Print one JSON object instead");
+  add_voice(*verb, "Print nothing but errors: the exit code tells whether all is well",
+            "Of a scene: the model of its run; of a log: which scene it was checked with; on standard "
+            "error");
   verb->footer(
       "Of a log it checks every member, the digest and the seal (level 0) and, by Sturm's "
       "theorem,\n"

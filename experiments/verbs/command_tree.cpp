@@ -8,6 +8,7 @@
 #include "experiments/lab/workload.h"
 #include "experiments/reproduce/papers.h"
 #include "experiments/verbs/experiments.h"
+#include "experiments/verify/catalogue.h"
 #include "structures/registry.h"
 
 namespace kinex::verbs {
@@ -34,6 +35,9 @@ CommandValue value_of(std::string_view name, std::string_view type) {
     value = {structures(), name == "WHAT"};
     for (const std::string_view group : structure_groups()) {
       if (!group.empty()) value.words.emplace_back(group);
+    }
+    if (name == "STRUCTURE") {
+      for (const std::string_view family : verify::family_names()) value.words.emplace_back(family);
     }
     value.words.emplace_back("all");
   } else if (name == "WORKLOAD") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex diff: the first difference of two runs, and the amount of disagreement.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -24,9 +25,23 @@ struct DiffOptions {
   bool json = false;
 };
 
-std::string place(const std::string& file, std::size_t line, const std::string& text) {
+// "  a.log:13:  12  0.333  1/3  sorted_list  swap  ..", with places as wide as `width`.
+std::string row(const std::string& file, std::size_t line, const std::string& text,
+                std::size_t width) {
   if (line == 0) return "  " + file + ": has ended\n";
-  return "  " + file + ":" + std::to_string(line) + ": " + text + "\n";
+  std::string place = file + ":" + std::to_string(line) + ":";
+  place.resize(std::max(place.size(), width), ' ');
+  return "  " + place + "  " + text + "\n";
+}
+
+std::string rows(const formats::LogDifference& difference, const DiffOptions& options) {
+  std::size_t width = 0;
+  for (const auto& [file, line] :
+       {std::pair(options.a, difference.line_a), {options.b, difference.line_b}}) {
+    if (line != 0) width = std::max(width, file.size() + std::to_string(line).size() + 2);
+  }
+  return row(options.a, difference.line_a, difference.row_a, width) +
+         row(options.b, difference.line_b, difference.row_b, width);
 }
 
 std::string listed(const std::vector<std::string>& labels) {
@@ -54,14 +69,17 @@ std::string plain_text(const formats::LogDifference& difference, const DiffOptio
        {std::pair(options.a, difference.only_a), {options.b, difference.only_b}}) {
     if (!only.empty()) text += "only in " + file + ", not compared: " + listed(only) + "\n";
   }
+  for (const formats::OtherLabel& one : difference.other_labels) {
+    text += one.label_a + " of " + options.a + " is compared with " + one.label_b + " of " +
+            options.b + "\n";
+  }
   const std::string how = "; " + std::string(instants_text(difference.instants)) + "\n";
   if (difference.equal()) {
     return text + "equal: " + formats::counted(difference.events_a, "event", "events") + how;
   }
   if (difference.first != 0) {
     text += "first difference at event " + std::to_string(difference.first) + "\n";
-    text += place(options.a, difference.line_a, difference.text_a);
-    text += place(options.b, difference.line_b, difference.text_b);
+    text += rows(difference, options);
   }
   text += std::to_string(difference.events_a) + " and " +
           formats::counted(difference.events_b, "event", "events") + ": " +
@@ -118,6 +136,12 @@ void diff(const DiffOptions& options, const Voice& voice, int& exit_code) {
   const std::string a = formats::read_text_file(options.a);
   const std::string b = formats::read_text_file(options.b);
   const formats::LogDifference difference = formats::diff_logs(a, options.a, b, options.b);
+  for (const formats::KindDifference& one : difference.kinds) {
+    voice.detail(one.structure + " " + one.kind + ": " + std::to_string(one.events_a) + " and " +
+                 formats::counted(one.events_b, "event", "events") + ", " +
+                 std::to_string(one.missing) + " missing, " + std::to_string(one.invented) +
+                 " invented");
+  }
   if (options.json) {
     print(json_text(difference));
   } else {
@@ -134,9 +158,12 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
   verb->add_option("LOG", options->a, "The log to compare with")->required();
   verb->add_option("OTHER", options->b, "The log that may miss or invent events")->required();
   verb->add_flag("--json", options->json, "Print one JSON object");
+  add_voice(*verb, "Print nothing: the exit code tells whether they differ",
+            "Count the differences of every kind of event, on standard error");
   verb->footer(
       "Exit code 0: equal, 1: different. Compared are the events, external and internal, of the\n"
-      "structures that both logs have; instants between two exact logs only, as numbers.\n"
+      "structures that both logs have, whatever their labels; instants between two exact logs only,\n"
+      "as numbers.\n"
       "Example:\n  kinex diff exact.log double.log");
   verb->callback([options, verb, &exit_code] { diff(*options, voice_of(*verb), exit_code); });
 }

@@ -2,11 +2,14 @@
 #include "experiments/verbs/experiments.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <system_error>
 
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/near_names.h"
 #include "experiments/reproduce/planned.h"
 #include "experiments/trade/planned.h"
+#include "experiments/verbs/option_values.h"
 #include "experiments/verify/planned.h"
 
 namespace kinex::verbs {
@@ -24,8 +27,8 @@ const sweep::Experiments& experiments() {
 
 void PlanWords::add_options(CLI::App& verb) {
   verb.add_option("PLAN", words,
-                  "A plan's file, - is standard input; or an experiment, and names of it: "
-                  "verify delaunay_2");
+                  "A plan's file, - is standard input; or an experiment, and names of it: verify " +
+                      example_structure(2));
   verb.add_flag("--quick", quick, "Of an experiment: smaller sizes");
   verb.add_option("--seeds", seeds, "Of verify: so many scenes")->expected(1);
   verb.add_option("--arithmetic", arithmetics, "Of trade: these, beside exact and double")
@@ -54,13 +57,20 @@ sweep::Plan PlanWords::plan() const {
     if (!arithmetics.empty()) selection.options["arithmetic"] = arithmetics;
     return sweep::plan_of(selection, experiments());
   }
+  std::vector<std::string> known;
+  for (const sweep::Experiment& one : experiments().all) known.push_back(one.name);
   if (words.size() > 1 || quick || !seeds.empty() || !arithmetics.empty()) {
-    std::vector<std::string> known;
-    for (const sweep::Experiment& one : experiments().all) known.push_back(one.name);
     throw formats::InputError(
         "PLAN", "", show_text(words.front()) + " is not an experiment",
         formats::did_you_mean(words.front(), known,
                               "write a plan's file alone; kinex sweep list names the experiments"));
+  }
+  std::error_code error;
+  if (words.front() != "-" && !std::filesystem::exists(words.front(), error)) {
+    throw formats::InputError(
+        "PLAN", "", show_text(words.front()) + " is neither a file nor an experiment",
+        formats::did_you_mean(words.front(), known,
+                              "write a plan's file; kinex sweep list names the experiments"));
   }
   return sweep::read_plan(words.front(), experiments());
 }

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/model_text.h"
 #include "experiments/formats/near_names.h"
 #include "experiments/lab/explanation.h"
+#include "experiments/lab/scene_run.h"
 #include "experiments/reproduce/papers.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -63,8 +65,26 @@ std::vector<std::string> known_names() {
   return names;
 }
 
-lab::Explanation explanation_of(const std::string& name) {
-  if (const StructureInfo* structure = find_structure_info(name)) return lab::explain(*structure);
+// The model of a run of the example scene, as kinex run --explain prints it.
+void add_model(const StructureInfo& structure, lab::Explanation& explanation) {
+  const lab::ExampleScene example = lab::example_scene(structure);
+  if (example.workload == nullptr) return;
+  const Scene scene =
+      lab::generate_scene(example.workload->name, example.parameters, structure.name);
+  const std::string text =
+      formats::explain_model(scene, *lab::make_simulator(scene, "exact", SimulatorOptions{}));
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
+    lines.push_back(text.substr(at, text.find('\n', at) - at));
+  explanation.parts.emplace_back("its model", std::move(lines));
+}
+
+lab::Explanation explanation_of(const std::string& name, const Voice& voice) {
+  if (const StructureInfo* structure = find_structure_info(name)) {
+    lab::Explanation result = lab::explain(*structure);
+    if (voice.verbose) add_model(*structure, result);
+    return result;
+  }
   for (const std::string_view group : structure_groups()) {
     if (group == name) return explain_group(group);
   }
@@ -80,6 +100,7 @@ lab::Explanation explanation_of(const std::string& name) {
 }
 
 std::string text_of(const lab::Explanation& explanation, const Voice& voice) {
+  if (voice.quiet) return explanation.summary + "\n";
   std::string text = voice.heading(explanation.name) + "  " + explanation.summary + "\n\n";
   for (const auto& [heading, lines] : explanation.parts) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -98,14 +119,20 @@ void add_explain_verb(CLI::App& app, int&) {
   CLI::App* verb =
       app.add_subcommand("explain", "Explains a structure, workload, paper or arithmetic");
   verb->add_option("NAME", *name, "As kinex list gives it")->required();
+  add_voice(*verb, "Print the summary alone",
+            "Of a structure: print the model of a run of the example, too");
   verb->footer(
       "Of a structure: what it maintains and for which scenes, its certificates with their "
       "degrees\n"
       "(d is that of the motions), events, ties, hard bounds with sources and their values in a "
       "run\n"
       "of the example scene, what kinex verify expects of it, and example commands.\n"
-      "Example:\n  kinex explain delaunay_2\n  kinex explain uniform-square");
-  verb->callback([name, verb] { print(text_of(explanation_of(*name), voice_of(*verb))); });
+      "Example:\n  kinex explain " +
+      example_structure(2) + "\n  kinex explain uniform-square");
+  verb->callback([name, verb] {
+    const Voice voice = voice_of(*verb);
+    print(text_of(explanation_of(*name, voice), voice));
+  });
 }
 
 }  // namespace kinex::verbs

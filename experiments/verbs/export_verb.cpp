@@ -67,6 +67,8 @@ void export_scene(const ExportOptions& options, const Voice& voice) {
     note += ", exactly";
   }
   voice.note(note);
+  voice.detail("t = 0 is " + options.time_zero + "; " +
+               formats::counted(features.text.size(), "byte", "bytes"));
 }
 
 }  // namespace
@@ -86,6 +88,8 @@ void add_export_verb(CLI::App& app, int&) {
       "Motions of higher degree become straight lines that are this near on every axis (1e-9)");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
+  add_voice(*verb, "Print the file and errors, no counts",
+            "Name the date of t = 0 and the size, on standard error");
   verb->footer(
       "Linear motions with decimals are written as they are: kinex import gives the same scene "
       "again.\n"

@@ -12,6 +12,7 @@
 #include "experiments/formats/near_names.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
+#include "experiments/lab/explanation.h"
 #include "experiments/lab/workload.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -79,19 +80,39 @@ void check_bodies(const Scene& scene, const lab::Workload& workload) {
   }
 }
 
+// Structures are no workloads, but easily taken for them.
+[[noreturn]] void refuse(const std::string& name) {
+  std::vector<std::string> known, structures;
+  for (const lab::Workload& one : lab::workloads()) known.emplace_back(one.name);
+  for (const StructureInfo& info : structure_infos()) structures.emplace_back(info.name);
+  const std::string problem = show_text(name) + " is not a workload";
+  std::vector<std::string> meant;
+  if (find_structure_info(name) != nullptr) {
+    meant = {name};
+  } else if (formats::near_names(name, known).empty()) {
+    meant = formats::near_names(name, structures);
+  }
+  if (!meant.empty()) {
+    const lab::ExampleScene example = lab::example_scene(*find_structure_info(meant.front()));
+    if (example.workload != nullptr) {
+      throw formats::InputError("gen", "",
+                                problem + "; " + meant.front() + " is a structure",
+                                "write kinex gen " + std::string(example.workload->name) +
+                                    " --maintain " + meant.front());
+    }
+  }
+  throw formats::InputError(
+      "gen", "", problem,
+      formats::did_you_mean(name, known, "kinex list workloads names them"));
+}
+
 void generate(const GenOptions& options, const Voice& voice) {
   if (options.list) {
     print(listed());
     return;
   }
   const lab::Workload* workload = lab::find_workload(options.workload);
-  if (workload == nullptr) {
-    std::vector<std::string> known;
-    for (const lab::Workload& one : lab::workloads()) known.emplace_back(one.name);
-    throw formats::InputError(
-        "gen", "", show_text(options.workload) + " is not a workload",
-        formats::did_you_mean(options.workload, known, "kinex list workloads names them"));
-  }
+  if (workload == nullptr) refuse(options.workload);
   Scene scene = lab::generate_scene(*workload, parameters_of(options, *workload));
   if (!options.name.empty()) scene.name = name_option(options.name);
   for (const StructureInfo& info : structure_infos()) {
@@ -129,6 +150,8 @@ void add_gen_verb(CLI::App& app, int&) {
   verb->add_option("--name", options->name, "Name of the scene");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
+  add_voice(*verb, "Print the scene and errors",
+            "Name the scene, its size and its hash, on standard error");
   verb->footer("Families:\n" + listed() +
                "\nExample:\n  kinex gen uniform-square --n 100 --seed 7 -o square.json");
   verb->callback([options, verb] {

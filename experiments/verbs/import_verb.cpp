@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/time_text.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/csv_import.h"
 #include "experiments/formats/file_io.h"
@@ -144,6 +145,11 @@ void import_file(const ImportVerbOptions& options, const Voice& voice) {
       ", " + formats::counted(scene.objects.size(), "object", "objects"));
   if (!report.time_zero.empty()) voice.note("t is in seconds, 0 is " + report.time_zero);
   for (const std::string& note : report.notes) voice.note(note);
+  for (const std::string& detail : report.details) voice.detail(detail);
+  voice.detail(scene.name + ": " + std::to_string(scene.dimension) +
+               (scene.dimension == 1 ? " axis" : " axes") + ", t from " + time_text(scene.start) +
+               (scene.end ? " to " + time_text(*scene.end) : " on") + ", hash " +
+               formats::scene_hash(scene));
   if (report.ignored_columns > 0) {
     voice.note(formats::counted(report.ignored_columns, "column was", "columns were") + " ignored");
   }
@@ -208,16 +214,21 @@ void add_import_verb(CLI::App& app, int&) {
   verb->add_option("--name", options->name, "Name of the scene (the file's)");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
+  add_voice(*verb, "Print the scene and errors, no counts",
+            "Name the columns, the time and the hash of the scene, on standard error");
   verb->footer(
       "Times are numbers, or dates as 2024-05-01T12:30:05Z (ISO 8601): t is then in seconds.\n"
       "Example:\n"
-      "  kinex import storms.csv --maintain sorted_list:x -o storms.json\n"
+      "  kinex import storms.csv --maintain " +
+      example_structure(1) +
+      ":x -o storms.json\n"
       "  kinex import ships.csv --polygons hulls.csv --bearing heading -o harbour.json\n"
       "  kinex import tracks.csv --column id=trackId --column t=time --ignore-columns -o "
       "tracks.json\n"
       "  kinex import tram.mfjson --local 13.4,52.5 -o tram.json\n"
       "  kinex import stars.csv --fixed Sun,0,0,0 -o stars.json --maintain \\\n"
-      "    '{\"structure\": \"minimum_tournament\", \"key\": {\"squared_distance_to\": \"Sun\"}}'");
+      "    '{\"structure\": \"" +
+      example_structure(1) + "\", \"key\": {\"squared_distance_to\": \"Sun\"}}'");
   verb->callback([options, verb] { import_file(*options, voice_of(*verb)); });
 }
 

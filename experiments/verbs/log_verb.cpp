@@ -7,6 +7,7 @@
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/file_io.h"
+#include "experiments/formats/log_scene.h"
 #include "experiments/formats/log_table.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -18,7 +19,7 @@ namespace {
 
 struct LogOptions {
   std::string file, output;
-  std::vector<std::string> filters;
+  std::vector<std::string> filters, columns;
   bool table = false, csv = false, force = false;
 };
 
@@ -30,8 +31,18 @@ void show_log(const LogOptions& options, const Voice& voice) {
   formats::LogReader reader(text, options.file);
   filter.check(reader.header(), options.file);
   const formats::LogTable table = formats::log_table(
-      reader, filter, options.csv ? formats::LogTableForm::kCsv : formats::LogTableForm::kPlain);
+      reader, filter, options.csv ? formats::LogTableForm::kCsv : formats::LogTableForm::kPlain,
+      options.columns);
   write_result(options.output, options.force, table.text);
+  const formats::LogHeader& header = reader.header();
+  voice.detail("scene " + header.scene + " in " + header.arithmetic + ", " +
+               formats::structures_of(header) + ", by " + header.build);
+  if (table.complete) {
+    voice.detail("run " + reader.end()->status + ", " +
+                 formats::counted(reader.end()->records, "log record", "log records") + ", " +
+                 std::to_string(reader.end()->external) + " external, digest " +
+                 reader.end()->digest);
+  }
   if (!filter.wants_all()) {
     voice.note(std::to_string(table.shown) + " of " +
                formats::counted(table.records, "log record", "log records"));
@@ -56,15 +67,25 @@ void add_log_verb(CLI::App& app, int&) {
           "Only records with KEY=VALUE,..; KEY is kind, structure, object, predicate or external; "
           "values of one key are alternatives; can be given several times")
       ->allow_extra_args(false);
+  verb->add_option("--columns", options->columns,
+                   "Only these columns, in this order, as time,kind,ids")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
+  add_voice(*verb, "Print the table and errors, no counts",
+            "Say what the log's first and last lines say, on standard error");
   verb->footer(
       "Ids in one field have spaces between them; an id with a space is a JSON string.\n"
+      "Columns: seq, time (decimal), exactly (a fraction, or a root of a polynomial), structure, "
+      "kind,\n"
+      "ids, effect, certificate.\n"
       "Columns of --csv: seq, time (decimal), polynomial (coefficients, low degree first), root "
       "(its\n"
       "number), lower and upper (an interval that isolates it), structure, kind, ids, external,\n"
       "predicate and certificate_ids (of the certificate that failed), gone, came, reason.\n"
       "Example:\n  kinex log square.log --filter kind=flip,object=p7\n"
+      "  kinex log square.log --filter external=true --columns time,ids\n"
       "  kinex log square.log --csv --filter external=true -o changes.csv");
   verb->callback([options, verb] { show_log(*options, voice_of(*verb)); });
 }

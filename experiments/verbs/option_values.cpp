@@ -13,6 +13,7 @@
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/utf8.h"
+#include "experiments/lab/family.h"
 
 namespace kinex::verbs {
 
@@ -77,8 +78,11 @@ void print(const std::string& text) {
 void add_maintain_option(CLI::App& verb, std::vector<std::string>& entries, const char* what) {
   verb.add_option("--maintain", entries,
                   std::string(what) +
-                      ": NAME, NAME:AXIS or a JSON object as in scenes, with commas between them")
+                      ": NAME, NAME:AXIS or a JSON object as in scenes, with commas between them; "
+                      "kinex list structures has the names")
       ->allow_extra_args(false);
 }
+
+std::string example_structure(int dimension) { return lab::usual_structure(false, dimension); }
 
 }  // namespace kinex::verbs

@@ -40,6 +40,9 @@ void print(const std::string& text);
 // Adds --maintain, as set_maintain reads it. The option can be given several times.
 void add_maintain_option(CLI::App& verb, std::vector<std::string>& entries, const char* what);
 
+// The structure of examples in help texts: the usual one for points of this dimension.
+std::string example_structure(int dimension);
+
 }  // namespace kinex::verbs
 
 #endif

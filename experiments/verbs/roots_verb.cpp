@@ -5,12 +5,14 @@
 #include <string>
 
 #include "core/numbers/real_root.h"
+#include "experiments/formats/counted.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
 #include "experiments/formats/polynomial_file.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
+#include "experiments/verbs/voice.h"
 
 namespace kinex::verbs {
 
@@ -45,8 +47,8 @@ std::string plain_lines(const formats::PolynomialLine& entry, std::vector<RootWi
                         int digits, RootCounters& counters) {
   std::string text = "line " + std::to_string(entry.line) + ": degree " +
                      std::to_string(entry.polynomial.degree()) + ", " +
-                     std::to_string(roots.size()) + " distinct real root" +
-                     (roots.size() == 1 ? "" : "s") + "\n";
+                     formats::counted(roots.size(), "distinct real root", "distinct real roots") +
+                     "\n";
   for (std::size_t i = 0; i < roots.size(); ++i) {
     RealRoot& root = roots[i].root;
     const std::string lower = root.lower().to_string();
@@ -58,7 +60,7 @@ std::string plain_lines(const formats::PolynomialLine& entry, std::vector<RootWi
   return text;
 }
 
-void find_roots(const RootsOptions& options) {
+void find_roots(const RootsOptions& options, const Voice& voice) {
   if (options.digits < 0 || options.digits > kMaxDigits) {
     throw formats::InputError("--digits", "", std::to_string(options.digits) + " digits",
                      "write a number from 0 to " + std::to_string(kMaxDigits));
@@ -69,6 +71,10 @@ void find_roots(const RootsOptions& options) {
     std::vector<RootWithMultiplicity> roots = isolate_real_roots(entry.polynomial, counters);
     print(options.json ? json_line(entry.polynomial.degree(), roots, options.digits, counters)
                        : plain_lines(entry, roots, options.digits, counters));
+    voice.detail("line " + std::to_string(entry.line) + ": " +
+                 formats::counted(counters.refinements, "refinement", "refinements") + ", " +
+                 formats::counted(counters.gcds, "gcd", "gcds") + ", coefficients of at most " +
+                 formats::counted(counters.max_bits, "bit", "bits"));
   }
 }
 
@@ -83,8 +89,10 @@ void add_roots_verb(CLI::App& app, int&) {
       ->required();
   verb->add_option("--digits", options->digits, "Digits after the decimal point (20)");
   verb->add_flag("--json", options->json, "One JSON object a line");
+  add_voice(*verb, "Print the roots and errors",
+            "Count the work of each line, on standard error");
   verb->footer("Example: the roots of t^2 - 2\n  echo '2 -2 0 1' | kinex roots - --digits 30");
-  verb->callback([options] { find_roots(*options); });
+  verb->callback([options, verb] { find_roots(*options, voice_of(*verb)); });
 }
 
 }  // namespace kinex::verbs

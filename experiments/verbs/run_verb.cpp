@@ -29,6 +29,7 @@
 #include "experiments/lab/machine.h"
 #include "experiments/lab/progress.h"
 #include "experiments/lab/scene_run.h"
+#include "experiments/lab/structure_words.h"
 #include "experiments/verbs/interrupt.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
@@ -178,6 +179,31 @@ formats::RunOutcome run_keeping(Simulator& simulator, const std::vector<Rational
   }
 }
 
+// Why a run was stopped, where its finished part is, and what to do.
+std::string stopping_text(const RunOptions& options, const formats::RunOutcome& outcome,
+                          const Simulator& simulator) {
+  std::string why = "interrupted", remedy = "run it again";
+  if (simulator.out_of_memory()) {
+    why = "there is not enough memory";
+    remedy = "make the scene smaller, or set an earlier end with --until";
+  } else if (outcome.status == RunStatus::kLimit) {
+    std::string limits = options.max_events > 0 ? "--max-events" : "";
+    if (options.max_seconds > 0) limits += limits.empty() ? "--max-seconds" : " or --max-seconds";
+    why = "the limit of " + limits + " is reached";
+    remedy = "raise it, or set an earlier end with --until";
+  }
+  std::string files;
+  for (const std::string& file : {options.events, options.summary}) {
+    if (!file.empty() && file != "-") files += (files.empty() ? "" : " and ") + file;
+  }
+  const std::string kept =
+      files.empty() ? (options.events == "-" || options.summary == "-" || options.json
+                           ? "what was finished is printed"
+                           : "no file was asked for (--events FILE keeps what is finished)")
+                    : "what was finished is in " + files;
+  return "the run was stopped: " + why + "; " + kept + "; " + remedy;
+}
+
 void run(const RunOptions& options, const Voice& voice, int& exit_code) {
   if (std::isnan(options.max_seconds)) {
     throw formats::InputError("--max-seconds", "", "it is not a number",
@@ -253,7 +279,7 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
   std::optional<formats::EventLog> log;
   std::optional<std::string> refused;
   const auto simulate = [&] {
-    lab::Progress progress;
+    lab::Progress progress(!voice.quiet);
     simulator_options.interrupt = &interrupt.flag();
     simulator_options.progress = [&](const Simulator& running) {
       progress.show([&](double seconds) { return lab::progress_text(running, seconds); });
@@ -300,9 +326,7 @@ void run(const RunOptions& options, const Voice& voice, int& exit_code) {
   }
   report(formats::describe_results(*simulator, outcome));
   if (outcome.status != RunStatus::kDone) {
-    const std::string why =
-        simulator->out_of_memory() ? "memory" : std::string(formats::status_name(outcome.status));
-    voice.error("the run was stopped (" + why + "); what was finished is written");
+    voice.error(stopping_text(options, outcome, *simulator));
     exit_code = kExitGaveUp;
   }
   if (!outcome.clean(*simulator)) {
@@ -352,10 +376,13 @@ void add_run_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--max-seconds", options->max_seconds,
                    "Give up after this time, reading included (no limit)");
   verb->add_flag("--force", options->force, "Replace output files that exist");
-  verb->footer(
-      "Where the log or the summary is printed, the report is on standard error.\n"
-      "Example:\n  kinex run square.json --arithmetic exact --events square.log --at 1/3\n"
-      "  kinex run square.json --explain");
+  add_voice(*verb, "Print no report: what --json, --events - and errors say alone",
+            "Print the model in detail, as --explain does, before the run");
+  verb->footer("Structures (kinex list structures, kinex explain NAME):\n" +
+               lab::structure_names_by_family() +
+               "Where the log or the summary is printed, the report is on standard error.\n"
+               "Example:\n  kinex run square.json --arithmetic exact --events square.log --at 1/3\n"
+               "  kinex run square.json --explain");
   verb->callback([options, verb, &exit_code] { run(*options, voice_of(*verb), exit_code); });
 }
 

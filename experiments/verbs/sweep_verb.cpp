@@ -34,10 +34,8 @@ using namespace sweep;
 constexpr int kMostJobs = 1024;
 constexpr std::size_t kShownKey = 12;  // digits
 constexpr std::size_t kMostTroubleRows = 20;
-// posix_spawn finds the program under it even if its file has been replaced.
-constexpr const char* kThisProgram = "/proc/self/exe";
 
-struct RunOptions {
+struct ShardOptions {
   PlanWords plan;
   std::string shard = "0/1", folder;
   int jobs = 1;
@@ -83,15 +81,15 @@ void list_experiments() {
   print(text);
 }
 
-void list(const PlanWords& words, const std::string& shard, bool json) {
+void list(const PlanWords& words, const std::string& shard, bool json, const Voice& voice) {
   if (words.words.empty()) {
     list_experiments();
     return;
   }
   const Plan plan = words.plan();
-  const std::vector<Cell> cells = shard_of(plan, parse_shard(shard));
+  const std::vector<PlanCell> cells = shard_of(plan, parse_shard(shard));
   std::string text;
-  for (const Cell& cell : cells) {
+  for (const PlanCell& cell : cells) {
     if (json) {
       formats::JsonWriter line(text);
       line.begin_object().key("key").string(cell.key).key("cost").number(cell.cost);
@@ -101,13 +99,16 @@ void list(const PlanWords& words, const std::string& shard, bool json) {
       text += cell.key.substr(0, kShownKey) + "  " + cell.text + "\n";
     }
   }
-  if (!json) text += formats::counted(cells.size(), "cell", "cells") + "\n";
+  if (!json && !voice.quiet) text += formats::counted(cells.size(), "cell", "cells") + "\n";
   print(text);
+  voice.detail("plan " + plan.name + " (" + plan.hash.substr(0, kShownKey) + "), shard " + shard +
+               ": " + std::to_string(cells.size()) + " of " +
+               formats::counted(plan.cells.size(), "cell", "cells"));
 }
 
 // ---- run ----------------------------------------------------------------------------------------
 
-std::string command_of(const RunOptions& options) {
+std::string command_of(const ShardOptions& options) {
   std::string command = "kinex sweep run " + options.plan.command() + " --shard " + options.shard;
   if (options.jobs != 1) command += " --jobs " + std::to_string(options.jobs);
   if (options.fresh) command += " --fresh";
@@ -116,13 +117,13 @@ std::string command_of(const RunOptions& options) {
 }
 
 struct Work {
-  std::vector<Cell> shard, rest;  // the cells of the shard; those still to be run
+  std::vector<PlanCell> shard, rest;  // the cells of the shard; those still to be run
 };
 
-Work work_of(const Plan& plan, const Settled& settled, const RunOptions& options) {
+Work work_of(const Plan& plan, const Settled& settled, const ShardOptions& options) {
   Work work;
   work.shard = shard_of(plan, parse_shard(options.shard));
-  for (const Cell& cell : work.shard) {
+  for (const PlanCell& cell : work.shard) {
     const auto found = settled.find(cell.key);
     const bool is_finished = found != settled.end() && !options.fresh &&
                              is_settled(*found->second, plan.limits, options.retry);
@@ -132,14 +133,14 @@ Work work_of(const Plan& plan, const Settled& settled, const RunOptions& options
 }
 
 // False if it was interrupted.
-bool run_rest(const Plan& plan, const Work& work, const RunOptions& options,
+bool run_rest(const Plan& plan, const Work& work, const ShardOptions& options,
               std::deque<Record>& records, Settled& settled) {
   InterruptGuard interrupt;
   AttemptFile file(options.folder, parse_shard(options.shard),
                    provenance_of(plan, command_of(options), options.shard));
   std::vector<double> costs;
-  for (const Cell& cell : work.rest) costs.push_back(static_cast<double>(cell.cost));
-  lab::Progress progress;
+  for (const PlanCell& cell : work.rest) costs.push_back(static_cast<double>(cell.cost));
+  lab::Progress progress(!options.voice.quiet);
   lab::PiecesDone pieces(std::move(costs));
   SweepOptions running;
   running.jobs = options.jobs;
@@ -147,6 +148,9 @@ bool run_rest(const Plan& plan, const Work& work, const RunOptions& options,
   running.program = kThisProgram;
   running.go_on = [&] { return !interrupt.interrupted(); };
   running.on_start = [&](std::size_t place) {
+    if (options.voice.verbose) progress.wipe();
+    options.voice.detail("start   " + work.rest[place].key.substr(0, kShownKey) + "  " +
+                         work.rest[place].text);
     progress.show(
         [&](double seconds) { return pieces.text(place, work.rest[place].text, seconds); });
   };
@@ -157,12 +161,17 @@ bool run_rest(const Plan& plan, const Work& work, const RunOptions& options,
     progress.wipe();
     std::string rest = seconds_text(record.cpu_s) + "  " + record.cell;
     if (!record.message.empty()) rest += "  " + record.message;
-    print(row(outcome_name(record.outcome), record.key, rest));
+    const std::string text = row(outcome_name(record.outcome), record.key, rest);
+    if (options.voice.quiet && record.outcome != Outcome::kDone) {
+      options.voice.error(text.substr(0, text.size() - 1));
+    } else {
+      options.voice.report(text);
+    }
   };
   return run_cells(work.rest, running);
 }
 
-void run(const RunOptions& options, int& exit_code) {
+void run(const ShardOptions& options, int& exit_code) {
   check_range("--jobs", options.jobs, 1, kMostJobs);
   parse_shard(options.shard);
   const Plan plan = options.plan.plan();
@@ -239,25 +248,32 @@ std::vector<Attempt> attempts_in(const std::vector<std::string>& folders) {
   return attempts;
 }
 
-void status(const std::vector<std::string>& folders, int& exit_code) {
+// "out/shard-0-..jsonl: shard 0/4 of growth, 12 records, kinex sweep run ..".
+void tell_attempts(const std::vector<Attempt>& attempts, const Voice& voice) {
+  for (const Attempt& attempt : attempts) {
+    voice.detail(attempt.path + ": shard " + attempt.provenance.shard + ", " +
+                 formats::counted(attempt.records.size(), "record", "records") + ", by " +
+                 attempt.provenance.command);
+  }
+}
+
+void status(const std::vector<std::string>& folders, const Voice& voice, int& exit_code) {
   const std::vector<Attempt> attempts = attempts_in(folders);
   const Settled settled = settle(attempts);
   const std::vector<Plan> plans = plans_of(attempts, experiments());
   std::string text;
   for (const Plan& plan : plans) text += plan_line(plan, settled);
-  print(text + trouble_rows(settled));
+  voice.report(text + trouble_rows(settled));
+  tell_attempts(attempts, voice);
   exit_code = exit_code_of(plans, settled);
 }
 
 void merge(const std::vector<std::string>& folders, const std::string& path, bool force,
-           int& exit_code) {
+           const Voice& voice, int& exit_code) {
   const std::vector<Attempt> attempts = attempts_in(folders);
   if (const auto conflict = find_conflict(attempts)) {
-    std::fprintf(stderr,
-                 "kinex: two attempts at one cell do not agree; nothing is written\n%s:\n%s\n%s:\n"
-                 "%s\n",
-                 conflict->place_a.c_str(), conflict->line_a.c_str(), conflict->place_b.c_str(),
-                 conflict->line_b.c_str());
+    voice.error("two attempts at one cell do not agree; nothing is written\n" + conflict->place_a +
+                ":\n" + conflict->line_a + "\n" + conflict->place_b + ":\n" + conflict->line_b);
     exit_code = kExitFailed;
     return;
   }
@@ -268,7 +284,8 @@ void merge(const std::vector<std::string>& folders, const std::string& path, boo
   const std::vector<Plan> plans = plans_of(attempts, experiments());
   std::string text;
   for (const Plan& plan : plans) text += plan_line(plan, settled);
-  print(text + path + " is written\n");
+  voice.report(text + path + " is written\n");
+  tell_attempts(attempts, voice);
   exit_code = exit_code_of(plans, settled);
 }
 
@@ -286,11 +303,18 @@ void add_list(CLI::App& sweep) {
   options->plan.add_options(*verb);
   verb->add_option("--shard", options->shard, "Only those of shard I of N, as I/N; I from 0");
   verb->add_flag("--json", options->json, "Print a JSON object per cell");
-  verb->callback([options] { list(options->plan, options->shard, options->json); });
+  add_voice(*verb, "Print the cells without their number",
+            "Name the plan, its hash and its size, on standard error");
+  verb->footer(
+      "Example:\n  kinex sweep list plan.json\n  kinex sweep list verify " +
+      example_structure(2) + " --quick");
+  verb->callback([options, verb] {
+    list(options->plan, options->shard, options->json, voice_of(*verb));
+  });
 }
 
 void add_run(CLI::App& sweep, int& exit_code) {
-  auto options = std::make_shared<RunOptions>();
+  auto options = std::make_shared<ShardOptions>();
   CLI::App* verb = sweep.add_subcommand("run", "Runs a plan, or a shard of it, into a folder");
   options->plan.add_options(*verb);
   verb->add_option("-o,--output", options->folder, "The folder of the sweep")->required();
@@ -299,6 +323,7 @@ void add_run(CLI::App& sweep, int& exit_code) {
   verb->add_flag("--fresh", options->fresh,
                  "Run finished cells again, as another attempt, which must agree with the first");
   verb->add_flag("--retry", options->retry, "Run again cells that crashed or reached a limit");
+  add_voice(*verb, "Print only cells that are not done", "Name cells when they start, too");
   verb->footer(
       "Each cell runs in a process of its own. When it ends its record is appended to a file that\n"
       "belongs to this attempt. After an interruption, a kill -9 or a power cut the same command\n"
@@ -308,7 +333,8 @@ void add_run(CLI::App& sweep, int& exit_code) {
       "limit.\n"
       "Example:\n  kinex sweep run plan.json --jobs 4 -o out\n"
       "  seq 0 63 | parallel kinex sweep run plan.json --shard {}/64 -o out\n"
-      "  kinex sweep run verify delaunay_2 --quick --shard 1/2 -o out");
+      "  kinex sweep run verify " +
+      example_structure(2) + " --quick --shard 1/2 -o out");
   verb->callback([options, verb, &exit_code] {
     options->voice = voice_of(*verb);
     run(*options, exit_code);
@@ -328,8 +354,8 @@ void add_cell(CLI::App& sweep) {
   verb->add_option("--megabytes", options->limits.megabytes, "Limit of memory (none)");
   verb->add_option("--parent", options->parent, "End with this process")->group("");
   verb->footer(
-      "Example:\n  kinex sweep cell '{\"structure\": \"delaunay_2\", \"workload\": "
-      "\"uniform-square\", \"n\": 50}'");
+      "Example:\n  kinex sweep cell '{\"structure\": \"" +
+      example_structure(2) + "\", \"workload\": \"uniform-square\", \"n\": 50}'");
   verb->callback([options] { cell(options->text, options->limits, options->parent); });
 }
 
@@ -338,8 +364,12 @@ void add_status(CLI::App& sweep, int& exit_code) {
   CLI::App* verb = sweep.add_subcommand(
       "status", "Prints the cells done, failed and missing, and the expected time left");
   verb->add_option("FOLDER", *folders, "The folders of the sweep")->required();
-  verb->footer("Exit codes: 0 all cells done; 1 and 3 as for run, 3 also if cells are missing.");
-  verb->callback([folders, &exit_code] { status(*folders, exit_code); });
+  add_voice(*verb, "Print nothing: the exit code tells whether all cells are done",
+            "Name the attempts in the folders, on standard error");
+  verb->footer(
+      "Exit codes: 0 all cells done; 1 and 3 as for run, 3 also if cells are missing.\n"
+      "Example:\n  kinex sweep status out");
+  verb->callback([folders, verb, &exit_code] { status(*folders, voice_of(*verb), exit_code); });
 }
 
 void add_merge(CLI::App& sweep, int& exit_code) {
@@ -353,6 +383,7 @@ void add_merge(CLI::App& sweep, int& exit_code) {
   verb->add_option("FOLDER", options->folders, "The folders of the sweep")->required();
   verb->add_option("-o,--output", options->output, "The database to write")->required();
   verb->add_flag("--force", options->force, "Replace it if it exists");
+  add_voice(*verb, "Print no report", "Name the attempts in the folders, on standard error");
   verb->footer(
       "Attempts at one cell must agree in every exact field; if two do not, both lines are "
       "printed\n"
@@ -362,8 +393,8 @@ void add_merge(CLI::App& sweep, int& exit_code) {
       "Exit codes: 1 a conflict, or cells failed; 3 cells are missing or reached a limit; the\n"
       "database is written unless there is a conflict.\n"
       "Example:\n  kinex sweep merge out -o results.sqlite");
-  verb->callback([options, &exit_code] {
-    merge(options->folders, options->output, options->force, exit_code);
+  verb->callback([options, verb, &exit_code] {
+    merge(options->folders, options->output, options->force, voice_of(*verb), exit_code);
   });
 }
 
@@ -377,7 +408,9 @@ void add_sweep_verb(CLI::App& app, int& exit_code) {
       "A plan is an experiment of the program (kinex sweep list names them), or a list of blocks,\n"
       "each a product of axes; a cell is then one run:\n"
       "  {\"kinex_plan\": 1, \"name\": \"growth\",\n"
-      "   \"blocks\": [{\"structure\": [\"delaunay_2\"], \"workload\": [\"uniform-square\"],\n"
+      "   \"blocks\": [{\"structure\": [\"" +
+      example_structure(2) +
+      "\"], \"workload\": [\"uniform-square\"],\n"
       "               \"n\": [100, 200, 400], \"seed\": {\"from\": 1, \"to\": 50}}],\n"
       "   \"limits\": {\"seconds\": 600, \"megabytes\": 4000}}\n"
       "Axes, each a value or an array: structure (a name, an object as in a scene, or an array of\n"

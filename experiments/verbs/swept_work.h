@@ -10,6 +10,9 @@
 
 namespace kinex::verbs {
 
+// What children are started as. posix_spawn finds the program under it even if its file has been replaced.
+inline constexpr const char* kThisProgram = "/proc/self/exe";
+
 // Throws InputError if they are of another program than this one.
 void refuse_other_program(const std::vector<sweep::Attempt>& attempts);
 

@@ -8,7 +8,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
-#include "experiments/lab/trajectory_kernel.h"
+#include "experiments/lab/family.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
@@ -23,26 +23,28 @@ struct ThinOptions {
 };
 
 void thin_scene(const ThinOptions& options, const Voice& voice) {
+  const lab::Thinning& method = *lab::known_thinning();
   const Rational error = rational_option("--error", options.error);
-  if (error < lab::least_kernel_error() || !(error < Rational(1))) {
+  if (error < method.least_error() || !(error < Rational(1))) {
     throw formats::InputError("--error", "", options.error + " is no error of a kernel",
-                              "write a number from " + lab::least_kernel_error().to_string() +
+                              "write a number from " + method.least_error().to_string() +
                                   ", less than 1");
   }
   keep_input("--output", options.output, options.scene);
   const Scene scene = formats::read_scene(options.scene);
-  const std::string refusal = lab::kernel_refusal(scene);
+  const std::string refusal = method.refusal(scene);
   if (!refusal.empty()) {
     const std::size_t end = refusal.find("; ");
     throw formats::InputError(options.scene, "", refusal.substr(0, end), refusal.substr(end + 2));
   }
-  const lab::TrajectoryKernel kernel = lab::trajectory_kernel(scene, error);
-  const Scene thin = lab::only_objects(scene, kernel.objects);
-  write_result(options.output, options.force, formats::write_scene(thin));
-  voice.note(std::to_string(thin.objects.size()) + " of " +
+  const lab::ThinnedScene thin = method.thin(scene, error);
+  write_result(options.output, options.force, formats::write_scene(thin.scene));
+  voice.note(std::to_string(thin.scene.objects.size()) + " of " +
              formats::counted(scene.objects.size(), "object", "objects"));
-  voice.note("at all times their diameter is at least " + (Rational(1) - error).to_string() +
-             " of that of all (by 2 * " + std::to_string(kernel.k) + " directions)");
+  voice.note(thin.guarantee);
+  std::string left;
+  for (const SceneObject& object : thin.scene.objects) left += " " + object.id;
+  voice.detail("left are:" + left);
 }
 
 }  // namespace
@@ -59,6 +61,8 @@ void add_thin_verb(CLI::App& app, int&) {
                    "that of all; from 1/100000, less than 1 (1/50)");
   verb->add_option("-o,--output", options->output, "File to write (standard output)");
   verb->add_flag("--force", options->force, "Replace the file if it exists");
+  add_voice(*verb, "Print the scene and errors, no counts",
+            "Name the points that are left, on standard error");
   verb->footer(
       "The guarantee is a theorem, made in exact arithmetic; the width has none.\n"
       "Points that the scene's keys refer to are kept.\n"

@@ -2,7 +2,9 @@
 #include "experiments/verbs/usage_error.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/numbers/show_text.h"
@@ -58,11 +60,36 @@ std::string joined(const std::vector<std::string>& names) {
 
 // `near`: "did you mean a?" or another remedy.
 std::string with_help(const std::string& near, const CLI::App& verb, const std::string& what) {
-  return "; " + near + (near.back() == '?' ? " " : ", ") + help_of(verb) + " lists " + what;
+  const std::string help = help_of(verb) + " lists " + what;
+  return "; " + near + (near.back() == '?' ? " " + help : " (" + help + ")");
 }
+
+// What other programs call our verbs.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kOtherWords{
+    {{"compare", "diff"},
+     {"show", "view"},
+     {"open", "view"},
+     {"draw", "view"},
+     {"generate", "gen"},
+     {"create", "gen"},
+     {"make", "gen"},
+     {"version", "--version"},
+     {"simulate", "run"},
+     {"validate", "check"},
+     {"convert", "import"},
+     {"describe", "explain"},
+     {"events", "log"},
+     {"ls", "list"}}};
 
 std::string unknown_verb(const CLI::App& app, const std::string& name) {
   const std::vector<std::string> known = names_of_verbs(app);
+  if (app.get_parent() == nullptr) {
+    for (const auto& [word, verb] : kOtherWords) {
+      if (name != word) continue;
+      return show_text(name) + " is not a verb" +
+             with_help("did you mean " + std::string(verb) + "?", app, "them");
+    }
+  }
   return place_of(app) + show_text(name) + " is not a verb" +
          with_help(formats::did_you_mean(name, known, "write one of " + joined(known)), app,
                    "them");
@@ -83,6 +110,22 @@ std::string unknown_argument(const CLI::App& app, const std::vector<std::string>
          with_help("leave it out", verb, "what it takes");
 }
 
+// What a verb cannot do without: " LOG OTHER", " FILE --output ..".
+std::string arguments_of(const CLI::App& verb, const std::string& missing) {
+  std::string text, options;
+  bool is_named = false;
+  for (const CLI::Option* option : verb.get_options()) {
+    if (!option->get_required()) continue;
+    if (!option->get_positional()) {
+      options += " " + option->get_name() + " ..";
+      continue;
+    }
+    is_named = is_named || option->get_name() == missing;
+    text += " " + option->get_name() + (option->get_items_expected_max() > 1 ? " .." : "");
+  }
+  return (is_named ? text : " " + missing) + options;
+}
+
 // "SCENE is required"
 std::string missing_argument(const CLI::App& app, const std::string& message) {
   const CLI::App& verb = innermost(app);
@@ -90,14 +133,14 @@ std::string missing_argument(const CLI::App& app, const std::string& message) {
   if (message.find("ubcommand") != std::string::npos) {
     if (!extras.empty()) return unknown_argument(app, extras);
     return place_of(verb) + "no verb is given; write one of " + joined(names_of_verbs(verb)) +
-           ", " + help_of(verb) + " tells what they do";
+           " (" + help_of(verb) + " tells what they do)";
   }
   const std::string name = message.substr(0, message.find(' '));
   if (name.starts_with("--")) {
-    return place_of(verb) + name + " is missing; give it, " + help_of(verb) + " tells what it is";
+    return place_of(verb) + name + " is missing; give it (" + help_of(verb) + " tells what it is)";
   }
-  return place_of(verb) + name + " is missing; write " + command_of(verb) + " " + name + " .., " +
-         help_of(verb) + " tells what it is";
+  return place_of(verb) + name + " is missing; write " + command_of(verb) + arguments_of(verb, name) +
+         " (" + help_of(verb) + " tells what it is)";
 }
 
 // "Could not convert: OPTION = TEXT"
@@ -117,8 +160,8 @@ std::string conversion_problem(const CLI::App& app, const std::string& message) 
 // "NAME: 1 required TYPE missing"
 std::string missing_value(const CLI::App& verb, const std::string& message) {
   const std::string name = message.substr(0, message.find(": "));
-  return place_of(verb) + name + " has no value; write " + name + " VALUE, " + help_of(verb) +
-         " tells which";
+  return place_of(verb) + name + " has no value; write " + name + " VALUE (" + help_of(verb) +
+         " tells which)";
 }
 
 }  // namespace
@@ -136,6 +179,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
     return unknown_argument(app, app.remaining(true));
   if (kind == "RequiredError") return missing_argument(app, message);
+  if (kind == "ValidationError") return message;  // in words of ours
   if (kind == "ConversionError") return conversion_problem(app, message);
   if (kind == "ArgumentMismatch" && message.find(" missing") != std::string::npos) {
     return missing_value(verb, message);

@@ -1,58 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex verify: the bound-verification experiments.
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "experiments/formats/file_io.h"
-#include "experiments/lab/html_page.h"
-#include "experiments/lab/measures.h"
+#include "experiments/formats/counted.h"
 #include "experiments/lab/progress.h"
-#include "experiments/verbs/interrupt.h"
+#include "experiments/lab/verdict.h"
+#include "experiments/verbs/experiment_files.h"
 #include "experiments/verbs/option_values.h"
-#include "experiments/verbs/resumed_work.h"
-#include "experiments/verbs/swept_work.h"
 #include "experiments/verbs/verbs.h"
-#include "experiments/verbs/voice.h"
 #include "experiments/verify/catalogue.h"
 #include "experiments/verify/database.h"
-#include "experiments/verify/page.h"
 #include "experiments/verify/planned.h"
-#include "experiments/verify/plots.h"
+#include "experiments/verify/report.h"
 #include "experiments/verify/report_text.h"
-#include "experiments/verify/tables.h"
-#include "experiments/verify/verdict_lines.h"
 #include "structures/registry.h"
 
 namespace kinex::verbs {
 
 namespace {
 
-constexpr int kMostJobs = 256;
 constexpr int kMostSeeds = 1000000;
 
-struct Options {
+struct VerifyOptions : ExperimentOptions {
   std::string structure = "all";
-  std::string folder = ".";
   std::string plots;  // a folder; empty: none
-  std::vector<std::string> from;
-  int jobs = 1;
   std::optional<int> seeds;
-  bool quick = false;
-  bool force = false;
-  bool fresh = false;
-  bool json = false;
-  Voice voice;
   bool table = false;
 };
 
-std::string command_of(const Options& options) {
+std::string command_of(const VerifyOptions& options) {
   std::string command = "kinex verify " + options.structure;
   if (options.quick) command += " --quick";
   if (options.seeds) command += " --seeds " + std::to_string(*options.seeds);
@@ -66,161 +47,135 @@ int exit_code_of(const verify::VerifyResult& result) {
   return kExitFine;
 }
 
-// The plots as files of their own, named after their titles.
-void write_plots(const Options& options, const std::vector<lab::Figure>& figures,
-                 const lab::Drawings& drawings) {
-  if (options.plots.empty()) return;
-  std::error_code error;
-  std::filesystem::create_directories(options.plots, error);  // errors are reported below
-  std::string last;
-  int panel = 0;
-  for (std::size_t i = 0; i < figures.size() && i < drawings.svg.size(); ++i) {
-    if (drawings.svg[i].empty()) continue;
-    const std::string name = lab::anchor_of(figures[i].title);
-    panel = name == last ? panel + 1 : 1;
-    last = name;
-    formats::OutputFile file(
-        options.plots + "/" + name + (panel > 1 ? "-" + std::to_string(panel) : "") + ".svg",
-        options.force);
-    file.write(drawings.svg[i]);
-    file.commit();
+// Of the long table the terminal has what did not pass, or all if requested.
+class LongTable {
+ public:
+  LongTable(const VerifyOptions& options, bool bounds)
+      : options_(options), bounds_(bounds), headed_(options.table), text_(verify::table_header(bounds)) {
+    if (options.table && !options.json) options.voice.report(text_);
   }
+  // As lines of the table, and as JSON.
+  void add(const std::string& row, lab::Verdict verdict, const std::string& json) {
+    text_ += row;
+    if (options_.json) {
+      print(json);
+    } else if (options_.table || verdict != lab::Verdict::kConfirmed) {
+      if (!headed_) options_.voice.report("did not pass:\n" + verify::table_header(bounds_));
+      headed_ = true;
+      options_.voice.report(row);
+    }
+  }
+  void add_tables(const std::string& tables) {
+    text_ += tables + "\n";
+    if (options_.table && !options_.json) options_.voice.report(tables);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  const VerifyOptions& options_;
+  bool bounds_, headed_;
+  std::string text_;
+};
+
+verify::VerifyResult run(const lab::Catalogue& catalogue, const VerifyOptions& options,
+                         sweep::CellSource source, const InterruptGuard& interrupt, LongTable& table) {
+  const bool bounds = verify::shows_bounds(catalogue.cells);
+  std::vector<double> costs;
+  for (const lab::Cell& cell : catalogue.cells) costs.push_back(cell.cost);
+  lab::Progress progress(!options.voice.quiet);
+  lab::PiecesDone pieces(std::move(costs));
+  verify::VerifyOptions running;
+  running.jobs = options.jobs;
+  running.seeds = options.seeds;
+  running.keep_folder = options.folder;
+  running.source = std::move(source);
+  running.interrupt = &interrupt.flag();
+  running.on_start = [&](std::size_t index) {
+    const lab::Cell& cell = catalogue.cells[index];
+    const std::string what = cell.structure + ", " + cell.workload_text() +
+                             ", n = " + std::to_string(cell.parameters.n);
+    progress.show([&](double seconds) { return pieces.text(index, what, seconds); });
+  };
+  running.on_cell = [&](std::size_t index, const lab::CellResult& cell) {
+    pieces.finished(index);
+    progress.wipe();
+    options.voice.detail(cell.cell.structure + ", " + cell.cell.workload_text() +
+                         ", n = " + std::to_string(cell.cell.parameters.n) + ": " +
+                         std::string(lab::check_word(cell.verdict())) + ", " +
+                         formats::counted(cell.trials.size(), "scene", "scenes"));
+    table.add(verify::table_row(cell, bounds), cell.verdict(), verify::json_row(cell));
+  };
+  return verify::run_catalogue(catalogue, running);
 }
 
-void verify(const Options& options, int& exit_code) {
-  const auto began = std::chrono::steady_clock::now();
-  check_range("--jobs", options.jobs, 1, kMostJobs);
+void verify(const VerifyOptions& options, int& exit_code) {
+  check_jobs(options);
   if (options.seeds) check_range("--seeds", *options.seeds, 1, kMostSeeds);
-  const lab::Catalogue catalogue =
-      verify::make_catalogue(options.structure, options.quick ? lab::Extent::kQuick : lab::Extent::kFull);
-  std::error_code error;
-  std::filesystem::create_directories(options.folder, error);  // errors are reported below
-  sweep::Journal journal = journal_of(
-      options.from, options.folder + "/verify.unfinished",
-      verify::selection_of(options.structure, options.quick, options.seeds), options.fresh);
-  const ResultFile database(options.folder + "/verify.sqlite", options.force, journal);
-  const ResultFile page(options.folder + "/verify.html", options.force, journal);
-  const ResultFile table(options.folder + "/verify.txt", options.force, journal);
-  tell_what_is_found(journal, "experiment", "experiments", options.voice);
-
-  const bool bounds = verify::shows_bounds(catalogue.cells);
-  std::string rows = verify::table_header(bounds);  // of the long table
-  // Of it the terminal has what did not pass, or all if requested.
-  bool headed = options.table;
-  const auto tell = [&](const std::string& row, lab::Verdict verdict, const std::string& json) {
-    rows += row;
-    if (options.json) {
-      print(json);
-    } else if (options.table || verdict != lab::Verdict::kConfirmed) {
-      if (!headed) options.voice.report("did not pass:\n" + verify::table_header(bounds));
-      headed = true;
-      options.voice.report(row);
-    }
-  };
+  const lab::Catalogue catalogue = verify::make_catalogue(
+      options.structure, options.quick ? lab::Extent::kQuick : lab::Extent::kFull);
+  sweep::Journal journal = experiment_journal(
+      options, verify::selection_of(options.structure, options.quick, options.seeds));
+  const ReportFiles files(options, "verify", journal);
   InterruptGuard interrupt;
-  verify::VerifyResult result;
-  {
-    std::vector<double> costs;
-    for (const lab::Cell& cell : catalogue.cells) costs.push_back(cell.cost);
-    lab::Progress progress;
-    lab::PiecesDone pieces(std::move(costs));
-    verify::VerifyOptions running;
-    running.jobs = options.jobs;
-    if (options.seeds) running.seeds = *options.seeds;
-    running.keep_folder = options.folder;
-    running.journal = &journal;
-    running.go_on = [&] { return !interrupt.interrupted(); };
-    running.interrupt = &interrupt.flag();
-    running.on_scene = [&](std::size_t index, int seed) {
-      const lab::Cell& cell = catalogue.cells[index];
-      std::string what = cell.structure + ", " + cell.workload_text() +
-                         ", n = " + std::to_string(cell.parameters.n);
-      if (cell.random) what += ", scene " + std::to_string(seed + 1);
-      progress.show([&](double seconds) { return pieces.text(index, what, seconds); });
-    };
-    running.on_cell = [&](std::size_t index, const lab::CellResult& cell) {
-      pieces.finished(index);
-      progress.wipe();
-      tell(verify::table_row(cell, bounds), cell.verdict(), verify::json_row(cell));
-    };
-    if (options.table && !options.json) print(rows);
-    result = verify::run_catalogue(catalogue, running);
-  }
+  sweep::CellSource source =
+      experiment_source(options, journal, interrupt, "experiment", "experiments");
+  LongTable table(options, verify::shows_bounds(catalogue.cells));
+  const verify::VerifyResult result = run(catalogue, options, std::move(source), interrupt, table);
   for (const lab::GrowthResult& growth : result.growths) {
-    tell(verify::table_row(growth), growth.check.verdict, verify::json_row(growth));
+    table.add(verify::table_row(growth), growth.check.verdict, verify::json_row(growth));
   }
   for (const lab::StudyResult& study : result.studies) {
-    tell(verify::table_row(study), study.verdict(), verify::json_row(study));
+    table.add(verify::table_row(study), study.verdict(), verify::json_row(study));
   }
   std::string tables;
-  for (const lab::Table& one : verify::neighbours_tables(result.growths))
-    tables += lab::markdown(one);
-  for (const lab::Table& one : verify::measures_tables(result.cells)) tables += lab::markdown(one);
+  for (const lab::Table& one : verify::more_tables(result)) tables += lab::markdown(one);
   for (const lab::StudyResult& study : result.studies) tables += lab::markdown(study.table);
-  if (options.table && !options.json) print(tables);
-
-  lab::PageFacts facts;
-  facts.build = lab::build_facts();
-  facts.machine = lab::machine_facts();
-  facts.command = command_of(options);
-  database.write(verify::verify_database(result, facts.build, facts.machine));
-  const std::vector<lab::Figure> figures = verify::verify_figures(result);
-  const lab::Drawings drawings = lab::draw(figures, "gnuplot", interrupt.go_on_a_while());
-  write_plots(options, figures, drawings);
-  facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  page.write(verify::verify_page(result, figures, drawings, facts));
-  const std::string verdict =
-      verify::verdict_line(result, facts.seconds) + "\n" + verify::work_line(result) + "\n";
-  table.write(rows + tables + "\n" + verify::seeds_line(result) + verdict);
-  if (!result.interrupted) journal.remove();
-  if (!drawings.problem.empty()) {
-    options.voice.note("no plots: " + drawings.problem);
-  }
-  if (result.interrupted) {
-    options.voice.note("interrupted: the finished part is written, and the same command resumes");
-  }
-  const std::string files =
-      "page: " + page.path() + "; table: " + table.path() + "; database: " + database.path();
-  if (options.json) {  // its lines stay alone on standard output
-    options.voice.note(verdict + files);
-  } else {
-    options.voice.report(verify::seeds_line(result) + verdict + files + "\n");
-  }
+  table.add_tables(tables);
+  const lab::PageFacts facts = facts_of(command_of(options));
+  files.write({verify::verify_database(result, facts.build, facts.machine), table.text(),
+               verify::verify_report(result, facts), facts, verify::seeds_line(result),
+               [&](double seconds) { return verify::verdict_line(result, seconds); },
+               verify::work_line(result) + "\n", options.plots},
+              interrupt);
   exit_code = exit_code_of(result);
 }
 
 }  // namespace
 
 void add_verify_verb(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyOptions>();
   CLI::App* verb = app.add_subcommand(
       "verify",
       "The bound-verification experiments: writes verify.html, verify.txt and verify.sqlite");
-  std::string groups;
+  std::string groups, families;
   for (const std::string_view group : structure_groups()) groups += std::string(group) + ", ";
+  for (const std::string_view family : verify::family_names()) {
+    families += std::string(family) + ", ";
+  }
   verb->add_option("STRUCTURE", options->structure,
-                   "A structure; " + groups + "each all structures for it; or all (default)");
-  verb->add_flag("--quick", options->quick, "Smaller sizes: a few minutes on one core");
-  verb->add_option("-o,--output", options->folder, "Write the results into this folder (here)");
+                   "A structure; " + groups + "each all structures for it; " + families +
+                       "each the whole family; or all (default)");
+  add_experiment_options(*verb, *options,
+                         {"verify", "Smaller sizes: minutes on one core",
+                          "Write the results into this folder (here)",
+                          "Simultaneous experiments (1; more make time ratios noisy)",
+                          "Print a JSON object per row instead"});
   verb->add_option("--plots", options->plots, "Write the plots as SVG files into this folder, too");
-  verb->add_flag("--force", options->force, "Replace results that exist");
-  verb->add_flag("--fresh", options->fresh, "Repeat also the finished part of an interrupted run");
-  verb->add_option("--jobs", options->jobs,
-                   "Simultaneous experiments (1; more make time ratios noisy)");
   verb->add_option("--seeds", options->seeds,
                    "Number of scenes of every random experiment (default: as many as it needs)");
-  verb->add_option("--from", options->from,
-                   "Report what a sweep has run (kinex sweep run verify ..), from its folders");
   verb->add_flag("--table", options->table, "Print the whole table, not only what did not pass");
-  verb->add_flag("--json", options->json, "Print a JSON object per row instead");
+  add_voice(*verb, "Print errors, and with --json its lines",
+            "Name every experiment that is finished, with its verdict, on standard error");
   verb->footer(
-      "What is finished is kept in verify.unfinished until all is: after an interruption (Ctrl-C, "
-      "a\n"
-      "power cut) the same command goes on from there.\n"
+      "Each experiment runs in a process of its own: a crash is a failed check. What is finished is\n"
+      "kept in verify.unfinished until all is: after an interruption (Ctrl-C, a power cut) the same\n"
+      "command goes on from there.\n"
       "Exit codes: 1 an expectation, bound or audit failed (the scene is kept beside the "
       "results);\n"
       "3 interrupted, stopped at a limit, or not enough seeds to tell.\n"
-      "Example:\n  kinex verify delaunay_2 --quick -o results\n  kinex verify maximum --quick\n"
+      "Example:\n  kinex verify " +
+      example_structure(2) +
+      " --quick -o results\n"
       "  kinex sweep run verify all --jobs 2 -o out && kinex verify all --from out -o results");
   verb->callback([options, verb, &exit_code] {
     options->voice = voice_of(*verb);

@@ -33,7 +33,7 @@ namespace {
 constexpr std::size_t kMostObjects = 20000;
 constexpr long long kMostEvents = 200000;
 
-struct Options {
+struct ViewOptions {
   std::string file, scene, with, output, arithmetic, from, until;
   std::vector<std::string> maintain;
   long long max_events = kMostEvents;
@@ -68,7 +68,7 @@ Rational time_option(const char* option, const std::string& text, const Scene& s
   return t;
 }
 
-void set_times(Viewed& viewed, const Options& options) {
+void set_times(Viewed& viewed, const ViewOptions& options) {
   Scene& scene = viewed.scene;
   if (!options.from.empty()) viewed.from = time_option("--from", options.from, scene);
   if (!options.until.empty()) scene.end = time_option("--until", options.until, scene);
@@ -98,7 +98,7 @@ Wanted wanted_with(const std::string& with) {
 }
 
 // The structures of --maintain; else those of the first log; else those of the scene.
-void set_structures(Viewed& viewed, const Options& options, const std::string& scene_file) {
+void set_structures(Viewed& viewed, const ViewOptions& options, const std::string& scene_file) {
   const auto first = std::find_if(viewed.runs.begin(), viewed.runs.end(),
                                   [](const Wanted& wanted) { return !wanted.file.empty(); });
   std::optional<formats::LogHeader> log;
@@ -122,7 +122,7 @@ void set_structures(Viewed& viewed, const Options& options, const std::string& s
   }
 }
 
-Viewed read_input(const Options& options) {
+Viewed read_input(const ViewOptions& options) {
   Viewed viewed;
   std::string text = formats::read_text_file(options.file);
   const bool log = formats::looks_like_log(text);
@@ -154,7 +154,7 @@ Viewed read_input(const Options& options) {
   return viewed;
 }
 
-void check(const Options& options) {
+void check(const ViewOptions& options) {
   if (options.max_events < 1) {
     throw formats::InputError("--max-events", "", "a page of no events", "write a number from 1 on");
   }
@@ -167,8 +167,8 @@ void check(const Options& options) {
 }
 
 // The disagreement of a log with its scene; empty if there is none.
-std::string record(const Viewed& viewed, const Wanted& wanted, const Options& options,
-                   const InterruptGuard& interrupt, view::RecordedRun& run) {
+std::string record(const Viewed& viewed, const Wanted& wanted, const ViewOptions& options,
+                   const InterruptGuard& interrupt, const Voice& voice, view::RecordedRun& run) {
   view::RecordOptions how;
   how.arithmetic = wanted.arithmetic;
   how.from = viewed.from;
@@ -178,7 +178,7 @@ std::string record(const Viewed& viewed, const Wanted& wanted, const Options& op
     follower.emplace(wanted.log, wanted.file, viewed.scene, viewed.hash);
     how.observe = [&](const view::SeenEvent& event) { return follower->follow(event); };
   }
-  lab::Progress progress;
+  lab::Progress progress(!voice.quiet);
   how.interrupt = &interrupt.flag();
   how.progress = [&](const Simulator& running) {
     progress.show([&](double seconds) { return lab::progress_text(running, seconds); });
@@ -222,7 +222,7 @@ std::string report(const Viewed& viewed, const std::vector<view::RecordedRun>& r
   return text + "page      " + file + ", " + std::to_string((bytes + 1023) / 1024) + " kB\n";
 }
 
-void view(const Options& options, const Voice& voice, int& exit_code) {
+void view(const ViewOptions& options, const Voice& voice, int& exit_code) {
   check(options);
   const Viewed viewed = read_input(options);
   if (viewed.scene.objects.size() > kMostObjects) {
@@ -236,7 +236,11 @@ void view(const Options& options, const Voice& voice, int& exit_code) {
   if (options.output != "-") output.emplace(options.output, options.force);
   std::vector<view::RecordedRun> runs;
   for (const Wanted& wanted : viewed.runs) {
-    const std::string problem = record(viewed, wanted, options, interrupt, runs.emplace_back());
+    const std::string problem = record(viewed, wanted, options, interrupt, voice, runs.emplace_back());
+    voice.detail(runs.back().arithmetic + ": " +
+                 formats::counted(runs.back().events.size(), "log record", "log records") + ", " +
+                 formats::counted(runs.back().claims.size(), "certificate", "certificates") +
+                 ", digest " + runs.back().digest);
     if (!problem.empty()) {
       voice.error(problem + "; no page was written");
       exit_code = kExitFailed;
@@ -265,7 +269,7 @@ void view(const Options& options, const Voice& voice, int& exit_code) {
 }  // namespace
 
 void add_view_verb(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ViewOptions>();
   CLI::App* verb = app.add_subcommand(
       "view",
       "A run as one HTML page: play it, step through its log records, compare it with another");
@@ -285,6 +289,7 @@ void add_view_verb(CLI::App& app, int& exit_code) {
   verb->add_option("--max-events", options->max_events,
                    "The most log records of each run (200000)");
   verb->add_flag("--force", options->force, "Replace a page that exists");
+  add_voice(*verb, "Print no report", "Count what is recorded, with its digest, on standard error");
   verb->footer(
       "The scene is run again, and its states are recorded; a log is checked against that run.\n"
       "The page needs no network. page.html#event=7 opens it after log record 7. Pictures and\n"

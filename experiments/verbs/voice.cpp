@@ -8,15 +8,23 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/numbers/show_text.h"
 #include "experiments/verbs/option_values.h"
 
 namespace kinex::verbs {
 
 namespace {
 
+constexpr const char* kGroup = "Messages";
 constexpr const char* kQuiet = "--quiet";
 constexpr const char* kVerbose = "--verbose";
 constexpr const char* kColour = "--color";
+
+// The reason why a value of --color is refused; empty if it is valid.
+std::string colour_problem(const std::string& choice) {
+  if (choice == "auto" || choice == "always" || choice == "never") return "";
+  return show_text(choice) + " is not a choice; write auto, always or never";
+}
 
 // "auto" if nobody has chosen, or what is not there.
 std::string colour_of(const CLI::App& verb) {
@@ -66,17 +74,20 @@ std::string Voice::heading(const std::string& text) const {
   return colour_out ? "\x1b[1m" + text + "\x1b[0m" : text;
 }
 
+void add_voice(CLI::App& verb, const std::string& quiet, const std::string& verbose) {
+  CLI::Option* const less = verb.add_flag("-q,--quiet", quiet)->group(kGroup);
+  verb.add_flag("-v,--verbose", verbose)->group(kGroup)->excludes(less);
+}
+
 void add_voice_options(CLI::App& app) {
-  const std::string group = "Messages";
-  const std::string less = "Print errors and what was asked for, nothing else";
-  const std::string more = "Say more, on standard error";
-  const std::string when = "auto (default: on terminals), always or never";
-  CLI::Option* const quiet = app.add_flag("-q,--quiet", less)->group(group);
-  app.add_flag("-v,--verbose", more)->group(group)->excludes(quiet);
-  app.add_option("--color", when)
-      ->check(CLI::IsMember({"auto", "always", "never"}, CLI::ignore_case))
+  if (app.get_option_no_throw(kQuiet) == nullptr) {
+    add_voice(app, "Print errors and what was asked for, nothing else",
+              "Say more, on standard error");
+  }
+  app.add_option("--color", "auto (default: on terminals), always or never")
+      ->check(CLI::Validator(colour_problem, "", "colour"))
       ->type_name("WHEN")
-      ->group(group);
+      ->group(kGroup);
   for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
     add_voice_options(*verb);
   }

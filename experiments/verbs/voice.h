@@ -6,6 +6,8 @@
 //   notes     what it says on the side: standard error, not with -q
 //   details   what only -v says: standard error
 //   errors    standard error, always
+//
+// Every verb says in its help what its -q leaves out and what its -v says more (add_voice).
 #ifndef KINEX_EXPERIMENTS_VERBS_VOICE_H
 #define KINEX_EXPERIMENTS_VERBS_VOICE_H
 
@@ -31,7 +33,10 @@ struct Voice {
   std::string heading(const std::string& text) const;
 };
 
-// Gives the program and all its verbs -q, -v and --color. To be called when all verbs are there.
+// Gives a verb -q and -v; their lines of help.
+void add_voice(CLI::App& verb, const std::string& quiet, const std::string& verbose);
+// Gives the program and all its verbs --color, and -q and -v where they have none of their own. To be
+// called when all verbs are there.
 void add_voice_options(CLI::App& app);
 // That of a verb's command line, once it has been parsed. Colours go to terminals only, and not where
 // the environment has NO_COLOR; --color always and --color never decide otherwise.

@@ -16,14 +16,28 @@ namespace kinex::verify {
 
 namespace {
 
-bool is_group(std::string_view structure) {
-  const std::vector<std::string_view> groups = structure_groups();
-  return structure == "all" || std::find(groups.begin(), groups.end(), structure) != groups.end();
+bool contains(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_collective(std::string_view structure) {
+  return structure == "all" || contains(structure_groups(), structure) ||
+         contains(family_names(), structure);
 }
 
 bool is_selected(std::string_view structure, const StructureInfo& info) {
-  return structure == "all" || structure == info.name ||
-         (!info.group.empty() && structure == info.group);
+  if (structure == "all" || structure == info.name) return true;
+  if (contains(structure_groups(), structure)) return structure == info.group;
+  return structure == family_of(info.name);
+}
+
+// Whether some structure of the family is selected. The cells of others need not be made: that takes
+// milliseconds, in every child process.
+bool has_selected(const lab::FamilyExperiments& family, std::string_view structure) {
+  const std::vector<StructureInfo>& infos = structure_infos();
+  return std::any_of(infos.begin(), infos.end(), [&](const StructureInfo& info) {
+    return is_selected(structure, info) && family_of(info.name) == family.name;
+  });
 }
 
 // In the registry's order; those of one structure keep theirs.
@@ -69,21 +83,34 @@ void count_sizes(lab::Catalogue& catalogue) {
 
 }  // namespace
 
+std::vector<std::string_view> family_names() {
+  const std::vector<std::string_view> groups = structure_groups();
+  std::vector<std::string_view> names;
+  for (const StructureInfo& info : structure_infos()) {
+    const std::string_view family = family_of(info.name);
+    if (!contains(groups, family) && !contains(names, family)) names.push_back(family);
+  }
+  return names;
+}
+
 lab::Catalogue make_catalogue(std::string_view structure, lab::Extent extent) {
-  if (!is_group(structure) && find_structure_info(structure) == nullptr) {
+  if (!is_collective(structure) && find_structure_info(structure) == nullptr) {
     std::vector<std::string> known{"all"};
     for (const std::string_view group : structure_groups()) known.emplace_back(group);
+    for (const std::string_view family : family_names()) known.emplace_back(family);
     for (const StructureInfo& info : structure_infos()) known.emplace_back(info.name);
-    std::string names;
-    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-    throw formats::InputError("verify", "", show_text(structure) + " is not a structure",
-                              formats::did_you_mean(structure, known, "choose one of " + names));
+    throw formats::InputError(
+        "verify", "", show_text(structure) + " is not a structure",
+        formats::did_you_mean(structure, known, "kinex list structures names them; or write all"));
   }
   lab::Catalogue catalogue;
   for (const lab::FamilyExperiments& family : lab::experiment_families()) {
-    if (family.add_cells != nullptr) family.add_cells(catalogue, extent);
+    if (family.add_cells != nullptr && has_selected(family, structure)) {
+      family.add_cells(catalogue, extent);
+    }
   }
   for (const StructureInfo& info : structure_infos()) {
+    if (!is_selected(structure, info)) continue;
     for (const lab::FamilyExperiments& family : lab::experiment_families()) {
       if (family.add_common_cells != nullptr) family.add_common_cells(catalogue, info, extent);
     }
@@ -91,7 +118,11 @@ lab::Catalogue make_catalogue(std::string_view structure, lab::Extent extent) {
   for (const lab::FamilyExperiments& family : lab::experiment_families()) {
     if (family.add_comparisons != nullptr) family.add_comparisons(catalogue, extent);
     for (const lab::FamilyStudy& study : family.studies) {
-      if (structure != "all" && structure != study.group && structure != study.structure) continue;
+      const bool of_family = structure == family.name && !contains(structure_groups(), structure);
+      if (structure != "all" && structure != study.group && structure != study.structure &&
+          !of_family) {
+        continue;
+      }
       catalogue.studies.push_back({std::string(study.name), study.run, extent == lab::Extent::kQuick});
     }
   }

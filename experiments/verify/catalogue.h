@@ -8,13 +8,18 @@
 #define KINEX_EXPERIMENTS_VERIFY_CATALOGUE_H
 
 #include <string_view>
+#include <vector>
 
 #include "experiments/lab/cell.h"
 
 namespace kinex::verify {
 
-// `structure`: a registered name, a group (all structures for the same attribute), or "all". Throws
-// InputError for any other name.
+// The families of structures, in the registry's order, but for those that have the name of a group.
+std::vector<std::string_view> family_names();
+
+// `structure`: a registered name, a group (all structures for the same attribute), a family (all of a
+// folder of structures/; a group of the same name comes first), or "all". Throws InputError for any
+// other name.
 lab::Catalogue make_catalogue(std::string_view structure, lab::Extent extent);
 
 }  // namespace kinex::verify

@@ -14,6 +14,7 @@
 #include "experiments/sweep/parameters_json.h"
 #include "experiments/verify/catalogue.h"
 #include "experiments/verify/runner.h"
+#include "structures/registry.h"
 
 namespace kinex::verify {
 
@@ -36,7 +37,7 @@ std::string cell_json(const lab::Cell& cell, const std::optional<int>& seeds) {
   json.begin_object().key(kCell).begin_object().key("structure").string(cell.structure);
   json.key("workload").string(cell.workload);
   sweep::write_parameters(json, cell.parameters);
-  if (cell.turned) json.key("turned").boolean(true);
+  if (cell.change != nullptr) json.key(cell.change->name).boolean(true);
   if (cell.mirrored) json.key("mirrored").boolean(true);
   json.key("audit").string(audit_word(cell.audit)).key("max_seconds").real(cell.max_seconds);
   json.key("min_seeds").number(cell.min_seeds).key("max_seeds").number(cell.max_seeds);
@@ -65,14 +66,12 @@ sweep::CellReport run_planned_cell(const formats::JsonNode& content) {
       std::string("{\"") + kCell + "\":" + formats::canonical_json(content.value()) + "}";
   VerifyOptions options;
   if (const auto seeds = content.find("seeds")) options.seeds = seeds->integer(1, kMostSeeds);
+  const std::string structure(content.member("structure").string());
+  if (find_structure_info(structure) == nullptr) fail_unknown(content);
   for (const lab::Extent extent : {lab::Extent::kQuick, lab::Extent::kFull}) {
-    for (const lab::Cell& cell : make_catalogue("all", extent).cells) {
+    for (const lab::Cell& cell : make_catalogue(structure, extent).cells) {
       if (planned(cell, options.seeds).text != text) continue;
-      const lab::CellResult result = run_cell(cell, options, nullptr).value();
-      for (const lab::Check& check : result.checks) {
-        if (check.claim == kThrew) throw std::runtime_error(check.observed);
-      }
-      return report_of(result);
+      return report_of(run_trials(cell, options).value());
     }
   }
   fail_unknown(content);
@@ -103,19 +102,19 @@ std::optional<int> seeds_of(const sweep::Selection& selection) {
   return seeds;
 }
 
-std::vector<sweep::Cell> cells_of(const sweep::Selection& selection) {
+std::vector<sweep::PlanCell> cells_of(const sweep::Selection& selection) {
   for (const auto& [option, values] : selection.options) {
     if (option == "seeds") continue;
     throw formats::InputError("--" + option, "", "verify has no such option", "leave it out");
   }
   if (selection.names.size() > 1) {
-    throw formats::InputError("verify", "", "more than one structure", "give one, a group, or all");
+    throw formats::InputError("verify", "", "more than one structure", "give one, a group, a family, or all");
   }
   const std::optional<int> seeds = seeds_of(selection);
   const lab::Catalogue catalogue =
       make_catalogue(selection.names.empty() ? "all" : selection.names.front(),
                      selection.quick ? lab::Extent::kQuick : lab::Extent::kFull);
-  std::vector<sweep::Cell> cells;
+  std::vector<sweep::PlanCell> cells;
   for (const lab::Cell& cell : catalogue.cells) cells.push_back(planned(cell, seeds));
   for (const lab::Study& study : catalogue.studies) cells.push_back(planned(study));
   return cells;
@@ -135,11 +134,11 @@ lab::Check no_runs(const sweep::Record& record) {
 
 }  // namespace
 
-sweep::Cell planned(const lab::Cell& cell, const std::optional<int>& seeds) {
+sweep::PlanCell planned(const lab::Cell& cell, const std::optional<int>& seeds) {
   return sweep::make_cell(cell.structure, cell_json(cell, seeds), milliseconds(cell.cost));
 }
 
-sweep::Cell planned(const lab::Study& study) {
+sweep::PlanCell planned(const lab::Study& study) {
   std::string text;
   formats::JsonWriter json(text);
   json.begin_object().key(kStudy).begin_object().key("name").string(study.name);

@@ -15,9 +15,9 @@
 namespace kinex::verify {
 
 // {"verify": {..}}: everything that decides the runs; "seeds" as in VerifyOptions.
-sweep::Cell planned(const lab::Cell& cell, const std::optional<int>& seeds);
+sweep::PlanCell planned(const lab::Cell& cell, const std::optional<int>& seeds);
 // {"study": {"name": .., "quick": ..}}
-sweep::Cell planned(const lab::Study& study);
+sweep::PlanCell planned(const lab::Study& study);
 
 // kFailed where a bound or an audit of a run failed, whatever else is expected of it. kLimit where
 // a run took longer than its cell allows.

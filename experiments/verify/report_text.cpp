@@ -4,19 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
 
+#include "experiments/formats/counted.h"
 #include "experiments/lab/family.h"
+#include "experiments/lab/scene_command.h"
 
 namespace kinex::verify {
 
 namespace {
-
-std::string row_text(const CellRow& row, bool bounds) {
-  const std::string bound = bounds ? fmt::format("{:>15} ", row.bound) : "";
-  return fmt::format("{:<18} {:<30} {:>5} {:>4} {:>9} {:>8} {}{:>15} {:<26} {:>6} {:>7}  {}\n",
-                     row.structure, row.workload, row.n, row.runs, row.external, row.internal,
-                     bound, row.expected, row.observed, row.checks, row.ratio, row.verdict);
-}
 
 std::string mean_count(const lab::CellResult& cell, const lab::Quantity& quantity) {
   const double mean = lab::mean_of(cell.trials, quantity).mean();
@@ -26,15 +24,27 @@ std::string mean_count(const lab::CellResult& cell, const lab::Quantity& quantit
 std::string ratio_text(const lab::CellResult& cell) {
   if (!cell.contest) return "-";
   if (!cell.contest->same_counts) return "differs";
-  if (!cell.contest->ratio) return "-";
-  return fmt::format("{:.2f}", *cell.contest->ratio);
+  return cell.contest->ratio ? fmt::format("{:.2f}", *cell.contest->ratio) : "-";
 }
 
 // Failures are explained in full; a bound that holds needs no words.
 std::string explain(const lab::Check& check) {
-  return fmt::format("  {} {} {}: expected {}, observed {}{}\n", lab::check_word(check.verdict),
-                     check.claim, check.quantity, check.expected, check.observed,
+  return fmt::format("  {} {}{}: expected {}, observed {}{}\n", lab::check_word(check.verdict),
+                     check.claim, check.quantity.empty() ? "" : " " + check.quantity,
+                     check.expected, check.observed,
                      check.source.empty() ? "" : " (" + check.source + ")");
+}
+
+// Every check of the result.
+template <class Visit>
+void for_checks(const VerifyResult& result, const Visit& visit) {
+  for (const lab::CellResult& cell : result.cells) {
+    for (const lab::Check& check : cell.checks) visit(check);
+  }
+  for (const lab::GrowthResult& growth : result.growths) visit(growth.check);
+  for (const lab::StudyResult& study : result.studies) {
+    for (const lab::Check& check : study.checks) visit(check);
+  }
 }
 
 }  // namespace
@@ -48,24 +58,41 @@ CellRow cell_row(const lab::CellResult& cell) {
   row.verdict = lab::check_word(cell.verdict());
   row.ratio = ratio_text(cell);
   row.bound = row.expected = row.observed = row.external = row.internal = "-";
-  std::size_t good = 0;
-  for (const lab::Check& check : cell.checks) good += check.verdict == lab::Verdict::kConfirmed ? 1 : 0;
+  const auto good = std::count_if(
+      cell.checks.begin(), cell.checks.end(),
+      [](const lab::Check& check) { return check.verdict == lab::Verdict::kConfirmed; });
   row.checks = fmt::format("{}/{}", good, cell.checks.size());
   if (cell.trials.empty()) return row;
-  if (cell.cell.variable == lab::Variable::kObjects) {
-    row.n = std::to_string(cell.trials.front().measurement.objects);
-  }
+  const lab::Measurement& first = cell.trials.front().measurement;
+  if (cell.cell.axis.is_objects()) row.n = std::to_string(first.objects);
   row.external = mean_count(cell, "external");
   row.internal = mean_count(cell, "internal");
-  if (const BoundCheck* bound = lab::event_bound(cell.trials.front().measurement)) {
-    row.bound = bound->bound.to_string();
-  }
+  if (const BoundCheck* bound = lab::event_bound(first)) row.bound = bound->bound.to_string();
   row.observed = mean_count(cell, "processed");
   if (!cell.cell.expectations.empty()) {
     row.expected = cell.checks.front().expected;
     row.observed = cell.checks.front().observed;
   }
   return row;
+}
+
+std::vector<std::string> CellRow::texts(bool bounds) const {
+  std::vector<std::string> all{structure, workload, n, runs, external, internal};
+  if (bounds) all.push_back(bound);
+  all.insert(all.end(), {expected, observed, checks, ratio, verdict});
+  return all;
+}
+
+std::vector<lab::TextColumn> cell_columns(bool bounds) {
+  std::vector<lab::TextColumn> all{{"structure", -18, false}, {"workload", -30, false}, {"n", 5},
+                                   {"runs", 4},               {"external", 9},          {"internal", 8}};
+  if (bounds) all.push_back({"bound", 15});
+  all.insert(all.end(), {{"expected", 15, false},
+                         {"observed", -26, false},
+                         {"checks", 6, false},
+                         {"ex/dbl", 7, true, "exact/double"},
+                         {"verdict", 0, false}});
+  return all;
 }
 
 bool shows_bounds(const std::vector<lab::Cell>& cells) {
@@ -76,25 +103,10 @@ bool shows_bounds(const std::vector<lab::Cell>& cells) {
   });
 }
 
-std::string table_header(bool bounds) {
-  CellRow row;
-  row.structure = "structure";
-  row.workload = "workload";
-  row.n = "n";
-  row.runs = "runs";
-  row.external = "external";
-  row.internal = "internal";
-  row.bound = "bound";
-  row.expected = "expected";
-  row.observed = "observed";
-  row.checks = "checks";
-  row.ratio = "ex/dbl";
-  row.verdict = "verdict";
-  return row_text(row, bounds);
-}
+std::string table_header(bool bounds) { return lab::text_header(cell_columns(bounds)); }
 
 std::string table_row(const lab::CellResult& cell, bool bounds) {
-  std::string text = row_text(cell_row(cell), bounds);
+  std::string text = lab::text_row(cell_columns(bounds), cell_row(cell).texts(bounds));
   for (const lab::Check& check : cell.checks) {
     if (check.verdict != lab::Verdict::kConfirmed) text += explain(check);
   }
@@ -123,20 +135,66 @@ std::string table_row(const lab::StudyResult& study) {
 std::string seeds_line(const VerifyResult& result) {
   std::size_t open = 0;
   int needed = 0;
-  const auto look = [&](const lab::Check& check) {
+  for_checks(result, [&](const lab::Check& check) {
     open += check.seeds_needed > 0 ? 1 : 0;
     needed = std::max(needed, check.seeds_needed);
-  };
-  for (const lab::CellResult& cell : result.cells) {
-    for (const lab::Check& check : cell.checks) look(check);
-  }
-  for (const lab::GrowthResult& growth : result.growths) look(growth.check);
+  });
   if (open == 0) return "";
   return fmt::format(
-      "Too few random scenes to tell for {} check{}: --seeds {} would do, or about so many; "
-      "without "
-      "--seeds every experiment takes as many as it needs\n",
-      open, open == 1 ? "" : "s", needed);
+      "Too few random scenes to tell for {}: --seeds {} would do, or about so many; without --seeds "
+      "every experiment takes as many as it needs\n",
+      formats::counted(open, "check", "checks"), needed);
+}
+
+std::string verdict_line(const VerifyResult& result, double seconds) {
+  std::array<std::size_t, 4> counts{};  // of cells, fits and studies, by verdict
+  const auto count = [&](lab::Verdict verdict) -> std::size_t& {
+    return counts[static_cast<std::size_t>(verdict)];
+  };
+  for (const lab::CellResult& cell : result.cells) ++count(cell.verdict());
+  for (const lab::GrowthResult& growth : result.growths) ++count(growth.check.verdict);
+  for (const lab::StudyResult& study : result.studies) ++count(study.verdict());
+  const std::size_t held = count(lab::Verdict::kConfirmed), failed = count(lab::Verdict::kRefuted);
+  std::string text = fmt::format("{} of {} hold{}; {} fail{}", held,
+                                 std::accumulate(counts.begin(), counts.end(), std::size_t{0}),
+                                 held == 1 ? "s" : "", failed, failed == 1 ? "s" : "");
+  const auto add = [&](lab::Verdict verdict, const char* words) {
+    if (count(verdict) > 0) text += fmt::format("; {} {}", count(verdict), words);
+  };
+  add(lab::Verdict::kOpen, "inconclusive");
+  add(lab::Verdict::kGaveUp, "gave up");
+  if (result.interrupted) text += "; interrupted";
+  return text + "; " + lab::duration_text(seconds);
+}
+
+std::string work_line(const VerifyResult& result) {
+  std::size_t checks = 0, runs = 0;
+  std::uint64_t failures = 0;
+  for_checks(result, [&](const lab::Check&) { ++checks; });
+  for (const lab::CellResult& cell : result.cells) {
+    runs += cell.trials.size();
+    for (const lab::Trial& trial : cell.trials) failures += trial.measurement.run.events;
+  }
+  std::string what = formats::counted(result.cells.size(), "cell", "cells");
+  const std::string fits = formats::counted(result.growths.size(), "fit", "fits");
+  what += result.studies.empty()
+              ? " and " + fits
+              : ", " + fits + " and " + formats::counted(result.studies.size(), "study", "studies");
+  return fmt::format("{}: {}, {}, {}", what, formats::counted(checks, "check", "checks"),
+                     formats::counted(runs, "run", "runs"),
+                     formats::counted(failures, "certificate failure", "certificate failures"));
+}
+
+std::vector<lab::Table> more_tables(const VerifyResult& result) {
+  std::vector<lab::FittedLaws> fitted;
+  for (const lab::GrowthResult& growth : result.growths) {
+    if (!growth.neighbours) continue;
+    fitted.push_back({growth.claim.structure + ", " + growth.claim.family, growth.points.size(),
+                      *growth.neighbours});
+  }
+  std::vector<lab::Table> tables = lab::family_tables(result.cells);
+  if (!fitted.empty()) tables.insert(tables.begin(), lab::neighbours_table(fitted));
+  return tables;
 }
 
 }  // namespace kinex::verify

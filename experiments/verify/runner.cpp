@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <set>
 #include <utility>
 
@@ -15,10 +14,6 @@
 namespace kinex::verify {
 
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 // Writes the scene of trial k into the folder, under a descriptive name.
 std::string keep_scene(const lab::Cell& cell, int k, const std::string& folder) {
@@ -40,7 +35,7 @@ lab::Trial run_trial(const lab::Cell& cell, int k, const VerifyOptions& options,
   SimulatorOptions simulator;
   simulator.audit = cell.audit;
   simulator.max_seconds = cell.max_seconds;
-  simulator.progress = [&](const Simulator&) { return options.go_on(); };
+  simulator.progress = [&](const Simulator&) { return options.source.go_on(); };
   simulator.interrupt = options.interrupt;
   lab::Trial trial;
   trial.measurement = lab::measure(scene, "exact", simulator);
@@ -71,81 +66,52 @@ void keep_failures(lab::CellResult& result, const VerifyOptions& options) {
   }
 }
 
-void judge_runs(lab::CellResult& result, const VerifyOptions& options) {
-  if (!result.trials.empty()) {
-    std::vector<lab::Check> checks = lab::judge(result.cell, result.trials);
-    checks.insert(checks.end(), result.checks.begin(), result.checks.end());
-    result.checks = std::move(checks);
-  }
-  keep_failures(result, options);
-}
-
 // The cell with the requested number of scenes.
 lab::Cell with_seeds(lab::Cell cell, const VerifyOptions& options) {
   if (options.seeds && cell.random) cell.max_seeds = *options.seeds;
   return cell;
 }
 
-// As run_cell, except that a cell of the journal is not run again.
-std::optional<lab::CellResult> find_or_run(const lab::Cell& cell, const VerifyOptions& options,
-                                           const std::function<void(int seed)>& on_scene) {
-  if (options.journal == nullptr) return run_cell(cell, options, on_scene);
-  const sweep::Cell key = planned(cell, options.seeds);
-  if (const sweep::Record* record = options.journal->find(key.key)) {
-    lab::CellResult result = result_of(*record, with_seeds(cell, options));
-    judge_runs(result, options);
-    return result;
-  }
-  std::optional<lab::CellResult> result = run_cell(cell, options, on_scene);
-  const bool threw = result && std::any_of(result->checks.begin(), result->checks.end(),
-                                           [](const lab::Check& c) { return c.claim == kThrew; });
-  if (result && !threw) {
-    options.journal->add(sweep::record_of(key, report_of(*result), result->seconds));
-  }
-  return result;
-}
-
-lab::StudyResult find_or_run(const lab::Study& study, const VerifyOptions& options) {
-  const sweep::Cell key = planned(study);
-  if (options.journal != nullptr) {
-    if (const sweep::Record* record = options.journal->find(key.key)) {
-      return study_of(*record, study);
-    }
-  }
-  const auto begin = std::chrono::steady_clock::now();
-  lab::StudyResult result = study.run(study.quick, options.go_on);
-  if (options.journal != nullptr && options.go_on()) {
-    options.journal->add(sweep::record_of(key, report_of(result), seconds_since(begin)));
-  }
-  return result;
+std::optional<lab::StudyResult> run_study(const lab::Study& study, const VerifyOptions& options) {
+  const auto record = options.source.record_of(
+      planned(study), [&]() -> std::optional<sweep::CellReport> {
+        return report_of(study.run(study.quick, options.source.go_on));
+      });
+  if (!record) return std::nullopt;
+  return study_of(*record, study);
 }
 
 }  // namespace
 
-std::optional<lab::CellResult> run_cell(const lab::Cell& cell, const VerifyOptions& options,
-                                   const std::function<void(int seed)>& on_scene) {
+std::optional<lab::CellResult> run_trials(const lab::Cell& cell, const VerifyOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   lab::CellResult result;
   result.cell = with_seeds(cell, options);
   const int fewest = std::min(options.seeds && cell.random ? *options.seeds : cell.min_seeds,
                               result.cell.max_seeds);
   for (int k = 0; k < result.cell.max_seeds; ++k) {
-    if (!options.go_on()) return std::nullopt;
-    if (on_scene) on_scene(k);
-    try {
-      result.trials.push_back(run_trial(result.cell, k, options, result.contest));
-    } catch (const std::exception& error) {
-      if (!options.go_on()) return std::nullopt;
-      result.checks.push_back({kThrew, "run", "", "runs to the end", error.what(), "",
-                               lab::Verdict::kRefuted, static_cast<std::size_t>(k)});
-      break;
-    }
+    if (!options.source.go_on()) return std::nullopt;
+    result.trials.push_back(run_trial(result.cell, k, options, result.contest));
     if (result.trials.back().measurement.status == RunStatus::kInterrupted) return std::nullopt;
-    if (!options.go_on()) return std::nullopt;
+    if (!options.source.go_on()) return std::nullopt;
     if (k + 1 >= fewest && precise_enough(cell, result.trials)) break;
   }
-  judge_runs(result, options);
-  result.seconds = seconds_since(begin);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  result.seconds = seconds.count();
+  return result;
+}
+
+std::optional<lab::CellResult> run_cell(const lab::Cell& cell, const VerifyOptions& options) {
+  const auto record = options.source.record_of(
+      planned(cell, options.seeds), [&]() -> std::optional<sweep::CellReport> {
+        const std::optional<lab::CellResult> result = run_trials(cell, options);
+        if (!result) return std::nullopt;
+        return report_of(*result);
+      });
+  if (!record) return std::nullopt;
+  lab::CellResult result = result_of(*record, with_seeds(cell, options));
+  if (!result.trials.empty()) result.checks = lab::judge(result.cell, result.trials);
+  keep_failures(result, options);
   return result;
 }
 
@@ -162,9 +128,8 @@ VerifyResult run_catalogue(const lab::Catalogue& catalogue, const VerifyOptions&
   auto [finished, interrupted] = lab::run_in_order<lab::CellResult>(
       cells.size(), options.jobs,
       [&](std::size_t i) {
-        return find_or_run(cells[i], options, [&](int seed) {
-          if (options.on_scene) options.on_scene(i, seed);
-        });
+        if (options.on_start) options.on_start(i);
+        return run_cell(cells[i], options);
       },
       options.on_cell);
   VerifyResult result;
@@ -177,10 +142,10 @@ VerifyResult run_catalogue(const lab::Catalogue& catalogue, const VerifyOptions&
     }
   }
   for (const lab::Study& study : catalogue.studies) {
-    if (result.interrupted || !options.go_on()) break;
-    lab::StudyResult found = find_or_run(study, options);
-    if (!options.go_on()) break;  // it may be a part of one
-    result.studies.push_back(std::move(found));
+    if (result.interrupted) break;
+    std::optional<lab::StudyResult> found = run_study(study, options);
+    if (!found) break;
+    result.studies.push_back(*std::move(found));
   }
   result.interrupted = result.interrupted || result.studies.size() < catalogue.studies.size();
   return result;

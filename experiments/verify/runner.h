@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runner: runs the cells of a catalogue, several at a time if requested. Results do not depend on
-// the number of jobs, times aside: cells share nothing, and are handed over in the catalogue's
-// order.
+// Runner: the results of the cells of a catalogue, several at a time if requested. They do not depend
+// on the number of jobs, times aside: cells share nothing, and are handed over in the catalogue's order.
 #ifndef KINEX_EXPERIMENTS_VERIFY_RUNNER_H
 #define KINEX_EXPERIMENTS_VERIFY_RUNNER_H
 
@@ -13,7 +12,7 @@
 #include <vector>
 
 #include "experiments/lab/growth.h"
-#include "experiments/sweep/journal.h"
+#include "experiments/sweep/cell_source.h"
 
 namespace kinex::verify {
 
@@ -24,11 +23,10 @@ struct VerifyOptions {
   int jobs = 1;                      // more than one makes time ratios noisy
   std::optional<int> seeds;          // exactly this many for every random cell
   std::string keep_folder;           // for scenes that fail; empty: they are not kept
-  sweep::Journal* journal = nullptr;  // its cells are not run again; new records are added
-  std::function<bool()> go_on = [] { return true; };  // called from all threads
-  const std::atomic<bool>* interrupt = nullptr;       // as in SimulatorOptions
-  // A scene of cell `index` is about to be run. Called from all threads.
-  std::function<void(std::size_t index, int seed)> on_scene;
+  sweep::CellSource source;          // runs cells, or has their records
+  const std::atomic<bool>* interrupt = nullptr;  // as in SimulatorOptions, of runs in this process
+  // Cell `index` is about to be run. Called from all threads.
+  std::function<void(std::size_t index)> on_start;
   // In the catalogue's order, one at a time.
   std::function<void(std::size_t index, const lab::CellResult&)> on_cell;
 };
@@ -42,10 +40,11 @@ struct VerifyResult {
   lab::Verdict verdict() const;
 };
 
-// One cell with all its seeds; nullopt if it was interrupted. An exception of a run is a failed
+// All runs of a cell, in this process, not judged; nullopt if it was interrupted. Throws what a run throws.
+std::optional<lab::CellResult> run_trials(const lab::Cell& cell, const VerifyOptions& options);
+// A cell with all its runs, by options.source, judged; nullopt if it was interrupted. A crash is a failed
 // check.
-std::optional<lab::CellResult> run_cell(const lab::Cell& cell, const VerifyOptions& options,
-                                   const std::function<void(int seed)>& on_scene);
+std::optional<lab::CellResult> run_cell(const lab::Cell& cell, const VerifyOptions& options);
 
 VerifyResult run_catalogue(const lab::Catalogue& catalogue, const VerifyOptions& options);
 

@@ -4,8 +4,9 @@
 
 usage: animate.py PAGE.html OUTPUT [options]
 
-OUTPUT.mp4 and OUTPUT.gif need ffmpeg; OUTPUT.png is an animated PNG, which needs nothing; any other name is
-a folder for the frames (frame-0001.png, ..). Frames are equally spaced in time, or one for each log record.
+OUTPUT.mp4 and OUTPUT.gif need ffmpeg; OUTPUT.png is an animated PNG, which needs nothing; OUTPUT.svg is one
+picture, after the log record of --record; any other name is a folder for the frames (frame-0001.png, ..). Frames
+are equally spaced in time, or one for each log record.
 Standard library only. Exit codes: 2 bad input, 3 Chromium or ffmpeg is missing or fails.
 """
 import argparse
@@ -30,6 +31,7 @@ def options():
     parser.add_argument("--frames", type=int, default=120, help="number of frames (120)")
     parser.add_argument("--fps", type=int, default=24, help="frames a second (24)")
     parser.add_argument("--records", action="store_true", help="a frame for each log record, at most --frames")
+    parser.add_argument("--record", type=int, help="of an SVG: the log record after which it is drawn (the last one)")
     parser.add_argument("--from", dest="begin", type=float, default=0, help="part of the time shown, 0 to 1 (0)")
     parser.add_argument("--to", dest="end", type=float, default=1, help="likewise (1)")
     parser.add_argument("--size", default="640x480", help="of the picture in pixels (640x480)")
@@ -57,22 +59,40 @@ def checked(chosen):
         bad_input(f"--size: {chosen.size!r} is not WIDTHxHEIGHT from 64 to 4096; write 640x480")
     if chosen.frames < 1 or not 1 <= chosen.fps <= 120 or not 0 <= chosen.begin < chosen.end <= 1:
         bad_input("--frames, --fps, --from, --to: out of range; leave them out for the whole run")
+    if chosen.record is not None and chosen.output.suffix != ".svg":
+        bad_input("--record: it is for one picture; write OUTPUT.svg, or leave it out")
     return int(width), int(height)
+
+
+def opened(chosen, browser):
+    """Opens the page, with the structure and the drawing that are wanted."""
+    browser.open(chosen.page.resolve().as_uri())
+    browser.evaluate("new Promise(done => { const wait = setInterval(() => { if (window.kinexFrame) {"
+                     " clearInterval(wait); done(); } }, 20); })")
+    if chosen.structure:
+        found = browser.evaluate(f"DATA.structures.findIndex(s => s.label === {chosen.structure!r})")
+        if found < 0:
+            bad_input(f"--structure: {chosen.structure!r} is not on the page")
+        browser.evaluate(f"app.setStructure({found})")
+    if chosen.drawing:
+        browser.evaluate(f"app.setMode({chosen.drawing!r})")
+
+
+def drawing(chosen, width, height):
+    """One picture, as SVG."""
+    with Browser(max(width, 1100), max(height, 800), chosen.dark) as browser:
+        opened(chosen, browser)
+        first, last = browser.evaluate("[eventsUntil(FIRST, 0), eventsUntil(FIRST, 1)]")
+        record = last if chosen.record is None else chosen.record
+        if not first <= record <= last:
+            bad_input(f"--record: the page has no log record {record}; write a number from {first} to {last}")
+        return browser.evaluate(f"(app.setEvent({record}), app.draw(), pictureAsSvg({width}, {height}))")
 
 
 def frames(chosen, width, height):
     """The frames' PNGs, one after the other."""
     with Browser(max(width, 1100), max(height, 800), chosen.dark) as browser:
-        browser.open(chosen.page.resolve().as_uri())
-        browser.evaluate("new Promise(done => { const wait = setInterval(() => { if (window.kinexFrame) {"
-                         " clearInterval(wait); done(); } }, 20); })")
-        if chosen.structure:
-            found = browser.evaluate(f"DATA.structures.findIndex(s => s.label === {chosen.structure!r})")
-            if found < 0:
-                bad_input(f"--structure: {chosen.structure!r} is not on the page")
-            browser.evaluate(f"app.setStructure({found})")
-        if chosen.drawing:
-            browser.evaluate(f"app.setMode({chosen.drawing!r})")
+        opened(chosen, browser)
         places = [f"u: {chosen.begin + (chosen.end - chosen.begin) * i / max(1, chosen.frames - 1)}"
                   for i in range(chosen.frames)]
         if chosen.records:
@@ -98,7 +118,7 @@ def chunk(kind, data):
 
 
 def animated_png(pictures, fps):
-    """The frames in one file, which plays for ever; browsers show it like any image."""
+    """The frames as one animated PNG, which repeats without end; browsers show it like any image."""
     head = next(data for kind, data in chunks(pictures[0]) if kind == b"IHDR")
     width, height = struct.unpack(">II", head[:8])
     result = PNG + chunk(b"IHDR", head) + chunk(b"acTL", struct.pack(">II", len(pictures), 0))
@@ -130,6 +150,9 @@ def by_ffmpeg(folder, chosen):
 
 
 def write(chosen, width, height):
+    if chosen.output.suffix == ".svg":
+        chosen.output.write_text(drawing(chosen, width, height) + "\n", encoding="utf-8")
+        return
     if chosen.output.suffix == ".png":
         chosen.output.write_bytes(animated_png(list(frames(chosen, width, height)), chosen.fps))
         return

@@ -129,6 +129,8 @@ void write_structures(formats::JsonWriter& json, const RecordedRun& run, const S
     write_key(json, structure, scene);
     json.key("kinds");
     write_texts(json, structure.kinds);
+    json.key("meanings");
+    write_texts(json, structure.meanings);
     json.end_object();
   }
   json.end_array();

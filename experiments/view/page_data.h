@@ -9,7 +9,7 @@
 //  "scene": {"name", "hash", "dimension"},
 //  "time": {"start": [TEXT, NUMBER], "span": NUMBER}, "scale": NUMBER,
 //  "ids": [ID, ..], "motions": [[[FROM, TO, [[c0, c1, ..] per axis]], ..] per object],
-//  "structures": [{"label", "name", "role", "shape", "width", "key", "kinds"}],
+//  "structures": [{"label", "name", "role", "shape", "width", "key", "kinds", "meanings"}],
 //  "runs": [{"arithmetic", "exact", "before", "stopped", "predicates",
 //     "u", "s", "k", "x", "ids", "certificates", "i", "p", "g": lists with one entry per event,
 //     "instants": [[DECIMAL, POLYNOMIAL, ROOT, LOWER, UPPER]], "reasons": {EVENT: TEXT},

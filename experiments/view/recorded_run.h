@@ -56,6 +56,7 @@ struct RecordedStructure {
   Key key;
   bool has_key = false;
   std::vector<std::string> kinds;
+  std::vector<std::string> meanings;     // of the kinds, in words
   Attribute initial;                     // before the first recorded event
   std::vector<AttributeChange> changes;  // ascending in `event`
   // The number of events after which an inexact arithmetic had corrupted the structure: it has no

@@ -196,6 +196,7 @@ class Recorder final : public EventSink {
           planned.request.label, planned.watches, planned.members);
       for (const std::string_view kind : simulator_->event_kinds(id)) {
         record.kinds.emplace_back(kind);
+        record.meanings.emplace_back(info != nullptr ? meaning_of_kind(*info, kind) : "");
       }
     }
   }

@@ -39,12 +39,12 @@ FramePoint frame_point(const Rational& x, const Rational& y);  // the point (x, 
 FrameLine frame_line(const Rational& nx, const Rational& ny, const FramePoint& through);
 // The points p with n.p = h.
 FrameLine frame_line(const Rational& nx, const Rational& ny, const Rational& h);
-// The common point of two lines. Requires turn(first, second) positive.
+// The common point of two lines: (1) side is zero there for both. Requires turn(first, second) positive.
 FramePoint meeting(const FrameLine& first, const FrameLine& second);
-// The sign of n.p - h: positive on the side of the line's normal, zero on the line.
+// The sign of n.p - h: positive beyond the line, zero on it. (1) reversing the line negates it
 Sign side(const FrameLine& line, const FramePoint& p);
 // Positive iff the normals turn counter-clockwise, by less than half a turn, from first to second;
-// zero iff they are parallel. turn(b, a) = -turn(a, b).
+// zero iff they are parallel. (1) turn(b, a) = -turn(a, b)   (2) reversing one line negates it
 Sign turn(const FrameLine& first, const FrameLine& second);
 // The quadrant of the normal's angle: 0 for [0, 90) degrees, 1 for [90, 180), and so on.
 int quadrant(const FrameLine& line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The second stage of continuous contact: integer polynomials and their real roots.
+// The second stage of continuous contact: roots of integer polynomials. Identities: continuous_contact.h.
 #ifndef KINEX_PREDICATES_CCD_CONTACT_EXACT_H
 #define KINEX_PREDICATES_CCD_CONTACT_EXACT_H
 

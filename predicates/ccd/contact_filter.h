@@ -20,7 +20,7 @@ struct ContactVerdict {  // the answer of the filter
   int cuts = 0;                 // how often an interval was cut
 };
 
-// Every verdict other than kUnknown is a proof. No allocation; the number of cuts is bounded.
+//   (1) a verdict other than kUnknown agrees with first_contact_exactly. No allocation; bounded cuts.
 ContactVerdict filter_contact(const ContactQuery& query);
 
 }  // namespace kinex

@@ -28,13 +28,18 @@ enum class EndClaim : std::uint8_t { kLowerEnds, kUpperEnds, kMeeting, kApart };
 //   kUpperEnds  (x_b + h_b) - (x_a + h_a): the upper end of a is in front of that of b
 //   kMeeting    (x_b + h_b) - (x_a - h_a): the lower end of a is in front of the upper end of b
 //   kApart      (x_a - h_a) - (x_b + h_b): the upper end of b is in front of the lower end of a
-// (1) kLowerEnds and kUpperEnds alternate
-// (2) kApart(a, b) = -kMeeting(a, b)
-// (3) the intervals of a and b meet iff kMeeting(a, b) >= 0 and kMeeting(b, a) >= 0
+//   (1) kLowerEnds and kUpperEnds alternate
+//   (2) kApart(a, b) = -kMeeting(a, b)
+//   (3) the intervals of a and b meet iff kMeeting(a, b) >= 0 and kMeeting(b, a) >= 0
 std::shared_ptr<const Predicate> make_end_order(EndClaim claim, const EndAxes& axes);
 
 // half_width(a) = h_a on an axis (named half_width_x, half_width_y, half_width_z): the lower end of
-// a is in front of its upper end. no_width(a) is its negation. Degree 1 in the coordinates.
+// a is in front of its upper end. no_width(a) is its negation. Degree 1 in the coordinates. They take
+// the place of end orders that would name one object twice.
+//   (1) no_width(a) = -half_width(a)
+//   (2) the value does not depend on the position of a
+//   (3) with the claims of make_end_order: kMeeting(a, a) = 2 half_width(a), kApart(a, a) =
+//       2 no_width(a), and kLowerEnds(a, a) = kUpperEnds(a, a) = 0
 std::shared_ptr<const Predicate> make_half_width(const EndAxes& axes);
 // See make_half_width.
 std::shared_ptr<const Predicate> make_no_width(const EndAxes& axes);

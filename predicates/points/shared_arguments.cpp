@@ -43,6 +43,11 @@ class SharedArguments final : public Predicate {
   int degree(int d) const override { return whole_->degree(d); }
   int alternating() const override { return 0; }
   bool has_unit() const override { return whole_->has_unit(); }
+  bool negates(const Predicate& other) const override {
+    const auto* same = dynamic_cast<const SharedArguments*>(&other);
+    if (same == nullptr || pattern_ != same->pattern_) return Predicate::negates(other);
+    return whole_->negates(*same->whole_);
+  }
   int homogeneity() const override { return whole_->homogeneity(); }
   double reach_error(int d) const override { return whole_->reach_error(d); }
   bool shifts(int d) const override { return whole_->shifts(d); }

@@ -8,8 +8,8 @@
 //   pattern 0 1 2 1 2 3                                 named order_strip/012123
 //
 //   (1) value(objects) = value of the whole of (objects[pattern[0]], objects[pattern[1]], ..)
-//   (2) if the whole alternates in halves, the pattern with its halves exchanged is the opposite
-//       predicate
+//   (2) if exchanging the two halves of its arguments negates the whole predicate, then exchanging
+//       the two halves of the pattern gives the opposite predicate
 // The degree, the error bounds and the unit are those of the whole.
 #ifndef KINEX_PREDICATES_POINTS_SHARED_ARGUMENTS_H
 #define KINEX_PREDICATES_POINTS_SHARED_ARGUMENTS_H

@@ -7,8 +7,8 @@
 // shifts of the axes: at most 3 (2r + 1)^2 vectors.
 //
 // A direction whose largest coordinate is z >= 0 has |a|, |b| <= sqrt(2) - 1, so a vector is within
-// 1 / (sqrt(2) k) of it in the plane, and |s(p) - s(q)| <= 2 |p - q|: their product is at least
-// 1 - 1/k^2. k = 1: the three axes, which prove nothing; k = 2, 3: 27; k = 4, 5, 6: 75.
+// 1 / (sqrt(2) k) of it in the plane, and |s(p) - s(q)| <= 2 |p - q|. So their inner product is at
+// least 1 - 1/k^2. k = 1: three axes, bound 0; k = 2, 3: at most 27 vectors; k = 4, 5, 6: at most 75.
 #ifndef KINEX_PREDICATES_POINTS_UNIT_DIRECTIONS_3_H
 #define KINEX_PREDICATES_POINTS_UNIT_DIRECTIONS_3_H
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/arrangement/family.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "structures/arrangement/incidences_all.h"
+#include "structures/arrangement/line_arrangement_2.h"
+#include "structures/arrangement/points_in_arrangement.h"
 
 namespace kinex {
 namespace {
@@ -17,10 +20,10 @@ StructureInfo incidences() {
   all.min_dimension = 2;
   all.shape = Attribute::Shape::kTuples;
   all.lines = LineUse::kWithPoints;
-  all.kinds = {{"above", Effect::kAlways},
-               {"below", Effect::kAlways},
-               {"change", Effect::kNever},
-               {"tie", Effect::kNever}};
+  all.kinds = {{"above", Effect::kAlways, "a point comes above a line"},
+               {"below", Effect::kAlways, "a point comes below a line"},
+               {"change", Effect::kNever, "a point passes a line, at an instant that is not over"},
+               {"tie", Effect::kNever, "a point is identically on a line from now on"}};
   all.certificates = "nm for n lines and m points, one for each of both";
   all.ties = "a point that is identically on a line is below it";
   all.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
@@ -28,8 +31,57 @@ StructureInfo incidences() {
   return all;
 }
 
+StructureInfo arrangement_of_lines() {
+  StructureInfo info;
+  info.name = "line_arrangement_2";
+  info.summary = "the arrangement of moving lines: their order by slope, and on each the order of the others";
+  info.min_dimension = 2;
+  info.shape = Attribute::Shape::kOrders;
+  info.role = "crossings";
+  info.lines = LineUse::kAlone;
+  info.kinds = {
+      {"triple", Effect::kAlways, "the triangle of three lines turns over"},
+      {"parallel", Effect::kAlways, "two lines change their order by slope"},
+      {"equal", Effect::kAlways, "two parallel lines pass through each other"},
+      {"swap", Effect::kNever, "two crossings of a line change places, at an instant that is not over"},
+      {"slopes", Effect::kNever, "two slopes change places, at an instant that is not over"},
+      {"tie", Effect::kNever, "two lines coincide identically from now on"}};
+  info.certificates = "n^2 - n - 1 for n lines, one for each two neighbours by slope, or on a line";
+  info.ties =
+      "lines are raised by infinitesimals, more so the smaller the id; parallel ones cross nowhere";
+  info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+  info.make = make_plain<LineArrangement2>;
+  return info;
+}
+
+StructureInfo places_of_points() {
+  StructureInfo info;
+  info.name = "points_in_arrangement";
+  info.summary = "the lines next to each point, above and below, in the arrangement of moving lines";
+  info.min_dimension = 2;
+  info.shape = Attribute::Shape::kSequence;
+  info.role = "next_lines";
+  info.lines = LineUse::kWithPoints;
+  info.reads = {{"line_arrangement_2"}};
+  info.kinds = {{"above", Effect::kAlways, "another line is next above a point"},
+                {"below", Effect::kAlways, "another line is next below a point"},
+                {"move", Effect::kNever, "the proof of a point's place fails"}};
+  info.certificates = "6 for each point; those of line_arrangement_2, of the lines, besides";
+  info.ties =
+      "a point that is identically on a line is below it; of two lines that identically meet above or "
+      "below a point the smaller id is the higher one";
+  info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+  info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
+    return std::make_unique<PointsInArrangement>(
+        in.kernel, in.id, dynamic_cast<const LineArrangement2&>(*in.watched[0]), in.scene);
+  };
+  return info;
+}
+
 }  // namespace
 
-StructureFamily arrangement_family() { return {"arrangement", {incidences()}}; }
+StructureFamily arrangement_family() {
+  return {"arrangement", {incidences(), arrangement_of_lines(), places_of_points()}};
+}
 
 }  // namespace kinex

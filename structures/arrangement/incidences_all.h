@@ -2,7 +2,7 @@
 // incidences_all: which points are above which lines y = a x + b, for lines and points that move.
 // Every pair is watched: the baseline.
 //
-// Attribute. The pairs of a line and a point above it, each in the order of the two ids. External
+// Attribute. The pairs of a line and a point above it, in ascending order of the two ids. External
 // events, when the instant is over: "below" for every pair that was above and is so no longer, then
 // "above" for every pair that has become so, both in ascending order.
 //

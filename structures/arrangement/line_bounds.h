@@ -23,6 +23,13 @@ struct LinesAndPoints {
 // pair_sign_changes for pairs of a line and a point.
 Integer side_changes(const LinesAndPoints& both, int degree);
 
+// The same for all sets of two lines and a point. O(n).
+Integer order_changes(const LinesAndPoints& both, int degree);
+
+// The same for all sets of three objects: p, q and r pieces make at most p + q + r - 2 joint ones.
+// degree * C(n, 3) if every object has one piece. O(n).
+Integer triple_sign_changes(const std::vector<int>& pieces, int degree);
+
 }  // namespace kinex
 
 #endif

@@ -32,13 +32,13 @@ class LineSides {
 
   LineSides(Kernel& kernel, StructureId id);
 
-  // A pair more, right after now, which is not there. True if the point is above the line.
+  // Adds a pair that is not there. True if the point is above the line right after now.
   bool add(const Pair& pair);
-  // A pair less, which is there. True if the point was above.
+  // Removes a pair that is there. True if the point was above the line.
   bool remove(const Pair& pair);
   void clear();
   bool owns(CertificateId c) const { return slots_.owns(c); }
-  // The certificate of a pair has failed: the pair, which is the other way round from now on.
+  // The certificate of a pair has failed: that pair, and the side of its point from now on.
   struct Change {
     Pair pair;
     bool above;

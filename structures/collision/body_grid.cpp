@@ -11,48 +11,16 @@
 
 namespace kinex {
 
-std::optional<Rational> BodyGrid::width_for(const Scene& scene, const Rational& largest_radius) {
-  if (!scene.end) return std::nullopt;
-  Rational farthest;
-  for (const SceneObject& object : scene.objects) {
-    for (const MotionPiece& piece : object.motion.pieces) {
-      const Rational from = piece.from ? std::max(*piece.from, scene.start) : scene.start;
-      const Rational to = piece.to ? std::min(*piece.to, *scene.end) : *scene.end;
-      if (to < from) continue;
-      for (int axis = 0; axis < 2; ++axis) {
-        for (const Rational& t : {from, to}) {
-          const Rational x = piece.trajectory.position(axis, t);
-          farthest = std::max(farthest, x.sign() < 0 ? -x : x);
-        }
-      }
-    }
-  }
-  const Rational cells(static_cast<int>(64 + scene.objects.size()));
-  Rational width = Rational(2) * largest_radius;
-  // Doubled, so that short numbers stay short.
-  while (width * cells < farthest) width *= Rational(2);
-  return width;
-}
-
-BodyGrid::BodyGrid(Kernel& kernel, StructureId id, Rational width, std::size_t bodies)
+BodyGrid::BodyGrid(Kernel& kernel, StructureId id, BodyGridLines lines, std::size_t bodies)
     : kernel_(kernel),
-      id_(id),
-      width_(std::move(width)),
+      slots_(kernel, id, "cells"),
+      lines_(std::move(lines)),
       beyond_{kernel.bind(make_beyond_line(0, false)), kernel.bind(make_beyond_line(1, false))},
       short_of_{kernel.bind(make_beyond_line(0, true)), kernel.bind(make_beyond_line(1, true))},
       places_(bodies) {}
 
-ObjectId BodyGrid::line(std::int64_t k) {
-  const auto [place, is_new] = lines_.try_emplace(k, kNoObject);
-  if (is_new) {
-    const Rational at = Rational(k) * width_;
-    place->second = kernel_.constant(at.to_string(), {at});
-  }
-  return place->second;
-}
-
 bool BodyGrid::is_beyond(ObjectId body, int axis, std::int64_t k) {
-  const Query query(beyond_[static_cast<std::size_t>(axis)], {body, line(k)});
+  const Query query(beyond_[static_cast<std::size_t>(axis)], {body, lines_.line(k)});
   return kernel_.sign_after(query) != Sign::kNegative;
 }
 
@@ -84,8 +52,8 @@ std::int64_t BodyGrid::find_cell(ObjectId body, int axis) {
 Query BodyGrid::side(ObjectId body, std::uint32_t direction) {
   const std::size_t axis = direction / 2;
   const std::int64_t k = places_[body].cell[axis];
-  if (direction % 2 == 0) return Query(beyond_[axis], {body, line(k)});
-  return Query(short_of_[axis], {body, line(k + 1)});
+  if (direction % 2 == 0) return Query(beyond_[axis], {body, lines_.line(k)});
+  return Query(short_of_[axis], {body, lines_.line(k + 1)});
 }
 
 void BodyGrid::enter(ObjectId body) {
@@ -106,26 +74,27 @@ void BodyGrid::insert(ObjectId body) {
     place.cell[static_cast<std::size_t>(axis)] = find_cell(body, axis);
   }
   enter(body);
-  for (std::uint32_t d = 0; d < 4; ++d) {
-    place.certificate[d] = kernel_.create(id_, side(body, d), kTag | (body * 4 + d)).id;
-  }
+  for (std::uint32_t d = 0; d < 4; ++d) certify(body, d);
+}
+
+void BodyGrid::certify(ObjectId body, std::uint32_t direction) {
+  slots_.set(places_[body].certificate[direction], side(body, direction), 4 * body + direction);
 }
 
 void BodyGrid::erase(ObjectId body) {
-  for (const CertificateId id : places_[body].certificate) kernel_.retract(id);
+  for (CertificateId& slot : places_[body].certificate) slots_.drop(slot);
   leave(body);
 }
 
-ObjectId BodyGrid::move_on(std::uint32_t tag) {
-  const ObjectId body = (tag & ~kTag) / 4;
-  const std::uint32_t failed = tag % 4, axis = failed / 2;
-  Place& place = places_[body];
+ObjectId BodyGrid::move_on(CertificateId failed) {
+  const std::uint32_t tag = slots_.failed(failed);
+  const ObjectId body = tag / 4;
+  const std::uint32_t direction = tag % 4, axis = direction / 2;
   leave(body);
-  place.cell[axis] += failed % 2 == 0 ? -1 : 1;
+  places_[body].cell[axis] += direction % 2 == 0 ? -1 : 1;
   enter(body);
-  for (const std::uint32_t d : {2 * axis, 2 * axis + 1}) {
-    kernel_.replace(place.certificate[d], side(body, d), kTag | (body * 4 + d));
-  }
+  certify(body, 2 * axis);
+  certify(body, 2 * axis + 1);
   return body;
 }
 
@@ -169,10 +138,9 @@ void BodyGrid::visit_proof(ProofVisitor& visitor) const {
 
 std::size_t BodyGrid::bytes() const {
   constexpr std::size_t kNode = 48;
-  return places_.capacity() * sizeof(Place) +
+  return places_.capacity() * sizeof(Place) + lines_.bytes() +
          cells_.size() *
-             (sizeof(Cell) + sizeof(std::vector<ObjectId>) + 4 * sizeof(ObjectId) + kNode) +
-         lines_.size() * (sizeof(std::int64_t) + sizeof(ObjectId) + kNode);
+             (sizeof(Cell) + sizeof(std::vector<ObjectId>) + 4 * sizeof(ObjectId) + kNode);
 }
 
 }  // namespace kinex

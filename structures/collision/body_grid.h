@@ -3,9 +3,9 @@
 //
 // Around every body's origin there is a disc that holds the body however it turns. Cells are
 // squares at least as wide as the largest of these discs, wider where the scene is large
-// (width_for). A body belongs to the cell of its origin and has one certificate for each side of
-// the cell. Bodies in cells that do not touch are apart. A certificate fails when its body moves to
-// another cell.
+// (predicates/bodies/body_grid_lines.h). A body belongs to the cell of its origin and has one
+// certificate for each side of the cell. Bodies in cells that do not touch are apart. A certificate
+// fails when its body moves to another cell.
 //
 //     +---+---+---+
 //     | n | n | n |      b: the cell of a body; 4 certificates, one for each side
@@ -25,35 +25,26 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/engine/kernel.h"
 #include "core/engine/proof.h"
-#include "core/motion/scene.h"
+#include "predicates/bodies/body_grid_lines.h"
+#include "structures/parts/slots.h"
 
 namespace kinex {
 
 class BodyGrid {
  public:
-  // The tags of its certificates have this bit.
-  static constexpr std::uint32_t kTag = 0x80000000u;
-
-  // A width of cells for bodies whose discs have at most this radius. It is at least twice the
-  // radius, and so large that the ends of all flight plans lie within 64 + n cells of the origin on
-  // each axis: a fast or distant body crosses no more cells than that. nullopt for a scene without
-  // an end, in which bodies would cross cells without end.
-  static std::optional<Rational> width_for(const Scene& scene, const Rational& largest_radius);
-
-  // Cells of width `width` > 0 for bodies numbered below `bodies`.
-  BodyGrid(Kernel& kernel, StructureId id, Rational width, std::size_t bodies);
+  // For bodies numbered below `bodies`.
+  BodyGrid(Kernel& kernel, StructureId id, BodyGridLines lines, std::size_t bodies);
 
   void insert(ObjectId body);
   void erase(ObjectId body);
-  // The certificate with this tag has failed: moves its body to the next cell. Returns the body.
-  ObjectId move_on(std::uint32_t tag);
+  bool owns(CertificateId failed) const { return slots_.owns(failed); }
+  // This certificate has failed: moves its body to the next cell. Returns the body.
+  ObjectId move_on(CertificateId failed);
   // The bodies in its cell and in the eight around it, in ascending order, without itself.
   // Valid until the next call.
   std::span<const ObjectId> near(ObjectId body);
@@ -66,22 +57,22 @@ class BodyGrid {
   using Cell = std::array<std::int64_t, 2>;
   struct Place {
     Cell cell{};
-    std::array<CertificateId, 4> certificate{};  // low x, high x, low y, high y
+    std::array<CertificateId, 4> certificate{kNoCertificate, kNoCertificate, kNoCertificate,
+                                             kNoCertificate};  // low x, high x, low y, high y
   };
-  ObjectId line(std::int64_t k);
   std::int64_t find_cell(ObjectId body, int axis);
   bool is_beyond(ObjectId body, int axis, std::int64_t k);
   Query side(ObjectId body, std::uint32_t direction);
+  void certify(ObjectId body, std::uint32_t direction);
   void enter(ObjectId body);
   void leave(ObjectId body);
 
   Kernel& kernel_;
-  const StructureId id_;
-  Rational width_;
+  Slots slots_;
+  BodyGridLines lines_;
   std::array<PredicateId, 2> beyond_, short_of_;  // per axis
   std::vector<Place> places_;                     // per body
   std::map<Cell, std::vector<ObjectId>> cells_;   // ascending ids
-  std::map<std::int64_t, ObjectId> lines_;
   std::vector<ObjectId> near_;
 };
 

@@ -15,32 +15,33 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
-#include <vector>
 
 #include "structures/collision/closest_features.h"
+#include "structures/collision/separation_proof.h"
 
 namespace kinex {
 
-class BoundingVolumes final : public ClosestFeatures {
+class BoundingVolumes final : public SeparationProof {
  public:
-  BoundingVolumes(Kernel& kernel, StructureId id, const Scene& scene);
+  explicit BoundingVolumes(PairTable& pairs) : pairs_(pairs), near_(pairs, true) {}
 
-  std::string_view name() const override { return "bounding_volumes"; }
-  std::size_t bytes() const override;
-
- protected:
-  Roles describe(PairId p, ProofGroup& group) const override;
-  bool start(PairId p) override;
-  void fail(PairId p, std::uint32_t slot) override;
-  std::optional<Features> touch(PairId p, When when) override;
-  std::uint32_t most_certificates() const override { return 6; }
-  std::optional<Query> extra(PairId p) override;
+  bool start(PairId p, const Edge* left) override {
+    return pairs_.set_volume(p) || near_.start(p, left);
+  }
+  Repair repair(PairId p, std::uint32_t slot) override;
+  // Volumes are larger than the bodies: while one is the proof, the bodies do not touch.
+  std::optional<Features> touch(PairId p, When when) override {
+    return pairs_.is_by_volume(p) ? std::nullopt : near_.touch(p, when);
+  }
+  Roles describe(PairId p, ProofGroup& group) const override {
+    return pairs_.is_by_volume(p) ? pairs_.describe_volumes(p, group) : near_.describe(p, group);
+  }
+  std::uint32_t most_certificates() const override { return near_.most_certificates(); }
+  std::size_t bytes() const override { return near_.bytes(); }
 
  private:
-  bool put_volume(PairId p);
-
-  std::vector<std::uint8_t> near_;  // per pair
+  PairTable& pairs_;
+  ClosestFeatures near_;
 };
 
 }  // namespace kinex

@@ -3,13 +3,6 @@
 
 namespace kinex {
 
-ClosestFeatures::ClosestFeatures(Kernel& kernel, StructureId id, const Scene& scene)
-    : CollisionPairs(kernel, id, scene, CutPolicy::kMedian) {}
-
-std::vector<std::string_view> ClosestFeatures::event_kinds() const {
-  return collision_kinds({"change"});
-}
-
 // Slots of a vertex and an edge:
 //   0  past the edge's first end
 //   1  short of its last end
@@ -31,16 +24,16 @@ Query ClosestFeatures::claim(const SumBoundary& sum, const State& state, std::ui
       case 3:
         return sum.order_before(z, state.e, state.v);
       default:
-        return sum.at_touch(z, sum.beyond(z, state.e, state.v));
+        return sum.at_touch(sum.beyond(z, state.e, state.v));
     }
   }
   const std::uint32_t x = state.e, y = state.v;
   switch (slot) {
     // A point may stay on the line of one of these: where it reaches the vertex the other touches.
     case 0:
-      return sum.at_touch(0, sum.short_of(0, x, false, y));
+      return sum.at_touch(sum.short_of(0, x, false, y));
     case 1:
-      return sum.at_touch(0, sum.past(0, sum.frame(0).before(x), true, y));
+      return sum.at_touch(sum.past(0, sum.frame(0).before(x), true, y));
     case 2:
       return sum.short_of(1, y, false, x);
     default:
@@ -55,29 +48,25 @@ void ClosestFeatures::enter(PairId p, const SumBoundary& sum, const State& state
   for (const std::uint32_t own = state.edge ? 5 : 4; count < own; ++count) {
     queries[count] = claim(sum, state, count);
   }
-  if (const auto more = extra(p)) queries[count++] = *more;
-  set_certificates(p, {queries.data(), count});
+  if (watch_discs_) queries[count++] = pairs_.volumes().discs_overlap(pairs_[p].a, pairs_[p].b);
+  pairs_.set(p, slots_, {queries.data(), count});
 }
 
-bool ClosestFeatures::start(PairId p) {
+bool ClosestFeatures::start(PairId p, const Edge*) {
   if (state_.size() <= p) state_.resize(p + std::size_t{1});
-  const SumBoundary sum = boundary(p);
-  const auto holds = [&sum](const Query& query) { return sum.sign(query) != Sign::kNegative; };
-  for (const SumBoundary::Edge& edge : sum.edges()) {
+  const SumBoundary sum = pairs_.boundary(p);
+  for (const Edge& edge : sum.edges()) {
     // This edge of M, or the vertex of M at its last end.
-    if (holds(sum.beyond(edge.z, edge.edge, edge.vertex)) &&
-        holds(sum.past(edge.z, edge.edge, false, edge.vertex)) &&
-        holds(sum.short_of(edge.z, edge.edge, true, edge.vertex))) {
+    if (sum.holds(sum.beyond(edge)) && sum.holds(sum.past(edge, false)) &&
+        sum.holds(sum.short_of(edge, true))) {
       enter(p, sum, {true, edge.z, edge.edge, edge.vertex});
       return true;
     }
-    const std::uint32_t last = sum.frame(edge.z).after(edge.edge);
-    const std::uint32_t x = edge.z == 0 ? last : edge.vertex;
-    const std::uint32_t y = edge.z == 0 ? edge.vertex : last;
-    if (holds(sum.past(0, sum.frame(0).before(x), true, y)) &&
-        holds(sum.short_of(0, x, false, y)) &&
-        holds(sum.past(1, sum.frame(1).before(y), true, x)) &&
-        holds(sum.short_of(1, y, false, x))) {
+    const auto [x, y] = sum.end(edge, true);
+    if (sum.holds(sum.past(0, sum.frame(0).before(x), true, y)) &&
+        sum.holds(sum.short_of(0, x, false, y)) &&
+        sum.holds(sum.past(1, sum.frame(1).before(y), true, x)) &&
+        sum.holds(sum.short_of(1, y, false, x))) {
       enter(p, sum, {false, 0, x, y});
       return true;
     }
@@ -106,17 +95,8 @@ ClosestFeatures::State ClosestFeatures::next(const SumBoundary& sum, const State
   return {true, z, state.e, v};
 }
 
-// The point lies in the edge's direction from its first end; or (not forward) against it from the
-// last one.
-bool ClosestFeatures::is_along(const SumBoundary& sum, const SumBoundary::Edge& edge,
-                               bool forward) {
-  const Query claim = forward ? sum.past(edge.z, edge.edge, false, edge.vertex)
-                              : sum.short_of(edge.z, edge.edge, true, edge.vertex);
-  return sum.sign(claim) == Sign::kPositive;
-}
-
-void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
-  const SumBoundary sum = boundary(p);
+SeparationProof::Repair ClosestFeatures::repair(PairId p, std::uint32_t slot) {
+  const SumBoundary sum = pairs_.boundary(p);
   const State state = state_[p];
   // The vertex has crossed the edge's line: beside the edge, if another certificate fails too.
   for (std::uint32_t i = 0; is_contact_slot(p, slot) && i < 4; ++i) {
@@ -127,14 +107,11 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
     if (sum.sign(claim(sum, state, i)) != Sign::kZero) continue;
     const bool forward = i == 1;
     const std::uint32_t own = forward ? sum.frame(state.z).after(state.e) : state.e;
-    const SumBoundary::Edge next =
+    const Edge next =
         state.z == 0 ? sum.beside(own, state.v, forward) : sum.beside(state.v, own, forward);
-    if (sum.sign(sum.beyond(next.z, next.edge, next.vertex)) != Sign::kNegative) slot = i;
+    if (sum.holds(sum.beyond(next))) slot = i;
   }
-  if (is_contact_slot(p, slot)) {
-    contact(p, at({state.z, state.e, state.v}));
-    return;
-  }
+  if (is_contact_slot(p, slot)) return Repair::met(state.as_edge().features());
   State to;
   if (state.edge) {
     to = next(sum, state, slot);
@@ -142,51 +119,38 @@ void ClosestFeatures::fail(PairId p, std::uint32_t slot) {
     // To the edge of M after the vertex (slots 0 and 2) or before it. The normal cone of a vertex
     // meets M in that vertex only: where several certificates fail the point may be there, and move
     // into M, or out beyond the other edge.
-    const auto seen = [&sum](const SumBoundary::Edge& edge) {
-      return sum.sign(sum.beyond(edge.z, edge.edge, edge.vertex));
-    };
     bool forward = slot % 2 == 0;
-    SumBoundary::Edge edge = sum.beside(state.e, state.v, forward);
-    const Sign at_edge = seen(edge);
-  // Of two edges on one line, a point that slides takes the one that it is on.
-    if (at_edge == Sign::kNegative || (at_edge == Sign::kZero && !is_along(sum, edge, forward))) {
+    Edge edge = sum.beside(state.e, state.v, forward);
+    const Sign at_edge = sum.sign(sum.beyond(edge));
+    // Of two edges on one line, a point that slides takes the one that it is on.
+    if (at_edge == Sign::kNegative || (at_edge == Sign::kZero && !sum.is_along(edge, forward))) {
       forward = !forward;
-      const SumBoundary::Edge other = sum.beside(state.e, state.v, forward);
-      if (seen(other) != Sign::kNegative) {
-        if (at_edge == Sign::kNegative || is_along(sum, other, forward)) edge = other;
+      const Edge other = sum.beside(state.e, state.v, forward);
+      if (sum.holds(sum.beyond(other))) {
+        if (at_edge == Sign::kNegative || sum.is_along(other, forward)) edge = other;
       } else if (at_edge == Sign::kNegative) {
-        contact(p, at(edge));
-        return;
+        return Repair::met(edge.features());
       }
     }
     to = {true, edge.z, edge.edge, edge.vertex};
   }
   enter(p, sum, to);
-  report(p, kChange);
-}
-
-CollisionPairs::Features ClosestFeatures::at(const SumBoundary::Edge& edge) {
-  const Feature line{true, edge.edge}, vertex{false, edge.vertex};
-  return edge.z == 0 ? Features{line, vertex} : Features{vertex, line};
+  return Repair::changed(kChange);
 }
 
 // At a vertex of M all four certificates are zero; along edges of A that meet only there, two.
-std::optional<CollisionPairs::Features> ClosestFeatures::touch(PairId p, When when) {
-  const SumBoundary sum = boundary(p);
+std::optional<Features> ClosestFeatures::touch(PairId p, When when) {
+  const SumBoundary sum = pairs_.boundary(p);
   const State& state = state_[p];
   const auto is_zero = [&](std::uint32_t slot) {
-    return sign(claim(sum, state, slot), when) == Sign::kZero;
+    return pairs_.kernel().sign(claim(sum, state, slot), when) == Sign::kZero;
   };
   if (state.edge) {
     if (!is_zero(4)) return std::nullopt;
-    return at({state.z, state.e, state.v});
+    return state.as_edge().features();
   }
   if (!is_zero(0) || !is_zero(1)) return std::nullopt;
-  return at(sum.beside(state.e, state.v, true));
-}
-
-std::size_t ClosestFeatures::bytes() const {
-  return CollisionPairs::bytes() + state_.capacity() * sizeof(State);
+  return sum.beside(state.e, state.v, true).features();
 }
 
 }  // namespace kinex

@@ -25,38 +25,34 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <vector>
 
-#include "structures/collision/collision_pairs.h"
-#include "structures/collision/sum_boundary.h"
+#include "structures/collision/separation_proof.h"
+#include "structures/parts/slots.h"
 
 namespace kinex {
 
-class ClosestFeatures : public CollisionPairs {
+class ClosestFeatures final : public SeparationProof {
  public:
-  static constexpr std::uint8_t kChange = kFirstOwn;  // of the pair of features
+  enum Kind : std::uint8_t { kChange = CollisionEvent::kFirstOwn };  // of the pair of features
 
-  ClosestFeatures(Kernel& kernel, StructureId id, const Scene& scene);
+  // `watch_discs`: one certificate more, that the discs about the bodies overlap.
+  explicit ClosestFeatures(PairTable& pairs, bool watch_discs = false)
+      : pairs_(pairs),
+        slots_(pairs.kernel(), pairs.id(), "closest features"),
+        watch_discs_(watch_discs) {}
 
-  std::string_view name() const override { return "closest_features"; }
-  std::vector<std::string_view> event_kinds() const override;
-  std::size_t bytes() const override;
-
- protected:
-  Roles describe(PairId p, ProofGroup& group) const override;
-  bool start(PairId p) override;
-  void fail(PairId p, std::uint32_t slot) override;
+  bool start(PairId p, const Edge* left) override;
+  Repair repair(PairId p, std::uint32_t slot) override;
   std::optional<Features> touch(PairId p, When when) override;
-  std::uint32_t most_certificates() const override { return 5; }
-  // An additional certificate in the slot after those of the features; nullopt: none.
-  virtual std::optional<Query> extra(PairId p) {
-    static_cast<void>(p);
-    return std::nullopt;
-  }
-  std::uint32_t extra_slot(PairId p) const { return state_[p].edge ? 5 : 4; }
+  Roles describe(PairId p, ProofGroup& group) const override;
+  std::uint32_t most_certificates() const override { return watch_discs_ ? 6 : 5; }
+  std::size_t bytes() const override { return state_.capacity() * sizeof(State); }
+
   // The certificate of this slot is the one that fails at contact.
   bool is_contact_slot(PairId p, std::uint32_t slot) const { return state_[p].edge && slot == 4; }
+  // It is the one about the discs, after those of the features.
+  bool is_disc_slot(PairId p, std::uint32_t slot) const { return slot == (state_[p].edge ? 5 : 4); }
 
  private:
   // Vertices x of A and y of B' (edge = false), or edge `e` of polygon z and vertex `v` of the
@@ -65,14 +61,15 @@ class ClosestFeatures : public CollisionPairs {
     bool edge = false;
     std::uint8_t z = 0;
     std::uint32_t e = 0, v = 0;  // vertices: of A, of B'
+    Edge as_edge() const { return {z, e, v}; }
   };
   static Query claim(const SumBoundary& sum, const State& state, std::uint32_t slot);
   void enter(PairId p, const SumBoundary& sum, const State& state);
-  // True if the point is on this edge of M.
-  static bool is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
-  static Features at(const SumBoundary::Edge& edge);
   State next(const SumBoundary& sum, const State& state, std::uint32_t slot) const;
 
+  PairTable& pairs_;
+  Slots slots_;
+  bool watch_discs_;
   std::vector<State> state_;  // per pair
 };
 

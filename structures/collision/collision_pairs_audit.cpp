@@ -87,6 +87,7 @@ void CollisionPairs::audit(const Snapshot& snapshot, AuditReport& report) const 
     const double x = bodies[a].box.xmin(), y = bodies[b].box.xmin();
     return x != y ? x < y : a < b;
   });
+  proof_->audit(snapshot, report);
   std::set<std::pair<ObjectId, ObjectId>> touching;
   const Attribute known = attribute();
   for (std::size_t i = 0; i + 1 < known.ids.size(); i += 2) {

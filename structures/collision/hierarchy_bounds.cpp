@@ -133,8 +133,7 @@ std::vector<ScaledNumber> relative_heights(const OuterHierarchy& tree) {
   return heights;
 }
 
-// Keeps the bound with the larger observed / bound; one that is violated stays.
-void HierarchyBounds::Worst::note(std::int64_t limit, std::int64_t seen) {
+void WorstRatio::note(std::int64_t limit, std::int64_t seen) {
   if (observed > bound) return;
   if (observed >= 0 && seen <= limit &&
       static_cast<double>(seen) * static_cast<double>(bound) <=
@@ -205,7 +204,7 @@ void HierarchyBounds::look_at_depths(const OuterHierarchy& tree,
 std::vector<BoundCheck> HierarchyBounds::checks(const std::string& prefix) const {
   std::vector<BoundCheck> result;
   if (cuts_.observed < 0) return result;
-  const auto add = [&](const char* what, std::string source, const Worst& worst) {
+  const auto add = [&](const char* what, std::string source, const WorstRatio& worst) {
     result.push_back(at_most(prefix + what, std::move(source), Integer(worst.bound),
                              Integer(std::max<std::int64_t>(worst.observed, 0))));
   };

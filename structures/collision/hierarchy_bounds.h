@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// HierarchyBounds: the hard bounds of outer hierarchies, checked on the hierarchies built in a run.
+// HierarchyBounds: the hard bounds of outer hierarchies (predicates/bodies/outer_hierarchy.h),
+// checked on the hierarchies built in a run.
 //
 // The height s of a node is the distance of its apex from the chord between the two points where
 // its chain begins and ends. It is no less than the apex's distance from P, so bounds for heights
@@ -34,7 +35,7 @@
 #include <vector>
 
 #include "core/engine/bound.h"
-#include "structures/collision/outer_hierarchy.h"
+#include "predicates/bodies/outer_hierarchy.h"
 
 namespace kinex {
 
@@ -53,6 +54,13 @@ struct ScaledNumber {
 // The heights of the nodes divided by the radius, indexed by node; 0 for leaves.
 std::vector<ScaledNumber> relative_heights(const OuterHierarchy& tree);
 
+// Of many counts, each with a hard bound of its own, the one with the largest ratio to its bound;
+// one that violates it stays.
+struct WorstRatio {
+  std::int64_t bound = 0, observed = -1;  // -1: none yet
+  void note(std::int64_t limit, std::int64_t seen);
+};
+
 class HierarchyBounds {
  public:
   explicit HierarchyBounds(CutPolicy policy) : policy_(policy) {}
@@ -64,14 +72,10 @@ class HierarchyBounds {
   std::vector<BoundCheck> checks(const std::string& prefix) const;
 
  private:
-  struct Worst {
-    std::int64_t bound = 0, observed = -1;  // -1: none yet
-    void note(std::int64_t limit, std::int64_t seen);
-  };
   void look_at_depths(const OuterHierarchy& tree, const std::vector<ScaledNumber>& heights);
 
   CutPolicy policy_;
-  Worst antichain_, depth_, cuts_;
+  WorstRatio antichain_, depth_, cuts_;
 };
 
 }  // namespace kinex

@@ -24,45 +24,43 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <vector>
 
-#include "structures/collision/collision_pairs.h"
-#include "structures/collision/sum_boundary.h"
+#include "structures/collision/separation_proof.h"
+#include "structures/parts/slots.h"
 
 namespace kinex {
 
-class InnerTangents : public CollisionPairs {
+class InnerTangents final : public SeparationProof {
  public:
-  static constexpr std::uint8_t kChange = kFirstOwn;  // of a vertex of a tangent
+  enum Kind : std::uint8_t { kChange = CollisionEvent::kFirstOwn };  // of a vertex of a tangent
 
-  InnerTangents(Kernel& kernel, StructureId id, const Scene& scene);
+  explicit InnerTangents(PairTable& pairs)
+      : pairs_(pairs), slots_(pairs.kernel(), pairs.id(), "inner tangents") {}
 
-  std::string_view name() const override { return "inner_tangents"; }
-  std::vector<std::string_view> event_kinds() const override;
-  std::size_t bytes() const override;
-
-  // The vertices of the pair's tangents, a < b; nullopt if the pair has none.
+  // The vertices of the pair's tangents; nullopt if the pair has none.
   using Touch = std::array<std::uint32_t, 2>;  // a vertex of A, one of B'
   using Tangents = std::array<Touch, 2>;
   std::optional<Tangents> tangents(ObjectId a, ObjectId b) const;
 
- protected:
-  Roles describe(PairId p, ProofGroup& group) const override;
-  bool start(PairId p) override;
-  void fail(PairId p, std::uint32_t slot) override;
+  bool start(PairId p, const Edge* left) override;
+  Repair repair(PairId p, std::uint32_t slot) override;
   std::optional<Features> touch(PairId p, When when) override;
+  Roles describe(PairId p, ProofGroup& group) const override;
   std::uint32_t most_certificates() const override { return 8; }
+  std::size_t bytes() const override { return tangents_.capacity() * sizeof(Tangents); }
 
  private:
   static Query claim(const SumBoundary& sum, const Tangents& tangents, std::uint32_t slot);
-  static SumBoundary::Edge beside(const SumBoundary& sum, const Touch& touch, bool forward);
+  static Edge beside(const SumBoundary& sum, const Touch& touch, bool forward) {
+    return sum.beside(touch[0], touch[1], forward);
+  }
   static bool is_vertex(const SumBoundary& sum, const Touch& touch);
   Touch on_boundary(const SumBoundary& sum, const Touch& touch);
-  static bool is_along(const SumBoundary& sum, const SumBoundary::Edge& edge, bool forward);
-  static Features at(const SumBoundary::Edge& edge);
   void enter(PairId p, const SumBoundary& sum, const Tangents& tangents);
 
+  PairTable& pairs_;
+  Slots slots_;
   std::vector<Tangents> tangents_;  // per pair
 };
 

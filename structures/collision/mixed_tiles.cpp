@@ -4,32 +4,7 @@
 
 #include <algorithm>
 
-#include "predicates/bodies/pose_2.h"
-
 namespace kinex {
-
-// Predicates are bound in the order in which ties leave the queue: a side that fails at a touch too
-// comes where the plain side would.
-PosePredicates::PosePredicates(Kernel& kernel) {
-  const std::array<Frame, 2> frames{Frame::kA, Frame::kB};
-  for (std::size_t z = 0; z < 2; ++z) {
-    side[z] = kernel.bind(make_pose_side(frames[z], false));
-    touch[z] = kernel.bind(make_pose_touch(frames[z], false));
-  }
-  for (std::size_t z = 0; z < 2; ++z) {
-    inside[z] = kernel.bind(make_pose_side(frames[z], true));
-    touch_inside[z] = kernel.bind(make_pose_touch(frames[z], true));
-  }
-  for (std::size_t z = 0; z < 2; ++z) along[z] = kernel.bind(make_pose_along(frames[z]));
-  normal_order = kernel.bind(make_pose_normal_order(false));
-  order_touch = kernel.bind(make_pose_order_touch(false));
-  normal_order_reversed = kernel.bind(make_pose_normal_order(true));
-  order_touch_reversed = kernel.bind(make_pose_order_touch(true));
-  for (std::size_t z = 0; z < 2; ++z) {
-    along_touch[z] = kernel.bind(make_pose_along_touch(frames[z], false));
-    against_touch[z] = kernel.bind(make_pose_along_touch(frames[z], true));
-  }
-}
 
 MixedTiles::MixedTiles(Kernel& kernel, const PosePredicates& predicates, ObjectId pose,
                        std::array<BodyFrame*, 2> frames)
@@ -106,28 +81,11 @@ MixedTiles::Id MixedTiles::facing(std::uint8_t w, Id node, std::uint8_t z, Id e,
 
 // ---- signs
 
-Query MixedTiles::order(std::uint8_t z, Id e, Id f) const {
-  const ObjectId own = frames_[z]->line(e), foreign = frames_[other(z)]->line(f);
-  if (z == 0) return Query(predicates_.normal_order_reversed, {pose_, own, foreign});
-  return Query(predicates_.normal_order, {pose_, foreign, own});
-}
-
-Query MixedTiles::order_after(std::uint8_t z, Id e, Id f) const {
-  const ObjectId own = frames_[z]->line(e), foreign = frames_[other(z)]->line(f);
-  if (z == 0) return Query(predicates_.normal_order, {pose_, own, foreign});
-  return Query(predicates_.normal_order_reversed, {pose_, foreign, own});
-}
-
 bool MixedTiles::before(std::uint8_t z, Id e, Id f) const {
   const Query query = order(z, e, f);
   const Sign sign = kernel_.sign_after(query);
   // Identically parallel: A's normal comes first.
   return sign == Sign::kPositive || (sign == Sign::kZero && z == 0);
-}
-
-Query MixedTiles::side(std::uint8_t z, Id edge, Id node, bool inward) const {
-  const PredicateId predicate = inward ? predicates_.inside[z] : predicates_.side[z];
-  return Query(predicate, {pose_, frames_[z]->line(edge), frames_[other(z)]->apex(node)});
 }
 
 bool MixedTiles::beyond(std::uint8_t z, Id edge, Id node) const {
@@ -136,8 +94,8 @@ bool MixedTiles::beyond(std::uint8_t z, Id edge, Id node) const {
 
 Query MixedTiles::along_query(std::uint8_t z, Id edge, Id own_node, Id node) const {
   const ObjectId own = frames_[z]->apex(own_node), foreign = frames_[other(z)]->apex(node);
-  return Query(predicates_.along[z],
-               {pose_, frames_[z]->line(edge), z == 0 ? own : foreign, z == 0 ? foreign : own});
+  return predicates_.along(z, pose_, frames_[z]->line(edge), z == 0 ? own : foreign,
+                           z == 0 ? foreign : own);
 }
 
 Sign MixedTiles::along(std::uint8_t z, Id edge, Id own_node, Id node) const {
@@ -170,9 +128,7 @@ bool MixedTiles::is_parallel(std::uint8_t z, Id e, Id f, When when) const {
 // may touch it there.
 Query MixedTiles::inner(const Tile& tile) const {
   const Move at = inner_side(tile);
-  Query query = side(at.x, at.edge, at.node, false);
-  query.predicate = predicates_.touch[at.x];
-  return query;
+  return predicates_.at_touch(side(at.x, at.edge, at.node, false));
 }
 
 MixedTiles::Face MixedTiles::face(const Move& at, When when) const {
@@ -215,9 +171,8 @@ MixedTiles::Certificates MixedTiles::slide(const Tile& tile) const {
   }
   const Face m = face(at, When::kRightAfter);
   const auto add = [&](std::size_t end, bool against) {
-    Query query = along_query(at.x, at.edge, m.own[end], m.others[end]);
-    query.predicate = (against ? predicates_.against_touch : predicates_.along_touch)[at.x];
-    result.query[result.count++] = query;
+    result.query[result.count++] =
+        predicates_.along_at_touch(along_query(at.x, at.edge, m.own[end], m.others[end]), against);
   };
   if (along(at.x, at.edge, m.own[0], m.others[0]) == Sign::kNegative) {
     add(0, true);
@@ -228,12 +183,6 @@ MixedTiles::Certificates MixedTiles::slide(const Tile& tile) const {
     add(1, true);
   }
   return result;
-}
-
-Query MixedTiles::order_at_touch(Query order) const {
-  const bool reversed = order.predicate == predicates_.normal_order_reversed;
-  order.predicate = reversed ? predicates_.order_touch_reversed : predicates_.order_touch;
-  return order;
 }
 
 // ---- certificates

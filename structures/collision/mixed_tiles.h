@@ -52,17 +52,10 @@
 
 #include "core/arithmetic/touch.h"
 #include "core/engine/kernel.h"
-#include "structures/collision/body_frames.h"
+#include "predicates/bodies/body_frames.h"
+#include "predicates/bodies/pose_predicates.h"
 
 namespace kinex {
-
-// The predicates on poses, bound once per structure.
-struct PosePredicates {
-  explicit PosePredicates(Kernel& kernel);
-  // indexed by the frame of the line
-  std::array<PredicateId, 2> side, inside, along, touch, touch_inside, along_touch, against_touch;
-  PredicateId normal_order, normal_order_reversed, order_touch, order_touch_reversed;
-};
 
 struct Tile {  // the name of a tile of the hierarchy, or of a half-plane
   enum class Kind : std::uint8_t { kTriangle, kLeft, kRight, kHalf };
@@ -109,9 +102,6 @@ class MixedTiles {
   // For a point that stays on the line of that side: at most two certificates, which fail when it
   // comes to M or leaves it along the line. None if it is not on the line right after now.
   Certificates slide(const Tile& tile) const;
-  // The same order of normals, but failing at touches too: at an instant at which the normals are
-  // parallel the side of M is longer, and may reach the point on its line.
-  Query order_at_touch(Query order) const;
   // The level of the operation that made the tile; 0 for half-planes.
   int level(const Tile& tile) const;
   // The number of levels: an upper bound on level().
@@ -138,12 +128,22 @@ class MixedTiles {
   Id facing(std::uint8_t w, Id node, std::uint8_t z, Id e, int time) const;
   // Is the normal of edge e of Z before (clockwise from) that of edge f of the other polygon?
   bool before(std::uint8_t z, Id e, Id f) const;
-  Query order(std::uint8_t z, Id e, Id f) const;  // non-negative iff before(z, e, f) or parallel
-  Query order_after(std::uint8_t z, Id e, Id f) const;
-  Query side(std::uint8_t z, Id edge, Id node, bool inward) const;
-  Sign sign(const Query& query, When when) const {
-    return kernel_.sign(query, when);
+  PosePredicates::Lines lines(std::uint8_t z, Id e, Id f) const {
+    return {pose_, frames_[z]->line(e), frames_[other(z)]->line(f)};
   }
+  // Non-negative iff before(z, e, f) or parallel.
+  Query order(std::uint8_t z, Id e, Id f) const {
+    return predicates_.order_before(z, lines(z, e, f));
+  }
+  Query order_after(std::uint8_t z, Id e, Id f) const {
+    return predicates_.order_after(z, lines(z, e, f));
+  }
+  // The point is on the outer side of edge + node, a line (or, inward, on its inner side).
+  Query side(std::uint8_t z, Id edge, Id node, bool inward) const {
+    const PosePredicates::AtPoint at{pose_, frames_[z]->line(edge), frames_[other(z)]->apex(node)};
+    return inward ? predicates_.inside(z, at) : predicates_.side(z, at);
+  }
+  Sign sign(const Query& query, When when) const { return kernel_.sign(query, when); }
   // Side 0 of a tile, the inner one. No other side can touch M, and this one only if its line
   // supports M.
   Move inner_side(const Tile& tile) const;

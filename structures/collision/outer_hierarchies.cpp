@@ -5,8 +5,12 @@
 
 namespace kinex {
 
-OuterHierarchies::OuterHierarchies(Kernel&, StructureId, const Scene& scene)
-    : scene_(scene), alive_(scene.objects.size(), 0), of_body_(scene.objects.size(), kNone) {}
+OuterHierarchies::OuterHierarchies(Kernel& kernel, StructureId, const Scene& scene)
+    : scene_(scene),
+      alive_(scene.objects.size(), 0),
+      frames_{BodyFrames(kernel, scene, kPolicies[0]), BodyFrames(kernel, scene, kPolicies[1]),
+              BodyFrames(kernel, scene, kPolicies[2]), BodyFrames(kernel, scene, kPolicies[3])},
+      trees_(scene.objects.size(), Trees{}) {}
 
 void OuterHierarchies::build(std::span<const ObjectId> objects) {
   for (const ObjectId object : objects) insert(object);
@@ -17,16 +21,9 @@ void OuterHierarchies::rebuild() {}
 
 void OuterHierarchies::insert(ObjectId object) {
   alive_[object] = 1;
-  if (of_body_[object] != kNone) return;
-  const FramePolygon polygon = frame_polygon(scene_.objects[object].polygon, false);
-  const auto [place, is_new] =
-      by_polygon_.try_emplace(polygon.vertices, static_cast<std::uint32_t>(trees_.size()));
-  if (is_new) {
-    trees_.push_back({OuterHierarchy(polygon, kPolicies[0]), OuterHierarchy(polygon, kPolicies[1]),
-                      OuterHierarchy(polygon, kPolicies[2]),
-                      OuterHierarchy(polygon, kPolicies[3])});
+  for (std::size_t i = 0; i < kPolicies.size(); ++i) {
+    trees_[object][i] = &frames_[i].frame(object, false).hierarchy();
   }
-  of_body_[object] = place->second;
 }
 
 void OuterHierarchies::erase(ObjectId object) { alive_[object] = 0; }
@@ -61,7 +58,7 @@ void OuterHierarchies::visit_proof(ProofVisitor& visitor) const {
   group.kind = "hierarchy";
   for (ObjectId object = 0; object < alive_.size(); ++object) {
     if (alive_[object] == 0) continue;
-    const OuterHierarchy& tree = trees(object).back();
+    const OuterHierarchy& tree = *trees(object).back();
     group.about = {object};
     group.text = std::to_string(tree.levels()) + " levels, " + std::to_string(tree.cuts().size()) +
                  " cuts, " + std::string(cut_policy_name(kPolicies.back()));
@@ -82,7 +79,7 @@ std::vector<BoundCheck> OuterHierarchies::bounds(const BoundContext&) const {
   std::vector<BoundCheck> checks;
   for (std::size_t i = 0; i < kPolicies.size(); ++i) {
     HierarchyBounds bounds(kPolicies[i]);
-    for (const Trees& trees : trees_) bounds.add(trees[i]);
+    frames_[i].each_hierarchy([&](const OuterHierarchy& tree) { bounds.add(tree); });
     const std::string prefix = "outer_hierarchy." + std::string(cut_policy_name(kPolicies[i]));
     for (BoundCheck& check : bounds.checks(prefix)) checks.push_back(std::move(check));
   }
@@ -91,18 +88,14 @@ std::vector<BoundCheck> OuterHierarchies::bounds(const BoundContext&) const {
 
 void OuterHierarchies::check_invariants(AuditReport& report) const {
   for (ObjectId object = 0; object < alive_.size(); ++object) {
-    report.check(alive_[object] == 0 || of_body_[object] < trees_.size(),
+    report.check(alive_[object] == 0 || trees(object).back() != nullptr,
                  [&] { return "no hierarchies for " + scene_.objects[object].id; });
   }
 }
 
 std::size_t OuterHierarchies::bytes() const {
-  std::size_t total = alive_.capacity() + of_body_.capacity() * sizeof(std::uint32_t);
-  for (const Trees& trees : trees_) {
-    for (const OuterHierarchy& tree : trees) {
-      total += sizeof tree + tree.bytes() + tree.polygon().size() * sizeof(FramePoint);
-    }
-  }
+  std::size_t total = alive_.capacity() + trees_.capacity() * sizeof(Trees);
+  for (const BodyFrames& frames : frames_) total += frames.bytes();
   return total;
 }
 

@@ -5,6 +5,7 @@
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,15 +108,14 @@ void audit_tree(const OuterHierarchy& tree, const Polygon& polygon, const std::s
 }  // namespace
 
 void OuterHierarchies::audit(const Snapshot&, AuditReport& report) const {
-  std::vector<std::uint8_t> seen(trees_.size(), 0);
-  for (ObjectId id = 0; id < of_body_.size(); ++id) {
-    if (of_body_[id] == kNone || seen[of_body_[id]] != 0) continue;
-    seen[of_body_[id]] = 1;
+  std::set<const OuterHierarchy*> seen;
+  for (ObjectId id = 0; id < trees_.size(); ++id) {
+    if (trees(id)[0] == nullptr || !seen.insert(trees(id)[0]).second) continue;
     const SceneObject& body = scene_.objects[id];
     const Polygon polygon = polygon_of(body);
     for (std::size_t i = 0; i < kPolicies.size(); ++i) {
       const std::string who = body.id + ", " + std::string(cut_policy_name(kPolicies[i]));
-      audit_tree(trees_[of_body_[id]][i], polygon, who, report);
+      audit_tree(*trees(id)[i], polygon, who, report);
     }
   }
 }

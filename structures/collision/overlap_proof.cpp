@@ -64,10 +64,10 @@ std::optional<OverlapProof::Edge> OverlapProof::ahead(Edge from) const {
   if (steps > other.size()) return std::nullopt;
   const std::uint32_t all = sum_.frame(0).size() + sum_.frame(1).size();
   for (steps = 0; steps <= all; ++steps) {
-    if (!holds(certificate(from, 1))) {
+    if (!sum_.holds(certificate(from, 1))) {
       const auto [x, y] = sum_.end(from, false);
       from = sum_.beside(x, y, false);
-    } else if (!holds(certificate(from, 2))) {
+    } else if (!sum_.holds(certificate(from, 2))) {
       const auto [x, y] = sum_.end(from, true);
       from = sum_.beside(x, y, true);
     } else {

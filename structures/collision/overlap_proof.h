@@ -60,7 +60,6 @@ class OverlapProof {
 
  private:
   Query ray(PredicateId predicate, const Edge& edge, bool last) const;
-  bool holds(const Query& query) const { return sum_.sign(query) != Sign::kNegative; }
 
   const RayPredicates& rays_;
   const SumBoundary& sum_;

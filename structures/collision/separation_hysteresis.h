@@ -28,65 +28,53 @@
 #ifndef KINEX_STRUCTURES_COLLISION_SEPARATION_HYSTERESIS_H
 #define KINEX_STRUCTURES_COLLISION_SEPARATION_HYSTERESIS_H
 
-#include <array>
 #include <cstdint>
-#include <map>
-#include <string_view>
+#include <optional>
 #include <vector>
 
-#include "predicates/bodies/separating_wedge.h"
+#include "predicates/bodies/wedge_search.h"
 #include "structures/collision/closest_features.h"
+#include "structures/collision/separation_proof.h"
+#include "structures/parts/slots.h"
 
 namespace kinex {
 
-class SeparationHysteresis final : public ClosestFeatures {
+class SeparationHysteresis final : public SeparationProof {
  public:
-  static constexpr std::uint8_t kWedge = kChange + 1;  // a new wedge
+  enum Kind : std::uint8_t { kWedge = ClosestFeatures::kChange + 1 };  // a new wedge
 
-  SeparationHysteresis(Kernel& kernel, StructureId id, const Scene& scene);
+  explicit SeparationHysteresis(PairTable& pairs)
+      : pairs_(pairs),
+        slots_(pairs.kernel(), pairs.id(), "wedges"),
+        near_(pairs),
+        search_(pairs.kernel(), pairs.frames(), pairs.predicates()) {}
 
-  std::string_view name() const override { return "separation_hysteresis"; }
-  std::vector<std::string_view> event_kinds() const override;
-  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  bool start(PairId p, const Edge* left) override;
+  Repair repair(PairId p, std::uint32_t slot) override;
+  // While a wedge holds the bodies are apart.
+  std::optional<Features> touch(PairId p, When when) override {
+    return has_wedge(p) ? std::nullopt : near_.touch(p, when);
+  }
+  Roles describe(PairId p, ProofGroup& group) const override;
+  std::uint32_t most_certificates() const override { return near_.most_certificates(); }
+  void add_bounds(const BoundContext& context, std::vector<BoundCheck>& checks) const override;
   void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
-  // The smallest displacement at which a wedge failed, in the metric of its role, as a fraction of
-  // the separation at which it was made; +infinity if none failed. Failures after a change of
-  // motion count too.
-  double least_displacement() const { return least_; }
-
- protected:
-  Roles describe(PairId p, ProofGroup& group) const override;
-  bool start(PairId p) override;
-  void fail(PairId p, std::uint32_t slot) override;
-  std::optional<Features> touch(PairId p, When when) override;
+  // The displacements at which wedges have failed. Failures after a change of motion count too.
+  const WedgeSearch& search() const { return search_; }
 
  private:
-  struct Wedge {
-    bool in_use = false;
-    Frame line_of = Frame::kA;  // its role
-    // line, g1, g2, v: two sets used in turn, so that no live certificate refers to an object that
-    // is redefined
-    std::array<std::array<ObjectId, 4>, 2> objects{};
-    std::uint8_t turn = 0;
-    double separation = 0;
-    std::array<double, 2> t{};  // the pose at which it was made, in the frame of its line
-    double c = 1, s = 0;
-    double error = 0;  // of that pose, as a displacement
-  };
+  bool has_wedge(PairId p) const { return pairs_[p].part == &slots_; }
+  WedgeSearch::Bodies bodies(PairId p) const { return {pairs_[p].a, pairs_[p].b, pairs_[p].pose}; }
+  // True if a wedge that holds right after now is in place.
   bool put_wedge(PairId p);
-  bool put_wedge(PairId p, const WedgePlan& plan, const RoughPose& in_a, Frame line_of);
-  void measure(PairId p);
-  // The reach of the body without the line, in the frame of the one with the line.
-  double moving_reach(PairId p, Frame line_of);
-  const RoughPolygon& rough(ObjectId body, bool negated);
-  const FramePolygon& polygon(ObjectId body, bool negated);
-  RoughPose pose_now(PairId p, Frame frame);
 
-  std::vector<Wedge> wedges_;  // per pair
-  std::map<std::pair<ObjectId, bool>, RoughPolygon> rough_;
-  double least_;
+  PairTable& pairs_;
+  Slots slots_;
+  ClosestFeatures near_;
+  WedgeSearch search_;
+  std::vector<WedgeSearch::Wedge> wedges_;  // per pair
 };
 
 }  // namespace kinex

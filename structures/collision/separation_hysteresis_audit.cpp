@@ -33,16 +33,14 @@ struct Placed {
 }  // namespace
 
 void SeparationHysteresis::audit(const Snapshot& snapshot, AuditReport& report) const {
-  CollisionPairs::audit(snapshot, report);
-  for (PairId p = 0; p < wedges_.size(); ++p) {
-    const Pair& bodies = pair(p);
-    const Wedge& wedge = wedges_[p];
-    if (bodies.a == kNoObject || bodies.touching || bodies.apart || !wedge.in_use) continue;
-    const bool of_a = wedge.line_of == Frame::kA;
-    const Placed a(scene_.objects[bodies.a], snapshot, bodies.a);
-    const Placed b(scene_.objects[bodies.b], snapshot, bodies.b);
+  for (PairId p = 0; p < pairs_.size(); ++p) {
+    if (!has_wedge(p)) continue;
+    const BodyPair& pair = pairs_[p];
+    const bool of_a = !wedges_[p].line_is_of_b();
+    const Placed a(pairs_.scene().objects[pair.a], snapshot, pair.a);
+    const Placed b(pairs_.scene().objects[pair.b], snapshot, pair.b);
     const Placed &own = of_a ? a : b, &other = of_a ? b : a;
-    const Trajectory& line = kernel_.derived().trajectory(wedge.objects[wedge.turn][0]);
+    const Trajectory& line = pairs_.kernel().derived().trajectory(wedges_[p].objects()[0]);
     const auto along =
         [&](const Vertex2& v) {  // the normal of the line, from the frame of its body
           const Rational product =
@@ -57,7 +55,7 @@ void SeparationHysteresis::audit(const Snapshot& snapshot, AuditReport& report) 
     const Rational most = *std::max_element(inner.begin(), inner.end());
     const Rational least = *std::min_element(outer.begin(), outer.end());
     const Rational offset = line.position(2, Rational());
-    const bool is_disc = bodies.certificates == 1;
+    const bool is_disc = pair.certificates == 1;
     report.check(most <= offset && (is_disc ? most : offset) < least, [&] {
       return "the line of " + own.body.id + " does not keep " + other.body.id + " off";
     });

@@ -33,24 +33,24 @@
 #define KINEX_STRUCTURES_COLLISION_SEPARATION_MIXED_H
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "structures/collision/collision_pairs.h"
 #include "structures/collision/hierarchy_bounds.h"
 #include "structures/collision/mixed_tiles.h"
+#include "structures/collision/pair_sums.h"
+#include "structures/collision/separation_proof.h"
+#include "structures/parts/slots.h"
 
 namespace kinex {
 
-class SeparationMixed : public CollisionPairs {
+class SeparationMixed final : public SeparationProof {
  public:
   enum Kind : std::uint8_t {
-    kSide = kFirstOwn,  // the point has crossed a side
-    kFlip,              // an order of normals failed: the two tiles about it are divided anew
-    kCell,              // the point moved between half-planes, into the boxes or out of them
+    kSide = CollisionEvent::kFirstOwn,  // the point has crossed a side
+    kFlip,  // an order of normals failed: the two tiles about it are divided anew
+    kCell,  // the point moved between half-planes, into the boxes or out of them
   };
   // The bound on the signs of one failure, term by term. A descent takes at most two signs at each
   // level of one polygon. kSigns:
@@ -63,59 +63,52 @@ class SeparationMixed : public CollisionPairs {
   // kSignsOfTouch: 8 to see that the proof holds, 8 for its other certificates that touch zero, 8
   // to see whether the bodies rest; or, at a contact, a few orders of normals to find the edge of M
   // that is ahead.
-  static constexpr std::uint64_t kSignsPerLevel = 2, kSigns = 33, kSignsOfTouch = 24;
+  static constexpr std::int64_t kSignsPerLevel = 2, kSigns = 33, kSignsOfTouch = 24;
 
-  SeparationMixed(Kernel& kernel, StructureId id, const Scene& scene,
-                  CutPolicy policy = CutPolicy::kBalancedDudley);
+  // `of_sums`: by the hierarchies of the Minkowski sums, for bodies that do not turn against each
+  // other.
+  explicit SeparationMixed(PairTable& pairs, bool of_sums = false);
 
-  std::string_view name() const override { return "separation_mixed"; }
-  void certificate_failed(CertificateId failed) override;
-  std::vector<std::string_view> event_kinds() const override;
+  bool start(PairId p, const Edge* left) override;
+  Repair repair(PairId p, std::uint32_t slot) override;
+  std::optional<Features> touch(PairId p, When when) override;
+  void moved(PairId p) override;
+  Roles describe(PairId p, ProofGroup& group) const override;
+  std::uint32_t most_certificates() const override {
+    return (sums_ ? 3 : MixedTiles::kMost) + (slides_ ? 2 : 0);
+  }
+  void handled(std::uint64_t signs) override;
   // Includes those of the hierarchies built (hierarchy_bounds.h).
-  std::vector<BoundCheck> bounds(const BoundContext& context) const override;
+  void add_bounds(const BoundContext& context, std::vector<BoundCheck>& checks) const override;
   std::size_t bytes() const override;
 
-  // The tile of the pair (a, b), a < b; nullopt if the pair has none.
+  // The tile of the pair; nullopt if the pair has none.
   std::optional<Tile> tile(ObjectId a, ObjectId b) const;
 
- protected:
-  Roles describe(PairId p, ProofGroup& group) const override;
-  // "triangle: node 3 of a is cut, at node 2 of b"
-  virtual std::string tile_text(PairId p, const Tile& tile) const;
-  bool start(PairId p) override;
-  bool leave(PairId p, const SumBoundary::Edge& edge) override;
-  void fail(PairId p, std::uint32_t slot) override;
-  std::uint32_t most_certificates() const override {
-    return MixedTiles::kMost + slide_certificates();
-  }
-  std::optional<Features> touch(PairId p, When when) override;
-  // The features of the two bodies that meet.
-  virtual Features features(PairId p, const MixedTiles::Move& contact);
-  // The two hierarchies of a pair.
-  virtual std::array<BodyFrame*, 2> frames_of(PairId p);
-  virtual void add_hierarchies(HierarchyBounds& bounds) const;
-
-  void moved(PairId p) override;
-  // Additional certificates where a point stays on the line of a side of M.
-  std::uint32_t slide_certificates() const { return slides_ ? 2 : 0; }
-
  private:
-  // Signs of this structure's predicates computed so far.
-  std::uint64_t signs_asked() const;
+  // The two hierarchies of a pair.
+  std::array<BodyFrame*, 2> frames_of(PairId p);
   MixedTiles tiles(PairId p);
   // The certificates of the tile and of a slide along its side; returns their number.
-  using Proof = std::array<Query, kMostCertificates>;
+  using Proof = std::array<Query, BodyPair::kMostCertificates>;
   std::uint32_t prove(const MixedTiles& about, const Tile& tile, Proof& queries);
   void enter(PairId p, const MixedTiles& about, const Tile& tile);
+  // The features of the two bodies that meet.
+  Features features(PairId p, const MixedTiles::Move& contact);
+  // "triangle: node 3 of a is cut, at node 2 of b"
+  std::string tile_text(PairId p, const Tile& tile) const;
+  std::string name() const { return sums_ ? "separation_minkowski" : "separation_mixed"; }
 
+  PairTable& pairs_;
+  Slots slots_;
+  std::optional<PairSums> sums_;
   std::vector<Tile> tile_;  // per pair
   bool slides_ = false;     // a point has stayed on the line of a side of M
   // While a failure is handled: its level (nullopt if the point is located anew or there is no
   // tile), and whether the bodies touch.
   std::optional<int> level_;
   bool touches_ = false;
-  // The failure that came nearest to its bound.
-  std::uint64_t most_signs_ = 0, signs_bound_ = kSigns;
+  WorstRatio signs_{kSigns, 0};  // of a failure
 };
 
 }  // namespace kinex

@@ -3,31 +3,6 @@
 
 namespace kinex {
 
-Query SumBoundary::side(bool inward, std::uint8_t z, Id e, Id v) const {
-  const PredicateId predicate = inward ? predicates_.inside[z] : predicates_.side[z];
-  return Query(predicate, {pose_, frame(z).polygon_edge(e), frame(other(z)).vertex(v)});
-}
-
-Query SumBoundary::past(std::uint8_t z, Id e, bool last, Id v) const {
-  return Query(predicates_.side[z], {pose_, frame(z).across(e, last), frame(other(z)).vertex(v)});
-}
-
-Query SumBoundary::short_of(std::uint8_t z, Id e, bool last, Id v) const {
-  return Query(predicates_.inside[z], {pose_, frame(z).across(e, last), frame(other(z)).vertex(v)});
-}
-
-Query SumBoundary::order_before(std::uint8_t z, Id e, Id f) const {
-  const ObjectId own = frame(z).polygon_edge(e), foreign = frame(other(z)).polygon_edge(f);
-  if (z == 0) return Query(predicates_.normal_order_reversed, {pose_, own, foreign});
-  return Query(predicates_.normal_order, {pose_, foreign, own});
-}
-
-Query SumBoundary::order_after(std::uint8_t z, Id e, Id f) const {
-  const ObjectId own = frame(z).polygon_edge(e), foreign = frame(other(z)).polygon_edge(f);
-  if (z == 0) return Query(predicates_.normal_order, {pose_, own, foreign});
-  return Query(predicates_.normal_order_reversed, {pose_, foreign, own});
-}
-
 bool SumBoundary::before(std::uint8_t z, Id e, Id f) const {
   const Sign s = sign(order_before(z, e, f));
   return s == Sign::kPositive || (s == Sign::kZero && z == 0);

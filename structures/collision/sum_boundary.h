@@ -13,10 +13,19 @@
 #include <vector>
 
 #include "core/engine/kernel.h"
-#include "structures/collision/body_frames.h"
-#include "structures/collision/mixed_tiles.h"
+#include "predicates/bodies/body_frames.h"
+#include "predicates/bodies/pose_predicates.h"
 
 namespace kinex {
+
+// A feature of a body: vertex or edge `i` of the polygon of its frame.
+struct Feature {
+  bool edge = false;
+  std::uint32_t i = 0;
+};
+struct Features {  // a feature of each body, that of the second one in its negated frame
+  Feature of_a, of_b;
+};
 
 class SumBoundary {
  public:
@@ -26,6 +35,10 @@ class SumBoundary {
     std::uint8_t z;
     Id edge, vertex;
     friend bool operator==(const Edge&, const Edge&) = default;
+    Features features() const {
+      const Feature line{true, edge}, point{false, vertex};
+      return z == 0 ? Features{line, point} : Features{point, line};
+    }
   };
 
   // `frames[1]` is B'. The references must live as long as this object.
@@ -37,29 +50,48 @@ class SumBoundary {
   static std::uint8_t other(std::uint8_t z) { return static_cast<std::uint8_t>(1 - z); }
   // Queries on the pose, >= 0 where they hold; degrees: predicates/bodies/pose_2.h.
   //   (1) within = -beyond   (2) short_of = -past   (3) order_before = -order_after
-  //   (4) at_touch(z, query) has the sign of `query`
-  //   (5) order_after(0, e, f) = order_before(1, f, e)
+  //   (4) order_after(0, e, f) = order_before(1, f, e)
   // The point is on the outer side of edge e of polygon z at vertex v of the other (beyond), or on
   // the inner side (within).
-  Query beyond(std::uint8_t z, Id e, Id v) const { return side(false, z, e, v); }
-  Query within(std::uint8_t z, Id e, Id v) const { return side(true, z, e, v); }
-  // A query of polygon z on the side of a line (beyond, within, past or short_of), failing at
-  // touches too (core/arithmetic/touch.h).
-  Query at_touch(std::uint8_t z, Query query) const {
-    const bool inward = query.predicate == predicates_.inside[z];
-    query.predicate = inward ? predicates_.touch_inside[z] : predicates_.touch[z];
-    return query;
+  Query beyond(std::uint8_t z, Id e, Id v) const {
+    return predicates_.side(z, {pose_, frame(z).polygon_edge(e), frame(other(z)).vertex(v)});
   }
+  Query beyond(const Edge& edge) const { return beyond(edge.z, edge.edge, edge.vertex); }
+  Query within(std::uint8_t z, Id e, Id v) const {
+    return predicates_.inside(z, {pose_, frame(z).polygon_edge(e), frame(other(z)).vertex(v)});
+  }
+  // The same query, failing at touches too (core/arithmetic/touch.h).
+  Query at_touch(const Query& query) const { return predicates_.at_touch(query); }
   // The point is past (short of) the line across edge e of polygon z at its first or last end, at
   // vertex v: on the side that the edge points to, or on the other one.
-  Query past(std::uint8_t z, Id e, bool last, Id v) const;
-  Query short_of(std::uint8_t z, Id e, bool last, Id v) const;
+  Query past(std::uint8_t z, Id e, bool last, Id v) const {
+    return predicates_.side(z, {pose_, frame(z).across(e, last), frame(other(z)).vertex(v)});
+  }
+  Query past(const Edge& edge, bool last) const {
+    return past(edge.z, edge.edge, last, edge.vertex);
+  }
+  Query short_of(std::uint8_t z, Id e, bool last, Id v) const {
+    return predicates_.inside(z, {pose_, frame(z).across(e, last), frame(other(z)).vertex(v)});
+  }
+  Query short_of(const Edge& edge, bool last) const {
+    return short_of(edge.z, edge.edge, last, edge.vertex);
+  }
   // The normal of edge e of polygon z is after (counter-clockwise from) that of edge f of the
   // other, or before it.
-  Query order_after(std::uint8_t z, Id e, Id f) const;
-  Query order_before(std::uint8_t z, Id e, Id f) const;
+  Query order_after(std::uint8_t z, Id e, Id f) const {
+    return predicates_.order_after(z, lines(z, e, f));
+  }
+  Query order_before(std::uint8_t z, Id e, Id f) const {
+    return predicates_.order_before(z, lines(z, e, f));
+  }
   Sign sign(const Query& query) const { return kernel_.sign_after(query); }
+  bool holds(const Query& query) const { return sign(query) != Sign::kNegative; }
   bool before(std::uint8_t z, Id e, Id f) const;
+  // The point lies in the edge's direction from its first end; or (not forward) against it from the
+  // last one.
+  bool is_along(const Edge& edge, bool forward) const {
+    return sign(forward ? past(edge, false) : short_of(edge, true)) == Sign::kPositive;
+  }
 
   // The edge of M after (before) its vertex x + y: of the two candidates, one of either polygon,
   // the one whose normal is nearer.
@@ -70,7 +102,9 @@ class SumBoundary {
   std::vector<Edge> edges() const;
 
  private:
-  Query side(bool inward, std::uint8_t z, Id e, Id v) const;
+  PosePredicates::Lines lines(std::uint8_t z, Id e, Id f) const {
+    return {pose_, frame(z).polygon_edge(e), frame(other(z)).polygon_edge(f)};
+  }
 
   Kernel& kernel_;
   const PosePredicates& predicates_;

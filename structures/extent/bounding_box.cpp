@@ -30,31 +30,11 @@ void BoundingBox::read() {
   }
 }
 
-void BoundingBox::build(std::span<const ObjectId> objects) {
-  for (auto& side : sides_) side.build({objects.begin(), objects.end()}, tied());
-  begin();
-}
-
 void BoundingBox::certificate_failed(CertificateId failed) {
   auto& side = sides_[kernel_->part(failed)];
   const auto [old, fresh] = side.failed(failed, tied());
   box_[kernel_->part(failed)] = side.winner();
   events_.repaired(kReplace, {old, fresh}, box_);
-}
-
-void BoundingBox::insert(ObjectId object) {
-  for (auto& side : sides_) side.insert(object, tied());
-  begin();
-}
-
-void BoundingBox::erase(ObjectId object) {
-  for (auto& side : sides_) side.erase(object, tied());
-  begin();
-}
-
-void BoundingBox::motions_changed(std::span<const ObjectId> objects) {
-  for (auto& side : sides_) side.motions_changed(objects, tied());
-  read();
 }
 
 void BoundingBox::visit_proof(ProofVisitor& visitor) const {

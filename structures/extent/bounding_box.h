@@ -11,11 +11,8 @@
 //      |                |
 //      +-------f--------+  min y
 //
-// Quality, for n points in `dim` axes: 2 dim (n - 1) certificates, 2 dim ceil(log2 n) a point; a
-// failure renews O(log n), an insertion or erasure O(dim log n). Events: O(dim n log n) for lines,
-// of which at most dim n are external, one for each instant that changes a side: the upper and the
-// lower envelope of n lines have n + 2 pieces together (the hull of the dual points). For motions
-// of degree d at most lambda_d(n) - 1 a side.
+// A failure renews O(log n) certificates, an insertion or erasure O(dim log n). The counts of events
+// and their proofs are in README.md.
 //
 // Ties. Of points with identically equal coordinates the smallest id is on the side.
 //
@@ -35,6 +32,10 @@
 namespace kinex {
 
 class BoundingBox final : public Structure {
+  auto tied() {
+    return [this](ObjectId a, ObjectId b) { kernel_->report(id_, kTie, {a, b}, false); };
+  }
+
  public:
   // kReplace: another winner at a node of a side's tournament: the old one, the new one. kTie: the
   // same, because the two coordinates have become identically equal.
@@ -46,12 +47,24 @@ class BoundingBox final : public Structure {
   std::vector<std::string_view> event_kinds() const override {
     return common_event_kinds({"replace", "tie"});
   }
-  void build(std::span<const ObjectId> objects) override;
+  void build(std::span<const ObjectId> objects) override {
+    for (auto& side : sides_) side.build({objects.begin(), objects.end()}, tied());
+    begin();
+  }
   void rebuild() override { build(sides_[0].items()); }
   void certificate_failed(CertificateId failed) override;
-  void insert(ObjectId object) override;
-  void erase(ObjectId object) override;
-  void motions_changed(std::span<const ObjectId> objects) override;
+  void insert(ObjectId object) override {
+    for (auto& side : sides_) side.insert(object, tied());
+    begin();
+  }
+  void erase(ObjectId object) override {
+    for (auto& side : sides_) side.erase(object, tied());
+    begin();
+  }
+  void motions_changed(std::span<const ObjectId> objects) override {
+    for (auto& side : sides_) side.motions_changed(objects, tied());
+    read();
+  }
   void instant_over() override { events_.over(box_); }
   // The extreme points: the first axis' minimum and maximum, those of the next axis, and so on.
   Attribute attribute() const override { return {Attribute::Shape::kSequence, box_}; }
@@ -65,11 +78,6 @@ class BoundingBox final : public Structure {
   }
 
  private:
-  auto tied() {
-    return [this](ObjectId old, ObjectId fresh) {
-      kernel_->report(id_, kTie, {old, fresh}, false);
-    };
-  }
   void read();
   void begin() {
     read();

@@ -112,7 +112,7 @@ void BoundingBox2Hull::certificate_failed(CertificateId failed) {
     look(side);
   }
   failing_ = kNoCertificate;
-  if (hull_->shares_instant(*kernel_)) {
+  if (hull_->shares_instant()) {
     kernel_->settle_later(hull_->id());
     kernel_->settle_later(id_);
   }

@@ -29,7 +29,7 @@
 #include <vector>
 
 #include "core/engine/structure.h"
-#include "structures/hull/hull_ring.h"
+#include "structures/hull/hull_source.h"
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/repeat_guard.h"
 #include "structures/parts/slots.h"

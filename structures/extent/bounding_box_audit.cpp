@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BoundingBox: its audit, the extreme points by exact comparison of all.
-#include <vector>
+#include "structures/extent/bounding_box_audit.h"
 
 #include "core/numbers/rational.h"
 #include "structures/extent/bounding_box.h"
 
 namespace kinex {
 
-void BoundingBox::audit(const Snapshot& snapshot, AuditReport& report) const {
+void audit_box(const std::vector<ObjectId>& box, const Snapshot& snapshot, AuditReport& report) {
   std::vector<ObjectId> expected;
   for (int axis = 0; axis < snapshot.dimension(); ++axis) {
     ObjectId least = kNoObject, most = kNoObject;
@@ -19,7 +18,11 @@ void BoundingBox::audit(const Snapshot& snapshot, AuditReport& report) const {
     }
     if (least != kNoObject) expected.insert(expected.end(), {least, most});
   }
-  report.check(expected == box_, [] { return "the extreme points are others"; });
+  report.check(expected == box, [] { return "other points are extreme"; });
+}
+
+void BoundingBox::audit(const Snapshot& snapshot, AuditReport& report) const {
+  audit_box(box_, snapshot, report);
 }
 
 }  // namespace kinex

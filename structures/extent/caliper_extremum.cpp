@@ -165,7 +165,9 @@ std::vector<BoundCheck> CaliperExtremum::bounds(const BoundContext& context) con
   result.push_back(at_most(name + ".duels", "the epochs of the nodes of the tournament",
                            candidates_.most_failures(claims.degree(context.degree)),
                            counted(candidates_.slots().line().failures)));
-  if (context.plain() && n > 1 && measure_ == CaliperMeasure::kDiameter) {
+  // Vertices of a hull of directions jump: distances come and go.
+  const bool jumps = hull_->fineness() != 0;
+  if (context.plain() && n > 1 && measure_ == CaliperMeasure::kDiameter && !jumps) {
     const Integer envelope = davenport_schinzel_bound(2 * context.degree, kinex::pairs(counted(n)));
     result.push_back(at_most(name + ".external",
                              "pieces of the upper envelope of the distances of all pairs",

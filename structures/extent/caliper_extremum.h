@@ -15,12 +15,12 @@
 //   extremum    a duel                another winner
 //
 // Quality, for h hull vertices: at most h certificates of its own calipers, and h - 1 of the
-// candidates. The calipers are local, the
-// candidates are not: a vertex is the contact of up to h - 1 edges. A failure renews O(log h). An
-// insertion, an erasure, or an instant with several changes of the hull builds the calipers anew,
-// O(h log h), and renews O(log h) for each candidate that changes. O(n^(2 + eps)) events for
-// algebraic motions. The attribute can change Omega(n^2) times (Agarwal et al.). One external event
-// for each instant that changes it.
+// candidates. The calipers are local; the candidates are not, for a vertex is the contact of up to
+// h - 1 edges. A failure renews O(log h). An insertion, an erasure, or an instant with several changes
+// of the hull builds the calipers anew, O(h log h), and renews O(log h) for each candidate that
+// changes. O(n^(2 + eps)) events for algebraic motions. The attribute can change Omega(n^2) times
+// (Agarwal et al.). One external event for each
+// instant that changes it.
 //
 // Ties. Of pairs at identically equal distances the lexicographically smallest; of strips and
 // rectangles of identically equal width, area or perimeter that with the smallest tail of its edge.
@@ -50,7 +50,7 @@
 #include "structures/extent/caliper_candidates.h"
 #include "structures/extent/calipers_2.h"
 #include "structures/extent/hull_calipers.h"
-#include "structures/hull/hull_ring.h"
+#include "structures/hull/hull_source.h"
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
 
@@ -118,7 +118,8 @@ class CaliperExtremum final : public Structure {
   bool is_up_to_date() const { return followed_ == calipers().changes_end(); }
   bool is_settling() const;
   void report_repair(std::uint8_t kind, std::initializer_list<ObjectId> ids);
-  // ---- caliper_extremum_audit.cpp
+  // ---- caliper_extremum_audit.cpp: among the points of the snapshot
+  void audit_best(const Snapshot& snapshot, AuditReport& report) const;
   void audit_diameter(const Snapshot& snapshot, AuditReport& report) const;
   void audit_strip(const Snapshot& snapshot, AuditReport& report) const;
   void audit_rectangle(const Snapshot& snapshot, AuditReport& report) const;

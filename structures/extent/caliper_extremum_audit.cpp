@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CaliperExtremum: its audits at exact positions: the diameter by all pairs; strips and the area of
-// rectangles by CGAL; perimeters, and ids, by all edges of the hull.
+// rectangles by CGAL; perimeters, and ids, by all edges of the hull. Over a hull of directions: among
+// its vertices, and the guarantees for all points.
 #include <CGAL/Gmpq.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Simple_cartesian.h>
@@ -12,6 +13,7 @@
 #include <string>
 
 #include "structures/extent/caliper_extremum.h"
+#include "structures/extent/extent_guarantees_audit.h"
 #include "structures/extent/farthest_pair_audit.h"
 
 namespace kinex {
@@ -72,6 +74,20 @@ Number value_of(const CaliperExtents& e, CaliperMeasure measure) {
 }  // namespace
 
 void CaliperExtremum::audit(const Snapshot& snapshot, AuditReport& report) const {
+  const auto best_of = [this, &report](const Snapshot& points) { audit_best(points, report); };
+  switch (measure_) {
+    case CaliperMeasure::kDiameter:
+      return audit_reader(*hull_, snapshot, report, best_of, guarantee_diameter);
+    case CaliperMeasure::kWidth:
+      return audit_reader(*hull_, snapshot, report, best_of, guarantee_width);
+    case CaliperMeasure::kArea:
+      return audit_reader(*hull_, snapshot, report, best_of, guarantee_area);
+    default:
+      return audit_reader(*hull_, snapshot, report, best_of, guarantee_perimeter);
+  }
+}
+
+void CaliperExtremum::audit_best(const Snapshot& snapshot, AuditReport& report) const {
   for (const ObjectId id : best()) {
     if (snapshot.alive(id)) continue;
     return report.check(false, [] { return "it names an object that is not there"; });

@@ -43,7 +43,7 @@
 #include <vector>
 
 #include "core/engine/audit.h"
-#include "structures/hull/hull_ring.h"
+#include "structures/hull/hull_source.h"
 #include "structures/parts/shared_queries.h"
 #include "structures/parts/slots.h"
 #include "structures/parts/ties.h"

@@ -51,7 +51,7 @@ Attribute Calipers2::attribute() const {
 
 bool Calipers2::is_settling() const {
   return calipers_.is_behind() || kernel_->instant_is_shared(id_) ||
-         calipers_.hull().shares_instant(*kernel_);
+         calipers_.hull().shares_instant();
 }
 
 // Readers have followed by the end of every instant; one that has not looks at all edges.

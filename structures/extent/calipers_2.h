@@ -88,6 +88,7 @@ class Calipers2 final : public Structure {
   void begin();
   void trim();
   std::vector<ObjectId> touched() const;
+  void audit_touched(const Snapshot& snapshot, AuditReport& report) const;  // calipers_2_audit.cpp
 
   Kernel* kernel_;
   StructureId id_, hull_id_;

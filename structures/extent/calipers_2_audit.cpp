@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calipers2: its audit at exact positions: between each two directions of edges of CGAL's hull the
-// extreme points, by looking at all of them.
+// extreme points, by looking at all of them. Over a hull of directions: its vertices, and the
+// guarantee for the longest of the pairs.
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/convex_hull_2.h>
@@ -9,6 +10,7 @@
 #include <iterator>
 
 #include "structures/extent/calipers_2.h"
+#include "structures/extent/extent_guarantees_audit.h"
 
 namespace kinex {
 namespace {
@@ -75,6 +77,11 @@ bool may_touch(const std::vector<Point>& hull, const Touched& points, Vector dir
 }  // namespace
 
 void Calipers2::audit(const Snapshot& snapshot, AuditReport& report) const {
+  const auto touched = [this, &report](const Snapshot& points) { audit_touched(points, report); };
+  audit_reader(calipers_.hull(), snapshot, report, touched, guarantee_diameter);
+}
+
+void Calipers2::audit_touched(const Snapshot& snapshot, AuditReport& report) const {
   const int folds = calipers().folds();
   const auto at = [&snapshot](ObjectId id) {
     return Point(Number(snapshot.position(id, 0).raw()), Number(snapshot.position(id, 1).raw()));

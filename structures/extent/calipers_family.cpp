@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/extent/calipers_family.h"
 
+#include <vector>
+
 #include "structures/extent/caliper_extremum.h"
 #include "structures/extent/calipers_2.h"
 #include "structures/extent/diameter_all_pairs.h"
@@ -31,6 +33,15 @@ std::unique_ptr<Structure> make_extremum(const MakerInput& in) {
       shares ? dynamic_cast<const Calipers2*>(in.watched[1]) : nullptr);
 }
 
+// Of all structures that follow the directions of the edges of a hull (HullCalipers::Kind).
+std::vector<KindRule> caliper_kinds() {
+  return {{"antiparallel", Effect::kSometimes, "two edges of the hull become antiparallel"},
+          {"perpendicular", Effect::kSometimes, "two edges of the hull become perpendicular"},
+          {"split", Effect::kNever, "a vertex comes: an edge gives way to two"},
+          {"merge", Effect::kNever, "a vertex goes: two edges give way to one"},
+          {"renew", Effect::kNever, "the calipers are made anew, with the hull"}};
+}
+
 template <CaliperMeasure kMeasure>
 StructureInfo caliper_info(std::string_view summary) {
   StructureInfo info;
@@ -41,15 +52,13 @@ StructureInfo caliper_info(std::string_view summary) {
   if (kMeasure == CaliperMeasure::kArea || kMeasure == CaliperMeasure::kPerimeter) {
     info.role = "rectangle";
   }
+  if (kMeasure == CaliperMeasure::kWidth) info.role = "strip";
   info.reads = {{"convex_hull_2", "hull"}};
   info.shares = {"calipers_2", "folds", folds_of(kMeasure)};
-  info.kinds = {{"antiparallel", Effect::kSometimes},
-                {"perpendicular", Effect::kSometimes},
-                {"split", Effect::kNever},
-                {"merge", Effect::kNever},
-                {"renew", Effect::kNever},
-                {"replace", Effect::kSometimes},
-                {"tie", Effect::kNever}};
+  info.kinds = caliper_kinds();
+  info.kinds.push_back({"replace", Effect::kSometimes, "another candidate wins a duel"});
+  info.kinds.push_back(
+      {"tie", Effect::kNever, "another candidate wins a duel: the two are identically equal"});
   info.certificates =
       "at most 2h - 1 for h hull vertices: one for each two directions of edges that are "
       "neighbours, and a tournament of the candidates of all edges, or h - 1 where calipers_2 is "
@@ -76,11 +85,7 @@ StructureInfo calipers() {
                       .least = "2",
                       .most = "4",
                       .step = "2"}};
-  info.kinds = {{"antiparallel", Effect::kSometimes},
-                {"perpendicular", Effect::kSometimes},
-                {"split", Effect::kNever},
-                {"merge", Effect::kNever},
-                {"renew", Effect::kNever}};
+  info.kinds = caliper_kinds();
   info.certificates =
       "at most h for h hull vertices, one for each two directions of edges that are "
       "neighbours modulo the fold; those of the hull besides";
@@ -105,7 +110,9 @@ std::vector<StructureInfo> caliper_structures() {
   all_pairs.group = "diameter";
   all_pairs.any_dimension = true;
   all_pairs.shape = Attribute::Shape::kTuples;
-  all_pairs.kinds = {{"replace", Effect::kSometimes}, {"tie", Effect::kNever}};
+  all_pairs.kinds = {
+      {"replace", Effect::kSometimes, "another pair wins a duel"},
+      {"tie", Effect::kNever, "another pair wins a duel: the distances are identically equal"}};
   all_pairs.certificates = "n(n - 1)/2 - 1, one for each match of a tournament of all pairs";
   all_pairs.ties = diameter.ties;
   all_pairs.source =

@@ -28,7 +28,7 @@ StructureInfo box() {
                      .summary = "the extreme points of both axes, by four pointers on the hull"};
   info.min_dimension = 2;
   info.reads = {{.structure = "convex_hull_2", .role = "hull"}};
-  info.kinds = {{"replace", Effect::kSometimes}};
+  info.kinds = {{"replace", Effect::kSometimes, "another vertex is on a side"}};
   info.role = "box";
   info.instead = "bounding_box";
   info.certificates = "8, two for each side of the box; those of the hull besides";
@@ -44,7 +44,8 @@ StructureInfo triangulation() {
   info.min_dimension = 2;
   info.shape = Attribute::Shape::kTuples;
   info.reads = {{.structure = "convex_hull_2", .role = "hull"}};
-  info.kinds = {{"flip", Effect::kSometimes}};
+  info.kinds = {{"flip", Effect::kSometimes,
+                 "a diagonal gives way to the other one: four vertices are on one circle"}};
   info.certificates = "h - 3 for h hull vertices, one for each diagonal; those of the hull besides";
   info.ties = "the diagonal of four identically cocircular points contains the smallest id";
   info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 6.9";
@@ -56,9 +57,11 @@ StructureInfo circle() {
   StructureInfo info{.name = "min_circle_2",
                      .summary = "the smallest enclosing circle, by the farthest-point triangulation"};
   info.group = "min_circle";
+  info.role = "circle";
   info.min_dimension = 2;
   info.reads = {{.structure = "farthest_delaunay_2", .passes_over = true}};
-  info.kinds = {{"to_two", Effect::kSometimes}, {"to_three", Effect::kSometimes}};
+  info.kinds = {{"to_two", Effect::kSometimes, "two points determine the circle from now on"},
+                {"to_three", Effect::kSometimes, "three points determine the circle from now on"}};
   info.certificates =
       "at most 3, of the angles at one triangle or side; those of farthest_delaunay_2 besides";
   info.ties = "all hull vertices that stay on the circle are named";

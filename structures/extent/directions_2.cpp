@@ -7,12 +7,10 @@ namespace kinex {
 
 Directions2::Directions2(Kernel& kernel, StructureId id, const Scene& scene, int k,
                          MaximaChoice choice)
-    : kernel_(&kernel),
-      id_(id),
+    : HullSource(kernel, id),
       name_(choice == MaximaChoice::kByDegree ? "directions_2" : "directions_2_tournament"),
       k_(k),
       maxima_(make_direction_maxima(kernel, id, scene, unit_directions_2(k), choice)),
-      events_(kernel, id),
       between_(maxima_->size(), 0),
       stale_(maxima_->size(), 1) {}
 
@@ -52,7 +50,7 @@ std::vector<ObjectId> Directions2::polygon() const {
     if (result.empty() || result.back() != here) result.push_back(here);
   }
   if (result.size() > 1 && result.back() == result.front()) result.pop_back();
-  std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+  start_at_smallest(result);
   return result;
 }
 
@@ -79,7 +77,7 @@ void Directions2::certificate_failed(CertificateId failed) {
   const auto [direction, before, after] = maxima_->failed(failed, tied());
   kernel_->report(id_, kReplace, {before, after}, false);
   look_around(direction);
-  if (kernel_->instant_is_shared(id_) || events_.repairs_to_come()) {
+  if (kernel_->instant_is_shared(id_) || kernel_->failure_is_due()) {
     kernel_->settle_later(id_);
   } else {
     settle();

@@ -39,11 +39,11 @@
 
 #include "core/engine/structure.h"
 #include "structures/extent/direction_maxima.h"
-#include "structures/hull/hull_events.h"
+#include "structures/hull/hull_source.h"
 
 namespace kinex {
 
-class Directions2 final : public Structure, public HullSource {
+class Directions2 final : public HullSource {
  public:
   // kReplace: in a direction, or in a duel of its tournament, another object is ahead: the old one,
   // the new one. kTie: the same, because they have become identically level.
@@ -64,11 +64,9 @@ class Directions2 final : public Structure, public HullSource {
   void motions_changed(std::span<const ObjectId> objects) override;
   void instant_over() override { settle(); }
   int largest_motion_degree() const override { return maxima_->largest_motion_degree(); }
-  const HullRing& ring() const override { return events_.ring(); }
-  StructureId id() const override { return id_; }
+  int fineness() const override { return k_; }
   // The extreme object in every direction; kNoObject if there is none.
   const std::vector<ObjectId>& extremes() const { return maxima_->winners(); }
-  Attribute attribute() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
   void visit_proof(ProofVisitor& visitor) const override { maxima_->visit_proof(visitor); }
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   void check_invariants(AuditReport& report) const override;
@@ -91,12 +89,9 @@ class Directions2 final : public Structure, public HullSource {
   void begin();
   void settle();
 
-  Kernel* kernel_;
-  StructureId id_;
   std::string_view name_;
   int k_;
   std::unique_ptr<DirectionMaxima> maxima_;
-  HullEvents events_;
   // By direction: its extreme object is level with those of both neighbours, and is no vertex.
   std::vector<std::uint8_t> between_;
   std::vector<std::uint8_t> stale_;  // by direction: between_ has to be found again

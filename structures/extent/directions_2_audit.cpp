@@ -5,7 +5,6 @@
 
 #include "structures/extent/directions_2.h"
 #include "structures/extent/extent_guarantees_audit.h"
-#include "structures/hull/hull_audit.h"
 
 namespace kinex {
 
@@ -32,8 +31,9 @@ void Directions2::audit(const Snapshot& snapshot, AuditReport& report) const {
     if (best == kNoObject) continue;
     for (const int axis : {0, 1}) extreme.set(best, axis, snapshot.position(best, axis));
   }
-  audit_hull(attribute(), snapshot.objects(), extreme, report);
-  audit_guarantees(k_, attribute().ids, snapshot, report);
+  HullSource::audit(extreme, report);
+  guarantee_diameter(k_, attribute().ids, snapshot, report);
+  guarantee_width(k_, attribute().ids, snapshot, report);
 }
 
 }  // namespace kinex

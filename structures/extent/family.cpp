@@ -15,7 +15,9 @@ StructureFamily extent_family() {
                     .summary = "the extreme points of every axis, by tournament trees"};
   box.any_dimension = true;
   box.shape = Attribute::Shape::kSequence;
-  box.kinds = {{"replace", Effect::kSometimes}, {"tie", Effect::kNever}};
+  box.kinds = {
+      {"replace", Effect::kSometimes, "another point wins a match for a side"},
+      {"tie", Effect::kNever, "another point wins a match: the coordinates are identically equal"}};
   box.certificates = "n - 1 for each side of the box, one for each match of its tournament";
   box.ties = "of points with identically equal coordinates the smallest id is on the side";
   box.source =

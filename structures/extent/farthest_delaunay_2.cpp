@@ -58,9 +58,9 @@ void FarthestDelaunay2::drop_certificate(HalfEdge h) {
 // ---- flips
 
 FarthestDelaunay2::HalfEdge FarthestDelaunay2::flip(HalfEdge h) {
-  untold_.gone(store_.origin(h), store_.target(h));
+  untold_.gone({store_.origin(h), store_.target(h)});
   const HalfEdge d = store_.flip(h), e = store_.twin(d);
-  untold_.came(store_.origin(d), store_.target(d));
+  untold_.came({store_.origin(d), store_.target(d)});
   set_certificate(d);  // first: the arithmetic reuses the polynomial of the failure
   for (const HalfEdge side : {d, e}) {
     set_certificate(Triangulation2::next(side));
@@ -105,12 +105,11 @@ void FarthestDelaunay2::finish() {
 // ---- events
 
 bool FarthestDelaunay2::instant_may_go_on() const {
-  return kernel_->instant_is_shared(id_) || hull_->shares_instant(*kernel_) ||
-         kernel_->failure_is_due();
+  return !kernel_->instant_is_over(id_) || hull_->shares_instant();
 }
 
 void FarthestDelaunay2::settle_below() const {
-  if (hull_->shares_instant(*kernel_)) kernel_->settle_later(hull_->id());
+  if (hull_->shares_instant()) kernel_->settle_later(hull_->id());
   kernel_->settle_later(id_);
 }
 
@@ -158,8 +157,7 @@ void FarthestDelaunay2::instant_settled() {
 
 void FarthestDelaunay2::instant_over() {
   if (untold_.size() == 0) return;
-  const AttributeDifference change = untold_.net();
-  untold_.clear();
+  const AttributeDifference change = untold_.take();
   kernel_->report_settled(id_, change.gone, change.came);
 }
 

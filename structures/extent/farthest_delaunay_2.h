@@ -45,11 +45,10 @@
 
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
-#include "structures/hull/hull_events.h"
-#include "structures/hull/hull_ring.h"
-#include "structures/parts/edge_changes.h"
+#include "structures/hull/hull_source.h"
 #include "structures/parts/repeat_guard.h"
 #include "structures/parts/ties.h"
+#include "structures/parts/tuple_changes.h"
 #include "structures/triangulation/triangulation_2.h"
 
 namespace kinex {
@@ -102,6 +101,7 @@ class FarthestDelaunay2 final : public Structure {
   // are identically cocircular is a tie.
   const Triangulation2& triangles() const { return store_; }
   bool is_tie(HalfEdge h) const { return slots_.is_tie(store_.label(h)); }
+  const HullSource& hull() const { return *hull_; }
   // The vertices if there are fewer than three.
   const std::vector<ObjectId>& few() const { return few_; }
 
@@ -144,6 +144,8 @@ class FarthestDelaunay2 final : public Structure {
   void triangulate(const std::vector<ObjectId>& cycle);
   void legalise(HalfEdge opposite);
   void begin();
+  // ---- farthest_delaunay_2_audit.cpp
+  void audit_circles(const Snapshot& snapshot, AuditReport& report) const;
 
   Kernel* kernel_;
   StructureId id_;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // FarthestDelaunay2: bounds, invariants, and the audit: every circle against every point, exactly.
+// Over a hull of directions: against every vertex, and the guarantee for all points.
 #include <array>
+#include <span>
 #include <string>
 
 #include "core/numbers/rational.h"
+#include "structures/extent/extent_guarantees_audit.h"
 #include "structures/extent/farthest_delaunay_2.h"
 #include "structures/parts/binomial.h"
 
@@ -28,6 +31,26 @@ Rational in_circle(const Snapshot& snapshot, ObjectId a, ObjectId b, ObjectId c,
   return square(u) * cross(v, w) + square(v) * cross(w, u) + square(w) * cross(u, v);
 }
 
+// The corners a, b, c of a circle, and every point that is farther from its centre than the radius
+// and D'/2k together: what sticks out of an edge of the vertices' hull is that high at most.
+void guarantee_circle(int k, const std::array<ObjectId, 3>& corners, const Rational& diameter,
+                      const Snapshot& snapshot, AuditReport& report) {
+  const auto [a, b, c] = corners;
+  const Vector u = from_to(snapshot, a, b), v = from_to(snapshot, a, c);
+  const Rational turn = Rational(2) * cross(u, v);
+  if (turn.is_zero()) return;
+  const Rational uu = u.x * u.x + u.y * u.y, vv = v.x * v.x + v.y * v.y;
+  const Vector centre{(v.y * uu - u.y * vv) / turn, (u.x * vv - v.x * uu) / turn};  // from a
+  const Rational radius = centre.x * centre.x + centre.y * centre.y;
+  const Rational error = diameter / Rational(Integer(4) * Integer(k) * Integer(k));
+  for (const ObjectId p : living(snapshot)) {
+    const Vector to = from_to(snapshot, a, p);
+    const Rational x = to.x - centre.x, y = to.y - centre.y;
+    report.check(root_at_most_sum(x * x + y * y, radius, error),
+                 [] { return std::string("a circle is beyond its guarantee"); });
+  }
+}
+
 }  // namespace
 
 std::vector<BoundCheck> FarthestDelaunay2::bounds(const BoundContext& context) const {
@@ -36,7 +59,8 @@ std::vector<BoundCheck> FarthestDelaunay2::bounds(const BoundContext& context) c
   std::vector<BoundCheck> checks{
       at_most("farthest_delaunay_2.certificates", "one for each diagonal of the hull",
               Integer(3) < n ? n - Integer(3) : Integer(0), counted(ledger.max_live))};
-  if (!context.plain() || ledger.rebuilds != 0) return checks;
+  // Vertices of a hull of directions jump.
+  if (!context.plain() || ledger.rebuilds != 0 || hull_->fineness() != 0) return checks;
   const Integer degree(context.degree);
   checks.push_back(at_most(
       "farthest_delaunay_2.external",
@@ -69,8 +93,22 @@ void FarthestDelaunay2::check_invariants(AuditReport& report) const {
   }
 }
 
-// Vertices that only touch at the time of the snapshot make flat triangles, which have no circle.
 void FarthestDelaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {
+  const auto circles = [this, &report](const Snapshot& points) { audit_circles(points, report); };
+  const auto guarantee = [this](int k, std::span<const ObjectId> chosen, const Snapshot& all,
+                                AuditReport& into) {
+    const Rational diameter = squared_diameter(all, chosen);
+    for (Triangle t = 0; t < store_.triangle_capacity(); ++t) {
+      if (!store_.live(t) || store_.ghost(t)) continue;
+      guarantee_circle(k, {store_.origin(3 * t), store_.origin(3 * t + 1), store_.origin(3 * t + 2)},
+                       diameter, all, into);
+    }
+  };
+  audit_reader(*hull_, snapshot, report, circles, guarantee);
+}
+
+// Vertices that only touch at the time of the snapshot make flat triangles, which have no circle.
+void FarthestDelaunay2::audit_circles(const Snapshot& snapshot, AuditReport& report) const {
   std::size_t triangles = 0;
   for (Triangle t = 0; t < store_.triangle_capacity(); ++t) {
     if (!store_.live(t) || store_.ghost(t)) continue;

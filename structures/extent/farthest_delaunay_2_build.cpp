@@ -62,8 +62,8 @@ void FarthestDelaunay2::enter(ObjectId p, ObjectId a, ObjectId b) {
   if (!store_.star(p, {Triangulation2::triangle(store_.twin(h))}, rim_)) {
     return give_up("a vertex has no place");
   }
-  untold_.came(a, p);
-  untold_.came(p, b);
+  untold_.came({a, p});
+  untold_.came({p, b});
   set_certificate(h);
 }
 
@@ -81,8 +81,8 @@ void FarthestDelaunay2::leave(ObjectId p) {
   const ObjectId b = store_.target(h), a = store_.apex(h);
   drop_certificate(Triangulation2::next(h));
   store_.fill(p, {{0, 1, 2}}, filled_);
-  untold_.gone(a, p);
-  untold_.gone(p, b);
+  untold_.gone({a, p});
+  untold_.gone({p, b});
 }
 
 // Makes the change that an event of the hull states; false if it is not that of one vertex, or

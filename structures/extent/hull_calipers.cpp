@@ -46,13 +46,14 @@ HullCalipers::Failure HullCalipers::failed(CertificateId failed) {
   return {parallel ? kAntiparallel : kPerpendicular, {e, ring.next(e), f, ring.next(f)}, swaps};
 }
 
-// The list follows a vertex that comes or goes alone; after anything else that happens to the hull
-// at an instant it is built anew.
+// The list follows a vertex that comes or goes alone, on the edge between its neighbours; after
+// anything else that happens to the hull at an instant it is built anew.
 HullCalipers::HullChange HullCalipers::watched_changed(const Event* event) {
   const bool first = hull_instant_ != kernel_->instant_number();
   hull_instant_ = kernel_->instant_number();
   HullChange change{kRenew, {kNoObject, kNoObject, kNoObject}};
-  if (first && event != nullptr && !is_behind_ && follow(*event, change)) return change;
+  const bool jumps = hull_->fineness() != 0;
+  if (first && event != nullptr && !jumps && !is_behind_ && follow(*event, change)) return change;
   build();
   return {kRenew, {kNoObject, kNoObject, kNoObject}};
 }

@@ -2,7 +2,8 @@
 // HullCalipers: calipers (calipers.h) that follow a hull, for the structure that owns them.
 //
 //   the hull      a vertex came or went alone       the list follows: split, merge
-//                 anything else                     the list is built anew: renew
+//                 anything else, and every change   the list is built anew: renew
+//                 of a hull of directions
 //   the list      a certificate fails               its two edges change places
 //                 the same, while the hull may      the certificate is dropped, and the list is built
 //                 change at this instant            anew when the instant is settled
@@ -22,7 +23,7 @@
 
 #include "core/engine/structure.h"
 #include "structures/extent/calipers.h"
-#include "structures/hull/hull_ring.h"
+#include "structures/hull/hull_source.h"
 
 namespace kinex {
 

@@ -3,7 +3,7 @@
 #ifndef KINEX_STRUCTURES_EXTENT_HULL_READ_H
 #define KINEX_STRUCTURES_EXTENT_HULL_READ_H
 
-#include "structures/hull/hull_ring.h"
+#include "structures/hull/hull_source.h"
 #include "structures/parts/descriptor.h"
 
 namespace kinex {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "predicates/predicates.h"
+#include "structures/extent/extent_guarantees_audit.h"
 #include "structures/extent/min_circle_audit.h"
 
 namespace kinex {
@@ -198,7 +199,8 @@ std::vector<BoundCheck> MinCircle2::bounds(const BoundContext& context) const {
   std::vector<BoundCheck> checks{at_most("min_circle_2.certificates",
                                          "three angles of a triangle, or two at one side",
                                          Integer(3), counted(context.ledger->max_live))};
-  add_circle_bound("min_circle_2", context, checks);
+  // Vertices of a hull of directions jump, and the circle with them.
+  if (triangulation_->hull().fineness() == 0) add_circle_bound("min_circle_2", context, checks);
   return checks;
 }
 
@@ -244,7 +246,10 @@ std::size_t MinCircle2::bytes() const {
 }
 
 void MinCircle2::audit(const Snapshot& snapshot, AuditReport& report) const {
-  audit_min_circle(circle_, snapshot, report);
+  const auto circle = [this, &report](const Snapshot& points) {
+    audit_min_circle(circle_, points, report);
+  };
+  audit_reader(triangulation_->hull(), snapshot, report, circle, guarantee_circle);
 }
 
 }  // namespace kinex

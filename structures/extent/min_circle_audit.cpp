@@ -44,6 +44,24 @@ void audit_min_circle(const std::vector<ObjectId>& circle, const Snapshot& snaps
   }
 }
 
+void guarantee_circle(int k, std::span<const ObjectId> chosen, const Snapshot& snapshot,
+                      AuditReport& report) {
+  std::vector<Point> all, ours;
+  for (ObjectId id = 0; id < snapshot.objects(); ++id) {
+    if (snapshot.alive(id)) all.push_back(point_of(snapshot, id));
+  }
+  for (const ObjectId id : chosen) ours.push_back(point_of(snapshot, id));
+  const Witness whole(all.begin(), all.end(), false), part(ours.begin(), ours.end(), false);
+  const CGAL::Gmpq radius = part.circle().squared_radius(), square(k * k);
+  report.check(radius <= whole.circle().squared_radius(),
+               [] { return "the circle is larger than that of all points"; });
+  for (const Point& p : all) {
+    report.check(CGAL::squared_distance(p, part.circle().center()) * square <=
+                     radius * (square + 1),
+                 [] { return "the circle is beyond its guarantee"; });
+  }
+}
+
 void add_circle_bound(const std::string& structure, const BoundContext& context,
                       std::vector<BoundCheck>& checks) {
   if (!context.plain() || context.ledger->rebuilds != 0) return;

@@ -7,11 +7,13 @@
 namespace kinex {
 
 ConvexHull2::ConvexHull2(Kernel& kernel, StructureId id, const Scene& scene, Variant variant)
-    : kernel_(&kernel),
-      id_(id),
+    : HullSource(kernel, id),
       variant_(variant),
+      exact_(kernel.is_exact()),
       signs_(kernel),
-      events_(kernel, id),
+      parts_{Slots(kernel, id, "x"),         Slots(kernel, id, "y"),
+             Slots(kernel, id, "s"),         Slots(kernel, id, "s of tangents"),
+             Slots(kernel, id, "left ends"), Slots(kernel, id, "right ends")},
       leaf_of_(scene.objects.size(), kNone) {}
 
 std::vector<std::string_view> ConvexHull2::event_kinds() const {
@@ -50,14 +52,14 @@ std::vector<ObjectId> ConvexHull2::hull_cycle() const {
   for (std::size_t i = upper.size(); i-- > 0;) {
     if (upper[i] != cycle.back() && upper[i] != cycle.front()) cycle.push_back(upper[i]);
   }
-  std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+  start_at_smallest(cycle);
   return cycle;
 }
 
 Attribute ConvexHull2::attribute() const {
   if (corrupt_) return {Attribute::Shape::kCycle, {}};
   // As last read: an inexact arithmetic might read another one now.
-  if (!kernel_->is_exact()) return told();
+  if (!exact_) return told();
   return {Attribute::Shape::kCycle, hull_cycle()};
 }
 
@@ -65,8 +67,9 @@ std::size_t ConvexHull2::bytes() const {
   return sizeof *this + edges_.capacity() * sizeof(Edge) + nodes_.capacity() * sizeof(Node) +
          tree_.capacity() * sizeof(TreeNode) + events_.bytes() +
          (free_edges_.capacity() + free_tree_nodes_.capacity() + leaf_of_.capacity() +
-          todo_.capacity() + stale_.capacity()) *
-             sizeof(Index);
+          stale_.capacity()) *
+             sizeof(Index) +
+         (todo_.capacity() + tied_.capacity()) * sizeof(Claimed);
 }
 
 }  // namespace kinex

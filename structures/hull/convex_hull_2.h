@@ -82,12 +82,13 @@
 #include "core/engine/structure.h"
 #include "core/motion/scene.h"
 #include "structures/hull/convex_hull_2_signs.h"
-#include "structures/hull/hull_events.h"
+#include "structures/hull/hull_source.h"
 #include "structures/parts/repeat_guard.h"
+#include "structures/parts/slots.h"
 
 namespace kinex {
 
-class ConvexHull2 final : public Structure, public HullSource {
+class ConvexHull2 final : public HullSource {
  public:
   // Bound on the number of certificates that name a point, per half and level of the tree.
   // Observed: at most 4.1 (the benchmark hull_levels).
@@ -121,9 +122,6 @@ class ConvexHull2 final : public Structure, public HullSource {
   void motions_changed(std::span<const ObjectId> objects) override;
   void instant_settled() override;
   Attribute attribute() const override;
-  const HullRing& ring() const override { return events_.ring(); }
-  StructureId id() const override { return id_; }
-  Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
@@ -145,8 +143,13 @@ class ConvexHull2 final : public Structure, public HullSource {
   using Corner = HullSigns::Corner;
   static constexpr Index kNone = 0xffffffffu;
   static constexpr unsigned kHalves = 2;
-  // The purpose of a certificate: tag = 8 * (edge or node) + slot.
-  enum Slot : std::uint32_t { kSlotX, kSlotY, kSlotS1, kSlotS2, kSlotLeft, kSlotRight };
+  // The parts. x, y and s are claims of a corner, the others of a node: that is the tag.
+  enum Slot : PartId { kSlotX, kSlotY, kSlotS1, kSlotS2, kSlotLeft, kSlotRight };
+  struct Claimed {
+    Index place;  // edge or node
+    Slot slot;
+    auto operator<=>(const Claimed&) const = default;
+  };
   // Where the slope of a line lies in the run over it, as seen from the corner that claims it.
   enum Claim : std::uint8_t { kNoClaim, kAfter, kBefore, kTangent };
 
@@ -197,6 +200,11 @@ class ConvexHull2 final : public Structure, public HullSource {
   // The node that merges the chain of this edge.
   Index merge_of(Index edge) const { return edges_[edge].merge; }
   Corner corner(Index edge) const { return {edges_[edge].point, edges_[edges_[edge].next].point}; }
+  // The first (end 0) or the last (end 1) lines of the chains that a node merges: blue, red.
+  std::array<Index, 2> end_lines(Index node, int end) const {
+    const Node &red = nodes_[child(node, 0)], &blue = nodes_[child(node, 1)];
+    return end == 0 ? std::array{blue.first, red.first} : std::array{blue.last, red.last};
+  }
   bool red_above(Index corner) const { return edges_[corner].red == edges_[corner].above; }
   bool crosses_left(Index node, Index corner) const;
   bool crosses_right(Index node, Index corner) const;
@@ -210,11 +218,17 @@ class ConvexHull2 final : public Structure, public HullSource {
   }
   Query base_query(Slot slot, Index place) const;
   bool needs_y(Index corner) const;
-  Outlook certify(CertificateId& certificate, const Query& query, std::uint32_t tag);
-  void drop(CertificateId& certificate);
+  CertificateId certificate_of(Slot slot, Index place) const {
+    return const_cast<ConvexHull2*>(this)->certificate_of(slot, place);
+  }
+  Slot slot_of(CertificateId certificate) const {
+    return static_cast<Slot>(kernel_->part(certificate));
+  }
+  Outlook certify(Slot slot, Index place, const Query& query);
+  void drop(Slot slot, Index place);
   void drop_all(Index edge);
   void refresh(Slot slot, Index place);
-  void resolve_tie(Slot slot, Index place, CertificateId& certificate);
+  void resolve_tie(Slot slot, Index place);
   void refresh_x(Index corner);
   void refresh_y(Index corner);
   void refresh_end(Index node, int end);
@@ -230,11 +244,15 @@ class ConvexHull2 final : public Structure, public HullSource {
   void pass(Index node, Index e, Index f, const Query& claim);
   void pass_half(Index node, Index e, Index f, const Query& claim);
   void turn_end(Index node, int end);
+  void count_crossings(Index line, int more) {
+    edges_[line].crossings = static_cast<std::uint8_t>(edges_[line].crossings + more);
+  }
   void report_failure(Slot slot, Index place);
   bool claim_holds(Slot slot, Index place) const;
   void work_off();
   void finish_instant();
   void start_afresh();
+  Index upcoming_edge(std::size_t i) const;
   void fetch(Index edge) const {
     if (edge != kNone) __builtin_prefetch(edges_.data() + edge, 1);
   }
@@ -244,10 +262,10 @@ class ConvexHull2 final : public Structure, public HullSource {
   // ---- convex_hull_2_chain.cpp: one line more or less on a chain
   Index enter(Index node, Index a, Index b, ObjectId point);
   void leave(Index node, Index edge);
-  void link(Index node, Index corner, Index left, Index right);
-  void unlink(Index node, Index corner);
+  void join(Index node, Index a, Index b);
+  void join_corners(Index node, Index left, Index right);
   void spoil(Index node, const char* reason);
-  void clear_merge(Index node);
+  void unmerge(Index node);
   void mend();
 
   // ---- convex_hull_2_build.cpp: the static algorithm
@@ -256,6 +274,7 @@ class ConvexHull2 final : public Structure, public HullSource {
   Index allocate_tree_node();
   void free_chain(Index node);
   void merge(Index node);
+  void merge_both(Index t);
   void merge_corners(Index node);
   void merge_purple(Index node);
   void merge_certificates(Index node);
@@ -268,6 +287,7 @@ class ConvexHull2 final : public Structure, public HullSource {
   void reset_hull();
 
   // ---- convex_hull_2_update.cpp
+  void hang(Index above, Index old, Index fresh);
   void unmerge_path(Index t);
   void merge_path(Index t);
   Index remake(Index t);
@@ -287,17 +307,18 @@ class ConvexHull2 final : public Structure, public HullSource {
   // ---- convex_hull_2_bounds.cpp
   void add_level_bounds(const BoundContext& context, std::vector<BoundCheck>& checks) const;
 
+  // Points may come or go, or move off a line with others, with no single change to report.
+  void look_anew() { root_changes_ += 2; }
   std::vector<ObjectId> hull_cycle() const;
   std::vector<ObjectId> strict_chain(Index node) const;
   void note_root_change(Index node, Index a, Index b, ObjectId point, bool enters);
   bool settle_one_vertex();
   void give_up(const std::string& what);
 
-  Kernel* kernel_;
-  StructureId id_;
   Variant variant_;
+  bool exact_;  // the arithmetic
   HullSigns signs_;
-  HullEvents events_;
+  std::array<Slots, 6> parts_;  // by Slot
 
   std::vector<Edge> edges_;
   std::vector<Index> free_edges_;
@@ -308,7 +329,6 @@ class ConvexHull2 final : public Structure, public HullSource {
   std::vector<Index> leaf_of_;  // tree node per object; kNone: not a member
 
   // The present failure and instant.
-  bool hull_changed_ = false;
   // Changes of the root's chains since the hull was read, and the last one.
   std::uint32_t root_changes_ = 0;
   struct RootChange {
@@ -316,11 +336,11 @@ class ConvexHull2 final : public Structure, public HullSource {
     Half half = HullSigns::kUpper;
     bool enters = false;
   } root_change_;
-  bool unsettled_ = false;           // a certificate was made that is negative right after now
-  std::vector<std::uint32_t> todo_;  // tags of claims that no certificate can refute
+  bool unsettled_ = false;     // a certificate was made that is negative right after now
+  std::vector<Claimed> todo_;  // claims that no certificate can refute
   std::vector<Index> stale_;
-  std::vector<std::uint32_t> tied_;  // tags of claims that were tied when they were made
-  std::uint64_t spent_ = 0;          // repairs at this instant
+  std::vector<Claimed> tied_;  // claims that were tied when they were made
+  std::uint64_t spent_ = 0;    // repairs at this instant
   RepeatGuard repeats_;
   bool corrupt_ = false;
 

@@ -5,18 +5,16 @@
 #include <utility>
 
 #include "structures/hull/convex_hull_2.h"
-#include "structures/hull/hull_audit.h"
 
 namespace kinex {
 
 void ConvexHull2::audit(const Snapshot& snapshot, AuditReport& report) const {
-  if (corrupt_) return;
-  audit_hull(attribute(), leaf_of_.size(), snapshot, report);
+  if (!corrupt_) HullSource::audit(snapshot, report);
 }
 
 void ConvexHull2::check_invariants(AuditReport& report) const {
   if (corrupt_) return;
-  report.check(stale_.empty() && todo_.empty() && !hull_changed_,
+  report.check(stale_.empty() && todo_.empty() && root_changes_ == 0,
                [] { return "the last instant was not settled"; });
   report.check(events_.cycle() == hull_cycle(),
                [] { return "the hull that was reported is not the one on the root's chains"; });
@@ -64,8 +62,7 @@ void ConvexHull2::check_chain(Index node, AuditReport& report) const {
 // against the signs just after now.
 void ConvexHull2::check_merge(Index node, AuditReport& report) const {
   const Half side = half(node);
-  Index lines[2];  // blue, red
-  for (const int which : {0, 1}) lines[1 - which] = nodes_[child(node, which)].first;
+  std::array<Index, 2> lines = end_lines(node, 0);  // blue, red
   const auto bad = [&](const char* what) { return [what, node] { return named(what, node); }; };
   report.check(!nodes_[node].stale, bad("the merge of node"));
   report.check(
@@ -85,24 +82,23 @@ void ConvexHull2::check_merge(Index node, AuditReport& report) const {
   const auto cross = [&] {
     for (const Index line : lines) crossings.emplace_back(line, 1);
     red_shows = !red_shows;
-    show(lines[red_shows ? 1 : 0]);
+    show(lines[red_shows]);
   };
-  show(lines[red_shows ? 1 : 0]);
+  show(lines[red_shows]);
   Index left = kNone;
   for (Index v = nodes_[node].head; v != kNone; v = edges_[v].right) {
     const Edge& e = edges_[v];
-    const Index other = lines[e.red ? 0 : 1];
-    report.check(
-        e.left == left && v == lines[e.red ? 1 : 0] && e.contender == other && e.next != kNone,
-        bad("the merged order of node"));
-    if (v != lines[e.red ? 1 : 0] || e.next == kNone) return;
+    const Index other = lines[!e.red];
+    report.check(e.left == left && v == lines[e.red] && e.contender == other && e.next != kNone,
+                 bad("the merged order of node"));
+    if (v != lines[e.red] || e.next == kNone) return;
     report.check(left == kNone || edges_[left].red == e.red ||
                      signs_.corners_hold(side, corner(left), corner(v)),
                  bad("the order of x at node"));
     report.check(e.above == signs_.above(side, corner(v), edges_[other].point),
                  bad("a height at node"));
     if (red_above(v) != red_shows) cross();
-    lines[e.red ? 1 : 0] = e.next;
+    lines[e.red] = e.next;
     if (e.above) show(e.next);
     left = v;
   }
@@ -126,20 +122,19 @@ void ConvexHull2::check_merge(Index node, AuditReport& report) const {
 // Every certificate that the state requires exists, with the right query, and no other one does.
 void ConvexHull2::check_certificates(Index node, AuditReport& report) const {
   const auto bad = [&](const char* what, Index e) { return [what, e] { return named(what, e); }; };
-  const auto expect = [&](Slot slot, Index place, CertificateId c, bool wanted) {
-    bool good = (c != kNoCertificate) == wanted;
-    if (good && wanted) {
-      good = kernel_->tag(c) == 8 * place + slot;
-      if (good && kernel_->query(c) != base_query(slot, place)) good = signs_.tied();
-    }
-    report.check(good, bad(slot == kSlotX     ? "the x certificate of corner"
-                           : slot == kSlotY   ? "the y certificate of corner"
-                           : slot < kSlotLeft ? "an s certificate of corner"
-                                              : "an end certificate of node",
-                           place));
+  const auto expect = [&](Slot slot, Index place, bool wanted) {
+    const CertificateId c = certificate_of(slot, place);
+    const bool is = c != kNoCertificate;
+    // A tie is kept by a substitute.
+    const auto query = [&] { return signs_.tied() ? kernel_->query(c) : base_query(slot, place); };
+    report.check(is == wanted && (!is || parts_[slot].holds(c, query(), place)),
+                 bad(slot == kSlotX     ? "the x certificate of corner"
+                     : slot == kSlotY   ? "the y certificate of corner"
+                     : slot < kSlotLeft ? "an s certificate of corner"
+                                        : "an end certificate of node",
+                     place));
   };
-  expect(kSlotLeft, node, nodes_[node].ends[0], true);
-  expect(kSlotRight, node, nodes_[node].ends[1], true);
+  for (const Slot slot : {kSlotLeft, kSlotRight}) expect(slot, node, true);
   for (const int which : {0, 1}) {
     for (Index e = nodes_[child(node, which)].first; e != kNone; e = edges_[e].next) {
       const Edge& edge = edges_[e];
@@ -156,10 +151,10 @@ void ConvexHull2::check_certificates(Index node, AuditReport& report) const {
       }
       const bool is_corner = edge.next != kNone;
       const bool both = is_corner && edge.right != kNone && edges_[edge.right].red != edge.red;
-      expect(kSlotX, e, edge.certificates[kSlotX], both);
-      expect(kSlotY, e, edge.certificates[kSlotY], is_corner && needs_y(e));
-      expect(kSlotS1, e, edge.certificates[kSlotS1], edge.claim != kNoClaim);
-      expect(kSlotS2, e, edge.certificates[kSlotS2], edge.claim == kTangent);
+      expect(kSlotX, e, both);
+      expect(kSlotY, e, is_corner && needs_y(e));
+      expect(kSlotS1, e, edge.claim != kNoClaim);
+      expect(kSlotS2, e, edge.claim == kTangent);
       report.check(edge.claim == kNoClaim || edges_[edge.contender].claimant == e,
                    bad("the claim of corner", e));
     }

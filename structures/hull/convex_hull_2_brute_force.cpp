@@ -2,12 +2,14 @@
 #include "structures/hull/convex_hull_2_brute_force.h"
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
-#include "structures/hull/hull_audit.h"
 #include "structures/hull/hull_bounds.h"
 #include "structures/hull/static_hull.h"
+#include "structures/parts/sort_unique.h"
 
 namespace kinex {
 
@@ -15,29 +17,13 @@ std::vector<std::string_view> ConvexHull2BruteForce::event_kinds() const {
   return HullEvents::kinds({"reflex", "outside", "between"});
 }
 
-std::vector<ObjectId> ConvexHull2BruteForce::members() const {
-  std::vector<ObjectId> result;
-  for (ObjectId id = 0; id < alive_.size(); ++id) {
-    if (alive_[id]) result.push_back(id);
-  }
-  return result;
-}
-
-void ConvexHull2BruteForce::retract_all() {
-  for (const CertificateId c : certificates_) kernel_->retract(c);
-  certificates_.clear();
-}
-
-void ConvexHull2BruteForce::claim(const Query& query, Kind kind) {
-  certificates_.push_back(kernel_->create(id_, query, kind).id);
+Outlook ConvexHull2BruteForce::claim(const Query& query, Kind kind) {
+  return slots_.set(certificates_.emplace_back(kNoCertificate), query, kind);
 }
 
 // The point is left of u v, or identically on it between its ends.
 void ConvexHull2BruteForce::claim_inside(ObjectId u, ObjectId v, ObjectId point) {
-  const Kernel::Created created =
-      kernel_->create(id_, signs_.left_turn(u, v, point), static_cast<std::uint32_t>(kInside));
-  certificates_.push_back(created.id);
-  if (created.outlook != Outlook::kIdenticallyZero) return;
+  if (claim(signs_.left_turn(u, v, point), kInside) != Outlook::kIdenticallyZero) return;
   for (const int axis : {0, 1}) {
     const Sign direction = signs_.order_sign(axis, u, v);
     if (direction == Sign::kZero) continue;
@@ -48,74 +34,70 @@ void ConvexHull2BruteForce::claim_inside(ObjectId u, ObjectId v, ObjectId point)
   }
 }
 
-void ConvexHull2BruteForce::certify_all() {
+// Finds the hull just after now and makes all certificates that prove it.
+const std::vector<ObjectId>& ConvexHull2BruteForce::find_hull() {
+  for (CertificateId& slot : certificates_) slots_.drop(slot);
+  certificates_.clear();
+  cycle_ = static_hull(signs_, members_);
   const std::size_t h = cycle_.size();
-  std::vector<bool> vertex(alive_.size(), false);
-  for (const ObjectId id : cycle_) vertex[id] = true;
+  std::vector<ObjectId> vertices = cycle_;
+  sort_unique(vertices);
+  if (vertices.size() < h) {
+    kernel_->corrupt(id_, "the hull goes through a point twice");
+    return cycle_;
+  }
   for (std::size_t i = 0; i < h && h > 2; ++i) {
     claim(Query(touch_turn_, {cycle_[i], cycle_[(i + 1) % h], cycle_[(i + 2) % h]}), kTurn);
   }
-  for (ObjectId id = 0; id < alive_.size() && h > 1; ++id) {
-    if (!alive_[id] || vertex[id]) continue;
-    for (std::size_t i = 0; i < h; ++i) claim_inside(cycle_[i], cycle_[(i + 1) % h], id);
+  std::vector<ObjectId> others;
+  std::set_difference(members_.begin(), members_.end(), vertices.begin(), vertices.end(),
+                      std::back_inserter(others));
+  for (const ObjectId point : others) {
+    for (std::size_t i = 0; i < h && h > 1; ++i) {
+      claim_inside(cycle_[i], cycle_[i + 1 == h ? 0 : i + 1], point);
+    }
   }
-  most_certificates_ = std::max(most_certificates_, certificates_.size());
-}
-
-// Finds the hull just after now and makes all certificates that prove it.
-void ConvexHull2BruteForce::find_hull() {
-  retract_all();
-  cycle_ = static_hull(signs_, members());
-  std::vector<ObjectId> once = cycle_;
-  std::sort(once.begin(), once.end());
-  if (std::adjacent_find(once.begin(), once.end()) != once.end()) {
-    return kernel_->corrupt(id_, "the hull goes through a point twice");
-  }
-  certify_all();
+  return cycle_;
 }
 
 void ConvexHull2BruteForce::build(std::span<const ObjectId> objects) {
-  for (const ObjectId id : objects) alive_[id] = true;
-  find_hull();
-  events_.begin(cycle_);
-}
-
-void ConvexHull2BruteForce::rebuild() {
-  find_hull();
-  events_.begin(cycle_);
+  members_.assign(objects.begin(), objects.end());
+  rebuild();
 }
 
 void ConvexHull2BruteForce::certificate_failed(CertificateId failed) {
+  const auto kind = static_cast<std::uint8_t>(slots_.failed(failed));
   const Query query = kernel_->query(failed);
-  const std::uint8_t kind = static_cast<std::uint8_t>(kernel_->tag(failed));
+  const auto& ids = query.ids;
   if (query.arity == 3) {
-    kernel_->report(id_, kind, {query.ids[0], query.ids[1], query.ids[2]}, false);
+    kernel_->report(id_, kind, {ids[0], ids[1], ids[2]}, false);
   } else {
-    kernel_->report(id_, kind, {query.ids[0], query.ids[1]}, false);
+    kernel_->report(id_, kind, {ids[0], ids[1]}, false);
   }
-  if (!kernel_->is_exact() && repeats_.failed(query)) {
-    return kernel_->corrupt(id_, "a certificate fails again and again");
+  if (!kernel_->is_exact()) {
+    if (repeats_.failed(query)) {
+      return kernel_->corrupt(id_, "a certificate fails again and again");
+    }
+    if (static_hull(signs_, members_) == cycle_) {
+      // The signs contradict the failure: the certificate is dropped.
+      const auto at = std::find(certificates_.begin(), certificates_.end(), failed);
+      slots_.drop(*at);
+      certificates_.erase(at);
+      return;
+    }
   }
-  if (!kernel_->is_exact() && static_hull(signs_, members()) == cycle_) {
-    // The signs contradict the failure: the certificate is dropped.
-    certificates_.erase(std::find(certificates_.begin(), certificates_.end(), failed));
-    return;
-  }
-  find_hull();
-  events_.settle(cycle_);
+  events_.settle(find_hull());
 }
 
 void ConvexHull2BruteForce::insert(ObjectId object) {
   repeats_.clear();
-  alive_[object] = true;
-  find_hull();
-  events_.begin(cycle_);
+  members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
+  rebuild();
 }
 
 void ConvexHull2BruteForce::erase(ObjectId object) {
-  alive_[object] = false;
-  find_hull();
-  events_.begin(cycle_);
+  members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
+  rebuild();
 }
 
 // Certificates have been rescheduled. Where points are, or come to be, identically on a hull edge,
@@ -123,49 +105,39 @@ void ConvexHull2BruteForce::erase(ObjectId object) {
 void ConvexHull2BruteForce::motions_changed(std::span<const ObjectId> objects) {
   repeats_.clear();
   if (cycle_.size() < 3 || signs_.tied()) look_again_ = true;
-  for (const ObjectId object : objects) {
-    for (const CertificateId c : kernel_->certificates_of(object)) {
-      if (kernel_->is_tie_of(id_, c)) look_again_ = true;
-    }
-  }
+  each_tie(*kernel_, id_, objects, [this](CertificateId) { look_again_ = true; });
 }
 
 void ConvexHull2BruteForce::instant_settled() {
-  if (!look_again_) return;
+  if (look_again_) events_.settle(find_hull());
   look_again_ = false;
-  find_hull();
-  events_.settle(cycle_);
 }
 
-// The certificates come in the order of certify_all, but for some that an inexact arithmetic has
-// dropped: the groups are found by what the claims name.
+// A group for every hull vertex and every hull edge, and one for the points that are on edges.
 void ConvexHull2BruteForce::visit_proof(ProofVisitor& visitor) const {
-  ProofGroup group;
-  std::map<std::vector<ObjectId>, std::vector<CertificateId>> of;
+  std::vector<std::pair<std::vector<ObjectId>, CertificateId>> shown;  // what it is about
   for (const CertificateId c : certificates_) {
     const Query query = kernel_->query(c);
-    const auto& ids = query.ids;
-    switch (kernel_->tag(c)) {
-      case kTurn:
-        of[{ids[1]}].push_back(c);
-        break;
-      case kInside:
-        of[{ids[0], ids[1]}].push_back(c);
-        break;
-      default:
-        of[{}].push_back(c);
-    }
+    const std::uint32_t kind = kernel_->tag(c);
+    const ObjectId* const first = query.ids.data() + (kind == kTurn ? 1 : 0);
+    const std::size_t count = kind == kTurn ? 1 : kind == kInside ? 2 : 0;
+    shown.emplace_back(std::vector<ObjectId>(first, first + count), c);
   }
-  for (const auto& [about, certificates] : of) {
-    group.about = about;
-    group.kind = about.empty()       ? "points on hull edges"
-                 : about.size() == 1 ? "hull vertex"
-                                     : "hull edge";
-    const std::string_view role = about.empty()       ? "between the ends"
-                                  : about.size() == 1 ? "the hull turns left"
-                                                      : "inside";
-    visitor.group(group);
-    for (const CertificateId c : certificates) visitor.certificate(c, role);
+  std::stable_sort(shown.begin(), shown.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  static constexpr std::array<std::array<std::string_view, 2>, 3> kTexts{
+      {{"points on hull edges", "between the ends"},
+       {"hull vertex", "the hull turns left"},
+       {"hull edge", "inside"}}};
+  ProofGroup group;
+  for (const auto& [about, certificate] : shown) {
+    const auto& [kind, role] = kTexts[about.size()];
+    if (group.kind != kind || group.about != about) {
+      group.kind = kind;
+      group.about = about;
+      visitor.group(group);
+    }
+    visitor.certificate(certificate, role);
   }
 }
 
@@ -181,17 +153,14 @@ std::vector<BoundCheck> ConvexHull2BruteForce::bounds(const BoundContext& contex
 
 void ConvexHull2BruteForce::check_invariants(AuditReport& report) const {
   report.check(events_.cycle() == cycle_, [] { return "the hull was not reported"; });
-  report.check(cycle_ == static_hull(signs_, members()),
+  report.check(cycle_ == static_hull(signs_, members_),
                [] { return "the hull is not that of the static algorithm"; });
 }
 
-void ConvexHull2BruteForce::audit(const Snapshot& snapshot, AuditReport& report) const {
-  audit_hull(attribute(), alive_.size(), snapshot, report);
-}
-
 std::size_t ConvexHull2BruteForce::bytes() const {
-  return sizeof *this + alive_.capacity() / 8 + events_.bytes() +
-         cycle_.capacity() * sizeof(ObjectId) + certificates_.capacity() * sizeof(CertificateId);
+  return sizeof *this + events_.bytes() +
+         (members_.capacity() + cycle_.capacity()) * sizeof(ObjectId) +
+         certificates_.capacity() * sizeof(CertificateId);
 }
 
 }  // namespace kinex

@@ -32,12 +32,13 @@
 #include "core/motion/scene.h"
 #include "predicates/predicates.h"
 #include "structures/hull/convex_hull_2_signs.h"
-#include "structures/hull/hull_events.h"
+#include "structures/hull/hull_source.h"
 #include "structures/parts/repeat_guard.h"
+#include "structures/parts/ties.h"
 
 namespace kinex {
 
-class ConvexHull2BruteForce final : public Structure, public HullSource {
+class ConvexHull2BruteForce final : public HullSource {
  public:
   enum Kind : std::uint8_t {
     kTurn = HullEvents::kKinds,  // a hull vertex and its neighbours: before, vertex, after
@@ -45,51 +46,38 @@ class ConvexHull2BruteForce final : public Structure, public HullSource {
     kBetween,                    // two points on one line
   };
 
-  ConvexHull2BruteForce(Kernel& kernel, StructureId id, const Scene& scene)
-      : kernel_(&kernel),
-        id_(id),
+  ConvexHull2BruteForce(Kernel& kernel, StructureId id, const Scene&)
+      : HullSource(kernel, id),
         signs_(kernel),
-        events_(kernel, id),
         touch_turn_(kernel.bind(make_orientation_2_touch())),
-        alive_(scene.objects.size(), false) {}
+        slots_(kernel, id, "claims") {}
 
   std::string_view name() const override { return "convex_hull_2_brute_force"; }
   std::vector<std::string_view> event_kinds() const override;
   void build(std::span<const ObjectId> objects) override;
-  void rebuild() override;
+  void rebuild() override { events_.begin(find_hull()); }
   void certificate_failed(CertificateId failed) override;
   void insert(ObjectId object) override;
   void erase(ObjectId object) override;
   void motions_changed(std::span<const ObjectId> objects) override;
   void instant_settled() override;
-  Attribute attribute() const override { return {Attribute::Shape::kCycle, cycle_}; }
-  const HullRing& ring() const override { return events_.ring(); }
-  StructureId id() const override { return id_; }
-  Attribute told() const override { return {Attribute::Shape::kCycle, events_.cycle()}; }
   void visit_proof(ProofVisitor& visitor) const override;
   std::vector<BoundCheck> bounds(const BoundContext& context) const override;
   std::uint64_t most_repairs(std::uint64_t) const override { return 0; }
   void check_invariants(AuditReport& report) const override;
-  void audit(const Snapshot& snapshot, AuditReport& report) const override;
   std::size_t bytes() const override;
 
  private:
-  std::vector<ObjectId> members() const;
-  void retract_all();
-  void certify_all();
-  void claim(const Query& query, Kind kind);
+  Outlook claim(const Query& query, Kind kind);
   void claim_inside(ObjectId u, ObjectId v, ObjectId point);
-  void find_hull();
+  const std::vector<ObjectId>& find_hull();
 
-  Kernel* kernel_;
-  StructureId id_;
   HullSigns signs_;
-  HullEvents events_;
   PredicateId touch_turn_;
-  std::vector<bool> alive_;
+  Slots slots_;                    // tag: the kind
+  std::vector<ObjectId> members_;  // ascending
   std::vector<ObjectId> cycle_;
   std::vector<CertificateId> certificates_;
-  std::size_t most_certificates_ = 0;
   RepeatGuard repeats_;
   bool look_again_ = false;  // motions have changed: ties may have come or gone
 };

@@ -55,10 +55,8 @@ void ConvexHull2::free_chain(Index node) {
 // Appends a line at the right end of a chain.
 ConvexHull2::Index ConvexHull2::append(Index node, ObjectId point) {
   const Index e = allocate_edge(node, point);
-  Node& n = nodes_[node];
-  edges_[e].previous = n.last;
-  (n.last == kNone ? n.first : edges_[n.last].next) = e;
-  n.last = e;
+  join(node, nodes_[node].last, e);
+  join(node, e, kNone);
   return e;
 }
 
@@ -70,13 +68,16 @@ void ConvexHull2::merge(Index node) {
   merge_certificates(node);
 }
 
+void ConvexHull2::merge_both(Index t) {
+  for (unsigned h = 0; h < kHalves; ++h) merge(2 * t + h);
+}
+
 // The corners of both chains in the order of x, with their contenders and sides.
 void ConvexHull2::merge_corners(Index node) {
-  Index lines[2];  // blue, red: where the sweep is
-  for (const int which : {0, 1}) {
-    lines[1 - which] = nodes_[child(node, which)].first;
-    for (Index e = lines[1 - which]; e != kNone; e = edges_[e].next) {
-      edges_[e].red = which == 0;
+  std::array<Index, 2> lines = end_lines(node, 0);  // blue, red: where the sweep is
+  for (const bool red : {false, true}) {
+    for (Index e = lines[red]; e != kNone; e = edges_[e].next) {
+      edges_[e].red = red;
       edges_[e].merge = node;
     }
   }
@@ -89,18 +90,18 @@ void ConvexHull2::merge_corners(Index node) {
     if (!blue_left && !red_left) break;
     const bool red =
         red_left && (!blue_left || signs_.corners_hold(side, corner(lines[1]), corner(lines[0])));
-    const Index v = lines[red ? 1 : 0], other = lines[red ? 0 : 1];
+    const Index v = lines[red], other = lines[!red];
     edges_[v].contender = other;
     edges_[v].above = signs_.above(side, corner(v), edges_[other].point);
-    link(node, v, nodes_[node].tail, kNone);
-    lines[red ? 1 : 0] = edges_[v].next;
+    join_corners(node, nodes_[node].tail, v);
+    join_corners(node, v, kNone);
+    lines[red] = edges_[v].next;
   }
   nodes_[node].red[1] = signs_.slopes_hold(edges_[lines[0]].point, edges_[lines[1]].point);
 }
 
 // The upper of the two chains, from left to right.
 void ConvexHull2::merge_purple(Index node) {
-  const Index red = nodes_[child(node, 0)].first, blue = nodes_[child(node, 1)].first;
   const auto show = [this, node](Index line) {
     if (edges_[line].up != kNone) {
       give_up("a line shows twice on an envelope");
@@ -110,16 +111,16 @@ void ConvexHull2::merge_purple(Index node) {
     edges_[line].up = up;
   };
   bool red_shows = nodes_[node].red[0];
-  Index lines[2] = {blue, red};
+  std::array<Index, 2> lines = end_lines(node, 0);
   const auto cross = [&] {
     for (const Index line : lines) ++edges_[line].crossings;
     red_shows = !red_shows;
-    show(lines[red_shows ? 1 : 0]);
+    show(lines[red_shows]);
   };
-  show(lines[red_shows ? 1 : 0]);
+  show(lines[red_shows]);
   for (Index v = nodes_[node].head; v != kNone; v = edges_[v].right) {
     if (red_above(v) != red_shows) cross();
-    lines[edges_[v].red ? 1 : 0] = edges_[v].next;
+    lines[edges_[v].red] = edges_[v].next;
     if (edges_[v].above) show(edges_[v].next);
   }
   if (nodes_[node].red[1] != red_shows) cross();
@@ -170,7 +171,7 @@ ConvexHull2::Index ConvexHull2::build_tree(std::span<const ObjectId> objects) {
   tree_[t].children[1] = b;
   tree_[a].parent = tree_[b].parent = t;
   update_sizes(t);
-  for (unsigned h = 0; h < kHalves; ++h) merge(2 * t + h);
+  merge_both(t);
   return t;
 }
 
@@ -195,14 +196,13 @@ void ConvexHull2::rebuild() {
 void ConvexHull2::construct_anew() {
   std::vector<ObjectId> members;
   for (ObjectId id = 0; id < leaf_of_.size(); ++id) {
-    if (leaf_of_[id] == kNone) continue;
-    members.push_back(id);
+    if (leaf_of_[id] != kNone) members.push_back(id);
   }
   for (Index e = 0; e < edges_.size(); ++e) {
     if (edges_[e].node != kNone) drop_all(e);
   }
-  for (Node& node : nodes_) {
-    for (CertificateId& c : node.ends) drop(c);
+  for (Index node = 0; node < nodes_.size(); ++node) {
+    for (const Slot slot : {kSlotLeft, kSlotRight}) drop(slot, node);
   }
   edges_.clear();
   free_edges_.clear();
@@ -215,7 +215,6 @@ void ConvexHull2::construct_anew() {
 }
 
 void ConvexHull2::reset_hull() {
-  hull_changed_ = false;
   root_changes_ = 0;
   if (!corrupt_) events_.begin(hull_cycle());
 }

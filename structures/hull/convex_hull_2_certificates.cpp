@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ConvexHull2: the certificates, as a function of the combinatorial state.
-#include <algorithm>
 #include <utility>
 
 #include "structures/hull/convex_hull_2.h"
+#include "structures/parts/sort_unique.h"
 
 namespace kinex {
 
@@ -34,17 +34,12 @@ ConvexHull2::Index ConvexHull2::last_of_run(Index line) const {
 
 Query ConvexHull2::base_query(Slot slot, Index place) const {
   if (slot >= kSlotLeft) {
-    const Node& node = nodes_[place];
-    const int end = static_cast<int>(slot - kSlotLeft);
-    Index lines[2];  // blue, red
-    for (const int which : {0, 1}) {
-      const Node& of = nodes_[child(place, which)];
-      lines[1 - which] = end == 0 ? of.first : of.last;
-    }
+    const int end = slot - kSlotLeft;
+    const auto [blue, red] = end_lines(place, end);
     // Far left the smaller slope is above, far right the larger one.
-    const bool red_first = node.red[static_cast<std::size_t>(end)] == (end == 0);
-    const ObjectId red = edges_[lines[1]].point, blue = edges_[lines[0]].point;
-    return red_first ? signs_.slopes(red, blue) : signs_.slopes(blue, red);
+    const bool red_first = nodes_[place].red[static_cast<std::size_t>(end)] == (end == 0);
+    return signs_.slopes(edges_[red_first ? red : blue].point,
+                         edges_[red_first ? blue : red].point);
   }
   const Edge& e = edges_[place];
   const ObjectId contender = edges_[e.contender].point;
@@ -84,82 +79,59 @@ bool ConvexHull2::needs_y(Index corner) const {
 
 // ---- keeping certificates
 
-Outlook ConvexHull2::certify(CertificateId& certificate, const Query& query, std::uint32_t tag) {
-  if (!kernel_->is_exact() && !corrupt_ && repeats_an_object(query)) {
-    give_up("a line meets itself");
-  }
+Outlook ConvexHull2::certify(Slot slot, Index place, const Query& query) {
+  if (!exact_ && repeats_an_object(query)) give_up("a line meets itself");
   if (corrupt_) return Outlook::kNever;
-  Outlook outlook;
-  if (certificate == kNoCertificate) {
-    const Kernel::Created created = kernel_->create(id_, query, tag);
-    certificate = created.id;
-    outlook = created.outlook;
-  } else if (kernel_->claims(certificate, query)) {
-    kernel_->set_tag(certificate, tag);
-    return kernel_->outlook(certificate);
-  } else {
-    outlook = kernel_->replace(certificate, query, tag);
-  }
+  const Outlook outlook = parts_[slot].renew(certificate_of(slot, place), query, place);
   if (outlook == Outlook::kFailsNow) unsettled_ = true;
   return outlook;
 }
 
-void ConvexHull2::drop(CertificateId& certificate) {
-  if (certificate == kNoCertificate) return;
-  if (!corrupt_) kernel_->retract(certificate);
-  certificate = kNoCertificate;
+void ConvexHull2::drop(Slot slot, Index place) {
+  CertificateId& certificate = certificate_of(slot, place);
+  if (certificate != kNoCertificate && !corrupt_) parts_[slot].drop(certificate);
 }
 
 void ConvexHull2::drop_all(Index edge) {
-  for (CertificateId& c : edges_[edge].certificates) drop(c);
+  for (const Slot slot : {kSlotX, kSlotY, kSlotS1, kSlotS2}) {
+    if (edges_[edge].certificates[slot] != kNoCertificate) drop(slot, edge);
+  }
 }
 
 void ConvexHull2::refresh(Slot slot, Index place) {
-  CertificateId& certificate = certificate_of(slot, place);
-  if (certify(certificate, base_query(slot, place), 8 * place + slot) ==
-      Outlook::kIdenticallyZero) {
-    resolve_tie(slot, place, certificate);
+  if (certify(slot, place, base_query(slot, place)) == Outlook::kIdenticallyZero) {
+    resolve_tie(slot, place);
   }
 }
 
 // The certificate is identically zero.
-void ConvexHull2::resolve_tie(Slot slot, Index place, CertificateId& certificate) {
+void ConvexHull2::resolve_tie(Slot slot, Index place) {
   signs_.note_tie();
-  if (tied_.size() > 64 + 8 * edges_.size()) {
-    std::sort(tied_.begin(), tied_.end());
-    tied_.erase(std::unique(tied_.begin(), tied_.end()), tied_.end());
-  }
-  tied_.push_back(8 * place + slot);
-  if (slot != kSlotX) {
-    // A point may from now on lie on a line with its neighbours, with nothing to repair.
-    hull_changed_ = true;
-    root_changes_ += 2;
-  }
+  if (tied_.size() > 64 + 8 * edges_.size()) sort_unique(tied_);
+  tied_.push_back({place, slot});
   bool holds = true;
   if (slot == kSlotX) {
     holds = signs_.corners_tie(corner(place), corner(edges_[place].right));
   } else {
+    look_anew();  // a point may from now on lie on a line with its neighbours
     const Query base = base_query(slot, place);
-    const Edge* e = slot == kSlotY ? &edges_[place] : nullptr;
     const HullSigns::Substitutes ties =
-        e != nullptr
-            ? signs_.height_tie(half(e->node), e->above, corner(place), edges_[e->contender].point)
-            : signs_.slopes_tie(base.ids[0], base.ids[1]);
+        slot == kSlotY ? signs_.height_tie(edges_[place].above, corner(place),
+                                           edges_[edges_[place].contender].point)
+                       : signs_.slopes_tie(base.ids[0], base.ids[1]);
     holds = ties.holds;
     for (std::size_t i = 0; i < ties.count; ++i) {
-      if (certify(certificate, ties.queries[i], 8 * place + slot) != Outlook::kIdenticallyZero) {
-        return;
-      }
+      if (certify(slot, place, ties.queries[i]) != Outlook::kIdenticallyZero) return;
     }
   }
-  if (!holds) todo_.push_back(8 * place + slot);
+  if (!holds) todo_.push_back({place, slot});
 }
 
 void ConvexHull2::refresh_x(Index corner) {
   if (corner == kNone) return;
   const Index right = edges_[corner].right;
   if (right == kNone || edges_[right].red == edges_[corner].red) {
-    drop(edges_[corner].certificates[kSlotX]);
+    drop(kSlotX, corner);
   } else {
     refresh(kSlotX, corner);
   }
@@ -170,7 +142,7 @@ void ConvexHull2::refresh_y(Index corner) {
   if (needs_y(corner)) {
     refresh(kSlotY, corner);
   } else {
-    drop(edges_[corner].certificates[kSlotY]);
+    drop(kSlotY, corner);
   }
 }
 
@@ -187,8 +159,8 @@ void ConvexHull2::drop_claim(Index line) {
   Edge& v = edges_[corner];
   const bool tangent = v.claim == kTangent;
   v.claim = kNoClaim;
-  drop(v.certificates[kSlotS1]);
-  drop(v.certificates[kSlotS2]);
+  drop(kSlotS1, corner);
+  drop(kSlotS2, corner);
   if (tangent) refresh_y(corner);
 }
 
@@ -197,10 +169,9 @@ void ConvexHull2::set_claim(Index line, Index corner, Claim claim) {
   if (old != kNone && old != corner) {
     // The certificates move to the new corner.
     Edge& from = edges_[old];
-    Edge& to = edges_[corner];
     for (const Slot slot : {kSlotS1, kSlotS2}) {
-      drop(to.certificates[slot]);
-      std::swap(to.certificates[slot], from.certificates[slot]);
+      drop(slot, corner);
+      std::swap(edges_[corner].certificates[slot], from.certificates[slot]);
     }
     const bool tangent = from.claim == kTangent;
     from.claim = kNoClaim;
@@ -212,7 +183,7 @@ void ConvexHull2::set_claim(Index line, Index corner, Claim claim) {
   if (claim == kTangent) {
     refresh(kSlotS2, corner);
   } else {
-    drop(edges_[corner].certificates[kSlotS2]);
+    drop(kSlotS2, corner);
   }
   refresh_y(corner);
 }

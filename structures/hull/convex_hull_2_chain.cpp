@@ -10,36 +10,30 @@
 
 namespace kinex {
 
-void ConvexHull2::link(Index node, Index corner, Index left, Index right) {
-  edges_[corner].left = left;
-  edges_[corner].right = right;
-  (left == kNone ? nodes_[node].head : edges_[left].right) = corner;
-  (right == kNone ? nodes_[node].tail : edges_[right].left) = corner;
+// a and b become neighbours on the chain of a node; kNone: the end of the chain.
+void ConvexHull2::join(Index node, Index a, Index b) {
+  (a == kNone ? nodes_[node].first : edges_[a].next) = b;
+  (b == kNone ? nodes_[node].last : edges_[b].previous) = a;
 }
 
-void ConvexHull2::unlink(Index node, Index corner) {
-  Edge& e = edges_[corner];
-  (e.left == kNone ? nodes_[node].head : edges_[e.left].right) = e.right;
-  (e.right == kNone ? nodes_[node].tail : edges_[e.right].left) = e.left;
-  e.left = e.right = kNone;
+// The same for two corners in the merged order of a node.
+void ConvexHull2::join_corners(Index node, Index left, Index right) {
+  (left == kNone ? nodes_[node].head : edges_[left].right) = right;
+  (right == kNone ? nodes_[node].tail : edges_[right].left) = left;
 }
 
 // For a chain of the root, or of a node whose parent is stale: then the hull is read anew anyway.
 void ConvexHull2::note_root_change(Index node, Index a, Index b, ObjectId point, bool enters) {
-  hull_changed_ = true;
-  const bool inside = a != kNone && b != kNone && node / 2 == root_;
-  root_changes_ += inside ? 1 : 2;
-  if (!inside) return;
+  if (a == kNone || b == kNone || node / 2 != root_) return look_anew();
+  ++root_changes_;
   root_change_ = {point, edges_[a].point, edges_[b].point, half(node), enters};
 }
 
 // Adds a line between a and b, neighbours on the chain, or at an end of it (a or b is kNone).
 ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId point) {
   const Index c = allocate_edge(node, point);
-  edges_[c].previous = a;
-  edges_[c].next = b;
-  (a == kNone ? nodes_[node].first : edges_[a].next) = c;
-  (b == kNone ? nodes_[node].last : edges_[b].previous) = c;
+  join(node, a, c);
+  join(node, c, b);
   const Index p = merge_of(a != kNone ? a : b);
   if (p == kNone) {
     note_root_change(node, a, b, point, true);
@@ -53,7 +47,8 @@ ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId poi
     edges_[c].contender = edges_[a].contender;
     edges_[c].above = edges_[a].above;
     std::swap(edges_[c].certificates[kSlotX], edges_[a].certificates[kSlotX]);
-    link(p, c, a, edges_[a].right);
+    join_corners(p, c, edges_[a].right);
+    join_corners(p, a, c);
     if (edges_[a].above) {
       const Index up = enter(p, edges_[a].up, edges_[b].up, point);
       edges_[c].up = up;
@@ -68,16 +63,13 @@ ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId poi
   }
   const int end = a == kNone ? 0 : 1;
   const Index corner = end == 0 ? c : a;
-  const Node& other = nodes_[child(p, red ? 1 : 0)];
-  const Index over = end == 0 ? other.first : other.last;
+  const Index over = end_lines(p, end)[!red];
   Edge& v = edges_[corner];
   v.contender = over;
   v.above = nodes_[p].red[static_cast<std::size_t>(end)] == red;
-  if (end == 0) {
-    link(p, corner, kNone, nodes_[p].head);
-  } else {
-    link(p, corner, nodes_[p].tail, kNone);
-  }
+  const Index left = end == 0 ? kNone : nodes_[p].tail, right = end == 0 ? nodes_[p].head : kNone;
+  join_corners(p, left, corner);
+  join_corners(p, corner, right);
   if (edges_[corner].above) {
     const Index up =
         end == 0 ? enter(p, kNone, edges_[b].up, point) : enter(p, edges_[a].up, kNone, point);
@@ -95,31 +87,24 @@ ConvexHull2::Index ConvexHull2::enter(Index node, Index a, Index b, ObjectId poi
 void ConvexHull2::leave(Index node, Index edge) {
   const Index a = edges_[edge].previous, b = edges_[edge].next;
   const Index p = merge_of(edge);
-  if (p == kNone) note_root_change(node, a, b, edges_[edge].point, false);
-  bool merged = p != kNone;
   const int end = a == kNone ? 0 : 1;
   // The corner that is removed, with its claims; a's corner takes its place if that stays.
   const bool inside = a != kNone && b != kNone;
   const Index corner = inside || end == 0 ? edge : a;
-  if (merged) {
-    bool simple = edges_[edge].crossings == 0;
-    if (inside) {
-      simple = simple && edges_[a].right == edge && edges_[a].above == edges_[edge].above;
-    } else if (end == 0) {
-      simple = simple && nodes_[p].head == edge && !crosses_left(p, edge);
-    } else {
-      simple = simple && nodes_[p].tail == a && !crosses_right(p, a);
-    }
-    if (!simple) {
-      spoil(p, "other corners between those that meet");
-      merged = false;
-    }
+  bool simple = p != kNone && edges_[edge].crossings == 0;
+  if (p == kNone) {
+    note_root_change(node, a, b, edges_[edge].point, false);
+  } else if (inside) {
+    simple = simple && edges_[a].right == edge && edges_[a].above == edges_[edge].above;
+  } else if (end == 0) {
+    simple = simple && nodes_[p].head == edge && !crosses_left(p, edge);
+  } else {
+    simple = simple && nodes_[p].tail == a && !crosses_right(p, a);
   }
-  if (!merged) {
-    (a == kNone ? nodes_[node].first : edges_[a].next) = b;
-    (b == kNone ? nodes_[node].last : edges_[b].previous) = a;
-    free_edge(edge);
-    return;
+  if (!simple) {
+    if (p != kNone) spoil(p, "other corners between those that meet");
+    join(node, a, b);
+    return free_edge(edge);
   }
   const Index over = edges_[corner].contender;
   const Index left = edges_[corner].left, right = edges_[corner].right;
@@ -134,10 +119,9 @@ void ConvexHull2::leave(Index node, Index edge) {
   }
   drop_all(corner);
   const bool was_above = edges_[corner].above;
-  unlink(p, corner);
-  edges_[corner].contender = kNone;
-  (a == kNone ? nodes_[node].first : edges_[a].next) = b;
-  (b == kNone ? nodes_[node].last : edges_[b].previous) = a;
+  join_corners(p, left, right);
+  edges_[corner].left = edges_[corner].right = edges_[corner].contender = kNone;
+  join(node, a, b);
   const Index up = edges_[edge].up;
   if (was_above) leave(p, up);
   free_edge(edge);
@@ -155,9 +139,9 @@ void ConvexHull2::leave(Index node, Index edge) {
 
 // ---- nodes that cannot be repaired in place
 
-// Clears what the merge of a node has stored at the corners of its children.
-void ConvexHull2::clear_merge(Index node) {
-  for (CertificateId& c : nodes_[node].ends) drop(c);
+// Clears what the merge of a node has stored at the corners of its children, and its chain.
+void ConvexHull2::unmerge(Index node) {
+  for (const Slot slot : {kSlotLeft, kSlotRight}) drop(slot, node);
   for (const int which : {0, 1}) {
     for (Index e = nodes_[child(node, which)].first; e != kNone; e = edges_[e].next) {
       drop_all(e);
@@ -168,18 +152,17 @@ void ConvexHull2::clear_merge(Index node) {
     }
   }
   nodes_[node].head = nodes_[node].tail = kNone;
+  free_chain(node);
 }
 
 void ConvexHull2::spoil(Index node, const char* reason) {
   ++spoil_reasons_[reason];
   for (; node != kNone && !nodes_[node].stale; node = parent(node)) {
-    clear_merge(node);
-    free_chain(node);
+    unmerge(node);
     nodes_[node].stale = true;
     stale_.push_back(node);
   }
-  hull_changed_ = true;
-  root_changes_ += 2;
+  look_anew();
 }
 
 // Merges the stale nodes anew, children first.

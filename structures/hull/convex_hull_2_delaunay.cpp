@@ -5,19 +5,14 @@
 #include <string>
 
 #include "predicates/predicates.h"
-#include "structures/hull/hull_audit.h"
-#include "structures/hull/hull_bounds.h"
 
 namespace kinex {
 
-ConvexHull2Delaunay::ConvexHull2Delaunay(Kernel& kernel, StructureId id, const Scene& scene,
+ConvexHull2Delaunay::ConvexHull2Delaunay(Kernel& kernel, StructureId id,
                                          const Delaunay2& triangulation)
-    : kernel_(&kernel),
-      id_(id),
+    : HullSource(kernel, id),
       orientation_(kernel.bind(make_orientation_2())),
-      objects_(scene.objects.size()),
-      triangulation_(&triangulation),
-      events_(kernel, id) {}
+      triangulation_(&triangulation) {}
 
 std::vector<ObjectId> ConvexHull2Delaunay::cycle() const {
   std::vector<ObjectId> hull = triangulation_->hull();
@@ -33,9 +28,7 @@ std::vector<ObjectId> ConvexHull2Delaunay::cycle() const {
       strict.push_back(hull[i]);
     }
   }
-  if (!strict.empty()) {
-    std::rotate(strict.begin(), std::min_element(strict.begin(), strict.end()), strict.end());
-  }
+  start_at_smallest(strict);
   return strict;
 }
 
@@ -44,7 +37,7 @@ void ConvexHull2Delaunay::build(std::span<const ObjectId>) { events_.begin(cycle
 // Inner flips do not matter. After a failure the triangulation may go on changing at this instant,
 // so the hull is read when the instant is settled. A rebuild, or a "settled", is final.
 void ConvexHull2Delaunay::look() {
-  if (!events_.repairs_to_come()) return events_.settle(cycle());
+  if (!kernel_->failure_is_due()) return events_.settle(cycle());
   kernel_->settle_later(id_);
 }
 
@@ -54,18 +47,12 @@ void ConvexHull2Delaunay::watched_changed(const Event* event) {
 }
 
 std::vector<BoundCheck> ConvexHull2Delaunay::bounds(const BoundContext& context) const {
-  std::vector<BoundCheck> checks{at_most(std::string(name()) + ".certificates",
-                                         "it reads the triangulation's", Integer(0),
-                                         counted(context.ledger->max_live))};
-  return checks;
+  return {at_most(std::string(name()) + ".certificates", "it reads the triangulation's", Integer(0),
+                  counted(context.ledger->max_live))};
 }
 
 void ConvexHull2Delaunay::check_invariants(AuditReport& report) const {
   report.check(events_.cycle() == cycle(), [] { return "the hull was not reported"; });
-}
-
-void ConvexHull2Delaunay::audit(const Snapshot& snapshot, AuditReport& report) const {
-  audit_hull(attribute(), objects_, snapshot, report);
 }
 
 }  // namespace kinex

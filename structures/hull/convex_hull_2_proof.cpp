@@ -58,16 +58,14 @@ void ConvexHull2::visit_proof(ProofVisitor& visitor) const {
 
 // The certificates of the merge at a node: at its ends, and at the corners of its children.
 void ConvexHull2::visit_merge(Index node, ProofVisitor& visitor) const {
-  const auto show = [&](CertificateId certificate, Slot slot, Index place) {
+  const auto show = [&](Slot slot, Index place) {
+    const CertificateId certificate = certificate_of(slot, place);
     if (certificate != kNoCertificate) visitor.certificate(certificate, role_of(slot, place));
   };
-  show(nodes_[node].ends[0], kSlotLeft, node);
-  show(nodes_[node].ends[1], kSlotRight, node);
+  for (const Slot slot : {kSlotLeft, kSlotRight}) show(slot, node);
   for (const int which : {0, 1}) {
     for (Index e = nodes_[child(node, which)].first; e != kNone; e = edges_[e].next) {
-      for (const Slot slot : {kSlotX, kSlotY, kSlotS1, kSlotS2}) {
-        show(edges_[e].certificates[slot], slot, e);
-      }
+      for (const Slot slot : {kSlotX, kSlotY, kSlotS1, kSlotS2}) show(slot, e);
     }
   }
 }

@@ -9,21 +9,19 @@ namespace kinex {
 // ---- prefetch: what the next failures will read, fetched while this one is repaired; no effect on
 // the state (an empty asm statement keeps compilers from dropping the calls)
 
+// The edge of a claim that probably fails soon; kNone if there is none, or one at the end of a chain.
+ConvexHull2::Index ConvexHull2::upcoming_edge(std::size_t i) const {
+  const CertificateId c = kernel_->upcoming(id_, i);
+  return c == kNoCertificate || slot_of(c) >= kSlotLeft ? kNone : kernel_->tag(c);
+}
+
 // Before the repair: the places of the coming failures, and the surroundings of the very next one.
 void ConvexHull2::fetch_places() const {
   asm volatile("");
-  for (std::size_t i = 1; i <= 4; ++i) {
-    const std::uint32_t tag = kernel_->upcoming_tag(id_, i);
-    if (tag == Kernel::kNoTag) continue;
-    if (tag % 8 < kSlotLeft) {
-      __builtin_prefetch(edges_.data() + tag / 8, 1);
-    } else {
-      __builtin_prefetch(nodes_.data() + tag / 8, 1);
-    }
-  }
-  const std::uint32_t tag = kernel_->upcoming_tag(id_, 0);
-  if (tag == Kernel::kNoTag || tag % 8 >= kSlotLeft) return;
-  const Edge& e = edges_[tag / 8];
+  for (std::size_t i = 1; i <= 4; ++i) fetch(upcoming_edge(i));
+  const Index next = upcoming_edge(0);
+  if (next == kNone) return;
+  const Edge& e = edges_[next];
   for (const Index i : {e.next, e.left, e.right, e.contender}) fetch(i);
   if (e.merge != kNone) __builtin_prefetch(nodes_.data() + e.merge);
 }
@@ -31,31 +29,29 @@ void ConvexHull2::fetch_places() const {
 // After the repair: the certificates at those places, and what may change on purple.
 void ConvexHull2::fetch_certificates() const {
   asm volatile("");
-  const std::uint32_t tag = kernel_->upcoming_tag(id_, 0);
-  if (tag == Kernel::kNoTag || tag % 8 >= kSlotLeft) return;
-  const Index v = tag / 8;
+  const Index v = upcoming_edge(0);
+  if (v == kNone) return;
   const Edge& e = edges_[v];
   for (const Index i : {v, e.left, e.right}) {
     if (i == kNone) continue;
     for (const CertificateId c : edges_[i].certificates) kernel_->prefetch(c);
   }
-  if (tag % 8 != kSlotY) return;
+  if (e.certificates[kSlotY] != kernel_->upcoming(id_, 0)) return;
   for (const Index i : {v, e.next, e.contender}) fetch(edges_[i].up);
 }
 
 void ConvexHull2::certificate_failed(CertificateId failed) {
   fetch_places();
-  const std::uint32_t tag = kernel_->tag(failed);
-  const Slot slot = static_cast<Slot>(tag % 8);
-  const Index place = tag / 8;
+  const Slot slot = slot_of(failed);
+  const Index place = parts_[slot].failed(failed);
   report_failure(slot, place);
   unsettled_ = false;
-  if (!kernel_->is_exact() && repeats_.failed(kernel_->query(failed))) {
+  if (!exact_ && repeats_.failed(kernel_->query(failed))) {
     return give_up("a certificate fails again and again");
   }
   // A tie may have been resolved differently, with nothing to repair.
   const bool tie = signs_.tied() && !kernel_->claims(failed, base_query(slot, place));
-  drop(certificate_of(slot, place));
+  drop(slot, place);
   if (tie && claim_holds(slot, place)) {
     refresh(slot, place);
   } else {
@@ -72,11 +68,10 @@ void ConvexHull2::certificate_failed(CertificateId failed) {
 void ConvexHull2::work_off() {
   const std::size_t most = 1000 + 8 * edges_.size();
   for (std::size_t i = 0; i < todo_.size(); ++i) {
-    const Slot slot = static_cast<Slot>(todo_[i] % 8);
-    const Index place = todo_[i] / 8;
+    const auto [place, slot] = todo_[i];
     const CertificateId certificate = certificate_of(slot, place);
-    if (certificate == kNoCertificate || kernel_->tag(certificate) != todo_[i] ||
-        kernel_->outlook(certificate) != Outlook::kIdenticallyZero || claim_holds(slot, place)) {
+    if (!parts_[slot].is_tie(certificate) || kernel_->tag(certificate) != place ||
+        claim_holds(slot, place)) {
       continue;
     }
     if (i > most) return give_up("no end of ties");
@@ -89,10 +84,9 @@ void ConvexHull2::work_off() {
 // finish_instant reports the changes of the hull.
 void ConvexHull2::start_afresh() {
   spent_ = 0;
-  if (!kernel_->is_exact()) return;  // left to the simulator's guard
+  if (!exact_) return;  // left to the simulator's guard
   construct_anew();
-  hull_changed_ = true;
-  root_changes_ += 2;
+  look_anew();
   kernel_->count_rebuild(id_, "too many repairs at one instant");
 }
 
@@ -103,10 +97,9 @@ void ConvexHull2::finish_instant() {
     mend();
     work_off();
   }
-  if (kernel_->is_exact() && events_.repairs_to_come()) return;
+  if (exact_ && kernel_->failure_is_due()) return;
   spent_ = 0;
-  if (!hull_changed_) return;
-  hull_changed_ = false;
+  if (root_changes_ == 0) return;
   if (!settle_one_vertex()) events_.settle(hull_cycle());
   root_changes_ = 0;
 }
@@ -133,25 +126,20 @@ void ConvexHull2::report_failure(Slot slot, Index place) {
   const std::uint32_t height = nodes_[node].height;
   if (by_level_.size() <= height) by_level_.resize(height + 1, 0);
   ++by_level_[height];
-  if (slot >= kSlotLeft) {
-    const Query query = base_query(slot, place);
-    kernel_->report(id_, kEnd, {query.ids[0], query.ids[1]}, false);
-    return;
-  }
-  const Edge& e = edges_[place];
-  const Corner v = corner(place);
   if (slot == kSlotX) {
-    const Corner w = corner(e.right);
-    kernel_->report(id_, kX, {v.a, v.b, w.a, w.b}, false);
-  } else if (slot == kSlotY) {
+    const Corner v = corner(place), w = corner(edges_[place].right);
+    return kernel_->report(id_, kX, {v.a, v.b, w.a, w.b}, false);
+  }
+  if (slot == kSlotY) {
+    const Corner v = corner(place);
     const bool left = crosses_left(node, place), right = crosses_right(node, place);
     const Kind kind = left ? (right ? kYb : kYl) : right ? kYr : kYt;
-    kernel_->report(id_, kind, {v.a, v.b, edges_[e.contender].point}, false);
-  } else {
-    const Kind kind = e.claim == kAfter ? kSl : e.claim == kBefore ? kSr : kSt;
-    const Query query = base_query(slot, place);
-    kernel_->report(id_, kind, {query.ids[0], query.ids[1]}, false);
+    return kernel_->report(id_, kind, {v.a, v.b, edges_[edges_[place].contender].point}, false);
   }
+  const Query query = base_query(slot, place);
+  const Claim claim = slot >= kSlotLeft ? kNoClaim : edges_[place].claim;
+  const Kind kind = claim == kNoClaim ? kEnd : claim == kAfter ? kSl : claim == kBefore ? kSr : kSt;
+  kernel_->report(id_, kind, {query.ids[0], query.ids[1]}, false);
 }
 
 void ConvexHull2::repair(Slot slot, Index place) {
@@ -159,10 +147,8 @@ void ConvexHull2::repair(Slot slot, Index place) {
   if (slot == kSlotY) return repair_y(place);
   const Query claim = base_query(slot, place);
   if (slot >= kSlotLeft) {
-    const Node& left = nodes_[child(place, 0)];
-    const Node& right = nodes_[child(place, 1)];
-    return slot == kSlotLeft ? pass(place, left.first, right.first, claim)
-                             : pass(place, left.last, right.last, claim);
+    const auto [blue, red] = end_lines(place, slot - kSlotLeft);
+    return pass(place, red, blue, claim);
   }
   const Edge& e = edges_[place];
   const Index passed = slot == kSlotS2 || e.claim == kAfter ? e.next : place;
@@ -191,7 +177,7 @@ void ConvexHull2::repair_x(Index u) {
     // The chains cross between them: all four lines meet in one point.
     for (const Index v : {u, w}) {
       if (claim_holds(kSlotY, v)) continue;
-      drop(edges_[u].certificates[kSlotX]);
+      drop(kSlotX, u);
       repair_y(v);
       if (!nodes_[node].stale) refresh_x(u);
       return;
@@ -211,12 +197,13 @@ void ConvexHull2::repair_x(Index u) {
     edges_[v].claim = kNoClaim;
     for (const Slot slot : {kSlotS1, kSlotS2}) {
       if (inherits) std::swap(edges_[heir].certificates[slot], edges_[v].certificates[slot]);
-      drop(edges_[v].certificates[slot]);
+      drop(slot, v);
     }
   }
   std::swap(edges_[u].certificates[kSlotX], edges_[w].certificates[kSlotX]);
-  unlink(node, u);
-  link(node, u, w, t);
+  join_corners(node, q, w);
+  join_corners(node, w, u);
+  join_corners(node, u, t);
   edges_[u].contender = next_w;
   edges_[w].contender = line_u;
   refresh_x(q);
@@ -237,54 +224,39 @@ void ConvexHull2::repair_x(Index u) {
 //       '.    .'                '.       .'       one corner is replaced by two, or two by one
 //         'ab'        <--->       '.___.'
 //     --------------c               (ab)
+//
+// If the chains cross on one side of the corner only, it is a or b that comes or goes.
 void ConvexHull2::repair_y(Index v) {
   const Index node = merge_of(v);
   const Index a = v, b = edges_[v].next, c = edges_[v].contender;
   const bool left = crosses_left(node, v), right = crosses_right(node, v);
   const bool rises = !edges_[v].above;
-  const Index up_a = edges_[a].up, up_b = edges_[b].up, up_c = edges_[c].up;
+  // The line that comes or goes, and its neighbours on purple.
+  Index before = a, line = c, after = b;
+  if (left != right) (rises == left ? after : before) = c;
+  if (left != right) line = rises == left ? b : a;
+  const bool goes = (left == right) == rises;
+  const Index up = edges_[line].up, up_before = edges_[before].up, up_after = edges_[after].up;
   const auto adjacent = [this](Index x, Index y) {
     return x != kNone && y != kNone && edges_[x].next == y;
   };
-  // The line that leaves, or the one that enters and its neighbours.
-  Index leaving = kNone, entering = kNone, before = kNone, after = kNone;
-  bool possible = false;
-  if (rises && left && right) {
-    leaving = c;
-    possible = adjacent(up_a, up_c) && adjacent(up_c, up_b);
-  } else if (rises && left) {
-    entering = b, before = up_a, after = up_c;
-    possible = adjacent(up_a, up_c) && up_b == kNone;
-  } else if (rises && right) {
-    entering = a, before = up_c, after = up_b;
-    possible = adjacent(up_c, up_b) && up_a == kNone;
-  } else if (!rises && !left && !right) {
-    entering = c, before = up_a, after = up_b;
-    possible = adjacent(up_a, up_b) && up_c == kNone;
-  } else if (!rises && left && !right) {
-    leaving = a;
-    possible = adjacent(up_c, up_a) && adjacent(up_a, up_b);
-  } else if (!rises && right && !left) {
-    leaving = b;
-    possible = adjacent(up_a, up_b) && adjacent(up_b, up_c);
+  const bool possible = goes ? adjacent(up_before, up) && adjacent(up, up_after)
+                             : adjacent(up_before, up_after) && up == kNone;
+  if (!possible || (left == right && rises != left)) {
+    return spoil(node, "a corner and a crossing that it cannot pass");
   }
-  if (!possible) return spoil(node, "a corner and a crossing that it cannot pass");
 
   edges_[v].above = rises;
   const int at_left = left ? -1 : 1, at_right = right ? -1 : 1;
-  const auto count = [this](Index line, int more) {
-    edges_[line].crossings = static_cast<std::uint8_t>(edges_[line].crossings + more);
-  };
-  count(a, at_left);
-  count(b, at_right);
-  count(c, at_left + at_right);
-  if (leaving != kNone) {
-    const Index up = edges_[leaving].up;
-    edges_[leaving].up = kNone;
+  count_crossings(a, at_left);
+  count_crossings(b, at_right);
+  count_crossings(c, at_left + at_right);
+  edges_[line].up = kNone;
+  if (goes) {
     leave(node, up);
   } else {
-    const Index up = enter(node, before, after, edges_[entering].point);
-    edges_[entering].up = up;
+    const Index entered = enter(node, up_before, up_after, edges_[line].point);
+    edges_[line].up = entered;
   }
   refresh_claim(c, v);
   refresh_claim(a, edges_[v].left);
@@ -355,20 +327,14 @@ void ConvexHull2::turn_end(Index node, int end) {
   const Index corner = end == 0 ? n.head : n.tail;
   const bool inner = corner == kNone ? n.red[1 - at] : red_above(corner);
   const bool crossed = n.red[at] != inner;
-  Index lines[2];  // blue, red
-  for (const int which : {0, 1}) {
-    const Node& of = nodes_[child(node, which)];
-    lines[1 - which] = end == 0 ? of.first : of.last;
-  }
-  const Index old = lines[n.red[at] ? 1 : 0], fresh = lines[n.red[at] ? 0 : 1];
+  const std::array<Index, 2> lines = end_lines(node, end);
+  const Index old = lines[n.red[at]], fresh = lines[!n.red[at]];
   const Index outer = end == 0 ? n.first : n.last;
   const Index up = edges_[old].up;
   const bool possible = up == outer && (crossed ? n.first != n.last : edges_[fresh].up == kNone);
   if (!possible) return spoil(node, "two lines at the end of a chain that cannot pass each other");
   n.red[at] = !n.red[at];
-  for (const Index line : lines) {
-    edges_[line].crossings = static_cast<std::uint8_t>(edges_[line].crossings + (crossed ? -1 : 1));
-  }
+  for (const Index line : lines) count_crossings(line, crossed ? -1 : 1);
   if (crossed) {
     edges_[old].up = kNone;
     leave(node, up);

@@ -71,14 +71,10 @@ HullSigns::Substitutes HullSigns::turn_tie(ObjectId p, ObjectId q, ObjectId r) c
   return result;
 }
 
-HullSigns::Substitutes HullSigns::height_tie(Half, bool above, Corner v, ObjectId c) const {
-  return above ? turn_tie(v.b, v.a, c) : turn_tie(v.a, v.b, c);
-}
-
 bool HullSigns::above(Half half, Corner v, ObjectId c) const {
   Sign sign = kernel_->sign_after(turn_, {v.b, v.a, c});
   if (sign != Sign::kZero) return (sign == Sign::kPositive) == (half == kUpper);
-  const Substitutes ties = height_tie(half, true, v, c);
+  const Substitutes ties = height_tie(true, v, c);
   for (std::size_t i = 0; i < ties.count; ++i) {
     const Query& query = ties.queries[i];
     sign = kernel_->sign_after(query.predicate, {query.ids[0], query.ids[1]});

@@ -77,7 +77,9 @@ class HullSigns {
     bool holds = false;
   };
   Substitutes slopes_tie(ObjectId a, ObjectId b) const;
-  Substitutes height_tie(Half half, bool above, Corner v, ObjectId c) const;
+  Substitutes height_tie(bool above, Corner v, ObjectId c) const {
+    return above ? turn_tie(v.b, v.a, c) : turn_tie(v.a, v.b, c);
+  }
   bool corners_tie(Corner v, Corner w) const;
 
   // A sign was identically zero: hulls may hold points that are not strict vertices.

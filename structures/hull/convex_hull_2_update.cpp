@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "structures/hull/convex_hull_2.h"
+#include "structures/parts/sort_unique.h"
+#include "structures/parts/ties.h"
 
 namespace kinex {
 
@@ -29,13 +31,8 @@ void ConvexHull2::insert(ObjectId object) {
   make_leaf(fresh, object);
   tree_[node].children[0] = t;
   tree_[node].children[1] = fresh;
-  tree_[node].parent = above;
+  hang(above, t, node);
   tree_[t].parent = tree_[fresh].parent = node;
-  if (above == kNone) {
-    root_ = node;
-  } else {
-    tree_[above].children[tree_[above].children[0] == t ? 0 : 1] = node;
-  }
   merge_path(node);
 }
 
@@ -53,14 +50,19 @@ void ConvexHull2::erase(ObjectId object) {
   }
   const Index sibling = tree_[node].children[tree_[node].children[0] == t ? 1 : 0];
   const Index above = tree_[node].parent;
-  tree_[sibling].parent = above;
-  if (above == kNone) {
-    root_ = sibling;
-  } else {
-    tree_[above].children[tree_[above].children[0] == node ? 0 : 1] = sibling;
-  }
+  hang(above, node, sibling);
   free_tree_nodes_.push_back(node);
   merge_path(above);
+}
+
+// A tree node takes the place of another below `above`; kNone: of the root.
+void ConvexHull2::hang(Index above, Index old, Index fresh) {
+  tree_[fresh].parent = above;
+  if (above == kNone) {
+    root_ = fresh;
+  } else {
+    tree_[above].children[tree_[above].children[0] == old ? 0 : 1] = fresh;
+  }
 }
 
 // Takes the merges of a node and all its ancestors apart, the topmost first.
@@ -68,10 +70,7 @@ void ConvexHull2::unmerge_path(Index t) {
   std::vector<Index> path;
   for (; t != kNone; t = tree_[t].parent) path.push_back(t);
   for (auto p = path.rbegin(); p != path.rend(); ++p) {
-    for (unsigned h = 0; h < kHalves; ++h) {
-      clear_merge(2 * *p + h);
-      free_chain(2 * *p + h);
-    }
+    for (unsigned h = 0; h < kHalves; ++h) unmerge(2 * *p + h);
   }
 }
 
@@ -83,7 +82,7 @@ void ConvexHull2::merge_path(Index t) {
     if (4 * std::max(a, b) > 3 * (a + b) + 8) {
       t = remake(t);
     } else {
-      for (unsigned h = 0; h < kHalves; ++h) merge(2 * t + h);
+      merge_both(t);
     }
     t = tree_[t].parent;
   }
@@ -95,18 +94,12 @@ void ConvexHull2::merge_path(Index t) {
 ConvexHull2::Index ConvexHull2::remake(Index t) {
   std::vector<ObjectId> objects;
   const Index above = tree_[t].parent;
-  const bool first = above != kNone && tree_[above].children[0] == t;
   take_apart(tree_[t].children[0], objects);
   take_apart(tree_[t].children[1], objects);
   free_tree_nodes_.push_back(t);
   std::sort(objects.begin(), objects.end());
   const Index fresh = build_tree(objects);
-  tree_[fresh].parent = above;
-  if (above == kNone) {
-    root_ = fresh;
-  } else {
-    tree_[above].children[first ? 0 : 1] = fresh;
-  }
+  hang(above, t, fresh);
   return fresh;
 }
 
@@ -114,13 +107,9 @@ ConvexHull2::Index ConvexHull2::remake(Index t) {
 void ConvexHull2::take_apart(Index t, std::vector<ObjectId>& objects) {
   const bool is_leaf = tree_[t].children[0] == kNone;
   if (is_leaf) objects.push_back(edges_[nodes_[2 * t].first].point);
-  for (unsigned h = 0; h < kHalves; ++h) {
-    if (!is_leaf) clear_merge(2 * t + h);
-    free_chain(2 * t + h);
-  }
+  for (unsigned h = 0; h < kHalves; ++h) is_leaf ? free_chain(2 * t + h) : unmerge(2 * t + h);
   if (!is_leaf) {
-    take_apart(tree_[t].children[0], objects);
-    take_apart(tree_[t].children[1], objects);
+    for (const Index child : tree_[t].children) take_apart(child, objects);
   }
   free_tree_nodes_.push_back(t);
 }
@@ -130,33 +119,26 @@ void ConvexHull2::take_apart(Index t, std::vector<ObjectId>& objects) {
 void ConvexHull2::motions_changed(std::span<const ObjectId> objects) {
   if (corrupt_) return;
   repeats_.clear();
-  std::vector<std::uint32_t> tags;
-  tags.swap(tied_);
-  for (const ObjectId object : objects) {
-    for (const CertificateId c : kernel_->certificates_of(object)) {
-      if (kernel_->is_tie_of(id_, c)) tags.push_back(kernel_->tag(c));
-    }
-  }
-  std::sort(tags.begin(), tags.end());
-  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
-  for (const std::uint32_t tag : tags) {
-    const Slot slot = static_cast<Slot>(tag % 8);
-    const Index place = tag / 8;
+  std::vector<Claimed> claims;
+  claims.swap(tied_);
+  each_tie(*kernel_, id_, objects, [&](CertificateId certificate) {
+    claims.push_back({kernel_->tag(certificate), slot_of(certificate)});
+  });
+  sort_unique(claims);
+  for (const auto& [place, slot] : claims) {
     if (place >= (slot >= kSlotLeft ? nodes_.size() : edges_.size())) continue;
-    CertificateId& certificate = certificate_of(slot, place);
+    const CertificateId certificate = certificate_of(slot, place);
     if (certificate == kNoCertificate) continue;
-    if (kernel_->outlook(certificate) != Outlook::kIdenticallyZero &&
+    if (!parts_[slot].is_tie(certificate) &&
         kernel_->claims(certificate, base_query(slot, place))) {
       continue;
     }
-    drop(certificate);
+    drop(slot, place);
     refresh(slot, place);
   }
   work_off();
   // Points that were tied may have separated and become vertices, with nothing to repair.
-  if (!signs_.tied()) return;
-  hull_changed_ = true;
-  root_changes_ += 2;
+  if (signs_.tied()) look_anew();
 }
 
 }  // namespace kinex

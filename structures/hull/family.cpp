@@ -16,15 +16,17 @@ std::unique_ptr<Structure> make_divided(const MakerInput& in) {
 }
 
 std::unique_ptr<Structure> make_of_triangulation(const MakerInput& in) {
-  return std::make_unique<ConvexHull2Delaunay>(in.kernel, in.id, in.scene,
+  return std::make_unique<ConvexHull2Delaunay>(in.kernel, in.id,
                                                dynamic_cast<const Delaunay2&>(*in.watched[0]));
 }
 
 // Of changes of the hull, then kinds of certificates that change nothing.
-std::vector<KindRule> kinds(std::initializer_list<std::string_view> silent) {
-  std::vector<KindRule> all;
-  for (const char* change : {"leave", "enter", "turn"}) all.push_back({change, Effect::kAlways});
-  for (const std::string_view kind : silent) all.push_back({kind, Effect::kNever});
+std::vector<KindRule> kinds(std::initializer_list<KindRule> silent) {
+  std::vector<KindRule> all{
+      {"leave", Effect::kAlways, "a point ceases to be a vertex of the hull"},
+      {"enter", Effect::kAlways, "a point becomes a vertex of the hull"},
+      {"turn", Effect::kAlways, "the vertices that stay are in another cyclic order"}};
+  all.insert(all.end(), silent);
   return all;
 }
 
@@ -43,7 +45,16 @@ StructureFamily hull_family() {
   StructureInfo local = base;
   local.name = "convex_hull_2";
   local.summary = "the convex hull of points in the plane, by divide and conquer";
-  local.kinds = kinds({"x", "yl", "yr", "yb", "yt", "sl", "sr", "st", "end"});
+  local.kinds = kinds(
+      {{"x", Effect::kNever, "two neighbouring corners of two colours change their order"},
+       {"yl", Effect::kNever, "a corner meets the other chain, which it crosses on its left"},
+       {"yr", Effect::kNever, "a corner meets the other chain, which it crosses on its right"},
+       {"yb", Effect::kNever, "a corner meets the other chain, which it crosses on both sides"},
+       {"yt", Effect::kNever, "a corner meets the other chain, without a crossing beside it"},
+       {"sl", Effect::kNever, "the slope of a line is no longer after those of its run"},
+       {"sr", Effect::kNever, "the slope of a line is no longer before those of its run"},
+       {"st", Effect::kNever, "the slope of a line is no longer between those of its tangent"},
+       {"end", Effect::kNever, "the first or the last lines of two chains change their order"}});
   local.certificates =
       "O(n log n): orders of corners, corners above or below the other chain, orders "
       "of slopes, at every node of the tree";
@@ -51,7 +62,7 @@ StructureFamily hull_family() {
 
   StructureInfo naive = base;
   naive.name = "convex_hull_2_naive";
-  naive.summary = "the same with certificates that are not local";
+  naive.summary = "the convex hull of points in the plane, by divide and conquer without local certificates";
   naive.certificates =
       "O(n log n), up to n of one point: as convex_hull_2, but every corner has one "
       "against the other chain";
@@ -62,7 +73,10 @@ StructureFamily hull_family() {
   brute_force.name = "convex_hull_2_brute_force";
   brute_force.summary = "the convex hull, every point against every hull edge";
   brute_force.fails_at_touch = true;
-  brute_force.kinds = kinds({"reflex", "outside", "between"});
+  brute_force.kinds =
+      kinds({{"reflex", Effect::kNever, "a vertex and its two neighbours are on one line"},
+             {"outside", Effect::kNever, "a point crosses the line of an edge of the hull"},
+             {"between", Effect::kNever, "two points on one line change places"}});
   brute_force.certificates =
       "(n - h) h + h for h hull vertices: every point inside every hull edge, and "
       "a left turn at every vertex";

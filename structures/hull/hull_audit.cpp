@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "structures/hull/hull_audit.h"
-
+// HullSource: the audit. No other file of this family includes CGAL.
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/convex_hull_2.h>
@@ -9,6 +8,8 @@
 #include <iterator>
 #include <string>
 #include <vector>
+
+#include "structures/hull/hull_source.h"
 
 namespace kinex {
 namespace {
@@ -29,16 +30,16 @@ std::string listed(const std::vector<ObjectId>& ids) {
 
 }  // namespace
 
-void audit_hull(const Attribute& attribute, std::size_t objects, const Snapshot& snapshot,
-                AuditReport& report) {
+void HullSource::audit(const Snapshot& snapshot, AuditReport& report) const {
+  const std::vector<ObjectId> cycle = attribute().ids;
   std::vector<Point> points;
-  for (ObjectId id = 0; id < objects; ++id) {
+  for (ObjectId id = 0; id < snapshot.objects(); ++id) {
     if (snapshot.alive(id)) points.push_back(point_of(snapshot, id));
   }
   std::vector<Point> witness;
   CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(witness), Exact());
   std::vector<Point> ours;
-  for (const ObjectId id : attribute.ids) {
+  for (const ObjectId id : cycle) {
     if (!snapshot.alive(id)) {
       report.check(false, [&] { return "a hull vertex that is not there: " + std::to_string(id); });
       return;
@@ -46,12 +47,10 @@ void audit_hull(const Attribute& attribute, std::size_t objects, const Snapshot&
     ours.push_back(point_of(snapshot, id));
   }
   const auto differs = [&] {
-    return std::string("the hull differs from the witness:") + listed(attribute.ids);
+    return std::string("the hull differs from the witness:") + listed(cycle);
   };
-  report.check(
-      attribute.ids.empty() ||
-          *std::min_element(attribute.ids.begin(), attribute.ids.end()) == attribute.ids.front(),
-      [&] { return "the cycle does not start at its smallest id"; });
+  report.check(cycle.empty() || *std::min_element(cycle.begin(), cycle.end()) == cycle.front(),
+               [&] { return "the cycle does not start at its smallest id"; });
   // Every vertex of the witness, in the same cyclic order; all others lie on its edges.
   std::vector<Point> strict;
   std::vector<Point> rest;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "structures/parts/sort_unique.h"
+
 namespace kinex {
 namespace {
 
@@ -14,8 +16,7 @@ std::vector<ObjectId> restricted(const std::vector<ObjectId>& cycle,
   for (const ObjectId id : cycle) {
     if (std::binary_search(kept.begin(), kept.end(), id)) result.push_back(id);
   }
-  if (result.empty()) return result;
-  std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+  start_at_smallest(result);
   return result;
 }
 
@@ -37,24 +38,19 @@ void HullEvents::set(std::vector<ObjectId> cycle) {
 void HullEvents::settle(std::vector<ObjectId> cycle) {
   std::vector<ObjectId> told = this->cycle();
   if (cycle == told) return;
-  before_ = told;
-  after_ = cycle;
-  for (std::vector<ObjectId>* ids : {&before_, &after_}) {
-    std::sort(ids->begin(), ids->end());
-    ids->erase(std::unique(ids->begin(), ids->end()), ids->end());
-  }
-  const std::vector<ObjectId> old = restricted(told, after_), fresh = restricted(cycle, before_);
-  for (const ObjectId id : before_) {
-    if (std::binary_search(after_.begin(), after_.end(), id)) continue;
+  std::vector<ObjectId> before = told, after = cycle;
+  sort_unique(before);
+  sort_unique(after);
+  const std::vector<ObjectId> old = restricted(told, after), fresh = restricted(cycle, before);
+  for (const ObjectId id : before) {
+    if (std::binary_search(after.begin(), after.end(), id)) continue;
     told.erase(std::remove(told.begin(), told.end(), id), told.end());
     kernel_->report(id_, kLeave, {id}, true);
   }
-  for (const ObjectId id : after_) {
-    if (!std::binary_search(before_.begin(), before_.end(), id)) report_enter(id, told, cycle);
+  for (const ObjectId id : after) {
+    if (!std::binary_search(before.begin(), before.end(), id)) report_enter(id, told, cycle);
   }
-  if (!told.empty()) {
-    std::rotate(told.begin(), std::min_element(told.begin(), told.end()), told.end());
-  }
+  start_at_smallest(told);
   if (told != cycle) {
     const std::size_t size = std::min(old.size(), fresh.size());
     std::size_t i = 0;
@@ -102,8 +98,7 @@ bool HullEvents::left(ObjectId point, ObjectId from, ObjectId to) {
 }
 
 std::size_t HullEvents::bytes() const {
-  return ring_.bytes() +
-         (crossed_.capacity() + before_.capacity() + after_.capacity()) * sizeof(ObjectId);
+  return ring_.bytes() + crossed_.capacity() * sizeof(ObjectId);
 }
 
 }  // namespace kinex

@@ -56,8 +56,6 @@ class HullEvents {
   // As reported so far. O(h).
   std::vector<ObjectId> cycle() const { return crossed_.empty() ? ring_.cycle() : crossed_; }
   const HullRing& ring() const { return ring_; }
-  // A certificate was made that is negative right after now: the instant is not over.
-  bool repairs_to_come() const { return kernel_->failure_is_due(); }
   std::size_t bytes() const;
 
  private:
@@ -68,7 +66,6 @@ class HullEvents {
   StructureId id_;
   HullRing ring_;
   std::vector<ObjectId> crossed_;  // a cycle that passes a point twice; else empty
-  std::vector<ObjectId> before_, after_;  // scratch
 };
 
 }  // namespace kinex

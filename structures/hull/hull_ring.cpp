@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/engine/kernel.h"
-
 namespace kinex {
 
 std::vector<ObjectId> HullRing::cycle() const {
@@ -12,7 +10,7 @@ std::vector<ObjectId> HullRing::cycle() const {
   result.reserve(size_);
   ObjectId vertex = any_;
   for (std::size_t i = 0; i < size_; ++i, vertex = links_[vertex].next) result.push_back(vertex);
-  std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+  start_at_smallest(result);
   return result;
 }
 
@@ -55,10 +53,6 @@ bool HullRing::leave(ObjectId vertex, ObjectId from, ObjectId to) {
   --size_;
   if (any_ == vertex) any_ = from;
   return true;
-}
-
-bool HullSource::shares_instant(const Kernel& kernel) const {
-  return kernel.instant_is_shared(id()) || is_settling();
 }
 
 }  // namespace kinex

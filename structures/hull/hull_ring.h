@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// HullRing: the vertices of a convex hull as a ring, counter-clockwise. HullSource: a structure
-// that maintains one for others to read.
+// HullRing: the vertices of a convex hull as a ring, counter-clockwise.
 //
 // A vertex is a strict one; of equal points it is the smallest id. A ring of two vertices is a
 // segment, traversed there and back; of one vertex, all points are equal; of none, there are none.
-// Readers are notified of every change (Structure::watched_changed); while they are, the ring may
-// already contain changes of the same instant that have not been reported to them.
 //
 // Cost: O(1) for a neighbour and for a vertex that comes or goes; O(h) for the cycle of h vertices.
 #ifndef KINEX_STRUCTURES_HULL_HULL_RING_H
 #define KINEX_STRUCTURES_HULL_HULL_RING_H
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "core/engine/certificate.h"
 #include "core/motion/scene.h"
 
 namespace kinex {
+
+// Turns a cycle so that it starts at its smallest id.
+inline void start_at_smallest(std::vector<ObjectId>& cycle) {
+  std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+}
 
 class HullRing {
  public:
@@ -53,22 +55,6 @@ class HullRing {
   std::vector<Link> links_;  // by object
   std::size_t size_ = 0;
   ObjectId any_ = kNoObject;
-};
-
-class Kernel;
-
-// A structure that maintains a hull for others to read.
-class HullSource {
- public:
-  virtual ~HullSource() = default;
-  virtual const HullRing& ring() const = 0;
-  // Of the structure that this is.
-  virtual StructureId id() const = 0;
-  // What the hull is read from may still change at this instant.
-  virtual bool is_settling() const { return false; }
-  // The hull may change again at this instant. A reader whose certificate fails then requests
-  // that both be settled, the source first (Kernel::settle_later).
-  bool shares_instant(const Kernel& kernel) const;
 };
 
 }  // namespace kinex

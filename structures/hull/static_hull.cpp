@@ -3,31 +3,14 @@
 
 #include <algorithm>
 
+#include "structures/hull/hull_ring.h"
+#include "structures/parts/merge_sort.h"
+
 namespace kinex {
-namespace {
-
-// Merge sort: contradictory signs (inexact arithmetics) do no harm.
-void sort_by_slope(const HullSigns& signs, std::vector<ObjectId>& ids) {
-  std::vector<ObjectId> out(ids.size());
-  for (std::size_t width = 1; width < ids.size(); width *= 2) {
-    for (std::size_t low = 0; low < ids.size(); low += 2 * width) {
-      const std::size_t middle = std::min(low + width, ids.size());
-      const std::size_t high = std::min(low + 2 * width, ids.size());
-      std::size_t i = low, j = middle;
-      for (std::size_t k = low; k < high; ++k) {
-        const bool first = j == high || (i < middle && signs.slopes_hold(ids[i], ids[j]));
-        out[k] = first ? ids[i++] : ids[j++];
-      }
-    }
-    ids.swap(out);
-  }
-}
-
-}  // namespace
 
 std::vector<ObjectId> static_hull(const HullSigns& signs, std::span<const ObjectId> objects) {
   std::vector<ObjectId> sorted(objects.begin(), objects.end());
-  sort_by_slope(signs, sorted);
+  merge_sort(sorted, [&](ObjectId a, ObjectId b) { return signs.slopes_hold(a, b); });
   std::vector<ObjectId> distinct;
   for (const ObjectId id : sorted) {
     if (!distinct.empty() && signs.equal(distinct.back(), id)) {
@@ -49,7 +32,7 @@ std::vector<ObjectId> static_hull(const HullSigns& signs, std::span<const Object
   const std::size_t lower = cycle.size() - 1;
   for (std::size_t i = distinct.size() - 1; i-- > 0;) extend(distinct[i], lower);
   cycle.pop_back();  // the first one again
-  std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+  start_at_smallest(cycle);
   return cycle;
 }
 

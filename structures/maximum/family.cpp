@@ -68,15 +68,19 @@ StructureFamily maximum_family() {
   Family family;
   const StructureInfo base = family.base();
   StructureInfo tournament = base;
-  tournament.kinds = {{"replace", Effect::kSometimes}, {"tie", Effect::kNever}};
+  tournament.kinds = {
+      {"replace", Effect::kSometimes, "another object wins a match"},
+      {"tie", Effect::kNever, "another object wins a match: the keys are identically equal"}};
   tournament.certificates = "n - 1, one for each match";
   family.add<MaximumTournament>(
       tournament, "maximum_tournament", "the object with the largest key, by a tournament tree",
       "minimum_tournament", "the object with the smallest key, by a tournament tree");
   StructureInfo heap = base;
   heap.certificates = "n - 1, every parent against its child";
-  heap.kinds = {
-      {"swap", Effect::kSometimes}, {"tie", Effect::kNever}, {"replace", Effect::kAlways}};
+  heap.kinds = {{"swap", Effect::kSometimes, "a parent and its child change places"},
+                {"tie", Effect::kNever,
+                 "a parent and its child change places: their keys are identically equal"},
+                {"replace", Effect::kAlways, "another object is at the root after the instant"}};
   family.add<MaximumHeap>(heap, "maximum_heap", "the object with the largest key, by a binary heap",
                           "minimum_heap", "the object with the smallest key, by a binary heap");
   StructureInfo hanger = heap;
@@ -86,7 +90,9 @@ StructureFamily maximum_family() {
       "minimum_hanger", "the object with the smallest key, by a randomised hanger");
   StructureInfo envelope = base;
   envelope.certificates = "1, the winner against the next one of the envelope";
-  envelope.kinds = {{"replace", Effect::kAlways}, {"tie", Effect::kAlways}};
+  envelope.kinds = {
+      {"replace", Effect::kAlways, "another object has the extreme key"},
+      {"tie", Effect::kAlways, "an object of smaller id has the extreme key, too, identically"}};
   family.add<MaximumEnvelope>(
       envelope, "maximum_envelope", "the object with the largest key, by the upper envelope ahead",
       "minimum_envelope", "the object with the smallest key, by the lower envelope ahead");
@@ -100,7 +106,7 @@ StructureFamily maximum_family() {
   StructureInfo reader = base;
   reader.reads = {{"sorted_list"}};
   reader.certificates = "none of its own, it reads the n - 1 of sorted_list";
-  reader.kinds = {{"replace", Effect::kAlways}};
+  reader.kinds = {{"replace", Effect::kAlways, "another object has the extreme key"}};
   family.add(
       reader, "maximum_sorted_list", "the object with the largest key, read off a sorted list",
       make_of_list<Extremum::kMaximum>, "minimum_sorted_list",

@@ -31,6 +31,7 @@ MaximumDualHull::MaximumDualHull(Kernel& kernel, StructureId id, const Key& key,
       contest_(extremum, kernel, linear(key, scene), scene),
       order_(kernel, contest_, scene.dimension),
       hull_(order_, scene.objects.size()),
+      slots_(kernel, id, "next winner"),
       objects_(scene.objects.size()) {}
 
 std::string_view MaximumDualHull::name() const {
@@ -59,20 +60,12 @@ void MaximumDualHull::look() {
 
 void MaximumDualHull::expect(ObjectId next) {
   next_ = next;
-  if (next == kNoObject) {
-    if (certificate_ != kNoCertificate) kernel_->retract(certificate_);
-    certificate_ = kNoCertificate;
-    return;
-  }
-  const Query query = contest_.claim(winner_, next);
-  if (certificate_ == kNoCertificate) {
-    certificate_ = kernel_->create(id_, query, 0).id;
-  } else if (!kernel_->claims(certificate_, query)) {
-    kernel_->replace(certificate_, query, 0);
-  }
+  if (next == kNoObject) return slots_.drop(certificate_);
+  slots_.renew(certificate_, contest_.claim(winner_, next), 0);
 }
 
-void MaximumDualHull::certificate_failed(CertificateId) {
+void MaximumDualHull::certificate_failed(CertificateId failed) {
+  slots_.failed(failed);
   const ObjectId old = winner_;
   winner_ = next_;
   expect(hull_.next(winner_));

@@ -38,6 +38,7 @@
 #include "core/motion/scene.h"
 #include "structures/maximum/line_hull.h"
 #include "structures/parts/key_order.h"
+#include "structures/parts/slots.h"
 
 namespace kinex {
 
@@ -81,6 +82,7 @@ class MaximumDualHull final : public Structure {
   Contest contest_;
   LineOrder order_;
   LineHull hull_;
+  Slots slots_;
   std::size_t objects_;  // in the scene
   ObjectId winner_ = kNoObject;
   ObjectId next_ = kNoObject;  // the next vertex, which will overtake it

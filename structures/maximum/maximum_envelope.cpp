@@ -14,8 +14,8 @@ MaximumEnvelope::MaximumEnvelope(Kernel& kernel, StructureId id, const Key& key,
     : kernel_(&kernel),
       id_(id),
       contest_(extremum, kernel, key, scene),
-      objects_(scene.objects.size()),
-      end_(scene.end) {}
+      slots_(kernel, id, "next winner"),
+      scene_(&scene) {}
 
 std::string_view MaximumEnvelope::name() const {
   return contest_.extremum() == Extremum::kMaximum ? "maximum_envelope" : "minimum_envelope";
@@ -37,20 +37,12 @@ void MaximumEnvelope::renew() {
 }
 
 void MaximumEnvelope::set_certificate() {
-  if (to_come() == 0) {
-    if (certificate_ != kNoCertificate) kernel_->retract(certificate_);
-    certificate_ = kNoCertificate;
-    return;
-  }
-  const Query query = contest_.claim(winners_[at_], winners_[at_ + 1]);
-  if (certificate_ == kNoCertificate) {
-    certificate_ = kernel_->create(id_, query, 0).id;
-  } else if (!kernel_->claims(certificate_, query)) {
-    kernel_->replace(certificate_, query, 0);
-  }
+  if (to_come() == 0) return slots_.drop(certificate_);
+  slots_.renew(certificate_, contest_.claim(winners_[at_], winners_[at_ + 1]), 0);
 }
 
-void MaximumEnvelope::certificate_failed(CertificateId) {
+void MaximumEnvelope::certificate_failed(CertificateId failed) {
+  slots_.failed(failed);
   const ObjectId old = winners_[at_++];
   set_certificate();
   kernel_->report(id_, kReplace, {old, winners_[at_]}, true);

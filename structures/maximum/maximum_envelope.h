@@ -34,7 +34,6 @@
 #ifndef KINEX_STRUCTURES_MAXIMUM_MAXIMUM_ENVELOPE_H
 #define KINEX_STRUCTURES_MAXIMUM_MAXIMUM_ENVELOPE_H
 
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -43,6 +42,7 @@
 #include "core/engine/structure.h"
 #include "core/motion/scene.h"
 #include "structures/parts/key_order.h"
+#include "structures/parts/slots.h"
 
 namespace kinex {
 
@@ -84,8 +84,8 @@ class MaximumEnvelope final : public Structure {
   Kernel* kernel_;
   StructureId id_;
   Contest contest_;
-  std::size_t objects_;            // in the scene
-  std::optional<Rational> end_;    // the end of the envelope, for audits
+  Slots slots_;
+  const Scene* scene_;
   std::vector<ObjectId> members_;  // ascending
   std::vector<ObjectId> winners_;  // from some instant on
   std::size_t at_ = 0;             // the present one

@@ -12,7 +12,9 @@ StructureFamily order_family() {
   list.any_dimension = true;
   list.uses_key = true;
   list.shape = Attribute::Shape::kSequence;
-  list.kinds = {{"swap", Effect::kAlways}, {"tie", Effect::kAlways}};
+  list.kinds = {{"swap", Effect::kAlways, "two neighbours in the order change places"},
+                {"tie", Effect::kAlways,
+                 "two neighbours change places: their keys have become identically equal"}};
   list.certificates = "n - 1, one for each pair of neighbours";
   list.ties = "objects with identically equal keys are in the order of their ids";
   list.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 5";

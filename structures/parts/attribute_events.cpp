@@ -5,20 +5,14 @@
 
 namespace kinex {
 
-// True if only one certificate of the structure failed at this instant, and none made since fails
-// at it too. Certificates of one instant leave the queue by structure: none of another can precede.
-bool AttributeEvents::instant_is_over(StructureId structure) const {
-  if (kernel_->instant_is_shared(structure)) return false;
-  return !kernel_->failure_is_due();
-}
-
 bool AttributeEvents::is_told(AttributeIds now) const {
   return std::ranges::equal(told_.ids, now.ids());
 }
 
 void AttributeEvents::repaired(std::uint8_t kind, std::initializer_list<ObjectId> ids,
                                AttributeIds now, std::optional<StructureId> reads) {
-  const bool over_now = instant_is_over(id_) && (!reads || instant_is_over(*reads));
+  const bool over_now =
+      kernel_->instant_is_over(id_) && (!reads || kernel_->instant_is_over(*reads));
   bool says_all = over_now && !is_told(now);
   if (replace_) {
     says_all = says_all && *ids.begin() == object() && now.ids().size() == 1 &&
@@ -37,7 +31,7 @@ void AttributeEvents::repaired(std::uint8_t kind, std::initializer_list<ObjectId
 }
 
 void AttributeEvents::watched_changed(StructureId watched, AttributeIds now) {
-  if (instant_is_over(watched)) return over(now);
+  if (kernel_->instant_is_over(watched)) return over(now);
   kernel_->settle_later(id_);
 }
 

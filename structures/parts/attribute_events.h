@@ -73,7 +73,6 @@ class AttributeEvents {
   std::size_t bytes() const { return told_.ids.capacity() * sizeof(ObjectId); }
 
  private:
-  bool instant_is_over(StructureId structure) const;
   bool is_told(AttributeIds now) const;
 
   Kernel* kernel_;

@@ -152,10 +152,10 @@ class ChangingExtremum {
     report.check(going_.empty() && coming_.empty(),
                  [&] { return "changes of " + name + " were not applied"; });
     report.check(tournament_.size() == number_.size(),
-                 [&] { return "a wrong number of things in " + name; });
+                 [&] { return "a wrong number of values in " + name; });
     for (const auto& [value, item] : number_) {
       report.check(tournament_.has(item) && this->value(item) == value,
-                   [&] { return "a lost thing in " + name; });
+                   [&] { return "a lost value in " + name; });
     }
     tournament_.check(report, name);
   }

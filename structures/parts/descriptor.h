@@ -21,6 +21,8 @@
 
 namespace kinex {
 
+struct StructureInfo;
+
 // Why a structure cannot be maintained in a scene, and what to do about it. No full stops.
 struct Refusal {
   std::string problem, remedy;
@@ -37,6 +39,8 @@ struct MakerInput {
   std::span<const Structure* const> watched;
   std::span<const StructureId> watched_ids = {};  // of the same
 
+  // The descriptor of the new structure, which lives as long as the program.
+  const StructureInfo& info() const;
   // The value of a parameter of the descriptor.
   Rational parameter(std::string_view name) const;
 };
@@ -75,6 +79,7 @@ enum class Effect { kNever, kSometimes, kAlways };
 struct KindRule {  // what events of a kind do
   std::string_view kind;
   Effect effect;
+  std::string_view text = {};  // the event in words, without a full stop
 };
 
 // The lines of a scene (SceneObject::line), for a structure.

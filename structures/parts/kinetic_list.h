@@ -84,16 +84,29 @@ class KineticList {
     }
   }
 
-  // Replaces the list by that of these items, right after now. O(n log n) comparisons.
-  template <TieReport Tied>
-  void build(std::vector<Item> items, const Tied& tied) {
+  // Removes all items. O(n).
+  void clear() {
     for (Place s = first_; s != kNone; s = places_[s].next) slots_.drop(places_[s].certificate);
-    merge_sort(items, [this](Item a, Item b) { return before(a, b); });
     places_.clear();
     free_.clear();
+    ties_.clear();
     tree_.clear();
     has_tree_ = false;
     std::fill(place_of_.begin(), place_of_.end(), kNone);
+    size_ = 0;
+    first_ = last_ = kNone;
+  }
+  // Replaces the list by that of these items, right after now. O(n log n) comparisons.
+  template <TieReport Tied>
+  void build(std::vector<Item> items, const Tied& tied) {
+    clear();
+    merge_sort(items, [this](Item a, Item b) { return before(a, b); });
+    build_in_order(items);
+    settle(tied);
+  }
+  // The same for items that are in order, ties included. O(n), no comparisons.
+  void build_in_order(const std::vector<Item>& items) {
+    clear();
     size_ = items.size();
     for (const Item item : items) {
       const Place s = new_place(item);
@@ -103,7 +116,6 @@ class KineticList {
     first_ = size_ == 0 ? kNone : 0;
     last_ = size_ == 0 ? kNone : static_cast<Place>(size_ - 1);
     for (Place s = 0; s + 1 < size_; ++s) certify(s);
-    settle(tied);
   }
 
   // A certificate of this part has failed. Call settle() when the swap has been reported.

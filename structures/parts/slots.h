@@ -40,6 +40,18 @@ class Slots {
     slot = created.id;
     return created.outlook;
   }
+  // As set(), but a certificate that claims this already is kept, and only gets the tag.
+  Outlook renew(CertificateId& slot, const Query& query, std::uint32_t tag) {
+    if (slot == kNoCertificate || !kernel_->claims(slot, query)) return set(slot, query, tag);
+    kernel_->set_tag(slot, tag);
+    return kernel_->outlook(slot);
+  }
+  // As set() for one full slot after the other, in less time: Kernel::replace.
+  void set(Kernel::Group& group) {
+    line_->created += group.size;
+    line_->retracted += group.size;
+    kernel_->replace(group);
+  }
   // Retracts the certificate, if there is one.
   void drop(CertificateId& slot) {
     if (slot == kNoCertificate) return;

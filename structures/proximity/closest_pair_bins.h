@@ -3,9 +3,15 @@
 // grid.
 //
 // The points never leave a box that holds all flight plans. It is cut into fewer squares than there
-// are points (point_grid.h), so two points share one, and a closest pair is at most two columns and
-// two rows apart: farther points have twice the side between them, and a square has a diagonal of
-// less than that.
+// are points (point_grid.h), so two points share a square. A closest pair is therefore at most two
+// columns and two rows apart, as in this part of a grid:
+//
+//     +-----+-----+-----+-----+      b, c: one square, so |bc| <= sqrt(2) W
+//     | a   |     |     | e   |      a, e: three columns apart, so |ae| >= 2 W > |bc|, and they are
+//     +-----+-----+-----+-----+            no closest pair
+//     |     |     | b c |     |      pairs compared: a with b and c, b with c and e, c with e
+//     +-----+-----+-----+-----+
+//                 |< W >|
 //
 // Certificates.
 //   a point is on its side of the lines around its cell: at most 4n, degree d for motions of degree
@@ -13,7 +19,7 @@
 //   the shortest of the pairs of points in near cells, by a ChangingExtremum: one fewer than pairs,
 //   degree 2d
 //
-// Quality, for n points: nothing happens between points that are far from each other. n points that
+// Quality, for n points: points that are far from each other share no certificate. n points that
 // spread over the box have O(n) pairs and move through O(n^(3/2)) cells in all while each crosses
 // the box once; n points in one cell have all C(n, 2) pairs, as closest_pair_all. A point that moves
 // to another cell renews O(log n) certificates for each pair that comes or goes. The grid is laid

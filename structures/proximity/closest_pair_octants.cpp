@@ -10,7 +10,7 @@
 namespace kinex {
 
 ClosestPairOctants::ClosestPairOctants(Kernel& kernel, StructureId id,
-                                       const OctantNeighbours& octants, std::string_view name)
+                                       const ConeNeighbours& octants, std::string_view name)
     : kernel_(&kernel),
       id_(id),
       octants_(&octants),
@@ -40,10 +40,10 @@ void ClosestPairOctants::follow(ObjectId a, ObjectId b) {
   }
 }
 
-// Whether the closest pair is another one is seen when the instant is over: certificates of this
-// structure may fail at it, too.
+// A change of the closest pair is reported when the instant is over, for certificates of this
+// structure may fail at the same instant.
 void ClosestPairOctants::watched_changed(const Event* event) {
-  if (event != nullptr && event->kind == OctantNeighbours::kPoint) {
+  if (event != nullptr && event->kind == ConeNeighbours::kPoint) {
     follow(event->ids[0], event->ids[1]);
     follow(event->ids[0], event->ids[2]);
   } else {

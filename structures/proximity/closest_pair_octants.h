@@ -26,7 +26,7 @@
 
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
-#include "structures/proximity/octant_neighbours.h"
+#include "structures/proximity/cone_neighbours.h"
 #include "structures/proximity/pair_distances.h"
 
 namespace kinex {
@@ -45,7 +45,7 @@ class ClosestPairOctants final : public Structure {
   enum Kind : std::uint8_t { kReplace, kTie };
 
   // `octants` outlives this structure and is watched by it. `name`: as registered.
-  ClosestPairOctants(Kernel& kernel, StructureId id, const OctantNeighbours& octants,
+  ClosestPairOctants(Kernel& kernel, StructureId id, const ConeNeighbours& octants,
                      std::string_view name);
 
   std::string_view name() const override { return name_; }
@@ -88,7 +88,7 @@ class ClosestPairOctants final : public Structure {
 
   Kernel* kernel_;
   StructureId id_;
-  const OctantNeighbours* octants_;
+  const ConeNeighbours* octants_;
   std::string_view name_;
   ChangingExtremum<PairDistances> pairs_;
   AttributeEvents events_;

@@ -33,7 +33,7 @@ ClosestPairRangeTree::ClosestPairRangeTree(Kernel& kernel, StructureId id, const
   const std::size_t objects = scene.objects.size();
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
     lists_.emplace_back(kernel, id, octant_axis_name(static_cast<OctantAxis>(axis)),
-                        OctantOrder(kernel, static_cast<OctantAxis>(axis)), objects);
+                        TurnedOrder(kernel, octant_axis(static_cast<OctantAxis>(axis))), objects);
     places_[axis].assign(objects, 0);
   }
   for (const Octant& octant : kOctants) {

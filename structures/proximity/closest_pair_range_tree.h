@@ -3,11 +3,18 @@
 // range trees over them, without a triangulation.
 //
 // Certificates.
-//   the order of the points by x, y, x + y and x - y (octant_orders.h): n - 1 each, degree d for
+//   the order of the points by x, y, x + y and x - y (turned_order.h): n - 1 each, degree d for
 //   motions of degree d
 //   the shortest of the pairs that the range trees of four octants offer (octant_pairs.h), among
 //   which is every closest pair: fewer than 8 n ceil(log2 n), degree 2d
 // The other four octants are those of the pairs read from their other ends.
+//
+//     sorted lists         range trees, one an octant
+//     x      ---+          0 < y < x    by y and x - y, first along x   ---+
+//     y      ---+------->  0 < x < y    by x and x - y, first along y   ---+---> tournament of
+//     x + y  ---+          0 < -x < y   by x and x + y, first along y   ---+     the pairs offered
+//     x - y  ---+          0 < y < -x   by y and x + y, first along -x  ---+
+//               exchanges                                     pairs that come and go
 //
 // Quality, for n points: a failure of an order exchanges two neighbours of a list and makes O(log^2
 // n) steps in the range trees; it changes O(log^2 n) offers, mostly to what they were, O(log n)
@@ -36,15 +43,16 @@
 #include "structures/parts/attribute_events.h"
 #include "structures/parts/changing_extremum.h"
 #include "structures/parts/kinetic_list.h"
-#include "structures/proximity/octant_orders.h"
+#include "structures/proximity/cone_frame.h"
 #include "structures/proximity/octant_pairs.h"
+#include "structures/proximity/turned_order.h"
 #include "structures/proximity/pair_distances.h"
 
 namespace kinex {
 
 class ClosestPairRangeTree final : public Structure {
   using Pair = PairDistances::Value;
-  using List = KineticList<OctantOrder>;
+  using List = KineticList<TurnedOrder>;
   auto tied() {
     return [this](const Pair& a, const Pair& b) {
       kernel_->report(id_, kTie, {a[0], a[1], b[0], b[1]}, false);

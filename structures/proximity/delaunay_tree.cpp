@@ -8,13 +8,13 @@
 namespace kinex {
 
 DelaunayTree::DelaunayTree(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation,
-                           TreeProof proof)
+                           const TreeMethod& method, std::string_view name)
     : kernel_(&kernel),
-      name_(proof == TreeProof::kList ? "emst_list" : "emst_cycles"),
+      name_(name),
       triangulation_(triangulation),
       lengths_(kernel, triangulation.dimension()),
       events_(kernel, id, triangulation.id()),
-      engine_(make_tree_engine(proof, kernel, id, lengths_, events_, triangulation.objects())) {}
+      engine_(make_tree_engine(method, kernel, id, lengths_, events_, triangulation.objects())) {}
 
 // ---- the edges
 

@@ -9,8 +9,15 @@
 //
 // Edges suffice. No third point is in the closed disc that has a tree edge as diameter: in the
 // triangle with such a point the edge would be strictly longest. So a tree edge is in every Delaunay
-// triangulation, and a flip neither takes an edge of the tree nor brings one: each of the two
-// diagonals of four points on a circle is strictly longest in a triangle.
+// triangulation. A flip neither removes an edge of the tree nor adds one: each of the two diagonals
+// of four points on a circle is strictly longest in a triangle.
+//
+//         .  - c -  .       c is in the closed disc of diameter ab: the angle at c is at least 90
+//       .  '     '    .     degrees, so ab is strictly the longest edge of the triangle a, b, c
+//      a-------------b
+//       .           .       p, q, r, s in this order on a circle: the angles at q and s add up to
+//         .       .         180 degrees, so one of them is at least 90 and pr is strictly longest
+//           ' - '           in its triangle; likewise qs
 //
 // Quality, for n points, of the engine beside delaunay_2:
 //
@@ -48,7 +55,9 @@ namespace kinex {
 class DelaunayTree final : public Structure {
  public:
   // `triangulation` outlives this structure and is watched by it.
-  DelaunayTree(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation, TreeProof proof);
+  // `name`: as registered.
+  DelaunayTree(Kernel& kernel, StructureId id, const DelaunayGraph& triangulation, const TreeMethod& method,
+               std::string_view name);
 
   std::string_view name() const override { return name_; }
   // Those of TreeEventKind.

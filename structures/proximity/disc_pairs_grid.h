@@ -14,7 +14,7 @@
 //   motions and radii of degree d
 //   +-disc_overlap of each pair in the same cell or in neighbouring ones: degree 2d (disc_claims.h)
 //
-// Quality, for n discs: nothing happens between discs that are far from each other. Spread-out discs
+// Quality, for n discs: discs that are far from each other share no certificate. Spread-out discs
 // of one size have O(n) pairs; n discs in one cell have all C(n, 2), as disc_pairs_all, and so have n
 // discs of which one is as large as the box. A centre that moves to another cell brings or takes one
 // certificate for each pair that is near from then on, or no longer. External events: those of

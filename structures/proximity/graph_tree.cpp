@@ -6,11 +6,12 @@
 
 namespace kinex {
 
-GraphTree::GraphTree(Kernel& kernel, StructureId id, const Scene& scene, TreeProof proof)
-    : name_(proof == TreeProof::kList ? "graph_mst_list" : "graph_mst_cycles"),
+GraphTree::GraphTree(Kernel& kernel, StructureId id, const Scene& scene, const TreeMethod& method,
+                     std::string_view name)
+    : name_(name),
       weights_(kernel, scene),
       events_(kernel, id, {}),
-      engine_(make_tree_engine(proof, kernel, id, weights_, events_, weights_.vertices())) {}
+      engine_(make_tree_engine(method, kernel, id, weights_, events_, weights_.vertices())) {}
 
 void GraphTree::build(std::span<const ObjectId> objects) {
   members_.assign(objects.begin(), objects.end());
@@ -52,7 +53,8 @@ std::vector<BoundCheck> GraphTree::bounds(const BoundContext& context) const {
                                          counted(context.ledger->max_live))};
   result.push_back(at_most(
       own + ".events", "each two edges change their order at every root, and where pieces meet",
-      pair_sign_changes(context.pieces, context.degree), counted(context.ledger->failures)));
+      engine_->most_failures_per_exchange() * pair_sign_changes(context.pieces, context.degree),
+      counted(context.ledger->failures)));
   if (context.plain() && m > 1) {
     result.push_back(spanning_tree_bound(own, counted(m), 1, context));
   }

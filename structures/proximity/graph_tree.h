@@ -36,7 +36,9 @@ namespace kinex {
 
 class GraphTree final : public Structure {
  public:
-  GraphTree(Kernel& kernel, StructureId id, const Scene& scene, TreeProof proof);
+  // `name`: as registered.
+  GraphTree(Kernel& kernel, StructureId id, const Scene& scene, const TreeMethod& method,
+            std::string_view name);
 
   std::string_view name() const override { return name_; }
   // Those of TreeEventKind.

@@ -7,8 +7,7 @@
 namespace kinex {
 
 void MeetingEvents::repaired(ObjectId a, ObjectId b, MeetingEventKind inside) {
-  const bool over_now = !kernel_->instant_is_shared(id_) && !kernel_->failure_is_due();
-  if (over_now && tell()) return;
+  if (kernel_->instant_is_over(id_) && tell()) return;
   report_inside(inside, a, b);
   if (any()) kernel_->settle_later(id_);
 }
@@ -28,8 +27,7 @@ void MeetingEvents::report_inside(MeetingEventKind kind, ObjectId a, ObjectId b)
 
 // False, with nothing reported, if nothing has changed.
 bool MeetingEvents::tell() {
-  const AttributeDifference change = changes_.net();
-  changes_.clear();
+  const AttributeDifference change = changes_.take();
   for (std::size_t i = 0; i + 1 < change.gone.size(); i += 2) {
     const std::span<const ObjectId> pair(&change.gone[i], 2);
     kernel_->report(id_, kPart, {pair[0], pair[1]}, true, pair, {});

@@ -14,7 +14,7 @@
 
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
-#include "structures/parts/edge_changes.h"
+#include "structures/parts/tuple_changes.h"
 
 namespace kinex {
 
@@ -34,9 +34,9 @@ class MeetingEvents {
   // The pair meets, or does so no longer, from now on.
   void changed(ObjectId a, ObjectId b, bool meets) {
     if (meets) {
-      changes_.came(a, b);
+      changes_.came({a, b});
     } else {
-      changes_.gone(a, b);
+      changes_.gone({a, b});
     }
   }
   // Nothing is left to be reported.

@@ -119,8 +119,8 @@ void NearestSite::motions_changed(std::span<const ObjectId> objects) {
   settle_ties();
 }
 
-// Whether another site is nearest is seen when the instant is over: certificates of this structure
-// may fail at it, too.
+// A change of the nearest site is reported when the instant is over, for certificates of this
+// structure may fail at the same instant.
 void NearestSite::watched_changed(const Event* event) {
   if (site_ == kNoObject) return;
   if (event != nullptr) {

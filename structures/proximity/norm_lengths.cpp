@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "predicates/predicates.h"
+#include "structures/proximity/turned_order.h"
 
 namespace kinex {
 
@@ -51,10 +52,7 @@ NormLengths::Vector NormLengths::vector(const Along& along) const {
 PredicateId NormLengths::order(const Along& along) const {
   const auto [place, fresh] = orders_.try_emplace(along, PredicateId{});
   if (!fresh) return place->second;
-  const Vector u = vector(along);
-  const bool on_axis = (u[0] == 0 && u[1] > 0) || (u[1] == 0 && u[0] > 0);
-  place->second = kernel_->bind(on_axis ? make_coordinate_order(u[0] == 0 ? 1 : 0)
-                                        : make_direction_order({u[0], u[1]}));
+  place->second = bind_order_along(*kernel_, vector(along));
   return place->second;
 }
 

@@ -18,7 +18,7 @@
 // the plane, u becoming its image by a quarter turn; if those are identically equal, too, in that of
 // the lengths of the points moved by their ids along (2, 1); the last resort is the lexicographic
 // order of the pairs. So the order is that of points without three level ones, however they are
-// (octant_orders.h has the same), and every edge of the minimum spanning tree is a pair of a point
+// (turned_order.h has the same), and every edge of the minimum spanning tree is a pair of a point
 // and the first one in a cone around it.
 #ifndef KINEX_STRUCTURES_PROXIMITY_NORM_LENGTHS_H
 #define KINEX_STRUCTURES_PROXIMITY_NORM_LENGTHS_H

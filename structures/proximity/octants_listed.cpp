@@ -8,14 +8,15 @@
 namespace kinex {
 
 OctantsListed::OctantsListed(Kernel& kernel, StructureId id, const Scene& scene)
-    : OctantNeighbours(kernel, id, scene.objects.size(),
-                       [this](OctantAxis axis, ObjectId a, ObjectId b) {
-                         return places_[axis][a] < places_[axis][b];
-                       }) {
+    : ConeNeighbours(kernel, id, octant_frame(), scene.objects.size(),
+                     [this](std::size_t axis, ObjectId a, ObjectId b) {
+                       return places_[axis][a] < places_[axis][b];
+                     }) {
   const std::size_t objects = scene.objects.size();
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
     const auto along = static_cast<OctantAxis>(axis);
-    lists_.emplace_back(kernel, id, octant_axis_name(along), OctantOrder(kernel, along), objects);
+    lists_.emplace_back(kernel, id, octant_axis_name(along),
+                        TurnedOrder(kernel, octant_axis(along)), objects);
     places_[axis].assign(objects, 0);
   }
 }
@@ -23,7 +24,7 @@ OctantsListed::OctantsListed(Kernel& kernel, StructureId id, const Scene& scene)
 // ---- the woods
 
 void OctantsListed::make_woods() {
-  OctantWoods::Lists points;
+  ConeWoods::Lists points(kOctantAxes);
   for (std::size_t axis = 0; axis < kOctantAxes; ++axis) {
     points[axis] = lists_[axis].items();
     for (std::uint32_t i = 0; i < points[axis].size(); ++i) places_[axis][points[axis][i]] = i;
@@ -36,8 +37,8 @@ void OctantsListed::make_woods() {
 // Two neighbours of a list have changed places.
 void OctantsListed::exchange(OctantAxis axis, ObjectId before, ObjectId after) {
   std::swap(places_[axis][before], places_[axis][after]);
-  for (std::size_t i = 0; i < OctantWoods::kWoods; ++i) {
-    const auto& orders = OctantWoods::orders(i);
+  for (std::size_t i = 0; i < woods().size(); ++i) {
+    const auto& orders = frame().woods[i];
     for (std::size_t order = 0; order < orders.size(); ++order) {
       if (orders[order].axis != axis || waits_[i]) continue;
       const bool reversed = orders[order].reversed;
@@ -91,8 +92,8 @@ void OctantsListed::motions_changed(std::span<const ObjectId> objects) {
 }
 
 void OctantsListed::instant_settled() {
-  OctantWoods::Lists points;
-  for (std::size_t i = 0; i < OctantWoods::kWoods; ++i) {
+  ConeWoods::Lists points(kOctantAxes);
+  for (std::size_t i = 0; i < woods().size(); ++i) {
     if (!waits_[i]) continue;
     for (std::size_t axis = 0; axis < kOctantAxes; ++axis) points[axis] = lists_[axis].items();
     woods().make(i, points);

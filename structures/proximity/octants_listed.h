@@ -2,7 +2,7 @@
 // OctantsListed: of every point, which point comes next in each of four octants around it, by four
 // sorted lists.
 //
-// Certificates: the order of the points by x, y, x + y and x - y (octant_orders.h), n - 1 each, of
+// Certificates: the order of the points by x, y, x + y and x - y (turned_order.h), n - 1 each, of
 // degree d for motions of degree d. The lists alone say which point is next in which cone: two
 // neighbours of a list that change places change the two woods by the swap rule (schnyder_wood.h).
 //
@@ -14,7 +14,7 @@
 // is made from the lists when the instant is settled, in O(n log n) without a certificate. An
 // insertion or erasure makes both woods so.
 //
-// Ties. See octant_neighbours.h, which has the attribute and the events, too.
+// Ties. See cone_neighbours.h, which has the attribute and the events, too.
 //
 // Source: after Basch, Guibas, Hershberger, "Data structures for mobile data" (1997). Their cones of
 // 60 degrees have irrational sides; octants and woods are ours.
@@ -28,13 +28,13 @@
 #include <vector>
 
 #include "structures/parts/kinetic_list.h"
-#include "structures/proximity/octant_neighbours.h"
-#include "structures/proximity/octant_orders.h"
+#include "structures/proximity/cone_neighbours.h"
+#include "structures/proximity/turned_order.h"
 
 namespace kinex {
 
-class OctantsListed final : public OctantNeighbours {
-  using List = KineticList<OctantOrder>;
+class OctantsListed final : public ConeNeighbours {
+  using List = KineticList<TurnedOrder>;
   auto exchanged(OctantAxis axis) {
     return [this, axis](ObjectId before, ObjectId after) {
       kernel().report(id(), kOrder, {before, after}, false);
@@ -70,7 +70,7 @@ class OctantsListed final : public OctantNeighbours {
 
   std::vector<List> lists_;                                     // by OctantAxis
   std::array<std::vector<std::uint32_t>, kOctantAxes> places_;  // of objects in the lists
-  std::array<bool, OctantWoods::kWoods> waits_{};               // to be made from the lists
+  std::array<bool, 2> waits_{};                                 // woods to be made from the lists
 };
 
 }  // namespace kinex

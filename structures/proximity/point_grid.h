@@ -21,28 +21,15 @@
 #include <cstdint>
 #include <map>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/engine/audit.h"
 #include "core/engine/proof.h"
 #include "core/motion/scene.h"
-#include "core/numbers/rational.h"
+#include "predicates/points/point_grid_lines.h"
 #include "structures/parts/slots.h"
 
 namespace kinex {
-
-// A box that holds all flight plans of a scene from its start to its end.
-struct FlightBox {
-  std::vector<Rational> low, high;  // by axis of a position
-  Rational diameter;                // no disc of the scene has a larger one; 0 unless asked for
-
-  // Tight for linear motions. Requires an end.
-  static FlightBox of(const Scene& scene);
-  // Of a scene of discs, balls or intervals: the same for their centres, and the diameter, tight for
-  // linear radii.
-  static FlightBox of_discs(const Scene& scene);
-};
 
 class PointGrid {
  public:
@@ -55,7 +42,7 @@ class PointGrid {
   // As asked for last.
   std::size_t cells() const { return cells_asked_; }
   std::size_t lines() const;
-  std::size_t axes() const { return axes_.size(); }
+  std::size_t axes() const { return lines_.axes(); }
 
   void insert(ObjectId point);
   void erase(ObjectId point);
@@ -83,14 +70,7 @@ class PointGrid {
                                                       kNoCertificate, kNoCertificate,
                                                       kNoCertificate, kNoCertificate};
   };
-  struct Axis {
-    PredicateId order;
-    std::map<Rational, ObjectId> known;  // all lines so far
-    std::vector<ObjectId> lines;         // line k is between cells k, k + 1
-    std::vector<Rational> at;            // the places of the lines
-  };
-  std::uint32_t sides() const { return static_cast<std::uint32_t>(2 * axes_.size()); }
-  ObjectId line(std::size_t axis, const Rational& at);
+  std::uint32_t sides() const { return static_cast<std::uint32_t>(2 * axes()); }
   bool has_side(ObjectId point, std::uint32_t side) const;
   Query query(ObjectId point, std::uint32_t side) const;
   void certify(ObjectId point);
@@ -99,9 +79,9 @@ class PointGrid {
   void add_near(std::size_t axis, const Cell& own, Cell& from, std::vector<ObjectId>& result) const;
 
   Slots slots_;
-  FlightBox box_;
+  PointGridLines lines_;
   std::int64_t reach_;
-  std::vector<Axis> axes_;
+  std::vector<PredicateId> orders_;  // per axis
   std::size_t cells_asked_ = 0;
   std::vector<Place> places_;                    // per point
   std::map<Cell, std::vector<ObjectId>> cells_;  // ascending ids; no empty ones

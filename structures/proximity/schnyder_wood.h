@@ -21,7 +21,7 @@
 //        none, next(i, q)
 // Proof. Only sets of p lose q, only those of q gain p, and in colour j others choose between p and
 // q. If w = next(i, p) is not q, then w is before q in i and j, and before p in k: q keeps w or
-// better in colour k, and whoever sees both in colour j sees w. If next(i, p) = q, a point before q
+// better in colour k, and a point that has both in its cone j chooses w. If next(i, p) = q, a point before q
 // in i and j and before p in k would have been chosen by p, so q chooses p; those that see both in
 // colour j had chosen q; the next one of p is found among those that q covered, or behind q.
 //

@@ -153,15 +153,6 @@ void TreeByCycles::finish(Change change) {
 
 // ---- ties and failures
 
-// Every swap makes the tree shorter, or gives it a smaller edge of the same length; in an inexact
-// arithmetic signs may contradict each other.
-bool TreeByCycles::may_go_on(std::uint64_t steps) {
-  const std::uint64_t edges = size();
-  if (kernel_->is_exact() || steps < 1000 + edges * edges) return true;
-  kernel_->corrupt(id_, "no end of swaps while points come or go");
-  return false;
-}
-
 // Of level edges the one that goes first is in the tree.
 void TreeByCycles::settle_ties() {
   for (std::uint64_t steps = 0; !tied_.empty(); ++steps) {

@@ -42,6 +42,7 @@ class TreeByCycles final : public TreeEngine {
   void add(Item item) override;
   void remove(Item item) override;
   void finish(Change change) override;
+  bool owns(CertificateId certificate) const override { return slots_.owns(certificate); }
   void certificate_failed(CertificateId failed) override;
   void motions_changed(std::span<const ObjectId> objects) override;
   void renew(std::span<const Item> items) override;
@@ -71,7 +72,6 @@ class TreeByCycles final : public TreeEngine {
   void drop_record(Place place);
   void drop_records(Item item);
   Item replacement_of(Item item) const;
-  bool may_go_on(std::uint64_t steps);
   void settle_ties();
   void settle_failures();
 

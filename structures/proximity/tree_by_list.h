@@ -50,6 +50,7 @@ class TreeByList final : public TreeEngine {
   void add(Item item) override;
   void remove(Item item) override;
   void finish(Change change) override;
+  bool owns(CertificateId certificate) const override { return list_.slots().owns(certificate); }
   void certificate_failed(CertificateId failed) override;
   void motions_changed(std::span<const ObjectId> objects) override {
     list_.motions_changed(objects, tied());

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "structures/proximity/tree_by_clusters.h"
 #include "structures/proximity/tree_by_cycles.h"
+#include "structures/proximity/tree_by_forests.h"
 #include "structures/proximity/tree_by_list.h"
 
 namespace kinex {
@@ -22,6 +24,7 @@ void TreeEngine::leave(Item item) {
 void TreeEngine::put_in(Item item) {
   const auto [u, v] = edges_->ends(item);
   state_[item] = State::kInside;
+  ++inside_;
   forest_.link(item, u, v);
   events_->came(ids(item));
 }
@@ -29,6 +32,7 @@ void TreeEngine::put_in(Item item) {
 void TreeEngine::take_out(Item item) {
   const auto [u, v] = edges_->ends(item);
   state_[item] = State::kOutside;
+  --inside_;
   forest_.cut(item, u, v);
   events_->gone(ids(item));
 }
@@ -37,7 +41,7 @@ void TreeEngine::take_out(Item item) {
 void TreeEngine::clear() {
   forest_.clear();
   state_.clear();
-  size_ = 0;
+  size_ = inside_ = 0;
 }
 
 std::vector<ObjectId> TreeEngine::about(std::span<const Item> items) const {
@@ -51,6 +55,14 @@ std::vector<ObjectId> TreeEngine::about(std::span<const Item> items) const {
   return result;
 }
 
+std::vector<Item> TreeEngine::tree() const {
+  std::vector<Item> result;
+  for (Item item = 0; item < state_.size(); ++item) {
+    if (in_tree(item)) result.push_back(item);
+  }
+  return result;
+}
+
 std::vector<Item> TreeEngine::present() const {
   std::vector<Item> result;
   for (Item item = 0; item < state_.size(); ++item) {
@@ -59,13 +71,26 @@ std::vector<Item> TreeEngine::present() const {
   return result;
 }
 
-std::unique_ptr<TreeEngine> make_tree_engine(TreeProof proof, Kernel& kernel, StructureId id,
+bool TreeEngine::may_go_on(std::uint64_t steps) {
+  const std::uint64_t edges = size();
+  if (kernel_->is_exact() || steps < 1000 + edges * edges) return true;
+  kernel_->corrupt(id_, "no end of swaps while points come or go");
+  return false;
+}
+
+std::unique_ptr<TreeEngine> make_tree_engine(const TreeMethod& method, Kernel& kernel, StructureId id,
                                              const TreeEdges& edges, TreeEvents& events,
                                              std::size_t vertices) {
-  if (proof == TreeProof::kList) {
-    return std::make_unique<TreeByList>(kernel, id, edges, events, vertices);
+  switch (method.proof) {
+    case TreeProof::kList:
+      return std::make_unique<TreeByList>(kernel, id, edges, events, vertices);
+    case TreeProof::kCycles:
+      return std::make_unique<TreeByCycles>(kernel, id, edges, events, vertices);
+    case TreeProof::kClusters:
+      return std::make_unique<TreeByClusters>(kernel, id, edges, events, vertices, method.cluster);
+    default:
+      return std::make_unique<TreeByForests>(kernel, id, edges, events, vertices, method.items);
   }
-  return std::make_unique<TreeByCycles>(kernel, id, edges, events, vertices);
 }
 
 }  // namespace kinex

@@ -46,10 +46,6 @@ Attribute TreeEvents::told(Attribute now) const {
   return now;
 }
 
-bool TreeEvents::instant_is_over(StructureId structure) const {
-  return !kernel_->instant_is_shared(structure) && !kernel_->failure_is_due();
-}
-
 void TreeEvents::report(TreeEventKind kind, const EdgeIds& before, const EdgeIds& after,
                         bool external) {
   const std::span<const ObjectId> gone(before.data(), width(before));
@@ -66,7 +62,8 @@ void TreeEvents::report(TreeEventKind kind, const EdgeIds& before, const EdgeIds
 }
 
 void TreeEvents::repaired(const EdgeIds& before, const EdgeIds& after) {
-  const bool over_now = instant_is_over(id_) && (!reads_ || instant_is_over(*reads_));
+  const bool over_now =
+      kernel_->instant_is_over(id_) && (!reads_ || kernel_->instant_is_over(*reads_));
   if (over_now && tell()) return;
   report(kTreeInside, before, after, false);
   if (any()) kernel_->settle_later(id_);

@@ -35,16 +35,22 @@ class TreeEvents {
   TreeEvents(Kernel& kernel, StructureId id, std::optional<StructureId> reads)
       : kernel_(&kernel), id_(id), reads_(reads) {}
 
+  virtual ~TreeEvents() = default;
+
   void came(const EdgeIds& edge) { count(edge, 1); }
   void gone(const EdgeIds& edge) { count(edge, -1); }
+  // What has changed and was not reported: edges in ascending order, flattened.
+  AttributeDifference net() const;
   bool any() const { return !changes_.empty(); }
   // Nothing is left to be reported.
   void begin() { changes_.clear(); }
   // A failure was repaired: the order of these two edges has changed, or the second has taken the
   // place of the first in the tree. Reports one event.
-  void repaired(const EdgeIds& before, const EdgeIds& after);
+  virtual void repaired(const EdgeIds& before, const EdgeIds& after);
   // Reports a tie that was resolved.
-  void tied(const EdgeIds& before, const EdgeIds& after) { report(kTreeTie, before, after, false); }
+  virtual void tied(const EdgeIds& before, const EdgeIds& after) {
+    report(kTreeTie, before, after, false);
+  }
   // What has changed will be reported when the instant is over.
   void settle_later() { kernel_->settle_later(id_); }
   // The instant is over: reports what has changed.
@@ -55,9 +61,7 @@ class TreeEvents {
 
  private:
   void count(const EdgeIds& edge, int change);
-  AttributeDifference net() const;
   void report(TreeEventKind kind, const EdgeIds& before, const EdgeIds& after, bool external);
-  bool instant_is_over(StructureId structure) const;
   bool tell();
 
   Kernel* kernel_;

@@ -43,7 +43,7 @@ bool VoronoiCell2::touches(const Event& event) const {
 // After a failure the triangulation may go on changing at this instant, so the star is read when the
 // instant is settled.
 void VoronoiCell2::look() {
-  if (!events_.repairs_to_come()) return events_.settle(cycle());
+  if (!kernel_->failure_is_due()) return events_.settle(cycle());
   kernel_->settle_later(id_);
 }
 

@@ -41,7 +41,8 @@ StructureInfo tree(std::string_view name, std::string_view summary) {
 
 StructureFamily range_family() {
   StructureInfo range = tree("range_tree_2", "points by x and by y, for boxes in O(log^2 n + k)");
-  range.kinds = {{"swap_x", Effect::kAlways}, {"swap_y", Effect::kAlways}};
+  range.kinds = {{"swap_x", Effect::kAlways, "two neighbours in the order of x change places"},
+                 {"swap_y", Effect::kAlways, "two neighbours in the order of y change places"}};
   range.source = "Basch, Guibas, Zhang, Proximity problems on moving points (1997), section 3";
   range.make = make_tree<RangeTree2>;
 

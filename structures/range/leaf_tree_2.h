@@ -122,7 +122,7 @@ LeafTree2::Cost LeafTree2::search_parts(const Part& root, const LabelBox& box,
     }
     const std::array<Part, 2> below = halves(part);
     for (const std::size_t half : {1, 0}) {
-      // Nobody looks into what is outside.
+      // A node outside the box is not searched.
       if (below[half].sides == kOutside && trace == nullptr) {
         ++cost.nodes;
       } else {

@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "core/engine/audit.h"
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
 #include "structures/order/sorted_list.h"
@@ -107,8 +108,7 @@ class RangeStructure : public Structure, public RangeSearch, public TracedSearch
   bool is_in_step() const;
   std::optional<LabelBox> labelled(ObjectId low, ObjectId high, QueryCounts& counts) const;
   AxisLabels::Cut cut(int axis, ObjectId corner, bool is_low, QueryCounts& counts) const;
-  void audit_box(const Snapshot& snapshot, const std::array<std::array<Rational, 2>, 2>& box,
-                 AuditReport& report) const;
+  void audit_box(const Snapshot& snapshot, const ExactBox& box, AuditReport& report) const;
 
   std::array<const SortedList*, 2> lists_;
   std::array<AxisLabels, 2> labels_;

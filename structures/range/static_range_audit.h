@@ -3,16 +3,12 @@
 #ifndef KINEX_STRUCTURES_RANGE_STATIC_RANGE_AUDIT_H
 #define KINEX_STRUCTURES_RANGE_STATIC_RANGE_AUDIT_H
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/engine/audit.h"
 
 namespace kinex {
-
-// Per axis the least and the largest coordinate.
-using ExactBox = std::array<std::array<Rational, 2>, 2>;
 
 // A few boxes with points on their sides, which differ from one `turn` to the next.
 std::vector<ExactBox> boxes_between_points(const Snapshot& snapshot,

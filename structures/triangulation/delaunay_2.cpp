@@ -11,12 +11,14 @@ namespace kinex {
 Delaunay2::Delaunay2(Kernel& kernel, StructureId id, const Scene& scene)
     : kernel_(&kernel),
       id_(id),
+      exact_(kernel.is_exact()),
       order_{kernel.bind(make_coordinate_order(0)), kernel.bind(make_coordinate_order(1))},
       orientation_(kernel.bind(make_orientation_2())),
       in_circle_(kernel.bind(make_in_circle_2())),
+      edges_(kernel, id, "edges"),
       store_(scene.objects.size()),
-      present_(scene.objects.size(), false),
-      representative_(scene.objects.size(), kNoObject) {}
+      points_(scene.objects.size()),
+      line_(kernel, id, "line", AlongLine{order_[0]}) {}
 
 std::vector<std::string_view> Delaunay2::event_kinds() const {
   return common_event_kinds({"flip", "enter", "leave", "pass", "blocked", "reinsert"});
@@ -55,36 +57,29 @@ Query Delaunay2::query_of(HalfEdge h) const {
 void Delaunay2::set_certificate(HalfEdge h) {
   if (corrupt_) return;
   const Query query = query_of(h);
-  if (!kernel_->is_exact() && repeats_an_object(query)) {
+  if (!exact_ && repeats_an_object(query)) {
     return give_up("two triangles on the same three points");
   }
-  const CertificateId label = store_.label(h);
-  Outlook outlook;
-  if (label == kNoCertificate) {
-    const Kernel::Created created = kernel_->create(id_, query, h);
-    store_.set_label(h, created.id);
-    outlook = created.outlook;
-  } else {
-    outlook = kernel_->replace(label, query, h);
-  }
-  note_outlook(h, outlook);
+  CertificateId slot = store_.label(h);
+  const bool fresh = slot == kNoCertificate;
+  note_outlook(h, edges_.set(slot, query, h));
+  if (fresh) store_.set_label(h, slot);
 }
 
 void Delaunay2::note_outlook(HalfEdge h, Outlook outlook) {
-  if (outlook == Outlook::kIdenticallyZero) ties_.push_back(h);
+  if (outlook == Outlook::kIdenticallyZero) ties_.note(h);
   fails_now_ = fails_now_ || outlook == Outlook::kFailsNow;
 }
 
 // set_certificate for each of four edges, in this order.
 void Delaunay2::set_certificates(const std::array<HalfEdge, 4>& edges) {
   Kernel::Group group;
-  const bool exact = kernel_->is_exact();
   bool together = !corrupt_;
   for (const HalfEdge h : edges) {
     const CertificateId label = store_.label(h);
     const Query& query = group.queries[group.size] = query_of(h);
     // What may change anything but the certificates is done one by one.
-    together = together && label != kNoCertificate && (exact || !repeats_an_object(query));
+    together = together && label != kNoCertificate && (exact_ || !repeats_an_object(query));
     group.ids[group.size] = label;
     group.tags[group.size++] = h;
   }
@@ -92,14 +87,13 @@ void Delaunay2::set_certificates(const std::array<HalfEdge, 4>& edges) {
     for (const HalfEdge h : edges) set_certificate(h);
     return;
   }
-  kernel_->replace(group);
+  edges_.set(group);
   for (std::size_t i = 0; i < edges.size(); ++i) note_outlook(edges[i], group.outlooks[i]);
 }
 
 void Delaunay2::drop_certificate(HalfEdge h) {
-  const CertificateId label = store_.label(h);
-  if (label == kNoCertificate) return;
-  if (!corrupt_) kernel_->retract(label);
+  CertificateId slot = store_.label(h);
+  if (!corrupt_) edges_.drop(slot);
   store_.set_label(h, kNoCertificate);
 }
 
@@ -139,8 +133,7 @@ bool Delaunay2::rim_vanishes(HalfEdge h) {
 
 // The edge's four points are identically cocircular and the smallest id is not on the edge.
 bool Delaunay2::wants_other_diagonal(HalfEdge h) const {
-  const CertificateId label = store_.label(h);
-  if (label == kNoCertificate || kernel_->outlook(label) != Outlook::kIdenticallyZero) return false;
+  if (!edges_.is_tie(store_.label(h))) return false;
   const HalfEdge g = store_.twin(h);
   const ObjectId u = store_.origin(h), v = store_.origin(g);
   const ObjectId p = store_.apex(h), q = store_.apex(g);
@@ -152,22 +145,20 @@ bool Delaunay2::wants_other_diagonal(HalfEdge h) const {
 // four points, and no later flip lowers it, so k cocircular points need O(k^2) flips.
 void Delaunay2::settle_ties(bool report) {
   std::uint64_t left = 64 + 4 * static_cast<std::uint64_t>(store_.triangles()) * store_.triangles();
-  while (!ties_.empty() && !corrupt_) {
-    const HalfEdge h = ties_.back();
-    ties_.pop_back();
-    if (!store_.live(Triangulation2::triangle(h)) || !wants_other_diagonal(h)) continue;
+  ties_.settle([&](HalfEdge h) {
+    if (corrupt_ || !store_.live(Triangulation2::triangle(h)) || !wants_other_diagonal(h)) return;
     const HalfEdge g = store_.twin(h);
     const ObjectId u = store_.origin(h), v = store_.origin(g);
     const ObjectId p = store_.apex(h), q = store_.apex(g);
     if (!flippable(h) || !upright(p, u, q) || !upright(q, v, p)) {
       for (const ObjectId w : {u, v, p, q}) suspect(w);  // flat or turned over: see instant_settled
-      continue;
+      return;
     }
     if (left-- == 0) return give_up("cocircular points without end");
     flip(h);
     ++tie_flips_;
     if (report) report_flip(u, v, p, q, true);
-  }
+  });
 }
 
 // The edge u v has been replaced by p q. During a degenerate instant an edge may exist twice, and
@@ -178,8 +169,8 @@ void Delaunay2::report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q, bool
   const bool later = untold_.size() > 0 || (degenerate && goes && edges_between(u, v) > 0) ||
                      (degenerate && comes && edges_between(p, q) > 1);
   if (later) {
-    if (goes) untold_.gone(u, v);
-    if (comes) untold_.came(p, q);
+    if (goes) untold_.gone({u, v});
+    if (comes) untold_.came({p, q});
     kernel_->settle_later(id_);
   }
   const std::array<ObjectId, 2> old{std::min(u, v), std::max(u, v)};
@@ -209,11 +200,13 @@ int Delaunay2::edges_between(ObjectId a, ObjectId b) const {
 void Delaunay2::prefetch_next() const {
   asm volatile("");
   for (std::size_t i = 1; i <= 4; ++i) {
-    const std::uint32_t later = kernel_->upcoming_tag(id_, i);
-    if (later != Kernel::kNoTag) store_.prefetch(later);
+    const CertificateId later = kernel_->upcoming(id_, i);
+    if (later != kNoCertificate) store_.prefetch(kernel_->tag(later));
   }
-  const std::uint32_t next = kernel_->upcoming_tag(id_, 0);
-  if (next == Kernel::kNoTag || !store_.live(Triangulation2::triangle(next))) return;
+  const CertificateId first = kernel_->upcoming(id_, 0);
+  if (first == kNoCertificate) return;
+  const HalfEdge next = kernel_->tag(first);
+  if (!store_.live(Triangulation2::triangle(next))) return;
   const HalfEdge twin = store_.twin(next);
   prefetch_points({store_.origin(next), store_.origin(twin), store_.apex(next), store_.apex(twin)});
   for (const HalfEdge h : {next, twin}) {
@@ -248,8 +241,8 @@ void Delaunay2::prefetch_points(std::array<ObjectId, 4> points) const {
 
 void Delaunay2::certificate_failed(CertificateId failed) {
   if (corrupt_) return;
-  const HalfEdge h = kernel_->tag(failed);
-  if (on_line_) return pass(h);
+  if (on_line_) return pass(failed);
+  const HalfEdge h = edges_.failed(failed);
   prefetch_rim(h);
   prefetch_next();
   const bool shared = kernel_->instant_is_shared(id_);
@@ -282,12 +275,12 @@ void Delaunay2::certificate_failed(CertificateId failed) {
 // A failure that no flip can repair. At a degenerate instant the edge goes without a certificate
 // until the instant is settled.
 void Delaunay2::blocked(HalfEdge h, bool shared) {
-  if (!shared && !kernel_->is_exact()) return give_up("a flip to an edge that is there already");
+  if (!shared && !exact_) return give_up("a flip to an edge that is there already");
   const HalfEdge g = store_.twin(h);
   std::array<ObjectId, 4> ids{store_.origin(h), store_.origin(g), store_.apex(h), store_.apex(g)};
   std::sort(ids.begin(), ids.end());
   for (const ObjectId v : ids) suspect(v);
-  store_.set_label(h, kNoCertificate);
+  drop_certificate(h);
   blocked_ = true;
   if (ids[3] == store_.infinity()) {
     kernel_->report(id_, kBlocked, {ids[0], ids[1], ids[2]}, false);
@@ -297,26 +290,14 @@ void Delaunay2::blocked(HalfEdge h, bool shared) {
   if (!shared) rebuild_because("a flip to an edge that is there already");
 }
 
-// On a line: the points at `place` and place + 1 change places.
-void Delaunay2::pass(std::uint32_t place) {
+// On a line: two neighbours change places.
+void Delaunay2::pass(CertificateId failed) {
   const bool later = untold_.size() > 0;  // reported with earlier changes
   const Attribute before = later ? attribute() : Attribute{};
-  std::swap(line_[place], line_[place + 1]);
+  const auto swap = line_.failed(failed);
   if (later) untold_.add(difference_between(before, attribute()));
-  const std::size_t first = place == 0 ? 0 : place - 1;
-  const std::size_t last = std::min<std::size_t>(place + 1, line_certificates_.size() - 1);
-  const PredicateId order = order_[line_axis_];
-  kernel_->replace(line_certificates_[place], Query(order, {line_[place], line_[place + 1]}),
-                   place);
-  for (std::size_t i = first; i <= last; ++i) {
-    if (i == place) continue;
-    kernel_->replace(line_certificates_[i], Query(order, {line_[i], line_[i + 1]}),
-                     static_cast<std::uint32_t>(i));
-  }
-  kernel_->report(
-      id_, kPass,
-      {std::min(line_[place], line_[place + 1]), std::max(line_[place], line_[place + 1])},
-      line_.size() > 2 && !later);
+  const auto [a, b] = std::minmax(swap.before, swap.after);
+  kernel_->report(id_, kPass, {a, b}, line_.size() > 2 && !later);
 }
 
 // ---- the attribute
@@ -328,9 +309,9 @@ Attribute Delaunay2::attribute() const {
   result.shape = Attribute::Shape::kTuples;
   if (on_line_) {
     std::vector<std::pair<ObjectId, ObjectId>> edges;
-    for (std::size_t i = 0; i + 1 < line_.size(); ++i) {
-      edges.emplace_back(std::minmax(line_[i], line_[i + 1]));
-    }
+    line_.each_link([&](ObjectId a, ObjectId b, CertificateId) {
+      edges.emplace_back(std::min(a, b), std::max(a, b));
+    });
     std::sort(edges.begin(), edges.end());
     for (const auto& [a, b] : edges) result.ids.insert(result.ids.end(), {a, b});
     return result;
@@ -371,7 +352,7 @@ Attribute Delaunay2::attribute() const {
 }
 
 std::vector<ObjectId> Delaunay2::hull() const {
-  if (on_line_) return line_;
+  if (on_line_) return line_.items();
   std::vector<ObjectId> hull;
   const HalfEdge first = store_.out(store_.infinity());
   HalfEdge h = first;
@@ -387,10 +368,10 @@ std::vector<ObjectId> Delaunay2::hull() const {
 std::vector<ObjectId> Delaunay2::around(ObjectId vertex) const {
   std::vector<ObjectId> result;
   if (on_line_) {
-    const auto place = std::find(line_.begin(), line_.end(), vertex);
-    if (place == line_.end()) return result;
-    if (place != line_.begin()) result.push_back(*(place - 1));
-    if (place + 1 != line_.end()) result.push_back(*(place + 1));
+    if (!points_.is_vertex(vertex)) return result;
+    for (const ObjectId beside : {line_.previous(vertex), line_.next(vertex)}) {
+      if (beside != kNoObject) result.push_back(beside);
+    }
   } else if (store_.has(vertex)) {
     const HalfEdge first = store_.out(vertex);
     HalfEdge h = first;
@@ -409,12 +390,11 @@ std::vector<ObjectId> Delaunay2::neighbours(ObjectId vertex) const {
 }
 
 std::size_t Delaunay2::bytes() const {
-  const std::size_t words =
-      representative_.capacity() + line_.capacity() + line_certificates_.capacity() +
-      suspects_.capacity() + moved_.capacity() + ties_.capacity() + mark_.capacity() +
-      cavity_.capacity() + filled_.capacity() + rim_.capacity() + link_.capacity();
-  return sizeof(*this) + store_.bytes() + untold_.bytes() + present_.capacity() / 8 +
-         words * sizeof(std::uint32_t);
+  const std::size_t words = suspects_.capacity() + moved_.capacity() + mark_.capacity() +
+                            cavity_.capacity() + filled_.capacity() + rim_.capacity() +
+                            link_.capacity();
+  return sizeof(*this) + store_.bytes() + points_.bytes() + line_.bytes() + ties_.bytes() +
+         untold_.bytes() + words * sizeof(std::uint32_t);
 }
 
 }  // namespace kinex

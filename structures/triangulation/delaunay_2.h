@@ -74,7 +74,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -83,7 +82,9 @@
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
 #include "core/motion/scene.h"
-#include "structures/parts/edge_changes.h"
+#include "structures/parts/kinetic_list.h"
+#include "structures/parts/tuple_changes.h"
+#include "structures/triangulation/equal_points.h"
 #include "structures/triangulation/triangulation_2.h"
 
 namespace kinex {
@@ -126,15 +127,15 @@ class Delaunay2 final : public Structure {
 
   StructureId id() const { return id_; }
   // The number of the scene's objects, alive or not.
-  std::size_t objects() const { return representative_.size(); }
+  std::size_t objects() const { return points_.objects(); }
   // Hull vertices counter-clockwise from the smallest id; on a line, the chain.
   std::vector<ObjectId> hull() const;
-  // The neighbours of a vertex, counter-clockwise from any. O(degree); on a line O(n).
+  // The neighbours of a vertex, counter-clockwise from any. O(degree).
   std::vector<ObjectId> around(ObjectId vertex) const;
   // The same, ascending.
   std::vector<ObjectId> neighbours(ObjectId vertex) const;
   // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
-  ObjectId representative(ObjectId object) const { return representative_[object]; }
+  ObjectId representative(ObjectId object) const { return points_.vertex_of(object); }
   bool on_line() const { return on_line_; }
   // The number of points removed and inserted again at degenerate instants.
   std::uint64_t reinsertions() const { return reinsertions_; }
@@ -160,7 +161,7 @@ class Delaunay2 final : public Structure {
   void report_flip(ObjectId u, ObjectId v, ObjectId p, ObjectId q, bool degenerate);
   int edges_between(ObjectId a, ObjectId b) const;
   bool wants_other_diagonal(HalfEdge h) const;
-  void pass(std::uint32_t place);
+  void pass(CertificateId failed);
   void blocked(HalfEdge h, bool shared);
   Sign turn(ObjectId a, ObjectId b, ObjectId c) const {
     return kernel_->sign_after(orientation_, {a, b, c});
@@ -177,7 +178,6 @@ class Delaunay2 final : public Structure {
   void note_edges(const std::vector<Triangle>& cavity, std::uint32_t inside);
   void retract_all();
   std::vector<std::uint32_t> ranks(const std::vector<ObjectId>& objects, PredicateId order) const;
-  void build_line();
   void build_plane(const std::vector<ObjectId>& order);
 
   // ---- delaunay_2_points.cpp: one point more or less
@@ -193,7 +193,6 @@ class Delaunay2 final : public Structure {
   Place locate(ObjectId d, HalfEdge hint) const;
   // `careful`: the triangulation may be invalid elsewhere; certificates are kept up to date, too.
   Insertion add_point(ObjectId d, HalfEdge hint, bool careful);
-  void hide(ObjectId object, ObjectId behind);
   bool remove_vertex(ObjectId v);
   bool plan_ears();
   bool is_ear(std::uint32_t corner);
@@ -203,7 +202,6 @@ class Delaunay2 final : public Structure {
   void suspect(ObjectId v) {
     if (v != store_.infinity()) suspects_.push_back(v);
   }
-  void reveal(ObjectId object);
   void put_in_anywhere(ObjectId object);
   void take_out_anywhere(ObjectId object);
   bool put_in(ObjectId object);
@@ -216,23 +214,26 @@ class Delaunay2 final : public Structure {
 
   Kernel* kernel_;
   StructureId id_;
+  bool exact_;  // the arithmetic
   PredicateId order_[2];
   PredicateId orientation_;
   PredicateId in_circle_;
+  Slots edges_;  // tag: a half-edge; the slot is its label
+  Ties ties_;    // edges to be compared with the rule for cocircular points
 
   Triangulation2 store_;
-  std::vector<bool> present_;                         // alive, vertex or hidden
-  std::vector<ObjectId> representative_;              // kNoObject: not present
-  std::map<ObjectId, std::vector<ObjectId>> hidden_;  // behind a vertex, ascending
-  HalfEdge hint_ = kNone;                             // where the last point went
+  EqualPoints points_;
+  HalfEdge hint_ = kNone;  // where the last point went
 
-  // All points on one line right after now, in order along it. Certificates: neighbours in the
-  // order of coordinate line_axis_ (x, or y if all x are identically equal); tag: place of the
-  // first.
+  // All points on one line right after now, in order along it: by x, or by y if all x are identically
+  // equal. There are no ties: equal points are hidden.
+  struct AlongLine {
+    PredicateId order;
+    Query claim(ObjectId a, ObjectId b) const { return Query(order, {a, b}); }
+    bool goes_first(ObjectId a, ObjectId b) const { return a < b; }
+  };
   bool on_line_ = true;
-  int line_axis_ = 0;
-  std::vector<ObjectId> line_;
-  std::vector<CertificateId> line_certificates_;
+  KineticList<AlongLine> line_;
 
   // The present instant.
   bool fails_now_ = false;      // a certificate was made that is negative right after now
@@ -246,7 +247,6 @@ class Delaunay2 final : public Structure {
   bool blocked_ = false;  // a flip was impossible: an edge is without certificate
   int retries_ = 0;       // of impossible flips
   static constexpr int kMostRetries = 2;
-  std::vector<HalfEdge> ties_;  // edges to be compared with the rule for cocircular points
 
   // Inexact arithmetics: repairs since the last ordinary flip, and the limit.
   int repairs_ = 0;

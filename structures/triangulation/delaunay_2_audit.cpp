@@ -80,48 +80,21 @@ std::vector<BoundCheck> Delaunay2::bounds(const BoundContext& context) const {
 }
 
 void Delaunay2::check_invariants(AuditReport& report) const {
-  std::size_t vertices = 0;
-  for (ObjectId id = 0; id < present_.size(); ++id) {
-    if (!present_[id]) {
-      report.check(representative_[id] == kNoObject && !store_.has(id),
-                   [&] { return "object " + std::to_string(id) + " is gone but still known"; });
-      continue;
-    }
-    const ObjectId vertex = representative_[id];
-    if (vertex == id) {
-      ++vertices;
-      continue;
-    }
-    const auto it = hidden_.find(vertex);
-    report.check(vertex < id && representative_[vertex] == vertex && it != hidden_.end() &&
-                     std::binary_search(it->second.begin(), it->second.end(), id),
-                 [&] { return "object " + std::to_string(id) + " is hidden behind no vertex"; });
-  }
+  const std::size_t vertices =
+      points_.check(report, [this](ObjectId id) { return store_.has(id); });
   if (on_line_) {
-    report.check(line_.size() == vertices && store_.vertices() == 0 &&
-                     line_certificates_.size() + 1 == std::max<std::size_t>(1, vertices),
+    report.check(line_.size() == vertices && store_.vertices() == 0,
                  [] { return std::string("the chain does not hold every vertex"); });
-    for (std::size_t i = 0; i < line_certificates_.size(); ++i) {
-      const Query query(order_[line_axis_], {line_[i], line_[i + 1]});
-      report.check(
-          kernel_->query(line_certificates_[i]) == query &&
-              kernel_->tag(line_certificates_[i]) == i,
-          [&] { return "place " + std::to_string(i) + " of the chain has another certificate"; });
-    }
-    return;
+    return line_.check(report, "the chain");
   }
-  report.check(line_.empty() && store_.vertices() == vertices,
+  report.check(line_.size() == 0 && store_.vertices() == vertices,
                [] { return std::string("the triangulation does not hold every vertex"); });
   const std::string defect = store_.defect();
   report.check(defect.empty(), [&] { return defect; });
   for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
     if (!store_.live(Triangulation2::triangle(h)) || h > store_.twin(h)) continue;
-    const CertificateId label = store_.label(h);
-    bool good = label != kNoCertificate;
-    if (good) {
-      const std::uint32_t tag = kernel_->tag(label);
-      good = (tag == h || tag == store_.twin(h)) && kernel_->query(label) == query_of(tag);
-    }
+    const bool good = edges_.holds(store_.label(h), query_of(h), h) ||
+                      edges_.holds(store_.label(h), query_of(store_.twin(h)), store_.twin(h));
     report.check(good, [&] {
       return "edge " + std::to_string(store_.origin(h)) + " " + std::to_string(store_.target(h)) +
              " has no certificate or another edge's";
@@ -134,17 +107,18 @@ void Delaunay2::check_invariants(AuditReport& report) const {
 }
 
 void Delaunay2::audit(const Snapshot& snapshot, AuditReport& report) const {
-  std::vector<Point> points(present_.size());
+  std::vector<Point> points(objects());
   std::vector<std::pair<Point, ObjectId>> input;
-  for (ObjectId id = 0; id < present_.size(); ++id) {
-    report.check(present_[id] == snapshot.alive(id), [&] { return named("alive or not:", {id}); });
-    if (!present_[id] || !snapshot.alive(id)) continue;
+  for (ObjectId id = 0; id < objects(); ++id) {
+    const bool present = points_.present(id);
+    report.check(present == snapshot.alive(id), [&] { return named("alive or not:", {id}); });
+    if (!present || !snapshot.alive(id)) continue;
     points[id] = point_of(snapshot, id);
-    if (representative_[id] == id) {
+    if (points_.is_vertex(id)) {
       input.emplace_back(points[id], id);
     } else {
-      report.check(points[id] == point_of(snapshot, representative_[id]), [&] {
-        return named("hidden but not equal:", {id, representative_[id]});
+      report.check(points[id] == point_of(snapshot, representative(id)), [&] {
+        return named("hidden but not equal:", {id, representative(id)});
       });
     }
   }

@@ -32,8 +32,7 @@ std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y) {
 }  // namespace
 
 void Delaunay2::build(std::span<const ObjectId> objects) {
-  std::fill(present_.begin(), present_.end(), false);
-  for (const ObjectId id : objects) present_[id] = true;
+  points_.set_present(objects);
   construct();
 }
 
@@ -45,7 +44,7 @@ void Delaunay2::rebuild() {
 
 void Delaunay2::rebuild_because(const std::string& reason) {
   if (corrupt_) return;
-  if (!kernel_->is_exact() && ++repairs_ > kMostRepairs) return give_up("no end of rebuilds");
+  if (!exact_ && ++repairs_ > kMostRepairs) return give_up("no end of rebuilds");
   AttributeDifference change;
   if (comes_or_goes_) {
     construct();
@@ -59,8 +58,7 @@ void Delaunay2::rebuild_because(const std::string& reason) {
 }
 
 void Delaunay2::retract_all() {
-  for (const CertificateId c : line_certificates_) kernel_->retract(c);
-  line_certificates_.clear();
+  line_.clear();
   for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
     if (store_.live(Triangulation2::triangle(h))) drop_certificate(h);
   }
@@ -89,19 +87,14 @@ void Delaunay2::construct() {
   store_.clear();
   mark_.clear();
   epoch_ = 0;
-  line_.clear();
-  hidden_.clear();
+  points_.reset();
   ties_.clear();
   suspects_.clear();
   blocked_ = false;
   has_last_quad_ = false;
   hint_ = kNone;
   on_line_ = true;
-  std::vector<ObjectId> objects;
-  for (ObjectId id = 0; id < present_.size(); ++id) {
-    representative_[id] = kNoObject;
-    if (present_[id]) objects.push_back(id);
-  }
+  const std::vector<ObjectId> objects = points_.members();
   const std::vector<std::uint32_t> x = ranks(objects, order_[0]), y = ranks(objects, order_[1]);
 
   struct Point {
@@ -117,10 +110,10 @@ void Delaunay2::construct() {
   std::size_t kept = 0;
   for (const Point& p : points) {
     if (kept != 0 && points[kept - 1].x == p.x && points[kept - 1].y == p.y) {
-      hide(p.id, points[kept - 1].id);
+      points_.hide(p.id, points[kept - 1].id);
     } else {
       points[kept++] = p;
-      representative_[p.id] = p.id;
+      points_.show(p.id);
     }
   }
   points.resize(kept);
@@ -129,10 +122,11 @@ void Delaunay2::construct() {
   std::size_t third = 2;
   while (third < kept && turn(points[0].id, points[1].id, points[third].id) == Sign::kZero) ++third;
   if (third >= kept) {
-    for (const Point& p : points) line_.push_back(p.id);
-    line_axis_ = kept > 0 && points.front().x == points.back().x ? 1 : 0;
-    build_line();
-    return;
+    std::vector<ObjectId> chain;
+    for (const Point& p : points) chain.push_back(p.id);
+    const bool upwards = kept > 0 && points.front().x == points.back().x;
+    line_.claims().order = order_[upwards ? 1 : 0];
+    return line_.build_in_order(chain);
   }
 
   struct Turn {
@@ -161,14 +155,6 @@ void Delaunay2::construct() {
   }
   on_line_ = false;
   build_plane(order);
-}
-
-// Certificates for line_, which is in order along the line.
-void Delaunay2::build_line() {
-  for (std::size_t i = 0; i + 1 < line_.size(); ++i) {
-    const Query query(order_[line_axis_], {line_[i], line_[i + 1]});
-    line_certificates_.push_back(kernel_->create(id_, query, static_cast<std::uint32_t>(i)).id);
-  }
 }
 
 // Requires that the first three points of `order` are not on one line.

@@ -84,17 +84,11 @@ Delaunay2::Place Delaunay2::locate(ObjectId d, HalfEdge hint) const {
   return place;
 }
 
-void Delaunay2::hide(ObjectId object, ObjectId behind) {
-  representative_[object] = behind;
-  std::vector<ObjectId>& list = hidden_[behind];
-  list.insert(std::lower_bound(list.begin(), list.end(), object), object);
-}
-
 Delaunay2::Insertion Delaunay2::add_point(ObjectId d, HalfEdge hint, bool careful) {
   const Place place = locate(d, hint);
   if (place.equal != kNoObject) {
     if (careful && !identical(d, place.equal)) return Insertion::kFailed;
-    hide(d, place.equal);
+    points_.hide(d, place.equal);
     return Insertion::kHidden;
   }
   if (place.triangle == kNone || !conflict(place.triangle, d)) return Insertion::kFailed;
@@ -127,11 +121,11 @@ Delaunay2::Insertion Delaunay2::add_point(ObjectId d, HalfEdge hint, bool carefu
     untold_.cut(told);
     return Insertion::kFailed;
   }
-  representative_[d] = d;
+  points_.show(d);
   hint_ = store_.out(d);
   if (certify_) {
     for (const HalfEdge h : rim_) {
-      if (store_.origin(h) != store_.infinity()) untold_.came(d, store_.origin(h));
+      if (store_.origin(h) != store_.infinity()) untold_.came({d, store_.origin(h)});
     }
     for (const HalfEdge h : rim_) {
       set_certificate(h);
@@ -148,7 +142,7 @@ void Delaunay2::note_edges(const std::vector<Triangle>& cavity, std::uint32_t in
       const ObjectId a = store_.origin(h), b = store_.target(h);
       if (a < b && b != store_.infinity() &&
           mark_[Triangulation2::triangle(store_.twin(h))] == inside) {
-        untold_.gone(a, b);
+        untold_.gone({a, b});
       }
     }
   }
@@ -246,15 +240,15 @@ bool Delaunay2::remove_vertex(ObjectId v) {
   }
   const ObjectId infinity = store_.infinity();
   for (const ObjectId corner : corners_) {
-    if (corner != infinity) untold_.gone(v, corner);
+    if (corner != infinity) untold_.gone({v, corner});
   }
   for (std::size_t i = 0; i + 1 < ears_.size(); ++i) {
     const ObjectId a = corners_[ears_[i][0]], b = corners_[ears_[i][2]];
-    if (a != infinity && b != infinity) untold_.came(a, b);
+    if (a != infinity && b != infinity) untold_.came({a, b});
   }
   for (const HalfEdge h : link_) drop_certificate(Triangulation2::next(h));
   store_.fill(v, ears_, filled_);
-  representative_[v] = kNoObject;
+  points_.forget(v);
   hint_ = 3 * filled_[0];
   mark_.resize(store_.triangle_capacity(), 0);
   const std::uint32_t fresh = ++epoch_;

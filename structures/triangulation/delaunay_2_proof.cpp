@@ -11,12 +11,11 @@ void Delaunay2::visit_proof(ProofVisitor& visitor) const {
   ProofGroup group;
   if (on_line_) {
     group.kind = "neighbours on a line";
-    for (std::size_t i = 0; i < line_certificates_.size(); ++i) {
-      group.about = {line_[i], line_[i + 1]};
+    return line_.each_link([&](ObjectId before, ObjectId after, CertificateId certificate) {
+      group.about = {before, after};
       visitor.group(group);
-      visitor.certificate(line_certificates_[i], "order");
-    }
-    return;
+      visitor.certificate(certificate, "order");
+    });
   }
   const ObjectId infinity = store_.infinity();
   for (Triangle t = 0; t < store_.triangle_capacity(); ++t) {

@@ -3,23 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "structures/parts/sort_unique.h"
 #include "structures/triangulation/delaunay_2.h"
 
 namespace kinex {
-namespace {
-
-void sort_unique(std::vector<ObjectId>& ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
-}  // namespace
 
 void Delaunay2::insert(ObjectId object) {
   if (corrupt_) return;
   const std::size_t told = untold_.size();
   comes_or_goes_ = true;
-  present_[object] = true;
+  points_.set_present(object, true);
   put_in_anywhere(object);
   comes_or_goes_ = false;
   untold_.cut(told);
@@ -35,18 +28,14 @@ void Delaunay2::erase(ObjectId object) {
   if (corrupt_) return;
   const std::size_t told = untold_.size();
   comes_or_goes_ = true;
-  present_[object] = false;
+  points_.set_present(object, false);
   take_out_anywhere(object);
   comes_or_goes_ = false;
   untold_.cut(told);
 }
 
 void Delaunay2::take_out_anywhere(ObjectId object) {
-  const ObjectId vertex = representative_[object];
-  if (vertex != object) {
-    reveal(object);
-    return;
-  }
+  if (!points_.is_vertex(object)) return points_.reveal(object);
   if (on_line_) return remake_line("erasure while all points are on one line");
   if (!take_out(object)) return remake_line("erasure leaves all points on one line");
   settle_ties(false);
@@ -56,7 +45,7 @@ void Delaunay2::take_out_anywhere(ObjectId object) {
 // one line are built anew, which is counted.
 void Delaunay2::remake_line(const std::string& reason) {
   const std::size_t before = on_line_ ? line_.size() : store_.vertices();
-  if (before > 3 || !hidden_.empty()) return rebuild_because(reason);
+  if (before > 3 || !points_.hidden().empty()) return rebuild_because(reason);
   const Attribute edges = attribute();
   construct();
   if (!corrupt_) untold_.add(difference_between(edges, attribute()));
@@ -66,44 +55,27 @@ void Delaunay2::motions_changed(std::span<const ObjectId> objects) {
   moved_.insert(moved_.end(), objects.begin(), objects.end());
 }
 
-// `object` is no longer hidden.
-void Delaunay2::reveal(ObjectId object) {
-  const auto it = hidden_.find(representative_[object]);
-  std::vector<ObjectId>& list = it->second;
-  list.erase(std::lower_bound(list.begin(), list.end(), object));
-  if (list.empty()) hidden_.erase(it);
-  representative_[object] = kNoObject;
-}
-
 // The point becomes a vertex, or is hidden behind an equal one; the smaller id is the vertex.
 bool Delaunay2::put_in(ObjectId object) {
   mended_ = true;
   const Insertion done = add_point(object, hint_, true);
   if (done != Insertion::kHidden) return done == Insertion::kVertex;
-  const ObjectId vertex = representative_[object];
+  const ObjectId vertex = points_.vertex_of(object);
   if (vertex < object) return true;
-  reveal(object);
-  std::vector<ObjectId> behind{vertex};
-  if (const auto it = hidden_.find(vertex); it != hidden_.end()) {
-    behind.insert(behind.end(), it->second.begin(), it->second.end());
-    hidden_.erase(it);
-  }
+  points_.reveal(object);
+  const std::vector<ObjectId> behind = points_.reveal_behind(vertex);
   if (!remove_vertex(vertex) || add_point(object, hint_, true) != Insertion::kVertex) return false;
-  for (const ObjectId other : behind) hide(other, object);
+  points_.hide(vertex, object);
+  for (const ObjectId other : behind) points_.hide(other, object);
   return true;
 }
 
 // Removes the vertex; points hidden behind it come forward.
 bool Delaunay2::take_out(ObjectId vertex) {
   mended_ = true;
-  std::vector<ObjectId> behind;
-  if (const auto it = hidden_.find(vertex); it != hidden_.end()) {
-    behind = std::move(it->second);
-    hidden_.erase(it);
-  }
+  const std::vector<ObjectId> behind = points_.reveal_behind(vertex);
   if (!remove_vertex(vertex)) return false;
   for (const ObjectId other : behind) {
-    representative_[other] = kNoObject;
     if (!put_in(other)) return false;
   }
   return true;
@@ -111,19 +83,8 @@ bool Delaunay2::take_out(ObjectId vertex) {
 
 // Hidden points that no longer coincide with their vertex become vertices.
 bool Delaunay2::reexamine_hidden() {
-  std::vector<ObjectId> parted;
-  for (const ObjectId v : moved_) {
-    if (!present_[v]) continue;
-    if (representative_[v] != v) {
-      if (!identical(v, representative_[v])) parted.push_back(v);
-    } else if (const auto it = hidden_.find(v); it != hidden_.end()) {
-      for (const ObjectId other : it->second) {
-        if (!identical(v, other)) parted.push_back(other);
-      }
-    }
-  }
-  sort_unique(parted);
-  for (const ObjectId v : parted) reveal(v);
+  const std::vector<ObjectId> parted =
+      points_.reveal_parted(moved_, [this](ObjectId a, ObjectId b) { return identical(a, b); });
   for (const ObjectId v : parted) {
     if (!put_in(v)) return false;
     kernel_->report(id_, kReinsert, {v}, false);
@@ -136,9 +97,9 @@ void Delaunay2::instant_settled() {
   sort_unique(moved_);
   if (on_line_) {
     if (!moved_.empty()) {
-      const bool apart = hidden_.empty();
+      const bool apart = points_.hidden().empty();
       remake_line("motion change while all points are on one line");
-      for (const auto& [vertex, behind] : hidden_) {
+      for (const auto& [vertex, behind] : points_.hidden()) {
         for (const ObjectId v : behind) {
           if (apart) kernel_->report(id_, kReinsert, {v}, false);
         }
@@ -154,8 +115,8 @@ void Delaunay2::instant_settled() {
     if (corrupt_ || on_line_ || !store_.has(v)) continue;
     store_.link(v, link_);
     for (const HalfEdge h : link_) {
-      ties_.push_back(h);
-      ties_.push_back(Triangulation2::next(h));
+      ties_.note(h);
+      ties_.note(Triangulation2::next(h));
     }
   }
   if (!corrupt_) settle_ties(true);
@@ -171,8 +132,7 @@ void Delaunay2::instant_settled() {
 
 void Delaunay2::instant_over() {
   if (corrupt_ || untold_.size() == 0) return;
-  const AttributeDifference change = untold_.net();
-  untold_.clear();
+  const AttributeDifference change = untold_.take();
   kernel_->report_settled(id_, change.gone, change.came);
 }
 
@@ -251,10 +211,8 @@ bool Delaunay2::mend() {
       good = remove_vertex(v);
       if (!good) continue;
       taken.push_back(v);
-      if (const auto it = hidden_.find(v); it != hidden_.end()) {
-        taken.insert(taken.end(), it->second.begin(), it->second.end());
-        hidden_.erase(it);
-      }
+      const std::vector<ObjectId> behind = points_.reveal_behind(v);
+      taken.insert(taken.end(), behind.begin(), behind.end());
       break;
     }
     turned = left;
@@ -262,14 +220,13 @@ bool Delaunay2::mend() {
   good = good && hull_turns_once();
   std::sort(taken.begin(), taken.end());
   for (std::size_t i = 0; i < taken.size() && good; ++i) {
-    representative_[taken[i]] = kNoObject;
     good = put_in(taken[i]);
   }
   if (!good) {
     rebuild_because(reason);
     return false;
   }
-  if (!kernel_->is_exact() && ++repairs_ > kMostRepairs) {
+  if (!exact_ && ++repairs_ > kMostRepairs) {
     give_up("no end of repairs");
     return false;
   }

@@ -3,16 +3,18 @@
 
 #include <algorithm>
 
+#include "structures/parts/sort_unique.h"
+
 namespace kinex {
 
 Delaunay3::Delaunay3(Kernel& kernel, StructureId id, const Scene& scene)
     : kernel_(&kernel),
       id_(id),
       geometry_(kernel, static_cast<ObjectId>(scene.objects.size())),
+      facets_(kernel, id, "facets"),
       store_(scene.objects.size()),
       patch_(scene.objects.size()),
-      present_(scene.objects.size(), false),
-      representative_(scene.objects.size(), kNoObject) {
+      points_(scene.objects.size()) {
   static_assert(kNoCertificate == Triangulation3::kNone);
 }
 
@@ -31,14 +33,10 @@ void Delaunay3::give_up(const std::string& what) {
 
 void Delaunay3::set_certificate(Facet f) {
   if (corrupt_) return;
-  const CertificateId label = store_.label(f);
-  if (label == kNoCertificate) {
-    const Kernel::Created created = kernel_->create(id_, claim_of(f), f);
-    store_.set_label(f, created.id);
-    note_outlook(f, created.outlook);
-  } else {
-    note_outlook(f, kernel_->replace(label, claim_of(f), f));
-  }
+  CertificateId slot = store_.label(f);
+  const Outlook outlook = facets_.set(slot, claim_of(f), f);
+  store_.set_label(f, slot);
+  note_outlook(f, outlook);
 }
 
 // set_certificate for each of several facets, in this order.
@@ -58,7 +56,7 @@ void Delaunay3::set_certificates(std::span<const Facet> facets) {
       facets = facets.subspan(1);
       continue;
     }
-    kernel_->replace(group);
+    facets_.set(group);
     for (std::size_t i = 0; i < group.size; ++i) note_outlook(facets[i], group.outlooks[i]);
     facets = facets.subspan(group.size);
   }
@@ -72,9 +70,8 @@ void Delaunay3::note_outlook(Facet f, Outlook outlook) {
 }
 
 void Delaunay3::drop_certificate(Facet f) {
-  const CertificateId label = store_.label(f);
-  if (label == kNoCertificate) return;
-  if (!corrupt_) kernel_->retract(label);
+  CertificateId slot = store_.label(f);
+  if (!corrupt_) facets_.drop(slot);
   store_.set_label(f, kNoCertificate);
 }
 
@@ -136,11 +133,11 @@ void Delaunay3::flip_3_2(Facet f, Facet out) {
     if (w != store_.apex(out)) (u == kNoObject ? u : v) = w;
   }
   std::array<Facet, 7> fresh;
-  std::array<std::uint32_t, 2> gone;
+  std::array<CertificateId, 2> gone;
   store_.flip_3_2(f, out, fresh, gone);
   set_certificate(fresh[0]);
-  for (const CertificateId label : gone) {
-    if (label != kNoCertificate && !corrupt_) kernel_->retract(label);
+  if (!corrupt_) {
+    for (CertificateId& slot : gone) facets_.drop(slot);
   }
   const std::uint64_t zeros = kernel_->possible_zeros();
   const std::span<const Facet> rim = std::span(fresh).subspan(1);
@@ -173,7 +170,7 @@ bool Delaunay3::rim_vanishes(std::span<const Facet> rim) const {
 
 void Delaunay3::certificate_failed(CertificateId failed) {
   if (corrupt_) return;
-  const Facet f = kernel_->tag(failed);
+  const Facet f = facets_.failed(failed);
   const bool shared = kernel_->instant_is_shared(id_);
   const std::array<ObjectId, 5> points = points_of(f);
   if (shared) {
@@ -199,7 +196,7 @@ void Delaunay3::blocked(Facet f) {
   std::array<ObjectId, 5> ids = points_of(f);
   std::sort(ids.begin(), ids.end());
   suspect_all(ids);
-  store_.set_label(f, kNoCertificate);
+  drop_certificate(f);
   ++blocks_;
   kernel_->settle_later(id_);
   if (ids[4] == store_.infinity()) {
@@ -230,10 +227,10 @@ Attribute Delaunay3::attribute() const {
 std::vector<std::array<ObjectId, 2>> Delaunay3::edges() const {
   std::vector<std::array<ObjectId, 2>> result;
   if (flat_) {
-    for (ObjectId a = 0; a < representative_.size(); ++a) {
-      if (representative_[a] != a) continue;
-      for (ObjectId b = a + 1; b < representative_.size(); ++b) {
-        if (representative_[b] == b) result.push_back({a, b});
+    for (ObjectId a = 0; a < objects(); ++a) {
+      if (!points_.is_vertex(a)) continue;
+      for (ObjectId b = a + 1; b < objects(); ++b) {
+        if (points_.is_vertex(b)) result.push_back({a, b});
       }
     }
     return result;
@@ -248,16 +245,14 @@ std::vector<std::array<ObjectId, 2>> Delaunay3::edges() const {
       }
     }
   }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  sort_unique(result);
   return result;
 }
 
 std::size_t Delaunay3::bytes() const {
-  return sizeof(*this) + store_.bytes() + patch_.bytes() + untold_.bytes() +
-         present_.capacity() / 8 +
-         (representative_.capacity() + suspects_.capacity() + moved_.capacity() +
-          fresh_.capacity() + conflicts_.cells.capacity() + conflicts_.mark.capacity()) *
+  return sizeof(*this) + store_.bytes() + patch_.bytes() + untold_.bytes() + points_.bytes() +
+         (suspects_.capacity() + moved_.capacity() + fresh_.capacity() +
+          conflicts_.cells.capacity() + conflicts_.mark.capacity()) *
              sizeof(std::uint32_t) +
          conflicts_.star.capacity() * sizeof(Quad);
 }

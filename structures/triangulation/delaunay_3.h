@@ -53,7 +53,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -63,7 +62,9 @@
 #include "core/engine/kernel.h"
 #include "core/engine/structure.h"
 #include "core/motion/scene.h"
-#include "structures/triangulation/cell_changes.h"
+#include "structures/parts/slots.h"
+#include "structures/parts/tuple_changes.h"
+#include "structures/triangulation/equal_points.h"
 #include "structures/triangulation/space_geometry.h"
 #include "structures/triangulation/static_delaunay_3.h"
 #include "structures/triangulation/triangulation_3.h"
@@ -107,9 +108,9 @@ class Delaunay3 final : public Structure {
 
   StructureId id() const { return id_; }
   // The number of the scene's objects, alive or not.
-  std::size_t objects() const { return representative_.size(); }
+  std::size_t objects() const { return points_.objects(); }
   // The vertex for `object`: itself, or the one it is hidden behind; kNoObject: not present.
-  ObjectId representative(ObjectId object) const { return representative_[object]; }
+  ObjectId representative(ObjectId object) const { return points_.vertex_of(object); }
   // All points are in one plane, or there are fewer than four: there are no cells.
   bool flat() const { return flat_; }
   // The edges, smaller id first, ascending; if it is flat all pairs of vertices, which contain every
@@ -158,8 +159,6 @@ class Delaunay3 final : public Structure {
   void construct();
   void rebuild_because(const std::string& reason);
   void retract_all();
-  void hide(ObjectId object, ObjectId behind);
-  void reveal(ObjectId object);
   void put_in(ObjectId object);
   void take_out(ObjectId vertex);
   void part_hidden();
@@ -182,11 +181,10 @@ class Delaunay3 final : public Structure {
   Kernel* kernel_;
   StructureId id_;
   SpaceGeometry geometry_;
+  Slots facets_;  // tag: a facet; the slot is its label
   Triangulation3 store_;
   Triangulation3 patch_;  // of sews
-  std::vector<bool> present_;
-  std::vector<ObjectId> representative_;              // kNoObject: not present
-  std::map<ObjectId, std::vector<ObjectId>> hidden_;  // behind a vertex, ascending
+  EqualPoints points_;
   bool flat_ = true;
   bool corrupt_ = false;
   bool comes_or_goes_ = false;  // its changes of cells are not reported

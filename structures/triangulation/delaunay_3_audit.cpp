@@ -98,24 +98,12 @@ std::vector<BoundCheck> Delaunay3::bounds(const BoundContext& context) const {
 }
 
 void Delaunay3::check_invariants(AuditReport& report) const {
-  std::size_t vertices = 0;
-  for (ObjectId id = 0; id < present_.size(); ++id) {
-    if (!present_[id]) {
-      report.check(representative_[id] == kNoObject && !store_.has(id),
-                   [&] { return "object " + std::to_string(id) + " is gone but still known"; });
-      continue;
+  const std::size_t vertices =
+      points_.check(report, [this](ObjectId id) { return store_.has(id); });
+  for (ObjectId id = 0; id < objects() && !flat_; ++id) {
+    if (points_.is_vertex(id)) {
+      report.check(store_.has(id), [&] { return named("no vertex:", {id}); });
     }
-    const ObjectId vertex = representative_[id];
-    if (vertex == id) {
-      ++vertices;
-      report.check(flat_ || store_.has(id),
-                   [&] { return "object " + std::to_string(id) + " is no vertex"; });
-      continue;
-    }
-    const auto it = hidden_.find(vertex);
-    report.check(vertex < id && representative_[vertex] == vertex && it != hidden_.end() &&
-                     std::binary_search(it->second.begin(), it->second.end(), id),
-                 [&] { return "object " + std::to_string(id) + " is hidden behind no vertex"; });
   }
   report.check(flat_ ? store_.cells() == 0 : store_.vertices() == vertices,
                [] { return std::string("the triangulation does not hold every vertex"); });
@@ -128,34 +116,33 @@ void Delaunay3::check_invariants(AuditReport& report) const {
     for (Facet f = 4 * c; f < 4 * c + 4; ++f) {
       if (f > store_.mate(f)) continue;
       const CertificateId label = store_.label(f);
-      bool good = label != kNoCertificate;
-      if (good) {
-        const Facet tag = kernel_->tag(label);
-        good = (tag == f || tag == store_.mate(f)) && kernel_->query(label) == claim_of(tag);
-      }
+      const Facet g = store_.mate(f);
+      const bool good =
+          facets_.holds(label, claim_of(f), f) || facets_.holds(label, claim_of(g), g);
       const auto text = [&](const char* what) {
         const Triangulation3::Triple t = store_.triple(f);
         return named("facet", {t[0], t[1], t[2]}) + what;
       };
       report.check(good, [&] { return text(" has no certificate or another facet's"); });
-      report.check(!good || kernel_->outlook(label) != Outlook::kIdenticallyZero || !is_bad(f),
+      report.check(!facets_.is_tie(label) || !is_bad(f),
                    [&] { return text(" is a tie in the wrong order"); });
     }
   }
 }
 
 void Delaunay3::audit(const Snapshot& snapshot, AuditReport& report) const {
-  std::vector<Point> points(present_.size());
+  std::vector<Point> points(objects());
   std::vector<std::pair<Point, ObjectId>> input;
-  for (ObjectId id = 0; id < present_.size(); ++id) {
-    report.check(present_[id] == snapshot.alive(id), [&] { return named("alive or not:", {id}); });
-    if (!present_[id] || !snapshot.alive(id)) continue;
+  for (ObjectId id = 0; id < objects(); ++id) {
+    const bool present = points_.present(id);
+    report.check(present == snapshot.alive(id), [&] { return named("alive or not:", {id}); });
+    if (!present || !snapshot.alive(id)) continue;
     points[id] = point_of(snapshot, id);
-    if (representative_[id] == id) {
+    if (points_.is_vertex(id)) {
       input.emplace_back(points[id], id);
     } else {
-      report.check(points[id] == point_of(snapshot, representative_[id]), [&] {
-        return named("hidden but not equal:", {id, representative_[id]});
+      report.check(points[id] == point_of(snapshot, representative(id)), [&] {
+        return named("hidden but not equal:", {id, representative(id)});
       });
     }
   }

@@ -7,6 +7,15 @@
 //      be in C. Else all cells across the rim join S.
 //   3. No facet on the rim may be in conflict with the cell outside. Else that cell joins S.
 //   4. No edge or facet inside C may exist outside of it. Else the cells there join S.
+// In the plane, with the rim drawn; v: a vertex of S; x: a cell of R beyond the rim, left out:
+//
+//    v-----v             v-----v             v-----v
+//    |     |             |  \ C|x\           |  \  |
+//    |  S  v---v         | C   v---v         |     v---v
+//    |         |         |  / C  \C|         |  /    \ |
+//    v---------v         v---------v         v---------v
+//    S, cut out          R                   the hole filled with C
+//
 // All else is right by itself: the cells of C are upright, and the facets between them regular. A
 // triangulation that is locally regular everywhere is regular, and the one with the ties of
 // space_geometry.h is unique. It ends, because S grows. If S has become everything, the static
@@ -17,17 +26,12 @@
 #include <utility>
 
 #include "structures/parts/merge_sort.h"
+#include "structures/parts/sort_unique.h"
 #include "structures/triangulation/delaunay_3.h"
 #include "structures/triangulation/edge_winding.h"
 
 namespace kinex {
 namespace {
-
-template <class T>
-void sort_unique(std::vector<T>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
 
 // The facets of a triangulation, by their vertices and orientation.
 class FacetIndex {
@@ -141,9 +145,7 @@ std::vector<Delaunay3::Cell> Delaunay3::wrong_cells() {
     if (!geometry_.upright(store_.quad(c))) wrong.push_back(c);
     for (Facet f = 4 * c; f < 4 * c + 4; ++f) {
       const CertificateId label = store_.label(f);
-      const bool tie =
-          label != kNoCertificate && kernel_->outlook(label) == Outlook::kIdenticallyZero;
-      if (label != kNoCertificate && !(tie && is_bad(f))) continue;
+      if (label != kNoCertificate && !(facets_.is_tie(label) && is_bad(f))) continue;
       wrong.push_back(c);
       wrong.push_back(Triangulation3::cell(store_.mate(f)));
     }
@@ -223,7 +225,7 @@ bool Delaunay3::sew(std::vector<Cell> cells, const Guests& guests) {
   }
   ++sews_;
   largest_sew_ = std::max(largest_sew_, cells.size());
-  for (const auto& [v, behind] : hidden) hide(v, behind);
+  for (const auto& [v, behind] : hidden) points_.hide(v, behind);
   return true;
 }
 
@@ -292,13 +294,13 @@ bool Delaunay3::fill(const std::vector<Cell>& cells, const std::vector<Quad>& qu
       const Facet g = store_.mate(f);
       if (f > g || !std::binary_search(sorted.begin(), sorted.end(), Triangulation3::cell(g)))
         continue;
-      if (store_.label(f) != kNoCertificate) inside.push_back(store_.label(f));
+      inside.push_back(store_.label(f));
     }
   }
   if (!store_.replace(cells, quads, fresh_)) return false;
   hint_ = fresh_.front();
-  for (const CertificateId label : inside) {
-    if (!corrupt_) kernel_->retract(label);
+  if (!corrupt_) {
+    for (CertificateId& slot : inside) facets_.drop(slot);
   }
   for (const Quad& quad : old) {
     if (!geometry_.is_ghost(quad)) untold_.gone(quad);
@@ -346,8 +348,7 @@ void Delaunay3::instant_settled() {
     if (!corrupt_ && !flat_) part_hidden();
     if (corrupt_) return;
     if (untold_.size() != 0 || sews_ != sews) {
-      const AttributeDifference change = untold_.net();
-      untold_.clear();
+      const AttributeDifference change = untold_.take();
       kernel_->report(id_, kRetile, {}, !change.gone.empty() || !change.came.empty(), change.gone,
                       change.came);
     }

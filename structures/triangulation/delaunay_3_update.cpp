@@ -7,8 +7,7 @@
 namespace kinex {
 
 void Delaunay3::build(std::span<const ObjectId> objects) {
-  std::fill(present_.begin(), present_.end(), false);
-  for (const ObjectId id : objects) present_[id] = true;
+  points_.set_present(objects);
   construct();
 }
 
@@ -41,20 +40,17 @@ void Delaunay3::retract_all() {
 
 void Delaunay3::construct() {
   retract_all();
-  hidden_.clear();
+  points_.reset();
   suspects_.clear();
   has_last_flip_ = false;
   hint_ = kNone;
-  std::vector<ObjectId> objects;
-  for (ObjectId id = 0; id < present_.size(); ++id) {
-    representative_[id] = present_[id] ? id : kNoObject;
-    if (present_[id]) objects.push_back(id);
-  }
+  const std::vector<ObjectId> objects = points_.members();
+  for (const ObjectId id : objects) points_.show(id);
   std::vector<std::pair<ObjectId, ObjectId>> hidden;
   const StaticResult built = build_static(geometry_, objects, true, store_, hidden);
   if (built == StaticResult::kFailed)
     return give_up("the static construction found no place for a point");
-  for (const auto& [v, behind] : hidden) hide(v, behind);
+  for (const auto& [v, behind] : hidden) points_.hide(v, behind);
   flat_ = built == StaticResult::kFlat;
   for (Cell c = 0; c < store_.cell_capacity() && !corrupt_; ++c) {
     if (!store_.live(c)) continue;
@@ -64,32 +60,10 @@ void Delaunay3::construct() {
   }
 }
 
-void Delaunay3::hide(ObjectId object, ObjectId behind) {
-  std::vector<ObjectId>& list = hidden_[behind];
-  const auto put = [&](ObjectId v) {
-    representative_[v] = behind;
-    list.insert(std::lower_bound(list.begin(), list.end(), v), v);
-  };
-  put(object);
-  const auto own = hidden_.find(object);
-  if (own == hidden_.end()) return;
-  for (const ObjectId v : own->second) put(v);
-  hidden_.erase(own);
-}
-
-// `object` is no longer hidden.
-void Delaunay3::reveal(ObjectId object) {
-  const auto it = hidden_.find(representative_[object]);
-  std::vector<ObjectId>& list = it->second;
-  list.erase(std::lower_bound(list.begin(), list.end(), object));
-  if (list.empty()) hidden_.erase(it);
-  representative_[object] = kNoObject;
-}
-
 void Delaunay3::insert(ObjectId object) {
   if (corrupt_) return;
   comes_or_goes_ = true;
-  present_[object] = true;
+  points_.set_present(object, true);
   if (flat_) {
     construct();
   } else {
@@ -102,15 +76,15 @@ void Delaunay3::insert(ObjectId object) {
 void Delaunay3::erase(ObjectId object) {
   if (corrupt_) return;
   comes_or_goes_ = true;
-  present_[object] = false;
-  if (representative_[object] != object) {
-    reveal(object);
+  points_.set_present(object, false);
+  if (!points_.is_vertex(object)) {
+    points_.reveal(object);
   } else if (flat_) {
     construct();
   } else {
     take_out(object);
   }
-  representative_[object] = kNoObject;
+  points_.forget(object);
   comes_or_goes_ = false;
   untold_.clear();
 }
@@ -126,14 +100,14 @@ void Delaunay3::put_in(ObjectId object) {
                         : store_.cell_of(store_.infinity());
   const PlaceInSpace place = locate(geometry_, store_, object, hint);
   const ObjectId vertex = place.equal;
-  if (vertex != kNoObject && vertex < object) return hide(object, vertex);
-  representative_[object] = object;
+  if (vertex != kNoObject && vertex < object) return points_.hide(object, vertex);
+  points_.show(object);
   if (vertex != kNoObject) {
     std::vector<Cell> cells;
     store_.star(vertex, cells);
     if (!sew(cells, {{vertex}, {object}}))
       return rebuild_because("insertion in place of an equal point");
-    return hide(vertex, object);
+    return points_.hide(vertex, object);
   }
   if (place.cell != kNone) {
     find_conflicts(geometry_, store_, object, place.cell, conflicts_);
@@ -145,12 +119,11 @@ void Delaunay3::put_in(ObjectId object) {
 // Removes the vertex; the smallest of the points hidden behind it comes forward.
 void Delaunay3::take_out(ObjectId vertex) {
   Guests guests{{vertex}, {}};
-  if (const auto it = hidden_.find(vertex); it != hidden_.end()) {
-    const std::vector<ObjectId> behind = it->second;
-    hidden_.erase(it);
+  const std::vector<ObjectId> behind = points_.reveal_behind(vertex);
+  if (!behind.empty()) {
     guests.came = {behind.front()};
-    representative_[behind.front()] = behind.front();
-    for (std::size_t i = 1; i < behind.size(); ++i) hide(behind[i], behind.front());
+    points_.show(behind.front());
+    for (std::size_t i = 1; i < behind.size(); ++i) points_.hide(behind[i], behind.front());
   }
   std::vector<Cell> cells;
   store_.star(vertex, cells);
@@ -159,23 +132,10 @@ void Delaunay3::take_out(ObjectId vertex) {
 
 // Hidden points that no longer coincide with their vertex become vertices.
 void Delaunay3::part_hidden() {
-  std::vector<ObjectId> parted;
-  const auto look_at = [&](ObjectId v, ObjectId vertex) {
-    if (!geometry_.identical(v, vertex)) parted.push_back(v);
-  };
-  for (const ObjectId v : moved_) {
-    if (!present_[v]) continue;
-    if (representative_[v] != v) {
-      look_at(v, representative_[v]);
-    } else if (const auto it = hidden_.find(v); it != hidden_.end()) {
-      for (const ObjectId other : it->second) look_at(other, v);
-    }
-  }
-  std::sort(parted.begin(), parted.end());
-  parted.erase(std::unique(parted.begin(), parted.end()), parted.end());
-  for (const ObjectId v : parted) reveal(v);
+  const std::vector<ObjectId> parted = points_.reveal_parted(
+      moved_, [this](ObjectId a, ObjectId b) { return geometry_.identical(a, b); });
   for (const ObjectId v : parted) {
-    if (corrupt_ || flat_ || representative_[v] != kNoObject) continue;  // rebuilt with all of them
+    if (corrupt_ || flat_ || points_.vertex_of(v) != kNoObject) continue;  // rebuilt with them
     put_in(v);
   }
 }

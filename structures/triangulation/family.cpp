@@ -14,10 +14,15 @@ StructureInfo delaunay_in_space() {
   info.min_dimension = 3;
   info.shape = Attribute::Shape::kTuples;
   info.width = 4;
-  info.kinds = {{"flip_2_3", Effect::kAlways}, {"flip_3_2", Effect::kAlways},
-                {"enter", Effect::kAlways},    {"leave", Effect::kAlways},
-                {"hull_2_3", Effect::kAlways}, {"hull_3_2", Effect::kAlways},
-                {"retile", Effect::kSometimes}, {"blocked", Effect::kNever}};
+  info.kinds = {
+      {"flip_2_3", Effect::kAlways, "a facet gives way to an edge: three cells replace two"},
+      {"flip_3_2", Effect::kAlways, "an edge gives way to a facet: two cells replace three"},
+      {"enter", Effect::kAlways, "a point reaches the hull: a cell goes"},
+      {"leave", Effect::kAlways, "a point sinks below a facet of the hull: a cell comes"},
+      {"hull_2_3", Effect::kAlways, "an edge of the hull goes in front of another: a cell comes"},
+      {"hull_3_2", Effect::kAlways, "an edge of the hull gives way to another: a cell goes"},
+      {"retile", Effect::kSometimes, "at a degenerate instant: cells are cut out and filled anew"},
+      {"blocked", Effect::kNever, "at a degenerate instant: no flip repairs the facet yet"}};
   info.certificates =
       "at most (n + 1)(n - 2), one for each facet, those with the vertex at infinity included";
   info.ties =
@@ -38,9 +43,14 @@ StructureFamily triangulation_family() {
                          .summary = "the Delaunay triangulation of points in the plane"};
   delaunay.min_dimension = 2;
   delaunay.shape = Attribute::Shape::kTuples;
-  delaunay.kinds = {{"flip", Effect::kSometimes},  {"enter", Effect::kSometimes},
-                    {"leave", Effect::kSometimes}, {"pass", Effect::kSometimes},
-                    {"blocked", Effect::kNever},   {"reinsert", Effect::kNever}};
+  delaunay.kinds = {
+      {"flip", Effect::kSometimes, "an edge gives way to the other diagonal of its two triangles"},
+      {"enter", Effect::kSometimes, "a point becomes a vertex of the hull"},
+      {"leave", Effect::kSometimes, "a point ceases to be a vertex of the hull"},
+      {"pass", Effect::kSometimes, "all points are on one line, and two neighbours change places"},
+      {"blocked", Effect::kNever, "at a degenerate instant: no flip repairs the edge yet"},
+      {"reinsert", Effect::kNever,
+       "the instant is settled: a point is taken out and put in again"}};
   delaunay.certificates = "3n - 3, one for each edge, those to the vertex at infinity included";
   delaunay.ties =
       "of four identically cocircular points the diagonal has the smallest id; identically "

@@ -7,6 +7,12 @@
 //   v itself         v is in conflict with the cell
 //   a vertex u of it v is in conflict if the cell with v in u's place is turned over, and not if it
 //                    is upright; if that cell is identically flat the next id decides
+//
+//               .      a section; heights over the plane of the five lifted points (the row of f)
+//      w    f     v    u is lowered. The plane of the cell, dotted, turns about f, the facet opposite u.
+//       .              v, beyond f, is below it and in conflict: v in u's place turns the cell over.
+//   u                  w is above it and not in conflict: w in u's place leaves the cell upright.
+//
 // A ghost is in conflict with v if v is strictly beyond its facet, or identically in the facet's plane
 // and in conflict with the cell inside. This defines one triangulation without flat cells of every
 // set of distinct points that are not all in one plane.

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <random>
-#include <tuple>
 
-#include "structures/parts/merge_sort.h"
+#include "structures/triangulation/curve_order.h"
 
 namespace kinex {
 namespace {
@@ -16,79 +14,21 @@ using Cell = Triangulation3::Cell;
 using Facet = Triangulation3::Facet;
 using Quad = Triangulation3::Quad;
 
-// Ranks along an axis: equal iff identically equal.
-std::vector<std::uint32_t> ranks(const SpaceGeometry& geometry, std::span<const ObjectId> points,
-                                 int axis) {
-  const PredicateId order = geometry.order(axis);
-  std::vector<std::uint32_t> sorted(points.size());
-  for (std::uint32_t i = 0; i < sorted.size(); ++i) sorted[i] = i;
-  merge_sort(sorted, [&](std::uint32_t a, std::uint32_t b) {
-    return geometry.kernel().sign_after(order, {points[a], points[b]}) == Sign::kPositive;
-  });
-  std::vector<std::uint32_t> rank(points.size(), 0);
-  std::uint32_t current = 0;
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    const ObjectId a = points[sorted[i - 1]], b = points[sorted[i]];
-    if (geometry.kernel().sign_after(order, {a, b}) != Sign::kZero) ++current;
-    rank[sorted[i]] = current;
-  }
-  return rank;
-}
-
-// Bit k of x goes to bit 3k.
-std::uint64_t spread(std::uint64_t x) {
-  std::uint64_t result = 0;
-  for (unsigned k = 0; k < 16; ++k) result |= (x >> k & 1) << (3 * k);
-  return result;
-}
-
-// An order of insertion: along a curve over ranks, in rounds of doubling size (Amenta, Choi, Rote
-// 2003). Only comparisons of coordinates are needed, and no order of the input is a bad one. Of
-// identically equal points the smallest id is kept.
+// The order along a curve. Of identically equal points the smallest id is kept.
 std::vector<ObjectId> quick_order(const SpaceGeometry& geometry, std::span<const ObjectId> points,
                                   std::vector<std::pair<ObjectId, ObjectId>>& hidden) {
-  struct Turn {
-    std::array<std::uint32_t, 3> rank;
-    ObjectId id;
-    std::uint64_t round = 40, place = 0;
-  };
-  std::vector<Turn> all(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) all[i].id = points[i];
-  std::array<std::uint64_t, 3> most{1, 1, 1};
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto k = static_cast<std::size_t>(axis);
-    const std::vector<std::uint32_t> rank = ranks(geometry, points, axis);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      all[i].rank[k] = rank[i];
-      most[k] = std::max<std::uint64_t>(most[k], rank[i] + std::uint64_t{1});
-    }
-  }
-  std::sort(all.begin(), all.end(), [](const Turn& a, const Turn& b) {
-    return std::tie(a.rank, a.id) < std::tie(b.rank, b.id);
-  });
+  std::vector<RankedPoint<3>> all = ranked<3>(
+      geometry.kernel(), {geometry.order(0), geometry.order(1), geometry.order(2)}, points);
   std::size_t kept = 0;
-  for (const Turn& turn : all) {
-    if (kept != 0 && all[kept - 1].rank == turn.rank) {
-      hidden.emplace_back(turn.id, all[kept - 1].id);
+  for (const RankedPoint<3>& point : all) {
+    if (kept != 0 && all[kept - 1].rank == point.rank) {
+      hidden.emplace_back(point.id, all[kept - 1].id);
     } else {
-      all[kept++] = turn;
+      all[kept++] = point;
     }
   }
   all.resize(kept);
-  std::mt19937_64 engine(20240607);
-  for (Turn& turn : all) {  // half of the points come in the last round, a quarter before, ..
-    for (std::uint64_t bits = engine(); (bits & 1) != 0 && turn.round != 0; bits >>= 1)
-      --turn.round;
-    for (std::size_t k = 0; k < 3; ++k) {
-      turn.place |= spread(turn.rank[k] * std::uint64_t{0xffff} / most[k]) << k;
-    }
-  }
-  std::sort(all.begin(), all.end(), [](const Turn& a, const Turn& b) {
-    return std::tie(a.round, a.place, a.id) < std::tie(b.round, b.place, b.id);
-  });
-  std::vector<ObjectId> order;
-  for (const Turn& turn : all) order.push_back(turn.id);
-  return order;
+  return order_along_curve<3>(all);
 }
 
 // The first four points in general position, upright; none if all are in one plane.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "structures/triangulation/space_geometry.h"
+#include "structures/triangulation/static_result.h"
 #include "structures/triangulation/triangulation_3.h"
 
 namespace kinex {
@@ -37,12 +38,6 @@ struct Conflicts {
 void find_conflicts(const SpaceGeometry& geometry, const Triangulation3& store, ObjectId v,
                     Triangulation3::Cell first, Conflicts& out);
 
-// How a static construction ended.
-enum class StaticResult {
-  kBuilt,
-  kFlat,    // all points are identically in one plane: `store` is empty
-  kFailed,  // signs contradict each other (inexact arithmetics)
-};
 // Triangulates `points`, distinct ids in the order of insertion. `hidden` receives the points that
 // are identically equal to an earlier one, each with that vertex. `quick`: inserts them in an order
 // along a curve instead, for many points; equal points are hidden behind the smallest id.

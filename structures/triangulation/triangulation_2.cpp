@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/triangulation/triangulation_2.h"
 
+#include <algorithm>
+
 namespace kinex {
 
 Triangulation2::Triangulation2(std::size_t objects)
@@ -162,6 +164,88 @@ void Triangulation2::fill(ObjectId v, const std::vector<Ear>& ears, std::vector<
       sides_[before].label = kNone;
     }
   }
+}
+
+Triangulation2::HalfEdge Triangulation2::between(ObjectId a, ObjectId b) const {
+  const HalfEdge first = out_[a];
+  if (first == kNone) return kNone;
+  HalfEdge h = first;
+  do {
+    if (target(h) == b) return h;
+    h = around(h);
+  } while (h != first);
+  return kNone;
+}
+
+bool Triangulation2::replace(std::span<const Triangle> cells,
+                             std::span<const Corners> fresh_corners,
+                             std::vector<Triangle>& fresh) {
+  // The sides of the new triangles, and what each is joined to: a half-edge outside, or a side.
+  struct Inner {
+    ObjectId from, to;
+    std::uint32_t place;
+    HalfEdge outer;
+    std::uint32_t label;
+  };
+  std::vector<Inner> inner;
+  for (std::uint32_t i = 0; i < fresh_corners.size(); ++i) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      inner.push_back({fresh_corners[i][k], fresh_corners[i][(k + 1) % 3], 3 * i + k, kNone, kNone});
+    }
+  }
+  const auto before = [](const Inner& a, const Inner& b) {
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+  };
+  std::sort(inner.begin(), inner.end(), before);
+  const auto find = [&](ObjectId from, ObjectId to) -> Inner* {
+    const auto at =
+        std::lower_bound(inner.begin(), inner.end(), Inner{from, to, 0, kNone, kNone}, before);
+    return at != inner.end() && at->from == from && at->to == to ? &*at : nullptr;
+  };
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    if (inner[i].from == inner[i].to) return false;
+    if (i > 0 && !before(inner[i - 1], inner[i])) return false;  // a side twice
+  }
+  ++epoch_;
+  for (const Triangle t : cells) triangle_mark_[t] = epoch_;
+  std::vector<ObjectId> old;
+  for (const Triangle t : cells) {
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+      old.push_back(origin(h));
+      if (triangle_mark_[triangle(twin(h))] == epoch_) continue;
+      Inner* const side = find(origin(h), target(h));
+      if (side == nullptr) return false;
+      side->outer = twin(h);
+      side->label = label(h);
+    }
+  }
+  std::sort(old.begin(), old.end());
+  old.erase(std::unique(old.begin(), old.end()), old.end());
+  for (const Inner& side : inner) {
+    if (!std::binary_search(old.begin(), old.end(), side.from) && has(side.from)) return false;
+    if (side.outer != kNone) continue;
+    const Inner* const mate = find(side.to, side.from);
+    if (mate == nullptr || mate->outer != kNone) return false;
+  }
+  for (const ObjectId v : old) {
+    if (v != infinity_) --vertices_;
+    out_[v] = kNone;
+  }
+  for (const Triangle t : cells) release(t);
+  fresh.clear();
+  for (std::size_t i = 0; i < fresh_corners.size(); ++i) fresh.push_back(allocate());
+  const auto half_edge = [&fresh](std::uint32_t place) { return 3 * fresh[place / 3] + place % 3; };
+  for (const Inner& side : inner) {
+    const HalfEdge h = half_edge(side.place);
+    if (out_[side.from] == kNone && side.from != infinity_) ++vertices_;
+    if (side.outer != kNone) {
+      put(h, side.from, side.outer, side.label);
+    } else {
+      half_edges_[h] = {side.from, half_edge(find(side.to, side.from)->place), kNone};
+      out_[side.from] = h;
+    }
+  }
+  return true;
 }
 
 std::string Triangulation2::defect() const {

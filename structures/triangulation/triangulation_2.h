@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ class Triangulation2 {
  public:
   using HalfEdge = std::uint32_t;
   using Triangle = std::uint32_t;
+  using Corners = std::array<ObjectId, 3>;  // the vertices of a triangle, counter-clockwise
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
   // Vertices are the ids 0 .. objects - 1; `objects` itself stands for infinity.
@@ -59,6 +61,10 @@ class Triangulation2 {
   // The vertex opposite h in its own triangle.
   ObjectId apex(HalfEdge h) const { return half_edges_[previous(h)].origin; }
   HalfEdge twin(HalfEdge h) const { return half_edges_[h].twin; }
+  // From the origin of 3t.
+  Corners corners(Triangle t) const { return {origin(3 * t), origin(3 * t + 1), origin(3 * t + 2)}; }
+  // The half-edge from a to b, or kNone; a may be no vertex. O(degree of a).
+  HalfEdge between(ObjectId a, ObjectId b) const;
   std::uint32_t label(HalfEdge h) const { return half_edges_[h].label; }
   void set_label(HalfEdge h, std::uint32_t label) {
     half_edges_[h].label = label;
@@ -103,6 +109,12 @@ class Triangulation2 {
   // on the link are kept; those of new edges are kNone.
   using Ear = std::array<std::uint32_t, 3>;
   void fill(ObjectId v, const std::vector<Ear>& ears, std::vector<Triangle>& filled);
+
+  // Replaces `cells` by triangles with the corners `fresh_corners`, which fill the same place.
+  // Vertices may go and come. Labels on the rim are kept; those inside are kNone. False, with nothing
+  // changed, if they do not fit. `fresh` receives the new triangles. O(k log k).
+  bool replace(std::span<const Triangle> cells, std::span<const Corners> fresh_corners,
+               std::vector<Triangle>& fresh);
 
   // Describes what is wrong with the links and counts; empty if nothing is.
   std::string defect() const;

@@ -17,7 +17,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::extremes {
-namespace {
+namespace long_runs_test {
 
 using test::path;
 using test::Random;
@@ -181,8 +181,8 @@ void expect_bounded(int updates, bool from_outside) {
 TEST(LongRun, AHundredThousandPlannedUpdatesOfOneObject) { expect_bounded(100000, false); }
 TEST(LongRun, AHundredThousandUpdatesFromOutside) { expect_bounded(100000, true); }
 
-// The large crowds are not on the page of verdicts: doubles do not go on for ever there. (What mpfr
-// does there takes more than minutes and is not known.)
+// The large crowds are not on the page of verdicts. Runs in doubles end there; those in mpfr take more
+// than minutes, and their verdict is not known.
 TEST(SlowExtremes, LargeCrowdsEnd) {
   for (const Extreme& extreme : read_extremes()) {
     if (extreme.crowd.empty()) continue;
@@ -196,5 +196,5 @@ TEST(SlowExtremes, LargeCrowdsEnd) {
   }
 }
 
-}  // namespace
+}  // namespace long_runs_test
 }  // namespace kinex::extremes

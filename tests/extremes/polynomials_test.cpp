@@ -10,7 +10,7 @@
 #include "tests/extremes/extreme.h"
 
 namespace kinex::extremes {
-namespace {
+namespace polynomials_test {
 
 void expect_roots(Extreme& extreme, const Polynomial& p) {
   RootCounters counters;
@@ -68,5 +68,5 @@ TEST(ExtremePolynomials, HaveTheRootsThatTheIndexSays) {
   EXPECT_GE(seen, 30u);
 }
 
-}  // namespace
+}  // namespace polynomials_test
 }  // namespace kinex::extremes

@@ -16,7 +16,7 @@
 #include "tests/structures/recorder.h"
 
 namespace kinex::extremes {
-namespace {
+namespace scenes_test {
 
 // Up to so many objects every event is audited, and other structures are run too.
 constexpr std::size_t kSmall = 40, kMedium = 50;
@@ -205,5 +205,5 @@ const bool kRegistered = [] {
   return true;
 }();
 
-}  // namespace
+}  // namespace scenes_test
 }  // namespace kinex::extremes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates that name an object twice: whoever writes a structure may come to them, for example
+// Certificates that name an object twice: the writer of a structure may arrive at them, for example
 // by the gap (b - a) - (d - c) with b = c. The kernel refuses them where they are created or
-// replaced, and the structure that asked goes on unharmed.
+// replaced, and the structure that asked continues unharmed.
 #include <algorithm>
 #include <memory>
 #include <stdexcept>

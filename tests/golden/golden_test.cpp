@@ -16,7 +16,7 @@
 #include "tests/golden/golden_scene.h"
 
 namespace kinex::golden {
-namespace {
+namespace golden_test {
 
 constexpr std::size_t kFewestRows = 60;
 
@@ -85,5 +85,5 @@ TEST(Golden, TheTableCoversWhatThereIs) {
   for (const char* degree : {"1", "2", "3"}) EXPECT_EQ(degrees.count(degree), 1u) << degree;
 }
 
-}  // namespace
+}  // namespace golden_test
 }  // namespace kinex::golden

@@ -8,30 +8,40 @@ import subprocess
 import sys
 import tempfile
 
-LINE = ["sorted_list", "maximum_sorted_list", "minimum_sorted_list", "maximum_heap", "minimum_heap",
-        "maximum_hanger", "minimum_hanger", "maximum_tournament", "minimum_tournament", "maximum_envelope",
-        "minimum_envelope", "maximum_dual_hull", "minimum_dual_hull"]
-PLANE = ["convex_hull_2", "convex_hull_2_naive", "convex_hull_2_brute_force", "convex_hull_2_delaunay",
-         "delaunay_2", "bounding_box", "closest_pair_delaunay", "emst_list", "emst_cycles",
-         "diameter_2", "diameter_all_pairs",
-         "bounding_box_2_hull", "farthest_delaunay_2",
-         "min_circle_2", "min_circle_2_brute_force",
-         "closest_pair_all", "closest_pair_range_tree", "closest_pair_cones", "closest_pair_local", "closest_pair_bins",
-         "octants_listed", "octants_local",
-         "bichromatic_pair_delaunay", "bichromatic_pair_all", "nearest_site", "voronoi_cell_2",
-         "mst_maximum_norm_list", "mst_maximum_norm_cycles"]
-GRAPHS = ["graph_mst_list", "graph_mst_cycles"]
-EXTENTS = ["box_pairs", "disc_pairs_all", "disc_pairs_boxes", "disc_pairs_grid"]  # points become boxes or discs
-LINES = ["incidences_all"]  # every second point becomes a line
-SPACE = ["delaunay_3", "closest_pair_delaunay", "emst_list", "emst_cycles"]  # in scenes of three axes
-BODIES = ["separation_mixed", "separation_minkowski", "separation_hysteresis", "closest_features",
-          "inner_tangents", "bounding_volumes"]
 POINT_FAMILIES = ["uniform-square", "uniform-disk", "gaussian", "grid", "lattice", "meet", "through-one-point",
                   "near-one-point", "collinear-instant", "counter-rotating-rings", "expanding-circle",
                   "rotating-circle", "static-one-mover", "new-plans", "come-and-go"]
 BODY_FAMILIES = ["polygon-orbit", "polygon-line", "polygon-fan", "polygon-jitter", "polygon-kinks",
                  "polygon-random", "polygons-in-box"]
 KEYS = ["x", "y", {"direction": [3, "-1/2"]}, {"squared_distance_to": "p0"}]
+
+
+class Structures:
+    """The names of all structures that follow motion, by the scenes in which they are tried."""
+
+    def __init__(self, program):
+        said = subprocess.run([program, "list", "structures", "--json"], capture_output=True, text=True, check=True)
+        infos = [info for info in json.loads(said.stdout) if info["follows_motion"]]
+
+        def names(fits):
+            return [info["name"] for info in infos if fits(info)]
+
+        points = [info for info in infos if info["objects"] == "points"]
+        self.line = [info["name"] for info in points if "key" in info["takes"]]
+        self.linear = names(lambda info: info.get("largest_degree") == 1)
+        self.plane = [info["name"] for info in points if info["name"] not in self.line
+                      and (info["axes"] == 2 or (info["axes"] == 1 and info["more_axes"]))]
+        self.space = [info["name"] for info in points if info["axes"] == 3
+                      or ("delaunay_2" in info["reads"] and info["more_axes"])]
+        self.graphs = names(lambda info: info["objects"] == "edges")
+        self.extents = names(lambda info: info["objects"] in ("discs", "boxes"))  # points become these
+        self.lines = names(lambda info: info["objects"] in ("lines", "lines and points"))
+        self.bodies = names(lambda info: info["objects"] == "bodies")
+
+    @property
+    def all(self):
+        names = [*self.line, *self.plane, *self.graphs, *self.extents, *self.lines, *self.space, *self.bodies]
+        return list(dict.fromkeys(names))
 
 
 def checker(folder):
@@ -147,18 +157,18 @@ def parsed(data):
     return lines[0], lines[1:-1], lines[-1]
 
 
-def drawn_scene(rng, program, folder, structure):
+def drawn_scene(rng, program, folder, structure, known):
     """A random small scene for a structure."""
     while True:
         seed = rng.randrange(1, 10**6)
-        if structure in BODIES:
+        if structure in known.bodies:
             family = rng.choice(BODY_FAMILIES)
             n = 3 if family == "polygons-in-box" else rng.randrange(3, 6)
             path = generate(program, folder, family, n, seed, structure, "--m", str(rng.randrange(3, 6)))
         else:
             maintain = structure
-            if structure in LINE:
-                keys = KEYS[:3] if structure.endswith("dual_hull") else KEYS
+            if structure in known.line:
+                keys = KEYS[:3] if structure in known.linear else KEYS
                 maintain = {"structure": structure, "key": rng.choice(keys), "as": "it"}
             family = rng.choice(POINT_FAMILIES)
             path = generate(program, folder, family, rng.randrange(5, 10), seed, maintain)

@@ -3,8 +3,8 @@
 
 usage: mutations.py PROGRAM LOGCHECK_FOLDER LOGS [STRUCTURE,...]
 
-Exit code 77: the program writes logs of version 1. LOGS random runs, over all structures (or these) in turn; on each every kind of change below, at a random place
-where it is possible. Internal events that the checker says that it does not follow (those of bodies, and
+Makes LOGS random runs, of all structures (or of these) in turn, and applies every kind of change below to each log, at a
+random place where it is possible. Exit code 77: the program writes logs of version 1. Internal events that the checker says that it does not follow (those of bodies, and
 of hulls with ties for ever) are left alone. A changed log that is accepted and that says the same as the
 true one (see equivalent) is counted apart, and so is one within a limit of the checker that its README states.
 """
@@ -224,13 +224,14 @@ def main():
     rng = random.Random(20261122)
     made, refused, same, accepted = (collections.Counter() for _ in range(4))
     reasons = collections.Counter()
-    structures = sys.argv[4].split(",") if len(sys.argv) > 4 else logs.LINE + logs.PLANE + logs.BODIES
+    known = logs.Structures(program)
+    structures = sys.argv[4].split(",") if len(sys.argv) > 4 else known.line + known.plane + known.bodies
     lines = 0
     with tempfile.TemporaryDirectory() as scratch:
         done = 0
         while done < count:
             structure = structures[done % len(structures)]
-            path, where = logs.drawn_scene(rng, program, scratch, structure)
+            path, where = logs.drawn_scene(rng, program, scratch, structure, known)
             data = logs.run(program, scratch, path)
             if data is None:
                 continue

@@ -8,7 +8,7 @@
 #include "experiments/peers/judge.h"
 
 namespace kinex::peers {
-namespace {
+namespace peer_case_test {
 
 PeerShape box(double w, double h) { return {{-w, -h}, {w, -h}, {w, h}, {-w, h}}; }
 
@@ -92,24 +92,24 @@ TEST(PeerJudge, AnswersAgainstTruths) {
   PeerCase past = one_step(box(1, 1), box(1, 1), {-5, 2.005, 0}, {5, 2.005, 0});
   past.name = "past";
   const PeerQuestion& miss = questions.of(past);
-  const auto outcome = [&](const PeerQuestion& question, Verdict verdict, double time) {
-    return judge(method, question, {verdict, time, {}, 0, 0}).outcome;
+  const auto grade = [&](const PeerQuestion& question, PeerReply reply, double time) {
+    return judge(method, question, {reply, time, {}, 0, 0}).grade;
   };
-  EXPECT_EQ(outcome(meet, Verdict::kHit, 0.3), Outcome::kRight);
-  EXPECT_EQ(outcome(meet, Verdict::kMiss, 1), Outcome::kMissed);
-  EXPECT_EQ(outcome(meet, Verdict::kNotANumber, 0), Outcome::kNone);
-  EXPECT_EQ(outcome(miss, Verdict::kMiss, 1), Outcome::kRight);
-  EXPECT_EQ(outcome(miss, Verdict::kHit, 0.5), Outcome::kTolerated);
-  EXPECT_EQ(outcome(miss, Verdict::kHit, 0.2), Outcome::kAlarm);
+  EXPECT_EQ(grade(meet, PeerReply::kHit, 0.3), PeerGrade::kRight);
+  EXPECT_EQ(grade(meet, PeerReply::kMiss, 1), PeerGrade::kMissed);
+  EXPECT_EQ(grade(meet, PeerReply::kNotANumber, 0), PeerGrade::kNone);
+  EXPECT_EQ(grade(miss, PeerReply::kMiss, 1), PeerGrade::kRight);
+  EXPECT_EQ(grade(miss, PeerReply::kHit, 0.5), PeerGrade::kTolerated);
+  EXPECT_EQ(grade(miss, PeerReply::kHit, 0.2), PeerGrade::kAlarm);
   method.tolerance = 0.001;
-  EXPECT_EQ(outcome(miss, Verdict::kHit, 0.5), Outcome::kAlarm);
-  const Judgement late = judge(method, meet, {Verdict::kHit, 0.35, {}, 0, 0});
+  EXPECT_EQ(grade(miss, PeerReply::kHit, 0.5), PeerGrade::kAlarm);
+  const Judgement late = judge(method, meet, {PeerReply::kHit, 0.35, {}, 0, 0});
   EXPECT_NEAR(late.late, 0.05, 1e-12);
   EXPECT_NEAR(late.gap, -0.5, 1e-12);
-  Standing standing;
-  standing.add(late);
-  EXPECT_NEAR(standing.deepest_overlap, 0.5, 1e-12);
+  PeerTally tally;
+  tally.add(late);
+  EXPECT_NEAR(tally.deepest_overlap, 0.5, 1e-12);
 }
 
-}  // namespace
+}  // namespace peer_case_test
 }  // namespace kinex::peers

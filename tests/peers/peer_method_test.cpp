@@ -9,15 +9,15 @@
 #include "experiments/peers/worker.h"
 
 namespace kinex::peers {
-namespace {
+namespace peer_method_test {
 
 class RightPeer final : public Peer {
  public:
   explicit RightPeer(const PeerCase& question) : question_(question) {}
   bool load(const PeerShape&, const PeerShape&) override { return true; }
-  Verdict overlap(int, const PeerPose& a, const PeerPose& b) override {
+  PeerReply overlap(int, const PeerPose& a, const PeerPose& b) override {
     ++work.steps;
-    return signed_distance(question_, {a, b}) < 0 ? Verdict::kHit : Verdict::kMiss;
+    return signed_distance(question_, {a, b}) < 0 ? PeerReply::kHit : PeerReply::kMiss;
   }
   double distance(int, const PeerPose& a, const PeerPose& b) override {
     ++work.steps;
@@ -29,7 +29,7 @@ class RightPeer final : public Peer {
             const PeerPose& b1) override {
     ++casts;
     turn = std::max(turn, std::abs(b1.angle - b0.angle));
-    return {b0.x <= 1 && 1 <= b1.x ? Verdict::kHit : Verdict::kMiss, (1 - b0.x) / (b1.x - b0.x)};
+    return {b0.x <= 1 && 1 <= b1.x ? PeerReply::kHit : PeerReply::kMiss, (1 - b0.x) / (b1.x - b0.x)};
   }
   int casts = 0;
   double turn = 0, least = std::numeric_limits<double>::infinity();
@@ -43,14 +43,14 @@ TEST(PeerMethod, AdvancingStopsBeforeTheContact) {
     const PeerCase question = random_case(8, seed);
     RightPeer peer(question);
     const PeerAnswer answer = ask(peer, advance_method("box2d", 1e-4), question);
-    ASSERT_TRUE(answer.verdict == Verdict::kHit || answer.verdict == Verdict::kMiss);
+    ASSERT_TRUE(answer.reply == PeerReply::kHit || answer.reply == PeerReply::kMiss);
     EXPECT_GT(peer.least, -1e-12);  // it never jumps into an overlap
     bool overlaps = false;
     for (int i = 0; i <= 2000; ++i) {
       overlaps = overlaps || signed_distance(question, question.at(i / 2000.0)) < 0;
     }
     if (overlaps) {
-      EXPECT_EQ(answer.verdict, Verdict::kHit) << seed;
+      EXPECT_EQ(answer.reply, PeerReply::kHit) << seed;
     }
   }
 }
@@ -59,7 +59,7 @@ TEST(PeerMethod, AdvancingStopsBeforeTheContact) {
 class NearPeer final : public Peer {
  public:
   bool load(const PeerShape&, const PeerShape&) override { return true; }
-  Verdict overlap(int, const PeerPose&, const PeerPose&) override { return Verdict::kMiss; }
+  PeerReply overlap(int, const PeerPose&, const PeerPose&) override { return PeerReply::kMiss; }
   double distance(int, const PeerPose&, const PeerPose&) override { return 1e-6; }
   Cast cast(int, const PeerPose&, const PeerPose&, const PeerPose&, const PeerPose&) override {
     return {};
@@ -69,18 +69,18 @@ class NearPeer final : public Peer {
 TEST(PeerMethod, AdvancingGivesUp) {
   const PeerCase question = line_case(8, 1);
   NearPeer peer;
-  EXPECT_EQ(ask(peer, advance_method("box2d", 1e-9), question).verdict, Verdict::kFailed);
-  EXPECT_EQ(ask(peer, advance_method("box2d", 1e-5), question).verdict, Verdict::kHit);
+  EXPECT_EQ(ask(peer, advance_method("box2d", 1e-9), question).reply, PeerReply::kFailed);
+  EXPECT_EQ(ask(peer, advance_method("box2d", 1e-5), question).reply, PeerReply::kHit);
 }
 
 TEST(PeerMethod, StepsLookAtBothEnds) {
   const PeerCase question = line_case(8, -0.1);
   RightPeer peer(question);
   PeerAnswer answer = ask(peer, steps_method("box2d", 2), question);
-  EXPECT_EQ(answer.verdict, Verdict::kHit);
+  EXPECT_EQ(answer.reply, PeerReply::kHit);
   EXPECT_EQ(answer.time, 0.5);
   answer = ask(peer, steps_method("box2d", 1), question);
-  EXPECT_EQ(answer.verdict, Verdict::kMiss);
+  EXPECT_EQ(answer.reply, PeerReply::kMiss);
   EXPECT_EQ(answer.work.steps, 2u);
 }
 
@@ -107,15 +107,15 @@ TEST(PeerWorker, WhatDiesOrNeverEndsIsAnAnswer) {
   const std::vector<PeerAnswer> answers =
       ask_all(method, {at(0, 8), at(1, 8), at(0, 8), at(2, 8), at(0, 9), at(0, 8)}, limits);
   ASSERT_EQ(answers.size(), 6u);
-  EXPECT_EQ(answers[0].verdict, Verdict::kMiss);
-  EXPECT_EQ(answers[1].verdict, Verdict::kCrash);
-  EXPECT_EQ(answers[2].verdict, Verdict::kMiss);
-  EXPECT_EQ(answers[3].verdict, Verdict::kNoEnd);
-  EXPECT_EQ(answers[4].verdict, Verdict::kUnsupported);
-  EXPECT_EQ(answers[5].verdict, Verdict::kMiss);
+  EXPECT_EQ(answers[0].reply, PeerReply::kMiss);
+  EXPECT_EQ(answers[1].reply, PeerReply::kCrash);
+  EXPECT_EQ(answers[2].reply, PeerReply::kMiss);
+  EXPECT_EQ(answers[3].reply, PeerReply::kNoEnd);
+  EXPECT_EQ(answers[4].reply, PeerReply::kUnsupported);
+  EXPECT_EQ(answers[5].reply, PeerReply::kMiss);
   method.module = "nothing";
   EXPECT_THROW(ask_all(method, {at(0, 8)}, limits), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace peer_method_test
 }  // namespace kinex::peers

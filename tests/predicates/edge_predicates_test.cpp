@@ -14,7 +14,7 @@
 #include "predicates/points/shared_arguments.h"
 
 namespace kinex {
-namespace {
+namespace edge_predicates_test {
 
 struct Place {
   int x, y;
@@ -116,5 +116,5 @@ TEST(SharedArguments, RefusesPatternsThatLeaveOut) {
   }
 }
 
-}  // namespace
+}  // namespace edge_predicates_test
 }  // namespace kinex

@@ -13,7 +13,7 @@
 #include "predicates/points/power_predicates.h"
 
 namespace kinex {
-namespace {
+namespace power_test {
 
 constexpr ObjectId kPoints = 6;
 
@@ -113,5 +113,5 @@ TEST(Power, DiscsHaveTheSquaresOfTheirRadii) {
   EXPECT_GT(fails, 10);
 }
 
-}  // namespace
+}  // namespace power_test
 }  // namespace kinex

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every predicate in every ring: identities, agreement, and error bounds that hold.
 #include "predicates/predicates.h"
-
+#include "predicates/points/box_order.h"
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/extent_predicates.h"
 #include "predicates/points/line_predicates.h"
@@ -20,7 +20,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace predicates_test {
 
 struct Named {
   std::string name;
@@ -72,6 +72,15 @@ std::vector<Named> all_predicates() {
           {"disc_apart_3", make_disc_apart(3)},
           {"line_side", make_line_side()},
           {"line_under", make_line_under()},
+          {"line_order", make_line_order()},
+          {"box_area", make_box_order(BoxMeasure::kArea, {Rational(1), Rational(0)},
+                                      {*Rational::parse("3/5"), *Rational::parse("4/5")},
+                                      SmallerBox::kFirst)},
+          {"box_perimeter", make_box_order(BoxMeasure::kPerimeter, {*Rational::parse("8/17"), *Rational::parse("15/17")},
+                                           {Rational(1), Rational(0)}, SmallerBox::kSecond)},
+          {"box_shared", shared(make_box_order(BoxMeasure::kArea, {Rational(1), Rational(0)},
+                                               {*Rational::parse("3/5"), *Rational::parse("4/5")},
+                                               SmallerBox::kSecond), {0, 1, 1, 2, 0, 3, 2, 3})},
           {"edge_dot_shared", shared(make_edge_dot_2(), {0, 1, 1, 2})},
           {"strip_shared", shared(make_strip_order_2(), {0, 1, 2, 1, 3, 0})},
           {"rectangle_shared",
@@ -412,6 +421,10 @@ TEST_F(KnownSigns, Lines) {
   // (3): the dual point and line.
   EXPECT_EQ(sign(make_line_side(), {{3, -6}, {2, 1}}), 1);
   EXPECT_EQ(sign(make_line_under(), {{3, -4}, {2, 1}}), 1);
+  // At x = 3 the lines y = 2 x - 1 and y = x + b are at 5 and b + 3.
+  EXPECT_EQ(sign(make_line_order(), {{2, -1}, {1, 3}, {3, 9}}), 1);
+  EXPECT_EQ(sign(make_line_order(), {{2, -1}, {1, 2}, {3, -9}}), 0);
+  EXPECT_EQ(sign(make_line_order(), {{2, -1}, {1, 1}, {3, 0}}), -1);
 }
 
 // Centre and radius; centre and half extents.
@@ -483,5 +496,5 @@ TEST(DirectionOrder, RefusesTheZeroVector) {
   EXPECT_THROW(make_direction_order({Rational(0), Rational(0)}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace predicates_test
 }  // namespace kinex

@@ -9,7 +9,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace ccd_verb_test {
 
 using testing::HasSubstr;
 
@@ -121,5 +121,5 @@ TEST_F(CcdVerb, ManyQueries) {
   EXPECT_THAT(run.out, HasSubstr("1000 true positives, 2000 true negatives"));
 }
 
-}  // namespace
+}  // namespace ccd_verb_test
 }  // namespace kinex

@@ -14,7 +14,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace corpus_test {
 
 const std::filesystem::path kCorpus = std::filesystem::path(KINEX_SOURCE_DIR) / "tests" / "corpus";
 constexpr std::size_t kFewestBadScenes = 80, kFewestBadTraces = 40, kFewestBadFeatures = 40,
@@ -119,5 +119,5 @@ const bool kRegistered = [] {
   return true;
 }();
 
-}  // namespace
+}  // namespace corpus_test
 }  // namespace kinex

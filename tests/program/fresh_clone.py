@@ -87,4 +87,5 @@ def main():
         print("The guide's commands build, install and run in a fresh clone without test packages")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,28 +1,33 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""No generic file names a family: the rooms of experiments/ that all families share neither include
-a file of one, nor hold the name of a structure as a string of its own. The list of families is the
-only exception.
+"""No generic file names a family: the rooms of experiments/ that all families share neither include a file
+of one, nor have the name of a structure in their code or strings, examples in help texts included (they take
+one from the families). The list of families is the only exception. Benchmarks hold no name of a workload
+either.
 
-usage: generic_rooms.py SOURCE_FOLDER
+usage: generic_rooms.py SOURCE_FOLDER PROGRAM
 """
 import pathlib
 import re
 import sys
 
-GENERIC = ("formats", "lab", "sweep", "verify", "trade", "reproduce", "verbs")
+from structure_names import structure_names
+
+GENERIC = ("formats", "lab", "sweep", "verify", "trade", "reproduce", "verbs", "view", "bench")
 LIST = "experiments/families/families.cpp"
+SUFFIXES = (".h", ".cpp", ".js", ".html", ".css")
 
 
-def structure_names(source):
-    """Of the descriptors: the strings in structures/*/family.cpp that look like names."""
+def workload_names(source):
+    """Each has a generator of its name, declared in a header of its family."""
     names = set()
-    for file in (source / "structures").glob("*/family.cpp"):
-        names |= set(re.findall(r'"((?:[a-z]+_)+[a-z0-9_]+)"', file.read_text()))
-    return names
+    for file in (source / "experiments/families").glob("*/*.h"):
+        names |= set(re.findall(r"void generate_(\w+)\(const lab::WorkloadParameters&", file.read_text()))
+    return {name.replace("_", "-") for name in names}
 
 
-def problems_of(text, names, families):
-    """What a generic file must not hold, one sentence each."""
+def problems_of(text, names, families, workloads=frozenset()):
+    """What a generic file must not hold, one sentence each. Workloads have names that may be words of
+    a sentence: only a string of its own counts."""
     code = re.sub(r"//[^\n]*", "", text)
     problems = []
     for included in re.findall(r'(?m)^#include "([^"]+)"', code):
@@ -30,32 +35,43 @@ def problems_of(text, names, families):
         if folders[:2] == ["experiments", "families"] or (
                 folders[0] == "structures" and len(folders) > 2 and folders[1] in families):
             problems.append(f"includes {included}")
-    problems += [f'names "{name}"' for name in re.findall(r'"([^"\n]*)"', code) if name in names]
+    problems += [f"names {word}" for word in re.findall(r"\w+", code) if word in names]
+    problems += [f'names "{name}"' for name in re.findall(r'"([^"\n]*)"', code) if name in workloads]
     return problems
 
 
 def main():
-    source = pathlib.Path(sys.argv[1])
-    names = structure_names(source)
+    source, names = pathlib.Path(sys.argv[1]), structure_names(sys.argv[2])
     families = {file.parent.name for file in (source / "structures").glob("*/family.h")}
-    assert {"sorted_list", "delaunay_2", "separation_mixed"} <= names, names
     assert families == {file.parent.name for file in (source / "experiments/families").glob("*/family.h")
                         } - {"points"}, families
     assert problems_of('#include "structures/order/sorted_list.h"\n', names, families)
     assert problems_of('x = "delaunay_2";\n', names, families)
+    assert problems_of('"kinex verify calipers_2 --quick\\n"', names, families)
     assert not problems_of('#include "structures/registry.h"\n// "delaunay_2"\n', names, families)
-    failed = False
+    workloads = workload_names(source)
+    assert {"uniform-square", "walks", "polygon-gears", "seesaw"} <= workloads, workloads
+    assert problems_of('x = "walks";\n', names, families, workloads)
+    assert not problems_of('"it walks"\n', names, families, workloads)
+    failed, seen = False, 0
     for room in GENERIC:
-        for file in sorted((source / "experiments" / room).glob("*")):
-            if file.suffix not in (".h", ".cpp"):
+        for file in sorted((source / "experiments" / room).rglob("*")):
+            if file.suffix not in SUFFIXES:
                 continue
-            for problem in problems_of(file.read_text(), names, families):
+            seen += 1
+            for problem in problems_of(file.read_text(encoding="utf-8"), names, families,
+                                       workloads if room == "bench" else frozenset()):
                 print(f"{file.relative_to(source)}: {problem}")
                 failed = True
     listed = re.findall(r'"experiments/families/(\w+)/family.h"', (source / LIST).read_text())
     if set(listed) != families | {"points"}:
         print(f"{LIST} lists {sorted(listed)}, there are {sorted(families)}")
         failed = True
+    if seen < 300:
+        print(f"only {seen} files: the check does not see the sources")
+        failed = True
+    if not failed:
+        print(f"{seen} files, none of {len(names)} structures")
     sys.exit(1 if failed else 0)
 
 

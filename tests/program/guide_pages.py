@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Does what a page of the guide says, as it stands there, twice in one folder.
 
-usage: guide_pages.py PROGRAM SOURCE_FOLDER PAGE
+usage: guide_pages.py PROGRAM SOURCE_FOLDER PAGE [copy]
 A page's blocks of `sh` are run in order, in one shell, in a folder that has the checkout's files but no
-build. Every block must succeed, a second time too: nothing in a tutorial fails because a file exists.
+build; for a page that changes the sources and builds them these are copies ("copy"). Every block must succeed, a second time too: nothing in a tutorial fails because a file exists.
 A block of `text` after one of `sh` is what that prints, with "..." for any words. A block of `json` is
 JSON. Other blocks are left alone: `console` shows commands that take long or need more packages.
 """
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 
+from fresh_clone import copy_sources
 from page_blocks import blocks_of, same_output
 
 # kinex diff says by exit code 1 that two logs differ: that is no failure here.
@@ -39,6 +41,10 @@ def run_once(commands, folder, program):
     script = PRELUDE + "".join(f"{text}\necho '{MARK}'\n" for text in commands)
     environment = {**os.environ, "PATH": f"{program.parent}:{os.environ['PATH']}"}
     environment.pop("KINEX", None)
+    # Of what is built in a copy ccache has nearly all.
+    environment.update(CCACHE_BASEDIR=str(folder), CCACHE_NOHASHDIR="1")
+    if shutil.which("ninja"):
+        environment["CMAKE_GENERATOR"] = "Ninja"
     done = subprocess.run(["sh", "-c", script], cwd=folder, env=environment, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     outputs = done.stdout.split(MARK + "\n")[:-1]
@@ -62,7 +68,10 @@ def main():
     shown = 0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        checkout(source, folder)
+        if sys.argv[4:] == ["copy"]:
+            copy_sources(source, folder)
+        else:
+            checkout(source, folder)
         for _ in range(TIMES):
             outputs = run_once(commands, folder, program)
             at = -1

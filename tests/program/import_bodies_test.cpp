@@ -9,7 +9,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace import_bodies_test {
 
 using testing::HasSubstr;
 
@@ -114,5 +114,5 @@ TEST_F(ImportBodies, RefusesInAnOrderlyWay) {
   EXPECT_THAT(absent.err, HasSubstr("absent.csv"));
 }
 
-}  // namespace
+}  // namespace import_bodies_test
 }  // namespace kinex

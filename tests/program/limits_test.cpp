@@ -13,7 +13,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex {
-namespace {
+namespace limits_test {
 
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -125,5 +125,5 @@ TEST_F(Limits, TheEndOfMemoryIsALimit) {
   }
 }
 
-}  // namespace
+}  // namespace limits_test
 }  // namespace kinex

@@ -197,7 +197,7 @@ def mutate(check, text, scene, seen):
             tampered = lines[:i] + [mutant] + lines[i + 1:]
             if not check.refused("".join(dump(one) + "\n" for one in tampered)):
                 check.complain(f"{path} {how}, the old seal", this[0], mutant)
-            # What the new seal is made of: counts and digest of the last line stay as they are told.
+            # What the new seal is made of: counts and digest of the last line stay as they are stated.
             if this[0] == "last" and path in ("records", "external", "digest", "seal"):
                 anew = log_files.text_of([plain(o) for o in tampered]) \
                     if not has_double(mutant) and path != "seal" else resealed(tampered)

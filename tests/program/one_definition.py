@@ -6,6 +6,10 @@ usage: one_definition.py SOURCE_FOLDER
 
 Looked at are classes, structs, unions, enumerations and inline functions at namespace scope, outside
 unnamed namespaces, in the sources of the program and of each folder of tests.
+
+In experiments/ one name means one thing, whatever namespace it is in: of two types at namespace scope, or
+of one there and one within a class, no two have the same unqualified name. (Types within two classes may:
+each is only ever named with its class.)
 """
 import collections
 import functools
@@ -28,28 +32,56 @@ TOKEN = re.compile(
     r"\((?P<arguments>[^{};]*?)\)\s*(?:const|noexcept)?\s*\{"
     r"|[{}]")
 
+# Names of two types of experiments/ that may stay, each with the reason.
+SHARED_NAMES = {}
 
-def definitions(text):
-    """The names that a file defines at namespace scope, qualified."""
+
+def scan(text):
+    """(kind, qualified name, unqualified name) of what a file defines outside unnamed namespaces and bodies
+    of functions; kinds: "type" and "function" at namespace scope, "part" for a type within a class."""
     text = NOISE.sub(" ", text)
-    scopes = []  # of every open brace: a namespace's name, or None
+    scopes = []  # of every open brace: (kind, name); kinds: "namespace", "class", "other"
     for token in TOKEN.finditer(text):
         if token.group() == "}":
             if scopes:
                 scopes.pop()
             continue
-        open_scope = all(scopes)  # neither in braces of something else nor in an unnamed namespace
-        where = "::".join(scopes) + "::" if open_scope and scopes else ""
+        seen = all(kind != "other" and name for kind, name in scopes)
+        within_class = any(kind == "class" for kind, _ in scopes)
+        where = "".join(name + "::" for _, name in scopes)
         if token["space"] is not None:
-            scopes.append(token["space"].strip())
+            scopes.append(("namespace", token["space"].strip()))
             continue
-        scopes.append(None)
-        if not open_scope:
+        scopes.append(("class", token["type"]) if token["type"] else ("other", ""))
+        if not seen:
             continue
         if token["type"]:
-            yield where + token["type"]
-        elif token["function"]:
-            yield f"{where}{token['function']}({' '.join(token['arguments'].split())})"
+            yield "part" if within_class else "type", where + token["type"], token["type"]
+        elif token["function"] and not within_class:
+            name = f"{token['function']}({' '.join(token['arguments'].split())})"
+            yield "function", where + name, name
+
+
+def definitions(text):
+    """The names that a file defines at namespace scope, qualified."""
+    return [name for kind, name, _ in scan(text) if kind != "part"]
+
+
+def shared_names(files, shared):
+    """Faults: unqualified names of two types, and names of `shared` that are not."""
+    types = collections.defaultdict(set)  # unqualified name: (kind, qualified name, file)
+    for name, text in files:
+        for kind, qualified, unqualified in scan(text):
+            if kind != "function":
+                types[unqualified].add((kind, qualified, name))
+    twice = {name: sorted(where) for name, where in types.items()
+             if len({qualified for _, qualified, _ in where}) > 1 and any(kind == "type" for kind, _, _ in where)}
+    for name, where in sorted(twice.items()):
+        if name not in shared:
+            places = " and ".join(f"{qualified} ({file})" for _, qualified, file in where)
+            yield f"{name} is the name of different things: {places}"
+    for name in sorted(set(shared) - set(twice)):
+        yield f"{name} is listed as shared, and is not"
 
 
 @functools.cache
@@ -68,6 +100,13 @@ def check_itself():
     expected = ["a::b::S", "a::E", "a::b::f(int x)"]
     if found != expected:
         sys.exit(f"the check is wrong: found {found}, expected {expected}")
+    files = [("x.h", sample), ("y.h", "namespace c { class E {}; struct P { enum class S { k }; struct Q {}; }; }"),
+             ("z.h", "namespace d { struct R { struct Q {}; }; }")]
+    faults = [fault.split(" ")[0] for fault in shared_names(files, {})]
+    if faults != ["E", "S"] or list(shared_names(files, {"E": "why", "S": "why"})):
+        sys.exit(f"the check is wrong: {faults} have shared names")
+    if [fault.split(" ")[0] for fault in shared_names([], {"E": "why"})] != ["E"]:
+        sys.exit("the check is wrong: a name that is no longer shared stays listed")
 
 
 def main():
@@ -91,6 +130,9 @@ def main():
         for name, where in places.items():
             if len(where) > 1:
                 faults.add(f"{name} is defined in {' and in '.join(sorted(where))}")
+    experiments = [(str(file.relative_to(root)), file.read_text()) for file in program
+                   if file.suffix in (".h", ".cpp") and file.relative_to(root).parts[0] == "experiments"]
+    faults.update(shared_names(experiments, SHARED_NAMES))
     if len(names) < 200:
         sys.exit(f"only {len(names)} definitions found: the check does not see the sources")
     if faults:

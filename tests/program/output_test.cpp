@@ -17,7 +17,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace output_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -264,5 +264,5 @@ TEST_F(Output, LogAndSummaryAreTwoFiles) {
             0);
 }
 
-}  // namespace
+}  // namespace output_test
 }  // namespace kinex

@@ -12,7 +12,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace program_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -140,7 +140,7 @@ TEST_F(Program, DeepNestingAndLongNumbers) {
 TEST_F(Program, BadOptionValues) {
   expect_bad_input({"run", scene_, "--arithmetic", "abacus"}, "--arithmetic");
   expect_bad_input({"run", scene_, "--arithmetic", "mpfr:1"}, "--arithmetic");
-  expect_bad_input({"run", scene_, "--maintain", "tap"}, "known are sorted_list");
+  expect_bad_input({"run", scene_, "--maintain", "tap"}, "kinex list structures names them");
   expect_bad_input({"run", scene_, "--until", "soon"}, "--until: \"soon\" is not a number");
   expect_bad_input({"run", scene_, "--until", "2"}, "--until: \"2\" is outside");
   expect_bad_input({"run", scene_, "--at", "1/2,-1"}, "--at: \"-1\" is outside");
@@ -179,7 +179,7 @@ TEST_F(Program, LimitsExitWith3AndLeaveAReadableLog) {
   const std::string log = scratch_.file("run.log");
   const Finished run = run_kinex({"run", scene_, "--events", log, "--max-events", "5"});
   EXPECT_EQ(run.exit_code, 3);
-  EXPECT_THAT(run.err, HasSubstr("stopped (limit)"));
+  EXPECT_THAT(run.err, HasSubstr("the run was stopped: the limit of --max-events is reached"));
   const Finished check = run_kinex({"check", log});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("run       limit"));
@@ -195,7 +195,7 @@ TEST_F(Program, InterruptLeavesAReadableLog) {
     const Finished run =
         run_kinex({"run", large, "--events", log, "--summary", summary}, "", "", log, signal);
     EXPECT_EQ(run.exit_code, 3) << run.err;
-    EXPECT_THAT(run.err, HasSubstr("stopped (interrupted)"));
+    EXPECT_THAT(run.err, HasSubstr("the run was stopped: interrupted; what was finished is in"));
     const std::string text = read_file(log);
     ASSERT_GT(text.size(), 200u);
     EXPECT_THAT(text.substr(text.size() - 400), HasSubstr("{\"end\": \"interrupted\""));
@@ -329,5 +329,5 @@ TEST_F(Program, EveryArithmeticRuns) {
   EXPECT_EQ(run_kinex({"diff", scratch_.file("exa.log"), scratch_.file("dou.log")}).exit_code, 0);
 }
 
-}  // namespace
+}  // namespace program_test
 }  // namespace kinex

@@ -11,7 +11,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace provenance_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -126,5 +126,5 @@ TEST_F(ProvenanceOfResults, PagesHaveTheCommit) {
   EXPECT_THAT(page.out, HasSubstr(formats::build_name() + " at " + version_line("commit")));
 }
 
-}  // namespace
+}  // namespace provenance_test
 }  // namespace kinex

@@ -4,12 +4,14 @@
 usage: pure_viewer.py SOURCE_FOLDER PROGRAM
 
 No file of experiments/view names a structure or a predicate, includes a structure's header, or takes a tag
-or a slot of a certificate apart. The names are those that the sources register.
+or a slot of a certificate apart. The names are those of the built program's structures, and those that the
+sources of predicates give.
 """
 import pathlib
 import re
-import subprocess
 import sys
+
+from structure_names import structure_names
 
 # A number that stands for a slot: "claims[4]", "slot === 2", "claims.length === 8".
 SLOTS = re.compile(r"\b(?:claims|certificates|slots?)\w*\s*(?:\[\s*\d|\.length\s*[=!]==?\s*\d*[1-9]"
@@ -17,21 +19,13 @@ SLOTS = re.compile(r"\b(?:claims|certificates|slots?)\w*\s*(?:\[\s*\d|\.length\s
 HEADERS = re.compile(r'#include "structures/(?!plan|registry|parts/query_trace)[^"]*"')
 
 
-def registered(root):
-    """Names of structures and predicates, from the sources."""
+def predicate_names(root):
+    """From the sources: the program does not list them."""
     names = set()
-    for file in sorted((root / "structures").rglob("family.cpp")):
-        names.update(re.findall(r'"([a-z]+(?:_[a-z0-9]+)+)"', file.read_text()))
     for file in sorted((root / "predicates").rglob("*.cpp")):
         for body in re.findall(r"\bname\(\) (?:const )?\{(.*?)\}", file.read_text(), re.S):
             names.update(re.findall(r'"(\w+)"', body))
     return names
-
-
-def listed(program):
-    """The structures as the program lists them."""
-    text = subprocess.run([program, "run", "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
-    return set(re.findall(r"\b[a-z]+(?:_[a-z0-9]+)+\b", text))
 
 
 def faults_in(text, names):
@@ -45,8 +39,8 @@ def faults_in(text, names):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    names = registered(root) | {n for n in listed(sys.argv[2]) if "_" in n}
-    for known in ("delaunay_2", "separation_mixed", "maximum_heap", "in_circle_2", "side_a"):
+    names = predicate_names(root) | structure_names(sys.argv[2])
+    for known in ("in_circle_2", "side_a"):
         if known not in names:
             sys.exit(f"{known} is not among the registered names: {sorted(names)}")
     assert list(faults_in('if (name === "in_circle_2") {', names))

@@ -2,6 +2,7 @@
 """experiments/python: the reader of results, against what the program says, and its examples as their page gives them."""
 import json
 import math
+import os
 import re
 import subprocess
 import sys
@@ -94,22 +95,20 @@ def test_fit():
 
 
 def commands_of_page():
-    rows = [line.split("|")[3] for line in (PYTHON / "README.md").read_text().splitlines() if "examples/" in line]
-    return [command for row in rows for command in re.findall(r"`([^`]+)`", row)]
+    """Those of the examples, in order; the first block says where files go."""
+    blocks = re.findall(r"(?ms)^```sh\n(.*?)^```$", (PYTHON / "README.md").read_text())
+    return [line for block in blocks[1:] for line in block.splitlines()]
 
 
 def test_examples(folder):
     """Every command of the page, as it stands there."""
-    for file in (PYTHON / "examples").iterdir():
-        if file.is_file():
-            (folder / file.name).write_text(file.read_text().replace(
-                "Path(__file__).resolve().parent.parent", f"Path({str(PYTHON)!r})"))
     commands = commands_of_page()
-    assert len(commands) == 8, commands
+    assert len(commands) == 9, commands
     printed = ""
     for command in commands:
-        words = command.replace("python3 ", sys.executable + " ").replace("kinex ", f"{PROGRAM} ")
-        done = subprocess.run(words, shell=True, cwd=folder, capture_output=True, text=True, check=False)
+        words = re.sub(r"^kinex ", f"{PROGRAM} ", re.sub(r"^python3 ", sys.executable + " ", command))
+        done = subprocess.run(words, shell=True, cwd=folder, capture_output=True, text=True, check=False,
+                              env={**os.environ, "EXAMPLES": str(PYTHON / "examples")})
         assert done.returncode == 0, (command, done.stderr)
         printed += done.stdout
     exponent = float(re.search(r"sorted_list: 20 runs, external ~ n\^([0-9.]+)", printed).group(1))
@@ -123,10 +122,10 @@ def test_examples(folder):
         points += sum(path.get("d").count("L") for path in drawing.findall(".//{*}path"))
         assert points > 30, (name, points)
     # A figure that exists is not replaced.
-    again = subprocess.run(f"{sys.executable} events_in_time.py square.log events.svg", shell=True, cwd=folder,
+    again = subprocess.run([sys.executable, PYTHON / "examples/events_in_time.py", "square.log", "events.svg"], cwd=folder,
                            capture_output=True, text=True, check=False)
     assert again.returncode == 1 and "File exists" in again.stderr, again.stderr
-    for run in kinex.runs(folder / "results.sqlite"):
+    for run in kinex.runs(folder / "growth-example.sqlite"):
         assert run.arithmetic == "exact" and run.parameters["n"] == run.objects and run.seed in range(1, 6)
 
 

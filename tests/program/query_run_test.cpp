@@ -9,7 +9,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace query_run_test {
 
 using testing::HasSubstr;
 
@@ -74,5 +74,5 @@ TEST(QueryRun, BadQueriesAreRefused) {
   }
 }
 
-}  // namespace
+}  // namespace query_run_test
 }  // namespace kinex

@@ -8,7 +8,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace refused_run_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -56,5 +56,5 @@ TEST(RefusedRun, WritesWhatWasFinished) {
   EXPECT_EQ(run_kinex({"view", scene, "-o", page, "--force"}).exit_code, 0);
 }
 
-}  // namespace
+}  // namespace refused_run_test
 }  // namespace kinex

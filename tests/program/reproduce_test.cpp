@@ -10,7 +10,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex {
-namespace {
+namespace reproduce_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -142,5 +142,5 @@ TEST(ReproduceVerb, TellsWhatASweepHasRun) {
   EXPECT_EQ(read_file(one + "/features.svg"), read_file(two + "/features.svg"));
 }
 
-}  // namespace
+}  // namespace reproduce_test
 }  // namespace kinex

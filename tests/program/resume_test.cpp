@@ -12,7 +12,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex {
-namespace {
+namespace resume_test {
 
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
@@ -188,5 +188,5 @@ TEST(Seeds, TooFewAreSaidToBeTooFew) {
   }
 }
 
-}  // namespace
+}  // namespace resume_test
 }  // namespace kinex

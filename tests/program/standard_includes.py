@@ -4,8 +4,8 @@
 usage: standard_includes.py SOURCE_FOLDER
 
 A name of the standard library counts as provided if its header is included by the file itself, or by a
-header of the project that the file includes, directly or not. Looked at are the headers that
-experiments/packaging/precompile.cmake precompiles: what they provide would otherwise be missed by nobody.
+header of the project that the file includes, directly or not. The check is about the headers that
+experiments/packaging/precompile.cmake precompiles: the compiler would not miss what they provide.
 """
 import functools
 import pathlib

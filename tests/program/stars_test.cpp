@@ -16,10 +16,11 @@
 
 #include "experiments/formats/json_document.h"
 #include "tests/program/spawn.h"
+#include "tests/program/star_witness.h"
 #include "tests/shared_data.h"
 
 namespace kinex {
-namespace {
+namespace stars_test {
 
 using testing::HasSubstr;
 using Wide = __int128;
@@ -27,38 +28,6 @@ using Wide = __int128;
 constexpr int kSteps = 100;  // samples at k / 1000 million years, |k| <= kSteps
 constexpr const char* kEntry =
     R"({"structure":"minimum_tournament","key":{"squared_distance_to":"Sun"},"as":"nearest"})";
-
-// Millionths of a parsec, and of a parsec per million years.
-struct Star {
-  std::array<std::int64_t, 3> position, velocity;
-};
-
-std::int64_t millionths(const std::string& text) {
-  const std::size_t point = text.find('.');
-  std::string digits = text.substr(0, point);
-  std::string fraction = point == std::string::npos ? "" : text.substr(point + 1);
-  fraction.resize(6, '0');
-  return std::stoll(digits + fraction);
-}
-
-std::map<std::string, Star> read_stars(const std::string& file) {
-  std::map<std::string, Star> stars;
-  std::istringstream lines(read_file(file));
-  std::string line;
-  for (std::getline(lines, line); std::getline(lines, line);) {
-    std::istringstream fields(line);
-    std::string id, field;
-    std::getline(fields, id, ',');
-    Star& star = stars[id];
-    for (std::int64_t* vector : {star.position.data(), star.velocity.data()}) {
-      for (int axis = 0; axis < 3; ++axis) {
-        std::getline(fields, field, ',');
-        vector[axis] = millionths(field);
-      }
-    }
-  }
-  return stars;
-}
 
 // The squared distance at k / 1000, in units of 1e-18 square parsec.
 Wide squared_distance(const Star& star, int k) {
@@ -214,5 +183,5 @@ TEST_F(Stars, SturmGivesTheSameLog) {
   }
 }
 
-}  // namespace
+}  // namespace stars_test
 }  // namespace kinex

@@ -14,7 +14,7 @@
 #include "tests/structures/hull/hull_support.h"
 
 namespace kinex::test {
-namespace {
+namespace storm_hulls_test {
 
 constexpr int kStops = 200;
 
@@ -65,7 +65,7 @@ TEST(StormHulls, AllMethodsReportTheSameChanges) {
   EXPECT_GT(year.events.size(), 500u);
   EXPECT_GE(year.largest, 5u);
   EXPECT_EQ(year.counted, year.events.size());
-  for (const char* other : {kHulls[1], kHulls[2], kHulls[3]}) {
+  for (const std::string& other : {kHulls[1], kHulls[2], kHulls[3]}) {
     SCOPED_TRACE(other);
     const Year again = run_year(scene, other);
     EXPECT_EQ(again.counted, again.events.size());
@@ -74,5 +74,5 @@ TEST(StormHulls, AllMethodsReportTheSameChanges) {
   }
 }
 
-}  // namespace
+}  // namespace storm_hulls_test
 }  // namespace kinex::test

@@ -294,20 +294,54 @@ std::uint64_t Storms::departures() const {
                     [this](const Storm& storm) { return storm.fixes.back().time < end_; }));
 }
 
-std::string Storms::delaunay_complaint(
-    std::int64_t time, const std::vector<std::pair<std::string, std::string>>& edges) const {
-  std::map<std::string, std::size_t> numbers;
-  std::vector<Point> points;
+std::vector<Storms::Place> Storms::places_at(std::int64_t time) const {
+  std::vector<Place> places;
   for (const Storm* storm : alive(time)) {
     const std::size_t i = piece_of(*storm, time);
     const Fix &p = storm->fixes[i], &q = storm->fixes[i + 1];
-    const auto coordinate = [&](std::size_t axis) {
-      return Fraction(p.position[axis], 1) + Fraction(q.position[axis] - p.position[axis], 1) *
-                                                 Fraction(time - p.time, q.time - p.time);
-    };
-    numbers.emplace(storm->id, points.size());
-    points.push_back({coordinate(0), coordinate(1)});
+    Place place{storm->id, {}, q.time - p.time};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      place.numerators[axis] = p.position[axis] * place.denominator +
+                               (q.position[axis] - p.position[axis]) * (time - p.time);
+    }
+    places.push_back(std::move(place));
   }
+  return places;
+}
+
+namespace {
+
+// Exact points by the names of their storms.
+template <class Places>
+struct NamedPoints {
+  explicit NamedPoints(const Places& places) {
+    for (const auto& place : places) {
+      numbers.emplace(place.id, points.size());
+      points.push_back({Fraction(place.numerators[0], place.denominator),
+                        Fraction(place.numerators[1], place.denominator)});
+    }
+  }
+  // Both numbers, if there are two such storms.
+  std::optional<std::pair<std::size_t, std::size_t>> pair(const std::string& a,
+                                                          const std::string& b) const {
+    const auto u = numbers.find(a), v = numbers.find(b);
+    if (u == numbers.end() || v == numbers.end() || u == v) return std::nullopt;
+    return std::minmax(u->second, v->second);
+  }
+  Fraction squared_distance(std::size_t a, std::size_t b) const {
+    const Point d = points[b] - points[a];
+    return dot(d, d);
+  }
+  std::vector<Point> points;
+  std::map<std::string, std::size_t> numbers;
+};
+
+}  // namespace
+
+std::string Storms::delaunay_complaint(
+    std::int64_t time, const std::vector<std::pair<std::string, std::string>>& edges) const {
+  const NamedPoints named(places_at(time));
+  const std::vector<Point>& points = named.points;
   const std::size_t n = points.size();
   std::vector<Point> sorted = points;
   std::sort(sorted.begin(), sorted.end());
@@ -316,17 +350,66 @@ std::string Storms::delaunay_complaint(
   }
   std::set<std::pair<std::size_t, std::size_t>> seen;
   for (const auto& [a, b] : edges) {
-    const auto u = numbers.find(a), v = numbers.find(b);
-    if (u == numbers.end() || v == numbers.end())
-      return "a storm that is not there: " + a + " " + b;
-    if (!seen.emplace(std::minmax(u->second, v->second)).second) return "twice: " + a + " " + b;
-    if (!strictly_delaunay(points, u->second, v->second)) return "not Delaunay: " + a + " " + b;
+    const auto edge = named.pair(a, b);
+    if (!edge) return "a storm that is not there: " + a + " " + b;
+    if (!seen.insert(*edge).second) return "twice: " + a + " " + b;
+    if (!strictly_delaunay(points, edge->first, edge->second)) return "not Delaunay: " + a + " " + b;
   }
   if (n < 2) return edges.empty() ? "" : "edges of fewer than two points";
   const std::size_t hull = hull_size(points);
   const std::size_t expected = hull == 0 ? n - 1 : 3 * n - 3 - hull;
   if (edges.size() == expected) return "";
   return std::to_string(edges.size()) + " edges, not " + std::to_string(expected);
+}
+
+std::string Storms::closest_pair_complaint(
+    std::int64_t time, const std::pair<std::string, std::string>& pair) const {
+  const NamedPoints named(places_at(time));
+  const auto told = named.pair(pair.first, pair.second);
+  if (!told) return "not a pair of storms: " + pair.first + " " + pair.second;
+  const Fraction least = named.squared_distance(told->first, told->second);
+  for (std::size_t b = 0; b < named.points.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      if (named.squared_distance(a, b) < least) return "another pair is closer";
+    }
+  }
+  return "";
+}
+
+std::string Storms::tree_complaint(
+    std::int64_t time, const std::vector<std::pair<std::string, std::string>>& edges) const {
+  const NamedPoints named(places_at(time));
+  const std::size_t n = named.points.size();
+  struct Neighbour {
+    std::size_t number;
+    Fraction length;
+  };
+  std::vector<std::vector<Neighbour>> neighbours(n);
+  for (const auto& [a, b] : edges) {
+    const auto edge = named.pair(a, b);
+    if (!edge) return "a storm that is not there: " + a + " " + b;
+    const Fraction length = named.squared_distance(edge->first, edge->second);
+    neighbours[edge->first].push_back({edge->second, length});
+    neighbours[edge->second].push_back({edge->first, length});
+  }
+  if (edges.size() + 1 != n) return "not n - 1 edges";
+  for (std::size_t root = 0; root < n; ++root) {
+    std::vector<std::optional<Fraction>> longest(n);  // edge on the way from the root
+    longest[root] = Fraction();
+    std::vector<std::size_t> reached{root};
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      for (const Neighbour& next : neighbours[reached[i]]) {
+        if (longest[next.number]) continue;
+        longest[next.number] = std::max(*longest[reached[i]], next.length);
+        reached.push_back(next.number);
+        if (named.squared_distance(root, next.number) < *longest[next.number]) {
+          return "not a shortest tree";
+        }
+      }
+    }
+    if (reached.size() != n) return "not connected";
+  }
+  return "";
 }
 
 }  // namespace kinex

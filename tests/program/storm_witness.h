@@ -41,6 +41,13 @@ class Storms {
   std::string delaunay_complaint(
       std::int64_t time, const std::vector<std::pair<std::string, std::string>>& edges) const;
   std::size_t alive_count(std::int64_t time) const;
+  // "" if no two storms alive at `time` are strictly closer to each other than this pair.
+  std::string closest_pair_complaint(std::int64_t time,
+                                     const std::pair<std::string, std::string>& pair) const;
+  // "" if `edges` is a spanning tree of the storms alive at `time`, and no other pair of storms is
+  // strictly closer than two neighbours on the way between them in the tree.
+  std::string tree_complaint(std::int64_t time,
+                             const std::vector<std::pair<std::string, std::string>>& edges) const;
 
  private:
   struct Fix {
@@ -52,6 +59,13 @@ class Storms {
     std::vector<Fix> fixes;
   };
 
+  // A storm's place: in tenths of a degree, over the denominator.
+  struct Place {
+    std::string id;
+    std::array<std::int64_t, 2> numerators;
+    std::int64_t denominator;
+  };
+  std::vector<Place> places_at(std::int64_t time) const;
   std::vector<const Storm*> alive(std::int64_t time) const;
   static std::size_t piece_of(const Storm& storm, std::int64_t time);
   static int order_after(const Storm& a, const Storm& b, std::int64_t time);

@@ -23,7 +23,7 @@
 #include "tests/shared_data.h"
 
 namespace kinex {
-namespace {
+namespace storms_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -227,5 +227,5 @@ TEST_F(StormYear, DelaunayInEveryArithmetic) {
   for (const char* arithmetic : {"double", "gsl"}) expect_defined("delaunay_2", arithmetic);
 }
 
-}  // namespace
+}  // namespace storms_test
 }  // namespace kinex

@@ -11,7 +11,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace trade_verb_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -88,7 +88,7 @@ void expect_refused(std::vector<std::string> arguments, const std::string& messa
 
 TEST_F(TradeVerb, RefusesBadInput) {
   expect_refused({"delauney_2"},
-                 "\"delauney_2\" is neither a file nor a structure here; did you mean delaunay_2?");
+                 "\"delauney_2\" is neither a file nor a structure; did you mean delaunay_2?");
   expect_refused({scene_, "--arithmetic", "decimal"}, "--arithmetic: ");
   expect_refused({scene_, "--arithmetic", "mpfr:1"}, "--arithmetic: ");
   expect_refused({scene_, "--jobs", "0"}, "--jobs: 0 is out of range");
@@ -113,5 +113,5 @@ TEST_F(TradeVerb, GivesUpAtItsLimit) {
   EXPECT_THAT(read_file(folder_ + "/trade.html"), HasSubstr("takes too long"));
 }
 
-}  // namespace
+}  // namespace trade_verb_test
 }  // namespace kinex

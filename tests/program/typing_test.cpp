@@ -9,7 +9,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace typing_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -52,7 +52,8 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"gen", "grid", "--n"}, "gen: --n has no value; write --n VALUE"},
       {{"gen", "grid", "--n", "many"},
        "--n: \"many\" is not a whole number that fits; write one, as 100"},
-      {{"run", scene_, "--color", "pink"}, "--color"},
+      {{"run", scene_, "--color", "pink"},
+       "kinex: --color: \"pink\" is not a choice; write auto, always or never"},
       {{"run", scene_, "-q", "-v"}, "does not go with"},
       {{"gen", "unifrom-square"}, "is not a workload; did you mean uniform-square?"},
       {{"run", scene_, "--maintain", "delauney_2"},
@@ -62,7 +63,35 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"reproduce", "kds-report"}, "there is no such paper; did you mean kds-report-1998?"},
       {{"list", "structure"}, "did you mean structures?"},
       {{"explain", "sorted"}, "did you mean sorted_list"},
-      {{"help", "rn"}, "\"rn\" is not a verb; did you mean run?"}};
+      {{"help", "rn"}, "\"rn\" is not a verb; did you mean run?"},
+      // Words of other programs.
+      {{"compare", scene_, scene_}, "\"compare\" is not a verb; did you mean diff?"},
+      {{"show", scene_}, "did you mean view?"},
+      {{"generate"}, "did you mean gen?"},
+      {{"version"}, "did you mean --version?"},
+      // All that is missing is named.
+      {{"diff", scene_}, "diff: OTHER is missing; write kinex diff LOG OTHER (kinex help diff"},
+      {{"view"}, "view: FILE is missing; write kinex view FILE --output .. (kinex help view"},
+      {{"gen"}, "gen: WORKLOAD is missing; write kinex gen WORKLOAD (kinex help gen"},
+      {{"sweep", "merge"}, "write kinex sweep merge FOLDER .. --output .."},
+      // Beginnings of names, and names of other things.
+      {{"reproduce", "kds"}, "did you mean kds-report-1998?"},
+      {{"sweep", "run", "verfy", "-o", scratch_.file("out")},
+       "\"verfy\" is neither a file nor an experiment; did you mean verify?"},
+      {{"gen", "delaunay"},
+       "is not a workload; delaunay_2 is a structure; write kinex gen uniform-square --maintain "
+       "delaunay_2"},
+      {{"gen", "bounding_box"}, "bounding_box is a structure; write kinex gen "},
+      // Where nothing is near, a list is named, not printed.
+      {{"run", scene_, "--maintain", ""}, "kinex list structures names them"},
+      {{"trade", "nosuch"}, "name a scene, or one of kinex list structures, or all"},
+      {{"trade", "outer_hierarchy"}, "trade: outer_hierarchy has no scenes of its own here; name a scene"},
+      {{"verify", "swim"}, "kinex list structures names them"},
+      {{"run", scene_, "--arithmetic", "mpfr:1"},
+       "\"mpfr:1\" is not mpfr:P for P from 2 to 100000 bits; write such a number of bits"},
+      {{"run", scene_, "--arithmetic", "mpfr:x"}, "is not mpfr:P for P from 2 to 100000 bits"},
+      {{"roots", scratch_.file("line")}, "line 1: 1 coefficient for degree 2; write 3"}};
+  write_file(scratch_.file("line"), "2 1\n");
   for (const auto& [words, message] : mistakes) {
     const Finished finished = run_kinex(words);
     SCOPED_TRACE(testing::PrintToString(words));
@@ -71,6 +100,20 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
     EXPECT_THAT(finished.err, StartsWith("kinex: "));
     EXPECT_THAT(finished.err, HasSubstr(message));
     EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1);
+    EXPECT_LT(finished.err.size(), 320u) << finished.err;
+  }
+}
+
+// A summary is read alone: it does not refer to the line above it.
+TEST_F(Typing, SummariesStandAlone) {
+  for (const char* what : {"structures", "workloads"}) {
+    const formats::JsonDocument json =
+        formats::parse_json(run_kinex({"list", what, "--json"}).out, "out");
+    for (const formats::JsonValue& one : json->items()) {
+      const std::string summary(one.find("summary")->text());
+      EXPECT_THAT(summary, Not(StartsWith("the same"))) << one.find("name")->text();
+      EXPECT_THAT(summary, Not(StartsWith("both "))) << one.find("name")->text();
+    }
   }
 }
 
@@ -123,6 +166,81 @@ TEST_F(Typing, QuietAndVerbose) {
   EXPECT_THAT(run_kinex({"gen", "-v", "grid", "--n", "1"}).err, HasSubstr("1 object, hash "));
 }
 
+// -q and -v mean something for every verb. With -q nothing is on standard error, and on standard
+// output what was asked for alone; -v says more than nothing.
+TEST_F(Typing, EveryVerbIsQuietOrVerbose) {
+  const std::string other = scratch_.file("other.log"), table = scratch_.file("t.csv"),
+                    plan = scratch_.file("plan.json"), folder = scratch_.file("out"),
+                    lines = scratch_.file("lines"), linear = scratch_.file("linear.json");
+  ASSERT_EQ(run_kinex({"run", scene_, "--events", log_}).exit_code, 0);
+  ASSERT_EQ(run_kinex({"run", scene_, "--arithmetic", "sturm", "--events", other}).exit_code, 0);
+  ASSERT_EQ(run_kinex({"gen", "static-one-mover", "--dimension", "2", "--n", "6", "-o", linear}).exit_code, 0);
+  write_file(table, "name;t;x;y;speed\na;0;0;0;1\na;1;1;1;1\n");
+  write_file(lines, "2 -2 0 1\n");
+  write_file(plan, R"({"kinex_plan": 1, "name": "few", "blocks": [{"structure": "sorted_list",
+      "workload": "uniform-square", "n": [4, 5]}]})");
+  const std::string corpus = read_file("/dev/null");
+  struct Case {
+    Words words;
+    bool prints_when_quiet;
+    std::string said;  // with -v: a part of it
+  };
+  const std::vector<Case> cases{
+      {{"run", scene_}, false, "schedules lazily"},
+      {{"check", scene_}, false, "schedules lazily"},
+      {{"check", log_}, false, "without the scene: there is no "},
+      {{"diff", log_, other}, false, "delaunay_2 flip: "},
+      {{"gen", "grid", "--n", "4"}, true, "4 objects, hash "},
+      {{"import", table, "--column", "id=name", "--ignore-columns"},
+       true,
+       "columns: id from name, t, x, y\nkinex: ignored: speed\nkinex: fields are separated by "
+       "semicolons"},
+      {{"export", scene_, "--mf-json"}, true, "t = 0 is 1970-01-01T00:00:00Z; "},
+      {{"thin", linear}, true, "left are: "},
+      {{"roots", lines}, true, "line 1: 4 refinements, 0 gcds"},
+      {{"log", log_}, true, "run done, "},
+      {{"list", "papers"}, true, "parts: "},
+      {{"explain", "sorted_list"}, true, "its model"},
+      {{"help", "sweep"}, true, "kinex sweep merge [OPTIONS]"},
+      {{"view", scene_, "-o", scratch_.file("page.html"), "--force"}, false, "certificates, digest "},
+      {{"sweep", "list", plan}, true, "shard 0/1: 2 of 2 cells"},
+      {{"sweep", "run", plan, "-o", folder, "--fresh"}, false, "start   "},
+      {{"sweep", "status", folder}, false, "shard 0/1, 2 records, by kinex sweep run "},
+      {{"sweep", "merge", folder, "-o", scratch_.file("few.sqlite"), "--force"},
+       false,
+       "shard 0/1, 2 records, "}};
+  for (const Case& one : cases) {
+    SCOPED_TRACE(testing::PrintToString(one.words));
+    Words quiet = one.words, verbose = one.words;
+    quiet.push_back("-q");
+    verbose.push_back("-v");
+    const Finished usual = run_kinex(one.words), less = run_kinex(quiet), more = run_kinex(verbose);
+    EXPECT_EQ(usual.exit_code, 0) << usual.err;
+    EXPECT_EQ(less.exit_code, 0);
+    EXPECT_EQ(more.exit_code, 0);
+    EXPECT_EQ(less.err, "");
+    EXPECT_EQ(less.out.empty(), !one.prints_when_quiet) << less.out;
+    EXPECT_THAT(more.out + more.err, HasSubstr(one.said));
+    EXPECT_THAT(usual.out + usual.err, Not(HasSubstr(one.said)));
+  }
+  EXPECT_EQ(run_kinex({"list", "arithmetics", "-q"}).out, "exact\nsturm\ndouble\ngsl\nmpfr:P\n");
+  EXPECT_EQ(run_kinex({"explain", "sturm", "-q"}).out,
+            "rationals and Sturm sequences alone, without filters\n");
+}
+
+// Where the finished part of a run that was stopped is, and what to do.
+TEST_F(Typing, StoppedRunsSayWhatIsKept) {
+  const Finished bare = run_kinex({"run", scene_, "--max-events", "1"});
+  EXPECT_EQ(bare.exit_code, 3);
+  EXPECT_EQ(bare.err,
+            "kinex: the run was stopped: the limit of --max-events is reached; no file was asked for "
+            "(--events FILE keeps what is finished); raise it, or set an earlier end with --until\n");
+  const Finished kept = run_kinex({"run", scene_, "--max-events", "1", "--events", log_});
+  EXPECT_THAT(kept.err, HasSubstr("is reached; what was finished is in " + log_ + "; raise it"));
+  EXPECT_THAT(run_kinex({"run", scene_, "--max-events", "1", "--events", "-"}).err,
+              HasSubstr("what was finished is printed"));
+}
+
 TEST_F(Typing, Colours) {
   EXPECT_THAT(run_kinex({"rnu"}).err, Not(HasSubstr("\x1b")));
   EXPECT_THAT(run_kinex({"--color", "always", "rnu"}).err,
@@ -151,6 +269,11 @@ TEST_F(Typing, LogsAsTables) {
               HasSubstr("is the input itself"));
   EXPECT_THAT(run_kinex({"log", log_, "--csv", "--table"}).err, HasSubstr("does not go with"));
   EXPECT_THAT(run_kinex({"log", scene_}).err, HasSubstr("does not begin an event log"));
+  const Finished few = run_kinex({"log", log_, "--filter", "kind=flip", "--columns", "kind,seq"});
+  EXPECT_THAT(few.out, StartsWith("kind  seq\nflip"));
+  EXPECT_THAT(run_kinex({"log", log_, "--csv", "--columns", "root,kind"}).out, StartsWith("root,kind\n"));
+  EXPECT_THAT(run_kinex({"log", log_, "--columns", "knid"}).err,
+              HasSubstr("--columns: \"knid\" is not a column of the table; did you mean kind?"));
   EXPECT_THAT(run_kinex({"log", log_, "--filter", "kind=filp"}).err,
               HasSubstr("did you mean flip?"));
   // The log of a run that was cut off is shown as far as it goes.
@@ -186,6 +309,34 @@ TEST_F(Typing, DiffOfOtherStructures) {
   EXPECT_EQ(run_kinex({"diff", "-q", log_, other}).out, "");
 }
 
+// Structures are the same if they maintain the same, whatever their labels.
+TEST_F(Typing, DiffOfOtherLabels) {
+  const std::string other = scratch_.file("other.log");
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list:x", "--events", log_}).exit_code, 0);
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list,sorted_list:y", "--events", other})
+                .exit_code,
+            0);
+  const Finished diff = run_kinex({"diff", log_, other});
+  EXPECT_EQ(diff.exit_code, 0) << diff.out << diff.err;
+  EXPECT_THAT(diff.out, HasSubstr("only in " + other + ", not compared: sorted_list:y\n"));
+  EXPECT_THAT(diff.out, HasSubstr("sorted_list:x of " + log_ + " is compared with sorted_list of " + other));
+  EXPECT_THAT(diff.out, HasSubstr("equal: "));
+}
+
+// The first difference is a row of a table, not a line of JSON.
+TEST_F(Typing, DiffShowsRows) {
+  const std::string other = scratch_.file("other.log");
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list", "--events", log_}).exit_code, 0);
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list", "--until", "1/9", "--events", other})
+                .exit_code,
+            0);
+  const Finished diff = run_kinex({"diff", log_, other});
+  EXPECT_EQ(diff.exit_code, 1);
+  EXPECT_THAT(diff.out, Not(HasSubstr("\"seq\"")));
+  EXPECT_THAT(diff.out, HasSubstr("external  order_x("));
+  EXPECT_THAT(diff.out, HasSubstr(other + ": has ended"));
+}
+
 // A time in a message is short, however it was written.
 TEST_F(Typing, TimesInMessages) {
   const std::string digits(300, '7');
@@ -201,5 +352,5 @@ TEST_F(Typing, TimesInMessages) {
   EXPECT_THAT(run_kinex({"run", log_, "--until", "5"}).err, HasSubstr("at most about 2.28"));
 }
 
-}  // namespace
+}  // namespace typing_test
 }  // namespace kinex

@@ -11,7 +11,7 @@ from fractions import Fraction
 
 import exact_bodies
 from chromium import browser
-from view_page import Page, check_page, check_states, fail, times_after
+from view_page import Page, check_page, check_states, fail, time_text, times_after
 
 # Certificates and sides of a tile by its kind.
 TILES = {"half-plane": (3, 1), "triangle": (5, 3), "left": (6, 4), "right": (6, 4)}
@@ -56,7 +56,7 @@ def check_next(name, state, events, label, shown):
         fail(f"{name}: after event {state['event']} {text} fails next in {label}; displayed: {proof}")
     if not shown:
         return
-    wanted = [f"Fails next: certificate {slot + 1}, log record {event['seq']}", event["time"]["decimal"],
+    wanted = [f"Fails next: certificate {slot + 1}, log record {event['seq']}", time_text(event, state["proofText"]),
               event["kind"], proof["text"]]
     for text in wanted:
         if text not in state["proofText"]:

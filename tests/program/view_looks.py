@@ -7,6 +7,7 @@ Exit code 77 (skipped) where there is no Chromium.
 import base64
 import fractions
 import json
+import math
 import pathlib
 import struct
 import subprocess
@@ -249,6 +250,57 @@ def check_queries(viewer):
         fail(f"the box is {box}")
 
 
+def check_figures(viewer):
+    """The smallest circle, the narrowest strip and the least rectangles are drawn from the points that are named: all points are
+    inside, and those that are named are on the figure; the farthest pair is a segment."""
+    names = ["min_circle_2", "min_circle_2_brute_force", "width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2", "diameter_2"]
+    viewer.kinex("gen", "uniform-square", "--n", "25", "--seed", "1", "--maintain", ",".join(names), "-o", "figures.json")
+    viewer.kinex("view", "figures.json", "-o", "figures.html")
+    viewer.open("figures.html")
+    sizes = set()
+    for name in names:
+        viewer.say(f"app.setStructure(DATA.structures.findIndex(s => s.name === '{name}'));")
+        for u in (0.02, 0.3, 0.55, 0.9):
+            seen = viewer.ask(f"(() => {{ app.setTime({u}); app.draw(); const plane = app.drawing, role = DATA.structures[app.shown()].role;"
+                              " const pairs = [...(app.replay.edges || [])].map(code => [Math.floor(code / OBJECTS), code % OBJECTS]);"
+                              " return { ids: role in OUTLINES ? app.replay.ids : pairs.flat(), points: [...Array(OBJECTS).keys()].map(id => plane.at(id)),"
+                              " figure: role in OUTLINES ? OUTLINES[role](plane, app.replay.ids) : null }; })()")
+            points, ids, figure = seen["points"], seen["ids"], seen["figure"]
+            if name == "diameter_2":
+                lengths = [math.dist(p, q) for p in points for q in points]
+                if len(ids) != 2 or max(lengths) - math.dist(points[ids[0]], points[ids[1]]) > 1e-6:
+                    fail(f"{name} at {u}: {ids}")
+                continue
+            # How far each point is inside; 0 on the figure.
+            if name.startswith("min_circle"):
+                circle = figure[0]
+                inside = [circle["radius"] - math.dist(circle["centre"], p) for p in points]
+                sizes.add(len(ids))
+            else:
+                sides = ([[s["from"], s["to"]] for s in figure[:2]] if name == "width_2"
+                         else [[figure[i], figure[(i + 1) % 4]] for i in range(4)])
+                middle = [sum(p[axis] for side in sides for p in side) / (2 * len(sides)) for axis in (0, 1)]
+
+                def height(side, point):
+                    (ax, ay), (bx, by) = side
+                    return ((bx - ax) * (point[1] - ay) - (by - ay) * (point[0] - ax)) / math.dist(*side)
+
+                inside = [min(height(s, p) * (1 if height(s, middle) > 0 else -1) for s in sides) for p in points]
+            if min(inside) < -1e-6 or any(abs(inside[i]) > 1e-6 for i in ids):
+                fail(f"{name} at {u}: {ids} on {figure}, points inside by {inside}")
+    if sizes != {2, 3}:
+        fail(f"the circles pass through {sizes} points")
+    # The same in pixels: the figure has the colour of the attribute, but for smooth edges.
+    ink = ("(() => { app.draw(); const c = document.getElementById('picture'); const hex = [1, 3, 5].map(i => "
+           "parseInt(COLOUR.first.slice(i, i + 2), 16)); const p = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+           " let n = 0; for (let i = 0; i < p.length; i += 4) if (hex.every((x, j) => Math.abs(p[i + j] - x) < 60)) ++n; return n; })()")
+    for name in names:
+        viewer.say(f"app.setStructure(DATA.structures.findIndex(s => s.name === '{name}')); app.setTime(0.3);")
+        drawn = viewer.ask(ink)
+        if drawn < 300:
+            fail(f"{name} is not drawn: {drawn} pixels")
+
+
 def main():
     chromium = browser()
     source = pathlib.Path(sys.argv[2])
@@ -274,6 +326,7 @@ def main():
         for page in ("square.html", "bodies.html"):
             check_sizes(viewer, page)
         check_queries(viewer)
+        check_figures(viewer)
         check_pictures(viewer, chromium, "square.html", [0, 5, 40, 90])
         check_animation(source, folder)
         records, size = check_long(viewer)

@@ -130,6 +130,15 @@ addEventListener("load", () => answer().catch(e => ({{ thrown: String(e.stack) }
 </script>"""
 
 
+def time_text(event, text):
+    """How a text has an event's time: a short fraction that the decimal is cut from, or the decimal."""
+    decimal = event["time"]["decimal"]
+    for shown, fraction in re.findall(r"(t = (-?\d+(?:/\d+)?))", text):
+        if abs(fractions.Fraction(fraction) - fractions.Fraction(decimal)) <= abs(fractions.Fraction(decimal)) / 10**11:
+            return shown
+    return decimal
+
+
 def fail(text):
     sys.exit(f"view_page: {text}")
 
@@ -139,10 +148,11 @@ class Page:
         self.chromium, self.program, self.folder = chromium, program, pathlib.Path(folder)
 
     def kinex(self, *arguments, allowed=(0,)):
-        done = subprocess.run([self.program, *arguments], stdout=subprocess.DEVNULL,
+        done = subprocess.run([self.program, *arguments], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, text=True, cwd=self.folder, check=False)
         if done.returncode not in allowed:
             fail(f"kinex {' '.join(arguments)}: exit code {done.returncode}: {done.stderr}")
+        return done
 
     def ask(self, name, opened, events):
         """What the page, opened after one event, displays after each of the others."""
@@ -202,7 +212,7 @@ def check_states(name, answer, events, samples):
         if k > 0:
             event = events[k - 1]
             wanted = [f"Log record {k} of {len(events)}", event["kind"],
-                      "external" if event["external"] else "internal", event["time"]["decimal"]]
+                      "external" if event["external"] else "internal", time_text(event, state["text"])]
             if event["certificate"]:
                 wanted.append("%s(%s)" % (event["certificate"]["predicate"],
                                           ", ".join(event["certificate"]["ids"])))

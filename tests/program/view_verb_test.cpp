@@ -9,7 +9,7 @@
 #include "tests/program/spawn.h"
 
 namespace kinex {
-namespace {
+namespace view_verb_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -294,5 +294,5 @@ TEST_F(ViewVerb, MoreObjectsThanAPageDraws) {
   expect_refused({many, "-o", page_}, "20001 objects, and a page draws 20000 at most", 3);
 }
 
-}  // namespace
+}  // namespace view_verb_test
 }  // namespace kinex

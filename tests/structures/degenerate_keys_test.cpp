@@ -8,15 +8,17 @@
 
 #include "tests/sanitized.h"
 #include "tests/structures/metamorphic.h"
+#include "tests/structures/structure_names.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace degenerate_keys_test {
 
-constexpr const char* kStructures[] = {"sorted_list",    "maximum_tournament", "minimum_tournament",
-                                       "maximum_heap",   "minimum_heap",       "maximum_hanger",
-                                       "minimum_hanger", "maximum_envelope",   "minimum_envelope"};
+// All that keep an order by a key of any degree.
+const std::vector<std::string> kStructures = structures_where([](const StructureInfo& info) {
+  return info.uses_key && info.reads.empty() && !info.linear();
+});
 
 Rational fraction(int p, int q) { return Rational(Integer(p), Integer(q)); }
 
@@ -89,7 +91,7 @@ std::vector<Key> keys(ObjectId reference) {
 // number of events.
 std::uint64_t expect_right(const Scene& scene, int parts, ObjectId reference = 0) {
   std::uint64_t events = 0;
-  for (const char* structure : kStructures) {
+  for (const std::string& structure : kStructures) {
     for (const Key& key : keys(reference)) {
       SCOPED_TRACE(std::string(structure) + ", key " + std::to_string(static_cast<int>(key.kind)));
       Trial run(scene, structure, "exact", AuditLevel::kEvents, key);
@@ -137,7 +139,7 @@ TEST(DegenerateKeys, PointsThatRotateRigidly) {
   for (const auto& [a, b] : kCircle) paths.push_back(rotating(a, b));
   const Scene scene = scene_of(paths, -3, Rational(3));
   EXPECT_GT(expect_right(scene, 2), 200u);
-  for (const char* structure : kStructures) {
+  for (const std::string& structure : kStructures) {
     Trial run(scene, structure, "exact", AuditLevel::kEvents, keys(0)[3]);
     run.to_end().expect_clean();
     EXPECT_EQ(run.ledger().processed, 0u);
@@ -238,5 +240,5 @@ TEST(DegenerateKeys, LargeAndSmallNumbersTogether) {
   EXPECT_GT(events, 50u);
 }
 
-}  // namespace
+}  // namespace degenerate_keys_test
 }  // namespace kinex::test

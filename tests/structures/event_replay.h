@@ -25,6 +25,7 @@
 #include "core/engine/simulator.h"
 #include "structures/plan.h"
 #include "structures/registry.h"
+#include "tests/structures/replayed_orders.h"
 
 namespace kinex::test {
 
@@ -35,6 +36,7 @@ class ReplayedAttribute {
   void begin(const Attribute& attribute, bool exact) {
     value_ = attribute;
     exact_ = exact;
+    begin_orders();
   }
   // The defect of the event; empty: none.
   std::string apply(std::string_view kind, const Event& event) {
@@ -43,6 +45,7 @@ class ReplayedAttribute {
     if (event.has_difference()) return apply_difference(event);
     switch (value_.shape) {
       case Attribute::Shape::kSequence: {
+        if (kind == "above" || kind == "below") return exchange_next(kind == "above" ? 1 : 2, event);
         // Of two sequences, one behind the other, the second.
         const std::size_t half = kind == "swap_y" ? ids.size() / 2 : 0;
         const auto at =
@@ -57,6 +60,7 @@ class ReplayedAttribute {
         return "";
       case Attribute::Shape::kTuples:
         if (value_.width == 4) return apply_in_space(kind, event);
+        if (value_.width == 3) return apply_in_plane(kind, event);
         if (kind == "flip") return remove(id(0), id(1)) + add(id(2), id(3));
         if (kind == "enter") return remove(id(1), id(2));
         if (kind == "leave") return add(id(1), id(2));
@@ -66,7 +70,7 @@ class ReplayedAttribute {
         if (kind == "graze") return "";
         return "an external event of another kind";
       case Attribute::Shape::kOrders:
-        return "a change of orders without a difference";
+        return orders_.apply(kind, event);
       case Attribute::Shape::kCycle:
         if (kind == "leave") return leave(id(0));
         if (kind == "enter") return enter(event);
@@ -74,21 +78,39 @@ class ReplayedAttribute {
     }
     return "";
   }
-  const Attribute& value() const { return value_; }
+  Attribute value() const {
+    return value_.shape == Attribute::Shape::kOrders ? orders_.attribute() : value_;
+  }
 
  private:
+  void begin_orders() {
+    if (value_.shape == Attribute::Shape::kOrders) orders_ = ReplayedOrders(value_);
+  }
+  // Of points, each with what is above it and below it.
+  std::string exchange_next(std::size_t place, const Event& event) {
+    std::vector<ObjectId>& ids = value_.ids;
+    for (std::size_t i = 0; i + 2 < ids.size(); i += 3) {
+      if (ids[i] != event.ids[0]) continue;
+      if (event.ids[1] == event.ids[2] || ids[i + place] != event.ids[1]) return "another one was next";
+      ids[i + place] = event.ids[2];
+      return "";
+    }
+    return "no such point";
+  }
   using Edge = std::pair<ObjectId, ObjectId>;
 
   std::string apply_difference(const Event& event) {
     if (value_.shape != Attribute::Shape::kTuples) {
-      if (!std::equal(value_.ids.begin(), value_.ids.end(), event.gone.begin(), event.gone.end())) {
+      const std::vector<ObjectId> ids = value().ids;
+      if (!std::equal(ids.begin(), ids.end(), event.gone.begin(), event.gone.end())) {
         return "what went was not there";
       }
       value_.ids.assign(event.came.begin(), event.came.end());
+      begin_orders();
       return "";
     }
     if (value_.width == 1) return apply_members(event);
-    if (value_.width == 4) return apply_cells(event);
+    if (value_.width > 2) return apply_cells(event);
     std::string wrong;
     const auto ascending = [](std::span<const ObjectId> flat) {
       for (std::size_t i = 0; i < flat.size(); i += 2) {
@@ -121,7 +143,23 @@ class ReplayedAttribute {
     }
     return "";
   }
-  using Cell = std::array<ObjectId, 4>;
+  using Cell = std::vector<ObjectId>;
+  // Triangles: a flip of two, one at the hull, or a vertex that shows in one, or beyond a hull edge.
+  std::string apply_in_plane(std::string_view kind, const Event& event) {
+    const auto& v = event.ids;
+    std::string wrong;
+    if (kind == "flip") {
+      for (const ObjectId end : {v[2], v[3]}) wrong += change(false, {v[0], v[1], end});
+      for (const ObjectId end : {v[0], v[1]}) wrong += change(true, {v[2], v[3], end});
+      return wrong;
+    }
+    const bool joins = kind == "leave" || kind == "show";
+    if (event.count == 3) return change(joins, {v[0], v[1], v[2]});
+    wrong += change(!joins, {v[1], v[2], v[3]});
+    wrong += change(joins, {v[0], v[1], v[2]});
+    wrong += change(joins, {v[0], v[2], v[3]});
+    return wrong + change(joins, {v[0], v[1], v[3]});
+  }
   // A flip in space: two cells on five points for three, or the reverse; or one cell at the hull.
   std::string apply_in_space(std::string_view kind, const Event& event) {
     const auto& v = event.ids;
@@ -138,8 +176,9 @@ class ReplayedAttribute {
   std::string apply_cells(const Event& event) {
     std::string wrong;
     for (const auto& [ids, joins] : {std::pair(event.gone, false), std::pair(event.came, true)}) {
-      for (std::size_t i = 0; i + 3 < ids.size(); i += 4) {
-        wrong += change(joins, {ids[i], ids[i + 1], ids[i + 2], ids[i + 3]});
+      for (std::size_t i = 0; i < ids.size(); i += value_.width) {
+        wrong += change(joins, Cell(ids.begin() + static_cast<std::ptrdiff_t>(i),
+                                    ids.begin() + static_cast<std::ptrdiff_t>(i + value_.width)));
       }
     }
     return wrong;
@@ -147,8 +186,8 @@ class ReplayedAttribute {
   std::string change(bool joins, Cell cell) {
     std::sort(cell.begin(), cell.end());
     std::vector<Cell> cells;
-    for (std::size_t i = 0; i + 3 < value_.ids.size(); i += 4) {
-      cells.push_back({value_.ids[i], value_.ids[i + 1], value_.ids[i + 2], value_.ids[i + 3]});
+    for (auto at = value_.ids.begin(); at != value_.ids.end(); at += value_.width) {
+      cells.emplace_back(at, at + value_.width);
     }
     const auto at = std::lower_bound(cells.begin(), cells.end(), cell);
     const bool there = at != cells.end() && *at == cell;
@@ -230,6 +269,7 @@ class ReplayedAttribute {
   }
 
   Attribute value_;
+  ReplayedOrders orders_;  // kOrders
   bool exact_ = true;
 };
 
@@ -342,7 +382,7 @@ class EventReplay final : public EventSink {
       inner_->check_invariants(report);
       const Replayed& replayed = replay_.replayed_[id_];
       report.check(replayed.wrong.empty(), [&] { return "replay: " + replayed.wrong; });
-      const Attribute& value = replayed.attribute.value();
+      const Attribute value = replayed.attribute.value();
       report.check(value == inner_->attribute(), [&] {
         return "replay: events lead to" + text(value) + " and not to" + text(inner_->attribute());
       });

@@ -8,7 +8,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace inexact_test {
 
 constexpr const char* kInexact[] = {"double", "gsl", "mpfr:4", "mpfr:53"};
 
@@ -100,5 +100,5 @@ TEST(Exact, TimesBeyondTheDoubles) {
                                       "sorted_list swap 0 2 !"}));
 }
 
-}  // namespace
+}  // namespace inexact_test
 }  // namespace kinex::test

@@ -9,7 +9,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace large_scenes_test {
 
 // Failure times computed of polynomials that are not constant.
 std::uint64_t moving_polynomials(const Trial& run) {
@@ -125,5 +125,5 @@ TEST(LargeScenes, AMovingReferenceMovesEverything) {
   run.to_end().expect_clean();
 }
 
-}  // namespace
+}  // namespace large_scenes_test
 }  // namespace kinex::test

@@ -13,7 +13,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace ledger_test {
 
 const ArithmeticCounters& numbers(const Trial& run) {
   return run.simulator.arithmetic().counters();
@@ -41,8 +41,24 @@ void expect_sums(const ChangeStatistics& changes, std::uint64_t processed) {
   }
 }
 
+// The lines of the parts add up. (Those of a corrupt structure end where it was cleared.)
+void expect_parts(const StructureLedger& l) {
+  if (l.parts.empty() || l.corrupt) return;
+  PartLedger all;
+  for (const PartLedger& part : l.parts) {
+    EXPECT_EQ(part.live, part.created - part.retracted) << part.name;
+    all.failures += part.failures;
+    all.created += part.created;
+    all.retracted += part.retracted;
+  }
+  EXPECT_EQ(all.failures, l.failures);
+  EXPECT_EQ(all.created, l.certificates_created);
+  EXPECT_EQ(all.retracted, l.certificates_retracted);
+}
+
 void expect_sums(const Trial& run) {
   const StructureLedger& l = run.ledger();
+  expect_parts(l);
   EXPECT_EQ(l.processed, l.external + l.internal);
   EXPECT_EQ(l.live, l.certificates_created - l.certificates_retracted);
   EXPECT_GE(l.max_live, l.live);
@@ -193,6 +209,8 @@ std::uint64_t expect_external_as_logged(Scene scene, const std::string& structur
     EXPECT_EQ(l.external, sink.counts[id]) << simulator.label(id);
     EXPECT_EQ(l.processed, l.external + l.internal) << simulator.label(id);
     EXPECT_LE(l.internal, l.failures) << simulator.label(id);
+    expect_parts(l);
+    EXPECT_TRUE(!l.parts.empty() || l.certificates_created == 0) << simulator.label(id);
     failures += l.failures;
     beyond = l.processed > l.failures ? l.processed - l.failures : 0;
   }
@@ -232,7 +250,7 @@ TEST(Ledger, AChangeThatIsReportedWhenTheInstantIsSettledIsExternal) {
     auto& pieces = scene.objects[2].motion.pieces;
     pieces[0].to = Rational(1);
     pieces.push_back({Rational(1), std::nullopt, path({{2}, {-way, way}})});
-    for (const std::string hull : kHulls) {
+    for (const std::string& hull : kHulls) {
       SCOPED_TRACE(hull);
       scene.maintain = {{hull, hull, {}}};
       Simulator simulator(scene, make_arithmetic("exact", scene), {});
@@ -268,5 +286,5 @@ TEST(Ledger, CountsBitsAndStages) {
   }
 }
 
-}  // namespace
+}  // namespace ledger_test
 }  // namespace kinex::test

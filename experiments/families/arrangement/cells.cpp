@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions: do points change sides of moving lines exactly as often as counted by hand, or by brute
-//   force? Do the structures keep their bounds in random motion?
-// Sources: lines_and_points.cpp counts the changes of points through lines; those of small integers
-//   are the roots of the polynomials of all pairs, found by another program.
+// Questions: do points change sides of moving lines, and lines their arrangement, exactly as often as
+//   counted by hand, or by brute force? Do the structures keep their bounds in random motion?
+// Sources: lines_and_points.cpp counts the changes of points through lines, of lines in bundles and in
+//   pencils; those of small integers are the roots of the polynomials of all pairs and triples, found by
+//   another program.
 // Expected: the integers below, in every run; every hard bound, and every audit.
-// Cost: about 10 s.
+// Cost: about 20 s.
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -77,10 +78,62 @@ void add_incidence_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   }
 }
 
+void add_line_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  constexpr const char* kName = "line_arrangement_2";
+  for (const int n : {6, 9, 18}) {
+    if (n > 9 && extent == lab::Extent::kQuick) continue;
+    add_exactly(catalogue, lab::worst_case_cell(kName, "three-bundles", n, 1, n * n / 400.0),
+                "line_arrangement_2.bundles", "external", n * n * n / 27,
+                "each three lines of different bundles meet once: (n / 3)^3");
+  }
+  for (const int n : {3, 5, 8}) {
+    lab::Cell cell = lab::worst_case_cell(kName, "turning-pencil", n, 1, 0.1);
+    cell.expectations.push_back(lab::expect_exactly("line_arrangement_2.hard_bound", "kind.parallel",
+                                                    Integer(n * (n - 1) / 2),
+                                                    "each two slopes are equal once: C(n,2)"));
+    add_exactly(catalogue, std::move(cell), "line_arrangement_2.hard_bound", "kind.triple",
+                n * (n - 1) * (n - 2) / 3, "each triple turns over twice: 2 C(n,3)");
+  }
+  struct Counted {
+    int n;
+    std::uint64_t seed;
+    int triples, parallels;
+  };
+  for (const Counted& one :
+       {Counted{6, 1, 21, 8}, {8, 1, 42, 14}, {10, 2, 86, 20}, {12, 3, 113, 12}}) {
+    add_exactly(catalogue, small_cell(kName, "small-lines", one.n, one.seed),
+                "line_arrangement_2.small_integers", "external", one.triples + one.parallels,
+                "the sign changes of the polynomials of all triples and pairs");
+  }
+  for (const int n : {8, 16, 32}) {
+    if (n > 16 && extent == lab::Extent::kQuick) continue;
+    catalogue.cells.push_back(random_cell(kName, "random-lines", n, n * n * n / 8000.0));
+  }
+}
+
+void add_place_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  constexpr const char* kName = "points_in_arrangement";
+  struct Sizes {
+    int n, m;
+  };
+  for (const auto& [n, m] : {Sizes{2, 2}, Sizes{3, 4}, Sizes{8, 8}}) {
+    lab::Cell cell = lab::worst_case_cell(kName, "points-through-lines", n, 1, 0.1);
+    cell.parameters.m = m;
+    add_exactly(catalogue, std::move(cell), "points_in_arrangement.passages", "external", 4 * n * m,
+                "every point passes every line twice, and both lines next to it change: 4nm");
+  }
+  for (const int n : {8, 16, 32}) {
+    if (n > 16 && extent == lab::Extent::kQuick) continue;
+    catalogue.cells.push_back(random_cell(kName, "random-lines-and-points", n, n * n * n / 8000.0));
+  }
+}
+
 }  // namespace
 
 void add_arrangement_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   add_incidence_cells(catalogue, extent);
+  add_line_cells(catalogue, extent);
+  add_place_cells(catalogue, extent);
 }
 
 }  // namespace kinex::families

@@ -5,20 +5,24 @@
 
 #include <vector>
 
+#include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
-#include "experiments/lab/speed_row.h"
 #include "experiments/lab/workload.h"
 
 namespace kinex::families {
 
 // cells.cpp
 void add_arrangement_cells(lab::Catalogue& catalogue, lab::Extent extent);
-// speed.cpp
-std::vector<lab::SpeedRow> arrangement_speed_rows(int scale);
+// bench_rows.cpp
+std::vector<lab::BenchRow> arrangement_bench_rows(int scale);
 // lines_and_points.cpp
 void generate_points_through_lines(const lab::WorkloadParameters&, Scene&);
 void generate_small_lines_and_points(const lab::WorkloadParameters&, Scene&);
 void generate_random_lines_and_points(const lab::WorkloadParameters&, Scene&);
+void generate_three_bundles(const lab::WorkloadParameters&, Scene&);
+void generate_turning_pencil(const lab::WorkloadParameters&, Scene&);
+void generate_small_lines(const lab::WorkloadParameters&, Scene&);
+void generate_random_lines(const lab::WorkloadParameters&, Scene&);
 
 }  // namespace kinex::families
 

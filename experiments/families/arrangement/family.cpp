@@ -15,7 +15,22 @@ lab::FamilyExperiments arrangement_experiments() {
        "lines and points of small integers from a generator that every program can repeat", 2, 2, 2,
        true, false, false, "incidences_all", generate_small_lines_and_points},
       {"random-lines-and-points", "chords and points of the unit square, linear motion", 2, 2, 2,
-       true, false, false, "incidences_all", generate_random_lines_and_points}};
+       true, false, false, "incidences_all", generate_random_lines_and_points},
+      {"three-bundles",
+       "three bundles of n / 3 parallel lines each: (n / 3)^3 triples meet, each at its own instant", 2,
+       2, 2, false, false, false, "line_arrangement_2", generate_three_bundles},
+      {"turning-pencil",
+       "n lines meet twice, and all slopes change their order: the most events that there can be", 2, 2,
+       2, false, false, false, "line_arrangement_2", generate_turning_pencil},
+      {"small-lines", "lines of small integers from a generator that every program can repeat", 2, 2, 2,
+       true, false, false, "line_arrangement_2", generate_small_lines},
+      {"random-lines", "chords of the unit square, linear motion", 2, 2, 2, true, false, false,
+       "line_arrangement_2", generate_random_lines}};
+  lab::set_kind(family.workloads, lab::SceneKind::kRandom,
+                {"random-lines-and-points", "random-lines"});
+  lab::set_kind(family.workloads, lab::SceneKind::kTies, {"small-lines-and-points", "small-lines"});
+  family.event_bounds = {"triples"};
+  family.long_audits = {"line_arrangement_2"};
   family.add_cells = add_arrangement_cells;
   family.trade = {{"incidences_all",
                    2,
@@ -24,8 +39,24 @@ lab::FamilyExperiments arrangement_experiments() {
                    {4, 8},
                    {16, 36},
                    {8, 16},
-                   {{8, 16, 32}, {8, 16, 32, 64, 128}}}};
-  family.speed = arrangement_speed_rows;
+                   {{8, 16, 32}, {8, 16, 32, 64, 128}}},
+                  {"line_arrangement_2",
+                   2,
+                   {6, 12},
+                   "turning-pencil",
+                   {4, 6},
+                   {8, 12},
+                   {6, 10},
+                   {{6, 10, 16}, {6, 10, 16, 24}}},
+                  {"points_in_arrangement",
+                   2,
+                   {8, 16},
+                   "points-through-lines",
+                   {4, 8},
+                   {8, 16},
+                   {8, 12},
+                   {{8, 12, 16}, {8, 16, 24, 32}}}};
+  family.bench_rows = arrangement_bench_rows;
   return family;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moving lines y = a x + b and points: scenes of known numbers of changes, and random ones.
+// Moving lines y = a x + b, with and without points: scenes of known numbers of changes, and random ones.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -34,19 +34,12 @@ void add_all(const lab::WorkloadParameters& parameters, bool points, Scene& scen
 
 // As small-integers (proximity/small_integers.cpp), with (a, b) in the place of (x, y).
 void generate_small(const lab::WorkloadParameters& parameters, bool points, Scene& scene) {
-  std::uint64_t state = parameters.seed;
-  const auto next = [&state] {
-    state = (1103515245 * state + 12345) % (std::uint64_t{1} << 31);
-    return static_cast<std::int64_t>(state >> 16);
-  };
+  lab::RepeatableNumbers numbers(parameters.seed);
   scene.start = 0;
   scene.end = Rational(10);
-  add_all(parameters, points, scene, [&next](bool) {
+  add_all(parameters, points, scene, [&numbers](bool) {
     Axes axes;
-    for (int axis = 0; axis < 2; ++axis) {
-      const std::int64_t position = next() % 100, velocity = next() % 41 - 20;
-      axes.push_back({lab::fraction(position, 1), lab::fraction(velocity, 1)});
-    }
+    for (int axis = 0; axis < 2; ++axis) axes.push_back(numbers.line());
     return axes;
   });
 }
@@ -86,6 +79,45 @@ void generate_points_through_lines(const lab::WorkloadParameters& parameters, Sc
   }
 }
 
+// Three bundles of parallel lines, y = i, y = (x - k j) / 2 and y = x + k m q - t, for i < k, j < m and q < r
+// with k + m + r = n: three of them, one of each bundle, meet at t = i + k j + k m q, an instant of their own.
+// k m r triples turn over, nothing else.
+void generate_three_bundles(const lab::WorkloadParameters& parameters, Scene& scene) {
+  const std::int64_t n = parameters.n, k = (n + 2) / 3, m = (n + 1) / 3, r = n / 3;
+  const Rational half = lab::fraction(1, 2);
+  scene.start = -half;
+  scene.end = Rational(k * m * r) + half;
+  for (std::int64_t i = 0; i < k; ++i) {
+    add_line(scene, "a" + std::to_string(i), {{Rational(0)}, {Rational(i)}});
+  }
+  for (std::int64_t j = 0; j < m; ++j) {
+    add_line(scene, "b" + std::to_string(j), {{half}, {lab::fraction(-k * j, 2)}});
+  }
+  for (std::int64_t q = 0; q < r; ++q) {
+    add_line(scene, "c" + std::to_string(q), {{Rational(1)}, {Rational(k * m * q), Rational(-1)}});
+  }
+}
+
+// y = (i^2 + i t) x + i + i^2 t, 1 <= i <= n, for -2 n <= t <= 2. As a point (a, b) it is (i, i^2) under a
+// linear map of determinant t^2 - 1: all triples turn over at t = -1, where the lines meet, and at t = 1,
+// where they meet again. The slopes of i and j are equal at t = -(i + j). 2 C(n,3) and C(n,2) are the hard
+// bounds.
+void generate_turning_pencil(const lab::WorkloadParameters& parameters, Scene& scene) {
+  const std::int64_t n = parameters.n;
+  scene.start = Rational(-2 * n);
+  scene.end = Rational(2);
+  for (std::int64_t i = 1; i <= n; ++i) {
+    add_line(scene, "l" + std::to_string(i),
+             {{Rational(i * i), Rational(i)}, {Rational(i), Rational(i * i)}});
+  }
+}
+
+void generate_small_lines(const lab::WorkloadParameters& parameters, Scene& scene) {
+  generate_small(parameters, false, scene);
+}
+void generate_random_lines(const lab::WorkloadParameters& parameters, Scene& scene) {
+  generate_random(parameters, false, scene);
+}
 void generate_small_lines_and_points(const lab::WorkloadParameters& parameters, Scene& scene) {
   generate_small(parameters, true, scene);
 }

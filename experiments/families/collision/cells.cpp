@@ -23,8 +23,10 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/families/collision/axes.h"
 #include "experiments/families/collision/experiments.h"
 #include "experiments/families/collision/story.h"
+#include "experiments/families/collision/turned_scene.h"
 #include "structures/registry.h"
 
 namespace kinex::families {
@@ -51,14 +53,15 @@ Rational power(int exponent) {
   return Rational(Integer(1), Integer::power_of_two(static_cast<unsigned long>(exponent)));
 }
 
-lab::Cell scene(const Method& method, const char* story, const char* workload, int n) {
+// `row`: of the tables of all methods (story.h).
+lab::Cell scene(const Method& method, const char* row, const char* workload, int n) {
   lab::Cell cell;
   cell.question = "How many events does it cost to follow two polygons?";
   cell.structure = method.name;
   cell.workload = workload;
   cell.parameters.n = n;
-  cell.story = story;
-  cell.variable = lab::Variable::kVertices;
+  cell.family_row = row;
+  cell.axis = vertices_axis(cell);
   cell.cost = 0.5;
   return cell;
 }
@@ -74,8 +77,9 @@ void expect(lab::Cell& cell, lab::ExpectationKind kind, const char* claim, std::
   cell.expectations.push_back(std::move(expectation));
 }
 
-lab::GrowthClaim growth(const lab::Cell& cell, const char* claim, lab::Variable variable, double exponent,
-                   double tolerance, bool at_most, const char* source = kPaper) {
+// Over the axis of the family's cells, of which `cell` is one.
+lab::GrowthClaim growth(const lab::Cell& cell, const char* claim, double exponent, double tolerance,
+                        bool at_most, const char* source = kPaper) {
   lab::GrowthClaim growth;
   growth.claim = claim;
   growth.structure = cell.structure;
@@ -83,7 +87,6 @@ lab::GrowthClaim growth(const lab::Cell& cell, const char* claim, lab::Variable 
   growth.quantity = "processed";
   growth.exponent = exponent;
   growth.tolerance = tolerance;
-  growth.variable = variable;
   growth.at_most = at_most;
   growth.source = source;
   return growth;
@@ -99,7 +102,7 @@ void add_round(lab::Catalogue& catalogue, const Method& method, int n, int expon
   lab::Cell cell = scene(method, "B1 round", "polygon-orbit", n);
   cell.parameters.separation = power(exponent);
   cell.family = "B1 round, n = " + std::to_string(n);
-  cell.variable = lab::Variable::kMu;
+  cell.axis = mu_axis(cell);
   if (exponent == 6) cell.comparison = "collision";
   if (method.convex) {
     expect(cell, lab::ExpectationKind::kAtLeast, "collision.lower_bound",
@@ -120,12 +123,12 @@ void add_rounds(lab::Catalogue& catalogue, const Method& method, lab::Extent ext
       for (int k = 3; k <= last; ++k) {
         add_round(catalogue, method, 4 * n, k);
         catalogue.cells.back().family = "B1 wedges, n = " + std::to_string(4 * n);
-        catalogue.cells.back().story.clear();
+        catalogue.cells.back().family_row.clear();
         catalogue.cells.back().comparison.clear();
       }
     }
     catalogue.growths.push_back(
-        growth(catalogue.cells.back(), "collision.round.mu", lab::Variable::kMu, 1, 0.15, false));
+        growth(catalogue.cells.back(), "collision.round.mu", 1, 0.15, false));
   }
   if (std::string_view(method.name) == "bounding_volumes") return;  // discs prove most of these
   for (const int size : {16, 32, 64, 128}) {
@@ -139,8 +142,8 @@ void add_rounds(lab::Catalogue& catalogue, const Method& method, lab::Extent ext
     catalogue.cells.push_back(std::move(cell));
   }
   if (!method.convex) {
-    catalogue.growths.push_back(growth(catalogue.cells.back(), "collision.round.n",
-                                       lab::Variable::kVertices, 1, 0.1, false, kOurs));
+    catalogue.growths.push_back(
+        growth(catalogue.cells.back(), "collision.round.n", 1, 0.1, false, kOurs));
   }
 }
 
@@ -153,8 +156,9 @@ void add_lines(lab::Catalogue& catalogue, const Method& method, lab::Extent exte
     lab::Cell cell = scene(method, "B2 line", "polygon-line", n);
     cell.parameters.separation = power(k);
     cell.family = "B2 line";
-    cell.variable = lab::Variable::kMu;
-    cell.turned = cell.random = true;
+    cell.axis = mu_axis(cell);
+    cell.change = &kTurned;
+    cell.random = true;
     cell.min_seeds = cell.max_seeds = kDirections;
     cell.cost = 2;
     if (k == 6) cell.comparison = "collision";
@@ -162,7 +166,7 @@ void add_lines(lab::Catalogue& catalogue, const Method& method, lab::Extent exte
   }
   if (!has_law) return;
   lab::GrowthClaim law =
-      growth(catalogue.cells.back(), "collision.line.log_mu", lab::Variable::kMu, 0, 0.1, true);
+      growth(catalogue.cells.back(), "collision.line.log_mu", 0, 0.1, true);
   law.logs = 1;
   catalogue.growths.push_back(std::move(law));
 }
@@ -175,14 +179,14 @@ void add_spins(lab::Catalogue& catalogue, const Method& method, lab::Extent exte
     cell.parameters.separation = Rational(2) / Rational(mu * mu);
     cell.parameters.turns = mu;
     cell.family = "B3 mu rounds in a turn";
-    cell.variable = lab::Variable::kMu;
+    cell.axis = mu_axis(cell);
     cell.cost = mu * 0.2;
     if (mu == 8) cell.comparison = "collision";
     catalogue.cells.push_back(std::move(cell));
   }
   if (std::string_view(method.name) != "separation_mixed") return;
   catalogue.growths.push_back(
-      growth(catalogue.cells.back(), "collision.rigid.mu", lab::Variable::kMu, 2, 0.25, true));
+      growth(catalogue.cells.back(), "collision.rigid.mu", 2, 0.25, true));
 }
 
 void add_fans(lab::Catalogue& catalogue, const Method& method, lab::Extent extent) {
@@ -214,8 +218,8 @@ void add_fans(lab::Catalogue& catalogue, const Method& method, lab::Extent exten
     }
     if (is_fitted) {
       catalogue.growths.push_back(growth(catalogue.cells.back(),
-                                         tangents ? "collision.tangents.n" : "collision.fan.n",
-                                         lab::Variable::kVertices, 2, 0.06, false));
+                                         tangents ? "collision.tangents.n" : "collision.fan.n", 2,
+                                         0.06, false));
     }
   }
 }
@@ -245,18 +249,22 @@ void add_paths(lab::Catalogue& catalogue, const Method& method, lab::Extent exte
     if (m == 80) cell.comparison = "collision";
     catalogue.cells.push_back(std::move(cell));
   }
-  for (int k = 2; k <= (extent == lab::Extent::kQuick ? 18 : 22); k += 4) {
+  // As of lines: the method with a law is tested at more sizes.
+  const bool has_law = name == "separation_hysteresis";
+  for (int k = 2; k <= (extent == lab::Extent::kQuick ? 18 : 22); k += has_law ? 1 : 4) {
     lab::Cell cell = scene(method, "B6 approach", "polygon-approach", 64);
     cell.parameters.separation = power(k);
     cell.family = "B6 approach";
     if (k == 10) cell.comparison = "collision";
-    cell.variable = lab::Variable::kHalvings;
+    cell.axis = nearness_axis(cell);
     catalogue.cells.push_back(std::move(cell));
   }
-  if (name == "separation_hysteresis") {
-    catalogue.growths.push_back(growth(catalogue.cells.back(), "hysteresis.approach",
-                                       lab::Variable::kHalvings, 1, 0.1, true, kOurs));
-  }
+  if (!has_law) return;
+  // An event each time the distance is halved or so: O(log(1 / separation)).
+  lab::GrowthClaim law =
+      growth(catalogue.cells.back(), "hysteresis.approach", 0, 0.1, true, kOurs);
+  law.logs = 1;
+  catalogue.growths.push_back(std::move(law));
 }
 
 // The mean over a run is at most what the hard bound of every failure allows.

@@ -7,6 +7,7 @@
 // Cost: about 1 s a structure.
 #include <utility>
 
+#include "experiments/families/collision/axes.h"
 #include "experiments/families/collision/experiments.h"
 #include "experiments/lab/workload.h"
 #include "structures/registry.h"
@@ -45,7 +46,7 @@ void add_common_body_cells(lab::Catalogue& catalogue, const StructureInfo& struc
     cell.parameters.n = scenes.n;
     cell.parameters.degree = scenes.degree;
     cell.family = cell.workload_text();
-    cell.variable = lab::Variable::kVertices;
+    cell.axis = vertices_axis(cell);
     cell.random = workload->random;
     if (cell.random) cell.min_seeds = cell.max_seeds = 4;
     cell.audit = AuditLevel::kEvents;
@@ -53,6 +54,7 @@ void add_common_body_cells(lab::Catalogue& catalogue, const StructureInfo& struc
     catalogue.cells.push_back(cell);
     if (extent == lab::Extent::kQuick) continue;
     cell.parameters.n = 5 * scenes.n;
+    cell.axis = vertices_axis(cell);
     if (cell.random) cell.min_seeds = cell.max_seeds = 8;
     cell.audit = AuditLevel::kEnd;
     cell.cost = 2;

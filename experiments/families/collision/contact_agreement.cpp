@@ -28,7 +28,7 @@ namespace {
 class ContactSink final : public EventSink {
  public:
   void event(const Event& event, Arithmetic& arithmetic) override {
-    if (event.kind != CollisionPairs::kContact && event.kind != CollisionPairs::kSeparation) return;
+    if (event.kind != CollisionEvent::kContact && event.kind != CollisionEvent::kSeparation) return;
     instants_.push_back(to_root(arithmetic.name_now(InstantDetail::kName)));
   }
   // Of contacts and separations, alternately.

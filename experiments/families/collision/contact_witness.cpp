@@ -30,10 +30,10 @@ Series operator*(const Rational& a, Series b) {
 }
 Series operator-(const Series& a, const Series& b) { return a + Rational(-1) * b; }
 
-struct Point {
+struct MovingPoint {
   Series x, y;
 };
-Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
+MovingPoint operator-(const MovingPoint& a, const MovingPoint& b) { return {a.x - b.x, a.y - b.y}; }
 
 // A body in one flight plan: position, and rotation by (c, s) / n.
 struct Frame {
@@ -46,7 +46,7 @@ struct Frame {
     n = p * p + q * q;
   }
   // n times the place of a point of the frame.
-  Point place(const Vertex2& v) const {
+  MovingPoint place(const Vertex2& v) const {
     return {n * x + v[0] * c - v[1] * s, n * y + v[0] * s + v[1] * c};
   }
   Series x, y, c, s, n;
@@ -116,19 +116,19 @@ class SpanSearch {
  private:
   void visit(bool vertex_of_a, const Frame& v_frame, const formats::Polygon2& vertices, const Frame& e_frame,
              const formats::Polygon2& edges) {
-    std::vector<Point> tips, ends;  // all times n of both frames
+    std::vector<MovingPoint> tips, ends;  // all times n of both frames
     for (const Vertex2& v : vertices) {
-      const Point place = v_frame.place(v);
+      const MovingPoint place = v_frame.place(v);
       tips.push_back({e_frame.n * place.x, e_frame.n * place.y});
     }
     for (const Vertex2& v : edges) {
-      const Point place = e_frame.place(v);
+      const MovingPoint place = e_frame.place(v);
       ends.push_back({v_frame.n * place.x, v_frame.n * place.y});
     }
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const std::size_t next = (k + 1) % edges.size();
       const Vertex2 way{edges[next][0] - edges[k][0], edges[next][1] - edges[k][1]};
-      const Point direction{way[0] * e_frame.c - way[1] * e_frame.s,
+      const MovingPoint direction{way[0] * e_frame.c - way[1] * e_frame.s,
                             way[0] * e_frame.s + way[1] * e_frame.c};
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         look_at({vertex_of_a, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k)},
@@ -139,8 +139,8 @@ class SpanSearch {
 
   // from_first: the vector from the edge's first end to the vertex; to_second: from there to its
   // other end.
-  void look_at(const FeaturePair& features, const Point& direction, const Point& from_first,
-               const Point& to_second) {
+  void look_at(const FeaturePair& features, const MovingPoint& direction, const MovingPoint& from_first,
+               const MovingPoint& to_second) {
     const Polynomial side =
         Polynomial::from_rationals(direction.x * from_first.y - direction.y * from_first.x);
     const Polynomial along =

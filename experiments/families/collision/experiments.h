@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
+#include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
 #include "experiments/lab/judge.h"
-#include "experiments/lab/speed_row.h"
 #include "structures/parts/descriptor.h"
 
 namespace kinex::families {
@@ -34,8 +34,8 @@ lab::StudyResult study_wedge_cover(bool quick, const std::function<bool()>& go_o
 // tangent_fans.cpp. How often does each of the two inner tangents change while a polygon turns in
 // front of a fan?
 lab::StudyResult study_tangents(bool quick, const std::function<bool()>& go_on);
-// speed.cpp
-std::vector<lab::SpeedRow> collision_speed_rows(int scale);
+// bench_rows.cpp
+std::vector<lab::BenchRow> collision_bench_rows(int scale);
 
 }  // namespace kinex::families
 

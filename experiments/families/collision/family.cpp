@@ -23,10 +23,11 @@ lab::FamilyExperiments collision_experiments() {
   family.bounds_events = [](std::string_view structure) {
     return structure == "separation_minkowski";
   };
+  family.event_bounds = {"line"};
   family.tables = collision_tables;
   family.figures = collision_figures;
   family.papers = {separation_paper()};
-  family.speed = collision_speed_rows;
+  family.bench_rows = collision_bench_rows;
   return family;
 }
 

@@ -70,22 +70,24 @@ std::vector<lab::Workload> make() {
               near),
           1),
       not_nearer_than(
-          with_separation(pair("polygon-orbit-arcs", "the same, once, along parabolic arcs",
+          with_separation(pair("polygon-orbit-arcs",
+                               "two polygons; one goes once round the other, along parabolic arcs",
                                generate_polygon_orbit_arcs),
                           near),
           Rational(Integer(1), Integer(1000000000000))),
       with_turns(with_separation(pair("polygon-spin-orbit",
-                                      "the same --turns times, while it turns once itself",
+                                      "two polygons; one goes --turns times round the other, while it "
+                                      "turns once itself",
                                       generate_polygon_spin_orbit),
                                  near),
                  0),
       with_turns(
           with_separation(pair("polygon-gears",
-                               "both turn side by side, one --turns times, the other once more",
+                               "two polygons turn side by side, one --turns times, the other once more",
                                generate_polygon_gears),
                           near),
           1),
-      with_separation(pair("polygon-line", "the same, passing by on a line", generate_polygon_line),
+      with_separation(pair("polygon-line", "two polygons; one passes the other on a line", generate_polygon_line),
                       near),
       with_count(with_separation(
           pair("polygon-fan", "n (3m + 2) changes of the closest features of two polygons",

@@ -19,15 +19,16 @@ namespace kinex::families {
 std::vector<lab::SeriesPoint> separation_hysteresis_points(bool quick) {
   std::vector<lab::SeriesPoint> points;
   for (const char* method : {"separation_hysteresis", "separation_mixed"}) {
-    for (int k = 2; k <= (quick ? 14 : 24); k += 2) {
+    for (int k = 2; k <= (quick ? 14 : 24); ++k) {
       points.push_back(separation_point(method, "polygon-approach", 64, inverse_power(k)));
     }
     for (const int m : {16, 64, 256}) {
       if (quick && m > 64) continue;
-      points.push_back(separation_point(method, "polygon-jitter", 16, ""));
-      points.back().key.m = m;
-      points.push_back(separation_point(method, "polygon-kinks", 16, "1/10", quick ? 4 : 16));
-      points.back().key.m = m;
+      points.push_back(separation_point(method, "polygon-jitter", 16, std::nullopt));
+      points.back().key.parameters.m = m;
+      points.push_back(
+          separation_point(method, "polygon-kinks", 16, Rational(1) / Rational(10), quick ? 4 : 16));
+      points.back().key.parameters.m = m;
     }
   }
   return points;
@@ -36,9 +37,7 @@ std::vector<lab::SeriesPoint> separation_hysteresis_points(bool quick) {
 lab::PartReport separation_hysteresis_report(const std::vector<lab::SeriesResult>& results,
                                         const std::string& command) {
   lab::PartReport report;
-  const auto halvings = [](const lab::SeriesResult& result) {
-    return std::log2(4 / Rational::parse(result.point.key.separation).value().to_double());
-  };
+  const auto halvings = [](const lab::SeriesResult& result) { return std::log2(nearness_of(result)); };
   const std::string own = "separation_hysteresis";
   lab::PaperClaim lasting;
   lasting.id = "hysteresis.lasting";
@@ -80,17 +79,17 @@ lab::PartReport separation_hysteresis_report(const std::vector<lab::SeriesResult
   report.claims.push_back(std::move(calm));
 
   const auto approach = points_of(results, own, "polygon-approach", halvings);
-  lab::PaperClaim cover = power_claim(
-      "hysteresis.cover",
+  lab::PaperClaim cover = log_claim(
+      report, "hysteresis.cover",
       "Worked out from the bound by a cover of the path by balls, which needs no smoothness (and "
-      "which `kinex verify collision` counts ball by ball): an approach costs as many events as "
-      "the "
+      "which `kinex verify collision` counts ball by ball): an approach costs as many events as the "
       "times by which the distance is halved.",
-      approach, "halvings", 1);
+      "events of an approach", points_of(results, own, "polygon-approach", nearness_of),
+      "4 / separation");
   cover.assumptions = {"the path: straight from side to side, twice as near each time"};
   set_small_run(cover, results, own, "polygon-approach");
   report.claims.push_back(std::move(cover));
-  const auto kinks = [](const lab::SeriesResult& result) { return 1.0 * result.point.key.m; };
+  const auto kinks = [](const lab::SeriesResult& result) { return 1.0 * result.point.key.parameters.m; };
   report.figures = {curves_figure(
       "Paths that are not smooth: events",
       "Means over random walks with kinks, with bars of two standard errors; trembling: a polygon "

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/families/collision/axes.h"
 #include "experiments/families/collision/experiments.h"
 #include "experiments/lab/claim_check.h"
+#include "experiments/lab/law_verdict.h"
 #include "experiments/lab/power_verdict.h"
 
 namespace kinex::families {
@@ -20,24 +22,27 @@ constexpr double kTolerance = 0.1;
 }  // namespace
 
 lab::SeriesPoint separation_point(std::string structure, std::string workload, int n,
-                             std::string separation, int scenes) {
+                                  std::optional<Rational> separation, int scenes) {
   lab::SeriesPoint point;
   point.key.structure = std::move(structure);
   point.key.workload = std::move(workload);
-  point.key.n = n;
-  point.key.separation = std::move(separation);
+  point.key.parameters.n = n;
+  point.key.parameters.separation = std::move(separation);
   point.precise = "processed";
   point.min_seeds = point.max_seeds = scenes;
   return point;
 }
 
-std::string inverse_power(int k) {
-  return "1/" + Integer::power_of_two(static_cast<unsigned long>(k)).to_string();
+Rational inverse_power(int k) {
+  return Rational(Integer(1), Integer::power_of_two(static_cast<unsigned long>(k)));
 }
 
 double mu_of(const lab::SeriesResult& result) {
-  const Rational separation = Rational::parse(result.point.key.separation).value();
-  return std::min(2.0 * result.point.key.n, std::sqrt(2 / separation.to_double()));
+  return known_mu(result.point.key.workload, result.point.key.parameters).value();
+}
+
+double nearness_of(const lab::SeriesResult& result) {
+  return 4 / known_separation(result.point.key.workload, result.point.key.parameters).value();
 }
 
 std::vector<lab::FitPoint> points_of(const std::vector<lab::SeriesResult>& results,
@@ -68,6 +73,26 @@ lab::PaperClaim power_claim(std::string id, std::string statement, const std::ve
     claim.observed += fmt::format(", factor {:.3g}, {} from {:.3g} to {:.3g}", power.fit->a, name,
                                   points.front().n, points.back().n);
   }
+  return claim;
+}
+
+lab::PaperClaim log_claim(lab::PartReport& report, std::string id, std::string statement,
+                          const std::string& counts, const std::vector<lab::FitPoint>& points,
+                          const std::string& name) {
+  lab::PaperClaim claim;
+  claim.id = std::move(id);
+  claim.statement = std::move(statement);
+  claim.kind = "growth";
+  const std::string x = name.find(' ') == name.npos ? name : "(" + name + ")";
+  const lab::LawVerdict law =
+      lab::judge_law(points, {{0, 1}, kTolerance, true}, x);
+  claim.expected = counts + " grow like " + law.expected;
+  claim.tolerance = fmt::format("a bend of {:.0f} %, for all of the 95 % interval", 100 * kTolerance);
+  claim.observed = law.observed;
+  claim.verdict = law.verdict;
+  if (!law.neighbours) return claim;
+  claim.observed += "; " + lab::neighbours_text(*law.neighbours);
+  report.tables += lab::markdown(lab::neighbours_table({{counts, points.size(), *law.neighbours}}));
   return claim;
 }
 
@@ -112,9 +137,10 @@ void finish(lab::PartReport& report, const std::vector<lab::SeriesResult>& resul
     const double signs = result.mean("signs").mean();
     report.tables +=
         fmt::format("| {} | {}{} | {} | {} | {} | {} | {:.6g} | {:.2g} | {:.0f} | {} |\n",
-                    key.structure, key.workload, key.m == 0 ? "" : fmt::format(" m={}", key.m),
-                    key.n, key.separation.empty() ? "-" : key.separation,
-                    key.turns == -1 ? "-" : std::to_string(key.turns), events.count(),
+                    key.structure, key.workload, key.parameters.m == 0 ? "" : fmt::format(" m={}", key.parameters.m),
+                    key.parameters.n,
+                    key.parameters.separation ? key.parameters.separation->to_string() : "-",
+                    key.parameters.turns == -1 ? "-" : std::to_string(key.parameters.turns), events.count(),
                     events.mean(), events.standard_error(), result.mean("max_live").largest(),
                     events.mean() > 0 ? fmt::format("{:.1f}", signs / events.mean()) : "-");
   }

@@ -4,6 +4,7 @@
 #define KINEX_EXPERIMENTS_FAMILIES_COLLISION_SEPARATION_PAPER_H
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,23 +15,29 @@
 
 namespace kinex::families {
 
-// One run, or `scenes` of them.
+// One run, or `scenes` of them. `separation`: nullopt: that of the workload.
 lab::SeriesPoint separation_point(std::string structure, std::string workload, int n,
-                             std::string separation, int scenes = 1);
-std::string inverse_power(int k);  // "1/2^k", written out
+                                  std::optional<Rational> separation, int scenes = 1);
+Rational inverse_power(int k);  // 2^-k
 
-// min(2 n, sqrt(2 / separation))
+// Of points with a separation: mu (axes.h), and 4 / separation.
 double mu_of(const lab::SeriesResult& result);
+double nearness_of(const lab::SeriesResult& result);
 
 // Mean events of a structure on a workload against x.
 std::vector<lab::FitPoint> points_of(const std::vector<lab::SeriesResult>& results,
                                 const std::string& structure, const std::string& workload,
                                 const std::function<double(const lab::SeriesResult&)>& x);
 
-// "events grow at most like NAME^exponent": confirmed if the fitted exponent is at most
-// `exponent` + 0.1 or the 95 % interval reaches down to it.
-lab::PaperClaim power_claim(std::string id, std::string statement, const std::vector<lab::FitPoint>& points,
-                       const std::string& name, double exponent);
+// "events grow at most like NAME^exponent", judged by lab::judge_power with a tolerance of 0.1.
+lab::PaperClaim power_claim(std::string id, std::string statement,
+                            const std::vector<lab::FitPoint>& points, const std::string& name,
+                            double exponent);
+// "COUNTS grow at most like log NAME", judged by lab::judge_law with a tolerance of 10 %: the table of
+// the law against its neighbours goes to the report.
+lab::PaperClaim log_claim(lab::PartReport& report, std::string id, std::string statement,
+                          const std::string& counts, const std::vector<lab::FitPoint>& points,
+                          const std::string& name);
 
 // Events against the variable that the picture's x axis begins with. The legend has the power of it
 // that fits, with its 95 % interval, unless the curve has a value of its own or is a bound.

@@ -20,6 +20,9 @@ namespace {
 
 constexpr int kFewTiles = 40;
 
+// The least separation of the turns before a fan.
+Rational nearest_turn() { return Rational(Integer(1), Integer(10)); }
+
 double events(const lab::SeriesResult& result) { return result.mean("processed").mean(); }
 
 }  // namespace
@@ -30,8 +33,8 @@ std::vector<lab::SeriesPoint> separation_rigid_points(bool quick) {
     for (const int mu : {2, 3, 4, 6, 8, 12, 16, 24, 32}) {
       if (quick && mu > 12) continue;
       points.push_back(separation_point(method, "polygon-spin-orbit", quick ? 32 : 128,
-                                        "2/" + std::to_string(mu * mu)));
-      points.back().key.turns = mu;
+                                        Rational(2) / Rational(mu * mu)));
+      points.back().key.parameters.turns = mu;
       points.back().cost = 0.01 * mu * mu;
     }
   }
@@ -55,15 +58,14 @@ lab::PartReport separation_rigid_report(const std::vector<lab::SeriesResult>& re
   double most = 0, certificates = 0;
   for (const lab::SeriesResult& result : results) {
     if (result.point.key.structure != "separation_mixed") continue;
-    const double depth = 1 + std::log2(mu_of(result));
-    const double each = result.mean("signs").mean() / events(result);
-    signs.push_back({depth, each, 0});
-    most = std::max(most, each / depth);
+    const double mu = mu_of(result), each = result.mean("signs").mean() / events(result);
+    signs.push_back({mu, each, 0});
+    most = std::max(most, each / (1 + std::log2(mu)));
     certificates = std::max(certificates, result.mean("max_live").largest());
   }
-  lab::PaperClaim update = power_claim("rigid.update", "A change takes O(log min(n, sqrt(D / s))) time.",
-                                  signs, "1 + log2 mu", 1);
-  update.expected = "signs an event grow like (1 + log2 mu)^b with b at most 1";
+  lab::PaperClaim update = log_claim(
+      report, "rigid.update", "A change takes O(log min(n, sqrt(D / s))) time.", "signs an event", signs,
+      "mu");
   update.observed += fmt::format("; at most {:.2f} (1 + log2 mu) signs an event", most);
   update.assumptions = {"time: signs asked for",
                         "s is at least the least separation of the motion"};
@@ -93,15 +95,15 @@ lab::PartReport separation_rigid_report(const std::vector<lab::SeriesResult>& re
 }
 
 std::vector<lab::SeriesPoint> separation_features_points(bool quick) {
+  const Rational near = nearest_turn();
   std::vector<lab::SeriesPoint> points;
   for (const char* workload : {"polygon-fan", "polygon-tangents"}) {
     for (const char* method : {"closest_features", "inner_tangents", "separation_mixed"}) {
       for (const int n : {8, 16, 32, 64, 128, 256}) {
         if (quick && n > 32) continue;
-        for (const char* separation : {"1/10", "2", "29"}) {
+        for (const Rational& separation : {near, Rational(2), Rational(29)}) {
           // The tangent fan has no room so near to the polygon.
-          const bool near = std::string_view(separation) == "1/10";
-          if (near && std::string_view(workload) == "polygon-tangents") continue;
+          if (separation == near && std::string_view(workload) == "polygon-tangents") continue;
           points.push_back(separation_point(method, workload, n, separation));
           points.back().cost = 1e-5 * n * n;
         }
@@ -115,7 +117,7 @@ lab::PartReport separation_features_report(const std::vector<lab::SeriesResult>&
                                       const std::string& command) {
   lab::PartReport report;
   std::vector<lab::Curve> curves;
-  const auto size = [](const lab::SeriesResult& result) { return 1.0 * result.point.key.n; };
+  const auto size = [](const lab::SeriesResult& result) { return 1.0 * result.point.key.parameters.n; };
   for (const bool tangents : {false, true}) {
     const std::string workload = tangents ? "polygon-tangents" : "polygon-fan";
     const std::string method = tangents ? "inner_tangents" : "closest_features";
@@ -133,7 +135,7 @@ lab::PartReport separation_features_report(const std::vector<lab::SeriesResult>&
     for (const lab::SeriesResult& result : results) {
       const lab::RunKey& key = result.point.key;
       if (key.structure != method || key.workload != workload) continue;
-      const double expected = key.n * (tangents ? 2.0 * key.n + 2 : 3.0 * key.n + 2);
+      const double expected = key.parameters.n * (tangents ? 2.0 * key.parameters.n + 2 : 3.0 * key.parameters.n + 2);
       ++runs;
       right += events(result) == expected ? 1 : 0;
     }
@@ -147,7 +149,7 @@ lab::PartReport separation_features_report(const std::vector<lab::SeriesResult>&
   double far = 0;
   for (const lab::SeriesResult& result : results) {
     const lab::RunKey& key = result.point.key;
-    if (key.structure == "separation_mixed" && key.separation != "1/10") {
+    if (key.structure == "separation_mixed" && key.parameters.separation != nearest_turn()) {
       far = std::max(far, events(result));
     }
   }
@@ -165,7 +167,7 @@ lab::PartReport separation_features_report(const std::vector<lab::SeriesResult>&
 
   std::vector<lab::SeriesResult> middle;
   for (const lab::SeriesResult& result : results) {
-    if (result.point.key.separation == "2") middle.push_back(result);
+    if (result.point.key.parameters.separation == Rational(2)) middle.push_back(result);
   }
   for (const char* method : {"separation_mixed", "closest_features", "inner_tangents"}) {
     curves.push_back(

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "experiments/families/collision/separation_paper.h"
+#include "experiments/families/collision/turned_scene.h"
 
 namespace kinex::families {
 
@@ -25,8 +26,8 @@ constexpr const char* kLinesOnly =
 
 double fewest_certificates(const lab::SeriesResult& result) {
   const lab::RunKey& key = result.point.key;
-  const double radius = 2 + Rational::parse(key.separation).value().to_double();
-  const double rho = 2 * std::cos(std::numbers::pi / key.n);
+  const double radius = 2 + key.parameters.separation.value().to_double();
+  const double rho = 2 * std::cos(std::numbers::pi / key.parameters.n);
   return std::ceil(std::numbers::pi / std::acos(rho / radius) - 1e-9);
 }
 
@@ -70,7 +71,7 @@ std::vector<lab::SeriesPoint> separation_translation_points(bool quick) {
     for (int k = 2; k <= (quick ? 14 : 20); k += 2) {
       points.push_back(
           separation_point(method, "polygon-line", quick ? 64 : 512, inverse_power(k), 16));
-      points.back().key.turned = true;
+      points.back().key.change = &kTurned;
       points.back().cost = quick ? 1 : 8;
     }
   }
@@ -81,9 +82,9 @@ lab::PartReport separation_translation_report(const std::vector<lab::SeriesResul
                                          const std::string& command) {
   lab::PartReport report;
   const auto log_mu = [](const lab::SeriesResult& result) { return std::log2(mu_of(result)); };
-  lab::PaperClaim line = power_claim(
-      "translation.line", "A linear translation changes the certificate O(log mu) times.",
-      points_of(results, "separation_minkowski", "polygon-line", log_mu), "log2 mu", 1);
+  lab::PaperClaim line = log_claim(
+      report, "translation.line", "A linear translation changes the certificate O(log mu) times.",
+      "events", points_of(results, "separation_minkowski", "polygon-line", mu_of), "mu");
   line.assumptions = {
       kLinesOnly, "hierarchy of the Minkowski sum; every run also keeps to 2 events a level + 8"};
   set_small_run(line, results, "separation_minkowski", "polygon-line");

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "experiments/families/collision/axes.h"
 #include "experiments/lab/curves.h"
 #include "structures/collision/separation_mixed.h"
 #include "structures/registry.h"
@@ -17,19 +18,16 @@
 namespace kinex::families {
 namespace {
 
-using SceneKey = std::tuple<std::string, int, double, std::string>;  // story, n, mu, workload
+using SceneKey = std::tuple<std::string, int, double, std::string>;  // row, n, mu, workload
 
-double mu_of(const lab::Cell& cell) {
-  const lab::Workload* workload = lab::find_workload(cell.workload);
-  const bool known = cell.parameters.separation || (workload != nullptr && workload->separation);
-  return known ? lab::variable_of(cell, lab::Variable::kMu) : 0;
-}
+// 0: not known.
+double mu_of(const lab::Cell& cell) { return known_mu(cell.workload, cell.parameters).value_or(0); }
 
 std::vector<std::string> methods_of(const std::vector<lab::CellResult>& cells) {
   std::vector<std::string> methods;
   for (const StructureInfo& info : structure_infos()) {
     if (std::any_of(cells.begin(), cells.end(), [&](const lab::CellResult& cell) {
-          return !cell.cell.story.empty() && cell.cell.structure == info.name;
+          return !cell.cell.family_row.empty() && cell.cell.structure == info.name;
         })) {
       methods.emplace_back(info.name);
     }
@@ -49,15 +47,15 @@ struct Curve {
 };
 
 std::vector<Curve> curves_of(const std::vector<lab::CellResult>& cells, const std::string& family,
-                             lab::Variable variable) {
+                             std::string_view axis) {
   std::map<std::string, Curve> curves;
   for (const lab::CellResult& cell : cells) {
-    if (cell.trials.empty() || cell.cell.story.empty()) continue;
+    if (cell.trials.empty() || cell.cell.family_row.empty()) continue;
     if (cell.cell.family.compare(0, family.size(), family) != 0) continue;
-    if (variable == lab::Variable::kMu && cell.cell.variable != lab::Variable::kMu) continue;
+    if (cell.cell.axis.name != axis) continue;
     Curve& curve = curves[cell.cell.structure];
     curve.method = cell.cell.structure;
-    curve.points.emplace_back(lab::variable_of(cell.cell, variable), events_of(cell));
+    curve.points.emplace_back(cell.cell.axis.value, events_of(cell));
   }
   std::vector<Curve> result;
   for (const std::string& method : methods_of(cells)) {
@@ -96,8 +94,8 @@ std::optional<lab::Table> events_table(const std::vector<lab::CellResult>& cells
   if (methods.empty()) return std::nullopt;
   std::map<SceneKey, std::map<std::string, std::string>> rows;
   for (const lab::CellResult& cell : cells) {
-    if (cell.cell.story.empty() || cell.trials.empty()) continue;
-    rows[{cell.cell.story, cell.cell.parameters.n, mu_of(cell.cell), cell.cell.workload_text()}]
+    if (cell.cell.family_row.empty() || cell.trials.empty()) continue;
+    rows[{cell.cell.family_row, cell.cell.parameters.n, mu_of(cell.cell), cell.cell.workload_text()}]
         [cell.cell.structure] = count_text(events_of(cell));
   }
   lab::Table table;
@@ -106,8 +104,8 @@ std::optional<lab::Table> events_table(const std::vector<lab::CellResult>& cells
   table.header = {"scene", "n", "workload", "mu"};
   table.header.insert(table.header.end(), methods.begin(), methods.end());
   for (const auto& [scene, counts] : rows) {
-    const auto& [story, n, mu, workload] = scene;
-    std::vector<std::string> row{story, std::to_string(n), workload,
+    const auto& [name, n, mu, workload] = scene;
+    std::vector<std::string> row{name, std::to_string(n), workload,
                                  mu > 0 ? fmt::format("{:.1f}", mu) : "-"};
     for (const std::string& method : methods) {
       const auto found = counts.find(method);
@@ -121,7 +119,7 @@ std::optional<lab::Table> events_table(const std::vector<lab::CellResult>& cells
 std::optional<double> signs_limit(const lab::Cell& cell) {
   constexpr double kPerLevel = SeparationMixed::kSignsPerLevel, kRest = SeparationMixed::kSigns;
   if (cell.structure != "separation_mixed" && cell.structure != "separation_minkowski") return {};
-  const double mu = cell.story.empty() ? 0 : mu_of(cell);
+  const double mu = cell.family_row.empty() ? 0 : mu_of(cell);
   if (!(mu > 0)) return {};
   return kPerLevel * (2 * std::max(0.0, std::log2(mu)) + 6) + kRest;
 }
@@ -138,8 +136,8 @@ std::optional<lab::Table> signs_table(const std::vector<lab::CellResult>& cells)
                   "signs", "method", "signs / event", "limit",   "verdict", "over 1 + log2 mu"};
   std::map<std::string, double> most;
   for (const lab::CellResult& cell : cells) {
-    if (cell.cell.comparison.empty() && cell.cell.variable != lab::Variable::kMu) continue;
-    if (cell.cell.story.empty() || cell.trials.empty() || !(mu_of(cell.cell) > 0)) continue;
+    if (cell.cell.comparison.empty() && cell.cell.axis.name != kMuAxis) continue;
+    if (cell.cell.family_row.empty() || cell.trials.empty() || !(mu_of(cell.cell) > 0)) continue;
     double signs = 0, events = 0;
     for (const lab::Trial& trial : cell.trials) {
       signs += static_cast<double>(trial.measurement.signs());
@@ -155,7 +153,7 @@ std::optional<lab::Table> signs_table(const std::vector<lab::CellResult>& cells)
     const bool holds = !limit || signs <= *limit * events;
     if (cell.cell.comparison.empty() && holds) continue;
     table.rows.push_back(
-        {cell.cell.story, std::to_string(cell.cell.parameters.n), cell.cell.workload_text(),
+        {cell.cell.family_row, std::to_string(cell.cell.parameters.n), cell.cell.workload_text(),
          fmt::format("{:.1f}", depth), std::to_string(cell.trials.size()), count_text(events),
          count_text(signs), cell.cell.structure, fmt::format("{:.1f}", signs / events),
          limit ? fmt::format("<= {:.1f}", *limit) : "-",
@@ -181,16 +179,16 @@ std::vector<lab::Table> collision_tables(const std::vector<lab::CellResult>& cel
 }
 
 std::vector<lab::Figure> collision_figures(const std::vector<lab::CellResult>& cells) {
-  std::vector<Curve> mu = curves_of(cells, "B1 round", lab::Variable::kMu);
-  const std::vector<Curve> fan = curves_of(cells, "B4 turn", lab::Variable::kVertices);
-  const std::vector<Curve> tangents = curves_of(cells, "B5 turn", lab::Variable::kVertices);
+  std::vector<Curve> mu = curves_of(cells, "B1 round", kMuAxis);
+  const std::vector<Curve> fan = curves_of(cells, "B4 turn", kVerticesAxis);
+  const std::vector<Curve> tangents = curves_of(cells, "B5 turn", kVerticesAxis);
   std::map<double, double> least;
   for (const lab::CellResult& cell : cells) {
     if (cell.cell.family.rfind("B1 round", 0) != 0) continue;
-    if (cell.cell.variable != lab::Variable::kMu) continue;
+    if (cell.cell.axis.name != kMuAxis) continue;
     for (const lab::Expectation& expectation : cell.cell.expectations) {
       if (expectation.kind != lab::ExpectationKind::kAtLeast) continue;
-      least[lab::variable_of(cell.cell, lab::Variable::kMu)] = expectation.exact.to_double() + 1;
+      least[cell.cell.axis.value] = expectation.exact.to_double() + 1;
     }
   }
   mu.push_back({"lower bound", {least.begin(), least.end()}});

@@ -11,9 +11,9 @@
 
 namespace kinex::families {
 
-// Events of every method by scene, signs per event; empty if no cell is in a story.
+// Events of every method by scene, signs per event; empty if no cell is in a row of theirs (Cell::family_row).
 std::vector<lab::Table> collision_tables(const std::vector<lab::CellResult>& cells);
-// Events of every method by scene; nullopt if no cell is in a story.
+// Events of every method by scene; nullopt likewise.
 std::optional<lab::Table> events_table(const std::vector<lab::CellResult>& cells);
 // The limit on the signs per event of this cell, c log2 mu + c0, where a law is known: for the tile
 // structures, in scenes of two bodies of a known separation that do not touch. Levels: a tile at

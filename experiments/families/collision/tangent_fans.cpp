@@ -14,6 +14,7 @@
 #include "experiments/families/collision/experiments.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/lab/workload.h"
+#include "structures/collision/collision_pairs.h"
 #include "structures/collision/inner_tangents.h"
 
 namespace kinex::families {
@@ -55,8 +56,7 @@ Counts count_changes(int n, int m) {
   SimulatorOptions options;
   options.audit = AuditLevel::kNone;
   const auto simulator = lab::make_simulator(scene, "exact", options);
-  TangentCounter counter(
-      dynamic_cast<const InnerTangents&>(std::as_const(*simulator).structure(0)));
+  TangentCounter counter(proof_of<InnerTangents>(std::as_const(*simulator).structure(0)));
   simulator->set_sink(&counter);
   simulator->start();
   counter.start();

@@ -23,6 +23,7 @@
 #include "experiments/families/collision/polygons.h"
 #include "experiments/formats/angles.h"
 #include "experiments/lab/scene_run.h"
+#include "structures/collision/collision_pairs.h"
 #include "structures/collision/separation_hysteresis.h"
 
 namespace kinex::families {
@@ -92,8 +93,8 @@ Outcome run(Scene& scene) {
   scene.maintain = {request};
   const auto simulator = lab::make_simulator(scene, "exact", {});
   const bool clean = lab::run_scene(*simulator, {}).clean(*simulator);
-  const auto& structure = dynamic_cast<const SeparationHysteresis&>(simulator->structure(0));
-  return {simulator->ledger(0).processed, structure.least_displacement(), clean};
+  const auto& structure = proof_of<SeparationHysteresis>(simulator->structure(0));
+  return {simulator->ledger(0).processed, structure.search().least_displacement(), clean};
 }
 
 }  // namespace

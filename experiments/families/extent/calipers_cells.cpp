@@ -3,7 +3,8 @@
 //   hand? Does the baseline report the same changes? Are all bounds kept in random motion? How many
 //   events have the calipers?
 // Source: vernier.cpp counts nm - 1 changes of the diameter, (n - 1)(m - 1) + n of the antipodal
-//   pairs, 2nm - n - m of the width and of both rectangles.
+//   pairs, 2nm - n - m of the width and of both rectangles; (n - 1)(m - 1) + 2m pairs of edges that
+//   become perpendicular in the turned vernier.
 // Expected: the integers below, in every run; every hard bound, and every audit.
 // Cost: about 20 s.
 #include <string>
@@ -37,6 +38,18 @@ void add_antipodal(lab::Catalogue& catalogue, int size) {
   catalogue.cells.push_back(std::move(cell));
 }
 
+// The edges that become perpendicular in the turned vernier, for a rectangle's calipers.
+void add_perpendicular(lab::Catalogue& catalogue, const std::string& structure, int size) {
+  lab::Cell cell = lab::worst_case_cell(structure, "vernier-turned", size, 1, 0.5);
+  cell.parameters.m = size;
+  cell.audit = size <= 6 ? AuditLevel::kEvents : AuditLevel::kEnd;
+  cell.expectations.push_back(lab::expect_exactly(
+      structure + ".vernier_turned", "kind.perpendicular",
+      Integer((size - 1) * (size - 1) + 2 * size),
+      "(n - 1)(m - 1) pairs of edges of the two arcs; 2m with the edges between the arcs"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
 void add_comb(lab::Catalogue& catalogue, const std::string& structure, int size) {
   lab::Cell cell = lab::worst_case_cell(structure, "comb", size, 1, 0.5);
   cell.parameters.m = size;
@@ -62,13 +75,17 @@ std::vector<lab::Workload> caliper_workloads() {
   lab::Workload vernier{"vernier",
                         "--n points at rest, --m move: nm - 1 changes of the diameter",
                         2, 2, 2, false, false, true, "diameter_2", generate_vernier, 2, 1};
+  lab::Workload turned{"vernier-turned",
+                       "the vernier with its points at rest turned by 90 degrees: (n - 1)(m - 1) edges "
+                       "become perpendicular",
+                       2, 2, 2, false, false, true, "min_area_rectangle_2", generate_vernier_turned, 2, 1};
   lab::Workload comb{"comb",
                      "--n tips pass --m edges: 2nm - n - m changes of width and rectangles",
                      2, 2, 2, false, false, true, "width_2", generate_comb, 1, 2};
   lab::Workload through{"through-point",
                         "--n points pass through one point at one instant: no extent changes",
                         2, 2, 2, false, false, false, "diameter_2", generate_through_point, 1};
-  return {vernier, comb, through};
+  return {vernier, turned, comb, through};
 }
 
 std::vector<lab::TradePlan> caliper_trade() {
@@ -85,18 +102,13 @@ std::vector<lab::TradePlan> caliper_trade() {
   return plans;
 }
 
-std::vector<lab::SpeedRow> caliper_speed_rows(int scale) {
-  const auto n = [scale](int size) { return lab::scaled_size(size, scale); };
-  return {{"calipers_2", "uniform-square", 1, n(1000), {"exact", "double"}},
-          {"diameter_2", "uniform-square", 1, n(1000), {"exact", "double"}},
-          {"width_2", "uniform-square", 1, n(1000), {"exact", "double"}},
-          {"min_area_rectangle_2", "uniform-square", 1, n(1000), {"exact", "double"}}};
-}
-
 void add_caliper_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   for (const int size : {2, 3, 4, 6, 8, 12}) {
     if (size > 6 && extent == lab::Extent::kQuick) continue;
     add_antipodal(catalogue, size);
+    for (const char* structure : {"min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
+      add_perpendicular(catalogue, structure, size);
+    }
     for (const char* structure : {"diameter_2", "diameter_all_pairs"}) {
       add_vernier(catalogue, structure, size);
     }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "experiments/lab/cell.h"
-#include "experiments/lab/speed_row.h"
 #include "experiments/lab/trade_plan.h"
 #include "experiments/lab/workload.h"
 
@@ -14,12 +13,12 @@ namespace kinex::families {
 
 // vernier.cpp
 void generate_vernier(const lab::WorkloadParameters&, Scene&);
+void generate_vernier_turned(const lab::WorkloadParameters&, Scene&);
 void generate_comb(const lab::WorkloadParameters&, Scene&);
 void generate_through_point(const lab::WorkloadParameters&, Scene&);
 // calipers_cells.cpp
 std::vector<lab::Workload> caliper_workloads();
 std::vector<lab::TradePlan> caliper_trade();
-std::vector<lab::SpeedRow> caliper_speed_rows(int scale);
 void add_caliper_cells(lab::Catalogue& catalogue, lab::Extent extent);
 
 }  // namespace kinex::families

@@ -6,10 +6,10 @@
 #include <functional>
 #include <vector>
 
+#include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
 #include "experiments/lab/judge.h"
 #include "experiments/lab/part.h"
-#include "experiments/lab/speed_row.h"
 #include "experiments/lab/workload.h"
 
 namespace kinex::families {
@@ -20,8 +20,8 @@ void add_extent_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_circle_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // seesaw.cpp
 void generate_seesaw(const lab::WorkloadParameters&, Scene&);
-// speed.cpp
-std::vector<lab::SpeedRow> extent_speed_rows(int scale);
+// bench_rows.cpp
+std::vector<lab::BenchRow> extent_bench_rows(int scale);
 // direction_cells.cpp
 void add_direction_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // direction_study.cpp

@@ -6,6 +6,7 @@
 
 #include "experiments/families/extent/calipers_experiments.h"
 #include "experiments/families/extent/experiments.h"
+#include "experiments/families/extent/trajectory_kernel.h"
 #include "experiments/families/points/experiments.h"
 
 namespace kinex::families {
@@ -32,6 +33,8 @@ lab::FamilyExperiments extent_experiments() {
   family.trade = {
       plan("bounding_box", "box-worst", 16, 48), plan("bounding_box_2_hull", "box-worst", 16, 48),
       plan("directions_2", "box-worst", 16, 48), plan("farthest_delaunay_2", "seesaw", 4, 8),
+      plan("directions_2_tournament", "box-worst", 8, 24),
+      plan("diameter_directions", "box-worst", 16, 48), plan("width_directions", "box-worst", 16, 48),
       plan("min_circle_2", "seesaw", 4, 8)};
   family.trade.push_back({"min_circle_2_brute_force",
                           2,
@@ -47,7 +50,8 @@ lab::FamilyExperiments extent_experiments() {
   family.papers = {kds_report({{"section-6-circle", "the smallest enclosing circle", 4, no_runs,
                                 nullptr, study_kds_section_6, kds_section_6_report}})};
   family.figures = direction_figures;
-  family.speed = extent_speed_rows;
+  family.thinning = &kKernelThinning;
+  family.bench_rows = extent_bench_rows;
   return family;
 }
 

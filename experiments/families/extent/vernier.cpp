@@ -39,6 +39,20 @@ void generate_vernier(const lab::WorkloadParameters& parameters, Scene& scene) {
   }
 }
 
+// The points at rest turned by 90 degrees about the centre: (x, y) to (-y, x). Their n - 1 edges become
+// perpendicular to the m - 1 edges of the moving points at the instants at which they are antiparallel
+// in the vernier: (n - 1)(m - 1) times. Of the two edges that join the points at rest to the moving ones
+// it has been counted, not proved, that they are perpendicular 2m times to some edge, and that the
+// contacts change m(n + 2) times in all.
+void generate_vernier_turned(const lab::WorkloadParameters& parameters, Scene& scene) {
+  generate_vernier(parameters, scene);
+  for (std::int64_t i = 0; i < parameters.n; ++i) {
+    auto& axes = scene.objects[static_cast<std::size_t>(i)].motion.pieces[0].trajectory.coordinates;
+    std::swap(axes[0], axes[1]);
+    for (Rational& c : axes[0]) c = -c;
+  }
+}
+
 // n tips pass below a polygonal arc of m edges, one after another. With G = 1/(100 T^2) for the end
 // T = n(m - 1), s = G/(100000 m) and T_i = (m - 1)(i + 1/2):
 //

@@ -6,10 +6,10 @@
 #include <functional>
 #include <vector>
 
+#include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
 #include "experiments/lab/judge.h"
 #include "experiments/lab/part.h"
-#include "experiments/lab/speed_row.h"
 
 namespace kinex::families {
 
@@ -27,8 +27,8 @@ lab::PartReport kds_figure_3_report(const std::vector<lab::SeriesResult>& result
 std::vector<lab::SeriesPoint> kds_large_runs_points(bool quick);
 lab::PartReport kds_large_runs_report(const std::vector<lab::SeriesResult>& results,
                                  const std::string& command);
-// speed.cpp
-std::vector<lab::SpeedRow> hull_speed_rows(int scale);
+// bench_rows.cpp
+std::vector<lab::BenchRow> hull_bench_rows(int scale);
 
 }  // namespace kinex::families
 

@@ -28,7 +28,7 @@ lab::FamilyExperiments hull_experiments() {
                    kds_figure_3_points, kds_figure_3_report},
                   {"large-runs", "the hull of 50,000 and of 1,000,000 points (section 11)", 2,
                    kds_large_runs_points, kds_large_runs_report}})};
-  family.speed = hull_speed_rows;
+  family.bench_rows = hull_bench_rows;
   return family;
 }
 

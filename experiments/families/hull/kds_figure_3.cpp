@@ -47,7 +47,7 @@ CostTable cost_table(const std::vector<lab::SeriesResult>& results, const Polyno
     lab::RunningMean mean;
     for (const lab::RunRecord& run : result.runs) mean.add(cost_of(run, weights));
     const lab::RunKey& key = result.point.key;
-    Costs& costs = table[key.workload][key.n];
+    Costs& costs = table[key.workload][key.parameters.n];
     (key.structure == kMethods[0].structure   ? costs.kinetic
      : key.structure == kMethods[1].structure ? costs.brute
                                               : costs.delaunay) = mean.mean();
@@ -143,7 +143,7 @@ lab::PaperClaim claim_on_changes(const std::vector<lab::SeriesResult>& results, 
   for (const lab::SeriesResult& result : results) {
     const lab::RunKey& key = result.point.key;
     for (std::size_t i = 0; i < result.runs.size(); ++i) {
-      const std::string scene = fmt::format("{} n={}, scene {}", key.workload, key.n, i + 1);
+      const std::string scene = fmt::format("{} n={}, scene {}", key.workload, key.parameters.n, i + 1);
       changes[scene][key.structure].insert(result.runs[i].external);
     }
   }
@@ -172,7 +172,7 @@ std::string table_text(const std::vector<lab::SeriesResult>& results,
   text += "\n";
   for (const lab::SeriesResult& result : results) {
     text += fmt::format("| {} | {} | {} | {} | {:.0f} | {:.1f} | {:.0f} | {:.0f} | {:.0f} |",
-                        result.point.key.workload, result.point.key.n, result.point.key.structure,
+                        result.point.key.workload, result.point.key.parameters.n, result.point.key.structure,
                         result.runs.size(), result.mean("processed").mean(),
                         result.mean("external").mean(), result.mean("solved.1").mean(),
                         result.mean("solved.2").mean(), result.mean("solved.4").mean());
@@ -203,7 +203,7 @@ lab::Figure figure(const std::string& workload, const std::vector<lab::SeriesRes
       if (key.workload != workload || key.structure != method.structure) continue;
       lab::RunningMean mean;
       for (const lab::RunRecord& run : result.runs) mean.add(cost_of(run, weights));
-      curve.points.push_back({static_cast<double>(key.n), mean.mean(), mean.standard_error()});
+      curve.points.push_back({static_cast<double>(key.parameters.n), mean.mean(), mean.standard_error()});
     }
     const auto half = static_cast<std::ptrdiff_t>(curve.points.size() / 2);
     std::vector<lab::FitPoint> larger(curve.points.begin() + half, curve.points.end());
@@ -231,7 +231,7 @@ std::vector<lab::SeriesPoint> kds_figure_3_points(bool quick) {
         lab::SeriesPoint point;
         point.key.structure = method.structure;
         point.key.workload = workload;
-        point.key.n = n;
+        point.key.parameters.n = n;
         point.key.forever = true;
         point.min_seeds = point.max_seeds = n <= 200 ? 10 : n <= 2000 ? 4 : 1;
         point.cost = point.min_seeds * 3e-6 * n * std::sqrt(n);

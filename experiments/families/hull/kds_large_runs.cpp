@@ -26,7 +26,7 @@ std::vector<lab::SeriesPoint> kds_large_runs_points(bool quick) {
     lab::SeriesPoint point;
     point.key.structure = "convex_hull_2";
     point.key.workload = "uniform-square";
-    point.key.n = n;
+    point.key.parameters.n = n;
     point.key.forever = forever;
     point.min_seeds = point.max_seeds = 1;
     point.cost = n * 5e-5;
@@ -59,10 +59,10 @@ lab::PartReport kds_large_runs_report(const std::vector<lab::SeriesResult>& resu
     const lab::RunKey& key = result.point.key;
     const double events = static_cast<double>(run.processed);
     report.tables += fmt::format(
-        "| {} | {} | {} | {:.2f} | {} | {} | {:.1f} | {:.1f} | {:.0f} | {} |\n", key.n,
-        key.forever ? "no event is left" : "t = 1", run.processed, events / key.n, run.external,
+        "| {} | {} | {} | {:.2f} | {} | {} | {:.1f} | {:.1f} | {:.0f} | {} |\n", key.parameters.n,
+        key.forever ? "no event is left" : "t = 1", run.processed, events / key.parameters.n, run.external,
         run.max_live, run.seconds_setup, run.seconds, events / run.seconds, run.peak_bytes);
-    if (key.n != kClaimedPoints) continue;
+    if (key.parameters.n != kClaimedPoints) continue;
     if (!key.forever) {
       on_time = fmt::format("{} certificate failures up to t = 1, ", run.processed);
       continue;

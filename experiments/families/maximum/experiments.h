@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
+#include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
 #include "experiments/lab/judge.h"
-#include "experiments/lab/speed_row.h"
 
 namespace kinex::families {
 
@@ -19,8 +19,8 @@ void add_maximum_comparison(lab::Catalogue& catalogue, lab::Extent extent);
 // hanger_expectation.cpp. Events of the kinetic hanger over many seeds of its coins, against their
 // exact expectation.
 lab::StudyResult study_hanger(bool quick, const std::function<bool()>& go_on);
-// speed.cpp
-std::vector<lab::SpeedRow> maximum_speed_rows(int scale);
+// bench_rows.cpp
+std::vector<lab::BenchRow> maximum_bench_rows(int scale);
 
 }  // namespace kinex::families
 

@@ -33,7 +33,7 @@ lab::FamilyExperiments maximum_experiments() {
                    {64, 256},
                    {32, 128},
                    {{16, 64, 256, 1024}, {16, 64, 256, 1024, 4096}}}};
-  family.speed = maximum_speed_rows;
+  family.bench_rows = maximum_bench_rows;
   return family;
 }
 

@@ -5,14 +5,14 @@
 
 #include <vector>
 
+#include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
-#include "experiments/lab/speed_row.h"
 
 namespace kinex::families {
 
 void add_order_cells(lab::Catalogue& catalogue, lab::Extent extent);
-// speed.cpp
-std::vector<lab::SpeedRow> order_speed_rows(int scale);
+// bench_rows.cpp
+std::vector<lab::BenchRow> order_bench_rows(int scale);
 
 }  // namespace kinex::families
 

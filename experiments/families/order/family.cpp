@@ -13,6 +13,7 @@ lab::FamilyExperiments order_experiments() {
   family.workloads = {{"sort-worst", "every pair swaps --degree times", 1, 1, 1, false, true, false,
                        "sorted_list", generate_sort_worst}};
   family.add_cells = add_order_cells;
+  family.event_bounds = {"swaps"};
   family.trade = {{"sorted_list",
                    1,
                    {24, 64},
@@ -21,7 +22,7 @@ lab::FamilyExperiments order_experiments() {
                    {25, 64},
                    {16, 48},
                    {{8, 16, 32, 64}, {8, 16, 32, 64, 128, 256}}}};
-  family.speed = order_speed_rows;
+  family.bench_rows = order_bench_rows;
   return family;
 }
 

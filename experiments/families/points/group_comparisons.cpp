@@ -22,21 +22,21 @@ namespace kinex::families {
 
 namespace {
 
-struct Scenes {
+struct GroupScenes {
   const char* workload;
   int n;
   int degree;
   bool full_only;
 };
 
-constexpr Scenes kScenes[] = {
+constexpr GroupScenes kGroupScenes[] = {
     {"uniform-square", 64, 1, false}, {"uniform-square", 256, 1, true},
     {"uniform-square", 32, 2, false}, {"new-plans", 64, 1, false},
     {"new-plans", 256, 1, true},      {"come-and-go", 64, 1, false},
     {"come-and-go", 256, 1, true},
 };
 
-lab::Cell cell_of(const StructureInfo& info, const Scenes& scenes, lab::Extent extent) {
+lab::Cell cell_of(const StructureInfo& info, const GroupScenes& scenes, lab::Extent extent) {
   lab::Cell cell;
   cell.question = "Which structure for an attribute?";
   cell.structure = info.name;
@@ -66,7 +66,7 @@ void add_group_comparisons(lab::Catalogue& catalogue, lab::Extent extent) {
   for (const auto& [group, members] : groups) {
     if (members.size() < 2) continue;
     for (const StructureInfo* info : members) {
-      for (const Scenes& scenes : kScenes) {
+      for (const GroupScenes& scenes : kGroupScenes) {
         if (scenes.full_only && extent == lab::Extent::kQuick) continue;
         if (scenes.degree > info->largest_degree) continue;
         const lab::Cell wanted = cell_of(*info, scenes, extent);

@@ -4,7 +4,7 @@
 namespace kinex::families {
 
 std::vector<lab::Workload> point_workloads() {
-  return {
+  std::vector<lab::Workload> all = {
       {"uniform-square", "origin and destination uniform in the unit square (interval, cube)", 2, 1,
        3, true, true, false, "", generate_uniform_square},
       {"uniform-disk", "origin and destination uniform in the unit disk (interval, ball)", 2, 1, 3,
@@ -37,6 +37,14 @@ std::vector<lab::Workload> point_workloads() {
       {"walks", "random walks, as recorded ten times a second; --m flight plans an object", 2, 1, 3,
        true, false, true, "", generate_walks, 1, 1, 20},
   };
+  using lab::SceneKind;
+  lab::set_kind(all, SceneKind::kRandom, {"uniform-square", "uniform-disk", "gaussian"});
+  lab::set_kind(
+      all, SceneKind::kTies,
+      {"grid", "lattice", "meet", "through-one-point", "near-one-point", "collinear-instant",
+       "counter-rotating-rings", "expanding-circle", "rotating-circle"});
+  lab::set_kind(all, SceneKind::kNewPlans, {"new-plans", "come-and-go", "walks"});
+  return all;
 }
 
 }  // namespace kinex::families

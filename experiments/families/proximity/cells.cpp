@@ -17,7 +17,7 @@
 namespace kinex::families {
 namespace {
 
-constexpr const char* kTrees[] = {"emst_list", "emst_cycles"};
+constexpr const char* kTrees[] = {"emst_list", "emst_cycles", "emst_clusters"};
 
 void add_exact(lab::Catalogue& catalogue, lab::Cell cell, std::string claim, int count,
                std::string source) {
@@ -82,7 +82,8 @@ void add_proximity_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   add_pair_cells(catalogue, extent);
   add_graph_cells(catalogue, extent);
   add_meeting_cells(catalogue, extent);
-  for (const char* structure : {"closest_pair_delaunay", "emst_list", "emst_cycles"}) {
+  for (const char* structure :
+       {"closest_pair_delaunay", "emst_list", "emst_cycles", "emst_clusters"}) {
     for (const int n : {16, 64, 256}) {
       // Most failures of the list exchange edges that are far apart: 200,000 a run at n = 256.
       const bool long_run = std::string_view(structure) == "emst_list" && n > 64;

@@ -42,22 +42,15 @@ void generate_fan(const lab::WorkloadParameters& parameters, Extents kind, Scene
 // As small-integers (small_integers.cpp); then for each object its radius, or its half extent along
 // each axis, 1 + next() mod 12.
 void generate_small(const lab::WorkloadParameters& parameters, Extents kind, Scene& scene) {
-  std::uint64_t state = parameters.seed;
-  const auto next = [&state] {
-    state = (1103515245 * state + 12345) % (std::uint64_t{1} << 31);
-    return static_cast<std::int64_t>(state >> 16);
-  };
+  lab::RepeatableNumbers numbers(parameters.seed);
   scene.start = 0;
   scene.end = Rational(10);
   scene.extents = kind;
   for (int i = 0; i < parameters.n; ++i) {
     Axes position, extents;
-    for (int axis = 0; axis < parameters.dimension; ++axis) {
-      const std::int64_t place = next() % 100, velocity = next() % 41 - 20;
-      position.push_back({lab::fraction(place, 1), lab::fraction(velocity, 1)});
-    }
+    for (int axis = 0; axis < parameters.dimension; ++axis) position.push_back(numbers.line());
     for (int axis = 0; axis < scene.extent_axes(); ++axis) {
-      extents.push_back({lab::fraction(1 + next() % 12, 1)});
+      extents.push_back({lab::fraction(1 + numbers.next() % 12, 1)});
     }
     add_extended(scene, "p" + std::to_string(i), std::move(position), std::move(extents));
   }

@@ -2,7 +2,9 @@
 #include "experiments/families/proximity/family.h"
 
 #include <string_view>
+#include <vector>
 
+#include "experiments/families/points/experiments.h"
 #include "experiments/families/proximity/experiments.h"
 
 namespace kinex::families {
@@ -15,6 +17,12 @@ lab::FamilyExperiments proximity_experiments() {
        2, 2, 2, false, false, true, "closest_pair_delaunay", generate_pass_over_row, 1, 2},
       {"pass-along-row", "--n points pass along a row of --m: nm - 1 changes of the closest pair",
        2, 2, 2, false, false, true, "closest_pair_delaunay", generate_pass_along_row, 1, 2},
+      {"colours-along-row",
+       "--n points pass along a row of --n: n^2 - 1 changes of the closest pair of two colours", 2,
+       2, 2, false, false, false, "bichromatic_pair_delaunay", generate_colours_along_row, 2},
+      {"exchange-in-all-orders",
+       "every pair exchanges its order along x, y, x + y and x - y: 4 C(n,2) times", 2, 2, 2, false,
+       false, false, "octants_listed", generate_exchange_in_all_orders, 2},
       {"small-integers", "small integers from a generator that every program can repeat", 2, 1, 3,
        true, false, false, "", generate_small_integers},
       {"parallel-edges", "--m bundles of --n parallel edges in a row: m(n - 1) changes of the tree",
@@ -33,7 +41,14 @@ lab::FamilyExperiments proximity_experiments() {
        false, "disc_pairs_boxes", generate_random_discs},
       {"random-boxes", "boxes of linear motion and extents in the unit square", 2, 1, 3, true, false,
        false, "box_pairs", generate_random_boxes}};
+  lab::set_kind(family.workloads, lab::SceneKind::kRandom,
+                {"random-graph", "random-discs", "random-boxes"});
+  lab::set_kind(family.workloads, lab::SceneKind::kTies,
+                {"small-integers", "small-discs", "small-boxes"});
   family.add_cells = add_proximity_cells;
+  family.event_bounds = {"swaps"};
+  family.long_audits = {"mst_maximum_norm_list", "mst_maximum_norm_cycles", "mst_polygon_list",
+                        "mst_polygon_cycles"};
   family.trade = {{"closest_pair_delaunay",
                    2,
                    {12, 32},
@@ -42,8 +57,9 @@ lab::FamilyExperiments proximity_experiments() {
                    {16, 36},
                    {8, 16},
                    {{8, 16, 32}, {8, 16, 32, 64, 128}}}};
-  for (const std::string_view tree : {"emst_list", "emst_cycles", "mst_maximum_norm_list",
-                                      "mst_maximum_norm_cycles"}) {
+  for (const std::string_view tree :
+       {"emst_list", "emst_cycles", "emst_clusters", "mst_maximum_norm_list",
+        "mst_maximum_norm_cycles", "mst_polygon_list", "mst_polygon_cycles"}) {
     family.trade.push_back({tree,
                             2,
                             {12, 32},
@@ -54,7 +70,7 @@ lab::FamilyExperiments proximity_experiments() {
                             {{8, 16, 32}, {8, 16, 32, 64, 128}}});
   }
   for (const std::string_view pair :
-       {"octants_listed", "octants_local", "closest_pair_all", "closest_pair_range_tree",
+       {"octants_listed", "octants_local", "cones_local", "closest_pair_all", "closest_pair_range_tree",
         "closest_pair_cones", "closest_pair_local", "closest_pair_bins",
         "bichromatic_pair_delaunay", "bichromatic_pair_all"}) {
     family.trade.push_back(
@@ -70,7 +86,8 @@ lab::FamilyExperiments proximity_experiments() {
                             {8, 16},
                             {{8, 16, 32}, {8, 16, 32, 64, 128}}});
   }
-  for (const std::string_view tree : {"graph_mst_list", "graph_mst_cycles"}) {
+  for (const std::string_view tree :
+       {"graph_mst_list", "graph_mst_cycles", "graph_mst_clusters", "graph_mst_sparsified"}) {
     family.trade.push_back({tree,
                             1,
                             {12, 32},
@@ -91,7 +108,19 @@ lab::FamilyExperiments proximity_experiments() {
                             {8, 16},
                             {{8, 16, 32}, {8, 16, 32, 64, 128}}});
   }
-  family.speed = proximity_speed_rows;
+  const auto no_runs = [](bool) { return std::vector<lab::SeriesPoint>{}; };
+  family.papers = {
+      kds_report({{"section-7-pairs", "closest pairs, of one colour and of two", 6,
+                   kds_section_7_pairs_points, kds_section_7_pairs_report},
+                  {"section-7-trees", "minimum spanning trees", 7, kds_section_7_trees_points,
+                   kds_section_7_trees_report},
+                  {"section-7-meetings", "discs that meet, and sides of lines", 8,
+                   kds_section_7_meetings_points, kds_section_7_meetings_report},
+                  {"section-7-lifting", "discs as points in space", 9, no_runs, nullptr,
+                   study_lifted_discs, kds_section_7_lifting_report},
+                  {"section-7-tree-diameter", "the longest path of a spanning tree", 10, no_runs,
+                   nullptr, study_tree_diameter, kds_section_7_diameter_report}})};
+  family.bench_rows = proximity_bench_rows;
   return family;
 }
 

@@ -4,7 +4,7 @@
 // Source: graphs.cpp.
 // Parameters: bundles of 2 to 16 parallel edges; random graphs of 40 to 640 edges.
 // Expected: m(n - 1) changes; no other failure of graph_mst_cycles; every hard bound and audit.
-// Cost: about 5 s.
+// Cost: about 10 s.
 #include <string>
 
 #include "experiments/families/points/random_motion.h"
@@ -14,7 +14,8 @@
 namespace kinex::families {
 
 void add_graph_cells(lab::Catalogue& catalogue, lab::Extent extent) {
-  for (const char* const engine : {"graph_mst_list", "graph_mst_cycles"}) {
+  for (const char* const engine :
+       {"graph_mst_list", "graph_mst_cycles", "graph_mst_clusters", "graph_mst_sparsified"}) {
     for (const int bundles : {1, 3}) {
       for (const int n : {2, 4, 8, 16}) {
         lab::Cell cell = lab::worst_case_cell(engine, "parallel-edges", n, 1, 0.1);

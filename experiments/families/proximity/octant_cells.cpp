@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions: do the points that are next in an octant, and the tree in the maximum norm that is read
-//   off them, change exactly as often as counted by brute force, in all structures? How many exchanges does random motion cause in four sorted lists, and
+// Questions: do the points that are next in an octant, and the trees in the maximum norm and in that
+//   of a polygon that are read off such points, change exactly as often as counted by brute force, in
+//   all structures? How many exchanges does random motion cause in four sorted lists, and
 //   how many failures without them?
 // Sources: pointers of small integers were counted by brute force over exact positions between all
 //   critical times, by another program. In random motion the orders at 0 and at 1 are independent,
@@ -19,7 +20,8 @@ namespace kinex::families {
 namespace {
 
 constexpr const char* kOctants[] = {"octants_listed", "octants_local"};
-constexpr const char* kNormTrees[] = {"mst_maximum_norm_list", "mst_maximum_norm_cycles"};
+constexpr const char* kNormTrees[] = {"mst_maximum_norm_list", "mst_maximum_norm_cycles",
+                                      "mst_polygon_list", "mst_polygon_cycles"};
 
 void add_octants_of_small_integers(lab::Catalogue& catalogue, const char* structure) {
   struct Pointers {
@@ -53,19 +55,23 @@ void add_random_octants(lab::Catalogue& catalogue, const char* structure, int n)
   catalogue.cells.push_back(std::move(cell));
 }
 
+bool is_polygon(std::string_view structure) { return structure.starts_with("mst_polygon"); }
+
 void add_norm_trees_of_small_integers(lab::Catalogue& catalogue, const char* structure) {
   struct Swaps {
     int n;
     std::uint64_t seed;
-    int swaps;
+    int maximum_norm, polygon;  // of 12 corners
   };
-  for (const Swaps& one : {Swaps{6, 1, 10}, {8, 1, 19}}) {
+  const bool polygon = is_polygon(structure);
+  for (const Swaps& one : {Swaps{6, 1, 10, 7}, {8, 1, 19, 13}}) {
     lab::Cell cell = lab::worst_case_cell(structure, "small-integers", one.n, 1, 0.1);
     cell.parameters.seed = one.seed;
     cell.audit = AuditLevel::kEvents;
-    cell.expectations.push_back(lab::expect_exactly("mst_maximum_norm.small_integers", "external",
-                                                    Integer(one.swaps),
-                                                    "counted by brute force over exact positions"));
+    cell.expectations.push_back(lab::expect_exactly(
+        polygon ? "mst_polygon.small_integers" : "mst_maximum_norm.small_integers", "external",
+        Integer(polygon ? one.polygon : one.maximum_norm),
+        "counted by brute force over exact positions"));
     catalogue.cells.push_back(std::move(cell));
   }
 }
@@ -82,6 +88,7 @@ void add_octant_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   }
   for (const char* const structure : kNormTrees) {
     add_norm_trees_of_small_integers(catalogue, structure);
+    if (is_polygon(structure)) continue;  // its cones have many more events
     for (const int n : {16, 64}) {
       if (n > 16 && extent == lab::Extent::kQuick) continue;
       lab::Cell cell = uniform_cell(structure, n, 2);

@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A closest pair that changes nm - 1 times, and a spanning tree that changes 2nm - 2 times.
+// A closest pair, of one colour or two, that changes nm - 1 times, and a spanning tree that changes
+// 2nm - 2 times.
+#include <cstdint>
 #include <string>
 
 #include "experiments/families/proximity/experiments.h"
 #include "experiments/lab/workload_parts.h"
 
 namespace kinex::families {
+
+namespace {
+
+void add_resting(Scene& scene, int j) {
+  lab::add_object(scene, "row" + std::to_string(j), {{Rational(j)}, {Rational(0)}});
+}
+
+// The i-th of those that pass a row of m.
+void add_passing(Scene& scene, int i, int m) {
+  lab::add_object(scene, "p" + std::to_string(i),
+                  {{lab::fraction(-std::int64_t{m} * i, 1), Rational(1)}, {lab::fraction(1, 10)}});
+}
+
+}  // namespace
 
 // m points rest in a row, 1 apart. n points pass over it at a height of 1/10, one after another, m
 // apart, so that right over the row there is one of them, and only one:
@@ -21,13 +37,20 @@ void generate_pass_along_row(const lab::WorkloadParameters& parameters, Scene& s
   const int n = parameters.n, m = parameters.m;
   scene.start = 0;
   scene.end = lab::fraction(2 * std::int64_t{n} * m - 1, 2);
-  for (int j = 0; j < m; ++j) {
-    lab::add_object(scene, "row" + std::to_string(j), {{Rational(j)}, {Rational(0)}});
-  }
+  for (int j = 0; j < m; ++j) add_resting(scene, j);
+  for (int i = 0; i < n; ++i) add_passing(scene, i, m);
+}
+
+// The same with n points at rest and n that pass, in turn: the classes of a structure for two
+// colours are the row and those that pass it. All n^2 pairs are the closest of two colours in turn:
+// n^2 - 1 changes.
+void generate_colours_along_row(const lab::WorkloadParameters& parameters, Scene& scene) {
+  const int n = parameters.n;
+  scene.start = 0;
+  scene.end = lab::fraction(2 * std::int64_t{n} * n - 1, 2);
   for (int i = 0; i < n; ++i) {
-    lab::add_object(
-        scene, "p" + std::to_string(i),
-        {{lab::fraction(-std::int64_t{m} * i, 1), Rational(1)}, {lab::fraction(1, 10)}});
+    add_resting(scene, i);
+    add_passing(scene, i, n);
   }
 }
 

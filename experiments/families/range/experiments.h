@@ -6,10 +6,10 @@
 #include <functional>
 #include <vector>
 
+#include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
 #include "experiments/lab/gnuplot.h"
 #include "experiments/lab/judge.h"
-#include "experiments/lab/speed_row.h"
 #include "experiments/lab/workload.h"
 
 namespace kinex::families {
@@ -21,8 +21,8 @@ void generate_plane_sort_worst(const lab::WorkloadParameters&, Scene&);
 // query_cost.cpp
 lab::StudyResult study_query_cost(bool quick, const std::function<bool()>& go_on);
 std::vector<lab::Figure> query_cost_figures(const std::vector<lab::CellResult>& cells);
-// speed.cpp
-std::vector<lab::SpeedRow> range_speed_rows(int scale);
+// bench_rows.cpp
+std::vector<lab::BenchRow> range_bench_rows(int scale);
 
 }  // namespace kinex::families
 

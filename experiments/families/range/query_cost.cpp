@@ -33,7 +33,7 @@ struct TreeName {
   const char* delta;  // empty: no parameter
   int per_point;      // nodes for each point reported, at most
 };
-constexpr TreeName kTrees[] = {{"range tree", "range_tree_2", "", 1},
+constexpr TreeName kCompared[] = {{"range tree", "range_tree_2", "", 1},
                                {"kd-tree on ranks", "rank_kd_tree_2", "", 2},
                                {"pseudo kd-tree, 1/4", "pseudo_kd_tree_2", "1/4", 2},
                                {"kd-tree, exact medians", "pseudo_kd_tree_2", "0", 2},
@@ -47,7 +47,7 @@ struct QueryCost {  // of boxes on n points
   };
   int n = 0;
   double found = 0;  // points, the mean
-  std::array<Mean, std::size(kTrees)> trees{};
+  std::array<Mean, std::size(kCompared)> trees{};
   bool agree = true;
   std::vector<BoundCheck> broken;
 };
@@ -57,7 +57,7 @@ QueryCost cost_of(int n) {
   parameters.n = n;
   Scene scene = lab::generate_scene("uniform-square", parameters, "sorted_list");
   scene.maintain.clear();
-  for (const TreeName& tree : kTrees) {
+  for (const TreeName& tree : kCompared) {
     scene.maintain.push_back({tree.structure, tree.label, {}});
     if (*tree.delta == '\0') continue;
     scene.maintain.back().parameters = {{"delta", *Rational::parse(tree.delta)}};
@@ -109,7 +109,7 @@ QueryCost cost_of(int n) {
         QueryCost::Mean& mean = result.trees[i];
         const auto nodes = static_cast<double>(counts.nodes);
         const auto reported = static_cast<double>(found.size());
-        mean.nodes += std::max(0.0, nodes - kTrees[i].per_point * reported) / kQueries;
+        mean.nodes += std::max(0.0, nodes - kCompared[i].per_point * reported) / kQueries;
         mean.signs += static_cast<double>(counts.signs) / kQueries;
         if (is_timed) mean.microseconds += 1e6 * seconds / (kQueries - 1);
         std::sort(found.begin(), found.end());
@@ -154,7 +154,7 @@ lab::StudyResult study_query_cost(bool quick, const std::function<bool()>& go_on
     for (std::size_t i = 0; i < cost.trees.size(); ++i) {
       const QueryCost::Mean& mean = cost.trees[i];
       result.table.rows.push_back({std::to_string(n), fmt::format("{:.1f}", cost.found),
-                                   kTrees[i].label, fmt::format("{:.1f}", mean.nodes),
+                                   kCompared[i].label, fmt::format("{:.1f}", mean.nodes),
                                    fmt::format("{:.1f}", mean.signs),
                                    fmt::format("{:.2f}", mean.microseconds),
                                    fmt::format("{:.2f}", mean.nodes / std::sqrt(n))});
@@ -181,7 +181,7 @@ std::vector<lab::Figure> query_cost_figures(const std::vector<lab::CellResult>& 
   });
   if (!is_asked) return {};
   std::vector<lab::Curve> nodes, times;
-  for (const TreeName& tree : kTrees) {
+  for (const TreeName& tree : kCompared) {
     nodes.push_back({tree.label, {}, ""});
     times.push_back({tree.label, {}, ""});
   }

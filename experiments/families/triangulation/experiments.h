@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The experiments on triangulations: see cells.cpp and space_cells.cpp.
+// The experiments on triangulations; each source file states its question.
 #ifndef KINEX_EXPERIMENTS_FAMILIES_TRIANGULATION_EXPERIMENTS_H
 #define KINEX_EXPERIMENTS_FAMILIES_TRIANGULATION_EXPERIMENTS_H
 
+#include <string>
 #include <vector>
 
+#include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
-#include "experiments/lab/speed_row.h"
+#include "experiments/lab/part.h"
 #include "experiments/lab/workload.h"
 
 namespace kinex::families {
@@ -16,8 +18,21 @@ void add_triangulation_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_space_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // skew_curves.cpp
 void generate_skew_curves(const lab::WorkloadParameters&, Scene&);
-// speed.cpp
-std::vector<lab::SpeedRow> triangulation_speed_rows(int scale);
+// skew_rows.cpp
+void generate_skew_rows(const lab::WorkloadParameters&, Scene&);
+// kds_section_7.cpp
+std::vector<lab::SeriesPoint> kds_section_7_delaunay_points(bool quick);
+lab::PartReport kds_section_7_delaunay_report(const std::vector<lab::SeriesResult>& results,
+                                              const std::string& command);
+// weighted_cells.cpp
+void add_weighted_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// weighted_points.cpp
+void generate_show_and_hide(const lab::WorkloadParameters&, Scene&);
+void generate_breathing(const lab::WorkloadParameters&, Scene&);
+void generate_small_weights(const lab::WorkloadParameters&, Scene&);
+void generate_small_moving_weights(const lab::WorkloadParameters&, Scene&);
+// bench_rows.cpp
+std::vector<lab::BenchRow> triangulation_bench_rows(int scale);
 
 }  // namespace kinex::families
 

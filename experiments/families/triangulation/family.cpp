@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/families/triangulation/family.h"
 
+#include "experiments/families/points/experiments.h"
 #include "experiments/families/triangulation/experiments.h"
 
 namespace kinex::families {
@@ -11,8 +12,13 @@ lab::FamilyExperiments triangulation_experiments() {
   family.usual = {{false, 2, "delaunay_2"}};
   family.workloads = {{"skew-curves",
                        "a point passes between two skew curves of --n points each in space", 3, 3,
-                       3, false, false, false, "delaunay_3", generate_skew_curves, 2}};
+                       3, false, false, false, "delaunay_3", generate_skew_curves, 2},
+                      {"skew-rows",
+                       "--m points pass between two skew rows of --n points each in space, and each "
+                       "changes all cells",
+                       3, 3, 3, false, false, true, "delaunay_3", generate_skew_rows, 2, 1, 1}};
   family.add_cells = add_triangulation_cells;
+  family.event_bounds = {"passes"};
   family.trade = {{"delaunay_2",
                    2,
                    {12, 32},
@@ -29,7 +35,9 @@ lab::FamilyExperiments triangulation_experiments() {
                    {8, 27},
                    {8, 16},
                    {{8, 12}, {8, 12, 16, 24}}}};
-  family.speed = triangulation_speed_rows;
+  family.papers = {kds_report({{"section-7-delaunay", "Delaunay triangulations", 5,
+                                kds_section_7_delaunay_points, kds_section_7_delaunay_report}})};
+  family.bench_rows = triangulation_bench_rows;
   return family;
 }
 

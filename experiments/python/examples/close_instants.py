@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How near each other the instants of a run are: gaps between neighbours, exactly.
 
-    kinex gen near-one-point --n 12 --seed 1 -o near.json
-    kinex run near.json --maintain sorted_list --events near.log
-    python3 close_instants.py near.log close.svg
+    kinex gen near-one-point --n 12 --seed 1 --force -o near.json
+    kinex run near.json --maintain sorted_list --events near.log --force
+    python3 close_instants.py near.log close.svg --force
 
 Doubles just below t = 1/2 are 2^-54 apart: they cannot tell instants apart that are nearer.
 """

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An event log as a table: events of every kind so far, in the course of time.
 
-    kinex gen uniform-square --n 30 --seed 7 -o square.json
-    kinex run square.json --maintain convex_hull_2 --events square.log
-    python3 events_in_time.py square.log events.svg
+    kinex gen uniform-square --n 30 --seed 7 --force -o square.json
+    kinex run square.json --maintain convex_hull_2 --events square.log --force
+    python3 events_in_time.py square.log events.svg --force
 """
 import argparse
 import collections

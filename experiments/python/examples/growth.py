@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How a count grows with the number of objects: points, a fitted power, its exponent.
 
-    kinex sweep run growth-plan.json -o out && kinex sweep merge out -o results.sqlite
-    python3 growth.py results.sqlite external growth.svg
+    kinex sweep run growth-plan.json -o out && kinex sweep merge out -o results.sqlite --force
+    python3 growth.py results.sqlite external growth.svg --force
 
 growth-plan.json is beside this file. verify.sqlite of kinex verify does as well.
 """

@@ -54,7 +54,7 @@ function make(tag, text, name) {
   return element;
 }
 
-// Ids that are told by their places in a certificate, differences of indices, and coefficients in one text.
+// Ids are packed as places in a certificate, indices as differences, coefficients in one text.
 function unpackRun(run) {
   const places = (ids, certificate) =>
     (typeof ids === "string" ? Array.from(ids, digit => certificate[1][+digit]) : ids);

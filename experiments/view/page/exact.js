@@ -57,11 +57,13 @@ function rationalOf(instant) {
   instant.rational = found;
   return found;
 }
-// For lists: "1/3" where that is short, else "0.333..".
-function shortInstant(instant) {
+// "t = 1/3" where that is short, else "t \u2248 0.333..", of at most so many characters.
+function instantText(instant, characters = 24) {
   const exact = rationalOf(instant);
-  return exact !== null && exact.length <= 12 ? "t = " + exact : "t \u2248 " + instant[0].slice(0, 12);
+  return exact !== null && exact.length <= 12 ? "t = " + exact : "t \u2248 " + instant[0].slice(0, characters);
 }
+// For lists.
+const shortInstant = instant => instantText(instant, 12);
 
 // An interval that holds the instant alone, halved until it is at most 2^-bits long; [low, high] with one
 // denominator each. A rational instant has an interval of no length.

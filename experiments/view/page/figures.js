@@ -26,13 +26,19 @@ function shapesOf({ form, ids }, view) {
       return [...flushBox(p.slice(0, 5)), ...flushBox(p.slice(5), true)];
     case "extents":
     case "lengths":
-      return [{ from: p[0], to: p[1] }, { from: p[2], to: p[3], faint: true }];
+      return pairShapes(p);
     case "nearer":
       return [{ from: p[2], to: p[0] }, { from: p[2], to: p[1], faint: true },
               { centre: p[2], radius: distanceOnScreen(view, named[1], named[2]), faint: true }];
     default:
       return p.slice(1).map((q, i) => ({ from: p[i], to: q }));
   }
+}
+
+// A segment between the two points of each pair: the first half of the pairs against the second half.
+// (Of two boxes: the two extents of the smaller, then those of the larger.)
+function pairShapes(p) {
+  return p.flatMap((from, i) => i % 2 ? [] : [{ from, to: p[i + 1], faint: 2 * i >= p.length }]);
 }
 
 // A sphere through four points, and a fifth; its outline is a circle however it is turned.

@@ -37,8 +37,8 @@ class PairPanel extends Panel {
     }
     const names = pairOf(pair).map((body, z) => featureName(body, contact.features[z]));
     this.proof.append(make("p", "contact: " + names.join(" meets "), "external"));
-    this.proof.append(make("p", "since log record " + contact.event + ", t \u2248 " +
-                           instantOf(FIRST, contact.event)[0]));
+    this.proof.append(make("p", "since log record " + contact.event + ", " +
+                           instantText(instantOf(FIRST, contact.event))));
   }
 
   drawClaims(pair, proofs) {

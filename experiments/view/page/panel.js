@@ -134,7 +134,7 @@ class Panel {
     if (run.ids[e].length > 0) row("objects", listOf(run.ids[e]));
     if (run.reasons[k]) row("reason", run.reasons[k]);
     if (run !== FIRST) {
-      row("time", "t \u2248 " + instantOf(run, k)[0]);
+      row("time", instantText(instantOf(run, k)));
       return list;
     }
     this.describeCertificate(run, e, row);
@@ -165,11 +165,11 @@ class Panel {
 
   describeInstant(run, k, e, row) {
     const instant = run.instants[run.i[e]];
-    row("time", "t \u2248 " + instant[0]);
+    const exact = rationalOf(instant), whole = instantText(instant).startsWith("t =");
+    row("time", instantText(instant), whole && exact.includes("/") ? " \u2248 " + instant[0] : "");
     if (instant.length > 1) {
       const [, coefficients, root, lower, upper] = instant;
-      const exact = rationalOf(instant);
-      if (exact !== null) {
+      if (exact !== null && !whole) {
         const fraction = make("span", shortText(exact));
         fraction.title = exact;
         row("exactly", "t = ", fraction);

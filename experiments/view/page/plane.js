@@ -149,20 +149,29 @@ class Plane {
     drawQuery(context, this);
     this.drawChange(context, marked);
     const radius = OBJECTS > 2000 ? 1.5 : OBJECTS > 300 ? 2.2 : 3.4;
-    context.fillStyle = COLOUR.point;
-    context.beginPath();
-    for (let object = 0; object < OBJECTS; ++object) {
-      if (!alive[object] || IS_LINE[object]) continue;
-      const own = radius * (1 + 0.45 * (this.sz[object] / this.reach || 0));  // near points are larger
-      context.moveTo(this.sx[object] + own, this.sy[object]);
-      context.arc(this.sx[object], this.sy[object], own, 0, 2 * Math.PI);
-    }
-    context.fill();
+    this.drawPoints(context, radius);
     for (const object of marked) {
       if (alive[object] && !IS_LINE[object]) dot(context, this.sx[object], this.sy[object], radius + 1.6, COLOUR.failed);
     }
     this.drawNames(context, marked);
     context.restore();
+  }
+
+  // Points; those that a triangulation hides are hollow.
+  drawPoints(context, radius) {
+    const { replay } = this.app;
+    context.fillStyle = context.strokeStyle = COLOUR.point;
+    context.lineWidth = 1;
+    for (const hidden of [false, true]) {
+      context.beginPath();
+      for (let object = 0; object < OBJECTS; ++object) {
+        if (!alive[object] || IS_LINE[object] || replay.isHidden(object) !== hidden) continue;
+        const own = radius * (1 + 0.45 * (this.sz[object] / this.reach || 0));  // near points are larger
+        context.moveTo(this.sx[object] + own, this.sy[object]);
+        context.arc(this.sx[object], this.sy[object], own, 0, 2 * Math.PI);
+      }
+      if (hidden) context.stroke(); else context.fill();
+    }
   }
 
   drawAxes(context) {

@@ -184,7 +184,7 @@ class Proof {
   // The same in words.
   failureText(c) {
     const k = this.failsAt(c), failure = this.data.certificates[c][4];
-    if (k !== null) return "at log record " + k + ", t \u2248 " + instantOf(this.run, k)[0];
+    if (k !== null) return "at log record " + k + ", " + instantText(instantOf(this.run, k));
     const time = u => (u === null ? "unknown" : shortNumber(timeNumber(u)));
     const goes = this.died[c] < 0x7fffffff ? "; it goes at log record " + this.died[c] : "";
     if (failure === 0) return "never, up to the end" + goes;

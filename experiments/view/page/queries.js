@@ -1,4 +1,4 @@
-// Boxes: the queries of the scene with the nodes that they look at, and attributes that are boxes.
+// The queries of the scene, with the nodes that they look at, and attributes that are drawn as a figure: boxes, rectangles, strips, circles.
 
 // The query that is shown: one at this time, or just before it; null: none.
 function queryShown(app) {
@@ -55,7 +55,7 @@ function drawQuery(context, plane) {
   label(context, text, areaLeft + 40, areaTop + 12, COLOUR.text);
 }
 
-// The corners of attributes that are boxes, by the role of the structure.
+// The figures of attributes by the role of the structure: the corners of a box or a rectangle; else shapes (figures.js).
 const OUTLINES = {
   // The least and the largest on each axis. In space all edges, in one line that passes some twice.
   box: (plane, ids) => {
@@ -83,10 +83,63 @@ const OUTLINES = {
     const corner = (s, h) => [ax + s * ux - h * uy, ay + s * uy + h * ux];
     return [corner(left, 0), corner(right, 0), corner(right, high), corner(left, high)];
   },
+  // An edge a, b and the point that is farthest from its line: the lines through both, across the picture, the edge, and the way between.
+  strip: (plane, [a, b, across]) => {
+    if (across === undefined) return [];
+    const p = plane.at(a), q = plane.at(b), far = plane.at(across);
+    const length = Math.hypot(...minus(q, p));
+    if (!(length > 0)) return [];
+    const [ux, uy] = minus(q, p).map(d => d / length);
+    const [, , width, height] = plane.rectangle, reach = 2 * (width + height);
+    const line = ([x, y]) => ({ from: [x - reach * ux, y - reach * uy], to: [x + reach * ux, y + reach * uy] });
+    const along = (far[0] - p[0]) * ux + (far[1] - p[1]) * uy;
+    return [line(p), line(far), { from: p, to: q, wide: true }, { dot: far },
+            { from: far, to: [p[0] + along * ux, p[1] + along * uy], faint: true }];
+  },
+  // The points on the smallest circle: two that are its diameter, or three and more.
+  circle: (plane, ids) => {
+    const p = ids.map(id => plane.at(id)), dots = p.map(dot => ({ dot }));
+    if (p.length < 2) return dots;
+    const middle = (a, b) => a.map((x, i) => (x + b[i]) / 2);
+    if (p.length === 2) {
+      return [{ centre: middle(p[0], p[1]), radius: Math.hypot(...minus(p[1], p[0])) / 2 },
+              { from: p[0], to: p[1], faint: true }, ...dots];
+    }
+    // Of three that are far apart: some may be in one place just now.
+    const twice = (a, b, c) => Math.abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+    let best = [p[0], p[1], p[2]];
+    p.forEach((a, i) => p.slice(0, i).forEach((b, j) => p.slice(0, j).forEach(c => {
+      if (twice(a, b, c) > twice(...best)) best = [a, b, c];
+    })));
+    const around = circleThrough(...best);
+    return [around, ...p.map(q => ({ from: around.centre, to: q, faint: true })), ...dots];
+  },
+  // Orders of lines: the vertices of their arrangement. In the list of a line those behind it cross it.
+  crossings: (plane, ids) => {
+    const n = Math.floor(Math.sqrt(ids.length)), shapes = [];
+    ids.slice(0, n).sort((a, b) => a - b).forEach((line, i) => {
+      const row = ids.slice((i + 1) * n, (i + 2) * n);
+      row.slice(row.indexOf(line) + 1).filter(other => other > line).forEach(other => {
+        const x = (X[1][other] - X[1][line]) / (X[0][line] - X[0][other]);
+        if (isFinite(x)) shapes.push({ dot: plane.onScreen(x, X[0][line] * x + X[1][line]) });
+      });
+    });
+    return shapes;
+  },
+  // A point, the line above, the line below, and so on: the ways straight up and down.
+  next_lines: (plane, ids) => ids.flatMap((line, i) => {
+    const point = ids[i - i % 3];
+    if (line === point || !alive[point] || !alive[line]) return [];
+    return [{ from: plane.at(point), to: [plane.sx[point], plane.heightAt(line, plane.sx[point])] }];
+  }),
 };
 
 function drawOutline(context, corners, colour, dash) {
   if (corners.length === 0) return;
+  if (!Array.isArray(corners[0])) {
+    drawShapes(context, corners, colour, { width: 2, dash });
+    return drawShapes(context, corners.filter(shape => shape.wide), colour, { width: 4, dash });
+  }
   context.beginPath();
   for (const corner of corners) context.lineTo(...corner);
   context.closePath();

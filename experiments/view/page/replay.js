@@ -12,6 +12,7 @@ class Replay {
     this.width = DATA.structures[index].width;
     this.tuples = null;                  // of a set of tuples: its ids by their text
     this.sides = null;                   // of its tuples, while they are the same
+    this.inCells = null;                 // the objects in its tuples, likewise
     if (this.shape === "tuples") {
       this.tuples = new Map();
       for (const tuple of this.cut(this.ids)) this.tuples.set(tuple.join(), tuple);
@@ -31,6 +32,12 @@ class Replay {
     this.sides = new Set();
     for (const tuple of this.tuples.values()) for (const code of sidesOf(tuple)) this.sides.add(code);
     return this.sides;
+  }
+  // True if the attribute consists of cells, triangles or larger, and the object is in none of them.
+  isHidden(object) {
+    if (this.tuples === null || this.width < 3 || this.tuples.size === 0) return false;
+    this.inCells ??= new Set([...this.tuples.values()].flat());
+    return !this.inCells.has(object);
   }
 
   // To the state after event k.
@@ -53,6 +60,7 @@ class Replay {
       return;
     }
     this.sides = null;
+    this.inCells = null;
     for (const tuple of this.cut(removed)) this.tuples.delete(tuple.join());
     for (const tuple of this.cut(added)) this.tuples.set(tuple.join(), tuple);
   }
@@ -85,6 +93,10 @@ class Replay {
   value() {
     if (this.lost) return null;
     if (this.shape === "object") return this.ids.length > 0 ? nameOf(this.ids[0]) : null;
+    if (this.shape === "orders") {  // rows of n ids each
+      const n = Math.floor(Math.sqrt(this.ids.length)), names = this.ids.map(nameOf);
+      return n === 0 ? [] : Array.from({ length: n + 1 }, (_, i) => names.slice(i * n, (i + 1) * n));
+    }
     if (this.tuples === null) return this.ids.map(nameOf);
     const before = (a, b) => a.find((id, i) => id !== b[i]) - b.find((id, i) => id !== a[i]) || 0;
     return [...this.tuples.values()].sort(before).map(tuple => tuple.map(nameOf));

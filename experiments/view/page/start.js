@@ -17,7 +17,10 @@ function describePage() {
   if (OTHER !== null) facts += " \u00b7 " + run(OTHER);
   if (BEFORE > 0) facts += " \u00b7 from t = " + DATA.time.start[0] + ", log record " + (BEFORE + 1);
   if (AXES > 2) document.querySelector("#drawing option[value=plane]").textContent = "in space";
-  document.getElementById("facts").textContent = facts + " \u00b7 " + DATA.program;
+  // The commit in short; the pointer over it shows the whole.
+  const program = make("span", DATA.program.replace(/\b([0-9a-f]{12})[0-9a-f]{28}\b/, "$1"));
+  program.title = DATA.program;
+  document.getElementById("facts").append(facts + " \u00b7 ", program);
   document.getElementById("of").textContent = "of " + LAST;
   const select = document.getElementById("structure");
   DATA.structures.forEach((structure, i) => {

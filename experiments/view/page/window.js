@@ -1,6 +1,6 @@
 // The window: events around now as bars, long ones external, short ones internal; a second run hangs
-// below the line. Its axis is time, or the number of the log record: there events that are close beyond
-// sight stand apart, and the time between them is told. And under it the whole run.
+// below the line. Its axis is time, or the number of the log record, which sets events apart that are too
+// close to be seen apart in time, and names the time between them. The whole run is drawn below.
 class TimeWindow {
   constructor(app) {
     this.app = app;

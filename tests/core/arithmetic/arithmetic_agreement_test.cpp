@@ -14,7 +14,7 @@
 #include "tests/core/arithmetic/certificate_fixture.h"
 
 namespace kinex {
-namespace {
+namespace arithmetic_agreement_test {
 
 using test::Coefficients;
 
@@ -414,5 +414,5 @@ RC_GTEST_PROP(ArithmeticAgreementOnce, OnSmallIntegers, ()) {
   if (!tally.disagreements.empty()) RC_FAIL(tally.disagreements.front());
 }
 
-}  // namespace
+}  // namespace arithmetic_agreement_test
 }  // namespace kinex

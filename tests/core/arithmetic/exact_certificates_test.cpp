@@ -8,7 +8,7 @@
 #include "tests/core/arithmetic/certificate_fixture.h"
 
 namespace kinex {
-namespace {
+namespace exact_certificates_test {
 
 using namespace test;
 
@@ -354,5 +354,5 @@ TEST_P(ExactArithmetics, EqualInstantsKeepTheirNames) {
   }
 }
 
-}  // namespace
+}  // namespace exact_certificates_test
 }  // namespace kinex

@@ -16,7 +16,7 @@
 #include "tests/core/arithmetic/certificate_fixture.h"
 
 namespace kinex {
-namespace {
+namespace exact_group_test {
 
 using namespace test;
 
@@ -217,5 +217,5 @@ TEST(ExactGroups, PolynomialsAreThoseOfOneQuery) {
   EXPECT_FALSE(other->plain_lanes(1, nullptr, 0, Vectors::kBase, nullptr, nullptr));
 }
 
-}  // namespace
+}  // namespace exact_group_test
 }  // namespace kinex

@@ -17,7 +17,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex {
-namespace {
+namespace general_predicates_test {
 
 using test::Coefficients;
 using test::GeneralPredicate;
@@ -419,5 +419,5 @@ TEST(GeneralPredicate, IsRefusedWithoutRoom) {
   }
 }
 
-}  // namespace
+}  // namespace general_predicates_test
 }  // namespace kinex

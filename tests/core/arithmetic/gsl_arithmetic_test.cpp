@@ -13,7 +13,7 @@
 #include "tests/core/arithmetic/certificate_fixture.h"
 
 namespace kinex {
-namespace {
+namespace gsl_arithmetic_test {
 
 using namespace test;
 
@@ -226,5 +226,5 @@ TEST(GslArithmetic, SurvivesAnyNumbers) {
   EXPECT_GT(nevers, 200);
 }
 
-}  // namespace
+}  // namespace gsl_arithmetic_test
 }  // namespace kinex

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace mpfr_first_root_test {
 
 // scale (x - roots[0]) (x - roots[1]) .., every operation rounded; low degree first.
 std::vector<MpFloat> polynomial_of(const std::vector<MpFloat>& roots, const MpFloat& scale) {
@@ -70,5 +70,5 @@ TEST(MpfrRootDoubt, AtZeroThereIsNone) {
   EXPECT_EQ(mpfr_root_doubt(c, MpFloat(bits, 0.0)).sign(), 0);
 }
 
-}  // namespace
+}  // namespace mpfr_first_root_test
 }  // namespace kinex

@@ -8,7 +8,7 @@
 #include "tests/core/arithmetic/certificate_fixture.h"
 
 namespace kinex {
-namespace {
+namespace sturm_arithmetic_test {
 
 using namespace test;
 
@@ -79,5 +79,5 @@ TEST(SturmArithmetic, EqualInstantsShareOneForm) {
   EXPECT_EQ(t.sign(0), Sign::kNegative);
 }
 
-}  // namespace
+}  // namespace sturm_arithmetic_test
 }  // namespace kinex

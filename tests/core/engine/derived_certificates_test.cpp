@@ -16,7 +16,7 @@
 #include "tests/core/arithmetic/general_predicates.h"
 
 namespace kinex {
-namespace {
+namespace derived_certificates_test {
 
 using test::GeneralPredicate;
 using test::Place;
@@ -243,5 +243,5 @@ TEST(DerivedCertificates, RunInEveryArithmetic) {
   }
 }
 
-}  // namespace
+}  // namespace derived_certificates_test
 }  // namespace kinex

@@ -12,7 +12,7 @@
 #include "tests/core/arithmetic/fake_arithmetic.h"
 
 namespace kinex::test {
-namespace {
+namespace event_queue_test {
 
 // The key of the queue's order.
 using Rank = std::tuple<int, StructureId, PredicateId, std::vector<ObjectId>, CertificateId>;
@@ -179,5 +179,5 @@ TEST(EventQueue, IdsAreUsedAgain) {
   EXPECT_EQ(f.queue.capacity(), 2u);
 }
 
-}  // namespace
+}  // namespace event_queue_test
 }  // namespace kinex::test

@@ -13,7 +13,7 @@
 #include "tests/core/arithmetic/fake_arithmetic.h"
 
 namespace kinex::test {
-namespace {
+namespace kernel_test {
 
 struct Fixture {
   explicit Fixture(std::size_t objects = 10) {
@@ -451,5 +451,5 @@ TEST(Kernel, CorruptionIsForInexactArithmetics) {
   EXPECT_EQ(f.kernel->queue().size(), 1u);
 }
 
-}  // namespace
+}  // namespace kernel_test
 }  // namespace kinex::test

@@ -12,7 +12,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace run_clock_test {
 
 double cpu() { return seconds_now().cpu; }
 
@@ -161,5 +161,5 @@ TEST(RunClock, PhasesNest) {
   EXPECT_LT(clock.seconds(RunPhase::kSetup).cpu, 1e-3);
 }
 
-}  // namespace
+}  // namespace run_clock_test
 }  // namespace kinex::test

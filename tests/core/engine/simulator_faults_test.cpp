@@ -9,7 +9,7 @@
 #include "tests/core/engine/simulator_fixture.h"
 
 namespace kinex::test {
-namespace {
+namespace simulator_faults_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -179,5 +179,5 @@ TEST(Simulator, AuditsSeeANegativeCertificate) {
               HasSubstr("negative right after now: difference(o1, o0)"));
 }
 
-}  // namespace
+}  // namespace simulator_faults_test
 }  // namespace kinex::test

@@ -10,7 +10,7 @@
 #include "tests/core/engine/simulator_fixture.h"
 
 namespace kinex::test {
-namespace {
+namespace simulator_test {
 
 using testing::ElementsAre;
 
@@ -209,5 +209,5 @@ TEST(Simulator, ProgressMayStopTheRun) {
   EXPECT_LE(stopped_at, f.simulator.reached());
 }
 
-}  // namespace
+}  // namespace simulator_test
 }  // namespace kinex::test

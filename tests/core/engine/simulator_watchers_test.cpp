@@ -6,7 +6,7 @@
 #include "tests/core/engine/simulator_fixture.h"
 
 namespace kinex::test {
-namespace {
+namespace simulator_watchers_test {
 
 using testing::ElementsAre;
 
@@ -140,5 +140,5 @@ TEST(Simulator, CorruptionSpreadsToWatchers) {
   EXPECT_TRUE(c->first->calls.empty());
 }
 
-}  // namespace
+}  // namespace simulator_watchers_test
 }  // namespace kinex::test

@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace derived_objects_test {
 
 // The difference of two one-dimensional motions.
 class Difference final : public Construction {
@@ -129,5 +129,5 @@ TEST(DerivedObjects, AreNotDerivedFromThemselvesOrFromNothing) {
   EXPECT_EQ(objects.trajectory(n), path({1}));
 }
 
-}  // namespace
+}  // namespace derived_objects_test
 }  // namespace kinex

@@ -12,7 +12,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex {
-namespace {
+namespace big_array_test {
 
 bool starts_a_page(const void* memory) {
   return reinterpret_cast<std::uintptr_t>(memory) % huge_pages::kPage == 0;
@@ -49,5 +49,5 @@ TEST(BigArray, RefusesWhatNoMemoryHolds) {
   EXPECT_THROW(static_cast<void>(allocator.allocate(std::size_t{1} << 44)), std::bad_alloc);
 }
 
-}  // namespace
+}  // namespace big_array_test
 }  // namespace kinex

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace dyadic_polynomial_test {
 
 using List = std::vector<Rational>;
 
@@ -149,5 +149,5 @@ TEST(DyadicPolynomial, OtherNumbersAreNotValid) {
   EXPECT_FALSE((four * (five * five)).is_valid());
 }
 
-}  // namespace
+}  // namespace dyadic_polynomial_test
 }  // namespace kinex

@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace first_root_lanes_test {
 
 using filter::Enclosure;
 using filter::FirstRoot;
@@ -132,5 +132,5 @@ TEST(FirstRootLanes, AreTheFilterOfEachPolynomial) {
   for (const int count : answers) EXPECT_GT(count, 100);
 }
 
-}  // namespace
+}  // namespace first_root_lanes_test
 }  // namespace kinex

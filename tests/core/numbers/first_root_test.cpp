@@ -10,7 +10,7 @@
 #include "core/numbers/real_root.h"
 
 namespace kinex {
-namespace {
+namespace first_root_test {
 
 using filter::Enclosure;
 using filter::Search;
@@ -173,5 +173,5 @@ TEST(FirstRoot, OverflowAndUnderflowAbstain) {
   EXPECT_EQ(filter::first_sign_change<false>(c, m, 2, 0, 0, 1, out), Search::kNone);
 }
 
-}  // namespace
+}  // namespace first_root_test
 }  // namespace kinex

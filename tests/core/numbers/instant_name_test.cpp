@@ -20,7 +20,7 @@
 #include "tests/core/numbers/polynomial_fixture.h"
 
 namespace kinex {
-namespace {
+namespace instant_name_test {
 
 using fixture::mignotte;
 using fixture::polynomial;
@@ -323,5 +323,5 @@ TEST(InstantName, CellIsTheBinaryDigitsThatTellTheRootFromTheOthers) {
   EXPECT_EQ(to_string(as_name(name)), "6 -4 -3 2 root 2 in [11/8, 23/16]");
 }
 
-}  // namespace
+}  // namespace instant_name_test
 }  // namespace kinex

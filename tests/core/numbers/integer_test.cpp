@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 namespace kinex {
-namespace {
+namespace integer_test {
 
 TEST(Integer, HoldsTheWholeRangeOfInt128) {
   const Int128 one = 1;
@@ -88,5 +88,5 @@ TEST(Integer, MovesLeaveAUsableValueBehind) {
   EXPECT_EQ(b, Integer(5));
 }
 
-}  // namespace
+}  // namespace integer_test
 }  // namespace kinex

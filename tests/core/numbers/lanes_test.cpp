@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace lanes_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -96,5 +96,5 @@ TEST(Lanes, RowsBecomeColumns) {
   }
 }
 
-}  // namespace
+}  // namespace lanes_test
 }  // namespace kinex

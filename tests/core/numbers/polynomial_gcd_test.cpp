@@ -9,7 +9,7 @@
 #include "tests/core/numbers/polynomial_fixture.h"
 
 namespace kinex {
-namespace {
+namespace polynomial_gcd_test {
 
 using fixture::chebyshev;
 using fixture::polynomial;
@@ -170,5 +170,5 @@ TEST(PrimeField, ArithmeticAgreesWithPlainIntegers) {
   }
 }
 
-}  // namespace
+}  // namespace polynomial_gcd_test
 }  // namespace kinex

@@ -6,7 +6,7 @@
 #include "tests/core/numbers/polynomial_fixture.h"
 
 namespace kinex {
-namespace {
+namespace polynomial_test {
 
 using fixture::polynomial;
 using fixture::Random;
@@ -85,5 +85,5 @@ TEST(Polynomial, Derivative) {
 
 TEST(Polynomial, Prints) { EXPECT_EQ(polynomial({1, -2, 0, 3}).to_string(), "1 -2 0 3"); }
 
-}  // namespace
+}  // namespace polynomial_test
 }  // namespace kinex

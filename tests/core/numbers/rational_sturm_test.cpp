@@ -11,7 +11,7 @@
 #include "tests/core/arithmetic/certificate_fixture.h"
 
 namespace kinex {
-namespace {
+namespace rational_sturm_test {
 
 using namespace test;
 
@@ -117,5 +117,5 @@ TEST(SturmInstant, KeepsItsInvariant) {
   EXPECT_EQ(compare(root, hit, work), -1);
 }
 
-}  // namespace
+}  // namespace rational_sturm_test
 }  // namespace kinex

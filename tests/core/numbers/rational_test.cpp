@@ -10,7 +10,7 @@
 #include "tests/core/numbers/polynomial_fixture.h"
 
 namespace kinex {
-namespace {
+namespace rational_test {
 
 using fixture::rational;
 
@@ -141,5 +141,5 @@ TEST(Rational, KnowsDyadicNumbers) {
   EXPECT_FALSE(rational("1/6").is_dyadic());
 }
 
-}  // namespace
+}  // namespace rational_test
 }  // namespace kinex

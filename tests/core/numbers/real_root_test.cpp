@@ -12,7 +12,7 @@
 #include "tests/core/numbers/polynomial_fixture.h"
 
 namespace kinex {
-namespace {
+namespace real_root_test {
 
 using fixture::chebyshev;
 using fixture::mignotte;
@@ -386,5 +386,5 @@ TEST(RootCounters, CountTheWork) {
   EXPECT_EQ(counters.max_bits, 10U);
 }
 
-}  // namespace
+}  // namespace real_root_test
 }  // namespace kinex

@@ -13,7 +13,7 @@
 #include "tests/core/numbers/polynomial_fixture.h"
 
 namespace kinex {
-namespace {
+namespace root_oracle_test {
 
 using fixture::chebyshev;
 using fixture::mignotte;
@@ -200,5 +200,5 @@ TEST(RootOracle, GcdsAgreeWithFlint) {
   }
 }
 
-}  // namespace
+}  // namespace root_oracle_test
 }  // namespace kinex

@@ -9,7 +9,7 @@
 #include "tests/core/numbers/polynomial_fixture.h"
 
 namespace kinex {
-namespace {
+namespace root_properties_test {
 
 using fixture::power;
 using fixture::with_root;
@@ -231,5 +231,5 @@ RC_GTEST_PROP(RootProperties, NamesAreCanonical, ()) {
   }
 }
 
-}  // namespace
+}  // namespace root_properties_test
 }  // namespace kinex

@@ -10,7 +10,7 @@
 #include "tests/core/numbers/polynomial_fixture.h"
 
 namespace kinex {
-namespace {
+namespace root_signs_test {
 
 using fixture::chebyshev;
 using fixture::mignotte;
@@ -200,5 +200,5 @@ TEST(FirstSignChange, VisitsAllOddRootsInOrder) {
   }
 }
 
-}  // namespace
+}  // namespace root_signs_test
 }  // namespace kinex

@@ -10,7 +10,7 @@
 #include "tests/core/numbers/polynomial_fixture.h"
 
 namespace kinex {
-namespace {
+namespace short_rational_test {
 
 using fixture::rational;
 
@@ -91,5 +91,5 @@ TEST(ShortRational, LargestWordsDoNotOverflow) {
   EXPECT_EQ(equal_lines(most, least, least, most, {kMost, 1}), std::nullopt);
 }
 
-}  // namespace
+}  // namespace short_rational_test
 }  // namespace kinex

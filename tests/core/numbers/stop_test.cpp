@@ -18,7 +18,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace stop_test {
 
 // Waits until the grace of a deadline is over.
 void work_until_stopped(Deadline& deadline) {
@@ -244,5 +244,5 @@ TEST(StoppedRun, IsStoppedInAnAudit) {
   EXPECT_EQ(simulator.ledger(0).processed, 6u);
 }
 
-}  // namespace
+}  // namespace stop_test
 }  // namespace kinex::test

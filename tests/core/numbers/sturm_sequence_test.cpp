@@ -8,7 +8,7 @@
 #include "tests/core/numbers/polynomial_fixture.h"
 
 namespace kinex {
-namespace {
+namespace sturm_sequence_test {
 
 using fixture::chebyshev;
 using fixture::polynomial;
@@ -63,5 +63,5 @@ TEST(SturmSequence, ChebyshevRootsLieBetweenMinusOneAndOne) {
   EXPECT_EQ(s.count_above(Rational(0)), 20);
 }
 
-}  // namespace
+}  // namespace sturm_sequence_test
 }  // namespace kinex

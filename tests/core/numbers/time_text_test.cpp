@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace kinex::test {
-namespace {
+namespace time_text_test {
 
 std::string text(const char* number) { return time_text(*Rational::parse(number)); }
 
@@ -24,5 +24,19 @@ TEST(TimeText, LongTimesAreDecimals) {
   EXPECT_EQ(text("1e5000"), "about 1e+5000");
 }
 
-}  // namespace
+TEST(TimeText, InstantsAreNamedExactlyOrByTheirDecimal) {
+  InstantName instant;
+  instant.detail = InstantDetail::kName;
+  instant.exact = true;
+  instant.lower = instant.upper = *Rational::parse("3/2");
+  instant.decimal = "1.500";
+  EXPECT_EQ(time_text(instant), "3/2 (1.5)");
+  instant.upper = Rational(2);  // irrational
+  EXPECT_EQ(time_text(instant), "about 1.500");
+  instant.upper = instant.lower;
+  instant.exact = false;
+  EXPECT_EQ(time_text(instant), "about 1.500");
+}
+
+}  // namespace time_text_test
 }  // namespace kinex::test

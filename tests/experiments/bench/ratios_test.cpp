@@ -6,8 +6,8 @@
 
 #include "experiments/formats/input_error.h"
 
-namespace kinex {
-namespace {
+namespace kinex::bench {
+namespace ratios_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -26,19 +26,24 @@ TEST(BenchRatios, TheRangeAndTheWorstOfEveryKindOfScene) {
       row("delaunay_2", "uniform-square", 8, "7.5", "gsl") +
       row("delaunay_2", "uniform-square", 7, "9", "exact", "sturm") +
       row("delaunay_2", "lattice", 30, "4.5") + row("delaunay_2", "meet", 31, "0") +
-      "{\"bench\": \"queue\", \"n\": 3}\n" + row("separation_mixed", "polygon-gears", 8, "2.75");
+      "{\"bench\": \"queue\", \"n\": 3}\n" + row("separation_mixed", "polygon-gears", 8, "2.75") +
+      row("disc_pairs_grid", "random-discs", 8, "1.25") + row("delaunay_2", "walks", 8, "1.75") +
+      row("min_circle_2", "seesaw", 8, "1.5");
   const std::vector<Ratio> ratios = exact_over_double(lines, "rows");
-  EXPECT_EQ(ratios.size(), 5u);
+  EXPECT_EQ(ratios.size(), 8u);
   const std::string text = ratios_text(ratios);
   EXPECT_THAT(text, HasSubstr("points in random motion: 1.02 to 1.31; worst: delaunay_2, "
                               "uniform-square, degree 1, n = 9\n"));
   EXPECT_THAT(text, HasSubstr("points full of ties: 4.50 to 4.50; worst: delaunay_2, lattice, "
                               "degree 1, n = 30 (in 1 of 2 rows doubles handle other events"));
+  EXPECT_THAT(text, HasSubstr("points full of new plans: 1.75 to 1.75; worst: delaunay_2, walks"));
+  EXPECT_THAT(text, HasSubstr("worst cases: 1.50 to 1.50; worst: min_circle_2, seesaw"));
+  EXPECT_THAT(text, HasSubstr("| disc_pairs_grid | points in random motion | 1 |"));
   EXPECT_THAT(text, HasSubstr("collisions: 2.75 to 2.75; worst: separation_mixed"));
   EXPECT_THAT(text, Not(HasSubstr("9.00")));
   EXPECT_EQ(ratios_text({}), "");
   EXPECT_THROW(exact_over_double("not json\n", "rows"), formats::InputError);
 }
 
-}  // namespace
-}  // namespace kinex
+}  // namespace ratios_test
+}  // namespace kinex::bench

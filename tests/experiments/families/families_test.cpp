@@ -8,12 +8,13 @@
 #include <set>
 #include <string>
 
+#include "experiments/lab/bench_row.h"
 #include "experiments/reproduce/papers.h"
 #include "experiments/verify/catalogue.h"
 #include "structures/registry.h"
 
 namespace kinex {
-namespace {
+namespace families_test {
 
 using ::testing::Contains;
 using ::testing::Not;
@@ -58,14 +59,35 @@ TEST(Families, PlansAndRowsNameWhatIsThere) {
       EXPECT_EQ(lab::experiments_on(plan.structure), &family) << plan.structure;
       EXPECT_NE(lab::find_workload(plan.worst), nullptr) << plan.structure;
     }
-    if (family.speed == nullptr) continue;
-    const std::vector<lab::SpeedRow> rows = family.speed(1), small = family.speed(100);
+    if (family.bench_rows == nullptr) continue;
+    const std::vector<lab::BenchRow> rows = family.bench_rows(1), small = family.bench_rows(100);
     EXPECT_GE(small.size(), rows.size()) << family.name;  // the largest sizes are left out
-    for (const lab::SpeedRow& row : rows) {
-      EXPECT_EQ(lab::experiments_on(row.structure), &family) << row.structure;
-      EXPECT_NE(lab::find_workload(row.workload), nullptr) << row.structure << " " << row.workload;
-      EXPECT_GE(row.arithmetics.size(), 2u) << row.structure;
+    for (const lab::BenchRow& row : rows) {
+      const bool is_structure = find_structure_info(row.structure) != nullptr;
+      if (is_structure) {
+        EXPECT_EQ(lab::experiments_on(row.structure), &family) << row.text();
+      }
+      // Requests under a common name, or a workload alone.
+      EXPECT_TRUE(is_structure || !row.maintain.empty() || row.structure.empty()) << row.text();
+      EXPECT_NE(lab::find_workload(row.workload), nullptr) << row.text();
+      EXPECT_EQ(row.arithmetics.size() < 2,
+                row.benchmark != "speed" && row.benchmark != "collision")
+          << row.benchmark << " " << row.text();
     }
+  }
+}
+
+// The whole run of every structure is timed in `double` and in `exact`, so that the table has the
+// ratio. Left out are those that no event concerns, and the mirror images of maxima.
+TEST(Families, EveryStructureHasARowOfExactOverDouble) {
+  std::set<std::string_view> timed;
+  for (const lab::BenchRow& row : lab::bench_rows("speed", {})) {
+    const std::vector<std::string_view>& ways = row.arithmetics;
+    if (ways[0] == "double" && ways[1] == "exact") timed.insert(row.structure);
+  }
+  for (const StructureInfo& info : structure_infos()) {
+    if (!info.has_events || info.kinds.empty() || info.name.starts_with("minimum_")) continue;
+    EXPECT_TRUE(timed.contains(info.name)) << info.name;
   }
 }
 
@@ -98,11 +120,13 @@ TEST(Families, PartsOfAPaperFromSeveralFamiliesAreInItsOrder) {
   }
   const lab::Paper& report = reproduce::papers().front();
   EXPECT_EQ(report.name, "kds-report-1998");
-  ASSERT_EQ(report.parts.size(), 4u);
+  ASSERT_EQ(report.parts.size(), 10u);
   EXPECT_EQ(report.parts[0].name, "figure-3");
   EXPECT_EQ(report.parts[2].name, "section-9");
   EXPECT_EQ(report.parts[3].name, "section-6-circle");
+  EXPECT_EQ(report.parts[4].name, "section-7-delaunay");
+  EXPECT_EQ(report.parts[9].name, "section-7-tree-diameter");
 }
 
-}  // namespace
+}  // namespace families_test
 }  // namespace kinex

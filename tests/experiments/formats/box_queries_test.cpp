@@ -11,7 +11,7 @@
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex {
-namespace {
+namespace box_queries_test {
 
 Scene parse(const std::string& text) { return formats::parse_scene(text, "s.json"); }
 
@@ -168,5 +168,5 @@ TEST(BoxQueries, AnswersStandInTheSample) {
   EXPECT_THAT(summary, testing::HasSubstr(R"("half": {"ids": ["a", "b"], "nodes": )"));
 }
 
-}  // namespace
+}  // namespace box_queries_test
 }  // namespace kinex

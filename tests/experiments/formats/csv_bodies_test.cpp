@@ -16,7 +16,7 @@
 #include "tests/shared_data.h"
 
 namespace kinex {
-namespace {
+namespace csv_bodies_test {
 
 constexpr const char* kSquare = "id,x,y\n*,-1,-1\n*,1,-1\n*,1,1\n*,-1,1\n";
 
@@ -233,5 +233,5 @@ TEST(CsvBodies, Hurricanes) {
   EXPECT_EQ(report.rows, rows);
 }
 
-}  // namespace
+}  // namespace csv_bodies_test
 }  // namespace kinex

@@ -14,7 +14,7 @@
 #include "tests/shared_data.h"
 
 namespace kinex {
-namespace {
+namespace csv_import_test {
 
 formats::ImportReport import(std::string_view text) { return formats::import_csv(text, "t.csv", {}); }
 Rational ratio(int p, int q) { return Rational(Integer(p), Integer(q)); }
@@ -92,6 +92,7 @@ TEST(CsvImport, RefusesWithFileAndLine) {
   EXPECT_INPUT_ERROR(import("name,t,x\n"), "there is no column \"id\"");
   EXPECT_INPUT_ERROR(import("id,t,y\na,0,0\n"), "there is no column \"x\"");
   EXPECT_INPUT_ERROR(import("id,x,y,vx\na,0,0,0\n"), "there is no column \"vy\"");
+  EXPECT_INPUT_ERROR(import("id,time,x\na,0,0\n"), "there is no column \"t\", and none \"vx\"");
   EXPECT_INPUT_ERROR(import("id,t,x,speed\na,0,0,0\n"),
                      "t.csv: line 1: the column \"speed\" means nothing here");
   EXPECT_INPUT_ERROR(import("id,x,vx\na,0,0\na,0,0\n"), "the id \"a\" is that of line 2 too");
@@ -247,5 +248,5 @@ TEST(CsvImport, DatesAreSecondsFromTheFirst) {
                      "--start: \"2024-05-01T12:00:20Z\" is a date, the file's times are numbers");
 }
 
-}  // namespace
+}  // namespace csv_import_test
 }  // namespace kinex

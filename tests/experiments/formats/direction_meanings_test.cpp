@@ -17,7 +17,7 @@
 #include "predicates/predicates.h"
 
 namespace kinex::formats {
-namespace {
+namespace direction_meanings_test {
 
 Trajectory path(std::vector<std::vector<Rational>> coordinates) {
   Trajectory result;
@@ -103,5 +103,5 @@ TEST(DirectionMeanings, Arities) {
   EXPECT_EQ(DirectionMeanings::arity_of("order_x"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace direction_meanings_test
 }  // namespace kinex::formats

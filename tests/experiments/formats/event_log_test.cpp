@@ -22,7 +22,7 @@
 #include "structures/registry.h"
 
 namespace kinex {
-namespace {
+namespace event_log_test {
 
 struct Finished {
   std::string log, summary, digest;
@@ -73,12 +73,13 @@ TEST(EventLog, ExactLogsVerify) {
   }
 }
 
-bool reads_octants(const StructureInfo& info) {
-  for (const char* name : {"closest_pair_bins", "closest_pair_range_tree", "octants_listed", "octants_local"}) {
+bool reads_cones(const StructureInfo& info) {
+  for (const char* name : {"closest_pair_bins", "closest_pair_range_tree", "octants_listed", "octants_local",
+                           "cones_local"}) {
     if (info.name == name) return true;
   }
   return std::any_of(info.reads.begin(), info.reads.end(), [](const Reading& reading) {
-    return reading.structure.starts_with("octants");
+    return reading.structure.starts_with("octants") || reading.structure == "cones_local";
   });
 }
 
@@ -102,8 +103,8 @@ TEST(EventLog, DegenerateLogsOfEveryStructureVerify) {
             run(scene, "exact").log, "log", &scene, formats::scene_hash(scene));
         EXPECT_EQ(verdict.problems, std::vector<std::string>{}) << info.name << " " << scene.name;
         certificates += verdict.certificates;
-        // Those along the directions of octants, and of lines of a grid, are left to kinex-logcheck.
-        if (!reads_octants(info)) {
+        // Those along the directions of octants and polygons, and of lines of a grid, are left to kinex-logcheck.
+        if (!reads_cones(info)) {
           EXPECT_EQ(verdict.unchecked, 0u) << info.name << " " << scene.name;
         }
       }
@@ -118,8 +119,8 @@ TEST(EventLog, SturmWritesTheSameEvents) {
     const Finished exact = run(scene, "exact");
     const Finished sturm = run(scene, "sturm");
     const formats::LogDifference difference = formats::diff_logs(exact.log, "exact", sturm.log, "sturm");
-    EXPECT_TRUE(difference.equal()) << name << " " << difference.text_a << "\n"
-                                    << difference.text_b;
+    EXPECT_TRUE(difference.equal()) << name << " " << difference.row_a << "\n"
+                                    << difference.row_b;
     EXPECT_EQ(exact.digest, sturm.digest);
   }
 }
@@ -141,7 +142,7 @@ TEST(EventLog, OneDigestForEveryDetail) {
       const formats::LogVerdict verdict = formats::check_log(other.log, "log");
       EXPECT_EQ(verdict.problems, std::vector<std::string>{}) << name;
       const formats::LogDifference difference = formats::diff_logs(names.log, "names", other.log, "other");
-      EXPECT_TRUE(difference.equal()) << name << difference.text_a << difference.text_b;
+      EXPECT_TRUE(difference.equal()) << name << difference.row_a << difference.row_b;
       EXPECT_EQ(difference.instants, detail == InstantDetail::kInterval
                                          ? formats::InstantsCompared::kIntervals
                                          : formats::InstantsCompared::kNot);
@@ -291,6 +292,14 @@ TEST(LogDiff, CountsByHand) {
   EXPECT_EQ(difference.missing, 1u);       // d
   EXPECT_EQ(difference.invented, 2u);      // x, the third a
   EXPECT_EQ(difference.out_of_order, 1u);  // b or c
+  EXPECT_EQ(difference.row_a, "2  0  l  swap  b  external");
+  EXPECT_EQ(difference.row_b, "2  0  l  swap  c  external");
+  ASSERT_EQ(difference.kinds.size(), 1u);
+  EXPECT_EQ(difference.kinds[0].structure + " " + difference.kinds[0].kind, "l swap");
+  EXPECT_EQ(difference.kinds[0].events_a, 5u);
+  EXPECT_EQ(difference.kinds[0].events_b, 6u);
+  EXPECT_EQ(difference.kinds[0].missing, 1u);
+  EXPECT_EQ(difference.kinds[0].invented, 2u);
 }
 
 TEST(LogDiff, EffectsAndRecordsOfChanges) {
@@ -319,7 +328,15 @@ TEST(LogDiff, OtherStructures) {
   EXPECT_EQ(difference.events_a, 2u);
   EXPECT_EQ(difference.only_a, std::vector<std::string>{"m"});
   EXPECT_TRUE(difference.only_b.empty());
-  EXPECT_THROW(formats::diff_logs(made_log({}, false, {"m"}), "a", one, "b"), formats::InputError);
+  // The same structure by the same key, under another label.
+  const formats::LogDifference renamed =
+      formats::diff_logs(made_log(swaps({"m:a", "m:b"}), false, {"m"}), "a", one, "b");
+  ASSERT_EQ(renamed.other_labels.size(), 1u);
+  EXPECT_EQ(renamed.other_labels[0].label_a + " " + renamed.other_labels[0].label_b, "m l");
+  EXPECT_EQ(renamed.events_a, 2u);
+  std::string by_y = made_log({}, false, {"m"});
+  by_y.replace(by_y.find("\"key\": \"x\""), 10, "\"key\": \"y\"");
+  EXPECT_THROW(formats::diff_logs(by_y, "a", one, "b"), formats::InputError);
 }
 
 // The same events at other times: a difference between exact logs, where instants are numbers,
@@ -359,5 +376,5 @@ TEST(LogDiff, InstantsCountInExactLogs) {
   EXPECT_EQ(formats::diff_logs(log(one), "a", log("", true, "none"), "b").instants, formats::InstantsCompared::kNot);
 }
 
-}  // namespace
+}  // namespace event_log_test
 }  // namespace kinex

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace heading_test {
 
 Rational ratio(int p, int q) { return Rational(Integer(p), Integer(q)); }
 
@@ -133,5 +133,5 @@ TEST(Heading, HalfTurnsAreCounterClockwiseBothWays) {
   }
 }
 
-}  // namespace
+}  // namespace heading_test
 }  // namespace kinex

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace id_index_test {
 
 TEST(IdIndex, NumbersWhatIsNew) {
   std::vector<std::string> ids;
@@ -23,5 +23,5 @@ TEST(IdIndex, HasRoomForNone) {
   EXPECT_EQ(index.add(""), 0u);
 }
 
-}  // namespace
+}  // namespace id_index_test
 }  // namespace kinex

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace kinex::formats {
-namespace {
+namespace iso_time_test {
 
 std::string seconds(const std::string& text) {
   std::string problem;
@@ -75,5 +75,5 @@ TEST(IsoTime, FiniteDecimals) {
   EXPECT_EQ(finite_decimal(*Rational::parse("1/1024"), 10), "0.0009765625");
 }
 
-}  // namespace
+}  // namespace iso_time_test
 }  // namespace kinex::formats

@@ -11,7 +11,7 @@
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex {
-namespace {
+namespace json_defect_test {
 
 using namespace std::string_view_literals;
 
@@ -111,5 +111,5 @@ TEST(JsonDocument, MayBeMoved) {
   EXPECT_EQ(second->items()[0].text(), "s");
 }
 
-}  // namespace
+}  // namespace json_defect_test
 }  // namespace kinex

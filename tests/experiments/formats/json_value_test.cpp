@@ -8,7 +8,7 @@
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex {
-namespace {
+namespace json_value_test {
 
 formats::JsonDocument parse(std::string_view text) { return formats::parse_json(text, "f.json"); }
 
@@ -90,5 +90,5 @@ TEST(JsonWriter, EscapesWhatHasToBe) {
   EXPECT_EQ(text, R"(["", "a\"b\\", "\u001f\u007f", "\"\"", "plain", "-7", "1/3"])");
 }
 
-}  // namespace
+}  // namespace json_value_test
 }  // namespace kinex

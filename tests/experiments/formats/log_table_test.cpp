@@ -7,7 +7,7 @@
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex::formats {
-namespace {
+namespace log_table_test {
 
 using testing::HasSubstr;
 
@@ -62,6 +62,20 @@ TEST(LogTable, AlignedColumns) {
   EXPECT_FALSE(plain.complete);
 }
 
+TEST(LogTable, ColumnsThatAreWanted) {
+  LogReader reader(kLog, "t.log");
+  EXPECT_EQ(log_table(reader, {}, LogTableForm::kPlain, {"kind", "seq", "time"}).text,
+            "kind     seq  time\n"
+            "swap       1  0.333333333333\n"
+            "swap       2  1.41421356237\n"
+            "settled    3  1.41421356237\n");
+  LogReader again(kLog, "t.log");
+  EXPECT_EQ(log_table(again, {}, LogTableForm::kCsv, {"root", "lower"}).text, "root,lower\n1,1/3\n2,1\n2,1\n");
+  LogReader wrong(kLog, "t.log");
+  EXPECT_INPUT_ERROR(log_table(wrong, {}, LogTableForm::kPlain, {"root"}),
+                     "--columns: \"root\" is not a column of the table; write some of seq, time, exactly");
+}
+
 TEST(LogTable, CsvQuotesWhatNeedsIt) {
   EXPECT_EQ(table(LogTableForm::kCsv).text,
             "seq,time,polynomial,root,lower,upper,structure,kind,ids,external,predicate,"
@@ -110,5 +124,5 @@ TEST(LogTable, LongInstantsAreAbridged) {
   EXPECT_EQ(instant_words(instant, header), "");
 }
 
-}  // namespace
+}  // namespace log_table_test
 }  // namespace kinex::formats

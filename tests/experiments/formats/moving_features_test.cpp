@@ -13,7 +13,7 @@
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex::formats {
-namespace {
+namespace moving_features_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -241,5 +241,5 @@ TEST(MovingFeatures, WhatCannotBeWritten) {
   EXPECT_NO_THROW(parse_json(write_moving_features(scene, "s.json", until).text, "f"));
 }
 
-}  // namespace
+}  // namespace moving_features_test
 }  // namespace kinex::formats

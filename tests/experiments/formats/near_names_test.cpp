@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace kinex::formats {
-namespace {
+namespace near_names_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -25,9 +25,13 @@ TEST(NearNames, Distances) {
 
 TEST(NearNames, TheNearestFirstAndNothingThatIsFar) {
   EXPECT_THAT(near_names("delauney_2", kNames), ElementsAre("delaunay_2"));
+  EXPECT_THAT(near_names("delauney", kNames), ElementsAre("delaunay_2"));  // the number is left out
   EXPECT_THAT(near_names("sortedlist", kNames), ElementsAre("sorted_list"));
   EXPECT_THAT(near_names("hull", kNames), ElementsAre("convex_hull_2"));  // a part
   EXPECT_THAT(near_names("maximum", kNames), ElementsAre("maximum_heap", "maximum_hanger"));
+  EXPECT_THAT(near_names("con", kNames), ElementsAre("convex_hull_2"));  // a beginning
+  EXPECT_THAT(near_names("co", kNames), IsEmpty());
+  EXPECT_THAT(near_names("ull", kNames), IsEmpty());
   EXPECT_THAT(near_names("voronoi", kNames), IsEmpty());
   EXPECT_THAT(near_names("", kNames), IsEmpty());
   EXPECT_THAT(near_names(std::string(1000, 'd'), kNames), IsEmpty());
@@ -41,5 +45,5 @@ TEST(NearNames, Remedies) {
   EXPECT_EQ(did_you_mean("voronoi", kNames, "known are .."), "known are ..");
 }
 
-}  // namespace
+}  // namespace near_names_test
 }  // namespace kinex::formats

@@ -8,7 +8,7 @@
 #include "tests/experiments/body_fixture.h"
 
 namespace kinex {
-namespace {
+namespace placed_body_test {
 
 // ---- another way: two convex polygons are apart iff no vertex lies in the other and no edges meet
 
@@ -120,5 +120,5 @@ TEST(PlacedBody, AgreesWithEdgesOnRandomPolygons) {
   EXPECT_LT(apart, 500);
 }
 
-}  // namespace
+}  // namespace placed_body_test
 }  // namespace kinex

@@ -6,7 +6,7 @@
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex {
-namespace {
+namespace polynomial_file_test {
 
 TEST(PolynomialFile, ReadsLinesAndComments) {
   const auto lines = formats::parse_polynomials("# two\n2 -2 0 1\n\n 1\t1/2 -0.25 # half\r\n0 7", "p");
@@ -28,5 +28,5 @@ TEST(PolynomialFile, DegreeIsLimitedExactly) {
   EXPECT_INPUT_ERROR(formats::parse_polynomials(line(401), "p"), "p: line 1: \"401\" is not a degree");
 }
 
-}  // namespace
+}  // namespace polynomial_file_test
 }  // namespace kinex

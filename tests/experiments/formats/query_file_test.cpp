@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of collision queries: what is read, what is refused and how, how kinds are told by names.
+// Files of collision queries: what is read, what is refused and how, how names determine kinds.
 #include "experiments/formats/query_file.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex {
-namespace {
+namespace query_file_test {
 
 std::string lines(const std::string& row, int count) {
   std::string text;
@@ -105,5 +105,5 @@ TEST(ContactTally, CountsAgainstTheTruth) {
               testing::StartsWith("{\"file\": \"\\\"q\\\\xff.csv\\\"\", "));
 }
 
-}  // namespace
+}  // namespace query_file_test
 }  // namespace kinex

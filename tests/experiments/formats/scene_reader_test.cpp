@@ -8,7 +8,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex {
-namespace {
+namespace scene_reader_test {
 
 Scene parse(const std::string& text) { return formats::parse_scene(text, "s.json"); }
 
@@ -322,5 +322,5 @@ TEST(SceneReader, MaintainOptionInJson) {
   EXPECT_INPUT_ERROR(refused("sorted_list:{"), "other keys are written as in a scene");
 }
 
-}  // namespace
+}  // namespace scene_reader_test
 }  // namespace kinex

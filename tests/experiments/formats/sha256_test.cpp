@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace kinex {
-namespace {
+namespace sha256_test {
 
 // FIPS 180-4, example messages.
 TEST(Sha256, KnownAnswers) {
@@ -20,5 +20,5 @@ TEST(Sha256, GoesOnAfterHex) {
   EXPECT_EQ(digest.hex(), formats::sha256_hex("abc"));
 }
 
-}  // namespace
+}  // namespace sha256_test
 }  // namespace kinex

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace simple_polygon_test {
 
 using Point = std::array<int, 2>;
 
@@ -79,5 +79,5 @@ TEST(SimplePolygon, GivesUpOnMany) {
   EXPECT_EQ(formats::edges_that_meet(polygon_of(points)), std::nullopt);
 }
 
-}  // namespace
+}  // namespace simple_polygon_test
 }  // namespace kinex

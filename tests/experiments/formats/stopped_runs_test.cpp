@@ -28,7 +28,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex {
-namespace {
+namespace stopped_runs_test {
 
 // Points that pass each other, some at one instant; one turns off, one comes and goes.
 constexpr const char* kPoints = R"({"kinex": 1, "name": "points", "dimension": 2,
@@ -239,5 +239,5 @@ TEST_F(StoppedRuns, LeaveWhatIsReadableAndTrue) {
   EXPECT_GT(judged_, 160u);
 }
 
-}  // namespace
+}  // namespace stopped_runs_test
 }  // namespace kinex

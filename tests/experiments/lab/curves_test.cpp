@@ -8,7 +8,7 @@
 #include <regex>
 
 namespace kinex::lab {
-namespace {
+namespace curves_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -110,5 +110,5 @@ TEST(Curves, ConstantsAndExactPowersSaySo) {
   EXPECT_TRUE(is_exact(fit_power(square).value()));
 }
 
-}  // namespace
+}  // namespace curves_test
 }  // namespace kinex::lab

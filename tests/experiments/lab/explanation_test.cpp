@@ -10,7 +10,7 @@
 #include "structures/registry.h"
 
 namespace kinex::lab {
-namespace {
+namespace explanation_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -85,5 +85,5 @@ TEST(Explanation, Arithmetics) {
   EXPECT_EQ(find_arithmetic_info("abacus"), nullptr);
 }
 
-}  // namespace
+}  // namespace explanation_test
 }  // namespace kinex::lab

@@ -2,6 +2,7 @@
 // Verdicts on growth, on made-up counts of known laws with noise (seeds fixed): each verdict is
 // reached, and no verdict becomes better when data are left out.
 #include "experiments/lab/growth.h"
+#include "experiments/lab/law_verdict.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@
 #include "experiments/lab/power_verdict.h"
 
 namespace kinex {
-namespace {
+namespace growth_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -234,5 +235,5 @@ TEST(Bend, IsZeroForTheLawItself) {
   EXPECT_FALSE(lab::bend_of(points, {0, 1}));
 }
 
-}  // namespace
+}  // namespace growth_test
 }  // namespace kinex

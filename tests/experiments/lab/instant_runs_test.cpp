@@ -14,7 +14,7 @@
 #include "tests/places.h"
 
 namespace kinex {
-namespace {
+namespace instant_runs_test {
 
 constexpr std::uintmax_t kLargestFile = 12000;
 constexpr std::size_t kFewestScenes = 80, kFewestInstants = 300;
@@ -106,5 +106,5 @@ TEST(InstantRuns, OfExtremesAreNamedAlike) {
   EXPECT_GE(instants, kFewestInstants);
 }
 
-}  // namespace
+}  // namespace instant_runs_test
 }  // namespace kinex

@@ -10,7 +10,7 @@
 #include "tests/experiments/verify/cells.h"
 
 namespace kinex {
-namespace {
+namespace judge_test {
 
 using test::constructed_family;
 using test::expects;
@@ -203,5 +203,5 @@ TEST(JudgeGrowth, WantsTheScenesThatACellNeeds) {
   }
 }
 
-}  // namespace
+}  // namespace judge_test
 }  // namespace kinex

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace limb_cells_test {
 
 TEST(LimbCells, AreApartAndComeAgain) {
   lab::LimbCells cells;
@@ -44,5 +44,5 @@ TEST(LimbCells, OfEndedThreadsAreUsedAgain) {
   for (void* cell : taken) cells.give_back(cell);
 }
 
-}  // namespace
+}  // namespace limb_cells_test
 }  // namespace kinex

@@ -8,7 +8,7 @@
 #include "experiments/lab/workload.h"
 
 namespace kinex {
-namespace {
+namespace measure_test {
 
 Scene scene_for(const char* structure, const char* workload, int n, int dimension) {
   lab::WorkloadParameters parameters;
@@ -58,5 +58,5 @@ TEST(Measure, HullOfATriangulation) {
   EXPECT_EQ(alone.count_of("processed"), alone.costs.external + alone.costs.internal);
 }
 
-}  // namespace
+}  // namespace measure_test
 }  // namespace kinex

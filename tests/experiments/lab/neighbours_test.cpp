@@ -9,10 +9,11 @@
 #include <functional>
 #include <random>
 
+#include "experiments/lab/law_verdict.h"
 #include "experiments/lab/least_squares.h"
 
 namespace kinex {
-namespace {
+namespace neighbours_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -37,6 +38,32 @@ TEST(Law, IsWrittenAsOneWritesIt) {
   EXPECT_EQ((lab::Law{1, 1}.text("n")), "n log n");
   EXPECT_EQ((lab::Law{0, 2}.text("n")), "log^2 n");
   EXPECT_DOUBLE_EQ((lab::Law{1.5, 2}.at(100)), 1000 * std::pow(std::log(100.0), 2));
+}
+
+// Of a bound O(log n): what grows like log n or slower is confirmed, log^2 n and powers are not; and fewer
+// sizes never confirm more.
+TEST(LawVerdict, TellsABoundFromWhatExceedsIt) {
+  const lab::ClaimedLaw claim{{0, 1}, 0.1, true};
+  const auto verdict = [&](const std::function<double(double)>& law, std::size_t sizes) {
+    std::vector<lab::FitPoint> points = points_of(law, 0.002, 0);
+    points.resize(sizes);
+    return lab::judge_law(points, claim, "n");
+  };
+  const auto log = [](double n) { return 5 + 3 * std::log(n); };
+  EXPECT_EQ(verdict(log, 10).verdict, lab::Verdict::kConfirmed);
+  EXPECT_THAT(lab::neighbours_text(*verdict(log, 10).neighbours), HasSubstr("which has"));
+  EXPECT_EQ(verdict(log, 5).verdict, lab::Verdict::kOpen);
+  EXPECT_THAT(verdict(log, 5).observed, HasSubstr("too few sizes"));
+  for (const auto& law : {std::function<double(double)>([](double n) { return std::pow(std::log(n), 3); }),
+                          std::function<double(double)>([](double n) { return std::sqrt(n); })}) {
+    lab::Verdict last = lab::Verdict::kRefuted;
+    for (const std::size_t sizes : {std::size_t{10}, std::size_t{7}, std::size_t{6}, std::size_t{5}}) {
+      const lab::Verdict one = verdict(law, sizes).verdict;
+      EXPECT_NE(one, lab::Verdict::kConfirmed) << sizes;
+      EXPECT_LE(one, last) << sizes;
+      last = one;
+    }
+  }
 }
 
 TEST(Neighbours, EachLawBeatsAllOthersOnItsOwnCounts) {
@@ -154,5 +181,5 @@ TEST(LeastSquares, AgreesWithTheStraightLine) {
   }
 }
 
-}  // namespace
+}  // namespace neighbours_test
 }  // namespace kinex

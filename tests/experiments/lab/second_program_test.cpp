@@ -20,10 +20,10 @@
 #include "tests/places.h"
 
 namespace kinex {
-namespace {
+namespace second_program_test {
 
 namespace fs = std::filesystem;
-using Outcome = lab::CheckedBy::Outcome;
+using Finding = lab::CheckedBy::Finding;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -66,7 +66,7 @@ TEST_F(ASecondProgram, ChecksEveryLevelOfPoints) {
         "convex_hull_2_delaunay", "delaunay_2"}) {
     lab::RunKey run = run_of(structure, "uniform-square");
     const lab::CheckedBy checked = lab::SecondProgram(real_program(), kGoOn, nullptr).check(run);
-    EXPECT_EQ(checked.outcome, Outcome::kFine) << checked.text();
+    EXPECT_EQ(checked.finding, Finding::kFine) << checked.text();
     EXPECT_THAT(checked.levels, ElementsAre(0, 1, 2, 3, 4, 5)) << checked.text();
     EXPECT_EQ(checked.left_out, "");
   }
@@ -75,7 +75,7 @@ TEST_F(ASecondProgram, ChecksEveryLevelOfPoints) {
 TEST_F(ASecondProgram, SaysWhatOfBodiesIsNotReplayed) {
   const lab::CheckedBy checked = lab::SecondProgram(real_program(), kGoOn, nullptr)
                                 .check(run_of("separation_mixed", "polygon-orbit"));
-  EXPECT_EQ(checked.outcome, Outcome::kFine) << checked.text();
+  EXPECT_EQ(checked.finding, Finding::kFine) << checked.text();
   EXPECT_THAT(checked.levels, ElementsAre(0, 1, 5));
   EXPECT_EQ(checked.left_out,
             "levels 2, 3, 4: not for rigid bodies; not followed: internal events");
@@ -83,11 +83,11 @@ TEST_F(ASecondProgram, SaysWhatOfBodiesIsNotReplayed) {
 
 TEST_F(ASecondProgram, MayRefuseTheLog) {
   const lab::CheckedBy plain = check(stub("echo 'log.jsonl:3: it is wrong' >&2\nexit 1"));
-  EXPECT_EQ(plain.outcome, Outcome::kRefused);
+  EXPECT_EQ(plain.finding, Finding::kRefused);
   EXPECT_THAT(plain.verdict(), HasSubstr("refused: log.jsonl:3: it is wrong"));
   const lab::CheckedBy report = check(
       stub("echo '{\"message\": \"a swap is missing\", \"line\": 7, \"levels\": []}'\nexit 1"));
-  EXPECT_EQ(report.outcome, Outcome::kRefused);
+  EXPECT_EQ(report.finding, Finding::kRefused);
   EXPECT_EQ(report.verdict(), "refused: line 7: a swap is missing");
 }
 
@@ -96,7 +96,7 @@ TEST_F(ASecondProgram, RefusesAWrongLog) {
   const std::string spoiling = stub("sed -i '2s/\"external\": true/\"external\": false/' \"$1\"\n" +
                                     ("exec " + real_program()) + " \"$@\"");
   const lab::CheckedBy checked = check(spoiling);
-  EXPECT_EQ(checked.outcome, Outcome::kRefused) << checked.text();
+  EXPECT_EQ(checked.finding, Finding::kRefused) << checked.text();
 }
 
 TEST_F(ASecondProgram, MayNotBeThere) {
@@ -106,8 +106,8 @@ TEST_F(ASecondProgram, MayNotBeThere) {
   ::unsetenv("PYTHON");
   EXPECT_EQ(checked.verdict(), "not checked: python3 was not found");
   EXPECT_EQ(check(stub("kill -9 $$")).verdict().substr(0, 12), "not checked:");
-  EXPECT_EQ(check(stub("exit 3")).outcome, Outcome::kNotChecked);
-  EXPECT_EQ(check(stub("exit 0")).outcome, Outcome::kNotChecked);  // nothing is said to be done
+  EXPECT_EQ(check(stub("exit 3")).finding, Finding::kNotChecked);
+  EXPECT_EQ(check(stub("exit 0")).finding, Finding::kNotChecked);  // nothing is said to be done
 }
 
 TEST_F(ASecondProgram, IsStoppedAtOnce) {
@@ -156,14 +156,14 @@ TEST_F(ASecondProgram, ConfirmsNoClaimWhoseLogItRefuses) {
   EXPECT_EQ(claims[3].verdict, lab::Verdict::kRefuted);
 }
 
-// A part of one run, over a journal.
+// A part of one point, over a journal.
 struct OnePart {
   lab::PaperPart part{"one", "one run", 1,
                       [](bool) {
                         lab::SeriesPoint point;
                         point.key.structure = "sorted_list";
                         point.key.workload = "uniform-square";
-                        point.key.n = 10;
+                        point.key.parameters.n = 10;
                         point.min_seeds = point.max_seeds = 3;
                         return std::vector{point};
                       },
@@ -177,9 +177,10 @@ struct OnePart {
   reproduce::ReproducedPart run(const std::string& path, const lab::SecondProgram& program) {
     sweep::Journal journal(path, sweep::provenance_of({"plan", "{}", std::string(64, '0')}, "test", "0/1"), false);
     reproduce::RunnerOptions options;
-    options.on_run = [this](std::size_t, const std::string&) { ++runs; };
+    options.source.journal = &journal;
+    options.on_start = [this](std::size_t, const lab::SeriesPoint&) { ++runs; };
     options.on_check = [this](const lab::RunKey&) { ++checks; };
-    return reproduce::run_part(part, journal, program, options);
+    return reproduce::run_part(part, program, options);
   }
 };
 
@@ -196,10 +197,10 @@ TEST_F(ASecondProgram, ChecksNothingTwice) {
     if (i == 0) first = done.report.claims[0].checked_by.text();
     EXPECT_EQ(done.report.claims[0].checked_by.text(), first);
   }
-  EXPECT_EQ(one.runs, 3);
+  EXPECT_EQ(one.runs, 1);
   EXPECT_EQ(one.checks, 1);
   one.run(file("journal"), lab::SecondProgram(stub("exec " + fine + " \"$@\""), kGoOn, nullptr));
-  EXPECT_EQ(one.runs, 3);
+  EXPECT_EQ(one.runs, 1);
   EXPECT_EQ(one.checks, 2);  // by another program
 }
 
@@ -218,7 +219,7 @@ TEST(CheckedByJson, HasWhatWasRunAndSaid) {
   checked.run = run_of("delaunay_2", "uniform-square");
   checked.levels = {0, 1, 5};
   checked.left_out = "levels 2-4";
-  checked.outcome = Outcome::kFine;
+  checked.finding = Finding::kFine;
   std::string text;
   formats::JsonWriter json(text);
   lab::write_checked_by(json, checked);
@@ -228,15 +229,15 @@ TEST(CheckedByJson, HasWhatWasRunAndSaid) {
   EXPECT_THAT(value.find("levels")->items(), SizeIs(3));
   EXPECT_EQ(value.find("structure")->text(), "delaunay_2");
   EXPECT_EQ(value.find("workload")->text(), "uniform-square");
-  EXPECT_EQ(value.find("n")->text(), std::to_string(checked.run.n));
+  EXPECT_EQ(value.find("n")->text(), std::to_string(checked.run.parameters.n));
   EXPECT_EQ(value.find("seed")->text(), "2");
   EXPECT_EQ(value.find("verdict")->text(), "nothing wrong");
   const lab::CheckedBy again = lab::check_of(lab::check_fields(checked)).value();
   EXPECT_EQ(again.program, checked.program);
   EXPECT_EQ(again.levels, checked.levels);
   EXPECT_EQ(again.left_out, checked.left_out);
-  EXPECT_EQ(again.outcome, checked.outcome);
+  EXPECT_EQ(again.finding, checked.finding);
 }
 
-}  // namespace
+}  // namespace second_program_test
 }  // namespace kinex

@@ -14,7 +14,7 @@
 #include "experiments/lab/judge.h"
 
 namespace kinex {
-namespace {
+namespace statistics_test {
 
 using ::testing::DoubleNear;
 using ::testing::Each;
@@ -191,5 +191,5 @@ TEST(Texts, GiveErrorsTwoDigits) {
   EXPECT_EQ(lab::number_text(1.79172, 4), "1.792");
 }
 
-}  // namespace
+}  // namespace statistics_test
 }  // namespace kinex

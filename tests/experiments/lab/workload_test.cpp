@@ -12,7 +12,7 @@
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex {
-namespace {
+namespace workload_test {
 
 Scene generate(std::string_view name, int n, std::uint64_t seed = 1, int degree = 1,
                int dimension = 0, int m = 0) {
@@ -72,9 +72,12 @@ TEST(Workload, EveryFamilyIsAValidScene) {
         // n objects, or n and m of two kinds.
         const std::map<std::string_view, std::size_t> others{
             {"hull-worst", 16}, {"pass-over-row", 16}, {"pass-along-row", 16},
-            {"seesaw", 16},     {"vernier", 16},       {"comb", 19},
+            {"seesaw", 16},        {"vernier", 16},       {"comb", 19},
+            {"colours-along-row", 16},
+            {"vernier-turned", 16},
             {"points-through-lines", 16},
-            {"skew-curves", 17}};
+            {"skew-curves", 17},
+            {"skew-rows", 17}};
         const auto other = others.find(workload.name);
         EXPECT_EQ(scene.objects.size(), other == others.end() ? 8u : other->second)
             << workload.name;
@@ -87,7 +90,7 @@ TEST(Workload, EveryFamilyIsAValidScene) {
   }
 }
 
-// As many changes as asked for, at instants of their own; who is there at which time.
+// The number of changes is that asked for, each at an instant of its own; objects are alive when stated.
 TEST(Workload, ChangesAreWhatTheFamiliesSay) {
   const Scene plans = generate("new-plans", 5, 1, 1, 0, 40);
   std::size_t changes = 0;
@@ -210,5 +213,5 @@ TEST(Workload, ParametersAreChecked) {
   EXPECT_INPUT_ERROR(generate("grid", 4, 1, 1, 0, 3), "--m");
 }
 
-}  // namespace
+}  // namespace workload_test
 }  // namespace kinex

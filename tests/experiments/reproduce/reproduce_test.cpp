@@ -21,7 +21,7 @@
 #include "experiments/sweep/plan.h"
 
 namespace kinex {
-namespace {
+namespace reproduce_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -30,7 +30,7 @@ lab::RunKey small_run(const std::string& structure, int n = 20) {
   lab::RunKey key;
   key.structure = structure;
   key.workload = "uniform-square";
-  key.n = n;
+  key.parameters.n = n;
   return key;
 }
 
@@ -79,7 +79,7 @@ TEST(RunRecord, IsNotMadeOfAnInterruptedRun) {
 TEST(Series, SeedsGoOnUntilTheMeanIsPrecise) {
   lab::SeriesPoint point;
   point.key = small_run("sorted_list");
-  point.key.dimension = 1;
+  point.key.parameters.dimension = 1;
   point.precise = "processed";
   point.min_seeds = 2;
   point.max_seeds = 500;
@@ -104,7 +104,7 @@ sweep::Experiments only_reproduce() {
 
 TEST(PlannedReproduce, ACellRunsFromItsTextAndComesBack) {
   lab::SeriesPoint point = reproduce::paper_named("kds-report-1998").parts[0].points(true).front();
-  const sweep::Cell cell = reproduce::planned(point);
+  const sweep::PlanCell cell = reproduce::planned(point);
   const sweep::CellReport there = sweep::run_any(cell.text, only_reproduce());
   const sweep::Record record = sweep::record_of(cell, there, 1);
   EXPECT_EQ(record.outcome, sweep::Outcome::kDone) << record.message;
@@ -157,7 +157,8 @@ TEST(PlannedReproduce, ACrashLeavesTheClaimsOpen) {
   const lab::SecondProgram none("no-such-program", kGoOn, nullptr);
   reproduce::RunnerOptions options;
   options.quick = true;
-  const reproduce::ReproducedPart done = reproduce::run_part(part, journal, none, options);
+  options.source.journal = &journal;
+  const reproduce::ReproducedPart done = reproduce::run_part(part, none, options);
   EXPECT_TRUE(done.interrupted);
   EXPECT_EQ(done.troubles.size(), part.points(true).size());
   EXPECT_THAT(done.troubles.front(), HasSubstr("there is not enough memory"));
@@ -314,5 +315,5 @@ TEST(PaperFiles, HaveEveryFieldOfEveryClaim) {
   EXPECT_THAT(readme, Not(HasSubstr(".svg")));
 }
 
-}  // namespace
+}  // namespace reproduce_test
 }  // namespace kinex

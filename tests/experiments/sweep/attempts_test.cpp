@@ -17,7 +17,7 @@
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex::sweep {
-namespace {
+namespace attempts_test {
 
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
@@ -35,8 +35,8 @@ class SweepAttempts : public ::testing::Test {
   }
   ~SweepAttempts() override { fs::remove_all(folder_); }
 
-  Provenance provenance() const {
-    Provenance of;
+  AttemptProvenance provenance() const {
+    AttemptProvenance of;
     of.plan_name = plan_.name;
     of.plan_hash = plan_.hash;
     of.plan = plan_.text;
@@ -135,7 +135,7 @@ TEST_F(SweepAttempts, AKeyBelongsToItsCell) {
 
 TEST_F(SweepAttempts, ProgramsAreNotMixed) {
   write({record(0)});
-  Provenance other = provenance();
+  AttemptProvenance other = provenance();
   other.program = "another program";
   { AttemptFile file(folder_, {1, 2}, other); }
   EXPECT_INPUT_ERROR(read_attempts({folder_}), "its records are of another commit");
@@ -283,5 +283,5 @@ TEST(SweepCell, ARefusedCellSaysWhy) {
   EXPECT_EQ(again.outcome, report.outcome);
 }
 
-}  // namespace
+}  // namespace attempts_test
 }  // namespace kinex::sweep

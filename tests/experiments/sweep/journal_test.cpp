@@ -16,7 +16,7 @@
 #include "experiments/verify/runner.h"
 
 namespace kinex {
-namespace {
+namespace journal_test {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
@@ -37,15 +37,15 @@ class SweepJournal : public ::testing::Test {
   void append(const std::string& what) const {
     std::ofstream(path_, std::ios::binary | std::ios::app) << what;
   }
-  static sweep::Provenance by(const std::string& program) {
+  static sweep::AttemptProvenance by(const std::string& program) {
     sweep::Selection selection;
     selection.experiment = "test";
-    sweep::Provenance provenance =
+    sweep::AttemptProvenance provenance =
         sweep::provenance_of(sweep::plan_text(selection), "kinex test", "0/1");
     provenance.program = program;
     return provenance;
   }
-  static sweep::Cell cell(int n) {
+  static sweep::PlanCell cell(int n) {
     return sweep::make_cell("test", "{\"test\": {\"n\": " + std::to_string(n) + "}}", 1);
   }
   static sweep::Record record(int n, const std::string& exact, const std::string& times = "") {
@@ -171,7 +171,7 @@ TEST(CellRecord, IsTheCellAgain) {
   cell.parameters.dimension = 1;
   cell.random = true;
   cell.min_seeds = cell.max_seeds = 2;
-  const lab::CellResult run = verify::run_cell(cell, {}, nullptr).value();
+  const lab::CellResult run = verify::run_cell(cell, {}).value();
   const lab::Fields fields = lab::cell_fields(run);
   const std::optional<lab::CellResult> read = lab::cell_of(fields, cell);
   ASSERT_TRUE(read);
@@ -183,11 +183,11 @@ TEST(CellRecord, IsTheCellAgain) {
   EXPECT_EQ(read->trials[1].measurement.attribute, run.trials[1].measurement.attribute);
   EXPECT_EQ(read->trials[1].measurement.seconds, run.trials[1].measurement.seconds);
   EXPECT_EQ(read->seconds, run.seconds);
-  EXPECT_EQ(lab::cell_fields(verify::run_cell(cell, {}, nullptr).value()).exact, fields.exact);
+  EXPECT_EQ(lab::cell_fields(verify::run_cell(cell, {}).value()).exact, fields.exact);
   EXPECT_FALSE(lab::cell_of({fields.exact.substr(1), fields.times}, cell));
   EXPECT_FALSE(lab::cell_of({fields.exact + "1 ", fields.times}, cell));
   EXPECT_FALSE(lab::cell_of({fields.exact, fields.times + "1 "}, cell));
 }
 
-}  // namespace
+}  // namespace journal_test
 }  // namespace kinex

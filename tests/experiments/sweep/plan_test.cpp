@@ -12,7 +12,7 @@
 #include "tests/experiments/expect_input_error.h"
 
 namespace kinex::sweep {
-namespace {
+namespace plan_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -22,9 +22,9 @@ Plan plan_of(const std::string& blocks) {
                     PlanCheck::kScenes);
 }
 
-std::vector<std::string> texts_of(const std::vector<Cell>& cells) {
+std::vector<std::string> texts_of(const std::vector<PlanCell>& cells) {
   std::vector<std::string> texts;
-  for (const Cell& cell : cells) texts.push_back(cell.text);
+  for (const PlanCell& cell : cells) texts.push_back(cell.text);
   return texts;
 }
 
@@ -34,7 +34,7 @@ TEST(SweepPlan, ABlockIsAProduct) {
           "degree": [1, 2], "seed": {"from": 7, "to": 9}, "arithmetic": ["exact", "gsl"]})");
   EXPECT_EQ(plan.cells.size(), 2u * 2 * 2 * 3 * 2);
   std::set<std::string> keys;
-  for (const Cell& cell : plan.cells) keys.insert(cell.key);
+  for (const PlanCell& cell : plan.cells) keys.insert(cell.key);
   EXPECT_EQ(keys.size(), plan.cells.size());
 }
 
@@ -69,7 +69,7 @@ TEST(SweepPlan, SeedsAreForRandomFamilies) {
   EXPECT_EQ(plan.cells.size(), 1u + 5u);
 }
 
-RunCell run_of(const Cell& cell) { return parse_cell(cell.text, "cell"); }
+RunCell run_of(const PlanCell& cell) { return parse_cell(cell.text, "cell"); }
 
 TEST(SweepPlan, EveryOptionIsInTheCell) {
   const Plan plan = plan_of(
@@ -91,7 +91,7 @@ TEST(SweepPlan, ACellReadsItselfBack) {
                         {"key": {"direction": [1, "1/3"]}, "structure": "maximum_heap"}],
           "workload": ["new-plans", "hull-worst"], "n": 6, "m": 5, "seed": 18446744073709551615})");
   EXPECT_EQ(plan.cells.size(), 6u);
-  for (const Cell& cell : plan.cells) {
+  for (const PlanCell& cell : plan.cells) {
     EXPECT_EQ(cell_key(parse_cell(cell.text, "cell")), cell.key) << cell.text;
   }
   const auto together = std::find_if(plan.cells.begin(), plan.cells.end(), [](const auto& cell) {
@@ -113,7 +113,7 @@ TEST(SweepPlan, LargestCostFirstThenTheKey) {
   EXPECT_EQ(run_of(plan.cells.back()).parameters.n, 10);
   EXPECT_EQ(run_of(plan.cells.back()).arithmetic, "exact");
   for (std::size_t i = 1; i < plan.cells.size(); ++i) {
-    const Cell &a = plan.cells[i - 1], &b = plan.cells[i];
+    const PlanCell &a = plan.cells[i - 1], &b = plan.cells[i];
     EXPECT_TRUE(a.cost > b.cost || (a.cost == b.cost && a.key < b.key)) << i;
   }
 }
@@ -222,5 +222,5 @@ TEST(SweepPlan, DefectsOfTheWhole) {
           "/limits/seconds: 0 is not an integer from 1");
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace kinex::sweep

@@ -16,7 +16,7 @@
 #include "experiments/trade/checkpoints.h"
 
 namespace kinex {
-namespace {
+namespace deviation_test {
 
 Rational q(const char* text) { return *Rational::parse(text); }
 
@@ -66,17 +66,37 @@ TEST(Deviation, MissedInventedAndFirst) {
   EXPECT_EQ(d.missed, 1u);
   EXPECT_EQ(d.invented, 0u);
   EXPECT_EQ(d.first, 2u);
-  EXPECT_EQ(std::stod(d.first_time), 2);
+  EXPECT_EQ(d.first_time, Rational(2));
   d = deviation("a|b", "axb", {"1", "3/2", "2"});
   EXPECT_EQ(d.missed, 0u);
   EXPECT_EQ(d.invented, 1u);
   EXPECT_EQ(d.first, 2u);
-  EXPECT_EQ(std::stod(d.first_time), 2);  // when b is due
+  EXPECT_EQ(d.first_time, Rational(2));  // when b is due
   d = deviation("a|b", "a", {"1"});       // ended too early
   EXPECT_EQ(d.first, 2u);
   d = deviation("a", "ab", {"1", "7/2"});  // went on too long
   EXPECT_EQ(d.first, 2u);
-  EXPECT_EQ(std::stod(d.first_time), 3.5);
+  EXPECT_EQ(d.first_time, q("7/2"));
+}
+
+// The decimals are those of the instant, whatever interval it is known by.
+TEST(RationalNear, HasTheDecimalsOfTheInstant) {
+  RootCounters counters;
+  for (const char* polynomial : {"2", "3", "1/7", "200000000000000000001"}) {
+    const Polynomial p = Polynomial::from_rationals({-q(polynomial), Rational(0), Rational(1)});
+    for (RootWithMultiplicity& root : isolate_real_roots(p, counters)) {
+      RealRoot other = root.root;
+      const Rational near = trade::rational_near(root.root, counters);
+      EXPECT_EQ(trade::time_decimal(near), decimal(other, 17, counters));
+    }
+  }
+  // Exactly a number of so many decimals, known as a root.
+  const Polynomial square = Polynomial::from_rationals({-q("1/4"), Rational(0), Rational(1)});
+  for (RootWithMultiplicity& root : isolate_real_roots(square, counters)) {
+    EXPECT_EQ(trade::rational_near(root.root, counters) * trade::rational_near(root.root, counters), q("1/4"));
+  }
+  RealRoot third(q("1/3"));
+  EXPECT_EQ(trade::rational_near(third, counters), q("1/3"));
 }
 
 TEST(Deviation, InversionsAgainstTheExactOrder) {
@@ -340,5 +360,5 @@ TEST(Checkpoints, AreBetweenInstants) {
   EXPECT_EQ(trade::checkpoints_of(empty, Rational(0), Rational(1)).size(), 7u);
 }
 
-}  // namespace
+}  // namespace deviation_test
 }  // namespace kinex

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Binary scale, bits needed, labels: answers known by hand, and brute force.
+// Binary scale, bits needed: answers known by hand, and brute force.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,10 +8,9 @@
 
 #include "experiments/lab/binary_scale.h"
 #include "experiments/trade/bits_needed.h"
-#include "experiments/trade/labels.h"
 
 namespace kinex {
-namespace {
+namespace numbers_test {
 
 Rational q(const char* text) { return *Rational::parse(text); }
 
@@ -141,7 +140,7 @@ TEST(BitsNeeded, LargestAndPercentile) {
   EXPECT_EQ(bits.pairs, 3u);
   EXPECT_EQ(bits.most, 5);
   EXPECT_EQ(bits.percentile_99, 5);
-  EXPECT_EQ(std::stod(bits.time), 8);
+  EXPECT_EQ(bits.time, Rational(8));
   // 200 pairs, of which 2 need more: the 198th is one that does not.
   trade::ExactTrace many;
   Rational t(1);
@@ -153,31 +152,5 @@ TEST(BitsNeeded, LargestAndPercentile) {
   EXPECT_EQ(trade::bits_needed(many, t).percentile_99, 2);
 }
 
-TEST(LabelPlacer, CoversNothingWhereThereIsRoom) {
-  trade::LabelPlacer placer({0, 0, 600, 400});
-  std::vector<trade::LabelPlacer::Label> labels;
-  for (int i = 0; i < 8; ++i) placer.add_point(300 + i, 200 + 2 * i, 5);
-  for (int i = 0; i < 8; ++i) labels.push_back(placer.place("a label", 300 + i, 200 + 2 * i));
-  const auto left = [](const trade::LabelPlacer::Label& label) {
-    return label.align == std::string("left") ? label.x : label.x - 7 * 7.2;
-  };
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    EXPECT_GE(left(labels[i]), 0);
-    EXPECT_LE(left(labels[i]) + 7 * 7.2, 600);
-    for (std::size_t j = 0; j < i; ++j) {
-      const bool apart = std::fabs(labels[i].y - labels[j].y) >= 15 ||
-                         std::fabs(left(labels[i]) - left(labels[j])) >= 7 * 7.2;
-      EXPECT_TRUE(apart) << i << " " << j;
-    }
-  }
-}
-
-TEST(LabelPlacer, StaysInside) {
-  trade::LabelPlacer placer({0, 0, 100, 50});
-  const trade::LabelPlacer::Label label = placer.place("1234567", 95, 25);
-  EXPECT_STREQ(label.align, "right");
-  EXPECT_LT(label.x, 95);
-}
-
-}  // namespace
+}  // namespace numbers_test
 }  // namespace kinex

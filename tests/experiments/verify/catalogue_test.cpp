@@ -16,7 +16,7 @@
 #include "structures/registry.h"
 
 namespace kinex {
-namespace {
+namespace catalogue_test {
 
 using Counts = std::map<int, std::string>;  // by n
 
@@ -136,6 +136,22 @@ TEST(Catalogue, TheMaximaAreAGroup) {
   }
 }
 
+TEST(Catalogue, AFamilyIsAllOfItsStructures) {
+  for (const std::string family : {"extent", "proximity", "range"}) {
+    SCOPED_TRACE(family);
+    std::size_t cells = 0;
+    for (const StructureInfo& info : structure_infos()) {
+      if (family_of(info.name) != family) continue;
+      cells += verify::make_catalogue(info.name, lab::Extent::kQuick).cells.size();
+    }
+    const lab::Catalogue catalogue = verify::make_catalogue(family, lab::Extent::kQuick);
+    EXPECT_EQ(catalogue.cells.size(), cells);
+    EXPECT_GT(cells, 10u);
+    for (const lab::Cell& cell : catalogue.cells) EXPECT_EQ(family_of(cell.structure), family);
+  }
+  EXPECT_FALSE(verify::make_catalogue("range", lab::Extent::kQuick).studies.empty());
+}
+
 // ---- witnesses ------------------------------------------------------------------------------
 
 Scene lines(const std::vector<std::pair<Rational, Rational>>& at_both_ends) {
@@ -243,5 +259,5 @@ TEST(SceneOf, MirrorsAMaximumIntoAMinimum) {
   EXPECT_EQ(scene.objects.back().motion.pieces.front().trajectory.coordinates[0][1], Rational(-6));
 }
 
-}  // namespace
+}  // namespace catalogue_test
 }  // namespace kinex

@@ -52,7 +52,7 @@ inline lab::Cell random_cell(int n, int seeds) {
 }
 
 inline lab::CellResult run(const lab::Cell& cell, verify::VerifyOptions options = {}) {
-  return verify::run_cell(cell, options, nullptr).value();
+  return verify::run_cell(cell, options).value();
 }
 
 // Four sizes n of three runs each, that count 10 n^exponent to 0.2 %.

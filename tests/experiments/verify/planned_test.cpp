@@ -8,6 +8,7 @@
 
 #include <set>
 
+#include "experiments/families/collision/turned_scene.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/sweep/plan.h"
 #include "experiments/trade/planned.h"
@@ -15,7 +16,7 @@
 #include "tests/experiments/verify/cells.h"
 
 namespace kinex {
-namespace {
+namespace planned_test {
 
 using test::random_cell;
 using ::testing::HasSubstr;
@@ -60,7 +61,7 @@ TEST(PlannedVerify, TheKeyIsOfWhatDecidesTheRuns) {
   changed([](lab::Cell& one) { one.parameters.separation = Rational(1); });
   changed([](lab::Cell& one) { one.parameters.turns = 0; });
   changed([](lab::Cell& one) { one.mirrored = true; });
-  changed([](lab::Cell& one) { one.turned = true; });
+  changed([](lab::Cell& one) { one.change = &families::kTurned; });
   changed([](lab::Cell& one) { one.audit = AuditLevel::kEvents; });
   changed([](lab::Cell& one) { one.max_seeds = 4; });
   changed([](lab::Cell& one) { one.min_seeds = 2; });
@@ -98,12 +99,12 @@ TEST(PlannedVerify, ACellRunsFromItsText) {
     if (one.random && one.parameters.n <= 64) cell = &one;
   }
   ASSERT_NE(cell, nullptr);
-  const sweep::Cell planned = verify::planned(*cell, 3);
+  const sweep::PlanCell planned = verify::planned(*cell, 3);
   const sweep::CellReport report = sweep::run_any(planned.text, experiments());
   EXPECT_EQ(report.outcome, sweep::Outcome::kDone) << report.message;
   verify::VerifyOptions options;
   options.seeds = 3;
-  const lab::CellResult here = verify::run_cell(*cell, options, nullptr).value();
+  const lab::CellResult here = verify::run_cell(*cell, options).value();
   EXPECT_EQ(verify::report_of(here).exact, report.exact);
   const sweep::Record record =
       sweep::parse_record(sweep::record_line(sweep::record_of(planned, report, 1)), "file", 2);
@@ -166,10 +167,10 @@ TEST(PlannedTrade, ACaseRunsFromItsText) {
        trade::make_trade_catalogue({"sorted_list"}, lab::Extent::kQuick).cases) {
     if (which.workload != "grid") continue;
     found = true;
-    const sweep::Cell planned = trade::planned(which, options);
+    const sweep::PlanCell planned = trade::planned(which, options);
     const sweep::CellReport report = sweep::run_any(planned.text, experiments());
     EXPECT_EQ(report.outcome, sweep::Outcome::kDone) << report.message;
-    const trade::CaseResult here = trade::run_case(which, options, nullptr).value();
+    const trade::CaseResult here = trade::run_case(which, options).value();
     EXPECT_EQ(trade::report_of(here).exact, report.exact);
     const trade::CaseResult back = trade::result_of(sweep::record_of(planned, report, 1), which);
     EXPECT_EQ(back.runs.size(), 3u);
@@ -178,5 +179,5 @@ TEST(PlannedTrade, ACaseRunsFromItsText) {
   EXPECT_TRUE(found);
 }
 
-}  // namespace
+}  // namespace planned_test
 }  // namespace kinex

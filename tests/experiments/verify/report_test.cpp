@@ -9,15 +9,14 @@
 #include <memory>
 
 #include "experiments/verify/database.h"
-#include "experiments/verify/page.h"
+#include "experiments/verify/report.h"
 #include "experiments/verify/plots.h"
 #include "experiments/verify/report_text.h"
-#include "experiments/verify/verdict_lines.h"
 #include "tests/experiments/verify/cells.h"
 #include "tests/experiments/verify/folder.h"
 
 namespace kinex {
-namespace {
+namespace report_test {
 
 using test::constructed_family;
 using test::Folder;
@@ -214,7 +213,7 @@ TEST(VerifyPage, HoldsTablesPlotsAndNothingFromOutside) {
   const lab::Drawings drawings = lab::draw(figures);
   ASSERT_EQ(drawings.problem, "");
   for (const std::string& svg : drawings.svg) EXPECT_THAT(svg, HasSubstr("<svg"));
-  const std::string page = verify::verify_page(result, figures, drawings, facts);
+  const std::string page = lab::report_page(verify::verify_report(result, facts), drawings, facts);
   EXPECT_THAT(page, HasSubstr("data:image/svg+xml;base64,"));
   EXPECT_THAT(page, HasSubstr("kinex verify &lt;test&gt;"));
   EXPECT_THAT(page, HasSubstr("sorted_list: events over n"));
@@ -237,7 +236,7 @@ TEST(VerifyPage, SaysWhatFailedAndThatThereAreNoPlots) {
   const std::vector<lab::Figure> figures = verify::verify_figures(result);
   const lab::Drawings drawings = lab::draw(figures, "no-such-gnuplot");
   EXPECT_EQ(drawings.problem, "no-such-gnuplot is not installed");
-  const std::string page = verify::verify_page(result, figures, drawings, {});
+  const std::string page = lab::report_page(verify::verify_report(result, {}), drawings, {});
   EXPECT_THAT(page, HasSubstr("What did not pass"));
   EXPECT_THAT(page, HasSubstr("no-such-gnuplot is not installed"));
   EXPECT_THAT(page, Not(HasSubstr("<img")));
@@ -256,5 +255,5 @@ TEST(Table, HasOneAlignedLinePerCell) {
   EXPECT_EQ(cells.observed, "28");
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace kinex

@@ -14,7 +14,7 @@
 #include "tests/experiments/verify/folder.h"
 
 namespace kinex {
-namespace {
+namespace runner_test {
 
 using test::Folder;
 using test::random_cell;
@@ -117,7 +117,7 @@ TEST(RunCatalogue, KeepsWhatWasFinishedWhenInterrupted) {
   verify::VerifyOptions options;
   std::atomic<int> finished{0};
   options.on_cell = [&](std::size_t, const lab::CellResult&) { ++finished; };
-  options.go_on = [&] { return finished < 2; };
+  options.source.go_on = [&] { return finished < 2; };
   const verify::VerifyResult result = verify::run_catalogue(small_catalogue(), options);
   EXPECT_TRUE(result.interrupted);
   EXPECT_EQ(result.cells.size(), 2u);
@@ -139,11 +139,11 @@ TEST(RunCatalogue, KnowsThatItsLastStudyWasInterrupted) {
   verify::VerifyOptions options;
   EXPECT_FALSE(verify::run_catalogue(catalogue, options).interrupted);
   study_began = false;
-  options.go_on = [] { return !study_began; };
+  options.source.go_on = [] { return !study_began; };
   const verify::VerifyResult result = verify::run_catalogue(catalogue, options);
   EXPECT_TRUE(result.interrupted);
   EXPECT_TRUE(result.studies.empty());
 }
 
-}  // namespace
+}  // namespace runner_test
 }  // namespace kinex

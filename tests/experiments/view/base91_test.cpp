@@ -8,7 +8,7 @@
 #include <random>
 
 namespace kinex {
-namespace {
+namespace base91_test {
 
 std::string read_back(const std::string& text) {
   std::string digits, bytes;
@@ -51,5 +51,5 @@ TEST(Base91, IsSafeInAScript) {
   EXPECT_LT(text.size(), bytes.size() * 16 / 13 + 3);
 }
 
-}  // namespace
+}  // namespace base91_test
 }  // namespace kinex

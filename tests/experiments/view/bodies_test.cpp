@@ -18,7 +18,7 @@
 #include "tests/experiments/view/fixture.h"
 
 namespace kinex {
-namespace {
+namespace bodies_test {
 
 using nlohmann::json;
 using test::plain_run;
@@ -473,5 +473,5 @@ TEST(ViewBodies, GroupAfter) {
   EXPECT_EQ(view::certificates_after(proof, 100), (std::vector<std::uint32_t>{2}));
 }
 
-}  // namespace
+}  // namespace bodies_test
 }  // namespace kinex

@@ -11,7 +11,7 @@
 #include "tests/experiments/view/fixture.h"
 
 namespace kinex {
-namespace {
+namespace page_test {
 
 using nlohmann::json;
 using test::busy_scene;
@@ -157,5 +157,5 @@ TEST(ViewPage, LoadsNothing) {
   EXPECT_THAT(std::string(view::kViewFrame), HasSubstr("default-src 'none'"));
 }
 
-}  // namespace
+}  // namespace page_test
 }  // namespace kinex

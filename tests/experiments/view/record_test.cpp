@@ -11,7 +11,7 @@
 #include "tests/experiments/view/fixture.h"
 
 namespace kinex {
-namespace {
+namespace record_test {
 
 using test::busy_scene;
 using test::plain_run;
@@ -299,5 +299,5 @@ TEST(AttributeChange, ASwapIsASwap) {
   EXPECT_THROW(view::apply(change, other), std::logic_error);
 }
 
-}  // namespace
+}  // namespace record_test
 }  // namespace kinex

@@ -10,8 +10,8 @@ namespace {
 class Broken final : public kinex::peers::Peer {
  public:
   bool load(const kinex::peers::PeerShape& a, const kinex::peers::PeerShape&) override { return a.size() < 9; }
-  kinex::peers::Verdict overlap(int, const kinex::peers::PeerPose&, const kinex::peers::PeerPose& b) override {
-    if (b.x < 1) return kinex::peers::Verdict::kMiss;
+  kinex::peers::PeerReply overlap(int, const kinex::peers::PeerPose&, const kinex::peers::PeerPose& b) override {
+    if (b.x < 1) return kinex::peers::PeerReply::kMiss;
     if (b.x < 2) raise(SIGKILL);
     for (;;) pause();
   }

@@ -8,7 +8,7 @@
 #include <random>
 
 namespace kinex {
-namespace {
+namespace body_gap_test {
 
 constexpr int kDegree = 3;
 constexpr std::size_t kPowers = kDegree + 1;
@@ -104,5 +104,5 @@ TEST(BodyGap, AxisGap) {
   }
 }
 
-}  // namespace
+}  // namespace body_gap_test
 }  // namespace kinex

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 namespace kinex {
-namespace {
+namespace pose_2_test {
 
 using Lists = std::vector<std::vector<Rational>>;
 struct Vec {
@@ -375,5 +375,5 @@ TEST(PoseForms, RefuseNarrowNumbers) {
   }
 }
 
-}  // namespace
+}  // namespace pose_2_test
 }  // namespace kinex

@@ -14,7 +14,7 @@
 #include "predicates/bodies/pose_2.h"
 
 namespace kinex {
-namespace {
+namespace pose_kernel_test {
 
 using Line = std::array<Rational, 3>;
 
@@ -294,5 +294,5 @@ TEST(PoseKernel, PosesAreDeclared) {
   }
 }
 
-}  // namespace
+}  // namespace pose_kernel_test
 }  // namespace kinex

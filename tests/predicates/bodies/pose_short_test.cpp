@@ -12,7 +12,7 @@
 #include "predicates/bodies/pose_2.h"
 
 namespace kinex {
-namespace {
+namespace pose_short_test {
 
 class Draw {
  public:
@@ -201,5 +201,5 @@ TEST(MotionStore, WhatBecomesZeroIsZero) {
   EXPECT_EQ(stored.sign(*side, Query(0, {0, 1, 2}), Rational(3)), Sign::kZero);
 }
 
-}  // namespace
+}  // namespace pose_short_test
 }  // namespace kinex

@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace separating_wedge_test {
 
 using Polygon = std::vector<Vertex2>;
 
@@ -273,5 +273,5 @@ TEST(SeparatingWedge, BothRolesProve) {
   EXPECT_GT(wedges, 60);
 }
 
-}  // namespace
+}  // namespace separating_wedge_test
 }  // namespace kinex

@@ -16,7 +16,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex {
-namespace {
+namespace contact_random_test {
 
 using test::kSanitized;
 using test::Point;
@@ -254,5 +254,5 @@ TEST_P(RandomContact, OrdinaryQueriesAreAnsweredInDoubles) {
   EXPECT_GT(contacts, kRounds / 20);
 }
 
-}  // namespace
+}  // namespace contact_random_test
 }  // namespace kinex

@@ -14,7 +14,7 @@
 #include "tests/predicates/ccd/contact_support.h"
 
 namespace kinex {
-namespace {
+namespace continuous_contact_test {
 
 using test::Point;
 using test::Points;
@@ -326,5 +326,5 @@ TEST(RationalValue, FindsFractionsAmongRoots) {
   EXPECT_EQ(rational_value(exact, counters), third);
 }
 
-}  // namespace
+}  // namespace continuous_contact_test
 }  // namespace kinex

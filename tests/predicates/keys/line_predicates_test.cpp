@@ -8,7 +8,7 @@
 #include "predicates/predicates.h"
 
 namespace kinex {
-namespace {
+namespace line_predicates_test {
 
 Key direction(int a, int b) {
   Key key;
@@ -129,5 +129,5 @@ TEST(LinePredicates, SquaredDistancesAreNoLines) {
   EXPECT_THROW(make_line_turn(key, 2), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace line_predicates_test
 }  // namespace kinex

@@ -12,7 +12,7 @@
 #include "tests/structures/metamorphic.h"
 
 namespace kinex::test {
-namespace {
+namespace incidences_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -279,5 +279,5 @@ TEST(Incidences, Metamorphic) {
   EXPECT_GT(seen, 20u);
 }
 
-}  // namespace
+}  // namespace incidences_test
 }  // namespace kinex::test

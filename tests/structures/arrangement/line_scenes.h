@@ -33,6 +33,26 @@ inline Scene points_through_lines(int n, int m) {
   return scene;
 }
 
+// y = i, y = (x - k j) / 2 and y = x + k^2 q - t for i, j, q < k: three of them, one of each kind, meet
+// at t = i + k j + k^2 q, at which no other three do.
+inline Scene three_bundles(int k) {
+  const Rational half(Integer(1), Integer(2));
+  std::vector<Trajectory> t;
+  for (int i = 0; i < k; ++i) t.push_back(path({{0}, {i}}));
+  for (int j = 0; j < k; ++j) t.push_back(path({{half}, {Rational(-k * j) * half}}));
+  for (int q = 0; q < k; ++q) t.push_back(path({{1}, {k * k * q, -1}}));
+  return lined(scene_of(t, -half, Rational(k * k * k) - half), LineUse::kAlone);
+}
+
+// y = (i^2 + i t) x + i + i^2 t, 1 <= i <= n: as a point (a, b) it is a matrix of determinant t^2 - 1 times
+// (i, i^2), so all triples turn over at t = -1 and at t = 1; the slopes of i and j are equal at
+// t = -(i + j).
+inline Scene most_crossings(int n) {
+  std::vector<Trajectory> t;
+  for (int i = 1; i <= n; ++i) t.push_back(path({{i * i, i}, {i, i * i}}));
+  return lined(scene_of(t, -2 * n, 2), LineUse::kAlone);
+}
+
 }  // namespace kinex::test
 
 #endif

@@ -13,7 +13,7 @@
 #include "tests/structures/collision/body_polygons.h"
 
 namespace kinex::test {
-namespace {
+namespace hierarchy_bounds_test {
 
 constexpr CutPolicy kPolicies[] = {CutPolicy::kMedian, CutPolicy::kCompass, CutPolicy::kDudley,
                                    CutPolicy::kBalancedDudley};
@@ -196,5 +196,5 @@ TEST(HierarchyBounds, TheWorstOfSeveralStays) {
   EXPECT_TRUE(one(bounds.checks("h"), "h.cuts").holds);
 }
 
-}  // namespace
+}  // namespace hierarchy_bounds_test
 }  // namespace kinex::test

@@ -8,7 +8,7 @@
 #include "tests/structures/collision/tile_bench.h"
 
 namespace kinex::test {
-namespace {
+namespace mixed_tiles_test {
 
 using Kind = Tile::Kind;
 
@@ -370,5 +370,5 @@ TEST(MixedTiles, SmallPolygonsWait) {
   EXPECT_EQ(large.offset, (std::array<int, 2>{6, 0}));
 }
 
-}  // namespace
+}  // namespace mixed_tiles_test
 }  // namespace kinex::test

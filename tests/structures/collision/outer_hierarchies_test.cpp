@@ -9,7 +9,7 @@
 #include "tests/structures/test_run.h"
 
 namespace kinex::test {
-namespace {
+namespace outer_hierarchies_test {
 
 SceneObject body(std::string id, Polygon polygon, int x) {
   SceneObject object;
@@ -47,7 +47,7 @@ TEST(OuterHierarchies, BuildsAllPoliciesForEveryPolygon) {
   EXPECT_EQ(ledger.certificates_created, 0u);
   EXPECT_GT(ledger.audit_checks, 100u);
   const auto& structure = dynamic_cast<const OuterHierarchies&>(trial.simulator.structure(0));
-  EXPECT_EQ(&structure.trees(0), &structure.trees(static_cast<ObjectId>(zoo.size())));
+  EXPECT_EQ(structure.trees(0), structure.trees(static_cast<ObjectId>(zoo.size())));
   const std::vector<BoundCheck> bounds = trial.simulator.bounds(0);
   ASSERT_EQ(bounds.size(), 12u);
   for (const BoundCheck& check : bounds) EXPECT_TRUE(check.holds) << check.id;
@@ -87,5 +87,5 @@ TEST(OuterHierarchies, TheAuditLooksAtTheScenesPolygons) {
   EXPECT_FALSE(bad.violations.empty());
 }
 
-}  // namespace
+}  // namespace outer_hierarchies_test
 }  // namespace kinex::test

@@ -4,13 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "structures/collision/collision_pairs.h"
 #include "tests/sanitized.h"
 #include "tests/structures/collision/scene_of_bodies.h"
 #include "tests/structures/collision/tile_bench.h"
 #include "tests/structures/test_run.h"
 
 namespace kinex::test {
-namespace {
+namespace separation_mixed_test {
 
 using Axes = std::vector<std::vector<Rational>>;
 
@@ -41,7 +42,7 @@ void follow(const Scene& scene, int steps, Seen& seen) {
   const Bench bench(scene.objects[0].polygon, negated(scene.objects[1].polygon),
                     CutPolicy::kBalancedDudley);
   Trial trial(scene, "separation_mixed");
-  const auto& structure = dynamic_cast<const SeparationMixed&>(trial.simulator.structure(0));
+  const auto& structure = proof_of<SeparationMixed>(trial.simulator.structure(0));
   for (int k = 0; k <= steps; ++k) {
     const Rational t = scene.start + (*scene.end - scene.start) * over(k, steps);
     trial.run_until(t);
@@ -69,7 +70,7 @@ void follow(const Scene& scene, int steps, Seen& seen) {
   for (const Recorded& event : trial.sink.recorder.events) {
     seen.sides += event.kind == SeparationMixed::kSide;
     seen.flips += event.kind == SeparationMixed::kFlip;
-    seen.contacts += event.kind == SeparationMixed::kContact;
+    seen.contacts += event.kind == CollisionEvent::kContact;
   }
 }
 
@@ -170,5 +171,5 @@ TEST(SeparationMixed, CountsTheSignsOfAFailure) {
   EXPECT_GE(alone, 3);
 }
 
-}  // namespace
+}  // namespace separation_mixed_test
 }  // namespace kinex::test

@@ -8,13 +8,13 @@
 #include "tests/structures/extent/circle_support.h"
 
 namespace kinex::test {
-namespace {
+namespace bounding_box_2_hull_test {
 
 // The box changes at the same instants as bounding_box. Its extreme points are the same unless some
 // are identically level, or the smallest of them is no vertex.
 void expect_agreement(const Scene& scene, bool same_points) {
   const LayeredRun box(scene, "bounding_box");
-  for (const char* hull : kHullsBelow) {
+  for (const std::string& hull : kAllHulls) {  // a hull of directions has the axes among them
     SCOPED_TRACE(hull);
     const LayeredRun other(scene, "bounding_box_2_hull", hull);
     if (!same_points) continue;
@@ -51,7 +51,7 @@ TEST(BoundingBox2Hull, ReferenceCounts) {
   const std::vector<std::pair<int, std::uint64_t>> rows{{4, 1}, {6, 2}, {8, 2}, {10, 2}};
   for (const auto& [n, changes] : rows) {
     expect_agreement(remainders(n), true);
-    for (const char* hull : kHullsBelow) {
+    for (const std::string& hull : kAllHulls) {
       EXPECT_EQ(LayeredRun(remainders(n), "bounding_box_2_hull", hull).external(), changes) << n;
     }
   }
@@ -104,5 +104,5 @@ TEST(BoundingBox2Hull, RandomScenes) { EXPECT_GT(run_scenes(kSanitized ? 12 : 36
 
 TEST(SlowBoundingBox2Hull, RandomScenes) { EXPECT_GT(run_scenes(200), 400u); }
 
-}  // namespace
+}  // namespace bounding_box_2_hull_test
 }  // namespace kinex::test

@@ -9,7 +9,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace bounding_box_test {
 
 // A run and its scene, which the run refers to.
 struct BoxRun {
@@ -73,6 +73,30 @@ TEST(BoundingBox, RandomFlights) {
   }
   EXPECT_GT(external, 150u);
 }
+
+// 3 to 8 points with tiny coordinates and velocities, in 1 to 3 axes: ties and meetings everywhere.
+// Each run is audited after every event, and compared with `sturm`.
+void run_lattices(std::uint64_t first, std::uint64_t last) {
+  std::uint64_t external = 0, shared = 0;
+  for (std::uint64_t seed = first; seed <= last; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const int n = random.between(3, 8), size = random.between(1, 4);
+    const int dimension = random.between(1, 3), degree = seed % 4 == 0 ? random.between(2, 3) : 1;
+    std::vector<Trajectory> t;
+    for (int i = 0; i < n; ++i) t.push_back(random.small_path(dimension, degree, size));
+    BoxRun run_scene(scene_of(t, -3, Rational(3)));
+    Trial& run = run_scene.trial;
+    run.to_end().expect_clean();
+    external += run.ledger().external;
+    shared += run.ledger().simultaneous_groups;
+  }
+  EXPECT_GT(external, 2 * (last - first));
+  EXPECT_GT(shared, (last - first) / 2);
+}
+
+TEST(BoundingBox, RandomLattices) { run_lattices(1, 80); }
+TEST(SlowBoundingBox, RandomLattices) { run_lattices(81, 800); }
 
 TEST(BoundingBox, FewPoints) {
   Scene none = scene_of({path({{0}, {0}})}, 0, Rational(9));
@@ -181,5 +205,5 @@ TEST(BoundingBox, EverySideHasALineOfTheLedger) {
   EXPECT_EQ(sum.retracted, ledger.certificates_retracted);
 }
 
-}  // namespace
+}  // namespace bounding_box_test
 }  // namespace kinex::test

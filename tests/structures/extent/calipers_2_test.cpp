@@ -11,7 +11,7 @@
 #include "tests/structures/extent/calipers_support.h"
 
 namespace kinex::test {
-namespace {
+namespace calipers_2_test {
 
 struct Size {
   int n, m;
@@ -49,22 +49,15 @@ TEST(Calipers2, VernierChangesTheAntipodalPairs) {
   }
 }
 
-// The points at rest turned by 90 degrees: their edges become perpendicular to those of the moving
-// points, as they become antiparallel in the scene as it is.
+// Beside the (n - 1)(m - 1) pairs of edges of the two arcs, the edges between the arcs become
+// perpendicular 2m times.
 TEST(Calipers2, VernierTurned) {
   for (const auto [n, m] : {Size{2, 2}, {3, 3}, {4, 3}, {4, 4}}) {
     SCOPED_TRACE(std::to_string(n) + ", " + std::to_string(m));
-    Scene scene = vernier(n, m);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
-      auto& axes = scene.objects[i].motion.pieces[0].trajectory.coordinates;
-      const Rational x = axes[0][0];
-      axes[0] = {-axes[1][0]};
-      axes[1] = {x};
-    }
-    const CaliperRun run(scene, "calipers_2_4");
+    const CaliperRun run(vernier_turned(n, m), "calipers_2_4");
     const auto pairs = static_cast<std::uint64_t>((n - 1) * (m - 1));
-    EXPECT_GE(run.count("perpendicular"), pairs);
-    EXPECT_LE(run.count("perpendicular"), pairs + static_cast<std::uint64_t>(4 * (n + m)));
+    EXPECT_EQ(run.count("perpendicular"), pairs + static_cast<std::uint64_t>(2 * m));
+    EXPECT_EQ(run.ledger().external, static_cast<std::uint64_t>(m * (n + 2)));
   }
 }
 
@@ -180,5 +173,5 @@ TEST(Calipers2, FoldsAreTwoOrFour) {
   EXPECT_EQ(refusal->remedy, "write an integer of at least 2 and at most 4, in steps of 2");
 }
 
-}  // namespace
+}  // namespace calipers_2_test
 }  // namespace kinex::test

@@ -7,7 +7,7 @@
 #include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace calipers_random_test {
 
 class EveryCaliperStructure : public ::testing::TestWithParam<std::string> {};
 
@@ -16,11 +16,11 @@ void run_lattices(const std::string& structure, std::uint64_t first, std::uint64
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = caliper_lattice(seed);
-    const CaliperRun run(scene, structure, kHulls[seed % kHulls.size()]);
+    const CaliperRun run(scene, structure, kAllHulls[seed % kAllHulls.size()]);
     external += run.ledger().external;
     shared += run.ledger().simultaneous_groups;
     if (seed % 8 != 0) continue;
-    const CaliperRun twin(scene, structure, kHulls[seed % kHulls.size()], "sturm");
+    const CaliperRun twin(scene, structure, kAllHulls[seed % kAllHulls.size()], "sturm");
     EXPECT_EQ(run.sink.lines, twin.sink.lines);
     EXPECT_EQ(run.values(), twin.values());
   }
@@ -36,7 +36,7 @@ TEST_P(EveryCaliperStructure, LatticesOfHigherDegree) {
   for (const int degree : {2, 3}) {
     for (std::uint64_t seed = 1; seed <= 24; ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
-      const CaliperRun run(caliper_lattice(seed, degree), GetParam(), kHulls[seed % kHulls.size()]);
+      const CaliperRun run(caliper_lattice(seed, degree), GetParam(), kAllHulls[seed % kAllHulls.size()]);
       external += run.ledger().external;
     }
   }
@@ -49,7 +49,7 @@ TEST_P(EveryCaliperStructure, RandomFlights) {
     for (std::uint64_t seed = 1; seed <= (degree == 1 ? 48u : 8u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const CaliperRun run(random_flights(seed, 8, 2, degree, seed % 2 == 0), GetParam(),
-                           kHulls[seed % kHulls.size()]);
+                           kAllHulls[seed % kAllHulls.size()]);
       external += run.ledger().external;
       updates += run.ledger().motion_updates;
       insertions += run.ledger().insertions;
@@ -74,11 +74,30 @@ TEST_P(EveryCaliperStructure, HullsAgree) {
   }
 }
 
+// Hulls of directions, whatever maintains them: the same values for the same k.
+TEST_P(EveryCaliperStructure, HullsOfDirectionsAgree) {
+  std::uint64_t external = 0;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = seed % 2 == 0 ? caliper_lattice(seed + 2000) : random_flights(seed, 7, 2, 1, true);
+    for (const std::vector<std::string>& hulls : kHullsOfDirections) {
+      const CaliperRun first(scene, GetParam(), hulls[0]);
+      external += first.ledger().external;
+      for (std::size_t i = 1; i < hulls.size(); ++i) {
+        const CaliperRun other(scene, GetParam(), hulls[i]);
+        EXPECT_EQ(first.values(), other.values()) << hulls[i];
+        EXPECT_EQ(first.begins_with, other.begins_with) << hulls[i];
+      }
+    }
+  }
+  EXPECT_GT(external, 100u);
+}
+
 // They come one by one and leave one by one; one jumps.
 TEST_P(EveryCaliperStructure, FromNothingToNothing) {
   Scene scene = from_nothing_to_nothing();
   jump(scene, 3, 5, path({{40}, {-9, 1}}));
-  for (const std::string& hull : kHulls) {
+  for (const std::string& hull : kAllHulls) {
     const CaliperRun run(scene, GetParam(), hull);
     EXPECT_EQ(run.begins_with, Ids{});
     EXPECT_EQ(run.ids(), Ids{});
@@ -91,7 +110,7 @@ TEST_P(EveryCaliperStructure, AllOnOneLineForAnInstant) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
     const CaliperRun run(on_a_line_for_an_instant(seed, 5, 20), GetParam(),
-                         kHulls[seed % kHulls.size()]);
+                         kAllHulls[seed % kAllHulls.size()]);
   }
 }
 
@@ -110,7 +129,7 @@ TEST_P(EveryCaliperStructure, EndsInInexactArithmetics) {
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
       SCOPED_TRACE(std::string(arithmetic) + ", seed " + std::to_string(seed));
       const Scene scene = seed % 2 == 0 ? caliper_lattice(seed) : random_flights(seed, 8, 2, 2, true);
-      const CaliperRun run(scene, GetParam(), kHulls[seed % kHulls.size()], arithmetic);
+      const CaliperRun run(scene, GetParam(), kAllHulls[seed % kAllHulls.size()], arithmetic);
       corrupt += run.ledger().corrupt ? 1u : 0u;
     }
   }
@@ -159,5 +178,5 @@ TEST(Diameter, AllPairsInOneAndThreeAxes) {
   }
 }
 
-}  // namespace
+}  // namespace calipers_random_test
 }  // namespace kinex::test

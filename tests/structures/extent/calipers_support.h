@@ -14,31 +14,32 @@
 #include <vector>
 
 #include "structures/plan.h"
+#include "tests/structures/extent/hulls_below.h"
 #include "tests/structures/special_scenes.h"
+#include "tests/structures/structure_names.h"
 #include "tests/structures/test_run.h"
 
 namespace kinex::test {
 
 using Ids = std::vector<ObjectId>;
 
-inline const std::vector<std::string> kHulls = {"convex_hull_2", "convex_hull_2_naive",
-                                                "convex_hull_2_brute_force",
-                                                "convex_hull_2_delaunay"};
-inline const std::vector<std::string> kCaliperStructures = {
-    "diameter_2", "width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"};
+// In the order of the descriptors: the diameter, the width, the two rectangles.
+inline const std::vector<std::string> kCaliperStructures = structures_where(
+    [](const StructureInfo& info) { return info.shares.structure == "calipers_2"; });
 
 inline const std::vector<std::string> kAllCaliperStructures = {
     "diameter_2",  "width_2",     "min_area_rectangle_2", "min_perimeter_rectangle_2",
     "calipers_2", "calipers_2_4"};
 
-// "calipers_2_4" is calipers_2 of 4 folds.
+// "calipers_2_4" is calipers_2 of 4 folds, "directions_2:3" has k = 3.
 inline Request request_for(const std::string& structure, const std::string& hull) {
-  Request request{structure, structure, {}};
+  Request request = hull_request(structure);
+  request.label = structure;
   if (structure == "calipers_2_4") {
     request.structure = "calipers_2";
     request.parameters = {{"folds", Rational(4)}};
   }
-  if (!hull.empty() && hull != "convex_hull_2") request.over = {{hull, "", {}}};
+  if (!hull.empty() && hull != "convex_hull_2") request.over = {hull_request(hull)};
   return request;
 }
 
@@ -142,6 +143,19 @@ inline Scene vernier(int n, int m) {
     t.push_back(path({{x, -y}, {y, x}}));
   }
   return scene_of(t, -1000000, Rational(1000000));
+}
+
+// The points at rest turned by 90 degrees: their edges become perpendicular to those of the moving
+// points, as they become antiparallel in the scene as it is.
+inline Scene vernier_turned(int n, int m) {
+  Scene scene = vernier(n, m);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+    auto& axes = scene.objects[i].motion.pieces[0].trajectory.coordinates;
+    const Rational x = axes[0][0];
+    axes[0] = {-axes[1][0]};
+    axes[1] = {x};
+  }
+  return scene;
 }
 
 // n tips pass below m edges: 2nm - n - m changes of the width and of both rectangles.

@@ -7,7 +7,7 @@
 #include "tests/structures/extent/calipers_support.h"
 
 namespace kinex::test {
-namespace {
+namespace calipers_test {
 
 struct Size {
   int n, m;
@@ -184,5 +184,5 @@ TEST(Calipers, NoPointToThree) {
   }
 }
 
-}  // namespace
+}  // namespace calipers_test
 }  // namespace kinex::test

@@ -13,19 +13,17 @@
 #include <vector>
 
 #include "structures/plan.h"
+#include "tests/structures/extent/hulls_below.h"
 #include "tests/structures/special_scenes.h"
+#include "tests/structures/structure_names.h"
 #include "tests/structures/test_run.h"
 
 namespace kinex::test {
 
-inline constexpr const char* kHullsBelow[] = {"convex_hull_2", "convex_hull_2_naive",
-                                              "convex_hull_2_brute_force",
-                                              "convex_hull_2_delaunay"};
-
 // `hull`: empty for a structure that reads none.
 inline Request asked_over(const std::string& structure, const std::string& hull) {
   Request request{structure, structure, {}};
-  if (!hull.empty() && hull != "convex_hull_2") request.over.push_back(Request{hull, "", {}});
+  if (!hull.empty() && hull != "convex_hull_2") request.over = {hull_request(hull)};
   return request;
 }
 
@@ -64,7 +62,7 @@ struct LayeredRun {
   LayeredRun(const Scene& given, const std::string& structure, const std::string& hull = "",
              const std::string& arithmetic = "exact")
       : scene(asking(given, asked_over(structure, hull))),
-        simulator(scene, make_arithmetic(arithmetic, scene), Trial::options(AuditLevel::kEvents)),
+        simulator(scene, planned_arithmetic(arithmetic, scene), Trial::options(AuditLevel::kEvents)),
         id(asked_structure(scene)),
         sink(simulator, id) {
     add_structures(simulator, scene);

@@ -11,7 +11,7 @@
 #include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace directions_2_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -259,5 +259,5 @@ TEST(Directions, TheNumberOfDirectionsIsChecked) {
   }
 }
 
-}  // namespace
+}  // namespace directions_2_test
 }  // namespace kinex::test

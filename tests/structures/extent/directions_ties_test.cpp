@@ -7,7 +7,7 @@
 #include "tests/structures/extent/directions_support.h"
 
 namespace kinex::test {
-namespace {
+namespace directions_ties_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -82,5 +82,5 @@ TEST(ExtentDirections, ThePlanThatMakesExtentsEqual) {
   }
 }
 
-}  // namespace
+}  // namespace directions_ties_test
 }  // namespace kinex::test

@@ -5,7 +5,7 @@
 #include "tests/structures/extent/directions_support.h"
 
 namespace kinex::test {
-namespace {
+namespace extent_directions_3_test {
 
 Rational product(const DirectionVector& u, const DirectionVector& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
@@ -106,5 +106,5 @@ TEST(ExtentDirections3, AgainstAllPairs) {
   }
 }
 
-}  // namespace
+}  // namespace extent_directions_3_test
 }  // namespace kinex::test

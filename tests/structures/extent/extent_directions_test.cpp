@@ -8,7 +8,7 @@
 #include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace extent_directions_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -145,5 +145,5 @@ TEST(ExtentDirections, EndsInInexactArithmetics) {
   }
 }
 
-}  // namespace
+}  // namespace extent_directions_test
 }  // namespace kinex::test

@@ -9,7 +9,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex::test {
-namespace {
+namespace min_circle_test {
 
 using Values = std::vector<std::vector<ObjectId>>;
 
@@ -17,16 +17,46 @@ using Values = std::vector<std::vector<ObjectId>>;
 void expect_agreement(const Scene& scene) {
   const LayeredRun brute_force(scene, "min_circle_2_brute_force");
   const LayeredRun edges(scene, "farthest_delaunay_2");
-  for (const char* hull : kHullsBelow) {
+  for (const std::string& hull : kHulls) {
     SCOPED_TRACE(hull);
     const LayeredRun circle(scene, "min_circle_2", hull);
     EXPECT_EQ(circle.sink.history, brute_force.sink.history);
     EXPECT_EQ(circle.external(), brute_force.external());
-    if (std::string(hull) == "convex_hull_2") continue;
+    if (hull == "convex_hull_2") continue;
     const LayeredRun other(scene, "farthest_delaunay_2", hull);
     EXPECT_EQ(other.sink.history, edges.sink.history);
     EXPECT_EQ(other.external(), edges.external());
   }
+}
+
+// Over hulls of directions, whose error the audits check: one history for each k.
+std::uint64_t expect_agreement_of_directions(const Scene& scene) {
+  std::uint64_t external = 0;
+  for (const std::vector<std::string>& hulls : kHullsOfDirections) {
+    for (const char* structure : {"min_circle_2", "farthest_delaunay_2"}) {
+      SCOPED_TRACE(std::string(structure) + " over " + hulls[0]);
+      const LayeredRun first(scene, structure, hulls[0]);
+      external += first.external();
+      for (std::size_t i = 1; i < hulls.size(); ++i) {
+        const LayeredRun other(scene, structure, hulls[i]);
+        EXPECT_EQ(other.sink.history, first.sink.history) << hulls[i];
+        EXPECT_EQ(other.external(), first.external()) << hulls[i];
+      }
+    }
+  }
+  return external;
+}
+
+TEST(MinCircle, OverHullsOfDirections) {
+  std::uint64_t external = expect_agreement_of_directions(see_saw(3, 3)) +
+                           expect_agreement_of_directions(remainders(10)) +
+                           expect_agreement_of_directions(through_origin(8, Rational(-1)));
+  for (std::uint64_t seed = 1; seed <= (kSanitized ? 4u : 16u); ++seed) {
+    SCOPED_TRACE(seed);
+    external += expect_agreement_of_directions(circle_lattice(seed, seed % 4 == 0 ? 2 : 1));
+    external += expect_agreement_of_directions(random_flights(seed, 8, 2, 1, seed % 4 != 0));
+  }
+  EXPECT_GT(external, kSanitized ? 100u : 400u);
 }
 
 TEST(MinCircle, SeeSawChangesAsOftenAsCounted) {
@@ -36,7 +66,7 @@ TEST(MinCircle, SeeSawChangesAsOftenAsCounted) {
     const Scene scene = see_saw(n, m);
     const auto changes = static_cast<std::uint64_t>(3 * n * m - n - m - 1);
     EXPECT_EQ(LayeredRun(scene, "min_circle_2_brute_force").external(), changes);
-    for (const char* hull : kHullsBelow) {
+    for (const std::string& hull : kHulls) {
       EXPECT_EQ(LayeredRun(scene, "min_circle_2", hull).external(), changes) << hull;
       const LayeredRun edges(scene, "farthest_delaunay_2", hull);
       EXPECT_EQ(edges.external(), static_cast<std::uint64_t>((n - 1) * (m - 1))) << hull;
@@ -54,7 +84,7 @@ TEST(MinCircle, ReferenceCounts) {
     SCOPED_TRACE(row.n);
     const Scene scene = remainders(row.n);
     EXPECT_EQ(LayeredRun(scene, "min_circle_2_brute_force").external(), row.circle);
-    for (const char* hull : kHullsBelow) {
+    for (const std::string& hull : kHulls) {
       EXPECT_EQ(LayeredRun(scene, "min_circle_2", hull).external(), row.circle) << hull;
       const LayeredRun edges(scene, "farthest_delaunay_2", hull);
       EXPECT_EQ(edges.external(), row.diagonals) << hull;
@@ -69,7 +99,7 @@ TEST(MinCircle, PassesBetweenATriangleAndItsSides) {
                                Rational(8));
   const Values values{{1, 2}, {0, 1, 2}, {0, 1}, {0, 1, 2}, {0, 2}};
   EXPECT_EQ(LayeredRun(scene, "min_circle_2_brute_force").values(), values);
-  for (const char* hull : kHullsBelow) {
+  for (const std::string& hull : kHulls) {
     const LayeredRun circle(scene, "min_circle_2", hull);
     EXPECT_EQ(circle.values(), values) << hull;
     EXPECT_EQ(circle.ledger().failures, 4u) << hull;
@@ -183,5 +213,5 @@ TEST(MinCircle, RandomFlights) {
   EXPECT_GT(external, kSanitized ? 12u : 50u);
 }
 
-}  // namespace
+}  // namespace min_circle_test
 }  // namespace kinex::test

@@ -10,7 +10,7 @@
 #include "tests/structures/extent/calipers_support.h"
 
 namespace kinex::test {
-namespace {
+namespace shared_calipers_test {
 
 // All that is maintained, audited after every instant; the attribute of each structure after each
 // of its changes.
@@ -220,5 +220,5 @@ TEST(SharedCalipers, EndsInInexactArithmetics) {
   }
 }
 
-}  // namespace
+}  // namespace shared_calipers_test
 }  // namespace kinex::test

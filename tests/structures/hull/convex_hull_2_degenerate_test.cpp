@@ -6,7 +6,7 @@
 #include "tests/structures/hull/hull_support.h"
 
 namespace kinex::test {
-namespace {
+namespace convex_hull_2_degenerate_test {
 
 TEST(ConvexHull2Degenerate, SmallIntegers) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -96,5 +96,5 @@ TEST(ConvexHull2Degenerate, PointsComeAndGo) {
   }
 }
 
-}  // namespace
+}  // namespace convex_hull_2_degenerate_test
 }  // namespace kinex::test

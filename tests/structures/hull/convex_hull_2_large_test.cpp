@@ -11,7 +11,7 @@
 #include "tests/structures/hull/hull_support.h"
 
 namespace kinex::test {
-namespace {
+namespace convex_hull_2_large_test {
 
 std::uint64_t sum(const std::vector<std::uint64_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
@@ -107,5 +107,5 @@ TEST(SlowConvexHull2, TenThousandPointsOnAGrid) {
   run_for_a_while(small_plane(10000, 3, 1, 300), kSanitized ? 1000 : 30000, false);
 }
 
-}  // namespace
+}  // namespace convex_hull_2_large_test
 }  // namespace kinex::test

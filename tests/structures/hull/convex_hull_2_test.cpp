@@ -5,10 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "tests/structures/hull/hull_support.h"
 
 namespace kinex::test {
-namespace {
+namespace convex_hull_2_test {
 
 std::uint64_t count(const StructureLedger& ledger, const std::string& kind) {
   const auto it = ledger.by_kind.find(kind);
@@ -41,10 +44,32 @@ TEST(ConvexHull2, LargerMotionsNeedNoRebuild) {
   }
 }
 
+// Each kind of certificate is a part with a line of its own; a failure of it is an event of its kind.
+TEST(ConvexHull2, PartsFailAsTheirEventsSay) {
+  HullRun run(random_plane(300, 7), "convex_hull_2", "exact", AuditLevel::kEnd);
+  run.trial.to_end().expect_clean();
+  const StructureLedger& ledger = run.trial.ledger();
+  std::map<std::string, std::uint64_t> failures;
+  for (const PartLedger& part : ledger.parts) failures[part.name] = part.failures;
+  ASSERT_EQ(failures.size(), 6u);
+  EXPECT_EQ(failures["x"], count(ledger, "x"));
+  EXPECT_EQ(failures["y"], count(ledger, "yl") + count(ledger, "yr") + count(ledger, "yb") +
+                               count(ledger, "yt"));
+  EXPECT_EQ(failures["s"] + failures["s of tangents"],
+            count(ledger, "sl") + count(ledger, "sr") + count(ledger, "st"));
+  EXPECT_EQ(failures["left ends"] + failures["right ends"], count(ledger, "end"));
+  for (const auto& [name, times] : failures) EXPECT_GT(times, 0u) << name;
+  // Both slopes of a tangent are claimed, so a tangent has a certificate in both parts.
+  EXPECT_LE(ledger.parts[3].live, ledger.parts[2].live);
+  HullRun naive(random_plane(60, 7), "convex_hull_2_naive", "exact", AuditLevel::kEnd);
+  naive.trial.to_end().expect_clean();
+  EXPECT_EQ(naive.trial.ledger().parts.at(2).created, 0u);
+}
+
 // Every hull change, and no other external event; the report's Omega(n^2) for linear motion.
 TEST(ConvexHull2, WorstCaseChanges) {
   for (const auto& [m, n] : {std::pair{3, 3}, {4, 4}, {6, 5}, {5, 9}}) {
-    for (const char* structure : kHulls) {
+    for (const std::string& structure : kHulls) {
       const HullStory story = tell(hull_worst(m, n), structure, "exact", AuditLevel::kEnd);
       EXPECT_EQ(story.events.size(), static_cast<std::size_t>(2 * n * m - 1)) << structure;
       EXPECT_EQ(count(story.ledger, "enter") + count(story.ledger, "leave"),
@@ -89,7 +114,7 @@ TEST(ConvexHull2, TheHullIsACycleFromTheSmallestId) {
   const Scene scene = scene_of({path({{4}, {0, 1}}), path({{0, 1}, {4}}), path({{0}, {0}}),
                                 path({{4, 1}, {4, 1}}), path({{2}, {2}})},
                                0, Rational(1));
-  for (const char* structure : kHulls) {
+  for (const std::string& structure : kHulls) {
     EXPECT_EQ(tell(scene, structure).last, (std::vector<ObjectId>{0, 3, 1, 2})) << structure;
   }
 }
@@ -98,7 +123,7 @@ TEST(ConvexHull2, TheMiddleOfThreeChangesSides) {
   // The triangle turns over: same vertices, another cycle.
   const Scene scene =
       scene_of({path({{0}, {0}}), path({{4}, {0}}), path({{2}, {-1, 1}})}, 0, Rational(2));
-  for (const char* structure : kHulls) {
+  for (const std::string& structure : kHulls) {
     const HullStory story = tell(scene, structure);
     ASSERT_EQ(story.events.size(), 1u) << structure;
     EXPECT_EQ(story.events[0].kind, HullEvents::kTurn);
@@ -110,7 +135,7 @@ TEST(ConvexHull2, TheMiddleOfThreeChangesSides) {
 TEST(ConvexHull2, InexactArithmeticsEnd) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:12", "mpfr:60"}) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
-      for (const char* structure : kHulls) {
+      for (const std::string& structure : kHulls) {
         tell(small_plane(9, seed, 1 + static_cast<int>(seed % 2), 2), structure, arithmetic,
              AuditLevel::kNone);
       }
@@ -118,5 +143,5 @@ TEST(ConvexHull2, InexactArithmeticsEnd) {
   }
 }
 
-}  // namespace
+}  // namespace convex_hull_2_test
 }  // namespace kinex::test

@@ -13,14 +13,11 @@
 #include "structures/hull/convex_hull_2.h"
 #include "structures/plan.h"
 #include "tests/structures/metamorphic.h"
+#include "tests/structures/structure_names.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-
-// All methods for the same hull.
-inline constexpr const char* kHulls[] = {"convex_hull_2", "convex_hull_2_naive",
-                                         "convex_hull_2_brute_force", "convex_hull_2_delaunay"};
 
 // Start and destination (at t = 1) uniform in a square; `degree` 1 to 3.
 inline Scene random_plane(int n, std::uint64_t seed, int degree = 1) {
@@ -133,7 +130,8 @@ inline void expect_one_story(const Scene& scene, AuditLevel audit = AuditLevel::
                              const OutsideChanges* changes = nullptr) {
   const HullStory first = tell(scene, kHulls[0], "exact", audit, changes);
   EXPECT_EQ(first.violations, std::vector<std::string>{}) << kHulls[0];
-  for (const char* other : {kHulls[1], kHulls[2], kHulls[3]}) {
+  for (const std::string& other : kHulls) {
+    if (other == kHulls[0]) continue;
     SCOPED_TRACE(other);
     const HullStory story = tell(scene, other, "exact", audit, changes);
     EXPECT_EQ(story.violations, std::vector<std::string>{}) << other;

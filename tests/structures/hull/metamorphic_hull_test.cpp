@@ -11,7 +11,7 @@
 #include "tests/structures/metamorphic_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace metamorphic_hull_test {
 
 // An image, and whether it reverses orientation.
 struct HullImage {
@@ -97,7 +97,7 @@ TEST(MetamorphicHull, OrdinaryScenes) {
   for (const auto& [degree, n] : {std::pair{1, 14}, std::pair{2, 11}, std::pair{3, 7}}) {
     if (kSanitized && degree > 1) break;
     const Scene scene = wild_scene(static_cast<std::uint64_t>(50 + degree), n, degree);
-    for (const char* hull : kHulls) instants += expect_same_hulls(hull, scene);
+    for (const std::string& hull : kHulls) instants += expect_same_hulls(hull, scene);
   }
   EXPECT_GT(instants, kSanitized ? 20u : 100u);
 }
@@ -107,7 +107,7 @@ TEST(MetamorphicHull, FlightPlansAndLives) {
   for (const int degree : {1, 2}) {
     if (kSanitized && degree > 1) break;
     const Scene scene = wild_flights(static_cast<std::uint64_t>(60 + degree), 11, degree);
-    for (const char* hull : kHulls) instants += expect_same_hulls(hull, scene);
+    for (const std::string& hull : kHulls) instants += expect_same_hulls(hull, scene);
   }
   EXPECT_GT(instants, kSanitized ? 20u : 50u);
 }
@@ -119,11 +119,11 @@ TEST(MetamorphicHull, ManyAtOneInstant) {
     const auto seed = static_cast<std::uint64_t>(70 + degree);
     for (const Scene& scene :
          {through_one_point(seed, 9, degree), through_a_lattice(seed, 3, degree)}) {
-      for (const char* hull : kHulls) instants += expect_same_hulls(hull, scene);
+      for (const std::string& hull : kHulls) instants += expect_same_hulls(hull, scene);
     }
   }
   EXPECT_GT(instants, 10u);
 }
 
-}  // namespace
+}  // namespace metamorphic_hull_test
 }  // namespace kinex::test

@@ -11,7 +11,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace maximum_family_test {
 
 Key distance_to(ObjectId object) {
   Key key;
@@ -400,5 +400,5 @@ TEST(Maximum, SomeHaveOneCertificate) {
   }
 }
 
-}  // namespace
+}  // namespace maximum_family_test
 }  // namespace kinex::test

@@ -12,7 +12,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace maximum_hanger_test {
 
 // q(k): the probability that two neighbours of the order with k objects above are parent and child.
 std::vector<double> parent_and_child(std::size_t n) {
@@ -170,5 +170,5 @@ TEST(MaximumHanger, SameInputSameTree) {
   EXPECT_GT(counts.size(), 1u);
 }
 
-}  // namespace
+}  // namespace maximum_hanger_test
 }  // namespace kinex::test

@@ -12,7 +12,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace maximum_of_list_test {
 
 Request asked(const std::string& structure, const std::string& label = "", int axis = 0) {
   Request request{structure, label.empty() ? structure : label, {}};
@@ -157,5 +157,5 @@ TEST(Plan, ReadersNeedSomethingToRead) {
                std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace maximum_of_list_test
 }  // namespace kinex::test

@@ -10,7 +10,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace maximum_test {
 
 constexpr std::array<const char*, 6> kAll{"maximum_tournament", "minimum_tournament",
                                           "maximum_heap",       "minimum_heap",
@@ -292,5 +292,5 @@ TEST(PairSignChanges, CountsJointPieces) {
   EXPECT_EQ(pair_sign_changes({1, 3, 4}, 1, 2), Integer(29));
 }
 
-}  // namespace
+}  // namespace maximum_test
 }  // namespace kinex::test

@@ -10,7 +10,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace tournament_bound_test {
 
 BoundCheck events_bound(const Trial& run) {
   for (const BoundCheck& b : run.simulator.bounds(0)) {
@@ -142,5 +142,5 @@ TEST(TournamentBound, ANewMotionOfTheReferenceCountsAllNodes) {
   EXPECT_EQ(events_bound(changed).bound, Integer(2 * 2 * (5 + 3 + 1 + 1 + 1)));
 }
 
-}  // namespace
+}  // namespace tournament_bound_test
 }  // namespace kinex::test

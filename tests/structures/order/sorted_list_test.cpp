@@ -8,7 +8,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace sorted_list_test {
 
 constexpr const char* kName = "sorted_list";
 
@@ -286,5 +286,5 @@ TEST(OrderTree, FollowsAList) {
   }
 }
 
-}  // namespace
+}  // namespace sorted_list_test
 }  // namespace kinex::test

@@ -13,7 +13,7 @@
 #include "tests/structures/test_run.h"
 
 namespace kinex::test {
-namespace {
+namespace changing_extremum_test {
 
 struct Shift {
   Shift(Scene given, const std::string& arithmetic, std::uint64_t seed, int shift)
@@ -175,5 +175,5 @@ TEST(ChangingExtremum, EmptiesAndFillsAgain) {
   }
 }
 
-}  // namespace
+}  // namespace changing_extremum_test
 }  // namespace kinex::test

@@ -11,7 +11,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace link_cut_forest_test {
 
 using Node = LinkCutForest::Node;
 
@@ -87,5 +87,5 @@ TEST(LinkCutForest, AgreesWithAPlainForest) {
   EXPECT_GT(longest, 8u);
 }
 
-}  // namespace
+}  // namespace link_cut_forest_test
 }  // namespace kinex::test

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace kinex::test {
-namespace {
+namespace merge_sort_test {
 
 TEST(MergeSort, SortsStably) {
   std::mt19937 random(1);
@@ -43,5 +43,5 @@ TEST(MergeSort, EndsWithAPermutationWhateverTheComparisonSays) {
   }
 }
 
-}  // namespace
+}  // namespace merge_sort_test
 }  // namespace kinex::test

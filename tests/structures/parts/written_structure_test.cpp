@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The structure of structures/README.md, "Writing a structure": its block is compiled as it stands
-// there (tests/CMakeLists.txt cuts it out), and run.
+// The structure of structures/README.md, "Writing a structure": its blocks are compiled as they
+// stand there (tests/CMakeLists.txt cuts them out), and run: the class, its drawing and checks, its
+// descriptor.
+#include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -14,15 +17,18 @@
 #include "core/engine/simulator.h"
 #include "core/engine/structure.h"
 #include "predicates/predicates.h"
+#include "structures/parts/descriptor.h"
 #include "structures/parts/slots.h"
 #include "structures/parts/ties.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace written_structure_test {
 
-#include "written_structure.inc"
+#include "block_1.inc"
+#include "block_2.inc"
+#include "block_3.inc"
 
 struct Left {
   explicit Left(Scene given, const std::string& arithmetic = "exact")
@@ -89,6 +95,20 @@ TEST(WrittenStructure, ShowsItsProof) {
   EXPECT_EQ(run.simulator.ledger(0).live, 2u);
 }
 
+TEST(WrittenStructure, ItsDescriptorMakesItAndKnowsItsEvents) {
+  const StructureInfo info = left_of_first();
+  const Scene scene = scene_of({path({{0}}), path({{-1, 1}})}, 0, Rational(3));
+  Simulator simulator(scene, make_arithmetic("exact", scene), {});
+  const StructureId id = simulator.reserve();
+  const Request request{std::string(info.name), "left", {}};
+  const auto structure = info.make({request, scene, simulator.kernel(), id, {}});
+  EXPECT_EQ(structure->name(), info.name);
+  EXPECT_EQ(structure->attribute().shape, info.shape);
+  std::vector<std::string_view> kinds;
+  for (const KindRule& rule : info.kinds) kinds.push_back(rule.kind);
+  EXPECT_EQ(structure->event_kinds(), common_event_kinds(kinds));
+}
+
 TEST(WrittenStructure, TheFirstObjectStays) {
   Scene scene = scene_of({path({{0}}), path({{1}})}, 0, Rational(3));
   scene.objects[0].motion.pieces[0].to = Rational(1);
@@ -99,5 +119,5 @@ TEST(WrittenStructure, TheFirstObjectStays) {
   EXPECT_THROW(simulator.run_until(std::nullopt), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace written_structure_test
 }  // namespace kinex::test

@@ -14,7 +14,7 @@
 #include "tests/structures/proximity/twin_run.h"
 
 namespace kinex::test {
-namespace {
+namespace closest_pair_bins_test {
 
 std::vector<Request> twins() { return {ask("closest_pair_bins"), ask("closest_pair_all")}; }
 
@@ -109,5 +109,5 @@ TEST(ClosestPairBins, NeedsAnEnd) {
   EXPECT_NE(refusal->remedy.find("closest_pair_all"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace closest_pair_bins_test
 }  // namespace kinex::test

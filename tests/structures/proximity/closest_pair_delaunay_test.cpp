@@ -8,7 +8,7 @@
 #include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace closest_pair_delaunay_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -203,5 +203,5 @@ TEST(ClosestPair, WorstCase) {
   }
 }
 
-}  // namespace
+}  // namespace closest_pair_delaunay_test
 }  // namespace kinex::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two structures for the Euclidean minimum spanning tree, in one run over one triangulation: each
-// is audited after every instant, and both report the same changes at the same instants.
+// The structures for the Euclidean minimum spanning tree, in one run over one triangulation: each is
+// audited after every instant, and all report the same changes at the same instants.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -12,15 +12,27 @@
 #include "structures/plan.h"
 #include "tests/sanitized.h"
 #include "tests/structures/proximity/reference_scenes.h"
+#include "tests/structures/proximity/twin_run.h"
 #include "tests/structures/special_scenes.h"
 #include "tests/structures/test_run.h"
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace emst_test {
 
 using Ids = std::vector<ObjectId>;
-constexpr const char* kEngines[] = {"emst_list", "emst_cycles"};
+// The third one in clusters of the usual size, of one vertex and of two.
+const std::vector<Request>& engines() {
+  static const std::vector<Request> kAll = [] {
+    std::vector<Request> all{ask("emst_list"), ask("emst_cycles"), ask("emst_clusters")};
+    for (const int size : {1, 2}) all.push_back(ask("emst_clusters", "cluster", size));
+    for (Request& request : all) {
+      if (request.label.empty()) request.label = request.structure;
+    }
+    return all;
+  }();
+  return kAll;
+}
 
 // The external events of each structure, with the number of the instant.
 class ByStructure final : public EventSink {
@@ -54,8 +66,7 @@ struct TreeRun {
     if (simulator.kernel().is_exact()) expect_clean();
   }
   static Scene asking(Scene scene) {
-    scene.maintain.clear();
-    for (const char* name : kEngines) scene.maintain.push_back({name, name, {}});
+    scene.maintain = engines();
     return scene;
   }
   // The triangulation is the first structure.
@@ -71,8 +82,9 @@ struct TreeRun {
       const auto found = sink.external.find(id);
       return found == sink.external.end() ? std::vector<std::string>{} : found->second;
     };
-    EXPECT_EQ(lines(1), lines(2));
-    for (int engine = 0; engine < 2; ++engine) {
+    for (int engine = 0; engine < static_cast<int>(engines().size()); ++engine) {
+      EXPECT_EQ(lines(1), lines(static_cast<StructureId>(engine + 1))) << engine;
+      EXPECT_EQ(tree(), tree(engine)) << engine;
       EXPECT_EQ(ledger(engine).rebuilds, 0u);
       for (const BoundCheck& bound : simulator.bounds(static_cast<StructureId>(engine + 1))) {
         EXPECT_TRUE(bound.holds) << bound.id << ": " << bound.observed.to_string() << " > "
@@ -93,18 +105,20 @@ TEST(Emst, ReferenceCounts) {
   for (std::size_t i = 0; i < 4; ++i) {
     SCOPED_TRACE(scenes[i].first);
     const Scene scene = reference_scene(scenes[i].first, 2, scenes[i].second);
-    const TreeRun run(scene), twin(scene, "sturm");
+    const TreeRun run(scene);
     EXPECT_EQ(run.ledger(0).external, swaps[i]);
     EXPECT_EQ(run.ledger(1).external, swaps[i]);
     EXPECT_EQ(run.ledger(1).failures, swaps[i]);  // no failure is in vain
-    EXPECT_EQ(run.sink.log.lines, twin.sink.log.lines);
+    if (scenes[i].first <= 8) {
+      EXPECT_EQ(run.sink.log.lines, TreeRun(scene, "sturm").sink.log.lines);
+    }
   }
 }
 
 TEST(Emst, RandomFlights) {
   std::uint64_t external = 0, updates = 0;
   for (const int degree : {1, 2, 3}) {
-    for (std::uint64_t seed = 1; seed <= (kSanitized ? 2u : degree == 1 ? 12u : 5u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= (kSanitized ? 1u : degree == 1 ? 4u : 1u); ++seed) {
       SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
       const Scene scene = random_flights(seed, 9, 2, degree, seed % 2 == 0);
       const TreeRun run(scene), twin(scene, "sturm");
@@ -113,22 +127,26 @@ TEST(Emst, RandomFlights) {
       updates += run.ledger().motion_updates;
     }
   }
-  EXPECT_GT(external, kSanitized ? 20u : 100u);
-  EXPECT_GT(updates, kSanitized ? 10u : 60u);
+  EXPECT_GT(external, kSanitized ? 10u : 30u);
+  EXPECT_GT(updates, kSanitized ? 5u : 20u);
 }
 
 // Points of {0, 1, 2}^2 with velocities in {-1, 0, 1}^2: most instants are degenerate.
-TEST(Emst, TinyLattices) {
+void on_lattices(std::uint64_t seeds) {
   std::uint64_t external = 0, shared = 0;
-  for (std::uint64_t seed = 1; seed <= (kSanitized ? 60u : 300u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE(seed);
     const TreeRun run(lattice_scene(seed, 5 + static_cast<int>(seed % 5), 2));
     external += run.ledger().external;
     shared += run.simulator.ledger(0).simultaneous_groups;
   }
-  EXPECT_GT(external, kSanitized ? 80u : 500u);
-  EXPECT_GT(shared, kSanitized ? 50u : 300u);
+  EXPECT_GT(external, seeds);
+  EXPECT_GT(shared, seeds / 2);
 }
+
+TEST(Emst, TinyLattices) { on_lattices(kSanitized ? 20 : 60); }
+
+TEST(SlowEmst, TinyLattices) { on_lattices(1000); }
 
 TEST(Emst, NoPointToThree) {
   for (int n = 0; n <= 3; ++n) {
@@ -191,7 +209,7 @@ TEST(Emst, ExtremeNumbers) {
 
 TEST(Emst, EndsInInexactArithmetics) {
   for (const char* arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const TreeRun flights(random_flights(seed, 9, 2, 1, seed % 2 == 0), arithmetic);
       const TreeRun lattice(lattice_scene(seed, 8, 2), arithmetic);
       EXPECT_TRUE(flights.ledger().corrupt || flights.tree().size() <= 16) << arithmetic;
@@ -199,5 +217,5 @@ TEST(Emst, EndsInInexactArithmetics) {
   }
 }
 
-}  // namespace
+}  // namespace emst_test
 }  // namespace kinex::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The minimum spanning forest of a graph with moving weights, by two engines in one run.
+// The minimum spanning forest of a graph with moving weights, by all engines in one run; that by
+// clusters with clusters of several sizes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,15 +9,28 @@
 #include <utility>
 #include <vector>
 
+#include "tests/sanitized.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
 
 namespace kinex::test {
-namespace {
+namespace graph_mst_test {
 
 using Ids = std::vector<ObjectId>;
 
-std::vector<Request> engines() { return {ask("graph_mst_list"), ask("graph_mst_cycles")}; }
+std::vector<Request> engines() {
+  return {ask("graph_mst_list"), ask("graph_mst_cycles"), ask("graph_mst_clusters"),
+          ask("graph_mst_clusters", "cluster", 1), ask("graph_mst_clusters", "cluster", 2),
+          ask("graph_mst_sparsified")};
+}
+
+// A graph of more vertices: paths through many clusters.
+std::vector<Request> by_clusters() {
+  std::vector<Request> all{ask("graph_mst_cycles"), ask("graph_mst_sparsified"),
+                           ask("graph_mst_clusters")};
+  for (const int size : {1, 2, 3, 5}) all.push_back(ask("graph_mst_clusters", "cluster", size));
+  return all;
+}
 
 // The objects of a scene of one axis as edges between random ones of these vertices.
 Scene as_graph(Scene scene, std::uint64_t seed, int vertices) {
@@ -91,6 +105,30 @@ TEST(GraphMst, RandomFlights) {
   EXPECT_GT(updates, 60u);
 }
 
+TEST(GraphMst, ManyClusters) {
+  std::uint64_t external = 0, updates = 0, sizes = 0;
+  for (std::uint64_t seed = 1; seed <= (kSanitized ? 2u : 12u); ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = as_graph(random_flights(seed, 32, 1, 1 + static_cast<int>(seed % 2), seed % 3 != 0), seed, 16);
+    const TwinRun run(scene, by_clusters());
+    external += run.ledger().external;
+    updates += run.ledger().motion_updates;
+    sizes += run.ledger().insertions + run.ledger().erasures;
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(external, kSanitized ? 5u : 50u);
+  EXPECT_GT(updates + sizes, 50u);
+}
+
+// Ties of many edges, in clusters of one to five vertices.
+TEST(GraphMst, LatticesInClusters) {
+  for (std::uint64_t seed = 1; seed <= (kSanitized ? 10u : 60u); ++seed) {
+    SCOPED_TRACE(seed);
+    const TwinRun run(as_graph(lattice_scene(seed, 20, 1), seed, 9), by_clusters());
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
 // A forest of two parts, and an edge that joins them for a while.
 TEST(GraphMst, PartsThatAreNotConnected) {
   Scene scene = scene_of({path({{1}}), path({{2}}), path({{5, -1}}), path({{3}})}, 0, Rational(9));
@@ -141,5 +179,5 @@ TEST(GraphMst, EndsInInexactArithmetics) {
   }
 }
 
-}  // namespace
+}  // namespace graph_mst_test
 }  // namespace kinex::test

@@ -12,7 +12,7 @@
 #include "tests/structures/proximity/meetings_support.h"
 
 namespace kinex::test {
-namespace {
+namespace meetings_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -343,5 +343,5 @@ TEST(Meetings, Metamorphic) {
   EXPECT_GT(seen, 100u);
 }
 
-}  // namespace
+}  // namespace meetings_test
 }  // namespace kinex::test

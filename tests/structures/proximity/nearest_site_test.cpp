@@ -13,7 +13,7 @@
 #include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace nearest_site_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -144,5 +144,5 @@ TEST(NearestSite, EndsInInexactArithmetics) {
   }
 }
 
-}  // namespace
+}  // namespace nearest_site_test
 }  // namespace kinex::test

@@ -16,7 +16,7 @@
 #include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace norm_tree_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -243,5 +243,5 @@ TEST(NormTree, Metamorphic) {
   EXPECT_GT(seen, 30u);
 }
 
-}  // namespace
+}  // namespace norm_tree_test
 }  // namespace kinex::test

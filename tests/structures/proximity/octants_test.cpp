@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who is next in which octant: the structures that maintain it report the same, and as often as
-// counted by another program.
+// The next points in octants: the structures that maintain them report the same changes, as many as
+// another program has counted.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "structures/proximity/octant_neighbours.h"
+#include "structures/proximity/cone_neighbours.h"
 #include "tests/structures/metamorphic.h"
 #include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
 
 namespace kinex::test {
-namespace {
+namespace octants_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -45,7 +45,7 @@ class PointerSink final : public EventSink {
 
  private:
   std::vector<Ids> pointers() const {
-    const auto& octants = dynamic_cast<const OctantNeighbours&>(simulator_->structure(id_));
+    const auto& octants = dynamic_cast<const ConeNeighbours&>(simulator_->structure(id_));
     std::vector<Ids> result(6);
     for (std::size_t cone = 0; cone < 6; ++cone) {
       for (ObjectId p = 0; p < octants.objects(); ++p)
@@ -277,5 +277,5 @@ TEST(Octants, TransformedScenes) {
   }
 }
 
-}  // namespace
+}  // namespace octants_test
 }  // namespace kinex::test

@@ -12,7 +12,7 @@
 #include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace pairs_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -219,5 +219,5 @@ TEST(Pairs, OfSomeObjects) {
   }
 }
 
-}  // namespace
+}  // namespace pairs_test
 }  // namespace kinex::test

@@ -12,7 +12,7 @@
 #include "tests/structures/test_run.h"
 
 namespace kinex::test {
-namespace {
+namespace proximity_in_space_test {
 
 constexpr const char* kReaders[] = {"closest_pair_delaunay", "emst_list", "emst_cycles"};
 
@@ -97,5 +97,5 @@ TEST(ProximityInSpace, OnePlane) {
   }
 }
 
-}  // namespace
+}  // namespace proximity_in_space_test
 }  // namespace kinex::test

@@ -16,7 +16,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace schnyder_wood_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -145,5 +145,5 @@ TEST(SchnyderWood, FewPoints) {
   EXPECT_EQ(wood.next(0, 0), kNoObject);
 }
 
-}  // namespace
+}  // namespace schnyder_wood_test
 }  // namespace kinex::test

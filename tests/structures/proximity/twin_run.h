@@ -103,6 +103,14 @@ inline Request ask(std::string structure) {
   return request;
 }
 
+// The same with a parameter, under a label of its own.
+inline Request ask(std::string structure, std::string parameter, int value) {
+  Request request = ask(std::move(structure));
+  request.label = request.structure + " " + std::to_string(value);
+  request.parameters = {{std::move(parameter), Rational(value)}};
+  return request;
+}
+
 // The external events of one structure, with the exact names of their instants; the run is clean.
 inline std::vector<Recorded> external_events(const Scene& given, Request request) {
   class Sink final : public EventSink {

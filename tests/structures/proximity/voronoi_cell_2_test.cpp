@@ -16,7 +16,7 @@
 #include "tests/structures/special_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace voronoi_cell_2_test {
 
 using Ids = std::vector<ObjectId>;
 
@@ -264,5 +264,5 @@ TEST(VoronoiCell2, Metamorphic) {
   }
 }
 
-}  // namespace
+}  // namespace voronoi_cell_2_test
 }  // namespace kinex::test

@@ -8,7 +8,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace axis_labels_test {
 
 // Inserts `object` at this place of the order; returns the number of labels given.
 std::size_t insert_at(AxisLabels& labels, std::size_t place, ObjectId object) {
@@ -119,5 +119,5 @@ TEST(AxisLabels, InsertionsInFrontAreCheap) {
   }
 }
 
-}  // namespace
+}  // namespace axis_labels_test
 }  // namespace kinex::test

@@ -8,7 +8,7 @@
 #include "tests/structures/test_scenes.h"
 
 namespace kinex::test {
-namespace {
+namespace leaf_sequence_test {
 
 void expect_order(const LeafSequence& sequence, const std::vector<ObjectId>& expected) {
   EXPECT_EQ(sequence.leaves(), expected);
@@ -58,5 +58,5 @@ TEST(LeafSequence, AnyLeavesMoveAnywhere) {
   }
 }
 
-}  // namespace
+}  // namespace leaf_sequence_test
 }  // namespace kinex::test

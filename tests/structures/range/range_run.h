@@ -126,7 +126,7 @@ class SearchedRun {
     if (!(box[0][1] < box[0][0]) && !(box[1][1] < box[1][0])) {
       EXPECT_EQ(cgal_range(now, box), scanned);
     }
-    // Who is in a closed box right after now is in it now.
+    // A point that is in a closed box right after now is in it now.
     EXPECT_TRUE(std::includes(scanned.begin(), scanned.end(), expected.begin(), expected.end()));
     stayed += scanned == expected ? 1 : 0;
     for (const std::vector<ObjectId>& found : answers(box)) {

@@ -6,7 +6,7 @@
 #include "tests/structures/range/range_run.h"
 
 namespace kinex::test {
-namespace {
+namespace range_search_test {
 
 // A box whose sides pass through points, through nothing, or are the same.
 ExactBox some_box(Random& random, const Snapshot& now) {
@@ -148,5 +148,5 @@ TEST(RangeSearch, InexactArithmeticsAnswer) {
   }
 }
 
-}  // namespace
+}  // namespace range_search_test
 }  // namespace kinex::test

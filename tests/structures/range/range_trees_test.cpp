@@ -4,20 +4,22 @@
 #include "tests/structures/range/range_run.h"
 
 namespace kinex::test {
-namespace {
+namespace range_trees_test {
 
 const std::vector<std::string> kLabels{"range_tree_2", "rank_kd_tree_2", "median", "pseudo",
                                        "loose"};
 
 TEST(RangeTrees, Remainders) {
   for (const auto& [n, x, y, changes] : {std::array{6, 1, 4, 1}, std::array{8, 4, 13, 5}}) {
-    RangeRun run(remainders(n));
+   for (const char* arithmetic : {"exact", "sturm"}) {
+    RangeRun run(remainders(n), arithmetic);
     run.run_until(std::nullopt).expect_clean();
     const StructureLedger& range = run.ledger("range_tree_2");
     EXPECT_EQ(range.by_kind.at("swap_x"), static_cast<std::uint64_t>(x));
     EXPECT_EQ(range.by_kind.at("swap_y"), static_cast<std::uint64_t>(y));
     EXPECT_EQ(range.external, static_cast<std::uint64_t>(x + y));
     EXPECT_EQ(run.ledger("rank_kd_tree_2").external, static_cast<std::uint64_t>(changes)) << n;
+   }
   }
 }
 
@@ -49,6 +51,36 @@ TEST(RangeTrees, RandomFlights) {
     if (testing::Test::HasFailure()) return;
   }
 }
+
+// 3 to 9 points with tiny coordinates and velocities: ties and meetings everywhere. The runs in
+// `sturm` are audited, too; they end with the same trees after as many events.
+void run_lattices(std::uint64_t first, std::uint64_t last) {
+  std::uint64_t changes = 0, settled = 0;
+  for (std::uint64_t seed = first; seed <= last; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const int n = random.between(3, 9), size = random.between(1, 4);
+    const int degree = seed % 4 == 0 ? random.between(2, 3) : 1;
+    std::vector<Trajectory> t;
+    for (int i = 0; i < n; ++i) t.push_back(random.small_path(2, degree, size));
+    const Scene scene = scene_of(t, -3, Rational(3));
+    RangeRun run(scene), twin(scene, "sturm");
+    for (RangeRun* one : {&run, &twin}) one->run_until(std::nullopt).expect_clean();
+    for (const std::string& label : kLabels) {
+      EXPECT_EQ(run.ids(label), twin.ids(label)) << label;
+      EXPECT_EQ(run.ledger(label).external, twin.ledger(label).external) << label;
+    }
+    changes += run.ledger("range_tree_2").external;
+    const auto& kinds = run.ledger("rank_kd_tree_2").by_kind;
+    settled += kinds.contains("settled") ? kinds.at("settled") : 0;
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(changes, 10 * (last - first));
+  EXPECT_GT(settled, last - first);
+}
+
+TEST(RangeTrees, RandomLattices) { run_lattices(1, 80); }
+TEST(SlowRangeTrees, RandomLattices) { run_lattices(81, 800); }
 
 TEST(RangeTrees, BuiltAnew) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -154,5 +186,5 @@ TEST(RangeTrees, DeltaSavesRebuilding) {
   EXPECT_GT(rebuilt[0], 100u);
 }
 
-}  // namespace
+}  // namespace range_trees_test
 }  // namespace kinex::test

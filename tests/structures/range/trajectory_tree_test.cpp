@@ -6,7 +6,7 @@
 #include "tests/structures/range/range_run.h"
 
 namespace kinex::test {
-namespace {
+namespace trajectory_tree_test {
 
 std::vector<Request> linear_trees() {
   return {{"trajectory_tree", "trajectory_tree", {}}, {"rank_kd_tree_2", "rank_kd_tree_2", {}}};
@@ -237,5 +237,5 @@ TEST(TrajectoryTree, InexactArithmeticsAnswer) {
   }
 }
 
-}  // namespace
+}  // namespace trajectory_tree_test
 }  // namespace kinex::test

@@ -7,7 +7,7 @@
 #include "tests/structures/triangulation/delaunay_2_support.h"
 
 namespace kinex::delaunay_2_test {
-namespace {
+namespace delaunay_2_degenerate_test {
 
 // Runs with audits between all instants; rebuilds are noted in the test's record.
 void run_clean(const std::vector<Trajectory>& motions, const Rational& start, const Rational& end,
@@ -405,5 +405,5 @@ TEST(Delaunay2Degenerate, SmallestCoefficientsOfDegree2) {
   }
 }
 
-}  // namespace
+}  // namespace delaunay_2_degenerate_test
 }  // namespace kinex::delaunay_2_test

@@ -6,7 +6,7 @@
 #include "tests/structures/triangulation/delaunay_2_support.h"
 
 namespace kinex::delaunay_2_test {
-namespace {
+namespace delaunay_2_dynamic_test {
 
 struct Life {
   std::vector<MotionPiece> pieces;
@@ -240,5 +240,5 @@ TEST(Delaunay2Dynamic, InexactArithmeticsNeverFallOver) {
   }
 }
 
-}  // namespace
+}  // namespace delaunay_2_dynamic_test
 }  // namespace kinex::delaunay_2_test

@@ -5,7 +5,7 @@
 #include "tests/structures/triangulation/delaunay_2_support.h"
 
 namespace kinex::delaunay_2_test {
-namespace {
+namespace delaunay_2_few_points_test {
 
 // The audit after every event compares with CGAL; the run itself must not need a rebuild.
 TEST(Delaunay2FewPoints, ComeAndGoWithoutARebuild) {
@@ -63,5 +63,26 @@ TEST(Delaunay2FewPoints, FourOnALineAreCounted) {
   EXPECT_EQ(world.ledger().rebuilds, 1u);
 }
 
-}  // namespace
+// The edges and the neighbours on a line are two parts, of which one is empty.
+TEST(Delaunay2FewPoints, TheLineHasALedgerLineOfItsOwn) {
+  World world(scene_of({integers(0, 1, 0, 0), integers(3, 0, 0, 0), integers(5, 0, 0, 0)}, 0, 9));
+  world.start();
+  const auto& parts = world.ledger().parts;
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].name, "edges");
+  EXPECT_EQ(parts[1].name, "line");
+  world.run_until(6);
+  EXPECT_EQ(parts[1].failures, 2u);
+  EXPECT_EQ(parts[1].live, 2u);
+  EXPECT_EQ(parts[0].created, 0u);
+  EXPECT_EQ(world.structure().hull(), (std::vector<ObjectId>{1, 2, 0}));
+  EXPECT_EQ(world.structure().around(2), (std::vector<ObjectId>{1, 0}));
+  world.update(7, 2, integers(5, 0, -7, 1));
+  world.run_until(9);
+  world.expect_clean();
+  EXPECT_EQ(parts[1].live, 0u);
+  EXPECT_EQ(parts[0].live, 6u);
+}
+
+}  // namespace delaunay_2_few_points_test
 }  // namespace kinex::delaunay_2_test

@@ -8,7 +8,7 @@
 #include "tests/structures/triangulation/delaunay_2_support.h"
 
 namespace kinex::delaunay_2_test {
-namespace {
+namespace delaunay_2_test {
 
 TEST(Delaunay2, RandomLinearMotion) {
   for (const int n : {3, 4, 5, 6, 8, 12, 30}) {
@@ -229,5 +229,5 @@ TEST(Delaunay2, InexactArithmeticsNeverFallOver) {
   }
 }
 
-}  // namespace
+}  // namespace delaunay_2_test
 }  // namespace kinex::delaunay_2_test

@@ -7,7 +7,7 @@
 #include "tests/structures/triangulation/delaunay_3_support.h"
 
 namespace kinex::delaunay_3_test {
-namespace {
+namespace delaunay_3_stars_test {
 
 // Parsecs, and parsecs per million years.
 TEST(Delaunay3, NearestStars) {
@@ -38,5 +38,5 @@ TEST(Delaunay3, NearestStars) {
   ::testing::Test::RecordProperty("events", std::to_string(world.ledger().external));
 }
 
-}  // namespace
+}  // namespace delaunay_3_stars_test
 }  // namespace kinex::delaunay_3_test

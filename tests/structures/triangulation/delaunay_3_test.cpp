@@ -3,7 +3,7 @@
 #include "tests/structures/triangulation/delaunay_3_support.h"
 
 namespace kinex::delaunay_3_test {
-namespace {
+namespace delaunay_3_test {
 
 using test::lattice_scene;
 using test::Random;
@@ -179,5 +179,5 @@ TEST(Delaunay3, InexactArithmeticsNeverFallOver) {
   }
 }
 
-}  // namespace
+}  // namespace delaunay_3_test
 }  // namespace kinex::delaunay_3_test

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace kinex {
-namespace {
+namespace triangulation_2_test {
 
 using HalfEdge = Triangulation2::HalfEdge;
 constexpr std::uint32_t kNone = Triangulation2::kNone;
@@ -178,5 +178,5 @@ TEST(Triangulation2, FillsALongLinkByAFan) {
   }
 }
 
-}  // namespace
+}  // namespace triangulation_2_test
 }  // namespace kinex

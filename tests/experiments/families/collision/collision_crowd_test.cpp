@@ -8,7 +8,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex::test {
-namespace {
+namespace collision_crowd_test {
 
 using Axes = std::vector<std::vector<Rational>>;
 
@@ -99,12 +99,11 @@ TEST(CollisionCrowd, WedgesOfBodiesFarFromTheirFrame) {
       Trial trial(scene, "separation_hysteresis", "exact", AuditLevel::kEnd);
       trial.to_end();
       trial.expect_clean();
-      const auto& structure =
-          dynamic_cast<const SeparationHysteresis&>(trial.simulator.structure(0));
-      EXPECT_GE(structure.least_displacement(), 0.23);
+      const auto& structure = proof_of<SeparationHysteresis>(trial.simulator.structure(0));
+      EXPECT_GE(structure.search().least_displacement(), 0.23);
     }
   }
 }
 
-}  // namespace
+}  // namespace collision_crowd_test
 }  // namespace kinex::test

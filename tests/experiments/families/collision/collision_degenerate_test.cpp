@@ -13,7 +13,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex::test {
-namespace {
+namespace collision_degenerate_test {
 
 using Axes = std::vector<std::vector<Rational>>;
 
@@ -349,5 +349,5 @@ TEST(CollisionDegenerate, Crowds) {
   EXPECT_GE(contacts, 3u);
 }
 
-}  // namespace
+}  // namespace collision_degenerate_test
 }  // namespace kinex::test

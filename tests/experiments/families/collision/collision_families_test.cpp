@@ -14,7 +14,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex::test {
-namespace {
+namespace collision_families_test {
 
 Scene family(const char* name, int n, int m, const char* separation, int turns = -1) {
   lab::WorkloadParameters parameters;
@@ -96,7 +96,7 @@ TEST(CollisionFamilies, AnOrbitNeedsManyTiles) {
         }
         const SeparationMixed& structure;
         std::set<std::tuple<int, int, std::uint32_t, std::uint32_t>> seen;
-      } sink(dynamic_cast<const SeparationMixed&>(trial.simulator.structure(0)));
+      } sink(proof_of<SeparationMixed>(trial.simulator.structure(0)));
       trial.simulator.set_sink(&sink);
       trial.to_end();
       trial.expect_clean();
@@ -162,8 +162,8 @@ TEST(SlowCollisionFamilies, WedgesLast) {
     Trial trial(scene, "separation_hysteresis", "exact", AuditLevel::kEnd);
     trial.to_end();
     trial.expect_clean();
-    const auto& structure = dynamic_cast<const SeparationHysteresis&>(trial.simulator.structure(0));
-    EXPECT_GE(structure.least_displacement(), 0.23);
+    const auto& structure = proof_of<SeparationHysteresis>(trial.simulator.structure(0));
+    EXPECT_GE(structure.search().least_displacement(), 0.23);
   }
 }
 
@@ -183,5 +183,5 @@ TEST(CollisionFamilies, ProofsAreSmall) {
   }
 }
 
-}  // namespace
+}  // namespace collision_families_test
 }  // namespace kinex::test

@@ -7,7 +7,7 @@
 #include "experiments/lab/workload.h"
 
 namespace kinex {
-namespace {
+namespace collision_filter_test {
 
 struct Asked {
   std::uint64_t all = 0, exact = 0;  // signs and failure times
@@ -46,5 +46,5 @@ TEST(CollisionFilter, DoublesAnswerLongAfterTheStart) {
   }
 }
 
-}  // namespace
+}  // namespace collision_filter_test
 }  // namespace kinex

@@ -10,7 +10,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex::test {
-namespace {
+namespace collision_metamorphic_test {
 
 using Axis = std::vector<Rational>;
 
@@ -245,7 +245,7 @@ class TileSink final : public EventSink {
 std::vector<Tile> tiles_of(const Scene& scene) {
   Trial trial(scene, "separation_mixed");
   trial.without_twin();
-  TileSink sink(dynamic_cast<const SeparationMixed&>(trial.simulator.structure(0)), scene);
+  TileSink sink(proof_of<SeparationMixed>(trial.simulator.structure(0)), scene);
   sink.look();
   trial.simulator.set_sink(&sink);
   trial.to_end();
@@ -296,5 +296,5 @@ TEST(CollisionMetamorphic, TimeReversed) {
   EXPECT_GT(tiles, kSanitized ? 10u : 20u);
 }
 
-}  // namespace
+}  // namespace collision_metamorphic_test
 }  // namespace kinex::test

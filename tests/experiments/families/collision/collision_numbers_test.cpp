@@ -16,7 +16,7 @@
 #include "tests/structures/sturm_twin.h"
 
 namespace kinex::test {
-namespace {
+namespace collision_numbers_test {
 
 Rational power_of_ten(int k) {
   const Rational p(power(Integer(10), static_cast<unsigned long>(k < 0 ? -k : k)));
@@ -264,5 +264,5 @@ TEST(CollisionNumbers, AVertexThatIsNearlyADouble) {
   EXPECT_EQ(check_runs(scene), 1u);
 }
 
-}  // namespace
+}  // namespace collision_numbers_test
 }  // namespace kinex::test

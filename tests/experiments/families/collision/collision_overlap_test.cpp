@@ -10,7 +10,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex::test {
-namespace {
+namespace collision_overlap_test {
 
 using Axes = std::vector<std::vector<Rational>>;
 const Axes kRest{{0}, {0}, {1}, {0}};
@@ -144,7 +144,7 @@ std::map<std::string, int> failed_inside(const Scene& scene) {
   std::map<std::string, int> failed;
   const Recorder& seen = trial.sink.recorder;
   for (std::size_t i = 0; i < seen.events.size(); ++i) {
-    if (seen.events[i].kind == CollisionPairs::kInside) ++failed[seen.predicates[i]];
+    if (seen.events[i].kind == CollisionEvent::kInside) ++failed[seen.predicates[i]];
   }
   return failed;
 }
@@ -210,5 +210,5 @@ TEST(CollisionOverlap, Crowds) {
   EXPECT_GT(discs, kSanitized ? 0 : 8);
 }
 
-}  // namespace
+}  // namespace collision_overlap_test
 }  // namespace kinex::test

@@ -6,7 +6,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex::test {
-namespace {
+namespace collision_random_test {
 
 class Draw {
  public:
@@ -235,7 +235,7 @@ std::optional<Scene> draw_parallel_scene(std::uint64_t seed) {
 }
 
 // b walks along the grid until the instant 0, and may turn by a quarter; then it does not turn any
-// more and touches or passes a at the instant 1, sides being parallel for ever or the point on the
+// more and touches or passes a at the instant 1, with sides identically parallel or the point on the
 // line of a side. No scene if the bodies do not start apart.
 std::optional<Scene> draw_settled_scene(std::uint64_t seed) {
   Draw draw(seed);
@@ -358,5 +358,5 @@ TEST(SlowCollisionRuns, Turning) { check_many(10000, kSanitized ? 20 : 200, 12, 
 TEST(SlowCollisionRuns, NotTurning) { check_many(20000, kSanitized ? 20 : 200, 12, false, 10); }
 TEST(SlowCollisionRuns, Large) { check_many(30000, kSanitized ? 3 : 40, 24, true, 1); }
 
-}  // namespace
+}  // namespace collision_random_test
 }  // namespace kinex::test

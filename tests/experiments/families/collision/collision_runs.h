@@ -61,7 +61,7 @@ inline RealRoot instant_of(const Recorded& event) {
 
 // The contacts of a run, by pair; or the grazes.
 inline std::map<std::pair<ObjectId, ObjectId>, std::vector<SeenContact>> contacts_of(
-    const Trial& trial, std::uint8_t kind = CollisionPairs::kContact) {
+    const Trial& trial, std::uint8_t kind = CollisionEvent::kContact) {
   std::map<std::pair<ObjectId, ObjectId>, std::vector<SeenContact>> result;
   for (const Recorded& event : trial.sink.recorder.events) {
     if (event.kind != kind) continue;
@@ -155,8 +155,8 @@ inline Expected expected_contacts(const Scene& scene) {
 
 inline void expect_meetings(const Trial& trial, const Scene& scene, const BodyContacts& expected,
                             std::uint8_t kind) {
-  SCOPED_TRACE(kind == CollisionPairs::kContact ? "contacts"
-               : kind == CollisionPairs::kGraze ? "grazes"
+  SCOPED_TRACE(kind == CollisionEvent::kContact ? "contacts"
+               : kind == CollisionEvent::kGraze ? "grazes"
                                                 : "separations");
   RootCounters counters;
   auto seen = contacts_of(trial, kind);
@@ -175,16 +175,16 @@ inline void expect_meetings(const Trial& trial, const Scene& scene, const BodyCo
 }
 
 inline void expect_contacts(const Trial& trial, const Scene& scene, const Expected& expected) {
-  expect_meetings(trial, scene, expected.contacts, CollisionPairs::kContact);
-  expect_meetings(trial, scene, expected.grazes, CollisionPairs::kGraze);
-  expect_meetings(trial, scene, expected.separations, CollisionPairs::kSeparation);
+  expect_meetings(trial, scene, expected.contacts, CollisionEvent::kContact);
+  expect_meetings(trial, scene, expected.grazes, CollisionEvent::kGraze);
+  expect_meetings(trial, scene, expected.separations, CollisionEvent::kSeparation);
 }
 
 // What contacts, grazes and separations name, in some order that depends on the names alone.
 inline std::vector<std::string> features_named(const Trial& trial) {
   std::vector<std::string> names;
   for (const Recorded& event : trial.sink.recorder.events) {
-    if (event.kind > CollisionPairs::kSeparation) continue;
+    if (event.kind > CollisionEvent::kSeparation) continue;
     std::string& all = names.emplace_back();
     for (const ObjectId id : event.ids) all += trial.simulator.object_name(id) + " ";
   }

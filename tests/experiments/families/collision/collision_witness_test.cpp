@@ -10,7 +10,7 @@
 #include "tests/places.h"
 
 namespace kinex {
-namespace {
+namespace collision_witness_test {
 
 using Pairs = std::vector<families::FeaturePair>;
 
@@ -303,5 +303,5 @@ TEST(CollisionWitness, RandomMotions) {
   EXPECT_GT(none, 3);
 }
 
-}  // namespace
+}  // namespace collision_witness_test
 }  // namespace kinex

@@ -18,7 +18,7 @@
 #include "tests/structures/event_replay.h"
 
 namespace kinex::test {
-namespace {
+namespace overlapping_starts_test {
 
 using Axes = std::vector<std::vector<Rational>>;
 const Axes kRest{{0}, {0}, {1}, {0}};
@@ -69,7 +69,7 @@ std::vector<std::string> check(const Scene& scene, bool against_witness = true) 
     trial.sink.recorder.instants = 1u << 20;
     trial.without_twin().to_end();
     trial.expect_clean();
-    const std::vector<std::string> overlaps = told(trial, CollisionPairs::kOverlap);
+    const std::vector<std::string> overlaps = told(trial, CollisionEvent::kOverlap);
     if (!all) all = overlaps;
     EXPECT_EQ(*all, overlaps);
     const std::vector<std::string> meetings = features_named(trial);
@@ -103,7 +103,7 @@ TEST(OverlappingStarts, AtTheStart) {
     Trial trial(leaves, name);
     trial.sink.recorder.instants = 100;
     trial.to_end();
-    EXPECT_EQ(told(trial, CollisionPairs::kSeparation), Lines{"a b @ 2 !"}) << name;
+    EXPECT_EQ(told(trial, CollisionEvent::kSeparation), Lines{"a b @ 2 !"}) << name;
     EXPECT_EQ(trial.ledger().external, 2u) << name;
   }
   // Equal and at rest for all time; one inside the other, turning; they come back.
@@ -162,7 +162,7 @@ TEST(OverlappingStarts, ManyAtOnce) {
 }
 
 // Crowds of polygons that come and go and jump anywhere: after every instant the contacts are those
-// that an exact look at the positions finds (the audit), and whoever appears tells of all of them.
+// that an exact look at the positions finds (the audit), and a body that appears reports all of its contacts.
 // On a lattice a body may touch another at the instant at which it jumps, a graze that the witness
 // does not tell from an appearance; otherwise places are multiples of 1/97.
 Scene random_crowd(std::uint64_t seed, int n, bool turning, bool lattice) {
@@ -267,5 +267,5 @@ TEST(OverlappingStarts, ARefusalHasATime) {
   }
 }
 
-}  // namespace
+}  // namespace overlapping_starts_test
 }  // namespace kinex::test

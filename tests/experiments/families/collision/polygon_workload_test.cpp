@@ -15,7 +15,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex {
-namespace {
+namespace polygon_workload_test {
 
 Rational fraction_of(std::int64_t p, std::int64_t q) { return Rational(Integer(p), Integer(q)); }
 
@@ -293,5 +293,5 @@ TEST(PolygonWorkload, ParametersAreChecked) {
                      "--separation: 3/4 is too far; write 11/16 or less");
 }
 
-}  // namespace
+}  // namespace polygon_workload_test
 }  // namespace kinex

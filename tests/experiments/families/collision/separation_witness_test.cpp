@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Separation witnesses: at random times the certificates in force name a direction in which one
-// body lies wholly before the other. The checker is told the direction and nothing else; it looks
-// at support values of the two polygons where they are, in rationals.
+// body lies wholly before the other. The checker is given the direction alone; it compares the
+// support values of the two polygons at that time, in rationals.
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
 
 #include "experiments/lab/workload.h"
-#include "structures/collision/body_grid.h"
 #include "tests/experiments/families/collision/collision_runs.h"
 #include "tests/sanitized.h"
 
 namespace kinex::test {
-namespace {
+namespace separation_witness_test {
 
 using Vector = std::array<Rational, 2>;
 
@@ -55,8 +54,7 @@ class Reader {
   std::map<std::pair<ObjectId, ObjectId>, Named> read() {
     const EventQueue& queue = simulator_.queue();
     for (CertificateId c = 0; c < queue.capacity(); ++c) {
-      const Certificate& certificate = queue.certificate(c);
-      if (certificate.live && (certificate.tag & BodyGrid::kTag) == 0) look_at(queue.query(c));
+      if (queue.certificate(c).live) look_at(queue.query(c));
     }
     return std::move(all_);
   }
@@ -71,7 +69,7 @@ class Reader {
   }
   void look_at(const Query& query) {
     const DerivedObjects& derived = simulator_.kernel().derived();
-    if (!derived.is_derived(query.ids[0])) return;  // boxes and discs
+    if (!derived.is_derived(query.ids[0])) return;  // cells, boxes and discs
     const std::string name(simulator_.arithmetic().predicate(query.predicate).name());
     if (name.rfind("side_", 0) != 0 && name.rfind("inside_", 0) != 0) return;
     const auto& bases = derived.object(query.ids[0]).bases;
@@ -178,5 +176,5 @@ TEST(SeparationWitness, TheCheckerLooksAtBothBodies) {
   EXPECT_TRUE(separates({1, 0}, a, box(1, -1, 2, 2)));  // they touch
 }
 
-}  // namespace
+}  // namespace separation_witness_test
 }  // namespace kinex::test

@@ -8,8 +8,9 @@
 #include <set>
 
 #include "experiments/families/collision/experiments.h"
+#include "experiments/families/collision/axes.h"
 #include "experiments/families/collision/story.h"
-#include "experiments/lab/turned_scene.h"
+#include "experiments/families/collision/turned_scene.h"
 #include "experiments/verify/catalogue.h"
 #include "experiments/verify/plots.h"
 #include "experiments/verify/report_text.h"
@@ -17,7 +18,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex {
-namespace {
+namespace verify_test {
 
 using ::testing::HasSubstr;
 
@@ -33,8 +34,8 @@ lab::Cell round(const char* structure, int n, const char* separation) {
   cell.parameters.n = n;
   cell.parameters.separation = Rational::parse(separation);
   cell.family = "B1 round, test";
-  cell.story = "B1 round";
-  cell.variable = lab::Variable::kMu;
+  cell.family_row = "B1 round";
+  cell.axis = families::mu_axis(cell);
   return cell;
 }
 
@@ -48,7 +49,7 @@ void expect(lab::Cell& cell, lab::ExpectationKind kind, std::int64_t count) {
   cell.expectations = {expectation};
 }
 
-lab::Verdict verdict_of(const lab::Cell& cell) { return verify::run_cell(cell, {}, {})->verdict(); }
+lab::Verdict verdict_of(const lab::Cell& cell) { return verify::run_cell(cell, {})->verdict(); }
 
 TEST(CollisionCatalogue, IsAGroupOfAllStructuresForBodies) {
   const lab::Catalogue group = verify::make_catalogue("collision", lab::Extent::kQuick);
@@ -111,7 +112,7 @@ TEST(CollisionJudge, TellsBoundsFromBothSides) {
   EXPECT_EQ(verdict_of(cell), lab::Verdict::kConfirmed);
   expect(cell, lab::ExpectationKind::kAtMost, 15);
   EXPECT_EQ(verdict_of(cell), lab::Verdict::kRefuted);
-  EXPECT_THAT(verify::table_row(*verify::run_cell(cell, {}, {})), HasSubstr("expected <= 15, observed 16"));
+  EXPECT_THAT(verify::table_row(*verify::run_cell(cell, {})), HasSubstr("expected <= 15, observed 16"));
 }
 
 TEST(CollisionJudge, FitsAgainstMu) {
@@ -124,7 +125,6 @@ TEST(CollisionJudge, FitsAgainstMu) {
   claim.structure = "separation_mixed";
   claim.family = "B1 round, test";
   claim.quantity = "processed";
-  claim.variable = lab::Variable::kMu;
   claim.exponent = 1;
   claim.tolerance = 0.3;
   catalogue.growths.push_back(claim);
@@ -151,7 +151,7 @@ TEST(CollisionJudge, LimitsTheSignsOfTilesOnly) {
   ASSERT_TRUE(families::signs_limit(cell));
   EXPECT_DOUBLE_EQ(*families::signs_limit(cell), 4 * 3 + 45);
   EXPECT_FALSE(families::signs_limit(round("closest_features", 64, "1/32")));
-  cell.story.clear();
+  cell.family_row.clear();
   EXPECT_FALSE(families::signs_limit(cell));
   expect(cell, lab::ExpectationKind::kAtMost, 57);
   cell.expectations[0].quantity = "signs_per_event";
@@ -192,7 +192,7 @@ TEST(TurnedScene, IsTheSameMotionInAnotherDirection) {
   std::set<std::string> directions;
   for (int k = 0; k < 5; ++k) {
     scene = lab::generate_scene(*lab::find_workload("polygon-line"), parameters);
-    lab::turn_scene(scene, k);
+    families::turn_scene(scene, k);
     EXPECT_EQ(distance(Rational(Integer(1), Integer(3))), before);
     EXPECT_EQ(length(3), first);
     EXPECT_GT(scene.objects[0].polygon[0][1], corner[1]);
@@ -241,5 +241,5 @@ TEST(CollisionStudies, WedgesAreFewerThanBalls) {
   for (const auto& row : study.table.rows) EXPECT_EQ(row.size(), study.table.header.size());
 }
 
-}  // namespace
+}  // namespace verify_test
 }  // namespace kinex

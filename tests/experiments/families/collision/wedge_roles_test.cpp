@@ -13,7 +13,7 @@
 #include "tests/sanitized.h"
 
 namespace kinex::test {
-namespace {
+namespace wedge_roles_test {
 
 struct Counted {
   std::uint64_t events = 0;
@@ -24,9 +24,9 @@ Counted count(const Scene& scene, AuditLevel audit) {
   Trial trial(scene, "separation_hysteresis", "exact", audit);
   trial.without_twin().to_end();
   trial.expect_clean();
-  const auto& structure = dynamic_cast<const SeparationHysteresis&>(trial.simulator.structure(0));
-  EXPECT_GE(structure.least_displacement(), 0.23);
-  return {trial.ledger().processed, structure.least_displacement()};
+  const auto& structure = proof_of<SeparationHysteresis>(trial.simulator.structure(0));
+  EXPECT_GE(structure.search().least_displacement(), 0.23);
+  return {trial.ledger().processed, structure.search().least_displacement()};
 }
 
 // The events in both orders.
@@ -169,5 +169,5 @@ TEST(BallCover, OfATurn) {
             1u);
 }
 
-}  // namespace
+}  // namespace wedge_roles_test
 }  // namespace kinex::test

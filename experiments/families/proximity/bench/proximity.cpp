@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Question: which structure for an attribute of near points should one take? All that maintain it, on
+//   the same scenes: events and changes, certificates, those of one object (locality), those that an
+//   event changes (responsiveness), CPU time.
+// Scenes: random motion, of few points and of more; points that pass along a row, where the attribute
+//   changes most often; a grid full of ties; flight plans that change, one a point on average; for
+//   graphs, discs and boxes their own.
+// Parameters: three scenes of a random workload; counts of events are means, of certificates the most.
+// Structures: those of two families, each on the scenes that it takes. What a run in excess of 20
+//   seconds would count is left out.
+// Output: see result_table.h; options: see bench_options.h. Every run is audited at its end.
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiments/lab/bench_options.h"
+#include "experiments/lab/family.h"
+#include "experiments/lab/measures.h"
+#include "experiments/lab/result_table.h"
+#include "experiments/lab/workload.h"
+#include "structures/plan.h"
+#include "structures/registry.h"
+
+namespace {
+
+using namespace kinex;
+
+constexpr double kMostSeconds = 20;
+constexpr int kRandomScenes = 3;
+
+struct Scenes {
+  const char* workload;
+  int n, m;
+  int dimension;  // 0: the usual one
+};
+
+// By what the structure is for.
+std::vector<Scenes> scenes_for(const StructureInfo& info) {
+  if (info.graph) return {{"random-graph", 64, 16, 0}, {"random-graph", 256, 64, 0}, {"parallel-edges", 32, 1, 0}};
+  if (info.extents == Extents::kHalfExtents) {
+    return {{"random-boxes", 32, 0, 0}, {"random-boxes", 128, 0, 0}, {"fan-of-boxes", 12, 0, 0}};
+  }
+  if (info.extents == Extents::kRadius) {
+    return {{"random-discs", 32, 0, 0}, {"random-discs", 128, 0, 0}, {"fan-of-discs", 12, 0, 0}};
+  }
+  std::vector<Scenes> scenes;
+  if (info.min_dimension <= 2) {
+    scenes = {{"uniform-square", 32, 0, 2},
+              {"uniform-square", 128, 0, 2},
+              {info.colours ? "colours-along-row" : "pass-along-row", 8, info.colours ? 0 : 8, 0},
+              {"grid", 36, 0, 2},
+              {"new-plans", 32, 32, 2}};
+  }
+  if (info.any_dimension || info.min_dimension == 3) scenes.push_back({"uniform-square", 32, 0, 3});
+  return scenes;
+}
+
+// The runs of a structure on these scenes; none if it does not take them, or takes too long.
+lab::CellResult runs_of(const StructureInfo& info, const Scenes& scenes, int scale) {
+  lab::CellResult result;
+  lab::Cell& cell = result.cell;
+  cell.structure = info.name;
+  cell.workload = scenes.workload;
+  cell.parameters.n = std::max(4, scenes.n / scale);
+  cell.parameters.m = scenes.m == 0 ? 0 : std::max(1, scenes.m / scale);
+  cell.parameters.dimension = scenes.dimension;
+  const lab::Workload* const workload = lab::find_workload(cell.workload);
+  if (workload == nullptr) throw std::runtime_error("no workload " + cell.workload);
+  const int count = workload->random && scale == 1 ? kRandomScenes : 1;
+  for (int k = 0; k < count; ++k) {
+    const Scene scene = lab::scene_of(cell, k);
+    if (refusal_of(info, scene)) return result;
+    SimulatorOptions options;
+    options.audit = AuditLevel::kEnd;
+    options.max_seconds = kMostSeconds;
+    lab::Trial trial{lab::measure(scene, "exact", std::move(options)), {}};
+    if (trial.measurement.status != RunStatus::kDone) {
+      result.trials.clear();
+      return result;
+    }
+    if (!trial.measurement.clean()) {
+      throw std::runtime_error(cell.structure + " on " + scene.name + ": an audit failed");
+    }
+    result.trials.push_back(std::move(trial));
+  }
+  return result;
+}
+
+void add_row(const std::string& attribute, const lab::CellResult& cell, lab::ResultTable& table) {
+  const lab::Measures m = lab::measures_of(cell);
+  const lab::WorkloadParameters& size = cell.cell.parameters;
+  std::string scenes = cell.cell.workload;
+  if (size.m != 0) scenes += " m=" + std::to_string(size.m);
+  if (size.dimension == 3) scenes += ", 3 axes";
+  table.row({attribute, scenes, size.n, cell.cell.structure, m.events, m.external,
+             m.external > 0 ? m.events / m.external : 0, m.certificates, m.per_object, m.most_changed,
+             m.mean_changed, 1e3 * m.seconds});
+}
+
+void proximity(const lab::BenchOptions& options) {
+  const int scale = options.smoke ? 8 : 1;
+  lab::ResultTable table(options, "proximity",
+                         "All structures of an attribute on the same scenes, in exact arithmetic. Events "
+                         "and changes of the attribute are means; certificates (all, of one object, "
+                         "changed by an event) are the most that any run had, those of structures that "
+                         "are read included.",
+                         {{"attribute", lab::ResultTable::kText, 18},
+                          {"scenes", lab::ResultTable::kText, 24},
+                          {"n", 0, 4},
+                          {"structure", lab::ResultTable::kText, 26},
+                          {"events", 1, 9},
+                          {"changes", 1, 8},
+                          {"events_per_change", 1},
+                          {"certificates", 0},
+                          {"of_one_object", 0},
+                          {"most_changed_by_an_event", 0},
+                          {"mean_changed", 1},
+                          {"milliseconds", 2}});
+  // By attribute, then by scenes; both in their order.
+  std::vector<std::pair<std::string, std::vector<const StructureInfo*>>> attributes;
+  for (const StructureInfo& info : structure_infos()) {
+    const lab::FamilyExperiments* const family = lab::experiments_on(info.name);
+    if (family == nullptr || (family->name != "proximity" && family->name != "triangulation")) continue;
+    const std::string name(info.group.empty() ? info.name : info.group);
+    auto known = std::find_if(attributes.begin(), attributes.end(),
+                              [&](const auto& entry) { return entry.first == name; });
+    if (known == attributes.end()) known = attributes.insert(known, {name, {}});
+    known->second.push_back(&info);
+  }
+  for (const auto& [attribute, structures] : attributes) {
+    std::vector<std::vector<Scenes>> scenes;
+    std::size_t most = 0;
+    for (const StructureInfo* info : structures) {
+      scenes.push_back(scenes_for(*info));
+      if (scenes.back().size() > scenes[most].size()) most = scenes.size() - 1;
+    }
+    for (const Scenes& one : scenes[most]) {
+      for (std::size_t i = 0; i < structures.size(); ++i) {
+        const bool takes = std::any_of(scenes[i].begin(), scenes[i].end(), [&](const Scenes& other) {
+          return std::string_view(other.workload) == one.workload && other.n == one.n &&
+                 other.dimension == one.dimension;
+        });
+        const std::string row = attribute + " " + std::string(structures[i]->name);
+        if (!takes || row.find(options.rows) == std::string::npos) continue;
+        const lab::CellResult cell = runs_of(*structures[i], one, scale);
+        if (!cell.trials.empty()) add_row(attribute, cell, table);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return lab::bench_main(argc, argv, proximity); }

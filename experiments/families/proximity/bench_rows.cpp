@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rows of the benchmarks of this family. Each run includes the triangulation, octants or
+// lists that are read.
+#include "experiments/families/points/bench_rows.h"
+#include "experiments/families/proximity/experiments.h"
+
+namespace kinex::families {
+
+std::vector<lab::BenchRow> proximity_bench_rows(int scale) {
+  const auto n = [scale](int size) { return lab::scaled_size(size, scale); };
+  std::vector<lab::BenchRow> rows;
+  for (const char* structure : {"closest_pair_delaunay", "emst_list", "emst_cycles", "emst_clusters"}) {
+    for (const int size : {200, 1000}) rows.push_back(random_row(structure, 1, n(size)));
+  }
+  rows.push_back(random_row("emst_cycles", 1, n(4000)));
+  rows.push_back(random_row("closest_pair_all", 1, n(50)));
+  rows.push_back(random_row("bichromatic_pair_all", 1, n(50)));
+  for (const char* structure : {"octants_listed", "octants_local", "closest_pair_range_tree",
+                                "closest_pair_cones", "closest_pair_local", "closest_pair_bins",
+                                "bichromatic_pair_delaunay", "nearest_site", "voronoi_cell_2"}) {
+    for (const int size : {200, 1000}) rows.push_back(random_row(structure, 1, n(size)));
+  }
+  rows.push_back(random_row("closest_pair_local", 1, n(10000)));
+  for (const char* structure : {"cones_local", "mst_maximum_norm_list", "mst_maximum_norm_cycles",
+                                "mst_polygon_list", "mst_polygon_cycles"}) {
+    for (const int size : {50, 200}) rows.push_back(random_row(structure, 1, n(size)));
+  }
+  for (const char* structure : {"graph_mst_list", "graph_mst_cycles", "graph_mst_clusters",
+                                "graph_mst_sparsified"}) {
+    rows.push_back(lab::speed_row(structure, "random-graph", 1, n(200)));
+  }
+  rows.push_back(lab::speed_row("box_pairs", "random-boxes", 1, n(200)));
+  for (const char* structure : {"disc_pairs_all", "disc_pairs_boxes", "disc_pairs_grid"}) {
+    rows.push_back(lab::speed_row(structure, "random-discs", 1, n(200)));
+  }
+  return rows;
+}
+
+}  // namespace kinex::families

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions: does the regular triangulation change exactly as often as counted by another program? Do
+//   hidden points show and hide as often as constructed? How many events does random motion cause?
+// Sources: flips of small integers counted by brute force over exact positions between all critical
+//   times; the arguments in weighted_points.cpp.
+// Expected: the integers below, in every run; every hard bound, and every audit.
+// Cost: about 3 s, a quarter of a minute in full.
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "experiments/families/points/random_motion.h"
+#include "experiments/families/triangulation/experiments.h"
+#include "experiments/lab/cell_parts.h"
+
+namespace kinex::families {
+namespace {
+
+void add_small_weights(lab::Catalogue& catalogue) {
+  struct Counted {
+    const char* workload;
+    int n;
+    std::uint64_t seed;
+    int flips, hull_flips, show, hide;
+  };
+  for (const Counted& one : {Counted{"small-weights", 8, 1, 8, 6, 4, 3},
+                             {"small-weights", 10, 2, 18, 10, 4, 3},
+                             {"small-moving-weights", 8, 1, 9, 7, 4, 4},
+                             {"small-moving-weights", 10, 2, 27, 18, 4, 4}}) {
+    lab::Cell cell = lab::worst_case_cell("regular_2", one.workload, one.n, 1, 0.1);
+    cell.parameters.seed = one.seed;
+    cell.audit = AuditLevel::kEvents;
+    const auto expect = [&cell](const char* claim, const char* quantity, int count) {
+      cell.expectations.push_back(lab::expect_exactly(
+          claim, quantity, Integer(count), "counted by brute force over exact positions"));
+    };
+    expect("regular_2.small_weights.flips", "kind.flip", one.flips);
+    expect("regular_2.small_weights.hull", "kind.enter+kind.leave", one.hull_flips);
+    expect("regular_2.small_weights.show", "kind.show", one.show);
+    expect("regular_2.small_weights.hide", "kind.hide", one.hide);
+    catalogue.cells.push_back(std::move(cell));
+  }
+}
+
+void add_show_and_hide(lab::Catalogue& catalogue, int n, int m) {
+  lab::Cell cell = lab::worst_case_cell("regular_2", "show-and-hide", n, 1, 0.1);
+  cell.parameters.m = m;
+  for (const char* kind : {"kind.show", "kind.hide"}) {
+    cell.expectations.push_back(
+        lab::expect_exactly(std::string("regular_2.show_and_hide.") + (kind + 5), kind,
+                            Integer(2 * n * (m - 1)), "each point passes 2m - 2 circumcentres"));
+  }
+  cell.expectations.push_back(lab::expect_exactly("regular_2.show_and_hide", "external",
+                                                  Integer(4 * n * (m - 1)),
+                                                  "nothing else changes the triangulation"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
+}  // namespace
+
+void add_weighted_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  add_small_weights(catalogue);
+  for (const auto& [n, m] : {std::pair(2, 2), std::pair(2, 3), std::pair(8, 8), std::pair(16, 16)}) {
+    add_show_and_hide(catalogue, n, m);
+  }
+  for (const int k : {1, 4, 9}) {
+    lab::Cell cell = lab::worst_case_cell("regular_2", "breathing", k, 1, 0.1);
+    cell.expectations.push_back(lab::expect_exactly("regular_2.breathing", "external", Integer(k),
+                                                    "the point crosses the plane k times"));
+    catalogue.cells.push_back(std::move(cell));
+  }
+  for (const int n : {16, 32, 64, 128}) {
+    if (n > 32 && extent == lab::Extent::kQuick) continue;
+    lab::Cell cell = uniform_cell("regular_2", n, 2);
+    cell.cost = n / 100.0;
+    catalogue.cells.push_back(std::move(cell));
+  }
+}
+
+}  // namespace kinex::families

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/verbs/experiment_files.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <utility>
+
+#include "experiments/formats/counted.h"
+#include "experiments/formats/file_io.h"
+#include "experiments/verbs/option_values.h"
+#include "experiments/verbs/swept_work.h"
+
+namespace kinex::verbs {
+
+namespace {
+
+constexpr int kMostJobs = 256;
+
+// The plots as files of their own, named after their titles.
+void write_plots(const std::string& folder, bool force, const std::vector<lab::Figure>& figures,
+                 const lab::Drawings& drawings) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);  // errors are reported below
+  std::string last;
+  int panel = 0;
+  for (std::size_t i = 0; i < figures.size() && i < drawings.svg.size(); ++i) {
+    if (drawings.svg[i].empty()) continue;
+    const std::string name = lab::anchor_of(figures[i].title);
+    panel = name == last ? panel + 1 : 1;
+    last = name;
+    formats::OutputFile file(
+        folder + "/" + name + (panel > 1 ? "-" + std::to_string(panel) : "") + ".svg", force);
+    file.write(drawings.svg[i]);
+    file.commit();
+  }
+}
+
+}  // namespace
+
+void add_experiment_options(CLI::App& verb, ExperimentOptions& options,
+                            const ExperimentWords& words) {
+  verb.add_flag("--quick", options.quick, words.quick);
+  verb.add_option("-o,--output", options.folder, words.folder);
+  verb.add_flag("--force", options.force, "Replace results that exist");
+  verb.add_flag("--fresh", options.fresh, "Repeat also the finished part of an interrupted run");
+  verb.add_option("--jobs", options.jobs, words.jobs);
+  verb.add_option("--from", options.from,
+                  std::string("Report what a sweep has run (kinex sweep run ") + words.name +
+                      " ..), from its folders");
+  verb.add_flag("--json", options.json, words.json);
+}
+
+void check_jobs(const ExperimentOptions& options) {
+  check_range("--jobs", options.jobs, 1, kMostJobs);
+}
+
+ResultFile::ResultFile(std::string path, bool force, sweep::Journal& journal)
+    : path_(std::move(path)), force_(force || journal.is_own_output(path_)), journal_(journal) {
+  const formats::OutputFile probe(path_, force_);  // leaves nothing behind when the program is killed
+}
+
+void ResultFile::write(std::string_view text) const {
+  journal_.note_output(path_, text);
+  formats::OutputFile file(path_, force_);
+  file.write(text);
+  file.commit();
+}
+
+sweep::Journal experiment_journal(const ExperimentOptions& options, const sweep::Selection& selection) {
+  std::error_code error;
+  std::filesystem::create_directories(options.folder, error);  // errors are reported below
+  return journal_of(options.from, options.folder + "/" + selection.experiment + ".unfinished",
+                    selection, options.fresh);
+}
+
+sweep::CellSource experiment_source(const ExperimentOptions& options, sweep::Journal& journal,
+                                    const InterruptGuard& interrupt, const char* one,
+                                    const char* many) {
+  if (journal.runs() && journal.found() > 0) {
+    options.voice.note("going on: " + formats::counted(journal.found(), one, many) +
+                       (journal.found() == 1 ? " is" : " are") +
+                       " finished already; --fresh runs them again");
+  }
+  return {&journal, kThisProgram, [&interrupt] { return !interrupt.interrupted(); }};
+}
+
+ReportFiles::ReportFiles(const ExperimentOptions& options, std::string name, sweep::Journal& journal)
+    : options_(options),
+      journal_(journal),
+      database_(options.folder + "/" + name + ".sqlite", options.force, journal),
+      page_(options.folder + "/" + name + ".html", options.force, journal),
+      table_(options.folder + "/" + name + ".txt", options.force, journal) {}
+
+void ReportFiles::write(Contents contents, const InterruptGuard& interrupt) const {
+  lab::Report& report = contents.report;
+  database_.write(contents.database);
+  const lab::Drawings drawings = lab::draw(report.figures, "gnuplot", interrupt.go_on_a_while());
+  if (!contents.plots.empty()) {
+    write_plots(contents.plots, options_.force, report.figures, drawings);
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began_;
+  contents.facts.seconds = seconds.count();
+  report.verdict = contents.verdict(contents.facts.seconds);
+  page_.write(lab::report_page(report, drawings, contents.facts));
+  const std::string verdict = report.verdict + "\n" + contents.details;
+  table_.write(contents.table + contents.lead + verdict + "\nMade by " +
+               lab::provenance(contents.facts.command, contents.facts.build, contents.facts.machine) + "\n");
+  if (!report.interrupted) journal_.remove();
+  if (!drawings.problem.empty()) options_.voice.note("no plots: " + drawings.problem);
+  if (report.interrupted) {
+    options_.voice.note("interrupted: the finished part is written, and the same command resumes");
+  }
+  const std::string files =
+      "page: " + page_.path() + "; table: " + table_.path() + "; database: " + database_.path();
+  if (options_.json) {  // its lines stay alone on standard output
+    options_.voice.note(verdict + files);
+  } else {
+    options_.voice.report(contents.lead + verdict + files + "\n");
+  }
+}
+
+lab::PageFacts facts_of(std::string command) {
+  lab::PageFacts facts;
+  facts.command = std::move(command);
+  facts.build = lab::build_facts();
+  facts.machine = lab::machine_facts();
+  return facts;
+}
+
+}  // namespace kinex::verbs

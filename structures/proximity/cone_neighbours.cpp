@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/proximity/cone_neighbours.h"
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "structures/proximity/static_cones_audit.h"
+
+namespace kinex {
+namespace {
+
+ConeNeighbours::Pair ascending(ObjectId a, ObjectId b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+Attribute as_attribute(const std::vector<ConeNeighbours::Pair>& pairs) {
+  Attribute result{Attribute::Shape::kTuples, {}};
+  for (const auto& [a, b] : pairs) {
+    result.ids.push_back(a);
+    result.ids.push_back(b);
+  }
+  return result;
+}
+
+}  // namespace
+
+ConeNeighbours::ConeNeighbours(Kernel& kernel, StructureId id, const ConeFrame& frame,
+                               std::size_t objects, const ConeWoods::Before& before)
+    : kernel_(&kernel),
+      id_(id),
+      woods_(frame, objects, before,
+             [this](std::size_t cone, ObjectId p, ObjectId old) { note(cone, p, old); }) {}
+
+// ---- the attribute
+
+template <class Next>
+std::vector<ConeNeighbours::Pair> ConeNeighbours::pairs_by(const Next& next) const {
+  std::vector<Pair> result;
+  for (std::size_t cone = 0; cone < frame().cones(); ++cone) {
+    if (!frame().counts(cone)) continue;
+    for (ObjectId p = 0; p < woods_.objects(); ++p) {
+      const ObjectId q = next(cone, p);
+      if (q != kNoObject) result.push_back(ascending(p, q));
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+std::vector<ConeNeighbours::Pair> ConeNeighbours::pairs() const {
+  return pairs_by([this](std::size_t cone, ObjectId p) { return next(cone, p); });
+}
+
+Attribute ConeNeighbours::attribute() const { return as_attribute(pairs()); }
+
+Attribute ConeNeighbours::told() const {
+  return as_attribute(
+      pairs_by([this](std::size_t cone, ObjectId p) { return told_next(cone, p); }));
+}
+
+bool ConeNeighbours::has(const Pair& pair) const {
+  for (std::size_t cone = 0; cone < frame().cones(); ++cone) {
+    if (!frame().counts(cone)) continue;
+    if (next(cone, pair[0]) == pair[1] || next(cone, pair[1]) == pair[0]) return true;
+  }
+  return false;
+}
+
+// As has(), of what was last reported.
+bool ConeNeighbours::had(const Pair& pair) const {
+  for (std::size_t cone = 0; cone < frame().cones(); ++cone) {
+    if (!frame().counts(cone)) continue;
+    if (told_next(cone, pair[0]) == pair[1] || told_next(cone, pair[1]) == pair[0]) return true;
+  }
+  return false;
+}
+
+// ---- changes
+
+void ConeNeighbours::note(std::size_t cone, ObjectId p, ObjectId old) {
+  changes_.try_emplace({p, cone}, old);
+  pointer_changed(cone, p);
+  for (ConeWatcher* const watcher : watchers_) watcher->pointer_changed(p, old, next(cone, p));
+}
+
+ObjectId ConeNeighbours::told_next(std::size_t cone, ObjectId p) const {
+  const auto found = changes_.find({p, cone});
+  return found == changes_.end() ? next(cone, p) : found->second;
+}
+
+void ConeNeighbours::repaired() {
+  if (changes_.empty()) return;
+  if (kernel_->instant_is_over(id_)) {
+    tell();
+  } else {
+    kernel_->settle_later(id_);
+  }
+}
+
+// A pair that left or joined belongs to the first event that names it as the old or the new one.
+void ConeNeighbours::tell() {
+  struct Telling {
+    ObjectId point, old, fresh;
+    std::vector<ObjectId> gone, came;
+  };
+  std::vector<Telling> all;
+  std::set<Pair> gone, came;
+  for (const auto& [pointer, old] : changes_) {
+    const ObjectId p = pointer.point, fresh = next(pointer.cone, p);
+    if (old == fresh) continue;
+    Telling one{p, old == kNoObject ? p : old, fresh == kNoObject ? p : fresh, {}, {}};
+    if (frame().counts(pointer.cone)) {
+      const Pair before = ascending(p, old), after = ascending(p, fresh);
+      if (old != kNoObject && !has(before) && gone.insert(before).second) {
+        one.gone.assign(before.begin(), before.end());
+      }
+      if (fresh != kNoObject && !had(after) && came.insert(after).second) {
+        one.came.assign(after.begin(), after.end());
+      }
+    }
+    all.push_back(std::move(one));
+  }
+  changes_.clear();
+  for (const Telling& one : all) {
+    kernel_->report(id_, kPoint, {one.point, one.old, one.fresh},
+                    !one.gone.empty() || !one.came.empty(), one.gone, one.came);
+  }
+}
+
+// ---- checks
+
+void ConeNeighbours::add_bounds(const BoundContext& context,
+                                  std::vector<BoundCheck>& result) const {
+  const StructureLedger& ledger = *context.ledger;
+  const std::size_t n = context.objects();
+  if (!context.plain() || context.degree > 1 || n == 0) return;
+  const Integer changes = davenport_schinzel_bound(3, counted(n)) - Integer(1);
+  const auto points = ledger.by_kind.find("point");
+  result.push_back(at_most(std::string(name()) + ".point",
+                           "pieces of the lower envelope of n - 1 segments, for each pointer",
+                           counted(frame().cones() * n) * changes,
+                           counted(points == ledger.by_kind.end() ? 0 : points->second)));
+  result.push_back(at_most(std::string(name()) + ".external",
+                           "the same for the pointers into cones that count",
+                           counted(frame().counted() * n) * changes,
+                           counted(ledger.external)));
+}
+
+void ConeNeighbours::check_woods(AuditReport& report) const {
+  woods_.check(report);
+  report.check(changes_.empty(), [] { return "a change was not reported"; });
+}
+
+void ConeNeighbours::audit(const Snapshot& snapshot, AuditReport& report) const {
+  const auto right = static_cones(snapshot, frame().corners);
+  for (ObjectId p = 0; p < snapshot.objects(); ++p) {
+    for (std::size_t cone = 0; cone < frame().cones(); ++cone) {
+      report.check(right[p][cone] == next(cone, p), [&] {
+        return "another point is next in cone " + std::to_string(cone) + " of point " +
+               std::to_string(p);
+      });
+    }
+  }
+}
+
+}  // namespace kinex

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ConeNeighbours: what octants_listed, octants_local and cones_local have in common: the woods
+// (cone_woods.h), the attribute, and its events.
+//
+// Attribute. The pairs of points of which one is next in a cone of the other, of the cones that count
+// (cone_frame.h): in octants at most 4n, among which is every closest pair. Which point is next in
+// which cone is read with next().
+//
+// Events. An instant changes the pointers from what they were just before to what they are just
+// after, and is reported once, when it is over: one event "point" for each pointer that differs, of
+// the other cones too, in ascending order of points and cones: the point, the old one that was next,
+// the new one (the point itself: none). It is external if a pair has left the attribute or joined
+// it. So all structures on one frame report the same.
+//
+// Ties. Points that are identically level are in the order after an infinitesimal turn, equal points
+// along (2, 1) by id (turned_order.h).
+#ifndef KINEX_STRUCTURES_PROXIMITY_CONE_NEIGHBOURS_H
+#define KINEX_STRUCTURES_PROXIMITY_CONE_NEIGHBOURS_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "core/engine/kernel.h"
+#include "core/engine/structure.h"
+#include "structures/proximity/cone_woods.h"
+
+namespace kinex {
+
+// Notified of every change of a pointer, at once, whether or not the attribute changes with it.
+class ConeWatcher {
+ public:
+  virtual ~ConeWatcher() = default;
+  // The first point in some cone of `point` is `fresh`, and was `old`; kNoObject: none.
+  virtual void pointer_changed(ObjectId point, ObjectId old, ObjectId fresh) = 0;
+};
+
+class ConeNeighbours : public Structure {
+ public:
+  using Pair = std::array<ObjectId, 2>;  // ids, ascending
+  // The kinds of events, by rank; a structure's own ones follow.
+  enum Kind : std::uint8_t { kPoint, kFirstOwnKind };
+
+  StructureId id() const { return id_; }
+  const ConeFrame& frame() const { return woods_.frame(); }
+  // The number of the scene's objects, alive or not.
+  std::size_t objects() const { return woods_.objects(); }
+  // The first point in the cone of p, as of now; kNoObject: none.
+  ObjectId next(std::size_t cone, ObjectId p) const { return woods_.next(cone, p); }
+  // The pairs of the attribute, ascending, and whether one is among them.
+  std::vector<Pair> pairs() const;
+  bool has(const Pair& pair) const;
+  // `watcher` lives as long as changes are made. It changes nothing of the cones.
+  void add_watcher(ConeWatcher& watcher) const { watchers_.push_back(&watcher); }
+
+  Attribute attribute() const override;
+  Attribute told() const override;
+  void instant_over() override { tell(); }
+  void audit(const Snapshot& snapshot, AuditReport& report) const override;
+
+ protected:
+  ConeNeighbours(Kernel& kernel, StructureId id, const ConeFrame& frame, std::size_t objects,
+                 const ConeWoods::Before& before);
+
+  Kernel& kernel() const { return *kernel_; }
+  ConeWoods& woods() { return woods_; }
+  const ConeWoods& woods() const { return woods_; }
+  bool all_told() const { return changes_.empty(); }
+  // Nothing is left to be reported.
+  void begin() { changes_.clear(); }
+  // next(cone, p) has become another one.
+  virtual void pointer_changed(std::size_t cone, ObjectId p) {
+    static_cast<void>(cone);
+    static_cast<void>(p);
+  }
+  // A failure was repaired: reports what has changed, now or when the instant is over.
+  void repaired();
+  // The number of events "point" without flight-plan changes, of linear motions; external ones.
+  void add_bounds(const BoundContext& context, std::vector<BoundCheck>& result) const;
+  void check_woods(AuditReport& report) const;
+  std::size_t bytes_of_woods() const {
+    return woods_.bytes() + changes_.size() * (sizeof(Pointer) + 48);
+  }
+
+ private:
+  struct Pointer {
+    ObjectId point;
+    std::size_t cone;
+    auto operator<=>(const Pointer&) const = default;
+  };
+  void note(std::size_t cone, ObjectId p, ObjectId old);
+  void tell();
+  ObjectId told_next(std::size_t cone, ObjectId p) const;
+  bool had(const Pair& pair) const;
+  template <class Next>
+  std::vector<Pair> pairs_by(const Next& next) const;
+
+  Kernel* kernel_;
+  StructureId id_;
+  ConeWoods woods_;
+  std::map<Pointer, ObjectId> changes_;  // not reported yet: as last reported
+  mutable std::vector<ConeWatcher*> watchers_;
+};
+
+}  // namespace kinex
+
+#endif

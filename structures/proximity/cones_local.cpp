@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "structures/proximity/cones_local.h"
+
+#include <algorithm>
+#include <string>
+
+#include "structures/parts/merge_sort.h"
+
+namespace kinex {
+
+ConesLocal::ConesLocal(Kernel& kernel, StructureId id, const Scene& scene, const ConeFrame& frame,
+                       std::string_view name)
+    : ConeNeighbours(kernel, id, frame, scene.objects.size(),
+                     [this](std::size_t axis, ObjectId a, ObjectId b) {
+                       return in_front(this->kernel(), orders_[axis], a, b);
+                     }),
+      name_(name),
+      slots_(kernel, id, "pointers"),
+      certificates_(frame.cones() * scene.objects.size() * kClaims, kNoCertificate),
+      failed_at_(frame.woods.size(), 0),
+      stale_(frame.woods.size(), false) {
+  for (const ConeFrame::Vector& direction : frame.axes) orders_.emplace_back(kernel, direction);
+}
+
+// ---- certificates
+
+ConesLocal::Claim ConesLocal::claim(std::uint32_t tag) const {
+  const std::size_t pointer = tag / kClaims;
+  return {pointer / objects(), static_cast<ObjectId>(pointer % objects()), tag % kClaims};
+}
+
+std::size_t ConesLocal::order_of(const Claim& c) {
+  return (c.cone + 1 + c.which) % SchnyderWood::kColours;  // a wood's first cone is a multiple of 3
+}
+
+// "The next point is before this one in the order", or level with it.
+Query ConesLocal::query(const Claim& c) const {
+  const ObjectId q = next(c.cone, c.point);
+  const auto& [axis, reversed] = frame().woods[c.cone / SchnyderWood::kColours][order_of(c)];
+  return reversed ? orders_[axis].claim(c.point, q) : orders_[axis].claim(q, c.point);
+}
+
+// The claims of a pointer as they are now, in place of what was claimed of it.
+void ConesLocal::certify(std::size_t cone, ObjectId p) {
+  for (std::size_t which = 0; which < kClaims; ++which) {
+    const Claim c{cone, p, which};
+    CertificateId& slot = certificates_[tag(c)];
+    if (next(cone, p) == kNoObject) {
+      slots_.drop(slot);
+      continue;
+    }
+    const Query now = query(c);
+    if (!slots_.holds(slot, now, tag(c))) slots_.set(slot, now, tag(c));
+  }
+}
+
+void ConesLocal::certify_changed() {
+  std::sort(changed_.begin(), changed_.end());
+  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+  for (const auto& [cone, p] : changed_) certify(cone, p);
+  changed_.clear();
+}
+
+// ---- the woods
+
+// The pointers of others than the members are none already, or have just become so.
+void ConesLocal::make_stale_woods() {
+  ConeWoods::Lists points(orders_.size());
+  for (std::size_t i = 0; i < stale_.size(); ++i) {
+    if (!stale_[i]) continue;
+    for (const ConeFrame::Order& order : frame().woods[i]) {
+      if (points[order.axis].size() == members_.size()) continue;  // for another wood
+      points[order.axis] = members_;
+      merge_sort(points[order.axis], [&](ObjectId a, ObjectId b) {
+        return in_front(kernel(), orders_[order.axis], a, b);
+      });
+    }
+    woods().make(i, points);
+    for (std::size_t colour = 0; colour < SchnyderWood::kColours; ++colour) {
+      for (const ObjectId p : members_) {
+        changed_.emplace_back(i * SchnyderWood::kColours + colour, p);
+      }
+    }
+  }
+  stale_.assign(stale_.size(), false);
+  certify_changed();
+}
+
+void ConesLocal::make_woods() {
+  stale_.assign(stale_.size(), true);
+  make_stale_woods();
+  begin();
+}
+
+// ---- calls
+
+void ConesLocal::build(std::span<const ObjectId> objects) {
+  members_.assign(objects.begin(), objects.end());
+  make_woods();
+}
+
+void ConesLocal::rebuild() {
+  for (CertificateId& slot : certificates_) slots_.drop(slot);
+  make_woods();
+}
+
+void ConesLocal::insert(ObjectId object) {
+  members_.insert(std::lower_bound(members_.begin(), members_.end(), object), object);
+  make_woods();
+}
+
+void ConesLocal::erase(ObjectId object) {
+  members_.erase(std::lower_bound(members_.begin(), members_.end(), object));
+  make_woods();
+}
+
+// The only failure of a wood at an instant is a swap of two neighbours of an order. Of several, and
+// of two points that meet, some swaps would leave two points ordered as no points of the plane can
+// be.
+void ConesLocal::certificate_failed(CertificateId failed) {
+  const Claim c = claim(slots_.failed(failed));
+  const std::size_t i = c.cone / SchnyderWood::kColours;
+  const ObjectId p = c.point, q = next(c.cone, p);
+  kernel().report(id(), kOrder, {q, p}, false);
+  SchnyderWood& wood = woods().wood(i);
+  const std::uint64_t instant = kernel().instant_number();
+  const bool again = failed_at_[i] == instant;
+  failed_at_[i] = instant;
+  if (stale_[i] || again || wood.swap(order_of(c), q, p) != SchnyderWood::Swap::kDone) {
+    slots_.drop(certificates_[tag(c)]);
+    stale_[i] = true;
+    return kernel().settle_later(id());
+  }
+  certify_changed();
+  repaired();
+}
+
+// ---- checks
+
+// In octants the cones that do not count are quadrants.
+std::string_view ConesLocal::kind_of(std::size_t cone) const {
+  if (frame().corners == octant_frame().corners) {
+    return frame().counts(cone) ? "next in an octant" : "next in a quadrant";
+  }
+  return frame().counts(cone) ? "next in a cone" : "next in a wide cone";
+}
+
+void ConesLocal::visit_proof(ProofVisitor& visitor) const {
+  ProofGroup group;
+  for (std::size_t cone = 0; cone < frame().cones(); ++cone) {
+    for (const ObjectId p : members_) {
+      if (next(cone, p) == kNoObject) continue;
+      group.kind = kind_of(cone);
+      group.about = {p, next(cone, p)};
+      group.place = cone * objects() + p;
+      visitor.group(group);
+      for (std::size_t which = 0; which < kClaims; ++which) {
+        const CertificateId slot = certificates_[tag({cone, p, which})];
+        if (slot != kNoCertificate) visitor.certificate(slot, "in the cone");
+      }
+    }
+  }
+}
+
+std::vector<BoundCheck> ConesLocal::bounds(const BoundContext& context) const {
+  const StructureLedger& ledger = *context.ledger;
+  const std::string own(name_);
+  std::vector<BoundCheck> result{
+      at_most(own + ".certificates", "two for each pointer: a point has three in a wood",
+              counted(kClaims * frame().cones() * context.objects()), counted(ledger.max_live)),
+      at_most(
+          own + ".events",
+          "each two points change their order in each of the three orders of each wood at every "
+          "root, and where pieces meet",
+          counted(frame().cones()) * pair_sign_changes(context.pieces, context.degree),
+          counted(ledger.failures))};
+  add_bounds(context, result);
+  return result;
+}
+
+void ConesLocal::check_invariants(AuditReport& report) const {
+  report.check(std::find(stale_.begin(), stale_.end(), true) == stale_.end(),
+               [] { return "a wood is still to be made"; });
+  check_woods(report);
+  for (std::uint32_t t = 0; t < certificates_.size(); ++t) {
+    const Claim c = claim(t);
+    const bool holds = next(c.cone, c.point) == kNoObject
+                           ? certificates_[t] == kNoCertificate
+                           : slots_.holds(certificates_[t], query(c), t);
+    report.check(holds, [&] {
+      return "a wrong certificate in cone " + std::to_string(c.cone) + " of point " +
+             std::to_string(c.point);
+    });
+  }
+}
+
+std::size_t ConesLocal::bytes() const {
+  return bytes_of_woods() + members_.capacity() * sizeof(ObjectId) +
+         certificates_.capacity() * sizeof(CertificateId) +
+         changed_.capacity() * sizeof(changed_[0]);
+}
+
+}  // namespace kinex

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Labels cover neither points nor each other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "experiments/lab/label_placer.h"
+
+namespace kinex {
+namespace label_placer_test {
+
+TEST(LabelPlacer, CoversNothingWhereThereIsRoom) {
+  lab::LabelPlacer placer({0, 0, 600, 400});
+  std::vector<lab::LabelPlacer::Label> labels;
+  for (int i = 0; i < 8; ++i) placer.add_point(300 + i, 200 + 2 * i, 5);
+  for (int i = 0; i < 8; ++i) labels.push_back(placer.place("a label", 300 + i, 200 + 2 * i));
+  const auto left = [](const lab::LabelPlacer::Label& label) {
+    return label.align == std::string("left") ? label.x : label.x - 7 * 7.2;
+  };
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    EXPECT_GE(left(labels[i]), 0);
+    EXPECT_LE(left(labels[i]) + 7 * 7.2, 600);
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool apart = std::fabs(labels[i].y - labels[j].y) >= 15 ||
+                         std::fabs(left(labels[i]) - left(labels[j])) >= 7 * 7.2;
+      EXPECT_TRUE(apart) << i << " " << j;
+    }
+  }
+}
+
+// Where points leave room for one label the others lie on points, but not on each other.
+TEST(LabelPlacer, CoversPointsRatherThanLabels) {
+  lab::LabelPlacer placer({0, 0, 600, 500});
+  for (int x = 0; x < 600; x += 6) {
+    for (int y = 0; y < 500; y += 6) {
+      const bool room = x > 300 && x < 385 && y > 235 && y < 265;
+      if (!room) placer.add_point(x, y, 3);
+    }
+  }
+  std::vector<double> left, middle;
+  for (int i = 0; i < 9; ++i) {
+    const lab::LabelPlacer::Label label = placer.place("mpfr:100", 300, 250);
+    left.push_back(label.align == std::string("left") ? label.x : label.x - 8 * 7.2);
+    middle.push_back(label.y);
+  }
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_TRUE(std::fabs(middle[i] - middle[j]) >= 15 || std::fabs(left[i] - left[j]) >= 8 * 7.2)
+          << i << " " << j;
+    }
+  }
+}
+
+TEST(LabelPlacer, StaysInside) {
+  lab::LabelPlacer placer({0, 0, 100, 50});
+  const lab::LabelPlacer::Label label = placer.place("1234567", 95, 25);
+  EXPECT_STREQ(label.align, "right");
+  EXPECT_LT(label.x, 95);
+}
+
+}  // namespace label_placer_test
+}  // namespace kinex
