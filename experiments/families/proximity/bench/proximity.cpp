@@ -64,11 +64,11 @@ lab::CellResult runs_of(const StructureInfo& info, const Scenes& scenes, int sca
   lab::Cell& cell = result.cell;
   cell.structure = info.name;
   cell.workload = scenes.workload;
-  cell.parameters.n = std::max(4, scenes.n / scale);
-  cell.parameters.m = scenes.m == 0 ? 0 : std::max(1, scenes.m / scale);
-  cell.parameters.dimension = scenes.dimension;
   const lab::Workload* const workload = lab::find_workload(cell.workload);
   if (workload == nullptr) throw std::runtime_error("no workload " + cell.workload);
+  cell.parameters.n = std::max({4, workload->min_n, scenes.n / scale});
+  cell.parameters.m = scenes.m == 0 ? 0 : std::max(workload->min_m, scenes.m / scale);
+  cell.parameters.dimension = scenes.dimension;
   const int count = workload->random && scale == 1 ? kRandomScenes : 1;
   for (int k = 0; k < count; ++k) {
     const Scene scene = lab::scene_of(cell, k);
