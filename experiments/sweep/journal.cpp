@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "experiments/formats/file_io.h"
@@ -36,6 +38,17 @@ bool is_by(const std::string& line, const std::string& path, const std::string& 
   }
 }
 
+// False: another run holds the file. A run that was killed can hold it for a moment longer, by a child that had not yet
+// become a program of its own.
+bool lock(int file) {
+  constexpr auto kPause = std::chrono::milliseconds(20);
+  for (int tries = 0; tries < 100; ++tries) {
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+    std::this_thread::sleep_for(kPause);
+  }
+  return false;
+}
+
 }  // namespace
 
 Journal::Journal(std::string path, const AttemptProvenance& provenance, bool fresh)
@@ -46,7 +59,7 @@ Journal::Journal(std::string path, const AttemptProvenance& provenance, bool fre
                               "give a folder that can be written with -o");
   }
   try {
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    if (!lock(file_)) {
       throw formats::InputError(path_, "", "another run is at work in this folder",
                                 "wait for it, or give another folder with -o");
     }
