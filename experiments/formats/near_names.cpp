@@ -8,7 +8,7 @@ namespace kinex::formats {
 namespace {
 
 constexpr std::size_t kMostNames = 3;
-constexpr std::size_t kLongestName = 100;  // nobody means a name by a longer text
+constexpr std::size_t kLongestName = 100;  // a longer text is no misspelt name
 constexpr std::size_t kShortestPart = 4, kShortestBeginning = 3;
 
 std::string plain(std::string_view name) {

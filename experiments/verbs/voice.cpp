@@ -26,7 +26,7 @@ std::string colour_problem(const std::string& choice) {
   return show_text(choice) + " is not a choice; write auto, always or never";
 }
 
-// "auto" if nobody has chosen, or what is not there.
+// The value of --color that applies to the verb; "auto" if the option was not given.
 std::string colour_of(const CLI::App& verb) {
   for (const CLI::App* app = &verb; app != nullptr; app = app->get_parent()) {
     const CLI::Option* option = app->get_option_no_throw(kColour);

@@ -4,9 +4,10 @@
 usage: mutations.py PROGRAM LOGCHECK_FOLDER LOGS [STRUCTURE,...]
 
 Makes LOGS random runs, of all structures (or of these) in turn, and applies every kind of change below to each log, at a
-random place where it is possible. Exit code 77: the program writes logs of version 1. Internal events that the checker says that it does not follow (those of bodies, and
-of hulls with ties for ever) are left alone. A changed log that is accepted and that says the same as the
-true one (see equivalent) is counted apart, and so is one within a limit of the checker that its README states.
+random place where it is possible. Exit code 77: the program writes logs of version 1. Internal events that the
+checker reports as not followed (those of bodies, and of hulls with identical ties) are left alone. An accepted log
+that means the same as the original one (see equivalent) is counted apart, and so is one within a limit of the checker
+that its README states.
 """
 import collections
 import copy

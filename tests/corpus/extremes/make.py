@@ -352,7 +352,7 @@ for n in (8, 40, 200):
              {"events": half * half // 2}), sturm=None if n <= 40 else False,
           page=None if n <= 8 else False)
 for n in (3, 10, 100, 1000):
-    entry(f"together/crowd-expanding-{n}", "on one circle for ever: nothing happens", crowd=f"expanding-circle n={n}",
+    entry(f"together/crowd-expanding-{n}", "identically on one circle: nothing happens", crowd=f"expanding-circle n={n}",
           instants=[], final="start", page=None if n <= 10 else False)
 for n in (4, 10, 100, 1000):
     entry(f"together/crowd-one-point-{n}", "all move through one point at 1/2: turned by two right angles there, "
