@@ -190,7 +190,7 @@ TEST(SlowExtremes, LargeCrowdsEnd) {
     if (extreme.page && scene.objects.size() <= kMostPageObjects) continue;
     const LoggedRun exact = run_logged(scene, "exact", 0);
     for (const char* arithmetic : {"double", "gsl"}) {
-      EXPECT_NE(judge(scene, exact, arithmetic), Verdict::kEndless)
+      EXPECT_NE(judge(scene, exact, arithmetic), RunVerdict::kEndless)
           << extreme.name << " in " << arithmetic;
     }
   }

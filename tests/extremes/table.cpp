@@ -39,7 +39,7 @@ constexpr const char* kHead =
     "crashes\n\nLeft out are scenes of more than 250 objects, and those that the index says take "
     "too long here: they end too in `double` and `gsl` (test `SlowExtremes`).\n\n";
 
-using Row = std::array<Verdict, kArithmetics.size()>;
+using Row = std::array<RunVerdict, kArithmetics.size()>;
 
 std::string heading(const std::string& first) {
   std::string line = "| " + first + " |", rule = "| --- |";
@@ -71,7 +71,7 @@ std::string summary(const std::vector<std::pair<std::string, Row>>& rows) {
       for (std::size_t v = 0; v < verdicts.size(); ++v) {
         if (verdicts[v] == 0) continue;
         cell += (cell.empty() ? " " : ", ") + std::to_string(verdicts[v]) + " " +
-                verdict_name(static_cast<Verdict>(v));
+                verdict_name(static_cast<RunVerdict>(v));
       }
       text += cell + " |";
     }
@@ -90,14 +90,14 @@ int print_table(const std::string& check) {
     Row row{};
     for (std::size_t a = 0; a < kArithmetics.size(); ++a) {
       row[a] = judge(scene, exact, kArithmetics[a]);
-      endless = endless || row[a] == Verdict::kEndless;
+      endless = endless || row[a] == RunVerdict::kEndless;
     }
     rows.emplace_back(extreme.name, row);
   }
   std::string text = kHead + summary(rows) + "\n" + heading("extreme");
   for (const auto& [name, row] : rows) {
     text += "| " + name + " |";
-    for (const Verdict verdict : row) text += " " + verdict_name(verdict) + " |";
+    for (const RunVerdict verdict : row) text += " " + verdict_name(verdict) + " |";
     text += "\n";
   }
   if (check.empty()) {

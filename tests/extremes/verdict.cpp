@@ -14,17 +14,17 @@
 
 namespace kinex::extremes {
 
-std::string verdict_name(Verdict verdict) {
+std::string verdict_name(RunVerdict verdict) {
   switch (verdict) {
-    case Verdict::kRight:
+    case RunVerdict::kRight:
       return "right";
-    case Verdict::kOrder:
+    case RunVerdict::kOrder:
       return "order";
-    case Verdict::kWrong:
+    case RunVerdict::kWrong:
       return "wrong";
-    case Verdict::kCorrupt:
+    case RunVerdict::kCorrupt:
       return "corrupt";
-    case Verdict::kEndless:
+    case RunVerdict::kEndless:
       return "endless";
   }
   return "";
@@ -52,15 +52,15 @@ LoggedRun run_logged(const Scene& scene, const std::string& arithmetic, std::uin
   return run;
 }
 
-Verdict judge(const Scene& scene, const LoggedRun& exact, const std::string& arithmetic) {
+RunVerdict judge(const Scene& scene, const LoggedRun& exact, const std::string& arithmetic) {
   const LoggedRun run = run_logged(scene, arithmetic, kMostEvents * exact.events + kFreeEvents);
-  if (run.corrupt) return Verdict::kCorrupt;
-  if (run.status != RunStatus::kDone) return Verdict::kEndless;
+  if (run.corrupt) return RunVerdict::kCorrupt;
+  if (run.status != RunStatus::kDone) return RunVerdict::kEndless;
   const formats::LogDifference difference = formats::diff_logs(exact.log, "exact", run.log, arithmetic);
   if (run.attribute != exact.attribute || difference.missing + difference.invented > 0) {
-    return Verdict::kWrong;
+    return RunVerdict::kWrong;
   }
-  return difference.equal() ? Verdict::kRight : Verdict::kOrder;
+  return difference.equal() ? RunVerdict::kRight : RunVerdict::kOrder;
 }
 
 }  // namespace kinex::extremes

@@ -13,7 +13,7 @@
 
 namespace kinex::extremes {
 
-enum class Verdict {
+enum class RunVerdict {
   kRight,    // the same events in the same order, and the same structure at the end
   kOrder,    // the same events in another order, and the same structure at the end
   kWrong,    // events missed or invented, or another structure at the end, undetected
@@ -25,7 +25,7 @@ inline constexpr std::uint64_t kMostEvents = 20, kFreeEvents = 1000000;
 // Larger scenes take too long for the page of verdicts.
 inline constexpr std::size_t kMostPageObjects = 250;
 // "right", "order", "wrong", "corrupt", "endless".
-std::string verdict_name(Verdict verdict);
+std::string verdict_name(RunVerdict verdict);
 
 struct LoggedRun {
   RunStatus status = RunStatus::kDone;
@@ -38,7 +38,7 @@ struct LoggedRun {
 // max_events 0: no limit.
 LoggedRun run_logged(const Scene& scene, const std::string& arithmetic, std::uint64_t max_events);
 
-Verdict judge(const Scene& scene, const LoggedRun& exact, const std::string& arithmetic);
+RunVerdict judge(const Scene& scene, const LoggedRun& exact, const std::string& arithmetic);
 
 }  // namespace kinex::extremes
 

@@ -7,9 +7,9 @@ usage: one_definition.py SOURCE_FOLDER
 Looked at are classes, structs, unions, enumerations and inline functions at namespace scope, outside
 unnamed namespaces, in the sources of the program and of each folder of tests.
 
-In experiments/ one name means one thing, whatever namespace it is in: of two types at namespace scope, or
-of one there and one within a class, no two have the same unqualified name. (Types within two classes may:
-each is only ever named with its class.)
+One name means one thing, whatever namespace it is in: no two types at namespace scope have the same unqualified
+name in the program. In experiments/, which has a namespace for every room, nor have one at namespace scope and one
+within a class. (Types within two classes may: each is only ever named with its class.)
 """
 import collections
 import functools
@@ -26,7 +26,8 @@ NOISE = re.compile(
     re.DOTALL | re.MULTILINE)
 TOKEN = re.compile(
     r"\bnamespace\b(?P<space>\s*[\w:]*)\s*\{"
-    r"|\b(?P<key>enum\s+class|enum|class|struct|union)\s+(?P<type>\w+)(?!\s*::)\s*"
+    r"|\b(?P<key>enum\s+class|enum|class|struct|union)\s+(?:alignas\([^()]*\)\s*|\[\[[^\]]*\]\]\s*)*"
+    r"(?P<type>\w+)(?!\s*::)\s*"
     r"(?:final\s*)?(?::(?!:)[^;{}()]*)?\{"
     r"|\binline\s+(?:constexpr\s+)?(?P<result>[\w:<>,&*\s]+?)\s+[&*]?(?P<function>\w+)"
     r"\((?P<arguments>[^{};]*?)\)\s*(?:const|noexcept)?\s*\{"
@@ -67,12 +68,13 @@ def definitions(text):
     return [name for kind, name, _ in scan(text) if kind != "part"]
 
 
-def shared_names(files, shared):
-    """Faults: unqualified names of two types, and names of `shared` that are not."""
+def shared_names(files, shared, parts=True):
+    """Faults: unqualified names of two types, and names of `shared` that are not. `parts`: of types within
+    classes, too, beside one at namespace scope."""
     types = collections.defaultdict(set)  # unqualified name: (kind, qualified name, file)
     for name, text in files:
         for kind, qualified, unqualified in scan(text):
-            if kind != "function":
+            if kind == "type" or (parts and kind == "part"):
                 types[unqualified].add((kind, qualified, name))
     twice = {name: sorted(where) for name, where in types.items()
              if len({qualified for _, qualified, _ in where}) > 1 and any(kind == "type" for kind, _, _ in where)}
@@ -93,11 +95,12 @@ def check_itself():
     sample = """
     namespace a { namespace b { struct S final : T<int> { struct Inner {}; }; } enum class E { k }; }
     namespace { class Hidden {}; }
+    namespace a { struct alignas(64) Line {}; class [[nodiscard]] Sign final {}; }
     namespace a::b { class C; struct Outer::Part {}; inline int f(int x) { struct Local {}; return x; } }
     const char* text = "struct Quoted {"; // struct Comment {
     """
     found = list(definitions(sample))
-    expected = ["a::b::S", "a::E", "a::b::f(int x)"]
+    expected = ["a::b::S", "a::E", "a::Line", "a::Sign", "a::b::f(int x)"]
     if found != expected:
         sys.exit(f"the check is wrong: found {found}, expected {expected}")
     files = [("x.h", sample), ("y.h", "namespace c { class E {}; struct P { enum class S { k }; struct Q {}; }; }"),
@@ -105,6 +108,8 @@ def check_itself():
     faults = [fault.split(" ")[0] for fault in shared_names(files, {})]
     if faults != ["E", "S"] or list(shared_names(files, {"E": "why", "S": "why"})):
         sys.exit(f"the check is wrong: {faults} have shared names")
+    if [fault.split(" ")[0] for fault in shared_names(files, {}, parts=False)] != ["E"]:
+        sys.exit("the check is wrong: types within classes count")
     if [fault.split(" ")[0] for fault in shared_names([], {"E": "why"})] != ["E"]:
         sys.exit("the check is wrong: a name that is no longer shared stays listed")
 
@@ -130,9 +135,9 @@ def main():
         for name, where in places.items():
             if len(where) > 1:
                 faults.add(f"{name} is defined in {' and in '.join(sorted(where))}")
-    experiments = [(str(file.relative_to(root)), file.read_text()) for file in program
-                   if file.suffix in (".h", ".cpp") and file.relative_to(root).parts[0] == "experiments"]
-    faults.update(shared_names(experiments, SHARED_NAMES))
+    texts = [(str(file.relative_to(root)), file.read_text()) for file in program if file.suffix in (".h", ".cpp")]
+    faults.update(shared_names([one for one in texts if one[0].startswith("experiments/")], SHARED_NAMES))
+    faults.update(shared_names(texts, {}, parts=False))
     if len(names) < 200:
         sys.exit(f"only {len(names)} definitions found: the check does not see the sources")
     if faults:
