@@ -6,9 +6,10 @@ usage: include_graph.py SOURCE_FOLDER [--draw]
 
 A file that lies directly in a folder of the first level belongs to that folder's hall (core, predicates,
 ..). --draw writes experiments/pictures/rooms.dot, and rooms.svg by graphviz; without it the former must be
-what would be written.
+what would be written, and the latter must have its rooms and arrows.
 """
 import argparse
+import html
 import pathlib
 import re
 import subprocess
@@ -92,6 +93,12 @@ def text_of(graph):
     return "\n".join(lines + ["}"]) + "\n"
 
 
+def drawn_in(svg):
+    """The names of the rooms and arrows of a picture by graphviz, as they are in text_of."""
+    titles = re.findall(r'class="(?:node|edge)">\s*<title>([^<]*)</title>', svg)
+    return {" -> ".join(f'"{end}"' for end in html.unescape(title).split("->")) for title in titles}
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("source", type=pathlib.Path)
@@ -99,6 +106,8 @@ def main():
     options = parser.parse_args()
     assert find_cycle({"a": {"b"}, "b": {"c"}, "c": {"a"}}) == ["a", "b", "c", "a"]
     assert find_cycle({"a": {"b", "c"}, "b": {"c"}}) is None
+    assert drawn_in('<g class="node">\n<title>a/b</title></g><g class="edge">\n<title>a/b&#45;&gt;c</title>'
+                    ) == {'"a/b"', '"a/b" -> "c"'}
     graph = include_graph(options.source)
     cycle = find_cycle(graph)
     if cycle:
@@ -109,6 +118,10 @@ def main():
         subprocess.run(["dot", "-Tsvg", "-o", drawn.with_suffix(".svg"), drawn], check=True)
     elif not drawn.exists() or drawn.read_text() != text_of(graph):
         sys.exit(f"{PICTURE}.dot is not the graph of today: draw it again with --draw, and look at it")
+    wanted = set(re.findall(r'(?m)^  (".*);$', text_of(graph)))
+    pictured = drawn_in(drawn.with_suffix(".svg").read_text())
+    if wanted != pictured:
+        sys.exit(f"{PICTURE}.svg is not the graph of today, for {sorted(wanted ^ pictured)}: draw it again with --draw")
     print(f"{len(graph)} rooms, no circle")
 
 
