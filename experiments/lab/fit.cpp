@@ -163,6 +163,33 @@ std::optional<Fit> fit_law_with(std::string law, std::span<const FitPoint> point
   return fit;
 }
 
+std::optional<Fit> fit_given_power_with(double b, std::string law, std::span<const FitPoint> points,
+                                        std::function<double(double)> h) {
+  std::optional<Straight> line = logarithms_of(points);
+  if (!line || points.size() < 3) return std::nullopt;
+  std::vector<double> ones(points.size(), 1), term;
+  for (const FitPoint& point : points) term.push_back(h(point.n));
+  for (std::size_t i = 0; i < points.size(); ++i) line->y[i] -= b * line->x[i];
+  const auto solved = least_squares({std::move(ones), term}, line->y, line->error);
+  if (!solved) return std::nullopt;
+  Fit fit;
+  fit.law = std::move(law);
+  fit.h = std::move(h);
+  fit.a = std::exp(solved->coefficients[0]);
+  fit.b = fit.lower = fit.upper = b;
+  fit.c = solved->coefficients[1];
+  fit.c_lower = solved->lower[1];
+  fit.c_upper = solved->upper[1];
+  fit.degrees = solved->degrees;
+  fit.weighted = solved->weighted;
+  fit.chi_square = solved->chi_square;
+  for (std::size_t i = 0; fit.weighted && i < points.size(); ++i) {
+    fit.in_errors.push_back((line->y[i] - solved->coefficients[0] - fit.c * term[i]) / line->error[i]);
+  }
+  add_residuals(points, fit);
+  return fit;
+}
+
 std::optional<double> chi_square_of(const Fit& fit) {
   if (!fit.weighted) return std::nullopt;
   return fit.chi_square;

@@ -55,6 +55,10 @@ std::optional<Fit> fit_power_with(std::string law, std::span<const FitPoint> poi
                                   std::function<double(double)> h);
 std::optional<Fit> fit_law_with(std::string law, std::span<const FitPoint> points,
                                 std::function<double(double)> g, std::function<double(double)> h);
+// The same with the exponent b given, so that only a and c are fitted; nullopt for fewer than three
+// points.
+std::optional<Fit> fit_given_power_with(double b, std::string law, std::span<const FitPoint> points,
+                                        std::function<double(double)> h);
 
 // Chi squared, if it means anything: every point has a standard error.
 std::optional<double> chi_square_of(const Fit& fit);

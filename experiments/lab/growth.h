@@ -16,8 +16,7 @@ struct GrowthResult {
   std::string axis;              // of the family's cells (Axis::name)
   std::vector<FitPoint> points;  // ascending values of that
   std::optional<Fit> fit;        // of a power
-  // The power with a term of lower order, if chance does not explain the chi squared of `fit`.
-  std::optional<Fit> corrected;
+  std::optional<Fit> corrected;  // the power with a term of lower order: PowerVerdict::corrected
   std::optional<Neighbours> neighbours;  // of a law, not of a bound
   Check check;
 };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace kinex::lab {
@@ -28,25 +29,56 @@ void not_confirmed(PowerVerdict& result, const std::string& why) {
   if (result.verdict == Verdict::kConfirmed) result.verdict = Verdict::kOpen;
 }
 
-void judge_with_term(PowerVerdict& result, std::span<const FitPoint> points,
-                     const ClaimedPower& claim, const std::string& x) {
-  const double below = claim.lower_order;
-  result.corrected = fit_power_with(fmt::format("a n^b exp(c / n^{:.3g})", below), points,
-                                    [below](double n) { return std::pow(n, -below); });
-  result.observed += ", " + chi_square_text(*result.fit) + " is no chance";
-  if (!result.corrected) {
+double term_of(const ClaimedPower& claim, double n) { return std::pow(n, -claim.lower_order); }
+
+std::string law_text(const ClaimedPower& claim) {
+  return fmt::format("a n^b exp(c / n^{:.3g})", claim.lower_order);
+}
+
+// The fit with the term, added to the text; false for too few points.
+bool fit_term(PowerVerdict& result, std::span<const FitPoint> points, const ClaimedPower& claim,
+              const std::string& x) {
+  result.corrected = fit_power_with(law_text(claim), points, [claim](double n) { return term_of(claim, n); });
+  if (!result.corrected) return false;
+  result.observed += fmt::format("; with a term of order {}^(b - {:.3g}): {}", x, claim.lower_order,
+                                 interval_text(x, *result.corrected));
+  if (result.corrected->weighted) result.observed += ", " + chi_square_text(*result.corrected);
+  return true;
+}
+
+// Chance does not explain the chi squared of the power alone.
+void judge_by_term(PowerVerdict& result, std::span<const FitPoint> points, const ClaimedPower& claim,
+                   const std::string& x) {
+  result.observed += ", " + chi_square_text(*result.fit) + ", too large for chance";
+  if (!fit_term(result, points, claim, x)) {
     not_confirmed(result, ", too few sizes for a term of lower order");
     return;
   }
-  const Fit& fit = *result.corrected;
   const Verdict alone = result.verdict;
-  result.verdict = compare(fit, claim);
-  result.observed += fmt::format("; with a term of order {}^(b - {:.3g}): {}, {}", x, below,
-                                 interval_text(x, fit), chi_square_text(fit));
-  if (!is_improbable(fit)) return;
-  result.observed += " is no chance either";
+  result.verdict = compare(*result.corrected, claim);
+  if (!is_improbable(*result.corrected)) return;
+  result.observed += ", too large for chance, too";
   const bool both = alone == Verdict::kRefuted && result.verdict == Verdict::kRefuted;
   if (!both) result.verdict = Verdict::kOpen;
+}
+
+// The power alone refutes the claim, and chance explains its chi squared. Does the claim with the term
+// fit, with the exponent that the claim allows and that is nearest to the fitted one?
+void reconsider(PowerVerdict& result, std::span<const FitPoint> points, const ClaimedPower& claim,
+                const std::string& x) {
+  if (!fit_term(result, points, claim, x)) return;
+  const Fit& fit = *result.corrected;
+  bool refuted = compare(fit, claim) == Verdict::kRefuted;
+  if (fit.weighted) {
+    const double most = std::min(fit.b, claim.exponent + claim.tolerance);
+    const double nearest = claim.at_most ? most : std::max(most, claim.exponent - claim.tolerance);
+    const std::optional<Fit> claimed = fit_given_power_with(
+        nearest, law_text(claim), points, [claim](double n) { return term_of(claim, n); });
+    refuted = claimed && is_improbable(*claimed);
+    if (claimed) result.observed += fmt::format("; so with {}^{:.4g}: {}", x, nearest, chi_square_text(*claimed));
+  }
+  result.observed += refuted ? ", too large for chance" : ": not refuted";
+  if (!refuted) result.verdict = Verdict::kOpen;
 }
 
 }  // namespace
@@ -62,7 +94,11 @@ PowerVerdict judge_power(std::span<const FitPoint> points, const ClaimedPower& c
   const Fit& fit = *result.fit;
   result.observed = interval_text(x, fit);
   result.verdict = compare(fit, claim);
-  if (is_improbable(fit)) judge_with_term(result, points, claim, x);
+  if (is_improbable(fit)) {
+    judge_by_term(result, points, claim, x);
+  } else if (result.verdict == Verdict::kRefuted) {
+    reconsider(result, points, claim, x);
+  }
   if (!fit.weighted && fit.degrees + 2 < kFewestExactSizes) {
     not_confirmed(result, ", too few sizes");
   }

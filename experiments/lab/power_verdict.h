@@ -23,7 +23,8 @@ struct ClaimedPower {
 
 struct PowerVerdict {
   std::optional<Fit> fit;
-  // With a term of lower order, if chance does not explain the chi squared of `fit`.
+  // With a term of lower order, if chance does not explain the chi squared of `fit`, or if the interval
+  // of `fit` would refute the claim.
   std::optional<Fit> corrected;
   Verdict verdict = Verdict::kOpen;
   std::string observed;
@@ -32,10 +33,17 @@ struct PowerVerdict {
 //   confirmed  the confidence interval of the exponent lies within the tolerance
 //   refuted    it lies outside
 //   open       otherwise
-// Where chance does not explain the chi squared of the fit, the interval is that of the fit with a
-// term of lower order; if chance does not explain that one either, nothing is confirmed, and
-// refuted only what both intervals refute. Nothing is confirmed of fewer than three points (four
-// without standard errors). `x` names the variable.
+// A claim is about large x, and sizes are finite: a term of lower order shifts the exponent of the fit.
+// So that term is fitted, too,
+//   - where chance does not explain the chi squared of the fit: the interval is then that of the fit
+//     with the term. If chance does not explain its chi squared either, nothing is confirmed, and
+//     refuted only what both intervals refute;
+//   - where the interval of the fit lies outside: refuted only if the claimed power with the term does
+//     not fit, else open. It does not if chance does not explain its chi squared, for any exponent
+//     within the tolerance; without standard errors, if the interval of the fit with the term lies
+//     outside as well. (Fewer than four points determine no such term.)
+// Nothing is confirmed from fewer than three points (four without standard errors). `x` names the
+// variable.
 PowerVerdict judge_power(std::span<const FitPoint> points, const ClaimedPower& claim,
                          const std::string& x);
 

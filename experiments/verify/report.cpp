@@ -116,8 +116,9 @@ Html fits_part(const VerifyResult& result) {
              "Intervals: 95 %, Student's t; widened where the points scatter more than their standard "
              "errors allow. No chi^2: counts without errors; the interval is that of their scatter "
              "about the power. Where chance does not explain the chi^2 of a power, a term of lower "
-             "order is fitted with it, which decides. A fit that passes is consistent with its law; "
-             "other laws may be too: see its neighbours.");
+             "order is fitted with it, which decides. A power is refuted only if it does not fit with "
+             "that term either. A fit that passes is consistent with its law; other laws may be too: "
+             "see its neighbours.");
 }
 
 Html study_part(const lab::StudyResult& study) {

@@ -39,14 +39,17 @@ lab::FitPoint fit_point(const lab::RunKey& key, const lab::RunningMean& mean) {
   return {static_cast<double>(key.parameters.n), mean.mean(), mean.standard_error()};
 }
 
-// The verdict on "the exponent or more", of the interval that judge_power went by.
+// The verdict on "the exponent or more", by the same intervals as judge_power's.
 void judge_at_least(lab::PowerVerdict& power, double exponent) {
   if (!power.fit) return;
-  const lab::Fit& fit = power.corrected ? *power.corrected : *power.fit;
+  const double least = exponent - kTolerance;
+  const bool by_term = power.corrected && lab::is_improbable(*power.fit);
+  const lab::Fit& fit = by_term ? *power.corrected : *power.fit;
   const bool is_fitted = !lab::is_improbable(fit) && fit.degrees > 1;
-  power.verdict = fit.upper < exponent - kTolerance                ? lab::Verdict::kRefuted
-                  : is_fitted && fit.lower >= exponent - kTolerance ? lab::Verdict::kConfirmed
-                                                                    : lab::Verdict::kOpen;
+  const bool is_below = fit.upper < least && (!power.corrected || power.corrected->upper < least);
+  power.verdict = is_below                         ? lab::Verdict::kRefuted
+                  : is_fitted && fit.lower >= least ? lab::Verdict::kConfirmed
+                                                    : lab::Verdict::kOpen;
 }
 
 void keep_small_run(lab::PaperClaim& claim, KdsRuns runs) {

@@ -133,8 +133,8 @@ const std::vector<Family>& families() {
        "On a line the closest pair changes Theta(n^2) times (n^(2/d), preliminary).",
        Law::kPower,
        2,
-       {24, 32, 48, 64, 96},  // below, a term of lower order counts: n^2.17 from 8 to 32
-       48,
+       {8, 12, 16, 24, 32, 48, 64, 96},
+       32,
        1,
        3,
        ""},
@@ -264,8 +264,8 @@ void judge_power(const Family& family, const std::vector<lab::FitPoint>& points,
   claim.verdict = power.verdict;
 }
 
-// Against all neighbours; and what is left must be chance; for ln^2 n it may be a multiple of
-// ln n.
+// Against all neighbours. Chance must explain what is left, or, for ln^2 n, what a multiple of ln n
+// leaves. A law that fits with this term is not refuted by a neighbour.
 void judge_logarithm(const Family& family, const std::vector<lab::FitPoint>& points,
                      const std::vector<lab::Fit>& fits, lab::PaperClaim& claim) {
   const lab::Fit& law = fits.front();
@@ -289,16 +289,21 @@ void judge_logarithm(const Family& family, const std::vector<lab::FitPoint>& poi
       std::log(points[1].count / points[0].count) / std::log(points[1].n / points[0].n),
       std::log(points.back().count / points[points.size() - 2].count) /
           std::log(points.back().n / points[points.size() - 2].n));
-  if (!lab::is_improbable(law)) return;
+  const bool is_improbable = lab::is_improbable(law);
+  if (!is_improbable && claim.verdict != lab::Verdict::kRefuted) return;
   std::optional<lab::Fit> corrected;
   if (family.law == Law::kLogSquared) {
     corrected = lab::fit_law_with(law.law + " + c ln n", points, law.g,
                                   [](double n) { return std::log(n); });
   }
-  claim.observed += "; what is left is no chance";
+  if (is_improbable) claim.observed += "; its chi^2 is too large for chance";
   if (corrected) claim.observed += "; " + lab::fit_text(*corrected);
   const bool is_explained = corrected && !lab::is_improbable(*corrected);
   if (!is_explained && claim.verdict == lab::Verdict::kConfirmed) {
+    claim.verdict = lab::Verdict::kOpen;
+  }
+  // A neighbour fits better than the law alone, but the law with its term fits, too.
+  if (is_explained && corrected->lower > 0 && claim.verdict == lab::Verdict::kRefuted) {
     claim.verdict = lab::Verdict::kOpen;
   }
 }

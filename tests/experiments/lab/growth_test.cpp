@@ -63,7 +63,7 @@ TEST(JudgePower, ATermOfLowerOrderExplainsABadFit) {
   ASSERT_TRUE(found.corrected) << found.observed;
   EXPECT_FALSE(lab::is_improbable(*found.corrected)) << found.observed;
   EXPECT_EQ(found.verdict, lab::Verdict::kConfirmed) << found.observed;
-  EXPECT_THAT(found.observed, HasSubstr("is no chance; with a term of order n^(b - 1)"));
+  EXPECT_THAT(found.observed, HasSubstr("too large for chance; with a term of order n^(b - 1)"));
   EXPECT_NEAR(found.corrected->b, 2, 0.003);
   EXPECT_NEAR(found.corrected->c, -1, 0.1);
 }
@@ -77,9 +77,65 @@ TEST(JudgePower, WhatNoTermExplainsIsOpen) {
   ASSERT_TRUE(found.corrected);
   EXPECT_TRUE(lab::is_improbable(*found.corrected));
   EXPECT_EQ(found.verdict, lab::Verdict::kOpen) << found.observed;
-  EXPECT_THAT(found.observed, HasSubstr("is no chance either"));
+  EXPECT_THAT(found.observed, HasSubstr("too large for chance, too"));
   // Far off is far off, whatever the fit is like.
   EXPECT_EQ(judged(waves, 0.001, 3).verdict, lab::Verdict::kRefuted);
+}
+
+// Small sizes, where the term of n (n - 2) or n (n + 3) raises or lowers the exponent by more than the tolerance, while
+// chance explains what the power leaves: the asymptotic law is not refuted.
+TEST(JudgePower, ATermOfLowerOrderSpeaksBeforeARefutation) {
+  // Without noise: what is left of the chi squared is the term's.
+  const auto counts = [](const Count& law, double error) {
+    std::vector<lab::FitPoint> points;
+    for (const double n : {8, 12, 16, 24, 32}) points.push_back({n, law(n), error * law(n)});
+    return points;
+  };
+  for (const double shift : {-2.0, 3.0}) {
+    const auto law = [shift](double n) { return n * (n + shift); };
+    const lab::PowerVerdict found = lab::judge_power(counts(law, 0.02), {2, 0.05}, "n");
+    EXPECT_FALSE(lab::is_improbable(*found.fit)) << found.observed;
+    EXPECT_EQ(lab::compare_with_claim(found.fit->lower, found.fit->upper, 2, 0.05, false),
+              lab::Verdict::kRefuted) << found.observed;
+    ASSERT_TRUE(found.corrected);
+    EXPECT_EQ(found.verdict, lab::Verdict::kOpen) << found.observed;
+    EXPECT_THAT(found.observed, HasSubstr("; with a term of order n^(b - 1): n^"));
+    EXPECT_THAT(found.observed, HasSubstr(": not refuted"));
+  }
+  // Another power stays refuted, whatever the term.
+  const lab::PowerVerdict other =
+      lab::judge_power(counts([](double n) { return std::pow(n, 2.6); }, 0.002), {2, 0.05}, "n");
+  EXPECT_FALSE(lab::is_improbable(*other.fit)) << other.observed;
+  ASSERT_TRUE(other.corrected);
+  EXPECT_EQ(other.verdict, lab::Verdict::kRefuted) << other.observed;
+}
+
+TEST(JudgePower, TheGivenPowerIsFittedWithItsTerm) {
+  const auto term = [](double n) { return 1 / n; };
+  std::vector<lab::FitPoint> points;
+  for (const double n : {4, 8, 16, 32}) points.push_back({n, 5 * n * n * std::exp(-3 / n), 0.1 * n * n});
+  const lab::Fit right = *lab::fit_given_power_with(2, "law", points, term);
+  EXPECT_NEAR(right.a, 5, 1e-9);
+  EXPECT_NEAR(right.c, -3, 1e-9);
+  EXPECT_NEAR(right.chi_square, 0, 1e-12);
+  EXPECT_EQ(right.degrees, 2);
+  EXPECT_NEAR(right.at(8), points[1].count, 1e-9);
+  EXPECT_GT(lab::fit_given_power_with(3, "law", points, term)->chi_square, 100);
+  points.resize(2);
+  EXPECT_FALSE(lab::fit_given_power_with(2, "law", points, term));
+}
+
+// Exact counts have no chi squared: the term is fitted because the power alone would refute.
+TEST(JudgePower, ATermOfLowerOrderSpeaksOfExactCounts) {
+  std::vector<lab::FitPoint> points;
+  for (const double n : {8, 16, 32, 64}) points.push_back({n, n * (n - 1) / 2, 0});
+  const lab::PowerVerdict found = lab::judge_power(points, {2, 0.001}, "n");
+  EXPECT_GT(found.fit->lower, 2.001);
+  EXPECT_EQ(found.verdict, lab::Verdict::kOpen) << found.observed;
+  EXPECT_THAT(found.observed, Not(HasSubstr("chi^2")));
+  // Nor does it turn a bound that is broken into one that holds.
+  for (lab::FitPoint& point : points) point.count = std::pow(point.n, 3);
+  EXPECT_EQ(lab::judge_power(points, {2, 0.05, true}, "n").verdict, lab::Verdict::kRefuted);
 }
 
 TEST(JudgePower, ThreeSizesLeaveNothingForATerm) {
