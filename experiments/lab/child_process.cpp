@@ -2,7 +2,6 @@
 #include "experiments/lab/child_process.h"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -17,12 +16,11 @@
 #include <utility>
 
 #include "experiments/formats/input_error.h"
+#include "experiments/lab/start_program.h"
 
 #ifndef __has_feature
 #define __has_feature(x) 0
 #endif
-
-extern char** environ;
 
 namespace kinex::lab {
 
@@ -33,21 +31,6 @@ constexpr bool kAddressSanitizer = true;
 #else
 constexpr bool kAddressSanitizer = false;
 #endif
-
-// A signal that is handled or ignored here has its default action in the child.
-void set_signals(posix_spawnattr_t& attributes) {
-  sigset_t all, none;
-  sigemptyset(&none);
-  sigemptyset(&all);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGXFSZ}) {
-    sigaddset(&all, signal);
-  }
-  posix_spawnattr_setsigdefault(&attributes, &all);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  posix_spawnattr_setflags(&attributes,
-                           POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-}
 
 [[noreturn]] void cannot_start(const std::string& program, int error) {
   throw formats::InputError(program, "", std::string("cannot be started: ") + std::strerror(error), "");
@@ -92,27 +75,12 @@ ChildProcess::ChildProcess(const std::string& program, const std::vector<std::st
   if (::pipe2(&ends[0], O_CLOEXEC) != 0 || ::pipe2(&ends[2], O_CLOEXEC) != 0) {
     cannot_start(program, close_all(ends));
   }
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&files, ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&files, ends[3], STDERR_FILENO);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  set_signals(attributes);
-  std::vector<std::string> words{program};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
   rusage own{};
   ::getrusage(RUSAGE_SELF, &own);
   own_peak_kb_ = own.ru_maxrss;
   began_ = std::chrono::steady_clock::now();
   const int failed =
-      ::posix_spawn(&child_, program.c_str(), &files, &attributes, argv.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
+      start_program(child_, program, ProgramName::kPath, arguments, ends[1], ends[3]);
   if (failed != 0) {
     child_ = 0;
     close_all(ends);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ChildProcess: another program that runs in parallel; its output is read while it runs, and its
-// CPU time and memory are measured. Not by Boost.Process, which waits by itself: only wait4 has both.
+// CPU time and memory are measured. By posix_spawn and wait4: experiments/README.md, "Kept by hand",
+// says why not by Boost.Process.
 #ifndef KINEX_EXPERIMENTS_LAB_CHILD_PROCESS_H
 #define KINEX_EXPERIMENTS_LAB_CHILD_PROCESS_H
 

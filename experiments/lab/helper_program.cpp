@@ -2,7 +2,6 @@
 #include "experiments/lab/helper_program.h"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,7 +10,7 @@
 #include <csignal>
 #include <thread>
 
-extern char** environ;
+#include "experiments/lab/start_program.h"
 
 namespace kinex::lab {
 
@@ -20,37 +19,21 @@ namespace {
 constexpr std::chrono::milliseconds kLook{10};
 constexpr int kNoInterpreter = 127;  // a shell's exit code where a program is not found
 
-// 0 if it runs.
-int start(pid_t& child, const std::string& program, const std::vector<std::string>& arguments,
-          const std::string& out, const std::string& err) {
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  constexpr int kAnew = O_WRONLY | O_CREAT | O_TRUNC;
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), kAnew, 0600);
-  if (out == err) {
-    posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  } else {
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), kAnew, 0600);
-  }
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t ignored_here;  // what this program ignores (InterruptGuard) is none of the helper's
-  sigemptyset(&ignored_here);
-  sigaddset(&ignored_here, SIGPIPE);
-  posix_spawnattr_setsigdefault(&attributes, &ignored_here);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-  std::vector<std::string> words{program};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  const int failed =
-      posix_spawnp(&child, program.c_str(), &files, &attributes, argv.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  return failed;
+// Opened anew for the output of a program; -1 if that fails.
+int open_output(const std::string& path) {
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+}
+
+// False if it cannot be started, or its outputs cannot be written.
+bool start(pid_t& child, const std::string& program, const std::vector<std::string>& arguments,
+           const std::string& out, const std::string& err) {
+  const int out_end = open_output(out);
+  const int err_end = out == err ? out_end : open_output(err);
+  const bool runs = out_end >= 0 && err_end >= 0 &&
+                    start_program(child, program, ProgramName::kSearched, arguments, out_end, err_end) == 0;
+  if (out_end >= 0) ::close(out_end);
+  if (err_end >= 0 && err_end != out_end) ::close(err_end);
+  return runs;
 }
 
 }  // namespace
@@ -59,7 +42,7 @@ HelperEnd run_helper(const std::string& program, const std::vector<std::string>&
                      const std::string& out, const std::string& err,
                      const std::function<bool()>& go_on) {
   pid_t child = 0;
-  if (start(child, program, arguments, out, err) != 0) return {HelperEnd::How::kNotFound, 0};
+  if (!start(child, program, arguments, out, err)) return {HelperEnd::How::kNotFound, 0};
   int status = 0;
   bool stopped = false;
   for (;;) {
