@@ -22,20 +22,20 @@ struct NumberModel {
   bool narrow = false;            // all coefficients, times `scale`, are integers of at most 2^52
   Integer scale = Integer(1);     // common denominator of all coefficients
   std::vector<double> magnitude;  // largest |coefficient| * scale per power of t, rounded up
-  bool anchored = false;  // doubles about a time of their own are kept for every motion, too
+  bool anchored = false;  // every motion is also kept as doubles in t - anchor (MotionStore::set)
 };
 NumberModel choose_number_model(const Scene& scene, const NumberNeeds& needs);
 
-// Coefficient of t^k on axis a at [a * (degree + 1) + k] of an object's numbers.
-// A motion that the model does not cover (given at run time) is kept as big integers, unless it is
-// zero. Doubles are in rows; all zero motions share the first one.
+// An object's numbers are its coefficients: that of t^k on axis a is at [a * (degree + 1) + k].
+// A motion that the model does not cover (one given at run time) is kept as big integers, unless it
+// is zero. Balls are kept in rows; all zero motions share the first row.
 class MotionStore {
  public:
   MotionStore(const NumberModel& model, std::size_t objects);
 
   // The object may be a new one. `anchor`: a time near which the motion will be evaluated.
   void set(ObjectId object, const Trajectory& trajectory, double anchor = 0);
-  // Doubles with error bounds are kept only from the first call on.
+  // From the first call on, motions are also kept as doubles with error bounds (ball(), anchored()).
   void need_balls();
 
   int degree() const { return model_.degree; }
@@ -43,8 +43,8 @@ class MotionStore {
   bool is_narrow(ObjectId object) const { return narrow_object_[object] == kNarrow; }
   // Every object that has a motion is narrow.
   bool all_narrow() const { return wide_ == 0 && model_.narrow; }
-  // Coefficients times the model's scale: integers of at most 2^52: exact, and so are
-  // differences of two. Requires is_narrow(object).
+  // Coefficients times the model's scale, integers of at most 2^52: doubles hold them and the
+  // differences of any two of them exactly. Requires is_narrow(object).
   MotionView<double> narrow(ObjectId object) const { return &narrow_[object * stride_]; }
   void prefetch(ObjectId object) const { __builtin_prefetch(&narrow_[object * stride_]); }
   // The unit of predicates (Predicate::has_unit): the model's scale, as a double and as a ball. It

@@ -34,9 +34,9 @@ struct BoundContext {
 // A count of a ledger, as an integer.
 inline Integer counted(std::uint64_t k) { return Integer(static_cast<std::int64_t>(k)); }
 
-struct BoundCheck {    // a hard bound, and what was observed
+struct BoundCheck {    // a hard bound, and the observed count
   std::string id;      // stable name, for example "sorted_list.swaps"
-  std::string source;  // of the bound, for people
+  std::string source;  // the reason of the bound, for reports
   Integer bound;
   Integer observed;
   bool holds = true;

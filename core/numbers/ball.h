@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ball: a double with a proven bound on its error, computed in round-to-nearest (no change of the
-// rounding mode, so nothing depends on what a compiler does with it).
+// Ball: a double with a proven bound on its error, computed in round-to-nearest. The rounding mode is
+// never changed, so no compiler can move an operation across a change of it.
 #ifndef KINEX_CORE_NUMBERS_BALL_H
 #define KINEX_CORE_NUMBERS_BALL_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TimeScale: the times of a file that is imported, numbers or dates.
+// TimeScale: the times of an imported file, which are numbers or dates.
 #ifndef KINEX_EXPERIMENTS_FORMATS_TIME_SCALE_H
 #define KINEX_EXPERIMENTS_FORMATS_TIME_SCALE_H
 
@@ -12,13 +12,13 @@
 
 namespace kinex::formats {
 
-// A time of an option, as it is written there: a number, or a date.
+// The value of a command-line option that is a time, as written: a number or a date.
 struct OptionTime {
   std::string option, text;
 };
 
-// All times of a file are numbers, or all are dates (iso_time.h), all of these with an offset from UTC or
-// all without. Dates are counted in seconds from the time zero: that of an option, else the first date.
+// The times of a file are either all numbers or all dates (iso_time.h); dates all have an offset from UTC,
+// or none has. Dates are counted in seconds from the time zero: that of an option, else the first date.
 class TimeScale {
  public:
   // As written: a number, or the seconds of a date since 1970. Throws InputError with `file`, `place`
@@ -29,8 +29,8 @@ class TimeScale {
   Rational read_seconds(Rational seconds);
 
   // When all times have been read: sets the time zero, and gives the number that is subtracted from
-  // every time; 0 for numbers. `zero`: that of the option; throws InputError if it is no date, or if the
-  // times are none.
+  // every time; 0 for numbers. `zero`: that of the option; throws InputError if it is not a date, or if
+  // the file's times are not dates.
   Rational settle(const std::optional<OptionTime>& zero);
   // A time of an option in the scene's time, after settle().
   Rational read(const OptionTime& option) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Traces: the events of a run with their instants, so that runs in different arithmetics can be
+// Traces: the events of a run with their instants. Traces of one scene in different arithmetics can be
 // compared event by event.
 #ifndef KINEX_EXPERIMENTS_TRADE_TRACE_H
 #define KINEX_EXPERIMENTS_TRADE_TRACE_H
@@ -56,7 +56,7 @@ class ExactRecorder final : public EventSink {
  private:
   EventNames& names_;
   RootCounters counters_;
-  std::uint64_t last_ = 0;  // the number of the instant before
+  std::uint64_t last_ = 0;  // the number of the instant recorded last
 };
 
 class InexactRecorder final : public EventSink {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The experiment "verify" of plans: its cells and studies as cells of a plan, their results as
+// `kinex verify` as a plan of the sweep: its cells and studies as cells of a plan, their results as
 // records, and back.
 #ifndef KINEX_EXPERIMENTS_VERIFY_PLANNED_H
 #define KINEX_EXPERIMENTS_VERIFY_PLANNED_H
@@ -19,12 +19,12 @@ sweep::PlanCell planned(const lab::Cell& cell, const std::optional<int>& seeds);
 // {"study": {"name": .., "quick": ..}}
 sweep::PlanCell planned(const lab::Study& study);
 
-// kFailed where a bound or an audit of a run failed, whatever else is expected of it. kLimit where
-// a run took longer than its cell allows.
+// kFailed if a bound or an audit of a run failed; its other expectations do not matter here. kLimit if a run
+// took longer than its cell allows.
 sweep::CellReport report_of(const lab::CellResult& result);
 sweep::CellReport report_of(const lab::StudyResult& result);
 
-// The runs of the record, not judged; with a check that says so where it has none. `cell`: the one
+// The runs of the record, not yet judged; if it has none, a check that states this. `cell`: the cell
 // that was run.
 lab::CellResult result_of(const sweep::Record& record, const lab::Cell& cell);
 lab::StudyResult study_of(const sweep::Record& record, const lab::Study& study);

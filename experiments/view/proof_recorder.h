@@ -18,8 +18,8 @@ namespace kinex::view {
 
 class ProofRecorder {
  public:
-  // The recording of a structure's proof ends after so many visits of certificates and groups. So
-  // pages stay small enough for browsers, and recordings end.
+  // The recording of a structure's proof ends after this many visits of certificates and groups, so
+  // that pages stay small enough for browsers and recordings end.
   static constexpr std::uint64_t kMostVisits = 30'000'000;
 
   // All arguments must outlive it. It fills in the run's things, claims and proofs.
@@ -27,8 +27,8 @@ class ProofRecorder {
                 std::uint64_t most_visits = kMostVisits)
       : scene_(scene), simulator_(simulator), run_(run), most_visits_(most_visits) {}
 
-  // The number of an object in the record: its own, or its place among the things, counted on from
-  // the objects of the scene.
+  // The number of an object in the record: its id if it is one of the scene; a derived object is
+  // numbered after those; one that got another name gets another number.
   ObjectId recorded(ObjectId id);
   // To be called after each call of the structure. Changes are attributed to `event`. `reported`:
   // the call reported an event. O(certificates), if anything may have changed.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// StageWatch: decorator of an arithmetic: forwards every call and remembers, for each certificate,
-// the stage that found its failure time and the highest stage that ordered it among other instants.
+// StageWatch: a decorator of an arithmetic. It forwards every call, and records for each certificate
+// the stage that found its failure time and the highest stage that compared it with another instant.
 #ifndef KINEX_EXPERIMENTS_VIEW_STAGE_WATCH_H
 #define KINEX_EXPERIMENTS_VIEW_STAGE_WATCH_H
 
@@ -26,7 +26,7 @@ class StageWatch : public Arithmetic {
   // The stages used for the failure time last found for this certificate; nullopt if there is none.
   std::optional<StagesUsed> stages(const Query& query) const;
 
-  // All that are bound, by PredicateId.
+  // The bound predicates, by PredicateId.
   const std::vector<std::shared_ptr<const Predicate>>& bound() const { return predicates_; }
 
   std::string name() const override { return inner_->name(); }

@@ -77,7 +77,7 @@ class CrossingLists {
 
   // The lists that have changed since forget(), as they were then; some may be what they were.
   const LineOrders& before() const { return before_; }
-  // True if two lines have become parallel identically since then, or are so no more.
+  // True if two lines have become identically parallel since then, or have ceased to be.
   bool reclassified() const { return reclassified_; }
   void forget();
 

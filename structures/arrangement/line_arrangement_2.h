@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// line_arrangement_2: the arrangement of moving lines y = a x + b, as the order of all lines by slope
+// LineArrangement2: the arrangement of moving lines y = a x + b, as the order of all lines by slope
 // and, for every line, the order in which it crosses the others from left to right. Vertices, edges
 // and faces are walks on these lists.
 //

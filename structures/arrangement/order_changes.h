@@ -32,8 +32,8 @@ struct ArrangementChange {
 };
 
 // `before` and `after` have the same keys: all lists that changed, and those of the two lines of
-// every pair whose slopes did. Nothing if the lists contradict each other, or if two lines were
-// parallel identically and are so no more, or the reverse. Linear in the lists and the changes, but
+// every pair whose slopes did. nullopt if the lists contradict each other, or if two lines are
+// identically parallel before or after, but not both. Linear in the lists and the changes, but
 // quadratic in the longest stretch of a list that has changed.
 std::optional<ArrangementChange> change_between(const LineOrders& before, const LineOrders& after);
 

@@ -53,7 +53,7 @@ class ExtentDirections final : public Structure {
  public:
   // kReplace: in a direction, or in a duel of its tournament, another object is ahead: the old one,
   // the new one. kOvertake: another extent wins a duel: high and low of the old one, then of the
-  // new one. kTie: one of both, because the two have become identically level.
+  // new one. kTie: either of these, because the two have become identically level.
   enum Kind : std::uint8_t { kReplace, kOvertake, kTie };
 
   // k >= 1. kMaximum: the diameter, in the plane or in space, where more than kMostInSpace counts as

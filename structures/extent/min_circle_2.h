@@ -11,6 +11,12 @@
 //   each triangle at it sees under                                            acute
 //   more than 90 degrees
 //
+//          c                     c          Left: no angle of abc is obtuse, so the circle is its
+//         / \                 .-' '-.       circumcircle: 3 certificates, one for each angle. Right:
+//        /   \               a-------b      the angles at c and d are obtuse, so the circle has the
+//       a-----b               '-. .-'       diameter ab: 2 certificates; 1 if ab is on the hull.
+//                                d
+//
 // The triangulation proves that the circle contains all points, the angles that none is smaller.
 // Each angle is one acute_angle_2 or obtuse_angle_2, degree 2d for motions of degree d.
 //

@@ -14,18 +14,18 @@
 //       `----.     \     .
 //             `----b
 //
-// Quality. For the least area A, the least half perimeter p and the true diameter D of the points,
-// at all times, of the rectangle that is found:
+// Quality. Let p be the least half perimeter, A the least area, and D the diameter of the points. At
+// all times the half perimeter p' or the area A' of the rectangle found satisfies
 //
 //   p <= p' <= p (k + 1) / sqrt(k^2 + 1)
 //   A <= A' <= A + 2 D^2 k / (k^2 + 1)
 //
-// The best rectangle, turned by the angle y to the nearest direction, atan(1/k) at most, has the
-// extents H cos y + W sin y and W cos y + H sin y. Beside the certificates of the extreme objects
-// k - 1. A failure renews O(log k) of them.
+// since the best rectangle (W by H), turned by the angle y <= atan(1/k) to the nearest direction, has
+// the extents H cos y + W sin y and W cos y + H sin y. The tournament has k - 1 certificates; a failure
+// renews O(log k) of them.
 //
-// Attribute. The extreme objects along the direction and against it, and along it turned by 90
-// degrees and against that; none if all points are one.
+// Attribute. The extreme objects in the direction of the best box, in the opposite one, and in both
+// turned by 90 degrees; empty if all points coincide.
 //
 // Ties. Of objects that are identically level in a direction the smallest id is extreme; of boxes
 // that are identically equal the one of the first direction counts.
@@ -51,7 +51,7 @@ class RectangleDirections final : public Structure {
  public:
   // kReplace: in a direction, or in a duel of its tournament, another object is ahead: the old one,
   // the new one. kOvertake: another box wins a duel: the four objects of the old one, then those of
-  // the new one. kTie: one of both, because the two have become identically level.
+  // the new one. kTie: either of these, because the two have become identically level.
   enum Kind : std::uint8_t { kReplace, kOvertake, kTie };
 
   // k >= 1.

@@ -2,9 +2,9 @@
 // ConeNeighbours: what octants_listed, octants_local and cones_local have in common: the woods
 // (cone_woods.h), the attribute, and its events.
 //
-// Attribute. The pairs of points of which one is next in a cone of the other, of the cones that count
-// (cone_frame.h): in octants at most 4n, among which is every closest pair. Which point is next in
-// which cone is read with next().
+// Attribute. The pairs of points of which one is next in a cone of the other, for the cones that count
+// (cone_frame.h): in octants at most 4n, among them every closest pair. next() tells which point is
+// next in which cone.
 //
 // Events. An instant changes the pointers from what they were just before to what they are just
 // after, and is reported once, when it is over: one event "point" for each pointer that differs, of

@@ -19,7 +19,7 @@ class ConeWoods {
  public:
   // a comes before b along the axis, right after now.
   using Before = std::function<bool(std::size_t axis, ObjectId a, ObjectId b)>;
-  // next(cone, p) is another one; it was `old` (kNoObject: no point).
+  // next(cone, p) has changed; it was `old` (kNoObject: no point).
   using Changed = std::function<void(std::size_t cone, ObjectId p, ObjectId old)>;
   // The points along each axis.
   using Lists = std::vector<std::vector<ObjectId>>;

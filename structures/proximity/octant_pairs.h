@@ -60,7 +60,7 @@ class PlacesAlong {
 class OctantPairs {
  public:
   using Pair = std::array<ObjectId, 2>;
-  // offered(pair, +1) when a node offers it, offered(pair, -1) when it does so no more.
+  // offered(pair, +1) when a node offers it, offered(pair, -1) when it ceases to.
   using Offered = std::function<void(const Pair&, int)>;
 
   OctantPairs(PlacesAlong alpha, PlacesAlong beta, PlacesAlong projection, std::size_t objects,

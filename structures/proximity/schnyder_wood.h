@@ -46,7 +46,7 @@ class SchnyderWood {
   static constexpr std::size_t kColours = 3;  // numbered from 0, as the orders are
   // a comes before b in an order, right after now.
   using Before = std::function<bool(std::size_t order, ObjectId a, ObjectId b)>;
-  // next(colour, p) is another one; it was `old` (kNoObject: no point).
+  // next(colour, p) has changed; it was `old` (kNoObject: no point).
   using Changed = std::function<void(std::size_t colour, ObjectId p, ObjectId old)>;
 
   // `objects`: ids are below this number.
@@ -55,7 +55,7 @@ class SchnyderWood {
   // kNoObject if there is none, or if p is no point of the wood.
   ObjectId next(std::size_t colour, ObjectId p) const { return links_[colour][p].target; }
   // The wood of these points, each order from its first one to its last one. O(n log n). Points that
-  // were not there before, or are there no more, are reported like all others.
+  // come or go are reported like all others.
   void make(const std::array<std::span<const ObjectId>, kColours>& orders);
   enum class Swap {
     kNothing,     // no pointer joins the two

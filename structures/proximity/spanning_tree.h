@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What structures for spanning trees share: Kruskal's algorithm, a bound, and the static tree for
-// audits.
+// Functions shared by the structures for spanning trees: Kruskal's algorithm, a bound, and the static
+// tree for audits.
 #ifndef KINEX_STRUCTURES_PROXIMITY_SPANNING_TREE_H
 #define KINEX_STRUCTURES_PROXIMITY_SPANNING_TREE_H
 

@@ -16,8 +16,8 @@
 // all points equal to the point with a larger id to the cone that (2, 1) is in; every other point is
 // in one cone of p, and p is in the opposite one of it.
 //
-// A pair that is identically level by its first key may be so no more after a new motion: renew the
-// certificates of moved points (KineticList::renew).
+// A pair that is identically level by its first key may cease to be level after a new motion: renew
+// the certificates of moved points (KineticList::renew).
 #ifndef KINEX_STRUCTURES_PROXIMITY_TURNED_ORDER_H
 #define KINEX_STRUCTURES_PROXIMITY_TURNED_ORDER_H
 

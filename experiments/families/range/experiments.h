@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The experiments on moving points in boxes; each source file states its question.
+// The experiments of the family range (points in query boxes), for family.cpp; each source file states
+// its question.
 #ifndef KINEX_EXPERIMENTS_FAMILIES_RANGE_EXPERIMENTS_H
 #define KINEX_EXPERIMENTS_FAMILIES_RANGE_EXPERIMENTS_H
 

@@ -103,8 +103,8 @@ struct LayeredRun {
   HistorySink sink;
 };
 
-// n points at rest on an arc on the left, m that pass one after another on the right, and each is
-// the farthest from the others for a while.
+// n points at rest on an arc on the left, and m points that pass one after another on the right; each
+// is the farthest from the others for a while.
 inline Scene see_saw(int n, int m) {
   const Rational far(10000000), bend = Rational(Integer(3), Integer(2)) / far;
   std::vector<Trajectory> t;
