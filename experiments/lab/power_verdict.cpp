@@ -75,10 +75,17 @@ void reconsider(PowerVerdict& result, std::span<const FitPoint> points, const Cl
     const std::optional<Fit> claimed = fit_given_power_with(
         nearest, law_text(claim), points, [claim](double n) { return term_of(claim, n); });
     refuted = claimed && is_improbable(*claimed);
-    if (claimed) result.observed += fmt::format("; so with {}^{:.4g}: {}", x, nearest, chi_square_text(*claimed));
+    if (claimed) {
+      result.observed +=
+          fmt::format("; with that term and {}^{:.4g}: {}", x, nearest, chi_square_text(*claimed));
+    }
   }
-  result.observed += refuted ? ", too large for chance" : ": not refuted";
-  if (!refuted) result.verdict = Verdict::kOpen;
+  if (refuted) {
+    if (fit.weighted) result.observed += ", too large for chance";
+    return;
+  }
+  result.observed += ", not refuted";
+  result.verdict = Verdict::kOpen;
 }
 
 }  // namespace
