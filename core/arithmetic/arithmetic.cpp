@@ -19,6 +19,15 @@ namespace kinex {
 
 double Arithmetic::now_rounded() { return rounded_down(now_approximate()); }
 
+void Arithmetic::fill(PredicateId, std::span<const ObjectId>, CoordinateTable& table) const {
+  table = {};
+}
+
+void Arithmetic::signs_after(PredicateId predicate, const CoordinateTable&, std::size_t,
+                             std::span<const ObjectId> first, ObjectId second, Sign* signs) {
+  for (const ObjectId object : first) *signs++ = sign_after(Query(predicate, {object, second}));
+}
+
 Outlook Arithmetic::look_ahead_in_group(std::size_t, const Query& query, double limit,
                                         FailureTime& time) {
   return limit < std::numeric_limits<double>::infinity() ? look_ahead(query, limit, time)

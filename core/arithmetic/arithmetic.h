@@ -6,6 +6,7 @@
 #ifndef KINEX_CORE_ARITHMETIC_ARITHMETIC_H
 #define KINEX_CORE_ARITHMETIC_ARITHMETIC_H
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "core/arithmetic/arithmetic_counters.h"
+#include "core/arithmetic/coordinate_table.h"
 #include "core/arithmetic/number_needs.h"
 #include "core/arithmetic/predicate.h"
 #include "core/arithmetic/query.h"
@@ -93,6 +95,15 @@ class Arithmetic {
   // In an inexact arithmetic the certificate whose failure is being handled is negative and its
   // opposite positive, wherever the root was rounded to.
   virtual Sign sign_after(const Query& query) = 0;
+  // Copies of the motions of these objects, for signs_after() of this predicate of two objects, in
+  // their order. They are valid until one of the objects gets another motion. An arithmetic that
+  // gains nothing by them leaves the table empty.
+  virtual void fill(PredicateId predicate, std::span<const ObjectId> objects,
+                    CoordinateTable& table) const;
+  // The signs of the predicate over (first[i], second), into signs[i]. `first` are objects of the
+  // table from the one at `place` on. Answers and counters are those of separate calls.
+  virtual void signs_after(PredicateId predicate, const CoordinateTable& table, std::size_t place,
+                           std::span<const ObjectId> first, ObjectId second, Sign* signs);
   // The first instant >= now right after which the value is negative. `time` is filled for kFails
   // and kFailsNow and else set to never.
   virtual Outlook failure(const Query& query, FailureTime& time) = 0;

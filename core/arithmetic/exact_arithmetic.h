@@ -10,7 +10,8 @@
 //              (Predicate::reach_error) times the reach of the points.
 //              Other scenes: doubles with running error bounds.
 //              Signs of linear forms (linear_form.h) are first tried without the polynomial, and
-//              those of differences of coordinates (coordinate_difference.h) without a formula.
+//              those of differences of coordinates (coordinate_difference.h) without a formula; many
+//              of these from a table of floats (coordinate_table.h).
 //              Groups of queries (begin_group): the polynomials and the first step of the filter
 //              are computed for all of them side by side (exact_arithmetic_group.cpp); every result
 //              is bit for bit that of a single query.
@@ -58,6 +59,10 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   double now_rounded() override;
   const InstantName& name_now(InstantDetail detail) override;
   Sign sign_after(const Query& query) override;
+  void fill(PredicateId predicate, std::span<const ObjectId> objects,
+            CoordinateTable& table) const override;
+  void signs_after(PredicateId predicate, const CoordinateTable& table, std::size_t place,
+                   std::span<const ObjectId> first, ObjectId second, Sign* signs) override;
   Sign sign_now(const Query& query) override;
   Outlook failure(const Query& query, FailureTime& time) override;
   Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;
@@ -143,6 +148,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   bool approximate(const Query& query, Stage stage, Approximation& p) const;
   void approximate_shifted(const Query& query, Approximation& p) const;
   bool approximate_difference(const Query& query, Approximation& p) const;
+  Ball coefficient(ObjectId object, int axis, int power) const;
   std::optional<double> shift_from_anchor(const Query& query) const;
   void update_origin();
   bool shift_is_exact(double origin, double step) const;

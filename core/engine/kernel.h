@@ -58,6 +58,16 @@ class Kernel {
     poll();
     return arithmetic_->sign_after(query);
   }
+  // Copies of motions, and many signs by them: as in Arithmetic.
+  void fill(PredicateId predicate, std::span<const ObjectId> objects,
+            CoordinateTable& table) const {
+    arithmetic_->fill(predicate, objects, table);
+  }
+  void signs_after(PredicateId predicate, const CoordinateTable& table, std::size_t place,
+                   std::span<const ObjectId> first, ObjectId second, Sign* signs) {
+    poll();
+    arithmetic_->signs_after(predicate, table, place, first, second, signs);
+  }
   // The sign right after now, or at now itself. Only exact arithmetics have the sign at now; in
   // others kNow is the sign right after now.
   bool tells_sign_now() const { return sign_now_ != nullptr; }

@@ -248,6 +248,19 @@ const BoundCheck* event_bound(const Measurement& measurement) {
   return nullptr;
 }
 
+std::optional<Integer> bound_on_processed(const Measurement& measurement) {
+  const Integer processed = counted(measurement.count_of("processed"));
+  Integer bound(0), observed(0);
+  for (const BoundCheck& check : measurement.bounds) {
+    if (!is_of_events(check.id)) continue;
+    if (check.observed == processed) return check.bound;
+    bound += check.bound;
+    observed += check.observed;
+    if (observed == processed) return bound;
+  }
+  return std::nullopt;
+}
+
 std::string number_text(double value, int digits) {
   char text[64];
   if (value == std::floor(value) && std::fabs(value) < 1e15) {

@@ -61,6 +61,9 @@ std::vector<Check> judge(const Cell& cell, const std::vector<Trial>& trials);
 // The hard bound on the number of events, by its id (FamilyExperiments::event_bounds). nullptr if the
 // run has none.
 const BoundCheck* event_bound(const Measurement& measurement);
+// The hard bound on all processed events of the run: of one structure, or the sum of those of what it
+// reads. nullopt if what was held to bounds is not all of them.
+std::optional<Integer> bound_on_processed(const Measurement& measurement);
 
 struct StudyResult {
   std::string name;

@@ -19,7 +19,7 @@ constexpr std::size_t kFewestSizes = 3;
 
 struct Size {
   lab::FitPoint point;
-  double bound;  // lab::event_bound; 0: none
+  double bound;  // on the events that are drawn; 0: none
 };
 struct Family {
   std::string name;
@@ -49,9 +49,9 @@ struct Family {
 double least_bound(const lab::CellResult& cell) {
   double least = 0;
   for (const lab::Trial& trial : cell.trials) {
-    const BoundCheck* bound = lab::event_bound(trial.measurement);
-    if (bound == nullptr) return 0;
-    const double value = bound->bound.to_double();
+    const std::optional<Integer> bound = lab::bound_on_processed(trial.measurement);
+    if (!bound) return 0;
+    const double value = bound->to_double();
     least = least == 0 ? value : std::min(least, value);
   }
   return least;

@@ -153,7 +153,9 @@ Html cells_part(const VerifyResult& result, const lab::PageFacts& facts) {
   }
   return lab::note_part(
              "Events are means over the runs where there are several. " +
-             std::string(bounds ? "Bound: the hard bound on the events. " : "") +
+             std::string(bounds ? "Bound: the hard bound on the events (where there is none on all of them, "
+                                  "on those of one structure). "
+                                : "") +
              "exact/double: CPU time of the simulation on the first scene; \"differs\": doubles "
              "handled other events, so times say nothing; \"-\": too short to be measured. A click on "
              "a cell's checks shows them with its seeds, scene and commands.") +

@@ -67,7 +67,11 @@ CellRow cell_row(const lab::CellResult& cell) {
   if (cell.cell.axis.is_objects()) row.n = std::to_string(first.objects);
   row.external = mean_count(cell, "external");
   row.internal = mean_count(cell, "internal");
-  if (const BoundCheck* bound = lab::event_bound(first)) row.bound = bound->bound.to_string();
+  if (const auto bound = lab::bound_on_processed(first)) {
+    row.bound = bound->to_string();
+  } else if (const BoundCheck* some = lab::event_bound(first)) {
+    row.bound = some->bound.to_string();
+  }
   row.observed = mean_count(cell, "processed");
   if (!cell.cell.expectations.empty()) {
     row.expected = cell.checks.front().expected;

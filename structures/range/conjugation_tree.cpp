@@ -10,54 +10,59 @@
 
 namespace kinex {
 
-ConjugationTree::ConjugationTree(const DualPoints& points, std::vector<ObjectId> objects)
-    : axis_(points.axis()), order_(std::move(objects)) {
-  merge_sort(order_, [&](ObjectId a, ObjectId b) { return points.precedes(a, b); });
-  ObjectId most = 0;
-  for (const ObjectId object : order_) most = std::max(most, object);
-  std::vector<std::uint32_t> rank(order_.empty() ? 0 : most + std::size_t{1});
-  for (std::size_t i = 0; i < order_.size(); ++i) rank[order_[i]] = static_cast<std::uint32_t>(i);
-  nodes_.push_back({0, static_cast<std::uint32_t>(order_.size()), 0, 0, 0, kRoot});
-  // The first line separates small slopes from large ones.
-  if (order_.size() > kLeaf) halve(kRoot, points);
-  for (Ref at = 0; at < nodes_.size(); ++at) {
-    if (!is_leaf(at)) make_chains(at, points, rank);
+ConjugationTrees::Ref ConjugationTrees::add(std::span<const ObjectId> objects) {
+  std::vector<ObjectId> sorted(objects.begin(), objects.end());
+  merge_sort(sorted, [&](ObjectId a, ObjectId b) { return points_->precedes(a, b); });
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (rank_.size() <= sorted[i]) rank_.resize(sorted[i] + std::size_t{1});
+    rank_[sorted[i]] = static_cast<std::uint32_t>(i);
   }
+  const auto first = static_cast<std::uint32_t>(order_.size());
+  order_.insert(order_.end(), sorted.begin(), sorted.end());
+  const Ref root = nodes();
+  nodes_.push_back({first, static_cast<std::uint32_t>(order_.size()), 0, 0, 0, kNone});
+  // The first line separates small slopes from large ones.
+  if (sorted.size() > kLeaf) halve(root);
+  for (Ref at = root; at < nodes(); ++at) {
+    if (!is_leaf(at)) make_chains(at);
+  }
+  return root;
+}
+
+void ConjugationTrees::finish() {
+  rank_ = {};
+  points_->fill(order_, in_order_);
+  points_->fill(chains_, in_chains_);
 }
 
 // The objects of the node are in two halves. Makes nodes of these, halves both by a common line, and
 // goes on below.
-void ConjugationTree::halve(Ref node, const DualPoints& points) {
+void ConjugationTrees::halve(Ref node) {
   const Node whole = nodes_[node];
   const auto half = static_cast<std::uint32_t>(first_half(whole.end - whole.first));
   const std::uint32_t middle = whole.first + half;
-  const auto fresh = static_cast<Ref>(nodes_.size());
+  const Ref fresh = nodes();
   nodes_[node].below = fresh;
-  nodes_.push_back({whole.first, middle, 0, 0, 0, kRoot});
-  nodes_.push_back({middle, whole.end, 0, 0, 0, kRoot});
+  nodes_.push_back({whole.first, middle, 0, 0, 0, kNone});
+  nodes_.push_back({middle, whole.end, 0, 0, 0, kNone});
   if (half <= kLeaf) return;
   const std::span<ObjectId> objects(order_);
-  halve_both(points, objects.subspan(whole.first, half),
+  halve_both(*points_, objects.subspan(whole.first, half),
              objects.subspan(middle, whole.end - middle));
-  halve(fresh, points);
-  halve(fresh + 1, points);
+  halve(fresh);
+  halve(fresh + 1);
 }
 
 // The lower and the upper chain of the convex hull, strict vertices only.
-void ConjugationTree::make_chains(Ref node, const DualPoints& points,
-                                  const std::vector<std::uint32_t>& rank) {
-  std::vector<Vertex> by_slope;
-  for (std::uint32_t place = nodes_[node].first; place < nodes_[node].end; ++place) {
-    by_slope.push_back({order_[place], place});
-  }
+void ConjugationTrees::make_chains(Ref node) {
+  std::vector<ObjectId> by_slope(objects(node).begin(), objects(node).end());
   std::sort(by_slope.begin(), by_slope.end(),
-            [&](const Vertex& a, const Vertex& b) { return rank[a.object] < rank[b.object]; });
+            [&](ObjectId a, ObjectId b) { return rank_[a] < rank_[b]; });
   const auto add = [&](bool is_upper) {
     const std::size_t begin = chains_.size();
-    for (const Vertex& next : by_slope) {
+    for (const ObjectId next : by_slope) {
       while (chains_.size() >= begin + 2) {
-        const Sign turn =
-            points.turn(chains_[chains_.size() - 2].object, chains_.back().object, next.object);
+        const Sign turn = points_->turn(chains_[chains_.size() - 2], chains_.back(), next);
         if (turn == (is_upper ? Sign::kNegative : Sign::kPositive)) break;
         chains_.pop_back();
       }
@@ -70,92 +75,99 @@ void ConjugationTree::make_chains(Ref node, const DualPoints& points,
   nodes_[node].stop = static_cast<std::uint32_t>(chains_.size());
 }
 
-// Along the lower chain coordinates fall, then rise.
-ConjugationTree::Vertex ConjugationTree::least(Ref node, BoxAt& box) const {
-  std::uint32_t from = nodes_[node].lower, to = nodes_[node].upper - 1;
+// The place of the vertex that is extreme towards a side. Along the lower chain coordinates fall, then
+// rise; along the upper one they rise, then fall.
+std::uint32_t ConjugationTrees::extreme(BoxAt& box, BoxAt::Side side, std::uint32_t from,
+                                        std::uint32_t end) const {
+  const std::uint32_t low = side == BoxAt::Side::kLow ? 1 : 0;
+  std::uint32_t to = end - 1;
   while (from < to) {
     const std::uint32_t middle = (from + to) / 2;
-    if (box.precedes(axis_, chains_[middle + 1].object, chains_[middle].object)) {
+    if (box.precedes(axis(), chains_[middle + low], chains_[middle + 1 - low])) {
       from = middle + 1;
     } else {
       to = middle;
     }
   }
-  return chains_[from];
+  return from;
 }
 
-ConjugationTree::Vertex ConjugationTree::largest(Ref node, BoxAt& box) const {
-  std::uint32_t from = nodes_[node].upper, to = nodes_[node].stop - 1;
-  while (from < to) {
-    const std::uint32_t middle = (from + to) / 2;
-    if (box.precedes(axis_, chains_[middle].object, chains_[middle + 1].object)) {
-      from = middle + 1;
-    } else {
-      to = middle;
-    }
-  }
-  return chains_[from];
-}
-
-NodePlace ConjugationTree::place(Ref node, BoxAt& box, Seen& seen) const {
+// Of the chain with the vertices that are extreme towards the side `chain`: the lower one for the low
+// side. Of a long chain that vertex alone.
+ConjugationTrees::Out ConjugationTrees::out_of(Ref node, BoxAt& box, BoxAt::Side side,
+                                               BoxAt::Side chain) const {
   const Node& there = nodes_[node];
-  const auto is_here = [&there](const Vertex& v) {
-    return there.first <= v.place && v.place < there.end;
-  };
-  // Those of the node above: the one is before a low side that is crossed and not beyond a high one,
-  // the other is beyond a high side that is crossed and not before a low one.
-  const bool knows_least = is_here(seen.least), knows_largest = is_here(seen.largest);
-  bool has_least = knows_least, has_largest = knows_largest;
-  const auto least = [&] {
-    if (!has_least) seen.least = this->least(node, box);
-    has_least = true;
-    return seen.least.object;
-  };
-  const auto largest = [&] {
-    if (!has_largest) seen.largest = this->largest(node, box);
-    has_largest = true;
-    return seen.largest.object;
-  };
-  if (seen.low) {
-    seen.low = knows_least || box.is_below(axis_, least());
-    if (seen.low && !knows_largest && box.is_below(axis_, largest())) return NodePlace::kOutside;
+  const bool lower = chain == BoxAt::Side::kLow;
+  std::uint32_t from = lower ? there.lower : there.upper;
+  std::uint32_t end = lower ? there.upper : there.stop;
+  if (end - from > kShort) {
+    from = extreme(box, chain, from, end);
+    end = from + 1;
   }
-  if (seen.high) {
-    seen.high = knows_largest || box.is_beyond(axis_, largest());
-    if (seen.high && !knows_least && box.is_beyond(axis_, least())) return NodePlace::kOutside;
+  std::array<Sign, kShort> signs;
+  const std::size_t size = end - from;
+  box.compare(axis(), side, in_chains_, from, {chains_.data() + from, size}, signs.data());
+  Out out{false, true};
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool is_out = BoxAt::is_out(side, signs[i]);
+    out.some = out.some || is_out;
+    out.all = out.all && is_out;
+  }
+  return out;
+}
+
+NodePlace ConjugationTrees::place(Ref node, BoxAt& box, Seen& seen) const {
+  for (const BoxAt::Side side : {BoxAt::Side::kLow, BoxAt::Side::kHigh}) {
+    bool& is_crossed = seen.of(side);
+    if (!is_crossed) continue;
+    is_crossed = out_of(node, box, side, side).some;
+    if (is_crossed && out_of(node, box, side, BoxAt::opposite(side)).all) {
+      return NodePlace::kOutside;
+    }
   }
   return seen.decided() ? NodePlace::kInside : NodePlace::kCrossed;
 }
 
-std::uint64_t ConjugationTree::search(BoxAt& box, std::vector<ObjectId>& out,
-                                      QueryTrace* trace) const {
+void ConjugationTrees::mark_out(Ref leaf, BoxAt& box, int axis, Seen seen,
+                                const CoordinateTable& table, Marks& out) const {
+  const std::span<const ObjectId> all = objects(leaf);
+  std::array<Sign, kLeaf> signs;
+  for (const BoxAt::Side side : {BoxAt::Side::kLow, BoxAt::Side::kHigh}) {
+    if (!seen.of(side)) continue;
+    box.compare(axis, side, table, first_place(leaf), all, signs.data());
+    for (std::size_t i = 0; i < all.size(); ++i) out[i] = out[i] || BoxAt::is_out(side, signs[i]);
+  }
+}
+
+std::uint64_t ConjugationTrees::search(Ref root, BoxAt& box, std::vector<ObjectId>& out,
+                                       QueryTrace* trace) const {
   std::uint64_t looked_at = 0;
-  std::vector<std::pair<Ref, Seen>> open{{kRoot, {}}};
+  OpenNodes open;
+  open.push(root, {});
   while (!open.empty()) {
-    auto [at, seen] = open.back();
-    open.pop_back();
+    auto [at, seen] = open.pop();
     ++looked_at;
     if (is_leaf(at)) {
       add_to(trace, at, NodePlace::kCrossed);
-      for (const ObjectId object : objects(at)) {
-        ++looked_at;
-        if (seen.holds(box, axis_, object)) out.push_back(object);
-      }
+      looked_at += objects(at).size();
+      Marks marks{};
+      mark_out(at, box, axis(), seen, in_order_, marks);
+      add_unmarked(at, marks, out);
       continue;
     }
     const NodePlace there = place(at, box, seen);
     add_to(trace, at, there);
     if (there == NodePlace::kInside) out.insert(out.end(), objects(at).begin(), objects(at).end());
     if (there != NodePlace::kCrossed) continue;
-    open.emplace_back(below(at, 1), seen);
-    open.emplace_back(below(at, 0), seen);
+    open.push(below(at, 1), seen);
+    open.push(below(at, 0), seen);
   }
   return looked_at;
 }
 
 // What one line makes a search look at below a node of m points that it crosses. Of the four nodes
 // two levels below it misses one, which is looked at but not searched.
-std::uint64_t ConjugationTree::most_looked_at(std::uint64_t n) {
+std::uint64_t ConjugationTrees::most_looked_at(std::uint64_t n) {
   if (n <= kLeaf) return 1 + n;
   const std::vector<std::uint64_t> sizes = sizes_below(n);
   std::uint64_t below = 0, whole = 0, half = 0;  // of the present size, and of its half
@@ -168,32 +180,29 @@ std::uint64_t ConjugationTree::most_looked_at(std::uint64_t n) {
   return 1 + 2 * below;
 }
 
-std::vector<std::uint64_t> ConjugationTree::sizes_below(std::uint64_t n) {
+std::vector<std::uint64_t> ConjugationTrees::sizes_below(std::uint64_t n) {
   std::vector<std::uint64_t> sizes{n};
   while (sizes.back() > kLeaf) sizes.push_back(first_half(sizes.back()));
   return sizes;
 }
 
-void ConjugationTree::check(const Snapshot& now, AuditReport& report) const {
-  for (Ref at = 0; at < nodes_.size(); ++at) {
+void ConjugationTrees::check(const Snapshot& now, AuditReport& report) const {
+  for (Ref at = 1; at < nodes(); ++at) {
     if (is_leaf(at)) continue;
     const std::size_t half = objects(below(at, 0)).size();
     report.check(half == first_half(objects(at).size()) &&
                      half + objects(below(at, 1)).size() == objects(at).size(),
                  [] { return "halves of a node are not halves"; });
     const auto smaller = [&](ObjectId a, ObjectId b) {
-      return now.position(a, axis_) < now.position(b, axis_);
+      return now.position(a, axis()) < now.position(b, axis());
     };
     const auto [least, largest] =
         std::minmax_element(objects(at).begin(), objects(at).end(), smaller);
     const auto begin = chains_.begin();
     const Node& node = nodes_[at];
-    const auto is_before = [&](const Vertex& a, const Vertex& b) {
-      return smaller(a.object, b.object);
-    };
-    const auto low = std::min_element(begin + node.lower, begin + node.upper, is_before);
-    const auto high = std::max_element(begin + node.upper, begin + node.stop, is_before);
-    report.check(!smaller(*least, low->object) && !smaller(high->object, *largest),
+    const auto low = std::min_element(begin + node.lower, begin + node.upper, smaller);
+    const auto high = std::max_element(begin + node.upper, begin + node.stop, smaller);
+    report.check(!smaller(*least, *low) && !smaller(*high, *largest),
                  [&] { return "the hull of node " + std::to_string(at) + " is too small"; });
   }
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ConjugationTree: a static tree over linear motions along one axis: which coordinates are in an
+// ConjugationTrees: static trees over linear motions along one axis: which coordinates are in an
 // interval, at any time. In the dual plane (dual_points.h): which points are in a strip.
 //
 // A node of more than kLeaf points halves them by a line, and both of its halves are halved by one
 // common line (halving_line.h). Every inner node stores the convex hull of its points as two chains:
-// its largest and its least coordinate at any time are found there by binary search.
+// its largest and its least coordinate at any time are on these. A search compares all points of a
+// leaf with a side of the interval at once, and all vertices of a chain, unless it is long. Their
+// motions are side by side in tables (coordinate_table.h), and all trees share their memory: what a
+// search waits for is memory.
 //
 //      A1 \ | B1         a line that cuts neither of the two lines in their crossing misses one of
 //    ------\|-------     A1, A2, B1, B2. So of n points a line crosses F(n) = F(n/2) + F(n/4) + 2
@@ -18,12 +21,17 @@
 #ifndef KINEX_STRUCTURES_RANGE_CONJUGATION_TREE_H
 #define KINEX_STRUCTURES_RANGE_CONJUGATION_TREE_H
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "core/arithmetic/coordinate_table.h"
 #include "core/engine/audit.h"
+#include "core/numbers/big_array.h"
 #include "structures/parts/query_trace.h"
 #include "structures/range/dual_points.h"
 
@@ -32,47 +40,62 @@ namespace kinex {
 // Positions at one time, and a box.
 class BoxAt {
  public:
+  enum class Side : std::uint8_t { kLow, kHigh };
+
   virtual ~BoxAt() = default;
   // The coordinate of a is smaller than that of b.
   virtual bool precedes(int axis, ObjectId a, ObjectId b) = 0;
-  virtual bool is_below(int axis, ObjectId object) = 0;   // before the low side of the box
-  virtual bool is_beyond(int axis, ObjectId object) = 0;  // after the high side
-  bool holds(int axis, ObjectId object) {
-    return !is_below(axis, object) && !is_beyond(axis, object);
+  // Of each object: the sign of the side's coordinate minus its own. The objects are those of the
+  // table from `place` on.
+  virtual void compare(int axis, Side side, const CoordinateTable& table, std::size_t place,
+                       std::span<const ObjectId> objects, Sign* signs) = 0;
+
+  // By that sign, an object is out of the box: before its low side, or after its high side.
+  static bool is_out(Side side, Sign sign) {
+    return sign == (side == Side::kLow ? Sign::kPositive : Sign::kNegative);
   }
+  static Side opposite(Side side) { return side == Side::kLow ? Side::kHigh : Side::kLow; }
 };
 
-class ConjugationTree {
+// The sides of the box that may have points of a node on both of their sides.
+struct CrossedSides {
+  bool low = true, high = true;
+  bool decided() const { return !low && !high; }
+  bool& of(BoxAt::Side side) { return side == BoxAt::Side::kLow ? low : high; }
+};
+
+class ConjugationTrees {
  public:
-  static constexpr std::size_t kLeaf = 8;  // the most points of a leaf
+  static constexpr std::size_t kLeaf = 32;  // the most points of a leaf
+  // A chain of more vertices is searched.
+  static constexpr std::size_t kShort = 48;
   using Ref = std::uint32_t;
-  static constexpr Ref kRoot = 0;
+  static constexpr Ref kNone = 0;
+  using Seen = CrossedSides;
 
-  // A vertex of a chain.
-  struct Vertex {
-    ObjectId object = kNoObject;
-    std::uint32_t place = 0xffffffffu;  // in the order of the leaves
-  };
-  // What is known of a node: the sides of the box that may have points of it on both of their
-  // sides, and, once it is crossed, its extreme points. Of two halves one has the least point of
-  // their node, which is before the low side if that is crossed, and not beyond the high side.
-  struct Seen {
-    bool low = true, high = true;
-    Vertex least, largest;
-    bool decided() const { return !low && !high; }
-    // An object of the node, without signs that are known.
-    bool holds(BoxAt& box, int axis, ObjectId object) const {
-      return !(low && box.is_below(axis, object)) && !(high && box.is_beyond(axis, object));
-    }
+  // Nodes that a search has to look at, the latest first. Each is replaced by two below it, so there
+  // is room for a tree of any depth.
+  class OpenNodes {
+   public:
+    bool empty() const { return size_ == 0; }
+    void push(Ref node, Seen seen) { nodes_[size_++] = {node, seen}; }
+    std::pair<Ref, Seen> pop() { return nodes_[--size_]; }
+
+   private:
+    std::array<std::pair<Ref, Seen>, 34> nodes_;
+    std::size_t size_ = 0;
   };
 
-  // Of these objects. Requires linear motions.
-  ConjugationTree(const DualPoints& points, std::vector<ObjectId> objects);
+  explicit ConjugationTrees(const DualPoints& points) : points_(&points) {}
 
-  int axis() const { return axis_; }
-  std::size_t size() const { return order_.size(); }
-  std::size_t nodes() const { return nodes_.size(); }
-  bool is_leaf(Ref node) const { return nodes_[node].below == kRoot; }
+  // A tree of these objects; returns its root. Requires linear motions.
+  Ref add(std::span<const ObjectId> objects);
+  // Call it after the last add() and before the first search.
+  void finish();
+
+  int axis() const { return points_->axis(); }
+  Ref nodes() const { return static_cast<Ref>(nodes_.size()); }  // of all trees, numbered from 1
+  bool is_leaf(Ref node) const { return nodes_[node].below == kNone; }
   // The two halves of an inner node are neighbours.
   Ref below(Ref node, std::size_t half) const {
     return nodes_[node].below + static_cast<Ref>(half);
@@ -80,13 +103,32 @@ class ConjugationTree {
   std::span<const ObjectId> objects(Ref node) const {
     return {order_.data() + nodes_[node].first, order_.data() + nodes_[node].end};
   }
+  // The objects of all trees, and the places of a node's among them.
+  std::span<const ObjectId> order() const { return order_; }
+  std::size_t first_place(Ref node) const { return nodes_[node].first; }
+  const CoordinateTable& table() const { return in_order_; }
   // Where an inner node is. `seen` is what is known of the node above, which is crossed (at the root:
-  // nothing), and then of this one. Where a half has an extreme point of its node, that takes no
-  // signs.
+  // nothing), and then of this one.
   NodePlace place(Ref node, BoxAt& box, Seen& seen) const;
-  // Appends the objects in the interval of this axis, and the nodes looked at to `trace`, if there
-  // is one. Returns the number of nodes looked at and points tested.
-  std::uint64_t search(BoxAt& box, std::vector<ObjectId>& out, QueryTrace* trace) const;
+  // Which objects of a leaf are out of the box on an axis? Sets these in `out`; `table` has the motions
+  // along that axis at the places of these trees.
+  using Marks = std::array<bool, kLeaf>;
+  void mark_out(Ref leaf, BoxAt& box, int axis, Seen seen, const CoordinateTable& table,
+                Marks& out) const;
+  // Appends the objects of a tree in the interval of this axis, and the nodes looked at to `trace`, if
+  // there is one. Returns the number of nodes looked at and points tested.
+  std::uint64_t search(Ref root, BoxAt& box, std::vector<ObjectId>& out, QueryTrace* trace) const;
+  bool has_unmarked(Ref leaf, const Marks& marks) const {
+    const auto end = marks.begin() + static_cast<std::ptrdiff_t>(objects(leaf).size());
+    return std::find(marks.begin(), end, false) != end;
+  }
+  // Appends the objects of a leaf that are not marked.
+  void add_unmarked(Ref leaf, const Marks& marks, std::vector<ObjectId>& out) const {
+    const std::span<const ObjectId> all = objects(leaf);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!marks[i]) out.push_back(all[i]);
+    }
+  }
   // Appends a node that a query looks at. Those of leaves are crossed.
   void add_to(QueryTrace* trace, Ref node, NodePlace place) const {
     if (trace == nullptr) return;
@@ -101,25 +143,31 @@ class ConjugationTree {
   void check(const Snapshot& now, AuditReport& report) const;
   std::size_t bytes() const {
     return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(ObjectId) +
-           chains_.capacity() * sizeof(Vertex);
+           chains_.capacity() * sizeof(ObjectId) + in_order_.bytes() + in_chains_.bytes();
   }
 
  private:
   struct Node {
     std::uint32_t first = 0, end = 0;              // its objects in order_
     std::uint32_t lower = 0, upper = 0, stop = 0;  // its chains in chains_, by slope
-    Ref below = kRoot;                             // kRoot: a leaf
+    Ref below = kNone;                             // kNone: a leaf
+  };
+  // Some vertices of a chain are out of the box on a side, or all are.
+  struct Out {
+    bool some, all;
   };
 
-  void halve(Ref node, const DualPoints& points);
-  void make_chains(Ref node, const DualPoints& points, const std::vector<std::uint32_t>& rank);
-  Vertex least(Ref node, BoxAt& box) const;
-  Vertex largest(Ref node, BoxAt& box) const;
+  void halve(Ref node);
+  void make_chains(Ref node);
+  Out out_of(Ref node, BoxAt& box, BoxAt::Side side, BoxAt::Side chain) const;
+  std::uint32_t extreme(BoxAt& box, BoxAt::Side side, std::uint32_t from, std::uint32_t end) const;
 
-  int axis_;
-  std::vector<Node> nodes_;
-  std::vector<ObjectId> order_;  // by leaves
-  std::vector<Vertex> chains_;   // of inner nodes
+  const DualPoints* points_;
+  BigArray<Node> nodes_ = BigArray<Node>(1);  // the first one is none
+  BigArray<ObjectId> order_;    // by leaves
+  BigArray<ObjectId> chains_;   // of inner nodes
+  CoordinateTable in_order_, in_chains_;
+  std::vector<std::uint32_t> rank_;  // while trees are added: by slope, of the objects of the last one
 };
 
 }  // namespace kinex

@@ -14,6 +14,8 @@
 #ifndef KINEX_STRUCTURES_RANGE_DUAL_POINTS_H
 #define KINEX_STRUCTURES_RANGE_DUAL_POINTS_H
 
+#include <span>
+
 #include "core/engine/kernel.h"
 
 namespace kinex {
@@ -30,6 +32,10 @@ class DualPoints {
   bool is_left(ObjectId a, ObjectId b, ObjectId c) const;
   // The sign of the turn a, b, c of the points as they are.
   Sign turn(ObjectId a, ObjectId b, ObjectId c) const;
+  // Copies of the motions of these objects (Kernel::fill).
+  void fill(std::span<const ObjectId> objects, CoordinateTable& table) const {
+    kernel_->fill(order_, objects, table);
+  }
   // The points coincide.
   bool same(ObjectId a, ObjectId b) const;
 

@@ -19,17 +19,21 @@ class BoxAfterNow final : public BoxAt {
               std::uint64_t& signs)
       : kernel_(kernel), orders_(orders), low_(low), high_(high), signs_(signs) {}
 
-  bool precedes(int axis, ObjectId a, ObjectId b) override { return sign(axis, a, b); }
-  bool is_below(int axis, ObjectId object) override { return sign(axis, object, low_); }
-  bool is_beyond(int axis, ObjectId object) override { return sign(axis, high_, object); }
+  bool precedes(int axis, ObjectId a, ObjectId b) override {
+    ++signs_;
+    return kernel_.sign_after(order(axis), {a, b}) == Sign::kPositive;
+  }
+  void compare(int axis, Side side, const CoordinateTable& table, std::size_t place,
+               std::span<const ObjectId> objects, Sign* signs) override {
+    signs_ += objects.size();
+    const ObjectId corner = side == Side::kLow ? low_ : high_;
+    kernel_.signs_after(order(axis), table, place, objects, corner, signs);
+  }
   // The box has no points because its low side is beyond its high side.
-  bool is_empty() { return sign(0, high_, low_) || sign(1, high_, low_); }
+  bool is_empty() { return precedes(0, high_, low_) || precedes(1, high_, low_); }
 
  private:
-  bool sign(int axis, ObjectId a, ObjectId b) {
-    ++signs_;
-    return kernel_.sign_after(orders_[static_cast<std::size_t>(axis)], {a, b}) == Sign::kPositive;
-  }
+  PredicateId order(int axis) const { return orders_[static_cast<std::size_t>(axis)]; }
 
   Kernel& kernel_;
   const std::array<PredicateId, 2>& orders_;
@@ -39,23 +43,23 @@ class BoxAfterNow final : public BoxAt {
 
 }  // namespace
 
-// As ConjugationTree::most_looked_at: below a primary node that a line crosses are nodes that it
+// As ConjugationTrees::most_looked_at: below a primary node that a line crosses are nodes that it
 // crosses, too, or that are inside with their secondary trees, or outside.
 std::uint64_t TrajectoryTree::most_looked_at(std::uint64_t n) {
-  if (n <= ConjugationTree::kLeaf) return 1 + n;
-  const std::vector<std::uint64_t> sizes = ConjugationTree::sizes_below(n);
+  if (n <= ConjugationTrees::kLeaf) return 1 + n;
+  const std::vector<std::uint64_t> sizes = ConjugationTrees::sizes_below(n);
   std::uint64_t below = 0, half = 0;  // of the present size, and of its half
   for (std::size_t i = sizes.size() - 1; i-- > 0;) {
     std::uint64_t whole = 2 + sizes[i];
     if (i + 2 < sizes.size()) {
-      const std::uint64_t inside = ConjugationTree::most_looked_at(sizes[i + 1]);
+      const std::uint64_t inside = ConjugationTrees::most_looked_at(sizes[i + 1]);
       const std::uint64_t crossed =
-          i + 3 == sizes.size() ? below : 2 + half + ConjugationTree::most_looked_at(sizes[i + 2]);
+          i + 3 == sizes.size() ? below : 2 + half + ConjugationTrees::most_looked_at(sizes[i + 2]);
       whole = 2 + below + std::max(inside, crossed);
     }
     half = std::exchange(below, whole);
   }
-  return 1 + std::max(ConjugationTree::most_looked_at(n), 2 * below);
+  return 1 + std::max(ConjugationTrees::most_looked_at(n), 2 * below);
 }
 
 TrajectoryTree::TrajectoryTree(Kernel& kernel, StructureId, const Scene& scene)
@@ -85,42 +89,46 @@ void TrajectoryTree::erase(ObjectId object) {
 }
 
 std::unique_ptr<const TrajectoryTree::Forest> TrajectoryTree::made() const {
-  auto forest = std::make_unique<Forest>(Forest{ConjugationTree(points_[0], objects_), {}});
-  const ConjugationTree& by_x = forest->by_x;
-  forest->by_y.resize(by_x.nodes());
-  for (ConjugationTree::Ref at = 0; at < by_x.nodes(); ++at) {
-    if (by_x.is_leaf(at)) continue;
-    const std::span<const ObjectId> objects = by_x.objects(at);
-    forest->by_y[at] = std::make_unique<ConjugationTree>(
-        points_[1], std::vector<ObjectId>(objects.begin(), objects.end()));
+  auto forest = std::make_unique<Forest>(
+      Forest{ConjugationTrees(points_[0]), ConjugationTrees(points_[1]), 0, {}, {}});
+  ConjugationTrees& by_x = forest->by_x;
+  forest->root = by_x.add(objects_);
+  by_x.finish();
+  points_[1].fill(by_x.order(), forest->y);
+  forest->below.assign(by_x.nodes(), ConjugationTrees::kNone);
+  for (ConjugationTrees::Ref at = forest->root; at < by_x.nodes(); ++at) {
+    if (!by_x.is_leaf(at)) forest->below[at] = forest->by_y.add(by_x.objects(at));
   }
+  forest->by_y.finish();
   return forest;
 }
 
 std::uint64_t TrajectoryTree::search(const Forest& forest, BoxAt& box, std::vector<ObjectId>& out,
                                      QueryTrace* trace) {
-  using Ref = ConjugationTree::Ref;
-  const ConjugationTree& by_x = forest.by_x;
+  const ConjugationTrees& by_x = forest.by_x;
   std::uint64_t looked_at = 0;
-  std::vector<std::pair<Ref, ConjugationTree::Seen>> open{{ConjugationTree::kRoot, {}}};
+  ConjugationTrees::OpenNodes open;
+  open.push(forest.root, {});
   while (!open.empty()) {
-    auto [at, seen] = open.back();
-    open.pop_back();
+    auto [at, seen] = open.pop();
     ++looked_at;
     if (by_x.is_leaf(at)) {
       by_x.add_to(trace, at, NodePlace::kCrossed);
-      for (const ObjectId object : by_x.objects(at)) {
-        ++looked_at;
-        if (seen.holds(box, 0, object) && box.holds(1, object)) out.push_back(object);
-      }
+      looked_at += by_x.objects(at).size();
+      ConjugationTrees::Marks marks{};
+      by_x.mark_out(at, box, 0, seen, by_x.table(), marks);
+      if (by_x.has_unmarked(at, marks)) by_x.mark_out(at, box, 1, {}, forest.y, marks);
+      by_x.add_unmarked(at, marks, out);
       continue;
     }
     const NodePlace place = by_x.place(at, box, seen);
     by_x.add_to(trace, at, place == NodePlace::kInside ? NodePlace::kCrossed : place);
-    if (place == NodePlace::kInside) looked_at += forest.by_y[at]->search(box, out, trace);
+    if (place == NodePlace::kInside) {
+      looked_at += forest.by_y.search(forest.below[at], box, out, trace);
+    }
     if (place != NodePlace::kCrossed) continue;
-    open.emplace_back(by_x.below(at, 1), seen);
-    open.emplace_back(by_x.below(at, 0), seen);
+    open.push(by_x.below(at, 1), seen);
+    open.push(by_x.below(at, 0), seen);
   }
   return looked_at;
 }
@@ -170,17 +178,18 @@ void TrajectoryTree::check_invariants(AuditReport& report) const {
   report.check(looked_at_.observed <= looked_at_.bound,
                [] { return "a query looked at too many nodes"; });
   if (forest_ == nullptr) return;
-  const auto has_all = [](const ConjugationTree& tree, std::span<const ObjectId> expected) {
-    const std::span<const ObjectId> found = tree.objects(ConjugationTree::kRoot);
+  const auto has_all = [](std::span<const ObjectId> found, std::span<const ObjectId> expected) {
     return std::is_permutation(found.begin(), found.end(), expected.begin(), expected.end());
   };
-  const ConjugationTree& by_x = forest_->by_x;
-  report.check(has_all(by_x, objects_), [] { return "the tree holds other objects"; });
-  for (ConjugationTree::Ref at = 0; at < by_x.nodes(); ++at) {
-    report.check(by_x.is_leaf(at) == (forest_->by_y[at] == nullptr),
+  const ConjugationTrees &by_x = forest_->by_x, &by_y = forest_->by_y;
+  report.check(has_all(by_x.objects(forest_->root), objects_),
+               [] { return "the tree holds other objects"; });
+  for (ConjugationTrees::Ref at = forest_->root; at < by_x.nodes(); ++at) {
+    const ConjugationTrees::Ref below = forest_->below[at];
+    report.check(by_x.is_leaf(at) == (below == ConjugationTrees::kNone),
                  [] { return "a secondary tree too many or too few"; });
     if (by_x.is_leaf(at)) continue;
-    report.check(has_all(*forest_->by_y[at], by_x.objects(at)),
+    report.check(has_all(by_y.objects(below), by_x.objects(at)),
                  [] { return "a secondary tree holds other objects"; });
   }
 }
@@ -188,10 +197,8 @@ void TrajectoryTree::check_invariants(AuditReport& report) const {
 std::size_t TrajectoryTree::bytes() const {
   std::size_t sum = objects_.capacity() * sizeof(ObjectId);
   if (forest_ == nullptr) return sum;
-  sum += forest_->by_x.bytes() + forest_->by_y.capacity() * sizeof(forest_->by_y[0]);
-  for (const auto& tree : forest_->by_y) {
-    if (tree != nullptr) sum += sizeof(ConjugationTree) + tree->bytes();
-  }
+  sum += forest_->by_x.bytes() + forest_->by_y.bytes() + forest_->y.bytes() +
+         forest_->below.capacity() * sizeof(forest_->below[0]);
   return sum;
 }
 

@@ -4,7 +4,7 @@
 //
 // Certificates. None, and it reads no other structure. A coordinate of a point is a point of the dual
 // plane, and "in this interval at time t" is "in this strip" there (dual_points.h). The primary tree
-// is a ConjugationTree over the x coordinates; every inner node has a secondary one of its points
+// is a conjugation tree over the x coordinates; every inner node has a secondary one of its points
 // over their y coordinates.
 //
 //   x    all           crossed: go on below         y    ca | bd      searched with the interval of
@@ -73,8 +73,11 @@ class TrajectoryTree final : public Structure, public RangeSearch, public Traced
 
  private:
   struct Forest {
-    ConjugationTree by_x;
-    std::vector<std::unique_ptr<ConjugationTree>> by_y;  // per inner node of by_x
+    ConjugationTrees by_x;  // one tree
+    ConjugationTrees by_y;
+    ConjugationTrees::Ref root;                 // of by_x
+    std::vector<ConjugationTrees::Ref> below;   // per node of by_x: the root of its tree in by_y
+    CoordinateTable y;                          // of the objects in the order of by_x
   };
 
   std::unique_ptr<const Forest> made() const;

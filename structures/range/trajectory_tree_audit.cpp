@@ -17,11 +17,13 @@ class BoxInSnapshot final : public BoxAt {
   bool precedes(int axis, ObjectId a, ObjectId b) override {
     return now_.position(a, axis) < now_.position(b, axis);
   }
-  bool is_below(int axis, ObjectId object) override {
-    return now_.position(object, axis) < box_[static_cast<std::size_t>(axis)][0];
-  }
-  bool is_beyond(int axis, ObjectId object) override {
-    return box_[static_cast<std::size_t>(axis)][1] < now_.position(object, axis);
+  void compare(int axis, Side side, const CoordinateTable&, std::size_t,
+               std::span<const ObjectId> objects, Sign* signs) override {
+    const Rational& at = box_[static_cast<std::size_t>(axis)][side == Side::kLow ? 0 : 1];
+    for (const ObjectId object : objects) {
+      const Rational own = now_.position(object, axis);
+      *signs++ = own < at ? Sign::kPositive : at < own ? Sign::kNegative : Sign::kZero;
+    }
   }
 
  private:
@@ -41,9 +43,7 @@ void TrajectoryTree::audit(const Snapshot& snapshot, AuditReport& report) const 
   const std::unique_ptr<const Forest> fresh = forest_ == nullptr ? made() : nullptr;
   const Forest& forest = fresh != nullptr ? *fresh : *forest_;
   forest.by_x.check(snapshot, report);
-  for (const auto& tree : forest.by_y) {
-    if (tree != nullptr) tree->check(snapshot, report);
-  }
+  forest.by_y.check(snapshot, report);
   for (const ExactBox& exact : boxes_between_points(snapshot, alive, report.checks)) {
     std::vector<ObjectId> found;
     BoxInSnapshot box(snapshot, exact);

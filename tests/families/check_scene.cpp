@@ -56,13 +56,13 @@ class Lines final : public EventSink {
   // The attribute after each of its changes. Changes at what may be one instant are one: certificates
   // that fail together in `exact` (where sides are parallel, two strips on them are equally wide) fail
   // one after the other where instants are rounded.
-  std::string states() const {
-    std::string text;
+  // `first` is the attribute at the start: certificates that fail one after the other may lead away
+  // from it and back.
+  std::string states(const Attribute& first) const {
+    std::string text = "\n" + line_of(first);
     for (std::size_t i = 0; i < states_.size(); ++i) {
       const bool last = i + 1 == states_.size() || states_[i + 1].first - states_[i].first > kClose;
-      if (last && (text.empty() || !text.ends_with("\n" + states_[i].second))) {
-        text += (text.empty() ? "\n" : "") + states_[i].second;
-      }
+      if (last && !text.ends_with("\n" + states_[i].second)) text += states_[i].second;
     }
     return text;
   }
@@ -71,11 +71,13 @@ class Lines final : public EventSink {
   static constexpr double kClose = 1e-12;
 
   void note_state() {
+    states_.emplace_back(now_, line_of(simulator_->structure(asked_).attribute()));
+  }
+
+  std::string line_of(const Attribute& attribute) const {
     std::string text;
-    for (const ObjectId id : simulator_->structure(asked_).attribute().ids) {
-      text += simulator_->object_name(id) + " ";
-    }
-    states_.emplace_back(now_, text + "\n");
+    for (const ObjectId id : attribute.ids) text += simulator_->object_name(id) + " ";
+    return text + "\n";
   }
 
   std::string difference(const Event& event) const {
@@ -130,11 +132,7 @@ class Check {
       if (seen && seen->ended && arithmetic == "sturm")
         expect_same(info, arithmetic, *exact, *seen);
     }
-    // Where sides become parallel or perpendicular, the order of two rectangles on them vanishes: an
-    // inexact arithmetic does not know which one is smaller right after it.
-    const bool on_sides = info.shares.needs == 4;
     for (const std::string& arithmetic : what_.faithful) {
-      if (on_sides) continue;
       const std::optional<Seen> seen = run(scene, arithmetic, AuditLevel::kEnd);
       if (seen && seen->ended) expect_faithful(info, arithmetic, *exact, *seen);
     }
@@ -158,11 +156,13 @@ class Check {
       options.audit = audit;
       options.max_seconds = what_.max_seconds;
       const auto simulator = lab::make_simulator(scene, arithmetic, options);
-      Lines lines(*simulator, asked_structure(scene));
+      const StructureId asked = asked_structure(scene);
+      Lines lines(*simulator, asked);
       simulator->set_sink(&lines);
-      const formats::RunOutcome outcome = lab::run_scene(*simulator, {});
+      const formats::RunOutcome outcome = lab::run_scene(*simulator, {scene.start});
+      const Attribute first = outcome.samples.empty() ? Attribute{} : outcome.samples[0].values[asked];
       Seen seen{std::move(lines.all), std::move(lines.external), std::move(lines.changes),
-                lines.states(), outcome.status == RunStatus::kDone, false};
+                lines.states(first), outcome.status == RunStatus::kDone, false};
       if (!seen.ended) ++tally_.limits;
       for (StructureId id = 0; id < simulator->structures(); ++id) {
         seen.corrupt = seen.corrupt || simulator->ledger(id).corrupt;

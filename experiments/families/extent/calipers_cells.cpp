@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Questions: do the diameter, the width and the rectangles change exactly as often as counted by
-//   hand? Does the baseline report the same changes? Are all bounds kept in random motion? How many
+//   hand, and like n^2? Does the baseline report the same changes? Are all bounds kept in random motion? How many
 //   events have the calipers?
 // Source: vernier.cpp counts nm - 1 changes of the diameter, (n - 1)(m - 1) + n of the antipodal
 //   pairs, 2nm - n - m of the width and of both rectangles; (n - 1)(m - 1) + 2m pairs of edges that
-//   become perpendicular in the turned vernier.
+//   become perpendicular in the turned vernier. Its width changes twice.
 // Expected: the integers below, in every run; every hard bound, and every audit.
 // Cost: about 20 s.
 #include <string>
 #include <utility>
 
 #include "experiments/families/extent/calipers_experiments.h"
+#include "experiments/families/extent/quadratic_families.h"
 #include "experiments/families/points/random_motion.h"
 #include "experiments/lab/cell_parts.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 void add_vernier(lab::Catalogue& catalogue, const std::string& structure, int size) {
   lab::Cell cell = lab::worst_case_cell(structure, "vernier", size, 1, 0.3);
-  cell.parameters.m = size;
+  set_both_sizes(cell, size);
   cell.audit = size <= 6 ? AuditLevel::kEvents : AuditLevel::kEnd;
   cell.expectations.push_back(lab::expect_exactly(
       structure + ".vernier", "external", Integer(size * size - 1),
@@ -30,18 +31,31 @@ void add_vernier(lab::Catalogue& catalogue, const std::string& structure, int si
 // The antipodal pairs that the vernier's diameters are among.
 void add_antipodal(lab::Catalogue& catalogue, int size) {
   lab::Cell cell = lab::worst_case_cell("calipers_2", "vernier", size, 1, 0.3);
-  cell.parameters.m = size;
+  set_both_sizes(cell, size);
   cell.audit = size <= 6 ? AuditLevel::kEvents : AuditLevel::kEnd;
   cell.expectations.push_back(lab::expect_exactly(
       "calipers_2.vernier", "external", Integer((size - 1) * (size - 1) + size),
       "(n - 1)(m - 1) pairs of edges become antiparallel, and the hull changes n times"));
+  cell.expectations.push_back(
+      lab::expect_exactly("calipers_2.vernier.antiparallel", "kind.antiparallel",
+                          Integer((size - 1) * (size - 1)), "the pairs of edges of the two arcs"));
+  catalogue.cells.push_back(std::move(cell));
+}
+
+// The width in spite of them.
+void add_vernier_width(lab::Catalogue& catalogue, int size) {
+  lab::Cell cell = lab::worst_case_cell("width_2", "vernier", size, 1, 0.3);
+  set_both_sizes(cell, size);
+  cell.audit = size <= 6 ? AuditLevel::kEvents : AuditLevel::kEnd;
+  cell.expectations.push_back(lab::expect_exactly("width_2.vernier", "external", Integer(2),
+                                                  "the strip is flush with the arc at rest but twice"));
   catalogue.cells.push_back(std::move(cell));
 }
 
 // The edges that become perpendicular in the turned vernier, for a rectangle's calipers.
 void add_perpendicular(lab::Catalogue& catalogue, const std::string& structure, int size) {
   lab::Cell cell = lab::worst_case_cell(structure, "vernier-turned", size, 1, 0.5);
-  cell.parameters.m = size;
+  set_both_sizes(cell, size);
   cell.audit = size <= 6 ? AuditLevel::kEvents : AuditLevel::kEnd;
   cell.expectations.push_back(lab::expect_exactly(
       structure + ".vernier_turned", "kind.perpendicular",
@@ -52,7 +66,7 @@ void add_perpendicular(lab::Catalogue& catalogue, const std::string& structure, 
 
 void add_comb(lab::Catalogue& catalogue, const std::string& structure, int size) {
   lab::Cell cell = lab::worst_case_cell(structure, "comb", size, 1, 0.5);
-  cell.parameters.m = size;
+  set_both_sizes(cell, size);
   cell.audit = size <= 4 ? AuditLevel::kEvents : AuditLevel::kEnd;
   cell.expectations.push_back(lab::expect_exactly(
       structure + ".comb", "external", Integer(2 * size * size - 2 * size),
@@ -103,9 +117,10 @@ std::vector<lab::TradePlan> caliper_trade() {
 }
 
 void add_caliper_cells(lab::Catalogue& catalogue, lab::Extent extent) {
-  for (const int size : {2, 3, 4, 6, 8, 12}) {
-    if (size > 6 && extent == lab::Extent::kQuick) continue;
+  for (const int size : kWorstSizes) {
+    if (size > kLargestQuickSize && extent == lab::Extent::kQuick) continue;
     add_antipodal(catalogue, size);
+    add_vernier_width(catalogue, size);
     for (const char* structure : {"min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
       add_perpendicular(catalogue, structure, size);
     }
@@ -115,6 +130,20 @@ void add_caliper_cells(lab::Catalogue& catalogue, lab::Extent extent) {
     for (const char* structure : {"width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
       add_comb(catalogue, structure, size);
     }
+  }
+  const auto grows = [&](const std::string& structure, const char* workload,
+                         const char* quantity) {
+    catalogue.growths.push_back(quadratic_growth(structure, workload, quantity));
+  };
+  grows("calipers_2", "vernier", "kind.antiparallel");
+  for (const char* structure : {"min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
+    grows(structure, "vernier-turned", "kind.perpendicular");
+  }
+  for (const char* structure : {"diameter_2", "diameter_all_pairs"}) {
+    grows(structure, "vernier", "external");
+  }
+  for (const char* structure : {"width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
+    grows(structure, "comb", "external");
   }
   for (const char* structure :
        {"calipers_2", "diameter_2", "width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"}) {

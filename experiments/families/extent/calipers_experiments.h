@@ -3,9 +3,11 @@
 #ifndef KINEX_EXPERIMENTS_FAMILIES_EXTENT_CALIPERS_EXPERIMENTS_H
 #define KINEX_EXPERIMENTS_FAMILIES_EXTENT_CALIPERS_EXPERIMENTS_H
 
+#include <functional>
 #include <vector>
 
 #include "experiments/lab/cell.h"
+#include "experiments/lab/judge.h"
 #include "experiments/lab/trade_plan.h"
 #include "experiments/lab/workload.h"
 
@@ -20,6 +22,8 @@ void generate_through_point(const lab::WorkloadParameters&, Scene&);
 std::vector<lab::Workload> caliper_workloads();
 std::vector<lab::TradePlan> caliper_trade();
 void add_caliper_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// caliper_study.cpp
+lab::StudyResult study_calipers(bool quick, const std::function<bool()>& go_on);
 
 }  // namespace kinex::families
 

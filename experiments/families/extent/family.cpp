@@ -2,10 +2,12 @@
 #include "experiments/families/extent/family.h"
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "experiments/families/extent/calipers_experiments.h"
 #include "experiments/families/extent/experiments.h"
+#include "experiments/families/extent/quadratic_families.h"
 #include "experiments/families/extent/trajectory_kernel.h"
 #include "experiments/families/points/experiments.h"
 
@@ -25,7 +27,8 @@ lab::FamilyExperiments extent_experiments() {
        "a triangle with a smallest circle that changes 4 times; other points inside", 2, 2, 2,
        false, false, false, "min_circle_2", generate_obtuse_triangle, 3}};
   family.add_cells = add_extent_cells;
-  family.studies = {{"directions_2", "directions", "directions_2", study_directions}};
+  family.studies = {{"directions_2", "directions", "directions_2", study_directions},
+                    {"calipers", "diameter", "calipers_2", study_calipers}};
   const auto plan = [](std::string_view structure, std::string_view worst, int quick, int full) {
     return lab::TradePlan{structure,     2,         {12, 128}, worst,
                           {quick, full}, {16, 100}, {8, 48},   {{8, 16}, {16, 64, 256}}};
@@ -49,7 +52,11 @@ lab::FamilyExperiments extent_experiments() {
   const auto no_runs = [](bool) { return std::vector<lab::SeriesPoint>{}; };
   family.papers = {kds_report({{"section-6-circle", "the smallest enclosing circle", 4, no_runs,
                                 nullptr, study_kds_section_6, kds_section_6_report}})};
-  family.figures = direction_figures;
+  family.figures = [](const std::vector<lab::CellResult>& cells) {
+    std::vector<lab::Figure> all = direction_figures(cells);
+    for (lab::Figure& figure : quadratic_figures(cells)) all.push_back(std::move(figure));
+    return all;
+  };
   family.thinning = &kKernelThinning;
   family.bench_rows = extent_bench_rows;
   return family;

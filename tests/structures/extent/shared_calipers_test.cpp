@@ -63,6 +63,9 @@ class TogetherRun {
   Ids ids(const std::string& label) const {
     return simulator_.structure(id(label)).attribute().ids;
   }
+  std::vector<BoundCheck> bounds(const std::string& label) const {
+    return simulator_.bounds(id(label));
+  }
   const StructureLedger& ledger(StructureId id) const { return simulator_.ledger(id); }
   std::vector<std::string> values(const std::string& label) const {
     const auto found = sink_.values.find(id(label));
@@ -181,6 +184,42 @@ TEST(SharedCalipers, CertificatesArePaidForOnce) {
     created += shared.certificates_created;
     EXPECT_LT(created, alone_created);
     EXPECT_LT(events, alone_events);
+  }
+}
+
+// Points on a parabola, whose hull stays what it is; some get new plans, one after the other.
+Scene new_plans_on_a_parabola() {
+  std::vector<Trajectory> t;
+  for (int i = 0; i < 12; ++i) t.push_back(path({{i}, {i * i}}));
+  Scene scene = scene_of(t, 0, Rational(8));
+  for (const int i : {2, 5, 7, 10, 11}) {
+    const Rational at = over(i, 2);
+    auto& pieces = scene.objects[static_cast<std::size_t>(i)].motion.pieces;
+    pieces[0].to = at;
+    pieces.push_back({at, std::nullopt, path({{i}, {Rational(i * i) + at / Rational(100), over(-1, 100)}})});
+  }
+  return scene;
+}
+
+// A new plan begins epochs of the duels that name the object, and of no node whose number a certificate
+// of the calipers has for its tag: the bound on the duels is the same without calipers of its own.
+TEST(SharedCalipers, NewPlansBeginTheSameEpochs) {
+  const Scene scene = new_plans_on_a_parabola();
+  const auto duels = [](const std::vector<BoundCheck>& bounds, const std::string& structure) {
+    for (const BoundCheck& bound : bounds) {
+      if (bound.id == structure + ".duels") return bound.bound;
+    }
+    ADD_FAILURE() << "no bound on the duels of " << structure;
+    return Integer(0);
+  };
+  for (const std::string& hull : kHulls) {
+    const TogetherRun together(scene, requests_for(kCaliperStructures, hull));
+    for (const std::string& structure : kCaliperStructures) {
+      SCOPED_TRACE(structure + " over " + hull);
+      const CaliperRun alone(scene, structure, hull);
+      EXPECT_EQ(duels(alone.simulator.bounds(alone.id), structure),
+                duels(together.bounds(structure), structure));
+    }
   }
 }
 

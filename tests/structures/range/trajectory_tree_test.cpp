@@ -198,21 +198,22 @@ TEST(TrajectoryTree, IsBuiltWhenAsked) {
 
 TEST(TrajectoryTree, HardBoundsOfQueries) {
   // A leaf; two lines through two leaves, and through four.
-  EXPECT_EQ(ConjugationTree::most_looked_at(0), 1u);
-  EXPECT_EQ(ConjugationTree::most_looked_at(8), 9u);
-  EXPECT_EQ(ConjugationTree::most_looked_at(9), 1 + 2 * (2 + 9u));
-  EXPECT_EQ(ConjugationTree::most_looked_at(16), 1 + 2 * (2 + 16u));
-  EXPECT_EQ(ConjugationTree::most_looked_at(17), 1 + 2 * (2 + 2 * (2 + 9u)));
+  constexpr std::uint64_t leaf = ConjugationTrees::kLeaf;
+  EXPECT_EQ(ConjugationTrees::most_looked_at(0), 1u);
+  EXPECT_EQ(ConjugationTrees::most_looked_at(leaf), 1 + leaf);
+  EXPECT_EQ(ConjugationTrees::most_looked_at(leaf + 1), 1 + 2 * (2 + leaf + 1));
+  EXPECT_EQ(ConjugationTrees::most_looked_at(2 * leaf), 1 + 2 * (2 + 2 * leaf));
+  EXPECT_EQ(ConjugationTrees::most_looked_at(2 * leaf + 1), 1 + 2 * (2 + 2 * (2 + leaf + 1)));
   // n^0.695: four times the points cost less than 2.7 times as much.
   std::uint64_t last = TrajectoryTree::most_looked_at(1 << 20);
   for (int power = 22; power <= 60; power += 2) {
-    const std::uint64_t next = ConjugationTree::most_looked_at(std::uint64_t{1} << power);
+    const std::uint64_t next = ConjugationTrees::most_looked_at(std::uint64_t{1} << power);
     if (power > 22) {
       EXPECT_LT(static_cast<double>(next), 2.7 * static_cast<double>(last));
     }
     last = next;
   }
-  EXPECT_GE(TrajectoryTree::most_looked_at(1000), ConjugationTree::most_looked_at(1000));
+  EXPECT_GE(TrajectoryTree::most_looked_at(1000), ConjugationTrees::most_looked_at(1000));
 }
 
 TEST(TrajectoryTree, NeedsLinearMotion) {
