@@ -18,6 +18,12 @@ class CoordinateTable {
   std::size_t bytes() const {
     return (heights_.capacity() + slopes_.capacity()) * sizeof(heights_[0]);
   }
+  // Prefetches the motion at a place, if there is one.
+  void prefetch(std::size_t place) const {
+    if (place >= heights_.size()) return;
+    __builtin_prefetch(&heights_[place]);
+    __builtin_prefetch(&slopes_[place]);
+  }
 
  private:
   friend class ExactArithmetic;

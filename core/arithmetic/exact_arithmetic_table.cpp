@@ -97,13 +97,16 @@ void ExactArithmetic::signs_after(PredicateId predicate, const CoordinateTable& 
       value[i] = other - (h + s * hi);
       error[i] = (own_error + kUnit * std::fabs(h) + in_slope * std::fabs(s)) * kSlack;
     }
+    std::size_t unsure = 0;
     for (std::size_t i = 0; i < size; ++i) {
-      if (std::fabs(value[i]) > error[i]) [[likely]] {
-        signs[done + i] = value[i] > 0 ? Sign::kPositive : Sign::kNegative;
-        ++decided;
-      } else {
-        signs[done + i] = sign_after(Query(predicate, {first[done + i], second}));
-      }
+      signs[done + i] = value[i] > 0 ? Sign::kPositive : Sign::kNegative;
+      unsure += std::fabs(value[i]) > error[i] ? 0 : 1;
+    }
+    decided += size - unsure;
+    for (std::size_t i = 0; unsure > 0; ++i) {
+      if (std::fabs(value[i]) > error[i]) continue;
+      signs[done + i] = sign_after(Query(predicate, {first[done + i], second}));
+      --unsure;
     }
     done += size;
   }

@@ -107,13 +107,14 @@ ConjugationTrees::Out ConjugationTrees::out_of(Ref node, BoxAt& box, BoxAt::Side
   std::array<Sign, kShort> signs;
   const std::size_t size = end - from;
   box.compare(axis(), side, in_chains_, from, {chains_.data() + from, size}, signs.data());
-  Out out{false, true};
+  // Without branches, which nobody could predict.
+  unsigned some = 0, all = 1;
   for (std::size_t i = 0; i < size; ++i) {
-    const bool is_out = BoxAt::is_out(side, signs[i]);
-    out.some = out.some || is_out;
-    out.all = out.all && is_out;
+    const unsigned is_out = BoxAt::is_out(side, signs[i]) ? 1 : 0;
+    some |= is_out;
+    all &= is_out;
   }
-  return out;
+  return {some != 0, all != 0};
 }
 
 NodePlace ConjugationTrees::place(Ref node, BoxAt& box, Seen& seen) const {
@@ -135,8 +136,20 @@ void ConjugationTrees::mark_out(Ref leaf, BoxAt& box, int axis, Seen seen,
   for (const BoxAt::Side side : {BoxAt::Side::kLow, BoxAt::Side::kHigh}) {
     if (!seen.of(side)) continue;
     box.compare(axis, side, table, first_place(leaf), all, signs.data());
-    for (std::size_t i = 0; i < all.size(); ++i) out[i] = out[i] || BoxAt::is_out(side, signs[i]);
+    for (std::size_t i = 0; i < all.size(); ++i) out[i] |= BoxAt::is_out(side, signs[i]);
   }
+}
+
+void ConjugationTrees::add_unmarked(Ref leaf, const Marks& marks,
+                                    std::vector<ObjectId>& out) const {
+  const std::span<const ObjectId> all = objects(leaf);
+  std::size_t end = out.size();
+  out.resize(end + all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    out[end] = all[i];
+    end += marks[i] ? 0 : 1;
+  }
+  out.resize(end);
 }
 
 std::uint64_t ConjugationTrees::search(Ref root, BoxAt& box, std::vector<ObjectId>& out,
@@ -159,8 +172,10 @@ std::uint64_t ConjugationTrees::search(Ref root, BoxAt& box, std::vector<ObjectI
     add_to(trace, at, there);
     if (there == NodePlace::kInside) out.insert(out.end(), objects(at).begin(), objects(at).end());
     if (there != NodePlace::kCrossed) continue;
-    open.push(below(at, 1), seen);
-    open.push(below(at, 0), seen);
+    for (const std::size_t half : {1, 0}) {
+      prefetch(below(at, half));
+      open.push(below(at, half), seen);
+    }
   }
   return looked_at;
 }

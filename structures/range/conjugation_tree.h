@@ -123,16 +123,19 @@ class ConjugationTrees {
     return std::find(marks.begin(), end, false) != end;
   }
   // Appends the objects of a leaf that are not marked.
-  void add_unmarked(Ref leaf, const Marks& marks, std::vector<ObjectId>& out) const {
-    const std::span<const ObjectId> all = objects(leaf);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (!marks[i]) out.push_back(all[i]);
-    }
-  }
+  void add_unmarked(Ref leaf, const Marks& marks, std::vector<ObjectId>& out) const;
   // Appends a node that a query looks at. Those of leaves are crossed.
   void add_to(QueryTrace* trace, Ref node, NodePlace place) const {
     if (trace == nullptr) return;
     trace->push_back({place, {objects(node).begin(), objects(node).end()}});
+  }
+  // Prefetches the motions that a search of this node compares first.
+  void prefetch(Ref node) const {
+    if (is_leaf(node)) {
+      in_order_.prefetch(first_place(node));
+    } else {
+      in_chains_.prefetch(nodes_[node].lower);
+    }
   }
   // The hard bound of search() for n objects. O(log n).
   static std::uint64_t most_looked_at(std::uint64_t n);
