@@ -111,6 +111,7 @@ void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
   const int before = motions_.degree();
   keep_now(object);
   linear_signs_.forget(object);
+  ++table_generation_;
   motions_.set(object, trajectory, origin_);
   if (motions_.degree() != before) {
     for (std::size_t i = 0; i < models_.size(); ++i) {

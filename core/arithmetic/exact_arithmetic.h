@@ -148,7 +148,19 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   bool approximate(const Query& query, Stage stage, Approximation& p) const;
   void approximate_shifted(const Query& query, Approximation& p) const;
   bool approximate_difference(const Query& query, Approximation& p) const;
+  // An object beside a table, at now: what all comparisons with it have in common.
+  struct TableProbe {
+    const float* table = nullptr;   // its numbers, which move with it
+    ObjectId object = kNoObject;
+    PredicateId predicate = 0;
+    double lo = 0, hi = 0;         // now
+    std::uint64_t generation = 0;  // of motions and tables
+    double value = 0, error = 0;   // of its coordinate, relative to the table's
+    double per_slope = 0;          // error of a coordinate of the table, per unit of its slope
+    bool usable = false;
+  };
   Ball coefficient(ObjectId object, int axis, int power) const;
+  const TableProbe& probe(PredicateId predicate, const CoordinateTable& table, ObjectId object);
   std::optional<double> shift_from_anchor(const Query& query) const;
   void update_origin();
   bool shift_is_exact(double origin, double step) const;
@@ -227,6 +239,9 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   RootNamer namer_;
   RootTable roots_;
   RootCounters root_counters_;
+  // The latest probes, in places by table and object: a search compares few objects with few tables.
+  std::array<TableProbe, 32> probes_;
+  mutable std::uint64_t table_generation_ = 1;  // grows with every motion that is set and table that is filled
 };
 
 }  // namespace kinex

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/arithmetic/exact_arithmetic.h"
@@ -43,6 +44,7 @@ Ball ExactArithmetic::coefficient(ObjectId object, int axis, int power) const {
 void ExactArithmetic::fill(PredicateId predicate, std::span<const ObjectId> objects,
                            CoordinateTable& table) const {
   table = {};
+  ++table_generation_;
   const int axis = models_[predicate].difference_axis;
   if (axis < 0 || motions_.degree() != 1 || objects.empty()) return;
   for (const int power : {0, 1}) {
@@ -69,23 +71,48 @@ void ExactArithmetic::fill(PredicateId predicate, std::span<const ObjectId> obje
   }
 }
 
+const ExactArithmetic::TableProbe& ExactArithmetic::probe(PredicateId predicate,
+                                                          const CoordinateTable& table,
+                                                          ObjectId object) {
+  // The place decides on time alone.
+  const float* const numbers = table.heights_.data();
+  const auto address = reinterpret_cast<std::uintptr_t>(numbers);
+  const std::uint64_t mixed = address * 0x9e3779b97f4a7c15u >> 32;
+  TableProbe& probe = probes_[(mixed + 5 * std::uint64_t{object}) % probes_.size()];
+  if (probe.table == numbers && probe.object == object && probe.predicate == predicate &&
+      probe.lo == now_.lo && probe.hi == now_.hi && probe.generation == table_generation_) {
+    return probe;
+  }
+  probe.table = numbers;
+  probe.object = object;
+  probe.predicate = predicate;
+  probe.lo = now_.lo;
+  probe.hi = now_.hi;
+  probe.generation = table_generation_;
+  const double bound = std::max(std::fabs(now_.lo), std::fabs(now_.hi));
+  probe.usable = !table.heights_.empty() && motions_.degree() == 1 &&
+                 (bound == 0 || (bound >= 0x1p-200 && bound <= 0x1p200));
+  if (!probe.usable) return probe;
+  const int axis = models_[predicate].difference_axis;
+  const double width = (now_.hi - now_.lo) * kSlack;
+  const Ball height = coefficient(object, axis, 0) - Ball{table.height_, table.height_error_};
+  const Ball slope = coefficient(object, axis, 1) - Ball{table.slope_, table.slope_error_};
+  probe.value = height.value + slope.value * now_.hi;
+  probe.error = height.error + slope.error * bound + std::fabs(slope.value) * width +
+                kRounding * (std::fabs(height.value) + std::fabs(slope.value) * bound);
+  probe.per_slope = kUnit * bound + width;
+  return probe;
+}
+
 void ExactArithmetic::signs_after(PredicateId predicate, const CoordinateTable& table,
                                   std::size_t place, std::span<const ObjectId> first,
                                   ObjectId second, Sign* signs) {
-  const double hi = now_.hi, bound = std::max(std::fabs(now_.lo), std::fabs(hi));
-  const bool in_range = bound == 0 || (bound >= 0x1p-200 && bound <= 0x1p200);
-  if (table.heights_.empty() || motions_.degree() != 1 || !in_range) {
+  const TableProbe& other = probe(predicate, table, second);
+  if (!other.usable) {
     return Arithmetic::signs_after(predicate, table, place, first, second, signs);
   }
-  const int axis = models_[predicate].difference_axis;
-  const double width = (hi - now_.lo) * kSlack;
-  const Ball height = coefficient(second, axis, 0) - Ball{table.height_, table.height_error_};
-  const Ball slope = coefficient(second, axis, 1) - Ball{table.slope_, table.slope_error_};
-  const double other = height.value + slope.value * hi;
-  const double own_error =
-      height.error + slope.error * bound + std::fabs(slope.value) * width +
-      kRounding * (std::fabs(height.value) + std::fabs(slope.value) * bound);
-  const double in_slope = kUnit * bound + width;
+  const double t = now_.hi, own_error = other.error, per_slope = other.per_slope;
+  const double own = other.value;
   std::uint64_t decided = 0;
   std::array<double, kAtOnce> value, error;
   for (std::size_t done = 0; done < first.size();) {
@@ -94,8 +121,8 @@ void ExactArithmetic::signs_after(PredicateId predicate, const CoordinateTable& 
     const float* const slopes = table.slopes_.data() + place + done;
     for (std::size_t i = 0; i < size; ++i) {
       const double h = heights[i], s = slopes[i];
-      value[i] = other - (h + s * hi);
-      error[i] = (own_error + kUnit * std::fabs(h) + in_slope * std::fabs(s)) * kSlack;
+      value[i] = own - (h + s * t);
+      error[i] = (own_error + kUnit * std::fabs(h) + per_slope * std::fabs(s)) * kSlack;
     }
     std::size_t unsure = 0;
     for (std::size_t i = 0; i < size; ++i) {
