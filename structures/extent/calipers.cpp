@@ -174,6 +174,9 @@ void Calipers::check(AuditReport& report) const {
     } else {
       report.check(slots_.holds(edge.certificate, claim(e, edge.after, edge.turn), e),
                    [e] { return "a wrong certificate of the edge of " + std::to_string(e); });
+      report.check(!slots_.is_tie(edge.certificate) || e < edge.after, [e] {
+        return "the edge of " + std::to_string(e) + " is before one of a smaller tail";
+      });
     }
     e = edge.after;
   } while (e != cycle[0] && length <= cycle.size());
