@@ -42,7 +42,7 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"sweep", "lst"},
        "sweep: \"lst\" is not a verb; did you mean list? kinex help sweep lists them"},
       {{"sweep"}, "sweep: no verb is given; write one of list"},
-      {{"run"}, "run: SCENE is missing; write kinex run SCENE"},
+      {{"run"}, "run: SCENE is missing: scene file, - reads standard input; write kinex run SCENE"},
       {{"view", scene_}, "view: --output is missing; give it"},
       {{"run", scene_, "--maximum"}, "run: \"--maximum\" is not an option; "},
       {{"run", scene_, "--untli", "1"},
@@ -70,9 +70,10 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"generate"}, "did you mean gen?"},
       {{"version"}, "did you mean --version?"},
       // All that is missing is named.
-      {{"diff", scene_}, "diff: OTHER is missing; write kinex diff LOG OTHER (kinex help diff"},
+      {{"diff", scene_}, "diff: OTHER is missing: the log that may miss or invent events; write kinex diff LOG OTHER (kinex help diff"},
       {{"view"}, "view: FILE is missing; write kinex view FILE --output .. (kinex help view"},
-      {{"gen"}, "gen: WORKLOAD is missing; write kinex gen WORKLOAD (kinex help gen"},
+      {{"gen"}, "gen: WORKLOAD is missing: the workload, as kinex list workloads names it; write kinex gen WORKLOAD (kinex help gen"},
+      {{"list"}, "list: WHAT is missing: structures, workloads, papers or arithmetics; write kinex list WHAT"},
       {{"sweep", "merge"}, "write kinex sweep merge FOLDER .. --output .."},
       // Beginnings of names, and names of other things.
       {{"reproduce", "kds"}, "did you mean kds-report-1998?"},
