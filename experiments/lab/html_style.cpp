@@ -40,12 +40,13 @@ figcaption b { display: block; } figcaption { font-size: .87rem; margin-top: .4r
 table { border-collapse: collapse; font-size: .84rem; }
 th, td { padding: .22rem .5rem; text-align: left; border-bottom: 1px solid var(--line);
   vertical-align: top; }
-th { background: var(--panel); border-bottom: 2px solid var(--strong); }
-th button { all: unset; font: inherit; cursor: pointer; white-space: nowrap; }
+th { vertical-align: bottom; background: var(--panel); border-bottom: 2px solid var(--strong); }
+th button { all: unset; font: inherit; cursor: pointer; }
 th button:focus-visible, .open:focus-visible { outline: 2px solid var(--link); }
 th[aria-sort=ascending] button::after { content: " \25B2"; }
 th[aria-sort=descending] button::after { content: " \25BC"; }
 td.r, th.r { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+@media (min-width: 700px) { td:nth-child(2):not(.r) { min-width: 15em; } }
 details { min-width: 0; } summary { cursor: pointer; overflow-wrap: anywhere; padding: .15rem 0; }
 details.row { grid-column: 1 / -1; } details.row figure > div { display: grid; gap: .6rem;
   grid-template-columns: repeat(auto-fit, minmax(min(380px, 100%), 1fr)); }
