@@ -91,8 +91,16 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"run", scene_, "--arithmetic", "mpfr:1"},
        "\"mpfr:1\" is not mpfr:P for P from 2 to 100000 bits; write such a number of bits"},
       {{"run", scene_, "--arithmetic", "mpfr:x"}, "is not mpfr:P for P from 2 to 100000 bits"},
+      // Files of another kind.
+      {{"run", scratch_.file("table.csv")}, "table.csv: line 1: this is a table, not a scene; kinex import "},
+      {{"view", scratch_.file("features.json"), "-o", scratch_.file("page.html")},
+       "features.json: these are features, not a scene; kinex import "},
+      {{"run", scratch_.file("a.log")}, "a.log: line 1: this is an event log, not a scene; give the scene"},
       {{"roots", scratch_.file("line")}, "line 1: 1 coefficient for degree 2; write 3"}};
   write_file(scratch_.file("line"), "2 1\n");
+  write_file(scratch_.file("table.csv"), "id,t,x\na,0,1\n");
+  write_file(scratch_.file("features.json"), "{\"type\": \"FeatureCollection\", \"features\": []}");
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list", "--events", scratch_.file("a.log")}).exit_code, 0);
   for (const auto& [words, message] : mistakes) {
     const Finished finished = run_kinex(words);
     SCOPED_TRACE(testing::PrintToString(words));
