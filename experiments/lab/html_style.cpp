@@ -46,7 +46,8 @@ th button:focus-visible, .open:focus-visible { outline: 2px solid var(--link); }
 th[aria-sort=ascending] button::after { content: " \25B2"; }
 th[aria-sort=descending] button::after { content: " \25BC"; }
 td.r, th.r { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-@media (min-width: 700px) { td:nth-child(2):not(.r) { min-width: 15em; } }
+@media (min-width: 700px) { td > a { white-space: nowrap; } }
+td:last-child:not([class]):not([colspan]):not(:has(.v)) { min-width: 14em; }
 details { min-width: 0; } summary { cursor: pointer; overflow-wrap: anywhere; padding: .15rem 0; }
 details.row { grid-column: 1 / -1; } details.row figure > div { display: grid; gap: .6rem;
   grid-template-columns: repeat(auto-fit, minmax(min(380px, 100%), 1fr)); }
