@@ -25,6 +25,8 @@ h2 a:hover::after, h3 a:hover::after { content: " #"; color: var(--quiet); }
 p.verdict { font-size: clamp(1.35rem, 4.5vw, 2.1rem); line-height: 1.2; font-weight: 600; margin: .3rem 0; }
 p.facts { color: var(--quiet); margin: .2rem 0; overflow-wrap: anywhere; }
 nav { margin: .8rem 0; padding: .5rem .8rem; background: var(--panel); border-radius: 6px; }
+nav details { display: inline-block; margin-right: 1.1em; vertical-align: top; }
+nav details[open] { display: block; margin: .3rem 0; }
 nav a { margin-right: 1.1em; display: inline-block; }
 .v { font-weight: 600; white-space: nowrap; } .text { white-space: normal; }
 .PASS { color: var(--good); } .FAIL { color: var(--bad); } .INCONCLUSIVE, .GAVE { color: var(--open); }
