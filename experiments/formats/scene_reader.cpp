@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/formats/scene_reader.h"
 
+#include <cctype>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "experiments/formats/counted.h"
+#include "experiments/formats/event_log.h"
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/id_index.h"
 #include "experiments/formats/input_error.h"
@@ -169,10 +171,32 @@ void read_objects(const JsonNode& node, Scene& scene) {
   check_appearances(node, scene);
 }
 
+// Throws InputError for a table or an event log in place of a scene, and says what reads it.
+void refuse_other_formats(std::string_view text, const std::string& file) {
+  if (text.starts_with("{\"format\": \"" + std::string(kLogFormat) + "\"")) {
+    throw InputError(file, "line 1", "this is an event log, not a scene",
+                     "give the scene that it was made from; kinex check, log and view read logs");
+  }
+  const std::string_view line = text.substr(0, text.find('\n'));
+  const bool named = !line.empty() && std::isalpha(static_cast<unsigned char>(line.front())) != 0;
+  if (named && line.find_first_of(",;\t") != line.npos) {
+    throw InputError(file, "line 1", "this is a table, not a scene",
+                     "kinex import " + file + " -o SCENE.json makes a scene of it");
+  }
+}
+
+// The same for GeoJSON and Moving Features.
+void refuse_features(const JsonNode& root, const std::string& file) {
+  if (!root.is(JsonValue::Kind::kObject) || root.find("kinex") || !root.find("type")) return;
+  throw InputError(file, "", "these are features, not a scene",
+                   "kinex import " + file + " -o SCENE.json makes a scene of them");
+}
+
 Scene make_scene(const JsonDocument& document, std::string_view text, const std::string& file,
                  Deadline* deadline) {
   const JsonSource source{file, text, 1, deadline};
   const JsonNode root(*document, source);
+  refuse_features(root, file);
   root.require_object({"kinex", "name", "dimension", "time", "objects", "maintain", "jumps",
                        "overlapping_starts", "queries", "source", "description", "expect",
                        "$schema"});
@@ -195,11 +219,13 @@ Scene make_scene(const JsonDocument& document, std::string_view text, const std:
 }  // namespace
 
 Scene parse_scene(std::string_view text, const std::string& file, Deadline* deadline) {
+  refuse_other_formats(text, file);
   return make_scene(parse_json(text, file, 1, deadline), text, file, deadline);
 }
 
 Scene read_scene(const std::string& path, Deadline* deadline) {
   std::string text = read_text_file(path);
+  refuse_other_formats(text, path);
   return make_scene(parse_json_in_place(text, path, deadline), text, path, deadline);
 }
 

@@ -24,7 +24,7 @@ const std::vector<ArithmeticInfo>& arithmetic_infos() {
 }
 
 const ArithmeticInfo* find_arithmetic_info(std::string_view name) {
-  const std::string_view wanted = name.starts_with("mpfr:") ? "mpfr:P" : name;
+  const std::string_view wanted = name == "mpfr" || name.starts_with("mpfr:") ? "mpfr:P" : name;
   for (const ArithmeticInfo& info : arithmetic_infos()) {
     if (info.name == wanted) return &info;
   }

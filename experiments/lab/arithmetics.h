@@ -18,7 +18,7 @@ struct ArithmeticInfo {
 };
 
 const std::vector<ArithmeticInfo>& arithmetic_infos();
-// That of "exact", "mpfr:100" or "mpfr:P"; nullptr if there is none.
+// That of "exact", "mpfr:100", "mpfr:P" or "mpfr"; nullptr if there is none.
 const ArithmeticInfo* find_arithmetic_info(std::string_view name);
 
 }  // namespace kinex::lab

@@ -181,7 +181,8 @@ class CurvesDrawing {
     for (std::size_t j = i + 1; j < curves_.size(); ++j) {
       over += !curves_[j].is_bound && runs_along(curve, curves_[j]) ? 1 : 0;
     }
-    const double width = 1.5 + 4.5 * static_cast<double>(over);
+    // A line is wider than those that cover it; bars alone need not be.
+    const double width = 1.5 + (curve.joined ? 4.5 : 0.7) * static_cast<double>(over);
     const double size = 0.8 + 0.9 * static_cast<double>(over);
     if (curve.line) add_line(curve, i, style);
     const char* with = curve.joined ? (bars ? "yerrorlines" : "linespoints")

@@ -14,6 +14,21 @@ void HtmlPage::add(HtmlSection section) {
   if (!section.html.empty()) sections_.push_back(std::move(section));
 }
 
+// Of many sections the first and the last ones; a line unfolds those between.
+Html HtmlPage::contents() const {
+  constexpr std::size_t kMost = 9, kFirst = 3, kLast = 2;
+  const std::size_t count = sections_.size();
+  Html links;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (count > kMost && i == kFirst) {
+      links += html("<details><summary>{} more parts</summary>\n", count - kFirst - kLast);
+    }
+    if (count > kMost && i + kLast == count) links += Html::markup("</details>\n");
+    links += html("<a href=\"#{}\">{}</a>\n", sections_[i].id, sections_[i].title);
+  }
+  return links;
+}
+
 std::string HtmlPage::text() const {
   Html page = html(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
@@ -23,9 +38,7 @@ std::string HtmlPage::text() const {
       "<title>{0}: {1}</title>\n<style>{2}</style></head><body>\n<header><h1>{0}</h1>\n"
       "<p class=\"verdict {3}\">{1}</p>\n{4}</header>\n<nav aria-label=\"Contents\">",
       title_, verdict_, Html::markup(kPageStyle), good_ ? "PASS" : "FAIL", lead_);
-  for (const HtmlSection& one : sections_) {
-    page += html("<a href=\"#{}\">{}</a>\n", one.id, one.title);
-  }
+  page += contents();
   page += Html::markup("</nav>\n");
   for (const HtmlSection& one : sections_) {
     page += html("<section><h2 id=\"{0}\"><a href=\"#{0}\">{1}</a></h2>\n{2}</section>\n", one.id,

@@ -26,6 +26,8 @@ class HtmlPage {
   std::string text() const;
 
  private:
+  Html contents() const;  // links to the sections
+
   std::string title_, verdict_;
   bool good_;
   Html lead_;

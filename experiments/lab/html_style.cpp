@@ -25,6 +25,8 @@ h2 a:hover::after, h3 a:hover::after { content: " #"; color: var(--quiet); }
 p.verdict { font-size: clamp(1.35rem, 4.5vw, 2.1rem); line-height: 1.2; font-weight: 600; margin: .3rem 0; }
 p.facts { color: var(--quiet); margin: .2rem 0; overflow-wrap: anywhere; }
 nav { margin: .8rem 0; padding: .5rem .8rem; background: var(--panel); border-radius: 6px; }
+nav details { display: inline-block; margin-right: 1.1em; vertical-align: top; }
+nav details[open] { display: block; margin: .3rem 0; }
 nav a { margin-right: 1.1em; display: inline-block; }
 .v { font-weight: 600; white-space: nowrap; } .text { white-space: normal; }
 .PASS { color: var(--good); } .FAIL { color: var(--bad); } .INCONCLUSIVE, .GAVE { color: var(--open); }
@@ -40,12 +42,14 @@ figcaption b { display: block; } figcaption { font-size: .87rem; margin-top: .4r
 table { border-collapse: collapse; font-size: .84rem; }
 th, td { padding: .22rem .5rem; text-align: left; border-bottom: 1px solid var(--line);
   vertical-align: top; }
-th { background: var(--panel); border-bottom: 2px solid var(--strong); }
-th button { all: unset; font: inherit; cursor: pointer; white-space: nowrap; }
+th { vertical-align: bottom; background: var(--panel); border-bottom: 2px solid var(--strong); }
+th button { all: unset; font: inherit; cursor: pointer; }
 th button:focus-visible, .open:focus-visible { outline: 2px solid var(--link); }
 th[aria-sort=ascending] button::after { content: " \25B2"; }
 th[aria-sort=descending] button::after { content: " \25BC"; }
 td.r, th.r { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+@media (min-width: 700px) { td > a { white-space: nowrap; } }
+td:last-child:not([class]):not([colspan]):not(:has(.v)) { min-width: 14em; }
 details { min-width: 0; } summary { cursor: pointer; overflow-wrap: anywhere; padding: .15rem 0; }
 details.row { grid-column: 1 / -1; } details.row figure > div { display: grid; gap: .6rem;
   grid-template-columns: repeat(auto-fit, minmax(min(380px, 100%), 1fr)); }

@@ -24,8 +24,10 @@ bool overlap(const LabelPlacer::Box& a, const LabelPlacer::Box& b) {
 }  // namespace
 
 void LabelPlacer::add_point(double x, double y, double radius) {
-  points_.push_back({x - radius, y - radius, x + radius, y + radius});
+  add_obstacle({x - radius, y - radius, x + radius, y + radius});
 }
+
+void LabelPlacer::add_obstacle(const Box& box) { points_.push_back(box); }
 
 int LabelPlacer::covered(const Box& box) const {
   int count = 0;

@@ -24,6 +24,7 @@ class LabelPlacer {
   // Labels stay inside the area wherever a place inside is among those tried.
   explicit LabelPlacer(const Box& area) : area_(area) {}
   void add_point(double x, double y, double radius);
+  void add_obstacle(const Box& box);  // something else that is drawn: it counts as a point
   // Takes the first free place for the label of the point at (x, y), the nearest rows first. If no
   // place that is tried is free, it takes the one that covers the fewest points, and no label if
   // that can be. The text is set at 13 points, 7.2 pixels a byte. Cost: O(points and labels).

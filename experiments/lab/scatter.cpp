@@ -19,6 +19,7 @@ constexpr double kLegendHeight = 0.03;
 constexpr int kPictureWidth = 640, kPictureHeight = 560;
 // Of the picture, from the left and from below.
 constexpr double kLeft = 0.15, kRight = 0.97, kBelow = 0.17, kAbove = 0.97;
+constexpr double kPartingLine = 1 / 28.0;  // of the axis of y, between zeros, at the bottom, and numbers
 
 // Of logarithms.
 double median(std::vector<double> values) {
@@ -90,7 +91,7 @@ class ScatterDrawing {
     // Zero is no number of this axis: a line parts it from those that are.
     return tics + fmt::format(")\nset arrow from graph 0, first {0:.6g} to graph 1, first {0:.6g} "
                               "nohead dt 2 lw 1 lc rgb '#888888'\n",
-                              std::pow(10, bottom_ + (top_ - bottom_) / 28.0));
+                              std::pow(10, bottom_ + (top_ - bottom_) * kPartingLine));
   }
 
   // One line below the axes.
@@ -106,6 +107,8 @@ class ScatterDrawing {
 
   void add_data() {
     LabelPlacer placer({kPictureWidth * kLeft, kPictureHeight * kBelow, kPictureWidth * kRight, kPictureHeight * kAbove});
+    const double line = kPictureHeight * (kBelow + (kAbove - kBelow) * kPartingLine);
+    placer.add_obstacle({kPictureWidth * kLeft, line - 1, kPictureWidth * kRight, line + 1});
     std::vector<std::string> blocks(picture_.kinds.size());
     std::vector<std::pair<double, double>> medians;
     for (const ScatterGroup& group : groups_) {

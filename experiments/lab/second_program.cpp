@@ -34,7 +34,7 @@ std::string found_program() {
   return !error && fs::exists(here, error) ? here.string() : kName;
 }
 
-// True if there is such a program: at this path, or in PATH.
+// True if there is such a file: at this path, or in PATH.
 bool is_there(const std::string& program) {
   std::error_code error;
   if (program.find('/') != program.npos) return fs::exists(program, error);
@@ -116,6 +116,8 @@ SecondProgram::SecondProgram(std::string path, std::function<bool()> go_on,
       name_(path.empty() ? kName : std::move(path)),
       go_on_(std::move(go_on)),
       interrupt_(interrupt) {}
+
+bool SecondProgram::exists() const { return is_there(path_); }
 
 CheckedBy SecondProgram::check(const RunKey& run) const {
   CheckedBy checked;

@@ -21,6 +21,8 @@ class SecondProgram {
   // Runs `run` in `exact`, with a log in a temporary folder, and checks it at all levels. After an
   // interruption the result is "not checked".
   CheckedBy check(const RunKey& run) const;
+  // Whether there is such a program: at its path, or in PATH.
+  bool exists() const;
   // Its name in results: "kinex-logcheck", or the path that was given.
   const std::string& name() const { return name_; }
 

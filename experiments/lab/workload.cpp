@@ -26,7 +26,7 @@ std::string range(int low, int high) {
 
 void check_body_parameters(const Workload& workload, const WorkloadParameters& parameters) {
   if (parameters.separation && !workload.separation) {
-    refuse(workload, "--separation", "this family takes none", "leave --separation out");
+    refuse(workload, "--separation", "this workload takes none", "leave --separation out");
   }
   if (parameters.separation && parameters.separation->sign() <= 0) {
     refuse(workload, "--separation", parameters.separation->to_string() + " is no distance",
@@ -43,7 +43,7 @@ void check_body_parameters(const Workload& workload, const WorkloadParameters& p
            "write " + workload.max_separation->to_string() + " or less");
   }
   if (parameters.turns != -1 && !workload.takes_turns) {
-    refuse(workload, "--turns", "this family takes none", "leave --turns out");
+    refuse(workload, "--turns", "this workload takes none", "leave --turns out");
   }
   if (!workload.takes_turns) return;
   if (parameters.turns < workload.min_turns || parameters.turns > kMaxWorkloadTurns) {
@@ -60,7 +60,7 @@ void check_parameters(const Workload& workload, const WorkloadParameters& parame
            range(workload.min_n, kMaxWorkloadSize));
   }
   if (parameters.m != 0 && !workload.takes_m) {
-    refuse(workload, "--m", "this family has one size only", "leave --m out");
+    refuse(workload, "--m", "this workload has one size only", "leave --m out");
   }
   const int min_m = workload.takes_m ? workload.min_m : 0;
   if (parameters.m < min_m || parameters.m > kMaxWorkloadSize) {
@@ -69,7 +69,7 @@ void check_parameters(const Workload& workload, const WorkloadParameters& parame
            range(workload.min_m, kMaxWorkloadSize));
   }
   if (parameters.degree != 1 && !workload.takes_degree) {
-    refuse(workload, "--degree", "this family has a degree of its own", "leave --degree out");
+    refuse(workload, "--degree", "this workload has a degree of its own", "leave --degree out");
   }
   if (parameters.degree < 1 || parameters.degree > kMaxWorkloadDegree) {
     refuse(workload, "--degree", "degree " + std::to_string(parameters.degree),

@@ -30,9 +30,11 @@ std::string output_line(const std::string& path, const std::string& digest) {
   return text + "\n";
 }
 
-bool is_by(const std::string& line, const std::string& path, const std::string& program) {
+// Whether the first line says so; true if there is none.
+bool is_by(const std::string& text, const std::string& path, const std::string& program) {
+  if (text.empty()) return true;
   try {
-    return parse_provenance(line, path).program == program;
+    return parse_provenance(text.substr(0, text.find('\n')), path).program == program;
   } catch (const formats::InputError&) {
     return false;  // another version of the format
   }
@@ -51,7 +53,7 @@ bool lock(int file) {
 
 }  // namespace
 
-Journal::Journal(std::string path, const AttemptProvenance& provenance, bool fresh)
+Journal::Journal(std::string path, const AttemptProvenance& provenance, Leftover leftover)
     : path_(std::move(path)) {
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file_ < 0) {
@@ -63,15 +65,23 @@ Journal::Journal(std::string path, const AttemptProvenance& provenance, bool fre
       throw formats::InputError(path_, "", "another run is at work in this folder",
                                 "wait for it, or give another folder with -o");
     }
-    const std::string text = fresh ? "" : formats::read_text_file(path_);
-    const std::size_t whole = text.rfind('\n') == text.npos ? 0 : text.rfind('\n') + 1;
-    read_lines(text.substr(0, whole), provenance.program);
-    // Without the incomplete last line of a killed run.
-    if (::ftruncate(file_, static_cast<off_t>(whole)) != 0) {
+    std::string text = leftover == Leftover::kDrop ? "" : formats::read_text_file(path_);
+    const std::size_t last = text.rfind('\n');
+    text.resize(last == text.npos ? 0 : last + 1);  // without the incomplete last line of a killed run
+    if (!is_by(text, path_, provenance.program)) {
+      if (leftover == Leftover::kKeep) {
+        throw formats::InputError(path_, "line 1", "it was begun by another version of the program",
+                                  "give --fresh or --force to begin anew, or another folder with -o");
+      }
+      dropped_other_ = true;
+      text.clear();
+    }
+    read_lines(text);
+    if (::ftruncate(file_, static_cast<off_t>(text.size())) != 0) {
       throw formats::InputError(path_, "",
                                 std::string("cannot be written: ") + std::strerror(errno), "");
     }
-    if (whole == 0) append(provenance_line(provenance) + "\n");
+    if (text.empty()) append(provenance_line(provenance) + "\n");
   } catch (...) {
     ::close(file_);  // and the file is left as it is
     throw;
@@ -90,15 +100,11 @@ Journal::~Journal() {
   ::close(file_);
 }
 
-void Journal::read_lines(const std::string& text, const std::string& program) {
+void Journal::read_lines(const std::string& text) {
   std::size_t begin = 0, number = 1;
   for (std::size_t end; (end = text.find('\n', begin)) != text.npos; begin = end + 1, ++number) {
     const std::string line = text.substr(begin, end - begin);
-    if (number == 1) {
-      if (is_by(line, path_, program)) continue;
-      throw formats::InputError(path_, "line 1", "it was begun by another version of the program",
-                                "give --fresh to begin anew, or another folder with -o");
-    }
+    if (number == 1) continue;  // the provenance
     const formats::JsonDocument document = formats::parse_json(line, path_, number);
     const formats::JsonValue& value = *document;
     const formats::JsonValue* output = value.find("output");

@@ -19,12 +19,18 @@
 
 namespace kinex::sweep {
 
+// What becomes of the records that an interrupted run has left in the file.
+enum class Leftover {
+  kKeep,     // they are used; those of another program are refused
+  kKeepOwn,  // they are used; those of another program are dropped
+  kDrop,     // they are dropped
+};
+
 // Called from any thread. Errors are InputErrors.
 class Journal {
  public:
-  // Records of another program are refused. `fresh`: begins anew whatever the file holds. One
-  // process at a time uses the file.
-  Journal(std::string path, const AttemptProvenance& provenance, bool fresh);
+  // One process at a time uses the file.
+  Journal(std::string path, const AttemptProvenance& provenance, Leftover leftover);
   // The settled records of attempts, without a file: nothing is added.
   explicit Journal(const std::vector<Attempt>& attempts);
   ~Journal();
@@ -37,6 +43,8 @@ class Journal {
   // which is dropped. Returns it as it will be read back.
   const Record& add(const Record& record);
   std::size_t found() const { return found_; }  // records that the file had at first
+  bool dropped_other() const { return dropped_other_; }  // it had those of another program (kKeepOwn)
+  const std::string& path() const { return path_; }
   bool runs() const { return file_ >= 0; }      // cells that it does not have are to be run
 
   // Incomplete results are written too, so that they can be read. They may be replaced by the
@@ -48,12 +56,13 @@ class Journal {
   void remove();
 
  private:
-  void read_lines(const std::string& text, const std::string& program);
+  void read_lines(const std::string& text);
   void append(const std::string& line);
 
   std::string path_;
   int file_ = -1;
   std::size_t found_ = 0;
+  bool dropped_other_ = false;
   mutable std::mutex mutex_;
   std::map<std::string, Record> records_;       // by key
   std::map<std::string, std::string> outputs_;  // digests by path

@@ -152,9 +152,10 @@ std::string verdict_line(const TradeResult& result, double seconds) {
           fmt::format("{}{} in {}", sometimes.empty() ? "; " : ", ", one.arithmetic, right);
     }
   }
-  std::string text = fmt::format("{}: {} right in all of them{}",
+  std::string text = fmt::format("{}: {} right in {}{}",
                                  formats::counted(result.cases.size(), "scene", "scenes"),
-                                 always.empty() ? "none" : always, sometimes);
+                                 always.empty() ? "none" : always,
+                                 result.cases.size() == 1 ? "it" : "all of them", sometimes);
   const std::size_t faults = result.faults().size();
   if (faults > 0) text += "; " + formats::counted(faults, "fault", "faults");
   if (result.interrupted) text += "; interrupted";
@@ -164,7 +165,7 @@ std::string verdict_line(const TradeResult& result, double seconds) {
 std::string closing_lines(const TradeResult& result) {
   std::string text =
       fmt::format("{}; same events / other events, valid / wrong:\n",
-                  formats::counted(result.cases.size(), "case", "cases"));
+                  formats::counted(result.cases.size(), "scene", "scenes"));
   for (const ArithmeticStandings& one : standings_of(result)) {
     text += fmt::format("  {:<10} {:>3} / {} / {}\n", one.arithmetic, one.cases[0], one.cases[1],
                         one.cases[2]);

@@ -41,7 +41,7 @@ void add_experiment_options(CLI::App& verb, ExperimentOptions& options,
                             const ExperimentWords& words) {
   verb.add_flag("--quick", options.quick, words.quick);
   verb.add_option("-o,--output", options.folder, words.folder);
-  verb.add_flag("--force", options.force, "Replace results that exist");
+  verb.add_flag("--force", options.force, "Replace results that exist, and an unfinished run of another version");
   verb.add_flag("--fresh", options.fresh, "Repeat also the finished part of an interrupted run");
   verb.add_option("--jobs", options.jobs, words.jobs);
   verb.add_option("--from", options.from,
@@ -69,13 +69,21 @@ void ResultFile::write(std::string_view text) const {
 sweep::Journal experiment_journal(const ExperimentOptions& options, const sweep::Selection& selection) {
   std::error_code error;
   std::filesystem::create_directories(options.folder, error);  // errors are reported below
+  using sweep::Leftover;
+  const Leftover leftover = options.fresh   ? Leftover::kDrop
+                            : options.force ? Leftover::kKeepOwn
+                                            : Leftover::kKeep;
   return journal_of(options.from, options.folder + "/" + selection.experiment + ".unfinished",
-                    selection, options.fresh);
+                    selection, leftover);
 }
 
 sweep::CellSource experiment_source(const ExperimentOptions& options, sweep::Journal& journal,
                                     const InterruptGuard& interrupt, const char* one,
                                     const char* many) {
+  if (journal.dropped_other()) {
+    options.voice.note("beginning anew: " + journal.path() +
+                       " was begun by another version of the program");
+  }
   if (journal.runs() && journal.found() > 0) {
     options.voice.note("going on: " + formats::counted(journal.found(), one, many) +
                        (journal.found() == 1 ? " is" : " are") +

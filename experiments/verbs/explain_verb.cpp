@@ -118,7 +118,7 @@ void add_explain_verb(CLI::App& app, int&) {
   auto name = std::make_shared<std::string>();
   CLI::App* verb =
       app.add_subcommand("explain", "Explains a structure, workload, paper or arithmetic");
-  verb->add_option("NAME", *name, "As kinex list gives it")->required();
+  verb->add_option("NAME", *name, "A structure, workload, paper or arithmetic, as kinex list names it")->required();
   add_voice(*verb, "Print the summary alone",
             "Of a structure: print the model of a run of the example, too");
   verb->footer(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// kinex gen: writes a scene of a named family.
+// kinex gen: writes a scene of a workload.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
@@ -51,7 +51,7 @@ lab::WorkloadParameters parameters_of(const GenOptions& options, const lab::Work
   if (!options.seed.empty()) parameters.seed = seed_option("--seed", options.seed);
   if (options.m) {
     if (workload.takes_m) check_range("--m", *options.m, workload.min_m, lab::kMaxWorkloadSize);
-    parameters.m = *options.m == 0 ? 1 : *options.m;  // refused where the family takes none
+    parameters.m = *options.m == 0 ? 1 : *options.m;  // refused where the workload takes none
   }
   if (options.dimension) {
     check_range("--dimension", *options.dimension, workload.min_dimension, workload.max_dimension);
@@ -64,7 +64,7 @@ lab::WorkloadParameters parameters_of(const GenOptions& options, const lab::Work
     if (workload.takes_turns) {
       check_range("--turns", *options.turns, workload.min_turns, lab::kMaxWorkloadTurns);
     }
-    parameters.turns = std::max(0, *options.turns);  // refused where the family takes none
+    parameters.turns = std::max(0, *options.turns);  // refused where the workload takes none
   }
   return parameters;
 }
@@ -137,8 +137,8 @@ void generate(const GenOptions& options, const Voice& voice) {
 void add_gen_verb(CLI::App& app, int&) {
   auto options = std::make_shared<GenOptions>();
   CLI::App* verb = app.add_subcommand("gen", "Writes a scene of a named workload");
-  verb->add_option("WORKLOAD", options->workload, "The family");
-  verb->add_flag("--list", options->list, "List the families and stop");
+  verb->add_option("WORKLOAD", options->workload, "The workload, as kinex list workloads names it");
+  verb->add_flag("--list", options->list, "List the workloads and stop");
   verb->add_option("--n", options->parameters.n, "Objects (100)");
   verb->add_option("--m", options->m, "Second size, where a family has one (same as --n)");
   verb->add_option("--seed", options->seed, "Seed of the random families (1)");

@@ -6,7 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/show_text.h"
+#include "experiments/formats/counted.h"
+#include "experiments/formats/input_error.h"
 #include "experiments/lab/progress.h"
+#include "experiments/lab/second_program.h"
 #include "experiments/reproduce/papers.h"
 #include "experiments/reproduce/planned.h"
 #include "experiments/reproduce/runner.h"
@@ -33,6 +37,7 @@ std::string command_of(const ReproduceOptions& options, std::string_view part) {
 
 reproduce::ReproducedPart run_part(const lab::PaperPart& part, const ReproduceOptions& options,
                                    const sweep::CellSource& source,
+                                   const lab::SecondProgram& program,
                                    const InterruptGuard& interrupt) {
   std::vector<double> costs;
   for (const lab::SeriesPoint& point : part.points(options.quick)) costs.push_back(point.cost);
@@ -51,13 +56,29 @@ reproduce::ReproducedPart run_part(const lab::PaperPart& part, const ReproduceOp
     progress.show([&](double seconds) { return pieces.text(i, what, seconds); });
   };
   running.on_point = [&](std::size_t i) { pieces.finished(i); };
-  const lab::SecondProgram program(options.logcheck, source.go_on, running.interrupt);
   running.on_check = [&](const lab::RunKey& small) {
     progress.show([&](double) { return program.name() + ", " + small.text(); });
   };
   reproduce::ReproducedPart done = reproduce::run_part(part, program, running);
   progress.wipe();
   return done;
+}
+
+// The claims whose small run was not checked by the second program, and the reason of the first of them.
+struct Unchecked {
+  std::size_t claims = 0;
+  std::string reason;
+};
+Unchecked unchecked_of(const std::vector<reproduce::ReproducedPart>& parts) {
+  Unchecked unchecked;
+  for (const reproduce::ReproducedPart& part : parts) {
+    for (const lab::PaperClaim& claim : part.report.claims) {
+      const lab::CheckedBy& check = claim.checked_by;
+      if (check.run.structure.empty() || check.finding != lab::CheckedBy::Finding::kNotChecked) continue;
+      if (unchecked.claims++ == 0) unchecked.reason = check.message;
+    }
+  }
+  return unchecked;
 }
 
 void tell(const reproduce::ReproducedPart& done) {
@@ -77,6 +98,10 @@ void tell(const reproduce::ReproducedPart& done) {
 
 void reproduce(ReproduceOptions options, int& exit_code) {
   check_jobs(options);
+  if (!options.logcheck.empty() && !lab::SecondProgram(options.logcheck, {}, nullptr).exists()) {
+    throw formats::InputError("--logcheck", "", "there is no program " + show_text(options.logcheck),
+                              "write its path, or its name if it is in PATH, without arguments");
+  }
   const lab::Paper& paper = reproduce::paper_named(options.paper);
   const std::vector<const lab::PaperPart*> parts = reproduce::parts_named(paper, options.parts);
   if (options.folder.empty()) options.folder = options.paper + (options.quick ? "-quick" : "");
@@ -93,11 +118,12 @@ void reproduce(ReproduceOptions options, int& exit_code) {
   InterruptGuard interrupt;
   const sweep::CellSource source =
       experiment_source(options, journal, interrupt, "experiment", "experiments");
+  const lab::SecondProgram program(options.logcheck, source.go_on, &interrupt.flag());
   std::vector<reproduce::ReproducedPart> done;
   std::vector<lab::Figure> figures;
   bool interrupted = false, failed = false, surprised = false;
   for (const lab::PaperPart* part : parts) {
-    done.push_back(run_part(*part, options, source, interrupt));
+    done.push_back(run_part(*part, options, source, program, interrupt));
     const reproduce::ReproducedPart& one = done.back();
     if (!options.json && !options.voice.quiet) tell(one);
     figures.insert(figures.end(), one.report.figures.begin(), one.report.figures.end());
@@ -126,9 +152,14 @@ void reproduce(ReproduceOptions options, int& exit_code) {
   if (!drawings.problem.empty()) options.voice.note("no figures: " + drawings.problem);
   options.voice.note("claims.json and README.md are in " + options.folder +
                      (interrupted ? "; interrupted: the same command resumes" : ""));
+  const Unchecked unchecked = interrupted ? Unchecked() : unchecked_of(done);
+  if (unchecked.claims > 0) {
+    options.voice.note("the second program did not check " +
+                       formats::counted(unchecked.claims, "claim", "claims") + ": " + unchecked.reason);
+  }
   if (failed || surprised) {
     exit_code = kExitFailed;
-  } else if (interrupted) {
+  } else if (interrupted || (unchecked.claims > 0 && !options.logcheck.empty())) {
     exit_code = kExitGaveUp;
   }
 }
@@ -161,7 +192,7 @@ void add_reproduce_verb(CLI::App& app, int& exit_code) {
       "after an interruption the same command goes on from there.\n"
       "Exit codes: 1 a claim is refuted that has no known counterexample, an audit or a bound failed,\n"
       "the log of a small run is refused;\n"
-      "3 interrupted.\n"
+      "3 interrupted, or the program of --logcheck did not check a claim.\n"
       "Example:\n  kinex reproduce kds-report-1998 figure-3 --quick -o figure\n"
       "  kinex sweep run reproduce kds-report-1998 --jobs 2 -o out && kinex reproduce "
       "kds-report-1998 --from out");

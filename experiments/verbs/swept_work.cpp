@@ -44,12 +44,12 @@ void refuse_other_program(const std::vector<sweep::Attempt>& attempts) {
 }
 
 sweep::Journal journal_of(const std::vector<std::string>& folders, const std::string& file,
-                          const sweep::Selection& selection, bool fresh) {
+                          const sweep::Selection& selection, sweep::Leftover leftover) {
   if (!folders.empty()) return sweep::Journal(complete_attempts(folders, selection));
   return sweep::Journal(
       file,
       sweep::provenance_of(sweep::plan_text(selection), "kinex " + selection.command(), "0/1"),
-      fresh);
+      leftover);
 }
 
 }  // namespace kinex::verbs

@@ -19,7 +19,7 @@ void refuse_other_program(const std::vector<sweep::Attempt>& attempts);
 // Where an experiment's records are: in the folders of a sweep that ran it, of which none may be
 // missing; or, without folders, in its own file, to which what is missing is added.
 sweep::Journal journal_of(const std::vector<std::string>& folders, const std::string& file,
-                          const sweep::Selection& selection, bool fresh);
+                          const sweep::Selection& selection, sweep::Leftover leftover);
 
 }  // namespace kinex::verbs
 

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cctype>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -126,6 +127,21 @@ std::string arguments_of(const CLI::App& verb, const std::string& missing) {
   return (is_named ? text : " " + missing) + options;
 }
 
+// What --help says of it: ": structures, workloads, papers or arithmetics"; empty if that is no short phrase.
+std::string meaning_of(const CLI::App& verb, const std::string& name) {
+  constexpr std::size_t kLongest = 70;
+  for (const CLI::Option* option : verb.get_options()) {
+    if (!option->get_positional() || option->get_name() != name) continue;
+    std::string text = option->get_description();
+    if (text.size() < 2 || text.size() > kLongest || text.find_first_of("();") != text.npos) return "";
+    if (std::islower(static_cast<unsigned char>(text[1])) != 0 || text[1] == ' ') {
+      text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    }
+    return ": " + text;
+  }
+  return "";
+}
+
 // "SCENE is required"
 std::string missing_argument(const CLI::App& app, const std::string& message) {
   const CLI::App& verb = innermost(app);
@@ -139,7 +155,7 @@ std::string missing_argument(const CLI::App& app, const std::string& message) {
   if (name.starts_with("--")) {
     return place_of(verb) + name + " is missing; give it (" + help_of(verb) + " tells what it is)";
   }
-  return place_of(verb) + name + " is missing; write " + command_of(verb) + arguments_of(verb, name) +
+  return place_of(verb) + name + " is missing" + meaning_of(verb, name) + "; write " + command_of(verb) + arguments_of(verb, name) +
          " (" + help_of(verb) + " tells what it is)";
 }
 

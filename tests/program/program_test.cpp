@@ -166,7 +166,7 @@ TEST_F(Program, NumbersOutOfRangeAreNotTakenForOthers) {
                    "--n: 0 objects; write a number from 1 to 10000000");
   expect_bad_input({"gen", "hull-worst", "--m", "0"},
                    "--m: 0 is out of range; write a number from 1 to 10000000");
-  expect_bad_input({"gen", "grid", "--m", "0"}, "--m: this family has one size only");
+  expect_bad_input({"gen", "grid", "--m", "0"}, "--m: this workload has one size only");
   expect_bad_input({"gen", "grid", "--dimension", "0"},
                    "--dimension: 0 is out of range; write a number from 1 to 3");
   expect_bad_input({"verify", "sorted_list", "--seeds", "0"},

@@ -87,6 +87,30 @@ TEST(ReproduceVerb, WhatTheSecondProgramRefusesIsNotConfirmed) {
   EXPECT_THAT(read_file(folder + "/README.md"), HasSubstr("refused: an event is missing"));
 }
 
+// A check that was asked for and does not happen is no success.
+TEST(ReproduceVerb, AMissingOrMuteSecondProgramIsTold) {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.file("features");
+  const Words command{"reproduce", "separation-sensitive-1999", "features", "--quick", "-o", folder, "--logcheck"};
+  const auto with = [&](const std::string& program) {
+    Words words = command;
+    words.push_back(program);
+    return words;
+  };
+  const Finished missing = run_kinex(with("python3 " + scratch.file("none")));
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("kinex: --logcheck: there is no program \"python3 "));
+  EXPECT_THAT(missing.err, HasSubstr("without arguments"));
+  EXPECT_FALSE(std::filesystem::exists(folder + "/claims.json"));
+  const std::string stub = scratch.file("mute");
+  write_file(stub, "#!/bin/sh\nexit 0\n");
+  std::filesystem::permissions(stub, std::filesystem::perms::owner_all);
+  const Finished mute = run_kinex(with(stub));
+  EXPECT_EQ(mute.exit_code, 3) << mute.err;
+  EXPECT_THAT(mute.out, HasSubstr("not checked: exit code 0"));
+  EXPECT_THAT(mute.err, HasSubstr("kinex: the second program did not check "));
+}
+
 // An interruption ends the second program too; what was run by then is kept and written.
 TEST(ReproduceVerb, IsInterruptedWhileTheSecondProgramRuns) {
   const ScratchFolder scratch;

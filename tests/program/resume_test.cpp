@@ -159,11 +159,16 @@ TEST_F(Resume, FreshBeginsAnew) {
   EXPECT_THAT(refused.err, HasSubstr("another version of the program"));
   EXPECT_THAT(refused.err, HasSubstr("--fresh"));
   EXPECT_EQ(read_file(kept), text);
-  Words command = in(verb, folder);
-  command.push_back("--fresh");
-  const Finished fresh = run_kinex(command);
-  EXPECT_EQ(fresh.exit_code, 0) << fresh.err;
-  EXPECT_THAT(fresh.err, Not(HasSubstr("going on")));
+  for (const char* option : {"--fresh", "--force"}) {
+    write_file(kept, text);
+    Words command = in(verb, folder);
+    command.push_back(option);
+    const Finished anew = run_kinex(command);
+    EXPECT_EQ(anew.exit_code, 0) << anew.err;
+    EXPECT_THAT(anew.err, Not(HasSubstr("going on")));
+    EXPECT_EQ(anew.err.find("beginning anew: " + kept) != anew.err.npos, option == std::string("--force"));
+    EXPECT_FALSE(fs::exists(kept));
+  }
 }
 
 // Nothing is finished before the first piece is: no file is left to go on from.

@@ -56,6 +56,16 @@ TEST_F(TradeVerb, ComparesArithmeticsOnAScene) {
   EXPECT_THAT(read_file(scratch_.file("trade.md")), HasSubstr("# The trade"));
 }
 
+// One scene is not "all of them".
+TEST_F(TradeVerb, CountsAgreeInNumber) {
+  const std::string one = scratch_.file("one.json");
+  ASSERT_EQ(run_kinex({"gen", "sort-worst", "--n", "4", "--maintain", "sorted_list", "-o", one}).exit_code, 0);
+  const Finished finished = run_kinex({"trade", one, "--arithmetic", "gsl", "-o", folder_});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.out, HasSubstr("1 scene: exact, double, gsl right in it; "));
+  EXPECT_THAT(read_file(folder_ + "/trade.txt"), HasSubstr("1 scene; same events / other events, valid / wrong:"));
+}
+
 TEST_F(TradeVerb, TableSaysHowManyBitsTheSceneNeeds) {
   const Finished finished =
       run_kinex({"trade", scene_, "--arithmetic", "gsl", "-o", folder_, "--jobs", "2", "--table"});

@@ -42,7 +42,7 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"sweep", "lst"},
        "sweep: \"lst\" is not a verb; did you mean list? kinex help sweep lists them"},
       {{"sweep"}, "sweep: no verb is given; write one of list"},
-      {{"run"}, "run: SCENE is missing; write kinex run SCENE"},
+      {{"run"}, "run: SCENE is missing: scene file, - reads standard input; write kinex run SCENE"},
       {{"view", scene_}, "view: --output is missing; give it"},
       {{"run", scene_, "--maximum"}, "run: \"--maximum\" is not an option; "},
       {{"run", scene_, "--untli", "1"},
@@ -70,9 +70,10 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"generate"}, "did you mean gen?"},
       {{"version"}, "did you mean --version?"},
       // All that is missing is named.
-      {{"diff", scene_}, "diff: OTHER is missing; write kinex diff LOG OTHER (kinex help diff"},
+      {{"diff", scene_}, "diff: OTHER is missing: the log that may miss or invent events; write kinex diff LOG OTHER (kinex help diff"},
       {{"view"}, "view: FILE is missing; write kinex view FILE --output .. (kinex help view"},
-      {{"gen"}, "gen: WORKLOAD is missing; write kinex gen WORKLOAD (kinex help gen"},
+      {{"gen"}, "gen: WORKLOAD is missing: the workload, as kinex list workloads names it; write kinex gen WORKLOAD (kinex help gen"},
+      {{"list"}, "list: WHAT is missing: structures, workloads, papers or arithmetics; write kinex list WHAT"},
       {{"sweep", "merge"}, "write kinex sweep merge FOLDER .. --output .."},
       // Beginnings of names, and names of other things.
       {{"reproduce", "kds"}, "did you mean kds-report-1998?"},
@@ -90,8 +91,16 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"run", scene_, "--arithmetic", "mpfr:1"},
        "\"mpfr:1\" is not mpfr:P for P from 2 to 100000 bits; write such a number of bits"},
       {{"run", scene_, "--arithmetic", "mpfr:x"}, "is not mpfr:P for P from 2 to 100000 bits"},
+      // Files of another kind.
+      {{"run", scratch_.file("table.csv")}, "table.csv: line 1: this is a table, not a scene; kinex import "},
+      {{"view", scratch_.file("features.json"), "-o", scratch_.file("page.html")},
+       "features.json: these are features, not a scene; kinex import "},
+      {{"run", scratch_.file("a.log")}, "a.log: line 1: this is an event log, not a scene; give the scene"},
       {{"roots", scratch_.file("line")}, "line 1: 1 coefficient for degree 2; write 3"}};
   write_file(scratch_.file("line"), "2 1\n");
+  write_file(scratch_.file("table.csv"), "id,t,x\na,0,1\n");
+  write_file(scratch_.file("features.json"), "{\"type\": \"FeatureCollection\", \"features\": []}");
+  ASSERT_EQ(run_kinex({"run", scene_, "--maintain", "sorted_list", "--events", scratch_.file("a.log")}).exit_code, 0);
   for (const auto& [words, message] : mistakes) {
     const Finished finished = run_kinex(words);
     SCOPED_TRACE(testing::PrintToString(words));

@@ -27,11 +27,13 @@ class TimeWindow {
     if (OTHER !== null) {
       this.bars(context, axis, OTHER, base + 1, depth - 4, app.kOther(), COLOUR.second,
                 COLOUR.second);
-      label(context, FIRST.arithmetic, axis.left + 4, base - 8, COLOUR.quiet);
-      label(context, OTHER.arithmetic, axis.left + 4, base + 10, COLOUR.second);
     }
     this.drawGaps(context, axis, base);
     this.drawNow(context, axis, base, long);
+    if (OTHER !== null) {  // over the line of now
+      label(context, FIRST.arithmetic, axis.left + 4, base - 8, COLOUR.quiet);
+      label(context, OTHER.arithmetic, axis.left + 4, base + 10, COLOUR.second);
+    }
     this.drawDivergence(context, axis, base);
     this.drawKey(context, axis);
   }

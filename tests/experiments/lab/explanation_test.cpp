@@ -82,6 +82,7 @@ TEST(Explanation, Arithmetics) {
     EXPECT_EQ(find_arithmetic_info(info.example), &info);
     EXPECT_NE(part(explain(info), "promise"), nullptr);
   }
+  EXPECT_EQ(find_arithmetic_info("mpfr"), find_arithmetic_info("mpfr:P"));
   EXPECT_EQ(find_arithmetic_info("abacus"), nullptr);
 }
 

@@ -53,6 +53,16 @@ TEST(LabelPlacer, CoversPointsRatherThanLabels) {
   }
 }
 
+// A line across the picture beside the point: the label is above it or below.
+TEST(LabelPlacer, CoversNoObstacle) {
+  for (const double y : {192.0, 196.0, 200.0, 203.0}) {
+    lab::LabelPlacer placer({0, 0, 600, 400});
+    placer.add_point(300, 200, 5);
+    placer.add_obstacle({0, y - 1, 600, y + 1});
+    EXPECT_GE(std::fabs(placer.place("a label", 300, 200).y - y), 8.5) << y;
+  }
+}
+
 TEST(LabelPlacer, StaysInside) {
   lab::LabelPlacer placer({0, 0, 100, 50});
   const lab::LabelPlacer::Label label = placer.place("1234567", 95, 25);

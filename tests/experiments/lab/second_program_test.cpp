@@ -175,7 +175,7 @@ struct OnePart {
   int runs = 0, checks = 0;
 
   reproduce::ReproducedPart run(const std::string& path, const lab::SecondProgram& program) {
-    sweep::Journal journal(path, sweep::provenance_of({"plan", "{}", std::string(64, '0')}, "test", "0/1"), false);
+    sweep::Journal journal(path, sweep::provenance_of({"plan", "{}", std::string(64, '0')}, "test", "0/1"), sweep::Leftover::kKeep);
     reproduce::RunnerOptions options;
     options.source.journal = &journal;
     options.on_start = [this](std::size_t, const lab::SeriesPoint&) { ++runs; };

@@ -55,7 +55,7 @@ class ACellSource : public ::testing::Test {
 };
 
 TEST_F(ACellSource, RunsEachCellOnceInAChild) {
-  sweep::Journal journal(path("journal"), provenance(), false);
+  sweep::Journal journal(path("journal"), provenance(), sweep::Leftover::kKeep);
   sweep::CellSource source;
   source.journal = &journal;
   source.program = program(
@@ -74,7 +74,7 @@ TEST_F(ACellSource, RunsEachCellOnceInAChild) {
 }
 
 TEST_F(ACellSource, ACrashIsARecord) {
-  sweep::Journal journal(path("journal"), provenance(), false);
+  sweep::Journal journal(path("journal"), provenance(), sweep::Leftover::kKeep);
   sweep::CellSource source;
   source.journal = &journal;
   source.program = program("echo 'kinex: no way' >&2; kill -SEGV $$");
@@ -93,7 +93,7 @@ TEST_F(ACellSource, ACrashIsARecord) {
 }
 
 TEST_F(ACellSource, AnInterruptionIsNone) {
-  sweep::Journal journal(path("journal"), provenance(), false);
+  sweep::Journal journal(path("journal"), provenance(), sweep::Leftover::kKeep);
   sweep::CellSource source;
   source.journal = &journal;
   source.program = program("sleep 60");

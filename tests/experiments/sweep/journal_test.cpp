@@ -58,14 +58,14 @@ class SweepJournal : public ::testing::Test {
 TEST_F(SweepJournal, KeepsWhatIsWholeAndDropsTheRest) {
   const std::string odd = "two\nlines, a \"quote\" and an umlaut: \xc3\xbc";
   {
-    sweep::Journal journal(name(), by("p"), false);
+    sweep::Journal journal(name(), by("p"), sweep::Leftover::kKeep);
     EXPECT_EQ(journal.found(), 0u);
     journal.add(record(1, odd, "0x1p+3 "));
     journal.add(record(2, ""));
   }
   const std::string whole = text();
   append("{\"key\": \"c\", \"cell\": \"");
-  sweep::Journal journal(name(), by("p"), false);
+  sweep::Journal journal(name(), by("p"), sweep::Leftover::kKeep);
   EXPECT_EQ(journal.found(), 2u);
   ASSERT_NE(journal.find(cell(1).key), nullptr);
   EXPECT_EQ(sweep::fields_of(*journal.find(cell(1).key))->exact, odd);
@@ -80,13 +80,13 @@ TEST_F(SweepJournal, KeepsWhatIsWholeAndDropsTheRest) {
 TEST_F(SweepJournal, RefusesWhatIsNotItsOwn) {
   const auto message = [&](const char* program) -> std::string {
     try {
-      sweep::Journal journal(name(), by(program), false);
+      sweep::Journal journal(name(), by(program), sweep::Leftover::kKeep);
     } catch (const formats::InputError& error) {
       return error.what();
     }
     return "";
   };
-  { sweep::Journal(name(), by("p"), false).add(record(1, "1")); }
+  { sweep::Journal(name(), by("p"), sweep::Leftover::kKeep).add(record(1, "1")); }
   EXPECT_THAT(message("another"), HasSubstr("--fresh"));
   EXPECT_EQ(message("p"), "");
   append("{\"something\": 1}\n");
@@ -94,16 +94,36 @@ TEST_F(SweepJournal, RefusesWhatIsNotItsOwn) {
   append("no json\n");
   EXPECT_THAT(message("p"), HasSubstr("line"));
   {
-    sweep::Journal fresh(name(), by("another"), true);
+    sweep::Journal fresh(name(), by("another"), sweep::Leftover::kDrop);
     EXPECT_EQ(fresh.found(), 0u);
     EXPECT_THAT(message("another"), HasSubstr("at work"));  // one process at a time
   }
   EXPECT_FALSE(fs::exists(path_));  // nothing is finished: nothing is kept
 }
 
+// As under --force: what this program has left is used, what another has left gives way.
+TEST_F(SweepJournal, DropsWhatAnotherProgramHasLeftIfItMay) {
+  { sweep::Journal(name(), by("p"), sweep::Leftover::kKeepOwn).add(record(1, "1")); }
+  {
+    const sweep::Journal own(name(), by("p"), sweep::Leftover::kKeepOwn);
+    EXPECT_EQ(own.found(), 1u);
+    EXPECT_FALSE(own.dropped_other());
+  }
+  {
+    sweep::Journal other(name(), by("another"), sweep::Leftover::kKeepOwn);
+    EXPECT_EQ(other.found(), 0u);
+    EXPECT_TRUE(other.dropped_other());
+    EXPECT_EQ(other.find(cell(1).key), nullptr);
+    other.add(record(2, "2"));
+  }
+  const sweep::Journal again(name(), by("another"), sweep::Leftover::kKeep);
+  EXPECT_EQ(again.found(), 1u);
+  EXPECT_NE(again.find(cell(2).key), nullptr);
+}
+
 TEST_F(SweepJournal, KnowsItsOwnOutputs) {
   const std::string output = name() + ".output";
-  sweep::Journal journal(name(), by("p"), false);
+  sweep::Journal journal(name(), by("p"), sweep::Leftover::kKeep);
   EXPECT_FALSE(journal.is_own_output(output));
   journal.note_output(output, "result");
   EXPECT_FALSE(journal.is_own_output(output));

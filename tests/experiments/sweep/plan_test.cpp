@@ -175,7 +175,7 @@ TEST(SweepPlan, DefectsHaveAPlace) {
   };
   refused(R"({"structure": "sorted_list", "workload": "grid"})", "", "\"n\" is missing");
   refused(R"({"structure": "sorted_list", "workload": "grid", "n": 4, "m": 4})", "/m",
-          "this family has one size only");
+          "this workload has one size only");
   refused(R"({"structure": "sorted_list", "workload": "grid", "n": [4, 0]})", "/n/1",
           "0 is not an integer from 1 to");
   refused(R"({"structure": "sorted_list", "workload": "grid", "n": []})", "/n",
@@ -191,7 +191,7 @@ TEST(SweepPlan, DefectsHaveAPlace) {
   refused(R"({"structure": "delaunay_2", "workload": "grid", "n": 4, "dimension": [2, 1]})",
           "/structure", "needs 2 axes");
   refused(R"({"structure": "sorted_list", "workload": "grid", "n": 4, "degree": [1, 2]})",
-          "/degree/1", "this family has a degree of its own");
+          "/degree/1", "this workload has a degree of its own");
   refused(R"({"structure": "sorted_list", "workload": "grid", "n": 4, "seed": -1})", "/seed",
           "-1 is not a seed");
   refused(

@@ -282,11 +282,11 @@ TEST(PolygonWorkload, ParametersAreChecked) {
                      "--separation: 0 is no distance");
   EXPECT_INPUT_ERROR(generate("polygon-orbit", 4, 4, Rational(1), 0), "--turns: 0 turns");
   EXPECT_INPUT_ERROR(generate("polygon-fan", 4, 4, Rational(1), 2),
-                     "--turns: this family takes none");
-  EXPECT_INPUT_ERROR(generate("polygon-jitter", 4, 4, Rational(1)), "--separation: this family");
+                     "--turns: this workload takes none");
+  EXPECT_INPUT_ERROR(generate("polygon-jitter", 4, 4, Rational(1)), "--separation: this workload");
   EXPECT_INPUT_ERROR(generate("polygon-tangents", 4, 4, fraction_of(1, 10)),
                      "--separation: 1/10 is too near; write 3/4 or more");
-  EXPECT_INPUT_ERROR(generate("polygon-approach", 4, 4), "--m: this family has one size only");
+  EXPECT_INPUT_ERROR(generate("polygon-approach", 4, 4), "--m: this workload has one size only");
   EXPECT_NO_THROW(generate("polygon-fan", 4, 1));
   EXPECT_NO_THROW(generate("polygons-in-box", 1, 3));
   EXPECT_INPUT_ERROR(generate("polygons-in-box", 4, 4, fraction_of(3, 4)),
