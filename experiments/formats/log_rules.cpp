@@ -27,6 +27,7 @@ constexpr Arity kArities[] = {
     {"in_circle_2", 4},
     {"orientation_3", 4},
     {"in_sphere_3", 5},
+    {"unfolded_3", 4},
     {"orientation_xy", 3},
     {"orientation_xz", 3},
     {"orientation_yz", 3},
@@ -47,6 +48,8 @@ constexpr Arity kArities[] = {
     // of discs and boxes
     {"power_2", 4},
     {"disc_power_2", 4},
+    {"power_3", 5},
+    {"disc_power_3", 5},
     {"disc_overlap", 2},
     {"disc_apart", 2},
     {"lower_ends_x", 2},

@@ -226,9 +226,11 @@ namespace {
 // Of discs, boxes and points with weights, by its name; null: none of the scene.
 std::shared_ptr<const Predicate> make_extent_predicate(const Scene& scene, std::string_view name) {
   if (name == "power_2" && scene.dimension == 2) return make_power_2();
+  if (name == "power_3" && scene.dimension == 3) return make_power_3();
   if (scene.extents == Extents::kNone || scene.extents == Extents::kWeight) return nullptr;
   const bool discs = scene.extents == Extents::kRadius;
   if (discs && scene.dimension == 2 && name == "disc_power_2") return make_disc_power_2();
+  if (discs && scene.dimension == 3 && name == "disc_power_3") return make_disc_power_3();
   if (discs && name == "disc_overlap") return make_disc_overlap(scene.dimension);
   if (discs && name == "disc_apart") return make_disc_apart(scene.dimension);
   for (int axis = 0; axis < scene.dimension; ++axis) {
@@ -254,6 +256,7 @@ std::shared_ptr<const Predicate> LogSceneCheck::make_predicate(const std::string
   if (name == "in_circle_2") return make_in_circle_2();
   if (name == "orientation_3") return make_orientation_3();
   if (name == "in_sphere_3") return make_in_sphere_3();
+  if (name == "unfolded_3") return make_unfolded_3();
   if (name == "acute_angle_2") return make_acute_angle_2();
   if (name == "obtuse_angle_2") return make_obtuse_angle_2();
   if (name == "edge_dot_2") return make_edge_dot_2();

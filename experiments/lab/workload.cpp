@@ -148,7 +148,7 @@ Scene generate_scene(const Workload& workload, WorkloadParameters parameters) {
   Request request;
   request.structure = workload.maintain.empty()
                           ? usual_structure(workload.bodies, parameters.dimension)
-                          : workload.maintain;
+                          : kinex::usual_structure(Reading{workload.maintain}, parameters.dimension);
   request.label = request.structure;
   if (!request.structure.empty()) scene.maintain.push_back(std::move(request));
   return scene;

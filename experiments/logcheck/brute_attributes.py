@@ -316,7 +316,9 @@ def attribute_of(structure, key, positions, scene):
     if name == "delaunay_3":
         return cells_of(positions)
     if name == "regular_2":
-        return regular_of(positions, scene.extents == "radius")
+        return regular_of(positions, 3, scene.extents == "radius")
+    if name == "regular_3":
+        return regular_of(positions, 4, scene.extents == "radius")
     if name == "bounding_box":
         return box_of(positions)
     if name.startswith("octants_"):

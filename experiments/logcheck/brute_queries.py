@@ -84,8 +84,10 @@ def queries_of(structure, key, members, scene):
         for front, back in combinations(pairs, 2):
             yield distance_query(front, back)
         return
-    if name == "delaunay_3":
-        for size, predicate in ((4, "orientation_3"), (5, "in_sphere_3")):
+    if name in ("delaunay_3", "regular_3"):
+        power = ("in_sphere_3" if name == "delaunay_3" else
+                 "disc_power_3" if scene.extents == "radius" else "power_3")
+        for size, predicate in ((4, "orientation_3"), (5, power)):
             for some in combinations(sorted(members), size):
                 yield (predicate, some)
         for pair in combinations(sorted(members), 2):

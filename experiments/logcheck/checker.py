@@ -19,7 +19,8 @@ from world import World
 
 # Structures whose certificates of a predicate fail where they touch zero, too: vertices of a hull that meet
 # and part again leave every turn to the left.
-TOUCHING = {"convex_hull_2_brute_force": "orientation_2", "regular_2": "orientation_2"}
+TOUCHING = {"convex_hull_2_brute_force": "orientation_2", "regular_2": "orientation_2",
+            "regular_3": "orientation_3"}
 # After these, certificates of a structure may be negative since they were made, without passing through zero.
 UNSETTLING = ("blocked", "reinsert", "settled", "rebuild")
 

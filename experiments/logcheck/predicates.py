@@ -114,16 +114,22 @@ def orientation_3(points):
     return triple_product(*(difference_3(p, a) for p in (b, c, d)))
 
 
-def in_sphere_3(points):
-    """e is inside the sphere through a, b, c, d, for a positive tetrahedron."""
+def power_in_space(points, heights):
+    """The last point is below the plane of the others, lifted to x^2 + y^2 + z^2 - height, for a positive tetrahedron."""
     rows = [difference_3(p, points[4]) for p in points[:4]]
     result = ()
     for i, row in enumerate(rows):
         square = add(add(multiply(row[0], row[0]), multiply(row[1], row[1])), multiply(row[2], row[2]))
+        lift = add(square, subtract(heights[4], heights[i]))
         minor = triple_product(*(other for j, other in enumerate(rows) if j != i))
         # Along the last column the signs are - + - +, and the determinant is negated.
-        result = add(result, scaled(multiply(square, minor), 1 if i % 2 == 0 else -1))
+        result = add(result, scaled(multiply(lift, minor), 1 if i % 2 == 0 else -1))
     return result
+
+
+def in_sphere_3(points):
+    """e is inside the sphere through a, b, c, d, for a positive tetrahedron."""
+    return power_in_space(points, [()] * 5)
 
 
 def acute_angle_2(points):
@@ -236,6 +242,28 @@ def disc_power_2(points):
     return power(points, [multiply(p.extents[0], p.extents[0]) for p in points])
 
 
+def power_3(points):
+    return power_in_space(points, [p.extents[0] if getattr(p, "extents", None) else () for p in points])
+
+
+def disc_power_3(points):
+    return power_in_space(points, [multiply(p.extents[0], p.extents[0]) for p in points])
+
+
+def unfolded_3(points):
+    """The half-planes of the first and of the last point, at the line of the others, make an obtuse angle."""
+    p, u, v, q = points
+    edge, one, other = ([subtract(w[axis], u[axis]) for axis in range(3)] for w in (v, p, q))
+
+    def dot(a, b):
+        total = ()
+        for x, y in zip(a, b):
+            total = add(total, multiply(x, y))
+        return total
+
+    return subtract(multiply(dot(edge, one), dot(edge, other)), multiply(dot(edge, edge), dot(one, other)))
+
+
 def line_side(points):
     """The point is above the line y = a x + b, a and b its axes; the third argument is the unit."""
     (a, b), (x, y), unit = points
@@ -258,6 +286,9 @@ NEED_UNIT = (line_side, line_under, line_order)
 FORMULAS = {
     "power_2": (power_2, 4, 4),
     "disc_power_2": (disc_power_2, 4, 4),
+    "power_3": (power_3, 5, 5),
+    "disc_power_3": (disc_power_3, 5, 5),
+    "unfolded_3": (unfolded_3, 4, 0),
     "line_side": (line_side, 2, 1),
     "line_under": (line_under, 2, 1),
     "line_order": (line_order, 3, 2),
@@ -283,7 +314,7 @@ FORMULAS = {
 }
 # Axes that an argument must have.
 LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2, "power_2": 2, "disc_power_2": 2,
-              "orientation_3": 3, "in_sphere_3": 3,
+              "orientation_3": 3, "in_sphere_3": 3, "power_3": 3, "disc_power_3": 3, "unfolded_3": 3,
               "acute_angle_2": 2, "obtuse_angle_2": 2, "line_side": 2, "line_under": 2, "line_order": 2,
               **{name: axis + 1 for axis in (1, 2) for name in end_orders(axis)}}
 

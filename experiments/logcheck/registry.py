@@ -15,14 +15,14 @@ from replay_maximum import Maximum, OfList
 from replay_norms import MaximumNormTree, PolygonTree
 from replay_octants import Cones, Octants
 from replay_range import PseudoKdTree, RangeTree, RankKdTree, TrajectoryTree
-from replay_regular import RegularInThePlane
+from replay_regular import RegularInSpace, RegularInThePlane
 from replay_scratch import (BoundingBox, BoxesThatMeet, ClosestPair, ClosestPairOfCells, ClosestPairOfOrders,
                             DiscsOfCells, DiscsThatMeet, FarthestPair, GraphTree, NearestSite, SpanningTree, TwoColours)
 from replay_space import DelaunayInSpace
 from replay_voronoi import VoronoiCell
 
 REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
-            "regular_2": RegularInThePlane,
+            "regular_2": RegularInThePlane, "regular_3": RegularInSpace,
             "convex_hull_2_brute_force": HullBruteForce, "convex_hull_2_delaunay": HullOfDelaunay,
             "convex_hull_2": Envelopes, "convex_hull_2_naive": Envelopes,
             "bounding_box": BoundingBox, "closest_pair_delaunay": ClosestPair,

@@ -1,25 +1,39 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The regular triangulation in the plane: every event changes the triangles as its ids say, and right after every
-instant that has a record they are those of the definition."""
+"""Regular triangulations in the plane and in space: every event changes the triangles, or cells, as its ids say, and
+right after every instant that has a record they are those of the definition."""
 
 from replay_cells import Cells
-from space import change_in_plane, simplices
+from space import change, change_in_plane, simplices
 
 
-class RegularInThePlane(Cells):
+class Regular(Cells):
     partly = ("blocked flips at degenerate instants, and the witnesses of hidden points: which there are is not "
               "followed")
-    SIZES = {"flip": (4,), "enter": (3,), "leave": (3,), "show": (3, 4), "hide": (3, 4)}
-    OTHERS = {"blocked": (3, 4), "witness": (1,), "touch": (3,)}
-    change = staticmethod(change_in_plane)
+    CORNERS = 0
 
     def current(self, x):
         def sign(name):
             return lambda *ids: self.world.sign_after((name, ids), x)
 
-        power = "disc_power_2" if self.world.scene.extents == "radius" else "power_2"
-        return simplices(self.members, 3, sign("orientation_2"), sign(power))
+        axes = self.CORNERS - 1
+        power = ("disc_power_%d" if self.world.scene.extents == "radius" else "power_%d") % axes
+        return simplices(self.members, self.CORNERS, sign("orientation_%d" % axes), sign(power))
 
     def is_failure(self, query, kind, ids):
-        """Of a witness of the point that shows, or of a claim of these points; that of a tie names only three."""
+        """Of a witness of the point that shows, or of a claim of these points; that of a tie names fewer."""
         return ids[0] in query[1] if kind == "show" else set(query[1]) <= set(ids)
+
+
+class RegularInThePlane(Regular):
+    CORNERS = 3
+    SIZES = {"flip": (4,), "enter": (3,), "leave": (3,), "show": (3, 4), "hide": (3, 4)}
+    OTHERS = {"blocked": (3, 4), "witness": (1,), "touch": (3,)}
+    change = staticmethod(change_in_plane)
+
+
+class RegularInSpace(Regular):
+    CORNERS = 4
+    SIZES = {"flip_2_3": (5,), "flip_3_2": (5,), "enter": (4,), "leave": (4,), "hull_2_3": (4,), "hull_3_2": (4,),
+             "show": (4, 5), "hide": (4, 5)}
+    OTHERS = {"blocked": (4, 5), "witness": (1,), "touch": (4,)}
+    change = staticmethod(change)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Delaunay triangulation in space, and the regular one in the plane, from their definitions, over any source of
+"""The Delaunay triangulation in space, and regular ones in the plane and in space, from their definitions, over any source of
 signs: a cell is four points whose sphere has no other point inside, a triangle three points whose plane, all lifted,
 has no other point below. Heights are lowered by id: the smaller the number the more."""
 
@@ -38,9 +38,13 @@ def inside(quad, side, v, orientation, in_sphere):
 
 def change(kind, ids):
     """The cells that leave and that join by an event of this kind."""
+    if kind in ("show", "hide") and len(ids) == 5:
+        point, *link = ids
+        one, more = [tuple(sorted(link))], [tuple(sorted((point, *facet))) for facet in combinations(link, 3)]
+        return (one, more) if kind == "show" else (more, one)
     if kind not in ("flip_2_3", "flip_3_2"):
         cell = tuple(sorted(ids))
-        return ([], [cell]) if kind in ("leave", "hull_2_3") else ([cell], [])
+        return ([], [cell]) if kind in ("leave", "hull_2_3", "show") else ([cell], [])
     p, q, a, b, c = ids
     two = [tuple(sorted((end, a, b, c))) for end in (p, q)]
     three = [tuple(sorted((p, q, *edge))) for edge in ((a, b), (b, c), (a, c))]
@@ -74,8 +78,8 @@ def sign(value):
     return (value > 0) - (value < 0)
 
 
-def regular_of(positions, radii):
-    """Without weights they are 0; discs have the squares of their radii."""
+def regular_of(positions, size, radii):
+    """Simplices of this size. Without weights they are 0; discs have the squares of their radii."""
     def height(p):
         extent = p.extents[0] if getattr(p, "extents", None) else 0
         return sum(x * x for x in p) - (extent ** 2 if radii else extent)
@@ -95,7 +99,7 @@ def regular_of(positions, radii):
             rows.append(row + [height(positions[i]) - height(last) - 2 * shift])
         return sign(determinant(rows))
 
-    return simplices(positions, 3, orientation, below)
+    return simplices(positions, size, orientation, below)
 
 
 def cells_of(positions):

@@ -350,6 +350,7 @@ std::string page_data(const Scene& scene, const std::string& hash,
       .begin_object();
   json.key("name").string(scene.name).key("hash").string(hash);
   json.key("dimension").number(scene.dimension);
+  if (scene.extents == Extents::kWeight) json.key("weights").boolean(true);
   if (scene.has_lines()) {
     json.key("lines").begin_array();
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {

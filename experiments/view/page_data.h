@@ -6,7 +6,7 @@
 // two so that no coefficient is above 1 (a scene may have coordinates of 2^5000).
 //
 // {"format": "kinex-view", "version": 1, "program": S,
-//  "scene": {"name", "hash", "dimension"},
+//  "scene": {"name", "hash", "dimension", "weights": true if points have weights},
 //  "time": {"start": [TEXT, NUMBER], "span": NUMBER}, "scale": NUMBER,
 //  "ids": [ID, ..], "motions": [[[FROM, TO, [[c0, c1, ..] per axis]], ..] per object],
 //  "structures": [{"label", "name", "role", "shape", "width", "key", "kinds", "meanings"}],

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/arithmetic/predicate_formula.h"
+#include "core/arithmetic/touch.h"
 #include "predicates/points/space_predicates.h"
 
 namespace kinex {
@@ -40,10 +41,16 @@ struct Orientation3 {
   }
 };
 
+class TouchingOrientation3 final : public FormulaPredicate<Orientation3>, public FailsAtTouch {};
+
 }  // namespace
 
 std::shared_ptr<const Predicate> make_orientation_3() {
   return std::make_shared<FormulaPredicate<Orientation3>>();
+}
+
+std::shared_ptr<const Predicate> make_orientation_3_touch() {
+  return std::make_shared<TouchingOrientation3>();
 }
 
 }  // namespace kinex

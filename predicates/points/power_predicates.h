@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Predicates on points of the plane with weights, and on discs, whose weights are the squares of
-// their radii. The weight, or the radius, is the axis behind those of the position. The lifted height
-// of a point is x^2 + y^2 - w. d is the largest degree of motions and weights, or radii.
+// Predicates on points with weights in the plane and in space, and on discs and balls, whose weights are
+// the squares of their radii. The weight, or the radius, is the axis behind those of the position. The
+// lifted height of a point is the sum of the squares of its coordinates, less w. d is the largest degree
+// of motions and weights, or radii.
 #ifndef KINEX_PREDICATES_POINTS_POWER_PREDICATES_H
 #define KINEX_PREDICATES_POINTS_POWER_PREDICATES_H
 
@@ -27,6 +28,21 @@ std::shared_ptr<const Predicate> make_power_2();
 //   (2) zero if two arguments are equal
 //   (3) unchanged by a common translation
 std::shared_ptr<const Predicate> make_disc_power_2();
+
+// power_3(a, b, c, d, e): the negated determinant with rows (x, y, z, x^2 + y^2 + z^2 - w + w_e) of a - e,
+// b - e, c - e, d - e. For orientation_3(a, b, c, d) > 0, positive iff e lies strictly below the hyperplane
+// through the other four, all lifted. Degree 5 in t, times d, at most. Not homogeneous, as power_2.
+//   (1) alternating in all five
+//   (2) zero if two arguments are equal, with equal weights
+//   (3) unchanged by a common translation, and by a number added to all weights
+//   (4) in_sphere_3 if the weights are equal
+std::shared_ptr<const Predicate> make_power_3();
+
+// disc_power_3(a, b, c, d, e): the same for w = r^2, of balls. Degree 5 in coordinates and radii.
+//   (1) alternating in all five
+//   (2) zero if two arguments are equal
+//   (3) unchanged by a common translation
+std::shared_ptr<const Predicate> make_disc_power_3();
 
 }  // namespace kinex
 

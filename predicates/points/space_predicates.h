@@ -17,6 +17,9 @@ namespace kinex {
 //   (2) zero if two arguments are equal
 //   (3) unchanged by a common translation
 std::shared_ptr<const Predicate> make_orientation_3();
+// The same polynomial under the same name, for certificates that fail at touches, too
+// (core/arithmetic/touch.h).
+std::shared_ptr<const Predicate> make_orientation_3_touch();
 
 // in_sphere_3(a, b, c, d, e) = - the determinant with rows (x, y, z, x^2 + y^2 + z^2) of a - e,
 // b - e, c - e, d - e. For orientation_3(a, b, c, d) > 0, positive iff e lies strictly inside the
@@ -25,6 +28,13 @@ std::shared_ptr<const Predicate> make_orientation_3();
 //   (2) zero if two arguments are equal
 //   (3) unchanged by a common translation
 std::shared_ptr<const Predicate> make_in_sphere_3();
+
+// unfolded_3(p, u, v, q) = ((v - u) x (p - u)) . ((v - u) x (u - q)). For triangles u v p and u v q in one
+// plane, positive iff they lie on different sides of their common edge. Degree 4 in the coordinates.
+//   (1) unchanged if p and q, or u and v, are exchanged
+//   (2) zero if p or q is on the line through u and v
+//   (3) unchanged by a common translation
+std::shared_ptr<const Predicate> make_unfolded_3();
 
 // orientation_2 of the projections on two axes, first < second, of points in space (named
 // orientation_xy, orientation_xz, orientation_yz). Positive iff the projections of a, b, c turn

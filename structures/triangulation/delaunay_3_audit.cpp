@@ -187,7 +187,7 @@ void Delaunay3::audit(const Snapshot& snapshot, AuditReport& report) const {
       if (side != CGAL::ON_ORIENTED_BOUNDARY) return;
       ties = true;
       // A tie of this time only may be decided either way.
-      const Query claim = geometry_.claim(quad, v);
+      const Query claim = geometry_.power_claim(quad, v);
       if (kernel_->sign_after(claim) != Sign::kZero) return;
       report.check(!inside_by_ties(points, quad, v), [&] {
         return named("on the sphere, and inside by its id: points",

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "structures/triangulation/delaunay_3.h"
+#include "structures/triangulation/edge_winding.h"
 
 namespace kinex {
 
@@ -11,38 +12,10 @@ void Delaunay3::build(std::span<const ObjectId> objects) {
   construct();
 }
 
-void Delaunay3::rebuild() {
-  if (corrupt_) return;
-  construct();
-  untold_.clear();
-}
-
-void Delaunay3::rebuild_because(const std::string& reason) {
-  if (corrupt_) return;
-  AttributeDifference change;
-  if (comes_or_goes_) {
-    construct();
-  } else {
-    const Attribute before = told();
-    construct();
-    if (!corrupt_) change = difference_between(before, attribute());
-  }
-  untold_.clear();
-  kernel_->count_rebuild(id_, reason, change.gone, change.came);
-}
-
-void Delaunay3::retract_all() {
-  for (Cell c = 0; c < store_.cell_capacity(); ++c) {
-    if (!store_.live(c)) continue;
-    for (Facet f = 4 * c; f < 4 * c + 4; ++f) drop_certificate(f);
-  }
-}
-
 void Delaunay3::construct() {
-  retract_all();
+  drop_all_certificates();
   points_.reset();
-  suspects_.clear();
-  has_last_flip_ = false;
+  forget_instant();
   hint_ = kNone;
   const std::vector<ObjectId> objects = points_.members();
   for (const ObjectId id : objects) points_.show(id);
@@ -52,12 +25,20 @@ void Delaunay3::construct() {
     return give_up("the static construction found no place for a point");
   for (const auto& [v, behind] : hidden) points_.hide(v, behind);
   flat_ = built == StaticResult::kFlat;
-  for (Cell c = 0; c < store_.cell_capacity() && !corrupt_; ++c) {
-    if (!store_.live(c)) continue;
-    for (Facet f = 4 * c; f < 4 * c + 4; ++f) {
-      if (f < store_.mate(f)) set_certificate(f);
-    }
-  }
+  certify_everything();
+}
+
+StaticResult Delaunay3::build_patch(std::span<const ObjectId> vertices) {
+  hidden_in_patch_.clear();
+  return build_static(geometry_, vertices, false, patch_, hidden_in_patch_);
+}
+
+void Delaunay3::sewn() {
+  for (const auto& [v, behind] : hidden_in_patch_) points_.hide(v, behind);
+}
+
+void Delaunay3::add_windings(const std::vector<Cell>& near, std::vector<Cell>& wrong) {
+  kinex::add_windings(geometry_, store_, near, wrong);
 }
 
 void Delaunay3::insert(ObjectId object) {
@@ -95,10 +76,7 @@ void Delaunay3::motions_changed(std::span<const ObjectId> objects) {
 
 // The point becomes a vertex, or is hidden behind an equal one; the smaller id is the vertex.
 void Delaunay3::put_in(ObjectId object) {
-  const Cell hint = hint_ != kNone && hint_ < store_.cell_capacity() && store_.live(hint_)
-                        ? hint_
-                        : store_.cell_of(store_.infinity());
-  const PlaceInSpace place = locate(geometry_, store_, object, hint);
+  const PointPlace<SpaceComplex> place = locate<SpaceComplex>(geometry_, store_, object, hint());
   const ObjectId vertex = place.equal;
   if (vertex != kNoObject && vertex < object) return points_.hide(object, vertex);
   points_.show(object);
@@ -110,7 +88,7 @@ void Delaunay3::put_in(ObjectId object) {
     return points_.hide(vertex, object);
   }
   if (place.cell != kNone) {
-    find_conflicts(geometry_, store_, object, place.cell, conflicts_);
+    find_conflicts<SpaceComplex>(geometry_, store_, object, place.cell, conflicts_);
     if (fill(conflicts_.cells, conflicts_.star)) return;
   }
   rebuild_because("insertion at a degenerate instant");
@@ -131,20 +109,13 @@ void Delaunay3::take_out(ObjectId vertex) {
 }
 
 // Hidden points that no longer coincide with their vertex become vertices.
-void Delaunay3::part_hidden() {
+void Delaunay3::settle_hidden() {
   const std::vector<ObjectId> parted = points_.reveal_parted(
-      moved_, [this](ObjectId a, ObjectId b) { return geometry_.identical(a, b); });
+      moved_, [this](ObjectId a, ObjectId b) { return geometry_.equal(a, b, When::kRightAfter); });
   for (const ObjectId v : parted) {
     if (corrupt_ || flat_ || points_.vertex_of(v) != kNoObject) continue;  // rebuilt with them
     put_in(v);
   }
-}
-
-// New motions while all points are in one plane.
-void Delaunay3::sort_out_plane() {
-  construct();
-  if (corrupt_ || flat_) return;
-  kernel_->count_rebuild(id_, "points leave their common plane", {}, attribute().ids);
 }
 
 }  // namespace kinex

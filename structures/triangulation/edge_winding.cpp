@@ -2,10 +2,15 @@
 #include "structures/triangulation/edge_winding.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
-namespace kinex {
+#include "structures/parts/sort_unique.h"
 
+namespace kinex {
+namespace {
+
+// The cells around the edge between places i and j of the cell c, in order, from c on.
 std::vector<Triangulation3::Cell> cells_around_edge(const Triangulation3& store,
                                                     Triangulation3::Cell c, unsigned i,
                                                     unsigned j) {
@@ -28,7 +33,8 @@ std::vector<Triangulation3::Cell> cells_around_edge(const Triangulation3& store,
   return cells;
 }
 
-bool goes_round_once(const SpaceGeometry& geometry, const Triangulation3& store,
+// True if the finite ones among these cells, which are upright, go round the edge u v once at most.
+bool goes_round_once(const LiftedGeometry<SpaceComplex>& geometry, const Triangulation3& store,
                      const std::vector<Triangulation3::Cell>& cells, ObjectId u, ObjectId v) {
   std::vector<std::pair<ObjectId, ObjectId>> wedges;
   for (const Triangulation3::Cell c : cells) {
@@ -63,6 +69,31 @@ bool goes_round_once(const SpaceGeometry& geometry, const Triangulation3& store,
     if (begun && geometry.orientation({u, v, a, y}) == Sign::kPositive) ++times;
   }
   return times == 1;
+}
+
+}  // namespace
+
+void add_windings(const LiftedGeometry<SpaceComplex>& geometry, const Triangulation3& store,
+                  const std::vector<Triangulation3::Cell>& near,
+                  std::vector<Triangulation3::Cell>& wrong) {
+  const std::vector<Triangulation3::Cell> known = wrong;
+  std::set<std::pair<ObjectId, ObjectId>> seen;
+  for (const Triangulation3::Cell c : near) {
+    const Triangulation3::Quad quad = store.quad(c);
+    for (unsigned i = 0; i < 4; ++i) {
+      for (unsigned j = i + 1; j < 4; ++j) {
+        const auto [u, v] = std::minmax(quad[i], quad[j]);
+        if (v == store.infinity() || !seen.emplace(u, v).second) continue;
+        const auto around = cells_around_edge(store, c, i, j);
+        const bool wrong_anyway = std::any_of(around.begin(), around.end(), [&](auto other) {
+          return std::binary_search(known.begin(), known.end(), other);
+        });
+        if (wrong_anyway || goes_round_once(geometry, store, around, u, v)) continue;
+        wrong.insert(wrong.end(), around.begin(), around.end());
+      }
+    }
+  }
+  sort_unique(wrong);
 }
 
 }  // namespace kinex

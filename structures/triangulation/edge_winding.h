@@ -10,18 +10,16 @@
 
 #include <vector>
 
-#include "structures/triangulation/space_geometry.h"
+#include "structures/triangulation/lifted_geometry.h"
 #include "structures/triangulation/triangulation_3.h"
 
 namespace kinex {
 
-// The cells around the edge between places i and j of the cell c, in order, from c on.
-std::vector<Triangulation3::Cell> cells_around_edge(const Triangulation3& store,
-                                                    Triangulation3::Cell c, unsigned i, unsigned j);
-
-// True if the finite ones among these cells, which are upright, go round the edge u v once at most.
-bool goes_round_once(const SpaceGeometry& geometry, const Triangulation3& store,
-                     const std::vector<Triangulation3::Cell>& cells, ObjectId u, ObjectId v);
+// Adds the cells around edges of `near` that they go round more than once. Edges of cells that are
+// `wrong`, ascending, anyway are passed over.
+void add_windings(const LiftedGeometry<SpaceComplex>& geometry, const Triangulation3& store,
+                  const std::vector<Triangulation3::Cell>& near,
+                  std::vector<Triangulation3::Cell>& wrong);
 
 }  // namespace kinex
 

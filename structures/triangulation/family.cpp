@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/triangulation/family.h"
 
+#include <string_view>
+#include <utility>
+#include <vector>
+
 #include "structures/triangulation/delaunay_2.h"
 #include "structures/triangulation/delaunay_3.h"
+#include "structures/triangulation/regular_2.h"
+#include "structures/triangulation/regular_3.h"
 
 namespace kinex {
 
@@ -26,13 +32,86 @@ StructureInfo delaunay_in_space() {
   info.certificates =
       "at most (n + 1)(n - 2), one for each facet, those with the vertex at infinity included";
   info.ties =
-      "of points identically on one sphere those with smaller ids have their lifted heights lowered "
+      "of points identically on one sphere those with smaller ids have their lifted heights "
+      "lowered "
       "more; of identically equal points the smallest id is the vertex; points identically in one "
       "plane have no cells";
   info.source =
       "Guibas, Kinetic data structures: a state of the art report (1998), section 7; Joe (1991); "
       "Devillers, Teillaud (2011)";
   info.make = make_plain<Delaunay3>;
+  return info;
+}
+
+// What regular triangulations have in common.
+StructureInfo regular(std::string_view name, std::string_view summary,
+                      std::vector<KindRule> kinds) {
+  StructureInfo info{.name = name, .summary = summary};
+  info.weights = true;
+  info.fails_at_touch = true;
+  info.shape = Attribute::Shape::kTuples;
+  info.kinds = std::move(kinds);
+  info.source =
+      "Guibas, Kinetic data structures: a state of the art report (1998), section 7; Edelsbrunner, "
+      "Shah (1996); Devillers, Teillaud (2011)";
+  return info;
+}
+
+StructureInfo regular_in_the_plane() {
+  StructureInfo info = regular(
+      "regular_2", "the regular triangulation of points with weights in the plane",
+      {{"flip", Effect::kAlways, "an edge gives way to the other diagonal of its two triangles"},
+       {"enter", Effect::kAlways, "a vertex reaches the hull: a triangle goes"},
+       {"leave", Effect::kAlways, "a vertex sinks below an edge of the hull: a triangle comes"},
+       {"show", Effect::kAlways, "a hidden point becomes a vertex"},
+       {"hide", Effect::kAlways, "a vertex sinks below the plane of its neighbours, and is hidden"},
+       {"witness", Effect::kNever, "a hidden point has, or waits for, another witness"},
+       {"retile", Effect::kSometimes,
+        "at a degenerate instant: triangles are cut out and filled anew"},
+       {"blocked", Effect::kNever, "at a degenerate instant: no flip repairs the edge yet"},
+       {"touch", Effect::kNever,
+        "at a degenerate instant: a vertex is on the line of a hull edge"}});
+  info.min_dimension = 2;
+  info.width = 3;
+  info.certificates =
+      "at most 4n - 6: one for each edge, those to the vertex at infinity included, and four for "
+      "each "
+      "hidden point";
+  info.ties =
+      "of points identically in one lifted plane those with smaller ids have their heights lowered "
+      "more; of identically equal points the one of largest weight, then of smallest id, can be a "
+      "vertex; points identically on one line have no triangles";
+  info.make = make_plain<Regular2>;
+  return info;
+}
+
+StructureInfo regular_in_space() {
+  StructureInfo info = regular(
+      "regular_3", "the regular triangulation of points with weights in space",
+      {{"flip_2_3", Effect::kAlways, "a facet gives way to an edge: three cells replace two"},
+       {"flip_3_2", Effect::kAlways, "an edge gives way to a facet: two cells replace three"},
+       {"enter", Effect::kAlways, "a vertex reaches the hull: a cell goes"},
+       {"leave", Effect::kAlways, "a vertex sinks below a facet of the hull: a cell comes"},
+       {"hull_2_3", Effect::kAlways, "an edge of the hull goes in front of another: a cell comes"},
+       {"hull_3_2", Effect::kAlways, "an edge of the hull gives way to another: a cell goes"},
+       {"show", Effect::kAlways, "a hidden point becomes a vertex"},
+       {"hide", Effect::kAlways, "a vertex sinks below the plane of its neighbours, and is hidden"},
+       {"witness", Effect::kNever, "a hidden point has, or waits for, another witness"},
+       {"retile", Effect::kSometimes, "at a degenerate instant: cells are cut out and filled anew"},
+       {"blocked", Effect::kNever, "at a degenerate instant: no flip repairs the facet yet"},
+       {"touch", Effect::kNever,
+        "at a degenerate instant: a vertex is in the plane of a hull facet"}});
+  info.min_dimension = 3;
+  info.width = 4;
+  info.certificates =
+      "at most (n + 1)(n - 2): one for each facet, those with the vertex at infinity included, and "
+      "five "
+      "for each hidden point";
+  info.ties =
+      "of points identically in one lifted plane those with smaller ids have their heights lowered "
+      "more; of identically equal points the one of largest weight, then of smallest id, can be a "
+      "vertex; points identically in one plane have no cells";
+  info.make = make_plain<Regular3>;
   return info;
 }
 
@@ -60,7 +139,8 @@ StructureFamily triangulation_family() {
       "Guibas, Kinetic data structures: a state of the art report (1998), section 7; "
       "Guibas, Mitchell, Roos (1991)";
   delaunay.make = make_plain<Delaunay2>;
-  return {"triangulation", {delaunay, delaunay_in_space()}};
+  return {"triangulation",
+          {delaunay, delaunay_in_space(), regular_in_the_plane(), regular_in_space()}};
 }
 
 }  // namespace kinex

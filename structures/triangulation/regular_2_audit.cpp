@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Regular2: bounds, invariants, and the audit against CGAL's exact triangulation. No other file of this
+// Regular2: the audit against CGAL's exact triangulation. No other file of this
 // structure includes CGAL.
 #include <CGAL/Gmpq.h>
 #include <CGAL/Regular_triangulation_2.h>
@@ -11,7 +11,6 @@
 #include <set>
 #include <utility>
 
-#include "structures/parts/binomial.h"
 #include "structures/triangulation/audit_text.h"
 #include "structures/triangulation/regular_2.h"
 
@@ -71,82 +70,29 @@ bool below_by_ties(const std::vector<Weighted>& points, const Corners& t, Object
 
 }  // namespace
 
-std::vector<BoundCheck> Regular2::bounds(const BoundContext& context) const {
-  std::vector<BoundCheck> checks;
-  const StructureLedger& ledger = *context.ledger;
-  if (corrupt_) return checks;
-  BoundCheck check;
-  check.id = "regular_2.certificates";
-  check.source =
-      "Euler's formula: 3n' - 3 edges of the closed triangulation of n' vertices; 4 for each hidden "
-      "point";
-  const auto vertices = static_cast<std::int64_t>(store_.vertices());
-  const auto all = static_cast<std::int64_t>(flat_ ? 0 : hidden().size());
-  check.bound = flat_ ? Integer(0) : Integer(3 * vertices - 3 + 4 * all);
-  check.observed = Integer(static_cast<std::int64_t>(ledger.live));
-  check.holds = check.bound == check.observed;
-  checks.push_back(std::move(check));
-  const auto n = static_cast<std::int64_t>(context.objects());
-  checks.push_back(at_most("regular_2.compactness",
-                           "3n' - 3 + 4 (n - n') for n' >= 3 vertices: at most 4n - 6",
-                           Integer(std::max<std::int64_t>(0, 4 * n - 6)),
-                           Integer(static_cast<std::int64_t>(ledger.max_live))));
-  // The theorems count changes in general position; degenerate instants may fail more certificates.
-  const bool degenerate =
-      ledger.rebuilds != 0 || sews_ != 0 || blocks_ != 0 || waits_ != 0 || ties_ != 0;
-  if (!context.plain() || degenerate) return checks;
-  const Integer d(context.degree), objects(n);
-  const Integer most =
-      Integer(4) * d * binomial(objects, 4) + Integer(2) * d * binomial(objects, 3);
-  const char* const source =
-      "each power changes sign 4D times, each orientation 2D times: 4D C(n,4) + 2D C(n,3)";
-  checks.push_back(at_most("regular_2.events", source, most,
-                           Integer(static_cast<std::int64_t>(changes_))));
-  checks.push_back(at_most("regular_2.witnesses", source, most,
-                           Integer(static_cast<std::int64_t>(witnesses_.line().failures))));
-  checks.push_back(at_most("regular_2.responsiveness",
-                           "5 certificates for a flip, 6 for a point that shows, 7 for one that hides",
-                           Integer(7),
-                           Integer(static_cast<std::int64_t>(ledger.created_per_event.max))));
-  return checks;
-}
-
-void Regular2::check_invariants(AuditReport& report) const {
-  for (ObjectId id = 0; id < present_.size(); ++id) {
-    const bool has = witness_[id].corners[0] != kNoObject;
-    const bool wanted = present_[id] && !flat_ && !store_.has(id);
-    report.check(has == wanted && (present_[id] || !store_.has(id)),
-                 [&] { return named("a vertex with a witness, or hidden without one:", {id}); });
-    if (!has) continue;
-    for (unsigned i = 0; i < 4; ++i) {
-      report.check(witnesses_.holds(witness_[id].certificates[i], witness_query(id, i), id),
-                   [&] { return named("a wrong certificate of hidden point", {id}); });
-    }
-    report.check(geometry_.orientation(witness_[id].corners) == Sign::kPositive &&
-                     !geometry_.below(witness_[id].corners, id),
-                 [&] { return named("a witness that proves nothing, of point", {id}); });
+// Certificates that have failed an even number of times since now are positive again, though triangles
+// have turned over, or the hull winds around twice.
+bool Regular2::holds_at(const Snapshot& snapshot) const {
+  const auto point = [&snapshot](ObjectId v) {
+    const auto at = [&](int axis) { return Number(CGAL::Gmpq(snapshot.position(v, axis).raw())); };
+    return Point(at(0), at(1));
+  };
+  for (Triangle t = 0; t < store_.triangle_capacity(); ++t) {
+    if (!store_.live(t) || store_.ghost(t)) continue;
+    const Corners c = store_.corners(t);
+    if (!CGAL::left_turn(point(c[0]), point(c[1]), point(c[2]))) return false;
   }
-  report.check(waiting_.empty(), [] { return std::string("hidden points wait for a witness"); });
-  report.check(!flat_ || store_.triangles() == 0,
-               [] { return std::string("triangles of points on one line"); });
-  report.check(untold_.size() == 0, [] { return std::string("triangles that were not reported"); });
-  const std::string defect = store_.defect();
-  report.check(defect.empty(), [&] { return defect; });
-  if (!defect.empty()) return;
-  for (HalfEdge h = 0; h < store_.half_edge_capacity(); ++h) {
-    if (!store_.live(Triangulation2::triangle(h)) || h > store_.twin(h)) continue;
-    const CertificateId label = store_.label(h);
-    const auto holds = [&](HalfEdge tag) {
-      const bool tie = kernel_->sign_after(claim_of(tag)) == Sign::kZero;
-      return edges_.holds(label, tie ? tie_claim_of(tag) : claim_of(tag), tag);
-    };
-    const auto text = [&](const char* what) {
-      return named("edge", {store_.origin(h), store_.target(h)}) + what;
-    };
-    report.check(holds(h) || holds(store_.twin(h)),
-                 [&] { return text(" has no certificate or another edge's"); });
-    report.check(!edges_.is_tie(label), [&] { return text(" is identically flat"); });
-  }
+  if (flat_) return true;
+  int ends = 0;  // of the part of the hull on which x ascends
+  const HalfEdge first = store_.out(store_.infinity());
+  HalfEdge at = first;
+  do {
+    const HalfEdge next = store_.around(at), last = store_.around(next);
+    const Point a = point(store_.target(at)), b = point(store_.target(next));
+    if (a < b && !(b < point(store_.target(last)))) ++ends;
+    at = next;
+  } while (at != first);
+  return ends == 1;
 }
 
 void Regular2::audit(const Snapshot& snapshot, AuditReport& report) const {

@@ -103,6 +103,14 @@ def main():
             for j, family in enumerate(("uniform-square", "lattice", "grid", "meet")):
                 check(scratch, structure, family, 7, i + j, structure, "--dimension", "3")
                 check(scratch, structure, family, 5, i + 2 * j, structure, "--dimension", "3")
+        for structure in ("regular_2", "regular_3"):
+            if structure not in chosen:
+                continue
+            for family in ("small-weights", "small-moving-weights", "random-weights", "breathing"):
+                for n in (5, 7):
+                    check(scratch, structure, family, n, n, structure, "--dimension", structure[-1])
+            if structure == "regular_2":
+                check(scratch, structure, "show-and-hide", 2, 1, structure, "--m", "3")
         for i, structure in enumerate(known.bodies):
             if structure not in chosen:
                 continue

@@ -67,6 +67,9 @@ std::vector<Named> all_predicates() {
           {"no_width", make_no_width({1, 3, 2})},
           {"power_2", make_power_2()},
           {"disc_power_2", make_disc_power_2()},
+          {"power_3", make_power_3()},
+          {"disc_power_3", make_disc_power_3()},
+          {"unfolded_3", make_unfolded_3()},
           {"disc_overlap_1", make_disc_overlap(1)},
           {"disc_overlap_2", make_disc_overlap(2)},
           {"disc_apart_3", make_disc_apart(3)},
@@ -350,6 +353,34 @@ TEST_F(KnownSigns, Powers) {
   EXPECT_EQ(side(make_power_2(), {5, 5, 11}), 0);
   EXPECT_EQ(side(make_disc_power_2(), {5, 4, 2}), -1);  // the square of the tangent is 5
   EXPECT_EQ(side(make_disc_power_2(), {5, 4, 3}), 1);
+}
+
+// The same in space; and whether triangles at one edge are folded over each other.
+TEST_F(KnownSigns, PowersInSpace) {
+  const std::vector<std::vector<int>> corner{{0, 0, 0, 1}, {4, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 4, 1}};
+  const auto side = [&corner](const std::shared_ptr<const Predicate>& p, std::vector<int> point) {
+    return sign(p, {corner[0], corner[1], corner[2], corner[3], std::move(point)});
+  };
+  for (const auto& p : {make_power_3(), make_disc_power_3()}) {
+    EXPECT_EQ(side(p, {1, 1, 1, 1}), 1);
+    EXPECT_EQ(side(p, {4, 4, 4, 1}), 0);
+    EXPECT_EQ(side(p, {4, 4, 4, 2}), 1);
+    EXPECT_EQ(side(p, {4, 4, 4, 0}), -1);
+    EXPECT_EQ(side(p, {4, 4, 5, 1}), -1);
+  }
+  EXPECT_EQ(side(make_power_3(), {1, 1, 1, -8}), 0);  // 9 below the sphere's
+  EXPECT_EQ(side(make_power_3(), {1, 1, 1, -9}), -1);
+  EXPECT_EQ(side(make_power_3(), {5, 5, 5, 16}), 0);
+  EXPECT_EQ(side(make_disc_power_3(), {5, 5, 5, 4}), 0);  // the square of the tangent is 16 with radius 1
+  EXPECT_EQ(side(make_disc_power_3(), {5, 5, 5, 3}), -1);
+  const auto fold = [](std::vector<int> p, std::vector<int> q) {
+    return sign(make_unfolded_3(), {std::move(p), {0, 0, 0}, {0, 2, 0}, std::move(q)});
+  };
+  EXPECT_EQ(fold({1, 5, 0}, {-2, 7, 0}), 1);
+  EXPECT_EQ(fold({1, 5, 0}, {2, -7, 0}), -1);
+  EXPECT_EQ(fold({1, 5, 0}, {0, 7, 0}), 0);
+  EXPECT_EQ(fold({1, 5, 0}, {0, 7, 3}), 0);  // at a right angle
+  EXPECT_EQ(fold({0, 0, 3}, {0, 1, -1}), 1);
 }
 
 // Weights of degree 3 on linear motions: the value has degree 5 and not 12, in every form.

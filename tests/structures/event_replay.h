@@ -160,12 +160,25 @@ class ReplayedAttribute {
     wrong += change(joins, {v[0], v[2], v[3]});
     return wrong + change(joins, {v[0], v[1], v[3]});
   }
-  // A flip in space: two cells on five points for three, or the reverse; or one cell at the hull.
+  // A flip in space: two cells on five points for three, or the reverse; a vertex that shows in a cell, or
+  // the reverse; or one cell at the hull.
   std::string apply_in_space(std::string_view kind, const Event& event) {
     const auto& v = event.ids;
-    const bool joins = kind == "flip_2_3" || kind == "leave" || kind == "hull_2_3";
+    const bool joins =
+        kind == "flip_2_3" || kind == "leave" || kind == "hull_2_3" || kind == "show";
     if (event.count == 4) return change(joins, {v[0], v[1], v[2], v[3]});
     std::string wrong;
+    if (kind == "show" || kind == "hide") {
+      wrong += change(!joins, {v[1], v[2], v[3], v[4]});
+      for (std::size_t out = 1; out < 5; ++out) {
+        Cell cell{v[0]};
+        for (std::size_t i = 1; i < 5; ++i) {
+          if (i != out) cell.push_back(v[i]);
+        }
+        wrong += change(joins, std::move(cell));
+      }
+      return wrong;
+    }
     for (const ObjectId end : {v[0], v[1]}) wrong += change(!joins, {end, v[2], v[3], v[4]});
     for (std::size_t out = 2; out < 5; ++out) {
       const std::size_t a = out == 2 ? 3 : 2, b = out == 4 ? 3 : 4;

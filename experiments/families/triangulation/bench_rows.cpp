@@ -31,6 +31,11 @@ std::vector<lab::BenchRow> speed_rows(int scale) {
   }
   rows.push_back(random_row("delaunay_3", 1, n(500)));
   rows.push_back(random_row("delaunay_3", 1, n(5000), 300000));
+  for (const std::string_view regular : {"regular_2", "regular_3"}) {
+    const bool in_space = regular == "regular_3";
+    rows.push_back(random_row(regular, 1, n(in_space ? 500 : 1000)));
+    rows.push_back(lab::speed_row(regular, "random-weights", 1, n(in_space ? 500 : 1000)));
+  }
   return rows;
 }
 

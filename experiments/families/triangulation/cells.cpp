@@ -66,6 +66,7 @@ void add_triangulation_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   }
   add_random_motion(catalogue);
   add_space_cells(catalogue, extent);
+  add_weighted_cells(catalogue, extent);
 }
 
 }  // namespace kinex::families

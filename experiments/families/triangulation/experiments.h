@@ -31,6 +31,7 @@ void generate_show_and_hide(const lab::WorkloadParameters&, Scene&);
 void generate_breathing(const lab::WorkloadParameters&, Scene&);
 void generate_small_weights(const lab::WorkloadParameters&, Scene&);
 void generate_small_moving_weights(const lab::WorkloadParameters&, Scene&);
+void generate_random_weights(const lab::WorkloadParameters&, Scene&);
 // bench_rows.cpp
 std::vector<lab::BenchRow> triangulation_bench_rows(int scale);
 

@@ -10,13 +10,28 @@ lab::FamilyExperiments triangulation_experiments() {
   lab::FamilyExperiments family;
   family.name = "triangulation";
   family.usual = {{false, 2, "delaunay_2"}};
-  family.workloads = {{"skew-curves",
-                       "a point passes between two skew curves of --n points each in space", 3, 3,
-                       3, false, false, false, "delaunay_3", generate_skew_curves, 2},
-                      {"skew-rows",
-                       "--m points pass between two skew rows of --n points each in space, and each "
-                       "changes all cells",
-                       3, 3, 3, false, false, true, "delaunay_3", generate_skew_rows, 2, 1, 1}};
+  family.workloads = {
+      {"skew-curves", "a point passes between two skew curves of --n points each in space", 3, 3, 3,
+       false, false, false, "delaunay_3", generate_skew_curves, 2},
+      {"skew-rows",
+       "--m points pass between two skew rows of --n points each in space, and each "
+       "changes all cells",
+       3, 3, 3, false, false, true, "delaunay_3", generate_skew_rows, 2, 1, 1},
+      {"show-and-hide",
+       "--n light points pass under a strip of 2 --m heavy ones: 4n(m - 1) times one shows "
+       "or hides",
+       2, 2, 2, false, false, true, "regular_2", generate_show_and_hide, 1, 2},
+      {"breathing", "the weight of a point crosses --n times the value at which it shows", 2, 2, 3,
+       false, false, false, "regular_2", generate_breathing},
+      {"small-weights",
+       "points of small integers with weights from a generator that every program can repeat", 2, 2,
+       3, true, false, false, "regular_2", generate_small_weights},
+      {"small-moving-weights", "the same with weights that change", 2, 2, 3, true, false, false,
+       "regular_2", generate_small_moving_weights},
+      {"random-weights", "points of linear motion and weight in the unit square", 2, 2, 3, true,
+       false, false, "regular_2", generate_random_weights}};
+  lab::set_kind(family.workloads, lab::SceneKind::kRandom, {"random-weights"});
+  lab::set_kind(family.workloads, lab::SceneKind::kTies, {"small-weights", "small-moving-weights"});
   family.add_cells = add_triangulation_cells;
   family.event_bounds = {"passes"};
   family.trade = {{"delaunay_2",
@@ -32,6 +47,22 @@ lab::FamilyExperiments triangulation_experiments() {
                    {10, 20},
                    "skew-curves",
                    {3, 6},
+                   {8, 27},
+                   {8, 16},
+                   {{8, 12}, {8, 12, 16, 24}}},
+                  {"regular_2",
+                   2,
+                   {12, 32},
+                   "show-and-hide",
+                   {2, 4},
+                   {16, 36},
+                   {8, 16},
+                   {{8, 16, 32}, {8, 16, 32, 64, 128}}},
+                  {"regular_3",
+                   3,
+                   {10, 20},
+                   "breathing",
+                   {4, 8},
                    {8, 27},
                    {8, 16},
                    {{8, 12}, {8, 12, 16, 24}}}};

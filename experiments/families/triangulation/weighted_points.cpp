@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Points of the plane with weights: scenes in which a known number of points show and hide, small
 // integers for counts that another program can repeat, and random motion.
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -38,16 +39,19 @@ void generate_show_and_hide(const lab::WorkloadParameters& parameters, Scene& sc
   }
 }
 
-// The triangle (0, 0), (6, 0), (0, 6) of weight 0, and (2, 1) of weight theta + (t - 1)(t - 2)..(t - n):
-// theta = 5 - 18 = -13 is where it lies in the plane of the triangle, all lifted. It shows and hides in
-// turn, at t = 1, .., n.
+// The simplex of the origin and of 6 on each axis, of weight 0, and (2, 1) or (2, 1, 1) of weight
+// theta + (t - 1)(t - 2)..(t - n): theta is where it lies in the plane of the simplex, all lifted: 5 - 18
+// in the plane, 6 - 24 in space. It shows and hides in turn, at t = 1, .., n.
 void generate_breathing(const lab::WorkloadParameters& parameters, Scene& scene) {
   scene.start = 0;
   scene.end = Rational(parameters.n + 1);
   scene.extents = Extents::kWeight;
-  for (const auto& [x, y] : {std::pair(0, 0), std::pair(6, 0), std::pair(0, 6)}) {
-    lab::add_object(scene, "c" + std::to_string(scene.objects.size()),
-                    {{Rational(x)}, {Rational(y)}, {}});
+  const int axes = parameters.dimension;
+  for (int corner = -1; corner < axes; ++corner) {
+    std::vector<std::vector<Rational>> place;
+    for (int axis = 0; axis < axes; ++axis) place.push_back({Rational(axis == corner ? 6 : 0)});
+    place.emplace_back();
+    lab::add_object(scene, "c" + std::to_string(corner + 1), std::move(place));
   }
   std::vector<Rational> weight{1};
   for (int root = 1; root <= parameters.n; ++root) {
@@ -58,24 +62,29 @@ void generate_breathing(const lab::WorkloadParameters& parameters, Scene& scene)
     }
     weight = std::move(next);
   }
-  weight[0] -= Rational(13);
-  lab::add_object(scene, "breathing", {{Rational(2)}, {Rational(1)}, std::move(weight)});
+  weight[0] -= Rational(axes == 2 ? 13 : 18);
+  std::vector<std::vector<Rational>> place(static_cast<std::size_t>(axes), {Rational(1)});
+  place[0] = {Rational(2)};
+  place.push_back(std::move(weight));
+  lab::add_object(scene, "breathing", std::move(place));
 }
 
 namespace {
 
-// As small-integers (proximity/small_integers.cpp) in the plane; then for each point its weight, next()
-// mod 1500, and if it moves the rate of it, (next() mod 401) - 200.
+// As small-integers (proximity/small_integers.cpp); then for each point its weight, next() mod 1500, and
+// if it moves the rate of it, (next() mod 401) - 200. In space mod 6000, and (next() mod 801) - 400.
 void generate_small(const lab::WorkloadParameters& parameters, bool moving, Scene& scene) {
   lab::RepeatableNumbers numbers(parameters.seed);
   scene.start = 0;
   scene.end = Rational(10);
   scene.extents = Extents::kWeight;
+  const bool in_space = parameters.dimension == 3;
+  const int weights = in_space ? 6000 : 1500, most = in_space ? 400 : 200;
   for (int i = 0; i < parameters.n; ++i) {
     std::vector<std::vector<Rational>> axes;
     for (int axis = 0; axis < parameters.dimension; ++axis) axes.push_back(numbers.line());
-    axes.push_back({Rational(numbers.next() % 1500)});
-    if (moving) axes.back().push_back(Rational(numbers.next() % 401 - 200));
+    axes.push_back({Rational(numbers.next() % weights)});
+    if (moving) axes.back().push_back(Rational(numbers.next() % (2 * most + 1) - most));
     lab::add_object(scene, "p" + std::to_string(i), std::move(axes));
   }
 }
@@ -87,6 +96,29 @@ void generate_small_weights(const lab::WorkloadParameters& parameters, Scene& sc
 }
 void generate_small_moving_weights(const lab::WorkloadParameters& parameters, Scene& scene) {
   generate_small(parameters, true, scene);
+}
+
+// On a line from one random place of the unit square (cube) at t = 0 to another at t = 1; weights go from
+// one random number to another, at most the square of a typical distance, n^(-2/d) with the root rounded up
+// to a power of two. Multiples of 2^-20.
+void generate_random_weights(const lab::WorkloadParameters& parameters, Scene& scene) {
+  lab::WorkloadRandom random(parameters.seed);
+  scene.start = 0;
+  scene.end = Rational(1);
+  scene.extents = Extents::kWeight;
+  std::int64_t root = 1;
+  const auto power = [&] { return parameters.dimension == 3 ? root * root * root : root * root; };
+  while (power() < parameters.n) root *= 2;
+  const auto line = [&random](std::int64_t most) {
+    const std::int64_t first = random.between(0, most), last = random.between(0, most);
+    return std::vector<Rational>{lab::on_grid(first), lab::on_grid(last - first)};
+  };
+  for (int i = 0; i < parameters.n; ++i) {
+    std::vector<std::vector<Rational>> axes;
+    for (int axis = 0; axis < parameters.dimension; ++axis) axes.push_back(line(lab::kGridUnits));
+    axes.push_back(line(std::max<std::int64_t>(1, lab::kGridUnits / (root * root))));
+    lab::add_object(scene, "p" + std::to_string(i), std::move(axes));
+  }
 }
 
 }  // namespace kinex::families

@@ -1,12 +1,14 @@
 // How the claim of a certificate on points is drawn, by its figure: as segments and circles on the
 // screen. `view` knows the place of each point there, and in space.
-function shapesOf({ form, ids }, view) {
+function shapesOf({ form, ids, name }, view) {
   const named = form.places ? form.places.map(i => ids[i]) : ids;
   const p = named.map(id => view.at(id));
   switch (form.figure) {
-    case "circle":
-      if (p.length === 5) return sphereShapes(view, named, p);
-      return [circleThrough(p[0], p[1], p[2]), { dot: p[3] }];
+    case "circle": {  // through the points, or that at which their weights are their powers
+      const weights = named.map(id => name.includes("power") ? WEIGHT[id] : 0);
+      if (p.length === 5) return sphereShapes(view, named, p, weights);
+      return [circleThrough(p[0], p[1], p[2], weights.map(w => w * view.scale ** 2)), { dot: p[3] }];
+    }
     case "turn":
       if (p.length === 4) return planeShapes(p);
       return [{ from: p[0], to: p[1], arrow: true }, { from: p[1], to: p[2], faint: true },
@@ -41,9 +43,10 @@ function pairShapes(p) {
   return p.flatMap((from, i) => i % 2 ? [] : [{ from, to: p[i + 1], faint: 2 * i >= p.length }]);
 }
 
-// A sphere through four points, and a fifth; its outline is a circle however it is turned.
-function sphereShapes(view, ids, p) {
-  const { centre, radius } = sphereThrough(ids.slice(0, 4).map(id => view.positionOf(id)));
+// A sphere through four points, or one that has their weights as powers, and a fifth; its outline is a
+// circle however it is turned.
+function sphereShapes(view, ids, p, weights) {
+  const { centre, radius } = sphereThrough(ids.slice(0, 4).map(id => view.positionOf(id)), weights);
   return [{ centre: view.seenAt(centre), radius: radius * view.scale }, { dot: p[4] },
           ...[[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]].map(([i, j]) => ({ from: p[i], to: p[j] }))];
 }
@@ -71,12 +74,14 @@ function flushBox([a, b, r, c, l], faint = false) {
           ...corners.map((q, i) => ({ from: q, to: corners[(i + 1) % 4], faint }))];
 }
 
-function circleThrough([ax, ay], [px, py], [qx, qy]) {
+// Through three points; or the circle at which they have these powers. If it has no points the radius is not
+// a number.
+function circleThrough([ax, ay], [px, py], [qx, qy], [wa, wp, wq] = [0, 0, 0]) {
   const bx = px - ax, by = py - ay, cx = qx - ax, cy = qy - ay;
   const d = 2 * (bx * cy - by * cx);
-  const x = (cy * (bx * bx + by * by) - by * (cx * cx + cy * cy)) / d;
-  const y = (bx * (cx * cx + cy * cy) - cx * (bx * bx + by * by)) / d;
-  return { centre: [ax + x, ay + y], radius: Math.hypot(x, y) };
+  const b = bx * bx + by * by - wp + wa, c = cx * cx + cy * cy - wq + wa;
+  const x = (cy * b - by * c) / d, y = (bx * c - cx * b) / d;
+  return { centre: [ax + x, ay + y], radius: Math.sqrt(x * x + y * y - wa) };
 }
 
 // A circle larger than this is a line on the screen, and is not drawn.

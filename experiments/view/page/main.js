@@ -95,7 +95,7 @@ class App {
   failedClaim() {
     if (this.k === BEFORE || FIRST.certificates[at(FIRST, this.k)] === 0) return null;
     const [predicate, ids] = FIRST.certificates[at(FIRST, this.k)];
-    return { form: formOf(FIRST, predicate), ids };
+    return { form: formOf(FIRST, predicate), ids, name: FIRST.predicates[predicate] };
   }
   get drawing() { return this.drawings[this.mode]; }
   state() {

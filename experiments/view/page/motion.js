@@ -34,8 +34,12 @@ const X = [0, 1, 2].map(() => new Float64Array(OBJECTS));
 // The axes behind those of a position: one for the radius of a disc, one per axis for a box.
 const EXTENT_AXES = DATA.polygons !== undefined ? 0
     : (MOTIONS.find(pieces => pieces.length > 0) || [[0, 0, []]])[0][2].length - AXES;
+// That axis is the weight of a point, not a radius.
+const WEIGHTED = DATA.scene.weights === true;
 // Half the widths of discs and boxes along the axes that are drawn, at that time.
-const HALF = EXTENT_AXES > 0 ? DRAWN.map(() => new Float64Array(OBJECTS)) : [];
+const HALF = EXTENT_AXES > 0 && !WEIGHTED ? DRAWN.map(() => new Float64Array(OBJECTS)) : [];
+// Weights, of discs the squares of the radii, in squares of the unit of positions; at that time.
+const WEIGHT = new Float64Array(OBJECTS);
 const alive = new Uint8Array(OBJECTS);
 let placedAt = NaN;
 function place(u) {
@@ -49,6 +53,8 @@ function place(u) {
     HALF.forEach((half, axis) => {
       half[object] = evaluate(piece[2][AXES + Math.min(axis, EXTENT_AXES - 1)], u);
     });
+    if (WEIGHTED) WEIGHT[object] = evaluate(piece[2][AXES], u) / DATA.scale;
+    else if (EXTENT_AXES === 1) WEIGHT[object] = HALF[0][object] ** 2;
   }
 }
 

@@ -27,14 +27,15 @@ const dotProduct = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
 const minus = (u, v) => u.map((x, i) => x - v[i]);
 const crossProduct = (u, v) => [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
 
-// Through four points; of flat ones the radius is infinite, or not a number.
-function sphereThrough([a, ...others]) {
+// Through four points, or the sphere at which they have these powers; of flat ones the radius is infinite,
+// or not a number.
+function sphereThrough([a, ...others], [first, ...weights] = [0, 0, 0, 0]) {
   const [u, v, w] = others.map(p => minus(p, a));
-  const squares = [u, v, w].map(p => dotProduct(p, p));
+  const squares = [u, v, w].map((p, i) => dotProduct(p, p) - weights[i] + first);
   const sides = [crossProduct(v, w), crossProduct(w, u), crossProduct(u, v)];
   const volume = 2 * dotProduct(u, sides[0]);
   const to = [0, 1, 2].map(i => sides.reduce((sum, side, k) => sum + squares[k] * side[i], 0) / volume);
-  return { centre: a.map((x, i) => x + to[i]), radius: Math.sqrt(dotProduct(to, to)) };
+  return { centre: a.map((x, i) => x + to[i]), radius: Math.sqrt(dotProduct(to, to) - first) };
 }
 
 // The corners of a box [x0, x1, y0, y1, z0, z1]; the edges, each with the axis along which it runs.

@@ -77,7 +77,9 @@ TEST(Workload, EveryFamilyIsAValidScene) {
             {"vernier-turned", 16},
             {"points-through-lines", 16},
             {"skew-curves", 17},
-            {"skew-rows", 17}};
+            {"skew-rows", 17},
+            {"show-and-hide", 24},
+            {"breathing", static_cast<std::size_t>(dimension) + 2}};
         const auto other = others.find(workload.name);
         EXPECT_EQ(scene.objects.size(), other == others.end() ? 8u : other->second)
             << workload.name;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regular2: ties of every kind, equal points, points on one line, flight plans, lives, arithmetics.
-#include "tests/structures/triangulation/regular_2_support.h"
+#include "tests/structures/triangulation/regular_support.h"
 
-namespace kinex::regular_2_test {
+namespace kinex::regular_test {
 namespace regular_2_degenerate_test {
 
+using World = RegularWorld<Regular2>;
 using test::path;
 
 // Points of random linear motion on a lattice, identically lifted to one plane that moves; the last
@@ -30,7 +31,7 @@ TEST(Regular2, PointsInOneLiftedPlane) {
     const Scene scene = in_one_lifted_plane(seed, 6, seed % 2 == 0 ? 2 : 0);
     World world(scene);
     world.run().expect_clean();
-    EXPECT_EQ(world.triangles(), static_triangles(scene, *scene.end));
+    EXPECT_EQ(world.cells(), static_cells<Regular2>(scene, *scene.end));
     events += world.ledger().external;
   }
   EXPECT_GT(events, 200u);
@@ -46,7 +47,7 @@ TEST(Regular2, PointsPassOnALineOfTheHull) {
                                        -1, Rational(1));
     World world(scene);
     world.run().expect_clean();
-    EXPECT_EQ(world.triangles(), static_triangles(scene, *scene.end));
+    EXPECT_EQ(world.cells(), static_cells<Regular2>(scene, *scene.end));
   }
 }
 
@@ -92,7 +93,7 @@ TEST(Regular2, FewPointsAndOneLine) {
     World world(weighted_scene(*motions, -2, Rational(2)));
     world.run().expect_clean();
     EXPECT_TRUE(world.structure().flat());
-    EXPECT_TRUE(world.triangles().empty());
+    EXPECT_TRUE(world.cells().empty());
     EXPECT_EQ(world.structure().hidden().size(), 7u);
   }
 }
@@ -112,7 +113,7 @@ TEST(Regular2, APointLeavesTheCommonLine) {
   EXPECT_TRUE(world.structure().flat());
   world.run_until(fraction(5, 4));
   EXPECT_FALSE(world.structure().flat());
-  EXPECT_FALSE(world.triangles().empty());
+  EXPECT_FALSE(world.cells().empty());
   world.run().expect_clean();
   EXPECT_TRUE(world.structure().flat());
 }
@@ -146,29 +147,10 @@ void flights(std::uint64_t first, std::uint64_t last) {
 TEST(Regular2, FlightPlans) { flights(1, 21); }
 TEST(SlowRegular2, FlightPlans) { flights(21, 300); }
 
-// Objects come, go, and get other motions at random instants of a run; afterwards the triangles are those
-// of the static algorithm.
 TEST(Regular2, ChangesFromOutside) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
-    test::Random random(seed);
-    Scene scene = weighted_lattice(seed, 8, seed % 2 == 0);
-    const Scene others = weighted_lattice(seed + 1000, 8, seed % 2 == 0);
-    World world(scene);
-    std::vector<bool> alive(8, true);
-    for (int i = 1; i < 30; ++i) {
-      const Rational t = Rational(-3) + fraction(i, 5);
-      const auto object = static_cast<ObjectId>(random.between(0, 7));
-      if (alive[object]) {
-        world.simulator().schedule_erasure(t, object);
-      } else {
-        world.simulator().schedule_insertion(
-            t, object, others.objects[object].motion.pieces[0].trajectory);
-      }
-      alive[object] = !alive[object];
-      world.run_until(t);
-    }
-    world.expect_clean();
+    come_and_go<Regular2>(seed, 2);
   }
 }
 
@@ -202,10 +184,10 @@ TEST(Regular2, InexactArithmeticsEnd) {
       World world(scene, arithmetic, AuditLevel::kNone);
       world.run();
       EXPECT_FALSE(world.ledger().corrupt);
-      EXPECT_EQ(world.triangles(), exact.triangles()) << arithmetic;
+      EXPECT_EQ(world.cells(), exact.cells()) << arithmetic;
     }
   }
 }
 
 }  // namespace regular_2_degenerate_test
-}  // namespace kinex::regular_2_test
+}  // namespace kinex::regular_test

@@ -4,11 +4,12 @@
 #include <functional>
 #include <tuple>
 
-#include "tests/structures/triangulation/regular_2_support.h"
+#include "tests/structures/triangulation/regular_support.h"
 
-namespace kinex::regular_2_test {
+namespace kinex::regular_test {
 namespace regular_2_test {
 
+using World = RegularWorld<Regular2>;
 using test::path;
 using test::reference_scene;
 
@@ -51,7 +52,7 @@ void tiny_lattices(std::uint64_t first, std::uint64_t last, bool moving) {
     const Scene scene = weighted_lattice(seed, 5 + static_cast<int>(seed % 5), moving);
     World world(scene);
     world.run().expect_clean();
-    EXPECT_EQ(world.triangles(), static_triangles(scene, *scene.end));
+    EXPECT_EQ(world.cells(), static_cells<Regular2>(scene, *scene.end));
   }
 }
 TEST(Regular2, TinyLattices) { tiny_lattices(0, 60, false); }
@@ -85,16 +86,7 @@ TEST(Regular2, ShowAndHide) {
 TEST(Regular2, Breathing) {
   for (const int k : {1, 2, 5, 8}) {
     SCOPED_TRACE(k);
-    Coefficients weight{1};
-    for (int root = 1; root <= k; ++root) {
-      Coefficients next(weight.size() + 1);
-      for (std::size_t i = 0; i < weight.size(); ++i) {
-        next[i + 1] += weight[i];
-        next[i] -= weight[i] * Rational(root);
-      }
-      weight = std::move(next);
-    }
-    weight[0] -= Rational(13);  // the height 5 + 13 is that of the plane
+    const Coefficients weight = crossing_weight(k, -13);  // the height 5 + 13 is that of the plane
     World world(weighted_scene({path({{0}, {0}, {0}}), path({{6}, {0}, {0}}), path({{0}, {6}, {0}}),
                                 path({{2}, {1}, weight})},
                                0, Rational(k + 1)));
@@ -115,7 +107,8 @@ TEST(Regular2, EqualWeightsAreNone) {
     int n;
     std::uint64_t seed, inner, hull;
   };
-  for (const Row& row : {Row{6, 1, 10, 8}, Row{8, 1, 17, 8}, Row{10, 2, 34, 12}, Row{12, 3, 29, 5}}) {
+  for (const Row& row :
+       {Row{6, 1, 10, 8}, Row{8, 1, 17, 8}, Row{10, 2, 34, 12}, Row{12, 3, 29, 5}}) {
     SCOPED_TRACE(row.n);
     Scene scene = reference_scene(row.n, 2, row.seed);
     World plain(scene);
@@ -172,8 +165,8 @@ TEST(Regular2, CommonMotionAndReversedTime) {
     for (int i = 0; i < 40; ++i) {
       world.run_until(fraction(2 * i + 1, 8));
       back.run_until(fraction(2 * i + 1, 8));
-      values.push_back(world.triangles());
-      last.push_back(back.triangles());
+      values.push_back(world.cells());
+      last.push_back(back.cells());
     }
     std::reverse(last.begin(), last.end());
     EXPECT_EQ(values, last);
@@ -205,4 +198,4 @@ TEST(Regular2, Discs) {
 }
 
 }  // namespace regular_2_test
-}  // namespace kinex::regular_2_test
+}  // namespace kinex::regular_test

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// power_2(a, b, c, e), power_3(a, b, c, d, e): the lifted determinant of points with weights: positive iff
+// the last point, lifted to the sum of the squares of its coordinates - w, lies strictly below the plane of
+// the others, lifted and taken upright. w is the weight, or the square of the radius. Identities:
+// predicates/points/power_predicates.h.
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+
+#include "core/arithmetic/predicate_formula.h"
+#include "predicates/points/lifted_determinant.h"
+#include "predicates/points/power_predicates.h"
+
+namespace kinex {
+namespace {
+
+constexpr std::array<ArgumentRole, 4> kPlaneRoles{
+    {{"plane, first"}, {"plane, second"}, {"plane, third"}, {"not below"}}};
+constexpr std::array<ArgumentRole, 5> kSpaceRoles{
+    {{"plane, first"}, {"plane, second"}, {"plane, third"}, {"plane, fourth"}, {"not below"}}};
+
+// What both kinds of weights have in common. kAxes: 2 or 3; the weight is the axis behind them.
+template <int kAxes>
+struct Power {
+  static constexpr int kArity = kAxes + 2, kDegree = kAxes + 2, kAlternating = kAxes + 2;
+  static constexpr int kReference = kAxes + 1;
+  static constexpr bool kOnlyToReference = true;
+  int dimension() const { return kAxes + 1; }
+  int first_by_value() const { return kAxes; }
+  ClaimForm form() const {
+    if constexpr (kAxes == 2) {
+      return {ClaimFigure::kCircle,
+              1,
+              kPlaneRoles,
+              "{3}, lifted by its weight, is not below the plane of {0}, {1} and {2}, which are "
+              "clockwise",
+              {}};
+    } else {
+      return {ClaimFigure::kCircle,
+              1,
+              kSpaceRoles,
+              "{4}, lifted by its weight, is not below the plane of {0}, {1}, {2} and {3}, whose "
+              "orientation is negative",
+              {}};
+    }
+  }
+};
+
+// `above(i)`: the weight of the last point less that of point i.
+template <int kAxes, class Points, class Above>
+auto power(const Points& p, const Above& above) {
+  if constexpr (kAxes == 2) {
+    return lifted_determinant_2(
+        p, [&above](const auto& x, const auto& y, int i) { return x * x + y * y + above(i); });
+  } else {
+    return lifted_determinant_3(p, [&above](const auto& x, const auto& y, const auto& z, int i) {
+      return x * x + y * y + z * z + above(i);
+    });
+  }
+}
+
+// Terms of degree kAxes + 2 and kAxes + 1 in coordinates and weights; the latter are times the unit.
+template <int kAxes>
+struct WeightPower : Power<kAxes> {
+  static constexpr bool kHasUnit = true;
+  std::string_view name() const { return kAxes == 2 ? "power_2" : "power_3"; }
+
+  template <class Points>
+  auto value(const Points& p) const {
+    return power<kAxes>(p, [&p](int i) { return (p(kAxes + 1, kAxes) - p(i, kAxes)) * p.unit(); });
+  }
+};
+
+template <int kAxes>
+struct RadiusPower : Power<kAxes> {
+  std::string_view name() const { return kAxes == 2 ? "disc_power_2" : "disc_power_3"; }
+
+  template <class Points>
+  auto value(const Points& p) const {
+    const auto r = p(kAxes + 1, kAxes);
+    const auto own = r * r;
+    return power<kAxes>(p, [&p, &own](int i) {
+      const auto radius = p(i, kAxes);
+      return own - radius * radius;
+    });
+  }
+};
+
+// The largest power of t, at most d, that an argument has on the axes in [first, last).
+int degree_of(const MotionView<Ball>* points, int arity, int d, int first, int last) {
+  for (int k = d; k > 0; --k) {
+    for (int i = 0; i < arity; ++i) {
+      for (int axis = first; axis < last; ++axis) {
+        const Ball& c = points[i][axis * (d + 1) + k];
+        if (c.value != 0 || c.error != 0) return k;
+      }
+    }
+  }
+  return 0;
+}
+
+// A weight is no length: it may be large while distances are small, and of higher degree. No power
+// of the reach bounds the errors, and coefficients beyond the true degree are exact zeros.
+template <int kAxes>
+class WeightPowerPredicate final : public FormulaPredicate<WeightPower<kAxes>> {
+ public:
+  double reach_error(int) const override { return std::numeric_limits<double>::infinity(); }
+  void ball(int d, const MotionView<Ball>* points, double shift, Ball* out) const override {
+    FormulaPredicate<WeightPower<kAxes>>::ball(d, points, shift, out);
+    const int place = degree_of(points, kAxes + 2, d, 0, kAxes);
+    const int weight = degree_of(points, kAxes + 2, d, kAxes, kAxes + 1);
+    const int true_degree = kAxes * place + std::max(2 * place, weight);
+    for (int k = true_degree + 1; k <= this->degree(d); ++k) out[k] = Ball{};
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const Predicate> make_power_2() {
+  return std::make_shared<WeightPowerPredicate<2>>();
+}
+std::shared_ptr<const Predicate> make_power_3() {
+  return std::make_shared<WeightPowerPredicate<3>>();
+}
+std::shared_ptr<const Predicate> make_disc_power_2() {
+  return std::make_shared<FormulaPredicate<RadiusPower<2>>>();
+}
+std::shared_ptr<const Predicate> make_disc_power_3() {
+  return std::make_shared<FormulaPredicate<RadiusPower<3>>>();
+}
+
+}  // namespace kinex

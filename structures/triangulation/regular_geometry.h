@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// RegularGeometry: the claims that the certificates of a regular triangulation state, in the plane and in
+// space. All answers hold right after now.
+#ifndef KINEX_STRUCTURES_TRIANGULATION_REGULAR_GEOMETRY_H
+#define KINEX_STRUCTURES_TRIANGULATION_REGULAR_GEOMETRY_H
+
+#include "core/motion/scene.h"
+#include "structures/triangulation/lifted_geometry.h"
+
+namespace kinex {
+
+template <class C>
+class RegularGeometry : public LiftedGeometry<C> {
+ public:
+  using Complex = C;
+  using Base = LiftedGeometry<Complex>;
+  using Simplex = typename Complex::Simplex;
+
+  // `extents`: the weights of points, the radii of discs, whose squares are their weights, or none, in
+  // which case all weights are 0.
+  RegularGeometry(Kernel& kernel, Extents extents, ObjectId infinity);
+
+  bool reads_radii() const { return radii_; }
+
+  // The claim of a facet: of the cell `s` on one side, whose place i is opposite, and the apex on the other
+  // side. All finite: the apex is not below the plane of s. Else the orientation of the finite points; that
+  // of a facet of the hull fails at touches, too.
+  Query claim(const Simplex& s, unsigned i, ObjectId apex) const;
+  // What has to hold where claim() is identically zero. All finite: the orientation by which the ties
+  // decide. Of two ghosts: the hull does not turn back. Else the claim itself: s is identically flat.
+  Query claim_of_tie(const Simplex& s, unsigned i, ObjectId apex) const;
+  // The claim is false, or identically zero and decided so by the ties.
+  bool is_bad(const Simplex& s, unsigned i, ObjectId apex) const;
+
+ private:
+  // Of two ghosts whose facets are identically in one plane: that these are on different sides of the face
+  // which they share.
+  Query unfolded_claim(const Simplex& s, unsigned i, ObjectId apex) const;
+
+  bool radii_;
+  PredicateId touch_;     // the orientation, for certificates that fail at touches
+  PredicateId unfolded_;  // a corner, the face of two, the other corner
+};
+
+}  // namespace kinex
+
+#endif
