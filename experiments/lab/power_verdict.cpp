@@ -11,6 +11,8 @@ namespace kinex::lab {
 namespace {
 
 constexpr int kFewestExactSizes = 4;  // three may lie on a power by chance
+// Of a fit with a term, without standard errors: with one degree of freedom its interval excludes nothing.
+constexpr int kFewestDegreesOfTerm = 2;
 
 std::string interval_text(const std::string& x, const Fit& fit) {
   return fmt::format("{}^{:.4f}, 95% in [{:.4f}, {:.4f}]", x, fit.b, fit.lower, fit.upper);
@@ -68,6 +70,10 @@ void reconsider(PowerVerdict& result, std::span<const FitPoint> points, const Cl
                 const std::string& x) {
   if (!fit_term(result, points, claim, x)) return;
   const Fit& fit = *result.corrected;
+  if (!fit.weighted && fit.degrees < kFewestDegreesOfTerm) {
+    result.observed += ", from too few sizes";
+    return;
+  }
   bool refuted = compare(fit, claim) == Verdict::kRefuted;
   if (fit.weighted) {
     const double most = std::min(fit.b, claim.exponent + claim.tolerance);

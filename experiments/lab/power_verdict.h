@@ -41,7 +41,8 @@ struct PowerVerdict {
 //   - where the interval of the fit lies outside: refuted only if the claimed power with the term does
 //     not fit, else open. It does not if chance does not explain its chi squared, for any exponent
 //     within the tolerance; without standard errors, if the interval of the fit with the term lies
-//     outside as well. (Fewer than four points determine no such term.)
+//     outside as well. (Fewer than four points determine no such term, nor do fewer than five without
+//     standard errors.)
 // Nothing is confirmed from fewer than three points (four without standard errors). `x` names the
 // variable.
 PowerVerdict judge_power(std::span<const FitPoint> points, const ClaimedPower& claim,

@@ -288,7 +288,7 @@ FORMULAS = {
     "disc_power_2": (disc_power_2, 4, 4),
     "power_3": (power_3, 5, 5),
     "disc_power_3": (disc_power_3, 5, 5),
-    "unfolded_3": (unfolded_3, 4, 0),
+    "unfolded_3": (unfolded_3, 4, 1),
     "line_side": (line_side, 2, 1),
     "line_under": (line_under, 2, 1),
     "line_order": (line_order, 3, 2),
