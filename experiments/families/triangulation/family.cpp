@@ -26,8 +26,8 @@ lab::FamilyExperiments triangulation_experiments() {
       {"small-weights",
        "points of small integers with weights from a generator that every program can repeat", 2, 2,
        3, true, false, false, "regular_2", generate_small_weights},
-      {"small-moving-weights", "the same with weights that change", 2, 2, 3, true, false, false,
-       "regular_2", generate_small_moving_weights},
+      {"small-moving-weights", "points of small integers with weights that change, as repeatable", 2, 2, 3, true,
+       false, false, "regular_2", generate_small_moving_weights},
       {"random-weights", "points of linear motion and weight in the unit square", 2, 2, 3, true,
        false, false, "regular_2", generate_random_weights}};
   lab::set_kind(family.workloads, lab::SceneKind::kRandom, {"random-weights"});
