@@ -93,10 +93,11 @@ class View {
   Ids others_;
 };
 
-// Two lines are parallel identically iff each stands before the other one in the other one's list. Lists
-// that have not changed are missing; if those of both are, the two are parallel iff they have passed
-// through each other, given that a triple of theirs has turned over.
-bool are_parallel(const LineOrders& orders, const std::vector<Pair>& equals, ObjectId a, ObjectId b) {
+// Of two lines of a triple that has turned over. They are parallel identically iff each stands before
+// the other one in the list of the other one. Lists that have not changed are missing; if those of both
+// are, the two are parallel iff they have passed through each other.
+bool are_parallel(const LineOrders& orders, const std::vector<Pair>& equals, ObjectId a,
+                  ObjectId b) {
   const auto stands_before = [&orders](ObjectId line, ObjectId other) {
     const auto own = orders.find(line);
     return own != orders.end() && place(own->second, other) < place(own->second, line);
@@ -111,8 +112,8 @@ bool are_seen(const std::vector<Triple>& sorted, const LineOrders& orders,
     std::size_t end = i;
     while (end < sorted.size() && sorted[end] == sorted[i]) ++end;
     const auto& [a, b, c] = sorted[i];
-    const bool parallel = are_parallel(orders, equals, a, b) || are_parallel(orders, equals, b, c) ||
-                          are_parallel(orders, equals, a, c);
+    const bool parallel = are_parallel(orders, equals, a, b) ||
+                          are_parallel(orders, equals, b, c) || are_parallel(orders, equals, a, c);
     if (end - i != (parallel ? 1 : 3)) return false;
     i = end;
   }

@@ -72,7 +72,8 @@ TEST(LineArrangement, ParallelLinesPassThroughEachOther) {
 
 // A line turns past two that are parallel identically, at t = 1: on it they change places.
 TEST(LineArrangement, ALineTurnsPastParallels) {
-  const Scene scene = lines({path({{0, 1}, {0}}), path({{1}, {2}}), path({{1}, {1}}), path({{0}, {5}})}, 0, 2);
+  const Scene scene =
+      lines({path({{0, 1}, {0}}), path({{1}, {2}}), path({{1}, {1}}), path({{-1}, {0}})}, 0, 2);
   const Log expected{"triple 0 1 2", "parallel 0 1", "parallel 0 2"};
   EXPECT_EQ(external(scene), expected);
   ReplayedRun run = replayed(scene);
