@@ -15,7 +15,7 @@ from fractions import Fraction
 from math import lcm
 
 import polynomials as poly
-from brute import merged, rational_between
+from gaps import high_end, merged, rational_between
 from log import Wrong
 from roots import Instant, SignChanges, all_roots, compare
 from world import World, vanishes_at
@@ -312,8 +312,6 @@ class Story:
         return pair.at(point)
 
     def past(self, x):
-        from brute import high_end
-
         return high_end(x) + 1
 
     def follow(self, pair, begin, until):

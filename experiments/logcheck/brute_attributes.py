@@ -5,16 +5,16 @@ from fractions import Fraction
 from functools import cmp_to_key
 from itertools import combinations
 
+from brute_flush import ORDERS, smallest_flush
 from octants import pairs_of_pointers, pairs_of_positions, pointers_of
 from polygons import cones, corners_of, counted, precedes_along, sign_at, units
+from replay_boxes import boxes
 from replay_calipers import folds_of
 from replay_directions import all_directions, half_directions, k_of, opposite
 from replay_norms import MOST_MEMBERS, norm_tree_of
 from space import cells_of, regular_of
 from static import forest_edges, rotated, spanning_tree
 from subsets import TWO_COLOURS, classes_of, query_of
-
-MOST_EXTENTS = 12000
 
 
 def value_of(key, positions, o):
@@ -238,7 +238,7 @@ def farthest_of(positions):
 
 def farthest(positions, u):
     """The farthest along u; of those that are level the smallest number."""
-    return max(sorted(positions), key=lambda o: u[0] * positions[o][0] + u[1] * positions[o][1])
+    return max(sorted(positions), key=lambda o: sum(v * c for v, c in zip(u, positions[o])))
 
 
 def polygon_of(positions, directions):
@@ -255,6 +255,19 @@ def extent_of(positions, directions, largest):
         if best is None or (extent > best[0] if largest else extent < best[0]):
             best = (extent, a, b)
     return [] if best is None or best[1] == best[2] else [tuple(sorted(best[1:]))]
+
+
+def rectangle_of(positions, along, by_area):
+    """The objects that touch the smallest of the boxes, each given by four directions; of equal ones the first."""
+    best = None
+    for box in along if positions else []:
+        touched = [farthest(positions, u) for u in box]
+        width, height = (sum(v * (p - q) for v, p, q in zip(u, positions[a], positions[b]))
+                         for u, a, b in ((box[0], *touched[:2]), (box[2], *touched[2:])))
+        size = width * height if by_area else width + height
+        if best is None or size < best[0]:
+            best = (size, touched)
+    return [] if best is None or len(set(best[1])) == 1 else best[1]
 
 
 def boxes_meet(a, b):
@@ -297,6 +310,21 @@ def orders_of(positions, scene):
     return rows
 
 
+def next_lines_of(positions, scene):
+    """For each point itself, the next line above it and the next one below, itself again where there is none. Of lines
+    at one height the smaller number is the higher one; a point is below a line that it is on."""
+    result = []
+    for p in sorted(positions):
+        if scene.objects[p].line:
+            continue
+        x, y = positions[p]
+        heights = [(positions[o][0] * x + positions[o][1], -o) for o in positions if scene.objects[o].line]
+        above, below = min((h for h in heights if h[0] >= y), default=None), max(
+            (h for h in heights if h[0] < y), default=None)
+        result += [p] + [p if h is None else -h[1] for h in (above, below)]
+    return result
+
+
 def attribute_of(structure, key, positions, scene):
     name = structure.name
     if name == "sorted_list":
@@ -335,6 +363,8 @@ def attribute_of(structure, key, positions, scene):
         return points_above(positions, scene)
     if name == "line_arrangement_2":
         return orders_of(positions, scene)
+    if name == "points_in_arrangement":
+        return next_lines_of(positions, scene)
     if name == "box_pairs":
         return meetings_of(positions, boxes_meet)
     if name.startswith("disc_pairs_"):
@@ -356,6 +386,8 @@ def attribute_of(structure, key, positions, scene):
         return box_of_hull(positions)
     if name == "calipers_2":
         return calipers_of(positions, folds_of(structure))
+    if name in ORDERS:
+        return smallest_flush(name, hull_of(positions), positions)
     if name == "farthest_delaunay_2":
         return farthest_delaunay_of(positions)
     if name.startswith("min_circle_2"):
@@ -368,13 +400,7 @@ def attribute_of(structure, key, positions, scene):
         return polygon_of(positions, all_directions(k_of(structure)))
     if name in ("diameter_directions", "width_directions"):
         dimension = len(next(iter(positions.values()), (0, 0)))
-        if not few_extents(structure, positions, dimension):
-            return None
         return extent_of(positions, half_directions(k_of(structure), dimension), name == "diameter_directions")
+    if name.endswith("_rectangle_directions"):
+        return rectangle_of(positions, boxes(k_of(structure)), name.startswith("min_area"))
     return None
-
-
-def few_extents(structure, members, dimension):
-    """Pairs of extents of other scenes are too many: their attribute is checked at levels 3 and 4 only."""
-    half, n = len(half_directions(k_of(structure), dimension)), len(members)
-    return half * (half - 1) // 2 * (n * (n - 1)) ** 2 <= MOST_EXTENTS

@@ -145,12 +145,13 @@ class Checker:
         if query is None:
             return
         replay = self.replays[r.structure.index]
+        settled = r.structure.index not in self.unsettled
         if hasattr(replay, "meanings"):
             meanings = [q for q in replay.meanings(*query) if self.world.sign_after(q, x) < 0]
-            if r.structure.index not in self.unsettled:
-                meanings = [q for q in meanings if self.world.vanishes(q, x)]
             if not meanings:
                 raise Wrong("the certificate fails along none of the directions")
+            if settled and not any(self.world.vanishes(q, x) for q in meanings):
+                self.doubt(replay, r, x, "the certificate is zero at the instant along none of the directions")
             self.certificates += 1
             return
         sign = self.world.sign_after(query, x)
@@ -160,13 +161,16 @@ class Checker:
         if sign >= 0 and not touch:
             raise Wrong("the certificate is %s right after the instant, not negative: no failure"
                         % ("positive" if sign else "zero identically"))
-        replay = self.replays[r.structure.index]
-        if r.structure.index not in self.unsettled and not self.world.vanishes(query, x):
-            what = "the certificate's polynomial %s is not zero at the instant" % list(self.world.polynomial(*query))
-            if not hasattr(replay, "doubt"):
-                raise Wrong(what)
-            replay.doubt(r, what)
+        if settled and not self.world.vanishes(query, x):
+            self.doubt(replay, r, x, "the certificate's polynomial %s is not zero at the instant"
+                       % list(self.world.polynomial(*query)))
         self.certificates += 1
+
+    def doubt(self, replay, r, x, what):
+        """A certificate that is negative before the instant already: was it made only now?"""
+        if not hasattr(replay, "doubt"):
+            raise Wrong(what)
+        replay.doubt(r, x, what)
 
     # ---- the walk
 
@@ -176,9 +180,8 @@ class Checker:
         self.replays = []
         for s in self.log.structures:
             replay = replay_of(s.name, s.options)
-            if replay is None or not (self.on[3] or self.on[4] or self.on[5]):
-                if replay is None:
-                    self.missing.append(s.label)
+            if replay is None:
+                self.missing.append(s.label)
                 self.replays.append(None)
             else:
                 self.replays.append(replay(self, s))

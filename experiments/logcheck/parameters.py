@@ -7,7 +7,8 @@ Of a structure that is not known here every further member of its entry counts a
 from fractions import Fraction
 
 USUAL = {name: {"k": Fraction(4)}
-         for name in ("directions_2", "directions_2_tournament", "diameter_directions", "width_directions")}
+         for name in ("directions_2", "directions_2_tournament", "diameter_directions", "width_directions",
+                      "min_area_rectangle_directions", "min_perimeter_rectangle_directions")}
 USUAL["calipers_2"] = {"folds": Fraction(2)}
 USUAL["pseudo_kd_tree_2"] = {"delta": Fraction(1, 4)}
 USUAL["cones_local"] = {"corners": Fraction(12)}

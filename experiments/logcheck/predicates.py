@@ -48,6 +48,24 @@ def order_extent(weights):
     return value
 
 
+def order_boxes(measure, u, v):
+    """Of two boxes with a side along the unit vectors u and v, each by the four objects that are farthest along it,
+    against it, along it turned by a right angle and against that: the second is at least as large as the first."""
+    common = lcm(*(c.denominator for c in (*u, *v)))
+
+    def extent(w, far, near):
+        result = ()
+        for axis, factor in enumerate(w):
+            result = add(result, scaled(subtract(far[axis], near[axis]), int(factor * common)))
+        return result
+
+    def size(w, points):
+        along, across = extent(w, *points[:2]), extent((-w[1], w[0]), *points[2:])
+        return multiply(along, across) if measure == "area" else add(along, across)
+
+    return lambda points: subtract(size(v, points[4:]), size(u, points[:4]))
+
+
 def squared_distance(a, b):
     result = ()
     for x, y in zip(a, b):
@@ -312,6 +330,8 @@ FORMULAS = {
     "acute_angle_2": (acute_angle_2, 3, 1),
     "obtuse_angle_2": (obtuse_angle_2, 3, 1),
 }
+# Orders of boxes along two directions, and what is compared.
+BOX_ORDERS = {"order_box_area": "area", "order_box_perimeter": "perimeter"}
 # Axes that an argument must have.
 LEAST_AXES = {"order_y": 2, "order_z": 3, "orientation_2": 2, "slope_order_2": 2, "in_circle_2": 2, "power_2": 2, "disc_power_2": 2,
               "orientation_3": 3, "in_sphere_3": 3, "power_3": 3, "disc_power_3": 3, "unfolded_3": 3,
@@ -359,6 +379,8 @@ def formula_of(predicate):
     """(value, number of arguments, alternating arguments) of a name, or of ("order_direction", v)."""
     if isinstance(predicate, tuple) and predicate[0] == "order_extent":
         return order_extent(predicate[1]), len(predicate[1]), 0
+    if isinstance(predicate, tuple) and predicate[0] in BOX_ORDERS:
+        return order_boxes(BOX_ORDERS[predicate[0]], *predicate[1:]), 8, 0
     if isinstance(predicate, tuple):
         return order_direction(predicate[1]), 2, 2
     if "/" in predicate:
@@ -369,18 +391,28 @@ def formula_of(predicate):
     return FORMULAS[predicate]
 
 
+def places_of(name, arity):
+    """Of a predicate that takes `arity` arguments, or fewer objects at these places ("whole/pattern"): the places;
+    None: the name says something else."""
+    pattern = name.partition("/")[2] if "/" in name else None
+    if pattern is None:
+        return list(range(arity))
+    digits = sorted(set(pattern))
+    good = len(pattern) == arity and digits == [str(i) for i in range(len(digits))]
+    return [int(i) for i in pattern] if good else None
+
+
 def known(name):
     """True for a name of a log that has a formula."""
     whole, slash, pattern = name.partition("/")
     if whole not in FORMULAS or not slash:
         return name in FORMULAS
-    digits = sorted(set(pattern))
-    return len(pattern) == FORMULAS[whole][1] and digits == [str(i) for i in range(len(digits))]
+    return places_of(name, FORMULAS[whole][1]) is not None
 
 
 def normal_form(predicate, ids):
     """The ids of a query in the order in which its polynomial is stored, and the sign of that permutation."""
-    if isinstance(predicate, tuple) and predicate[0] == "order_extent":
+    if isinstance(predicate, tuple) and predicate[0] != "order_direction":
         return tuple(ids), 1
     alternating = formula_of(predicate)[2]
     if predicate == "order_pair_distance":

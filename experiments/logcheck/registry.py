@@ -2,23 +2,28 @@
 """The replay of each structure. A structure without one is reported as such: its certificates are checked where their
 formulas are known, its events are not followed."""
 
+from replay_boxes import RectangleAlong
 from replay_calipers import Area, Calipers, Perimeter, Width
 from replay_circle import BoxOfHull, FarthestDelaunay, MinCircle
 from replay_delaunay import Delaunay
-from replay_directions import Directions, Extent
+from replay_directions import Directions, DirectionsByTournaments, Extent
 from replay_envelopes import Envelopes
+from replay_grid import ClosestPairOfCells, DiscsOfCells
 from replay_heaps import Hanger, Heap, Tournament
 from replay_hull import HullBruteForce, HullOfDelaunay
+from replay_kd import PseudoKdTree, RankKdTree
 from replay_lines import ArrangementOfLines, PointsAboveLines
 from replay_list import SortedList
+from replay_locations import LinesNextToPoints
 from replay_maximum import Maximum, OfList
 from replay_norms import MaximumNormTree, PolygonTree
 from replay_octants import Cones, Octants
-from replay_range import PseudoKdTree, RangeTree, RankKdTree, TrajectoryTree
+from replay_pairs import BoxesThatMeet, DiscsThatMeet
+from replay_range import RangeTree, TrajectoryTree
 from replay_regular import RegularInSpace, RegularInThePlane
-from replay_scratch import (BoundingBox, BoxesThatMeet, ClosestPair, ClosestPairOfCells, ClosestPairOfOrders,
-                            DiscsOfCells, DiscsThatMeet, FarthestPair, GraphTree, NearestSite, SpanningTree, TwoColours)
+from replay_scratch import BoundingBox, ClosestPair, ClosestPairOfOrders, FarthestPair, NearestSite, TwoColours
 from replay_space import DelaunayInSpace
+from replay_trees import GraphTree, SpanningTree
 from replay_voronoi import VoronoiCell
 
 REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
@@ -38,6 +43,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "box_pairs": BoxesThatMeet, "disc_pairs_all": DiscsThatMeet, "disc_pairs_boxes": DiscsThatMeet,
             "disc_pairs_grid": DiscsOfCells,
             "incidences_all": PointsAboveLines, "line_arrangement_2": ArrangementOfLines,
+            "points_in_arrangement": LinesNextToPoints,
             "graph_mst_list": GraphTree, "graph_mst_cycles": GraphTree,
             "graph_mst_clusters": GraphTree, "graph_mst_sparsified": GraphTree,
             "diameter_2": FarthestPair, "diameter_all_pairs": FarthestPair,
@@ -47,8 +53,9 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "calipers_2": Calipers,
             "trajectory_tree": TrajectoryTree,
             "width_2": Width, "min_area_rectangle_2": Area, "min_perimeter_rectangle_2": Perimeter,
-            "directions_2": Directions, "directions_2_tournament": Directions,
-            "diameter_directions": Extent, "width_directions": Extent}
+            "directions_2": Directions, "directions_2_tournament": DirectionsByTournaments,
+            "diameter_directions": Extent, "width_directions": Extent,
+            "min_area_rectangle_directions": RectangleAlong, "min_perimeter_rectangle_directions": RectangleAlong}
 for extremum in ("maximum_", "minimum_"):
     REPLAYS.update({extremum + "sorted_list": OfList, extremum + "heap": Heap, extremum + "hanger": Hanger,
                     extremum + "tournament": Tournament, extremum + "envelope": Maximum,

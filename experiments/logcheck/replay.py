@@ -68,3 +68,8 @@ class Replay:
     def query(self, r):
         """The certificate of the record, as a query; None: it has none."""
         return self.checker.query(r)
+
+    def fails(self, query, x):
+        """The claim is negative from x on; and was not before, unless its structure makes claims that fail at once."""
+        return self.world.sign_after(query, x) < 0 and (
+            self.structure.index in self.checker.unsettled or self.world.vanishes(query, x))

@@ -28,7 +28,7 @@ class OfHull(Scratch):
     def event(self, r, x):
         self.require(len(set(r.ids)) == len(r.ids), "%s: a point is named twice", r.short())
 
-    def doubt(self, r, what):
+    def doubt(self, r, x, what):
         """A certificate that is negative, but not zero: of what is repaired because the hull has just changed."""
         hulls = [replay for replay in self.checker.touched.values() if replay.structure.name.startswith(HULLS)]
         self.require(hulls and not r.external, what.replace("%", "%%"))

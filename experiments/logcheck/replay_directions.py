@@ -2,17 +2,17 @@
 """The structures that look along 4k directions, from scratch right after every instant that has a record:
 directions_2, its sibling by tournaments, diameter_directions, also in space, and width_directions.
 
-Internal events (another extreme point, or a duel of two) are checked at level 2: a claim about one of the
-directions that fails at the instant.
+Internal events are claims about one direction or two that fail at the instant. What is extreme along each direction
+is followed in extremes.py.
 """
 
 from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations
 
+from extremes import Extremes, extreme
 from log import Wrong
 from parameters import value_of
-from proof import Proof
 from replay_hull import Hull
 from replay_scratch import Scratch
 from static import hull
@@ -61,15 +61,6 @@ def k_of(structure):
     return int(value_of(structure.name, structure.options, "k", lambda x: Fraction(str(x))))
 
 
-def extreme(world, members, u, x):
-    """The farthest along u; of those that are level the smallest number."""
-    best = None
-    for o in sorted(members):
-        if best is None or world.sign_after((("order_direction", u), (best, o)), x) > 0:
-            best = o
-    return best
-
-
 def extent_query(u, v, a, b, c, d):
     """u.(a - b) - v.(c - d) as a query, or None if it is zero for all motions."""
     weights = {}
@@ -102,47 +93,54 @@ class Along:
                     yield extent_query(opposite(u), opposite(v), *(ids[i] for i in places))
 
 
-class Directions(Along, Hull):
-    bound = ["order_direction"]
+class LooksAlong(Along):
+    """What is extreme along each direction is followed."""
+
+    def directions(self):
+        return all_directions(k_of(self.structure), self.world.scene.dimension)
+
+    def by_tournaments(self):
+        return self.world.scene.degree() > 1
 
     def begin(self, x):
-        self.cycle = self.current(x)
+        self.extremes = Extremes(self, self.directions(), self.by_tournaments(), x)
+        super().begin(x)
+
+    def settle(self, x):
+        super().settle(x)
+        self.extremes.settle(x)
+
+    def finish(self, end):
+        super().finish(end)
+        if end is not None:
+            self.extremes.settle(end)
+
+
+class Directions(LooksAlong, Hull):
+    bound = ["order_direction"]
 
     def start(self, x):
-        self.checker.note_partly(self.label, "internal events: the extreme points of single directions are not followed")
+        if self.by_tournaments():
+            self.checker.note_partly(self.label, "internal events: the duels of its tournaments are not followed")
         super().start(x)
+
+    def claims(self, x):
+        """None of a hull."""
 
     def current(self, x):
         if not self.members:
             return []
-        found = {extreme(self.world, self.members, u, x) for u in all_directions(k_of(self.structure))}
-        return hull(self.world, found, x)
+        return hull(self.world, {extreme(self.world, self.members, u, x) for u in self.directions()}, x)
 
     def internal(self, r, x):
         self.require_members(r, 2)
-
-    def change(self, r, x):
-        fresh = self.current(x)
-        self.checker.check_change(self, r, self.cycle, fresh)
-        self.cycle = fresh
-        self.look = True
+        self.extremes.record(r, x)
 
     def record(self, r, x):
         self.look = True
         super().record(r, x)
-
-    def settle(self, x):
-        from replay_hull import changes
-
-        if not (self.look or self.events):
-            return
-        self.look = False
-        fresh = self.current(x)
-        due = changes(self.cycle, fresh)
-        if self.events != due:
-            self.wrong(self.events, due, fresh, x)
-        self.events = []
-        self.cycle = fresh
+        if r.kind == "rebuild":
+            self.extremes.begin(x)
 
     def finish(self, end):
         super().finish(end)
@@ -151,19 +149,27 @@ class Directions(Along, Hull):
                          self.label)
 
 
-class Extent(Along, Scratch):
+class DirectionsByTournaments(Directions):
+    def by_tournaments(self):
+        return True
+
+
+class Extent(LooksAlong, Scratch):
     bound = ["order_direction", "order_extent", "order_extent_3", "order_extent_2"]
+    partly = "internal events: the duels of its tournaments are not followed"
 
     def larger(self, u, a, v, b, x):
         query = extent_query(u, v, *a, *b)
         return 0 if query is None else self.world.sign_after(query, x)
 
+    def ends(self, u, x):
+        return (extreme(self.world, self.members, u, x), extreme(self.world, self.members, opposite(u), x))
+
     def current(self, x):
         best = None
         sign = -1 if self.structure.name == "width_directions" else 1
         for u in half_directions(k_of(self.structure), self.world.scene.dimension) if self.members else []:
-            ends = (extreme(self.world, self.members, u, x),
-                    extreme(self.world, self.members, opposite(u), x))
+            ends = self.ends(u, x)
             if best is None or sign * self.larger(u, ends, *best, x) > 0:
                 best = (u, ends)
         return [] if best is None or best[1][0] == best[1][1] else [tuple(sorted(best[1]))]
@@ -176,8 +182,37 @@ class Extent(Along, Scratch):
         else:
             self.require([r.gone, r.came] == sides, "%s: the pair was %s and is %s", r.short(), *sides)
 
+    def record(self, r, x):
+        super().record(r, x)
+        if r.kind == "rebuild":
+            self.extremes.begin(x)
+
     def event(self, r, x):
-        if r.kind == "overtake" or len(r.ids) == 4:
-            self.require(len(r.ids) == 4 and set(r.ids) <= self.members, "%s: no two pairs", r.short())
-        else:
+        if r.kind == "replace" or (r.kind == "tie" and len(r.ids) == 2):
             self.require_members(r, 2)
+            self.extremes.record(r, x)
+        else:
+            self.duel(r, x)
+
+    def duel(self, r, x):
+        """The four ends of two extents, the first of which was ahead until now."""
+        self.require_members(r, 4)
+        half = half_directions(k_of(self.structure), self.world.scene.dimension)
+        first, second = ([u for u in half if self.are_ends(u, pair, x)] for pair in (r.ids[:2], r.ids[2:]))
+        query, is_width = self.query(r), self.structure.name == "width_directions"
+        for i, u in enumerate(half):
+            for j, v in enumerate(half):
+                if i == j or u not in first or v not in second:
+                    continue
+                was, now = (u, *r.ids[:2]), (v, *r.ids[2:])
+                larger, smaller = (now, was) if is_width else (was, now)
+                claim = extent_query(larger[0], smaller[0], *larger[1:], *smaller[1:])
+                if r.kind == "tie":
+                    if j < i and (claim is None or self.world.is_zero(claim)):
+                        return
+                elif claim is not None and self.fails(claim, x) and (query is None or set(query[1]) == set(r.ids)):
+                    return
+        raise Wrong("%s: no two extents of these ends change their order" % r.short())
+
+    def are_ends(self, u, ends, x):
+        return all(self.extremes.may_be(v, o, x) for v, o in zip((u, opposite(u)), ends))

@@ -76,15 +76,15 @@ class Envelopes(Hull):
         self.require(query is not None, "%s has no certificate", r.short())
         self.records.append(r)
         if not self.about(r, query[1]):
-            self.doubt(r, "%s: its certificate is about something else" % r.short())
+            self.doubt(r, x, "%s: its certificate is about something else" % r.short())
         elif r.kind[0] == "y" or r.kind == "x":
             # The lines of a corner, in the order of their slopes.
             for a, b in (r.ids[:2], r.ids[2:]) if r.kind == "x" else (r.ids[:2],):
                 order = ("order_x", (a, b))
                 if self.world.sign_after(order, x) < 0 and not self.world.vanishes(order, x):
-                    self.doubt(r, "%s: %s is no corner" % (r.short(), self.names((a, b))))
+                    self.doubt(r, x, "%s: %s is no corner" % (r.short(), self.names((a, b))))
 
-    def doubt(self, r, what):
+    def doubt(self, r, x, what):
         self.doubts.append(Wrong(what, r.line))
 
     def after_motion(self, objects, x):

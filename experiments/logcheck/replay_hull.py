@@ -156,6 +156,7 @@ class HullBruteForce(Hull):
     KINDS = {"reflex": 3, "outside": 3, "between": 2}
 
     def start(self, x):
+        self.touching = set()  # places of the turns, whose claims fail where they touch zero
         super().start(x)
         self.failed = []
 
@@ -168,12 +169,20 @@ class HullBruteForce(Hull):
         self.touches(x)
 
     def touches(self, x):
-        """Turns fail at touches, too: hull vertices that meet and part leave no other trace."""
-        for turn in triples(self.cycle):
-            claim = self.proof.claims.get(turn)
+        """Turns fail at touches, too: hull vertices that meet and part leave no other trace. What is said of a vertex that
+        has left the hull fails where it becomes negative."""
+        turns = set(triples(self.cycle))
+        for place in self.touching - turns:
+            if place in self.proof.claims:
+                claim = self.proof.claims[place]
+                self.proof.judge(claim, x)
+                claim[1] = self.world.first_negative(claim[0], x)
+        for place in turns:
+            claim = self.proof.claims.get(place)
             if claim is not None:
                 self.proof.judge(claim, x)
                 claim[1] = self.world.first_touch(claim[0], x)
+        self.touching = turns
 
     def internal(self, r, x):
         self.require(not self.failed, "%s: the second failure of one instant", r.short())

@@ -5,7 +5,8 @@ the attribute."""
 from functools import cmp_to_key
 from itertools import combinations
 
-from replay_scratch import BoxesThatMeet, Scratch
+from replay_pairs import BoxesThatMeet
+from replay_scratch import Scratch
 
 
 def lines_and_points(members, scene):
@@ -55,12 +56,16 @@ class Signs:
     def orders(self):
         """By slope from above, far to the left; then for every line its parallels, itself, what it crosses."""
         rows = [tuple(sorted(self.lines, key=cmp_to_key(lambda i, j: -self.first[i, j])))] if self.lines else []
-        for line in self.lines:
-            others = [m for m in self.lines if m != line]
-            crossed = sorted((m for m in others if self.side[line, m]),
-                             key=cmp_to_key(lambda m, k, line=line: self.before(line, m, k)))
-            rows.append(tuple([m for m in others if not self.side[line, m]] + [line] + crossed))
+        for line, crossed in self.crossings():
+            parallel = [m for m in self.lines if m != line and not self.side[line, m]]
+            rows.append(tuple(parallel + [line] + crossed))
         return rows
+
+    def crossings(self):
+        """For every line those that it crosses, from left to right."""
+        for line in self.lines:
+            yield line, sorted((m for m in self.lines if m != line and self.side[line, m]),
+                               key=cmp_to_key(lambda m, k, line=line: self.before(line, m, k)))
 
     def events_since(self, old):
         """None: some two lines are parallel identically, and were not, or the reverse."""
@@ -111,13 +116,14 @@ class ArrangementOfLines(Scratch):
         self.look = False
         before, after = self.told, self.current(x)
         due = self.fresh.events_since(self.signs)
-        names = [[[self.world.scene.ids[o] for o in row] for row in rows] for rows in (before, after)]
+        names = [[self.world.scene.ids[o] for row in rows for o in row] for rows in (before, after)]
         if self.difference is None and due is None:
             self.require(before == after, "%s: right after %r the orders are others", self.label, x)
         elif self.difference is None:
             self.require(self.events == due, "%s: at %r there are %s, not %s", self.label, x, self.events, due)
         else:
-            self.require(list(self.difference) == names and not self.events, "%s: at %r the orders change from %s to %s",
-                         self.label, x, *names)
+            self.require(due is None, "%s: at %r its events say all, and no difference is told", self.label, x)
+            self.require(list(self.difference) == names and not self.events,
+                         "%s: at %r the orders change from %s to %s", self.label, x, *names)
         self.told = after
         self.signs, self.events, self.difference = self.fresh, [], None

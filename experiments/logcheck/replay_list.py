@@ -17,6 +17,7 @@ class SortedList(Replay):
         self.proof = Proof(self.world, self.label, checker.on[4])
         self.proofs = [self.proof]
         self.pending = False
+        self.watchers = []  # (replay, axis): trees that read the list
 
     @property
     def attribute(self):
@@ -57,12 +58,18 @@ class SortedList(Replay):
         self.claims(i - 1, i - 1, x)
         self.claims(i + 1, i + 1, x)
         self.checker.touch(self)
+        self.tell((a, b))
+
+    def tell(self, swap):
+        for tree, axis in self.watchers:
+            tree.list_changed(axis, swap)
 
     def rebuild(self, r, x):
         """A rebuild: the difference is the whole list before and after."""
         fresh = sorted_by(self.world, self.key, self.members, x)
         self.checker.check_change(self, r, self.order, fresh)
         self.replace(fresh, x)
+        self.tell(None)
 
     def replace(self, fresh, x):
         self.proof.clear(x)

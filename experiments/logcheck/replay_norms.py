@@ -9,7 +9,7 @@ from itertools import combinations
 from octants import DIFFERENCE, SUM, X, Y, precedes_by
 from polygons import cones, corners_of, counted, opposite, precedes_along, turned, units
 from replay_directions import Along, extent_query
-from replay_scratch import SpanningTree
+from replay_trees import SpanningTree
 from static import spanning_tree
 
 AXIS = {X: (1, 0), Y: (0, 1)}
@@ -70,6 +70,45 @@ class MaximumNormTree(SpanningTree):
     def tied(self, old, fresh, x):
         precedes = self.precedes(x)
         return self.compared(self.form(old, precedes), self.form(fresh, precedes), x) == 0
+
+    def begin(self, x):
+        super().begin(x)
+        self.entered = set()  # edges that have come into the tree, or near it, at the present instant
+
+    def record(self, r, x):
+        super().record(r, x)
+        if r.kind not in ("settled", "rebuild"):
+            self.entered.add(tuple(r.ids[2:]))
+
+    def settle(self, x):
+        super().settle(x)
+        self.entered.clear()
+
+    def doubt(self, r, x, what):
+        """Of two lengths that are identically equal the turned ones are compared, which may be negative since long.
+        That is a failure only of an edge that has taken the place of another one at this instant."""
+        old, fresh = tuple(r.ids[:2]), tuple(r.ids[2:])
+        said = {self.world.polynomial(*q) for q in self.meanings(*self.query(r)) if self.world.sign_after(q, x) < 0}
+        self.require(old in self.entered and any(
+            (query is None or self.world.is_zero(query)) and self.world.polynomial(*turn) in said
+            for query, turn in self.lengths_and_turns(old, fresh, x)), what)
+
+    def lengths_and_turns(self, old, fresh, x):
+        """Of all two lengths that the edges may have right before x or right after it, how much longer the second one
+        is, and the same after the turn, if that is not zero by itself."""
+        for u, a, b in self.forms_at(old, x):
+            for v, c, d in self.forms_at(fresh, x):
+                turn = extent_query(turned(v), turned(u), d, c, b, a)
+                if turn is not None:
+                    yield extent_query(v, u, d, c, b, a), turn
+
+    def forms_at(self, pair, x):
+        """As form(): the one right after x, and those of which the length is the same at x."""
+        u, a, b = self.form(pair, self.precedes(x))
+        for v in self.vectors():
+            query = extent_query(u, v, b, a, b, a)
+            if query is None or self.world.vanishes(query, x):
+                yield v, a, b
 
     def names_both(self, r):
         """Of two lengths along one axis with an end in common only the other ends are named."""

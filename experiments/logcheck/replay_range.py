@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Trees for range search: range_tree_2, rank_kd_tree_2, pseudo_kd_tree_2, trajectory_tree.
+"""Trees for range search: range_tree_2, trajectory_tree; kd-trees are in replay_kd.py.
 
-range_tree_2: two orders, by x and by y; "swap_x" and "swap_y" exchange neighbours. The leaves of rank_kd_tree_2
-are computed from the two orders as long as no object has come or gone, since labels depend on that. The leaves of
-pseudo_kd_tree_2 depend on all that has happened: it is checked that its records fit each other. trajectory_tree is
-its points, and has no events.
+range_tree_2: two orders, by x and by y; "swap_x" and "swap_y" exchange neighbours. trajectory_tree is its points, and
+has no events.
 """
 
 from predicates import Key
@@ -56,74 +54,6 @@ class RangeTree(Orders):
         super().finish(end)
         if end is not None:
             self.require(self.told == self.orders(end), "%s: right after the end the orders are others", self.label)
-
-
-def spread(label):
-    """The bits of a label, each followed by a zero."""
-    return int("0".join(format(label, "b")) + "0", 2) if label else 0
-
-
-class KdTree(Orders):
-    """The order of the leaves as told; `computed`: what it must be, or None if that is not followed."""
-
-    def __init__(self, checker, structure):
-        super().__init__(checker, structure)
-        self.is_first = True
-
-    @property
-    def attribute(self):
-        return list(self.told) if self.told is not None else None
-
-    def begin(self, x):
-        self.told = self.computed(x) if self.is_first else None
-        self.is_first, self.look = False, False
-        if self.told is None:
-            self.checker.note_partly(self.label, "leaves, which depend on what happened before")
-
-    def record(self, r, x):
-        self.look = True
-        ids = self.world.scene.ids
-        self.require(r.kind in ("settled", "rebuild"), "%s is no event of a kd-tree", r.short())
-        if r.gone is None:
-            return
-        self.require(sorted(r.gone) == sorted(r.came) == sorted(ids[o] for o in self.members),
-                     "%s: the leaves are not its points", r.short())
-        self.require(self.told is None or r.gone == [ids[o] for o in self.told],
-                     "%s: the leaves were others", r.short())
-        self.told = [self.world.scene.number[name] for name in r.came]
-
-    def settle(self, x):
-        if self.look:
-            self.look = False
-            self.compare(x)
-
-    def finish(self, end):
-        super().finish(end)
-        if end is not None:
-            self.compare(end)
-
-    def compare(self, x):
-        fresh = self.computed(x) if not self.checker.partly.get(self.label) else None
-        self.require(fresh is None or self.told == fresh, "%s: right after %r the leaves are others", self.label, x)
-
-
-class RankKdTree(KdTree):
-    def computed(self, x):
-        """Labels spread evenly over the next power of two, and halved in x, y, x, .."""
-        n = len(self.members)
-        size = 1
-        while size < n:
-            size *= 2
-        code = {}
-        for axis, order in enumerate(self.orders(x)):
-            for rank, o in enumerate(order):
-                code[o] = code.get(o, 0) + (spread(rank * size // n) >> axis)
-        return sorted(self.members, key=code.get)
-
-
-class PseudoKdTree(KdTree):
-    def computed(self, x):
-        return None
 
 
 class TrajectoryTree(Orders):

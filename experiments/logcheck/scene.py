@@ -183,6 +183,10 @@ class Scene:
                         for q in tree.get("queries", [])]
         self.changes = self.plan()
 
+    def degree(self):
+        """The largest degree in t of a position."""
+        return max((len(a) - 1 for o in self.objects for p in o.pieces for a in p.axes[:self.dimension]), default=0)
+
     def read_object(self, tree, place):
         extents = next((k for k in ("radius", "half_extents", "weight")
                         for owner in [tree, tree["motion"][0]] if k in owner), None)

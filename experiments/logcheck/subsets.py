@@ -2,6 +2,7 @@
 """The objects that a structure is built from: "of", "query" and "colours" of an entry of "maintain"."""
 
 QUERY = ("nearest_site",)
+OF_LINES = ("line_arrangement_2",)  # of the lines alone, whatever points there are
 TWO_COLOURS = ("bichromatic_pair_delaunay", "bichromatic_pair_all")
 
 
@@ -47,8 +48,8 @@ def own_objects(name, options, scene):
         return with_colours(scene, options["colours"])
     of = options.get("of")
     if of is None:
-        return None
-    if isinstance(of, str):
+        result = None
+    elif isinstance(of, str):
         result = with_colours(scene, [of])
     elif isinstance(of, list):
         result = {scene.number[name] for name in of}
@@ -56,7 +57,12 @@ def own_objects(name, options, scene):
         result = with_colours(scene, of["colours"])
     else:
         result = set(range(len(scene.ids))) - {scene.number[name] for name in of["all_but"]}
-    return result | {query_of(options, scene)} if name in QUERY else result
+    if name in QUERY and result is not None:
+        result.add(query_of(options, scene))
+    if name in OF_LINES:
+        lines = {i for i, o in enumerate(scene.objects) if o.line}
+        result = lines if result is None else result & lines
+    return result
 
 
 def classes_of(options, scene):

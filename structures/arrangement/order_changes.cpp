@@ -93,13 +93,27 @@ class View {
   Ids others_;
 };
 
+// Of two lines of a triple that has turned over. They are parallel identically iff each stands before
+// the other one in the list of the other one. Lists that have not changed are missing; if those of both
+// are, the two are parallel iff they have passed through each other.
+bool are_parallel(const LineOrders& orders, const std::vector<Pair>& equals, ObjectId a,
+                  ObjectId b) {
+  const auto stands_before = [&orders](ObjectId line, ObjectId other) {
+    const auto own = orders.find(line);
+    return own != orders.end() && place(own->second, other) < place(own->second, line);
+  };
+  return contains(equals, a, b) || stands_before(a, b) || stands_before(b, a);
+}
+
 // Every triple is seen from all three lines; if two of them are parallel, from the third alone.
-bool are_seen(const std::vector<Triple>& sorted, const std::vector<Pair>& equals) {
+bool are_seen(const std::vector<Triple>& sorted, const LineOrders& orders,
+              const std::vector<Pair>& equals) {
   for (std::size_t i = 0; i < sorted.size();) {
     std::size_t end = i;
     while (end < sorted.size() && sorted[end] == sorted[i]) ++end;
     const auto& [a, b, c] = sorted[i];
-    const bool parallel = contains(equals, a, b) || contains(equals, b, c) || contains(equals, a, c);
+    const bool parallel = are_parallel(orders, equals, a, b) ||
+                          are_parallel(orders, equals, b, c) || are_parallel(orders, equals, a, c);
     if (end - i != (parallel ? 1 : 3)) return false;
     i = end;
   }
@@ -133,7 +147,7 @@ std::optional<ArrangementChange> change_between(const LineOrders& before, const 
     view.collect(change.triples);
   }
   std::sort(change.triples.begin(), change.triples.end());
-  if (!are_seen(change.triples, change.equals)) return std::nullopt;
+  if (!are_seen(change.triples, after, change.equals)) return std::nullopt;
   change.triples.erase(std::unique(change.triples.begin(), change.triples.end()),
                        change.triples.end());
   return change;

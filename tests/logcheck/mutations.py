@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Logs of which one thing was changed, counted, digested and sealed anew, have to be refused.
 
-usage: mutations.py PROGRAM LOGCHECK_FOLDER LOGS [STRUCTURE,...]
+usage: mutations.py PROGRAM LOGCHECK_FOLDER LOGS [STRUCTURE,...|all [SEED]]
 
-Makes LOGS random runs, of all structures (or of these) in turn, and applies every kind of change below to each log, at a
-random place where it is possible. Exit code 77: the program writes logs of version 1. Internal events that the
-checker reports as not followed (those of bodies, and of hulls with identical ties) are left alone. An accepted log
-that means the same as the original one (see equivalent) is counted apart, and so is one within a limit of the checker
-that its README states.
+Makes LOGS random runs, of all structures (or of these) in turn, from SEED (default: a fixed one), and applies every kind
+of change below to each log, at a random place where it is possible. Exit code 77: the program writes logs of version 1.
+Internal events that the checker reports as not followed (those of bodies, and of hulls with identical ties) are left
+alone. An accepted log that means the same as the original one (see equivalent) is counted apart, and so is one within a
+limit of the checker that its README states.
 """
 import collections
 import copy
@@ -222,11 +222,11 @@ def main():
     program, folder, count = sys.argv[1], sys.argv[2], int(sys.argv[3])
     modules = logs.checker(folder)
     logs.skip_old(program)
-    rng = random.Random(20261122)
+    rng = random.Random(int(sys.argv[5]) if len(sys.argv) > 5 else 20261122)
     made, refused, same, accepted = (collections.Counter() for _ in range(4))
     reasons = collections.Counter()
     known = logs.Structures(program)
-    structures = sys.argv[4].split(",") if len(sys.argv) > 4 else known.line + known.plane + known.bodies
+    structures = sys.argv[4].split(",") if len(sys.argv) > 4 and sys.argv[4] != "all" else known.all
     lines = 0
     with tempfile.TemporaryDirectory() as scratch:
         done = 0

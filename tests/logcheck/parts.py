@@ -19,6 +19,7 @@ import logs
 FOLDER = sys.argv.pop(1)
 logs.checker(FOLDER)
 import instants  # noqa: E402
+import labels  # noqa: E402
 import polynomials as poly  # noqa: E402
 import predicates  # noqa: E402
 import roots  # noqa: E402
@@ -142,6 +143,21 @@ class Formulas(unittest.TestCase):
         self.assertLess(self.value("in_circle_2", (0, 0), (2, 0), (0, 2), (3, 3)), 0)
         self.assertEqual(self.value("in_circle_2", (0, 0), (2, 0), (0, 2), (2, 2)), 0)
 
+    def test_orders_of_boxes(self):
+        u, v = (Fraction(1), Fraction(0)), (Fraction(3, 5), Fraction(4, 5))
+        one = ((4, 0), (0, 0), (0, 1), (0, 0))  # 4 by 1
+        other = ((3, 4), (0, 0), (-4, 3), (0, 0))  # 5 by 5
+        for name, difference in (("order_box_area", 21), ("order_box_perimeter", 5)):
+            scale = 25 if name == "order_box_area" else 5
+            self.assertEqual(self.value((name, u, v), *one, *other), scale * difference)
+            self.assertEqual(self.value((name, v, u), *other, *one), -scale * difference)
+
+    def test_arguments_that_are_shared(self):
+        self.assertEqual(predicates.places_of("order_box_area", 8), list(range(8)))
+        self.assertEqual(predicates.places_of("order_box_area/01120312", 8), [0, 1, 1, 2, 0, 3, 1, 2])
+        for name in ("order_box_area/0112031", "order_box_area/01120412", "order_box_area/", "order_box_area/1112031a"):
+            self.assertIsNone(predicates.places_of(name, 8))
+
     def test_normal_forms_keep_the_value(self):
         rng = random.Random(2)
         places = [tuple(rng.randint(-9, 9) for _ in range(6)) for _ in range(12)]
@@ -151,6 +167,22 @@ class Formulas(unittest.TestCase):
                 normal, sign = predicates.normal_form(name, tuple(ids))
                 self.assertEqual(self.value(name, *(places[i] for i in ids)),
                                  sign * self.value(name, *(places[i] for i in normal)), name)
+
+
+class LabelsOfLists(unittest.TestCase):
+    def test_room(self):
+        some = labels.Labels()
+        some.assign(["c", "a", "e"], 3)
+        self.assertEqual(some.of, {"c": 0, "a": 2, "e": 5})
+        self.assertEqual(some.room_between("e", "x", None), {"x": 7})
+        self.assertEqual(some.room_between("c", "x", "a"), {"x": 1})
+        some.of["x"] = 1
+        self.assertIsNone(some.room_between("c", "y", "x"))  # too many for 8 labels
+        some.assign(["c", "a", "e"], 4)
+        some.of["x"] = 1
+        self.assertEqual(some.room_between("c", "y", "x"), {"y": 1, "x": 2})  # the first four labels are spread
+        some.assign(["a", "b"], labels.bits_for(2))
+        self.assertIsNone(some.room_between("a", "x", "b"))
 
 
 class CommandLine(unittest.TestCase):

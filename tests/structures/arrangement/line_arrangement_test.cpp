@@ -70,6 +70,16 @@ TEST(LineArrangement, ParallelLinesPassThroughEachOther) {
   EXPECT_EQ(TwinRun(scene, arrangement()).attribute(), (Ids{2, 0, 1, 1, 0, 2, 0, 1, 2, 2, 0, 1}));
 }
 
+// A line turns past two that are parallel identically, at t = 1: on it they change places.
+TEST(LineArrangement, ALineTurnsPastParallels) {
+  const Scene scene =
+      lines({path({{0, 1}, {0}}), path({{1}, {2}}), path({{1}, {1}}), path({{-1}, {0}})}, 0, 2);
+  const Log expected{"triple 0 1 2", "parallel 0 1", "parallel 0 2"};
+  EXPECT_EQ(external(scene), expected);
+  ReplayedRun run = replayed(scene);
+  EXPECT_EQ(run.count("triple") + run.count("parallel"), 3u);
+}
+
 // k lines through one point at t = 0, which all turn over: y = i x + i^2 t.
 TEST(LineArrangement, ManyLinesInAPoint) {
   for (const int k : {3, 4, 5, 7}) {
