@@ -23,6 +23,8 @@ TOUCHING = {"convex_hull_2_brute_force": "orientation_2", "regular_2": "orientat
             "regular_3": "orientation_3"}
 # After these, certificates of a structure may be negative since they were made, without passing through zero.
 UNSETTLING = ("blocked", "reinsert", "settled", "rebuild")
+# An instant with one of these is degenerate: its structure may have made such certificates before that, too.
+REARRANGING = ("blocked", "reinsert", "rebuild")
 
 
 class Checker:
@@ -280,6 +282,7 @@ class Checker:
         due = [("motion", s, o) for s in structures for o in sorted(updates) if has(s, o)]
         due += [("erase", s, o) for o in sorted(erasures) for s in structures if has(s, o)]
         due += [("insert", s, o) for o in sorted(insertions) for s in structures if has(s, o)]
+        degenerate = {r.structure.index for r in records if r.kind in REARRANGING}
         place, moved, phase = 0, False, "motion"
         line = records[0].line if records else self.last_line()
         try:
@@ -303,7 +306,7 @@ class Checker:
                 replay = self.replays[r.structure.index]
                 if self.on[2]:
                     self.check_certificate(r, x)
-                if r.kind in UNSETTLING:
+                if r.kind in UNSETTLING or r.structure.index in degenerate:
                     self.unsettled.add(r.structure.index)
                 if r.external and r.structure.name in PARTIAL_HULLS:  # its vertices come from afar
                     self.unsettled |= {s.index for s in structures if reads_partial_hull(s.options)}

@@ -7,7 +7,8 @@ slopes of the same two lines count as one failure, since one repair serves them 
 at an instant, it has exactly one record. If there are several, each has a record, with two exceptions: a
 repair of the same half, in the same node or below, with two points in common may have removed a failure; and
 with three or more failures a node may have been merged anew. There may also be records of claims that were
-made at the instant itself.
+made at the instant itself; with three or more failures also of corners that belong to no time: where many points are
+on one line for an instant, chains pass through orders of their corners that are none.
 """
 
 from envelopes import Tied, Tree
@@ -24,6 +25,8 @@ class Envelopes(Hull):
         self.proofs = [self.proof, self.inside]
         self.records, self.tied = [], False
         self.doubts = []  # what is wrong, unless a sign is identically zero
+        self.no_corners = []  # what is wrong, unless there are three failures besides
+        self.crowded = False
         self.moved = False
 
     def start(self, x):
@@ -82,7 +85,7 @@ class Envelopes(Hull):
             for a, b in (r.ids[:2], r.ids[2:]) if r.kind == "x" else (r.ids[:2],):
                 order = ("order_x", (a, b))
                 if self.world.sign_after(order, x) < 0 and not self.world.vanishes(order, x):
-                    self.doubt(r, x, "%s: %s is no corner" % (r.short(), self.names((a, b))))
+                    self.no_corners.append(Wrong("%s: %s is no corner" % (r.short(), self.names((a, b))), r.line))
 
     def doubt(self, r, x, what):
         self.doubts.append(Wrong(what, r.line))
@@ -113,9 +116,11 @@ class Envelopes(Hull):
     def settle(self, x):
         super().settle(x)
         records, self.records = self.records, []
+        self.crowded = False
         if not self.tied:
             self.follow(records, x)
-        doubts, self.doubts = self.doubts, []
+        doubts = self.doubts if self.crowded else self.doubts + self.no_corners
+        self.doubts, self.no_corners = [], []
         if doubts and not self.tied:
             raise doubts[0]
 

@@ -11,13 +11,15 @@ class Regular(Cells):
               "followed")
     CORNERS = 0
 
+    def signs(self):
+        power = "disc_power_%d" if self.world.scene.extents == "radius" else "power_%d"
+        return tuple(name % (self.CORNERS - 1) for name in ("orientation_%d", power))
+
     def current(self, x):
         def sign(name):
             return lambda *ids: self.world.sign_after((name, ids), x)
 
-        axes = self.CORNERS - 1
-        power = ("disc_power_%d" if self.world.scene.extents == "radius" else "power_%d") % axes
-        return simplices(self.members, self.CORNERS, sign("orientation_%d" % axes), sign(power))
+        return simplices(self.members, self.CORNERS, *map(sign, self.signs()))
 
     def is_failure(self, query, kind, ids):
         """Of a witness of the point that shows, or of a claim of these points; that of a tie names fewer."""

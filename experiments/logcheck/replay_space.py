@@ -12,6 +12,9 @@ class DelaunayInSpace(Cells):
     OTHERS = {"blocked": (4, 5)}
     change = staticmethod(change)
 
+    def signs(self):
+        return "orientation_3", "in_sphere_3"
+
     def current(self, x):
         def sign(name):
             return lambda *ids: self.world.sign_after((name, ids), x)

@@ -157,6 +157,15 @@ def parsed(data):
     return lines[0], lines[1:-1], lines[-1]
 
 
+def axes_for(structure, known, rng):
+    """The number of axes of a random scene for the structure."""
+    if structure in known.graphs:
+        return 1
+    if structure in known.extents:
+        return rng.randrange(1, 4)
+    return 2 if structure in known.line + known.plane + known.lines else 3
+
+
 def drawn_scene(rng, program, folder, structure, known):
     """A random small scene for a structure."""
     while True:
@@ -171,7 +180,9 @@ def drawn_scene(rng, program, folder, structure, known):
                 keys = KEYS[:3] if structure in known.linear else KEYS
                 maintain = {"structure": structure, "key": rng.choice(keys), "as": "it"}
             family = rng.choice(POINT_FAMILIES)
-            path = generate(program, folder, family, rng.randrange(5, 10), seed, maintain)
+            axes = axes_for(structure, known, rng)
+            path = generate(program, folder, family, rng.randrange(5, 10 if axes < 3 else 8), seed, maintain,
+                            "--dimension", str(axes))
         if path is not None:
             return path, f"{family}, seed {seed}"
 
