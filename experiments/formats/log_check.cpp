@@ -87,9 +87,10 @@ class Checker {
   // The time of the last record, if the log has names and it has no defect.
   RealRoot* instant() { return time_is_well_ && last_root_ ? &*last_root_ : nullptr; }
 
-  void complain(const std::string& what) {
+  void complain(const std::string& what) { complain_of(line_, what); }
+  void complain_of(std::size_t line, const std::string& what) {
     if (verdict_.problems.size() < LogVerdict::kMaxProblems) {
-      verdict_.problems.push_back("line " + std::to_string(line_) + ": " + what);
+      verdict_.problems.push_back("line " + std::to_string(line) + ": " + what);
     }
   }
 
@@ -419,7 +420,11 @@ LogVerdict check_log(std::string_view text, const std::string& file, const Scene
     checker.check(record);
     if (!of_scene) continue;
     const std::string problem = of_scene->check(record, checker.instant());
+    for (const auto& late : of_scene->late_problems()) checker.complain_of(late.line, late.problem);
     if (!problem.empty()) checker.complain(problem);
+  }
+  if (of_scene) {
+    for (const auto& late : of_scene->late_problems(true)) checker.complain_of(late.line, late.problem);
   }
   checker.finish(reader.end(), reader.line());
   if (!of_scene) return verdict;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include "experiments/formats/grid_line.h"
 #include "experiments/formats/input_error.h"
@@ -109,11 +110,30 @@ void LogSceneCheck::note_instant(const LogRecord& record) {
     instant_polynomial_ = record.time.polynomial;
     changed_.clear();
     rearranged_.clear();
+    for (auto& [label, doubt] : doubts_) late_.push_back(std::move(doubt));
+    doubts_.clear();
   }
-  changed_.insert(record.structure);
-  for (const char* kind : {"blocked", "reinsert", "settled", "rebuild"}) {
-    if (record.kind == kind) rearranged_.insert(record.structure);
+  again_ = !changed_.insert(record.structure).second;
+  for (const char* kind : {"blocked", "reinsert", "rebuild", "settled"}) {
+    if (record.kind != kind) continue;
+    rearranged_.insert(record.structure);
+    if (record.kind != "settled") doubts_.erase(record.structure);
   }
+}
+
+// A triangulation may have made such certificates before it finds that the instant is degenerate.
+std::string LogSceneCheck::put_off(const LogRecord& record, const std::string& problem) {
+  if (!again_) return problem;
+  doubts_.emplace(record.structure, LateProblem{record.line, problem});
+  return "";
+}
+
+std::vector<LogSceneCheck::LateProblem> LogSceneCheck::late_problems(bool at_end) {
+  for (auto& [label, doubt] : doubts_) {
+    if (at_end) late_.push_back(std::move(doubt));
+  }
+  if (at_end) doubts_.clear();
+  return std::exchange(late_, {});
 }
 
 // A certificate that is made in the midst of an instant can be negative at once: after a repair of
@@ -169,10 +189,16 @@ std::string LogSceneCheck::check_certificate(const LogRecord& record, RealRoot& 
                      std::any_of(said.ids.begin(), said.ids.end(), [this](const std::string& id) {
                        return std::find(appeared_.begin(), appeared_.end(), id) != appeared_.end();
                      });
-  const Failure failure{!fresh && !may_be_made_negative(record),
-                        fresh || touching_.count(record.structure) == 0};
-  if (along) return direction_problem(meanings->second, said.predicate, of, failure, instant);
-  return polynomial_problem(certificate_polynomial(*known, of), failure, instant);
+  const auto problem_if = [&](const Failure& failure) {
+    if (along) return direction_problem(meanings->second, said.predicate, of, failure, instant);
+    return polynomial_problem(certificate_polynomial(*known, of), failure, instant);
+  };
+  Failure failure{!fresh && !may_be_made_negative(record),
+                  fresh || touching_.count(record.structure) == 0};
+  const std::string problem = problem_if(failure);
+  if (problem.empty() || !failure.vanishes) return problem;
+  failure.vanishes = false;
+  return problem_if(failure).empty() ? put_off(record, problem) : problem;
 }
 
 std::string LogSceneCheck::polynomial_problem(const Polynomial& polynomial, const Failure& failure,

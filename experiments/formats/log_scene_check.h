@@ -33,6 +33,14 @@ class LogSceneCheck {
   std::string check(const LogRecord& record, RealRoot* instant);
   // The defect of the last line.
   std::string check(const LogEnd& end) const;
+  // Defects of records before the last one that were checked, which are known by now: whether a
+  // certificate may be negative in the midst of an instant depends on all that happens then. Each is
+  // returned once. `at_end`: no record follows.
+  struct LateProblem {
+    std::size_t line;
+    std::string problem;
+  };
+  std::vector<LateProblem> late_problems(bool at_end = false);
 
   std::uint64_t certificates() const { return certificates_; }
   std::uint64_t unchecked() const { return unchecked_; }
@@ -41,6 +49,8 @@ class LogSceneCheck {
   void note_change(const LogRecord& record, RealRoot* instant);
   std::shared_ptr<const Predicate> order_on_grid(const LogCertificate& said) const;
   std::string check_certificate(const LogRecord& record, RealRoot& instant);
+  // Puts the problem off, if an event of the structure at the instant of the record can still explain it.
+  std::string put_off(const LogRecord& record, const std::string& problem);
   // What a certificate must be like at an instant.
   struct Failure {
     bool vanishes = true, negative_after = true;
@@ -75,6 +85,9 @@ class LogSceneCheck {
   Polynomial instant_polynomial_;
   int instant_root_ = 0;
   std::set<std::string> changed_, rearranged_;
+  bool again_ = false;  // its structure has another record at the instant before it
+  std::multimap<std::string, LateProblem> doubts_;  // by label, at the instant
+  std::vector<LateProblem> late_;
   std::uint64_t certificates_ = 0, unchecked_ = 0;
   RootCounters counters_;
 };
