@@ -36,8 +36,24 @@ class Flush(Scratch):
                 best = p
         return best
 
+    # Kinds of events, with their numbers of points, without a certificate and internal; all others fail a certificate.
+    PLAIN = {"split": 3, "merge": 3, "renew": 0, "motion": 1, "insert": 1, "erase": 1}
+
     def event(self, r, x):
-        """The proof is not followed."""
+        """The proof is not followed: only what a record says of itself."""
+        if r.kind in self.PLAIN:
+            self.require(r.predicate is None and not r.external and len(r.ids) == self.PLAIN[r.kind],
+                         "%s is internal, without a certificate", r.short())
+            return
+        self.require(r.predicate is not None and len(r.ids) == 4, "%s names two edges and what has failed", r.short())
+        name, ids = r.predicate, r.arguments
+        places = [int(digit) for digit in name.partition("/")[2]] or list(range(len(ids)))
+        if r.kind == "replace":
+            half = len(places) // 2
+            edges = [ids[i] for i in places[:2] + places[half:half + 2]]
+            self.require(list(r.ids) == edges, "%s names other edges than its certificate", r.short())
+        else:
+            self.require(set(r.ids) <= set(ids) if r.kind == "tie" else set(r.ids) == set(ids), "%s names other points than its certificate", r.short())
 
 
 class Width(Flush):
