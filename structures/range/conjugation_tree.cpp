@@ -107,7 +107,7 @@ ConjugationTrees::Out ConjugationTrees::out_of(Ref node, BoxAt& box, BoxAt::Side
   std::array<Sign, kShort> signs;
   const std::size_t size = end - from;
   box.compare(axis(), side, in_chains_, from, {chains_.data() + from, size}, signs.data());
-  // Without branches, which nobody could predict.
+  // Without branches, since they would be unpredictable.
   unsigned some = 0, all = 1;
   for (std::size_t i = 0; i < size; ++i) {
     const unsigned is_out = BoxAt::is_out(side, signs[i]) ? 1 : 0;

@@ -123,7 +123,7 @@ TEST(Regular3, Balls) {
   EXPECT_GT(one.lines().size(), 10u);
 }
 
-// Points of random linear motion, identically lifted to one plane that moves: what makes a cell, and who is
+// Points of random linear motion, identically lifted to one plane that moves: which points make a cell, and which are
 // hidden, follows from ids and orientations alone.
 TEST(Regular3, PointsInOneLiftedPlane) {
   std::uint64_t events = 0;
