@@ -11,7 +11,7 @@ namespace kinex::lab {
 namespace {
 
 constexpr int kFewestExactSizes = 4;  // three may lie on a power by chance
-// Of a fit with a term, without standard errors: with one degree of freedom its interval excludes nothing.
+// Of a fit with a term, without standard errors: with fewer its interval is wide without any scatter.
 constexpr int kFewestDegreesOfTerm = 2;
 
 std::string interval_text(const std::string& x, const Fit& fit) {
@@ -64,17 +64,21 @@ void judge_by_term(PowerVerdict& result, std::span<const FitPoint> points, const
   if (!both) result.verdict = Verdict::kOpen;
 }
 
+bool is_narrower(const Fit& fit, const Fit& other) {
+  return fit.upper - fit.lower < other.upper - other.lower;
+}
+
 // The power alone refutes the claim, and chance explains its chi squared. Does the claim with the term
 // fit, with the exponent that the claim allows and that is nearest to the fitted one?
 void reconsider(PowerVerdict& result, std::span<const FitPoint> points, const ClaimedPower& claim,
                 const std::string& x) {
   if (!fit_term(result, points, claim, x)) return;
   const Fit& fit = *result.corrected;
-  if (!fit.weighted && fit.degrees < kFewestDegreesOfTerm) {
-    result.observed += ", from too few sizes";
+  bool refuted = compare(fit, claim) == Verdict::kRefuted;
+  if (!refuted && !fit.weighted && fit.degrees < kFewestDegreesOfTerm && !is_narrower(fit, *result.fit)) {
+    result.observed += ", wider, from too few sizes";
     return;
   }
-  bool refuted = compare(fit, claim) == Verdict::kRefuted;
   if (fit.weighted) {
     const double most = std::min(fit.b, claim.exponent + claim.tolerance);
     const double nearest = claim.at_most ? most : std::max(most, claim.exponent - claim.tolerance);
@@ -94,6 +98,16 @@ void reconsider(PowerVerdict& result, std::span<const FitPoint> points, const Cl
   result.verdict = Verdict::kOpen;
 }
 
+// The interval of the power alone neither lies within the tolerance nor outside, and the counts are exact:
+// only terms of lower order can have made it so wide.
+void narrow_down(PowerVerdict& result, std::span<const FitPoint> points, const ClaimedPower& claim,
+                 const std::string& x) {
+  if (!fit_term(result, points, claim, x)) return;
+  const Fit& fit = *result.corrected;
+  if (fit.degrees < kFewestDegreesOfTerm || !is_narrower(fit, *result.fit)) return;
+  if (compare(fit, claim) == Verdict::kConfirmed) result.verdict = Verdict::kConfirmed;
+}
+
 }  // namespace
 
 PowerVerdict judge_power(std::span<const FitPoint> points, const ClaimedPower& claim,
@@ -111,6 +125,8 @@ PowerVerdict judge_power(std::span<const FitPoint> points, const ClaimedPower& c
     judge_by_term(result, points, claim, x);
   } else if (result.verdict == Verdict::kRefuted) {
     reconsider(result, points, claim, x);
+  } else if (result.verdict == Verdict::kOpen && !fit.weighted) {
+    narrow_down(result, points, claim, x);
   }
   if (!fit.weighted && fit.degrees + 2 < kFewestExactSizes) {
     not_confirmed(result, ", too few sizes");

@@ -41,8 +41,10 @@ struct PowerVerdict {
 //   - where the interval of the fit lies outside: refuted only if the claimed power with the term does
 //     not fit, else open. It does not if chance does not explain its chi squared, for any exponent
 //     within the tolerance; without standard errors, if the interval of the fit with the term lies
-//     outside as well. (Fewer than four points determine no such term, nor do fewer than five without
-//     standard errors.)
+//     outside as well. (Fewer than four points determine no such term. Four without standard errors do
+//     if its interval is narrower than that of the fit without it.)
+//   - where the interval of the fit is partly outside, without standard errors: confirmed if, from at
+//     least five points, the interval of the fit with the term is narrower and within the tolerance.
 // Nothing is confirmed from fewer than three points (four without standard errors). `x` names the
 // variable.
 PowerVerdict judge_power(std::span<const FitPoint> points, const ClaimedPower& claim,

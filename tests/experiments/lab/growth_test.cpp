@@ -139,6 +139,30 @@ TEST(JudgePower, ATermOfLowerOrderSpeaksOfExactCounts) {
   EXPECT_EQ(lab::judge_power(points, {2, 0.05, true}, "n").verdict, lab::Verdict::kRefuted);
 }
 
+// The interval of the power alone is partly outside; that with the term is within, if there are enough
+// sizes to tell.
+TEST(JudgePower, ATermOfLowerOrderNarrowsExactCounts) {
+  std::vector<lab::FitPoint> points;
+  for (const double n : {8, 12, 16, 24, 32}) points.push_back({n, (n - 1) * (n - 1), 0});
+  const lab::PowerVerdict found = lab::judge_power(points, {2, 0.15}, "n");
+  EXPECT_LT(found.fit->lower, 2.15);
+  EXPECT_GT(found.fit->upper, 2.15);
+  EXPECT_EQ(found.verdict, lab::Verdict::kConfirmed) << found.observed;
+  EXPECT_EQ(lab::judge_power(std::span(points).first(4), {2, 0.15}, "n").verdict, lab::Verdict::kOpen);
+  EXPECT_EQ(lab::judge_power(points, {2.3, 0.15}, "n").verdict, lab::Verdict::kOpen);
+}
+
+// Four exact counts that lie on no law: with the term one degree of freedom is left, and an interval that
+// holds any exponent. It saves no claim that the counts refute.
+TEST(JudgePower, FourExactCountsOnNoLawRefute) {
+  const std::vector<lab::FitPoint> points{{8, 530, 0}, {16, 4000, 0}, {32, 33500, 0}, {64, 258000, 0}};
+  const lab::PowerVerdict found = lab::judge_power(points, {2, 0.05, true}, "n");
+  ASSERT_TRUE(found.corrected);
+  EXPECT_LT(found.corrected->lower, 2) << found.observed;
+  EXPECT_EQ(found.verdict, lab::Verdict::kRefuted) << found.observed;
+  EXPECT_THAT(found.observed, HasSubstr("too few sizes"));
+}
+
 TEST(JudgePower, ThreeSizesLeaveNothingForATerm) {
   std::vector<lab::FitPoint> points{{10, 100, 0.1}, {20, 410, 0.4}, {40, 1600, 1.6}};
   const lab::PowerVerdict found = lab::judge_power(points, {2, 1}, "n");
