@@ -119,13 +119,14 @@ class Arithmetic {
     static_cast<void>(from);
     return look_ahead(query, limit, time);
   }
-  // Announces the next queries: each is passed to look_ahead_in_group() once, in this order and
-  // with the same limit. There are at most kMostInGroup; motions and now do not change meanwhile.
-  // An arithmetic may compute the failure times together. Answers and counters are those of separate
-  // calls: of failure() if there is no limit, else of look_ahead().
+  // Announces the next queries, at most kMostInGroup. True: the arithmetic computes failure times
+  // together, and each query is passed to look_ahead_in_group() once, in this order and with the same
+  // limit; motions and now do not change meanwhile. Answers and counters are those of separate calls:
+  // of failure() if there is no limit, else of look_ahead(). False: they have to be called.
   static constexpr std::size_t kMostInGroup = 4;
-  virtual void begin_group(std::span<const Query> group, double limit) {
+  virtual bool begin_group(std::span<const Query> group, double limit) {
     static_cast<void>(group), static_cast<void>(limit);
+    return false;
   }
   // `query` is the i-th of the group.
   virtual Outlook look_ahead_in_group(std::size_t i, const Query& query, double limit,

@@ -54,6 +54,8 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
   model.form = dynamic_cast<const LinearForm*>(&p);
   if (const auto* const difference = dynamic_cast<const CoordinateDifference*>(&p)) {
     model.difference_axis = difference->difference_axis();
+    model.differs = model.narrow && model.reach_error == 0 && model.degree == numbers.degree &&
+                    !model.touches;
   }
   touches_ = touches_ || model.touches;
   models_.push_back(model);
@@ -116,6 +118,7 @@ void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
   if (motions_.degree() != before) {
     for (std::size_t i = 0; i < models_.size(); ++i) {
       models_[i].fixed = models_[i].narrow = models_[i].linear = models_[i].in_lanes = false;
+      models_[i].differs = false;
       models_[i].degree = predicates_[i]->degree(motions_.degree());
     }
   }
@@ -137,10 +140,8 @@ double ExactArithmetic::horizon(const Query& query) const {
   return b;
 }
 
-int ExactArithmetic::relation_to_now(const Query& query) const {
-  if (!now_.own) return 0;
-  // Nearly all others differ in the sum of their arguments.
-  if (sum_of_ids(query) != sum_of_ids(now_.query)) return 0;
+// relation_to_now, now being a query's own root.
+int ExactArithmetic::relation_by_ids(const Query& query) const {
   // At a touch nothing has become negative. Roots that the filter isolates are not touches.
   if (touches_ && models_[now_.query.predicate].touches && !now_.isolated) return 0;
   return related(query, now_.query);
@@ -237,11 +238,19 @@ std::optional<Outlook> ExactArithmetic::linear_failure(const Query& query, Failu
   solved_degree_ = 1;
   if (relation < 0) return Outlook::kNever;  // its only root is now
   if (relation > 0) return fails_now(time);
-  std::array<MotionView<double>, kMaxViews> points;
-  for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
-  points[query.arity] = &motions_.unit();
   double c[2];
-  predicates_[query.predicate]->plain(1, points.data(), 0, c);
+  if (const PredicateModel& model = models_[query.predicate]; model.differs) {
+    const auto first = static_cast<std::size_t>(model.difference_axis) * 2;
+    const MotionView<double> from = motions_.narrow(query.ids[0]) + first;
+    const MotionView<double> to = motions_.narrow(query.ids[1]) + first;
+    c[0] = to[0] - from[0];
+    c[1] = to[1] - from[1];
+  } else {
+    std::array<MotionView<double>, kMaxViews> points;
+    for (std::size_t i = 0; i < query.arity; ++i) points[i] = motions_.narrow(query.ids[i]);
+    points[query.arity] = &motions_.unit();
+    predicates_[query.predicate]->plain(1, points.data(), 0, c);
+  }
   if (c[1] == 0) {
     solved_degree_ = c[0] == 0 ? -1 : 0;
     if (c[0] < 0) return fails_now(time);
@@ -265,6 +274,9 @@ Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
 }
 
 Outlook ExactArithmetic::look_ahead(const Query& query, double limit, FailureTime& time) {
+  if (models_[query.predicate].differs && all_narrow(query)) {
+    if (const auto found = difference_failure(query, limit, time)) return *found;
+  }
   Outlook outlook;
   const Stage stage = find_failure(query, limit, time, outlook);
   if (stage != Stage::kDouble) ++possible_zeros_;

@@ -67,7 +67,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   Outlook failure(const Query& query, FailureTime& time) override;
   Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;
   Outlook look_further(const Query& query, double from, double limit, FailureTime& time) override;
-  void begin_group(std::span<const Query> group, double limit) override;
+  bool begin_group(std::span<const Query> group, double limit) override;
   Outlook look_ahead_in_group(std::size_t i, const Query& query, double limit,
                               FailureTime& time) override;
   int compare(const Query& a, FailureTime& ta, const Query& b, FailureTime& tb) override;
@@ -105,6 +105,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   struct Now {
     double lo = 0, hi = 0;
     Query query;
+    ObjectId sum_of_ids = 0;  // of the query
     bool own = false;        // now is a root of the query's polynomial, at which it became negative
     bool isolated = false;   // ... and its only root in [lo, hi]
     std::uint32_t root = 0;  // exact form, if made
@@ -122,6 +123,7 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     bool in_lanes = false;   // groups of its queries are evaluated side by side
     const LinearForm* form = nullptr;  // the predicate as a LinearForm, if it is one
     int difference_axis = -1;          // of a CoordinateDifference; -1: it is none
+    bool differs = false;  // a CoordinateDifference that exact_arithmetic_difference.cpp answers
   };
 
   // The queries of begin_group, one per lane. A query is known if the filter's first step answers
@@ -182,7 +184,11 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   std::uint32_t make_root(const Query& query, const FailureTime& time);
   std::uint32_t root_of(const Query& query, FailureTime& time);
   // +1 / -1: query is now_.query up to a permutation of that sign; 0: neither.
-  int relation_to_now(const Query& query) const;
+  int relation_to_now(const Query& query) const {
+    // Nearly all others differ in the sum of their arguments.
+    return !now_.own || sum_of_ids(query) != now_.sum_of_ids ? 0 : relation_by_ids(query);
+  }
+  int relation_by_ids(const Query& query) const;
   double horizon(const Query& query) const;
   std::optional<Sign> sign_over_now(const Approximation& p) const;
   std::optional<Sign> form_over_now(const Query& query) {
@@ -195,6 +201,10 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   std::optional<Outlook> linear_failure(const Query& query, const Approximation& p, int relation,
                                         FailureTime& time);
   std::optional<Outlook> linear_failure(const Query& query, FailureTime& time);
+  // Of a query whose model has `differs`; nullopt: the general path has to answer.
+  std::optional<Outlook> difference_failure(const Query& query, double limit, FailureTime& time);
+  template <int D>  // of motions of degree D
+  std::optional<Outlook> difference_failure_of(const Query& query, double limit, FailureTime& time);
   Outlook fails_now(FailureTime& time);
   bool linear_narrow(const Query& query, Int128& c0, Int128& c1) const;
   void shrink(FailureTime& time);

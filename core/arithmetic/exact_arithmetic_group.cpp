@@ -78,17 +78,17 @@ bool ExactArithmetic::set_horizons(std::span<const Query> group, double limit, L
   return true;
 }
 
-void ExactArithmetic::begin_group(std::span<const Query> group, double limit) {
+bool ExactArithmetic::begin_group(std::span<const Query> group, double limit) {
   Group& g = group_;
   g.known = 0;
-  if (!fits_lanes(group)) return;
+  if (!fits_lanes(group)) return false;
   filter::LaneSpan span;
   span.lo = now_.lo - origin_;
   span.hi = now_.hi - origin_;
   span.width = now_.hi - now_.lo;
   constexpr double kFarthest = filter::kLeastTimeLimit;
-  if (!(std::fabs(span.lo) <= kFarthest && std::fabs(span.hi) <= kFarthest)) return;
-  if (!set_horizons(group, limit, span.length)) return;
+  if (!(std::fabs(span.lo) <= kFarthest && std::fabs(span.hi) <= kFarthest)) return false;
+  if (!set_horizons(group, limit, span.length)) return false;
   const Query& first = group[0];
   const PredicateModel& model = models_[first.predicate];
   std::array<MotionView<double>, kMaxArity * kLanes> points;
@@ -101,7 +101,7 @@ void ExactArithmetic::begin_group(std::span<const Query> group, double limit) {
   Lanes reach[kMaxFixedDegree + 1];
   const int d = motions_.degree();
   if (!predicates_[first.predicate]->plain_lanes(d, points.data(), origin_, vectors_, g.c, reach)) {
-    return;
+    return false;
   }
   const Magnitudes magnitudes{g.c, reach, d, model.homogeneity, model.degree, model.reach_error};
   if (vectors_ == Vectors::kAvx2) {
@@ -117,6 +117,7 @@ void ExactArithmetic::begin_group(std::span<const Query> group, double limit) {
   for (std::size_t j = 0; j < group.size(); ++j) {
     if (g.nodes.positive[j] && relation_to_now(group[j]) == 0) g.known |= 1u << j;
   }
+  return true;
 }
 
 Outlook ExactArithmetic::look_ahead_in_group(std::size_t i, const Query& query, double limit,

@@ -4,8 +4,10 @@
 #define KINEX_CORE_ARITHMETIC_QUERY_H
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <initializer_list>
 
 #include "core/arithmetic/predicate.h"
@@ -15,16 +17,45 @@
 namespace kinex {
 
 // A predicate with its arguments: names one polynomial in t under the motions in force.
-struct Query {
+//
+// Queries are copied at every failure, in pieces of 16 bytes. A piece that was written in smaller ones
+// is read some 15 cycles late (no store can be forwarded to the load), which `of` avoids.
+struct alignas(16) Query {
   PredicateId predicate = 0;
   std::uint8_t arity = 0;
   std::array<ObjectId, kMaxArity> ids{};
+  std::uint32_t rest = 0;  // without it, the last piece of a copy would overlap the one before
+
+  typedef std::uint64_t Piece __attribute__((vector_size(16)));
 
   Query() = default;
   // Requires at most kMaxArity ids.
   Query(PredicateId p, std::initializer_list<ObjectId> list) : predicate(p) {
     require(list.size() <= kMaxArity, "a query names too many objects");
     for (ObjectId id : list) ids[arity++] = id;
+  }
+  // The same for so many objects, written in pieces of 16 bytes.
+  static Query of(PredicateId p, ObjectId a, ObjectId b) {
+    return from_pieces(Piece{head(p, 2, a), b}, Piece{});
+  }
+  static Query of(PredicateId p, ObjectId a, ObjectId b, ObjectId c) {
+    return from_pieces(Piece{head(p, 3, a), b | std::uint64_t{c} << 32}, Piece{});
+  }
+  static Query of(PredicateId p, ObjectId a, ObjectId b, ObjectId c, ObjectId d) {
+    return from_pieces(Piece{head(p, 4, a), b | std::uint64_t{c} << 32}, Piece{d, 0});
+  }
+  // By the first 32 bytes; the ids beyond are unused.
+  static Query from_pieces(Piece first, Piece second) {
+    static_assert(std::endian::native == std::endian::little);
+    Query query;
+    auto* const to = reinterpret_cast<std::byte*>(&query);
+    std::memcpy(to, &first, sizeof(Piece));
+    std::memcpy(to + sizeof(Piece), &second, sizeof(Piece));
+    return query;
+  }
+  // The first eight bytes of such a query.
+  static constexpr std::uint64_t head(PredicateId p, std::uint64_t arity, ObjectId first) {
+    return p | arity << 16 | std::uint64_t{first} << 32;
   }
   // Branch-free: the ids are compared in registers.
   friend bool operator==(const Query& a, const Query& b) {
@@ -34,6 +65,9 @@ struct Query {
     return differ == 0;
   }
 };
+
+static_assert(sizeof(Query) == 3 * sizeof(Query::Piece) && offsetof(Query, predicate) == 0 && offsetof(Query, arity) == 2 &&
+              offsetof(Query, ids) == 4);
 
 // The sum of the arguments, modulo 2^32. Queries with different sums are not permutations of each
 // other: a quick test, in registers.

@@ -85,9 +85,12 @@ class EventQueue {
     if (c.stored.is_long()) [[unlikely]] return long_query(c.stored);
     static_assert(offsetof(Query, arity) == offsetof(StoredQuery, arity) &&
                   offsetof(Query, ids) == offsetof(StoredQuery, ids));
-    Query query;
-    std::memcpy(static_cast<void*>(&query), &c.stored, sizeof(StoredQuery));
-    return query;
+    static_assert(sizeof(StoredQuery) == 24);
+    Query::Piece first;
+    std::uint64_t rest;
+    std::memcpy(&first, &c.stored, sizeof(first));
+    std::memcpy(&rest, reinterpret_cast<const std::byte*>(&c.stored) + sizeof(first), sizeof(rest));
+    return Query::from_pieces(first, Query::Piece{rest, 0});
   }
   // query(id) == query, without making a query.
   bool claims(CertificateId id, const Query& query) const {

@@ -255,7 +255,7 @@ Outlook Kernel::replace(CertificateId id, const Query& query, std::uint32_t tag)
 
 void Kernel::replace(Group& group) {
   const double limit = limit_of(queue_.certificate(group.ids[0]).structure, 0);
-  arithmetic_->begin_group({group.queries.data(), group.size}, limit);
+  const bool grouped = arithmetic_->begin_group({group.queries.data(), group.size}, limit);
   const bool counted = count_together(group);
   for (std::size_t i = 0; i < group.size; ++i) {
     const CertificateId id = group.ids[i];
@@ -268,7 +268,9 @@ void Kernel::replace(Group& group) {
     poll();
     queue_.certificate(id).looks = 0;
     FailureTime time;
-    const Outlook outlook = arithmetic_->look_ahead_in_group(i, query, limit, time);
+    const Outlook outlook = grouped ? arithmetic_->look_ahead_in_group(i, query, limit, time)
+                            : limit < kInfinity ? arithmetic_->look_ahead(query, limit, time)
+                                                : arithmetic_->failure(query, time);
     group.outlooks[i] = enqueue(id, outlook, time);
   }
 }
@@ -289,11 +291,15 @@ void Kernel::report(StructureId structure, std::uint8_t kind, std::initializer_l
   event_.structure = structure;
   event_.kind = kind;
   event_.external = external;
-  event_.count = static_cast<std::uint8_t>(ids.size());
-  event_.ids = {};
   std::size_t i = 0;
   for (const ObjectId id : ids) event_.ids[i++] = id;
-  event_.certificate = caused ? failing_query_ : Query();
+  for (; i < event_.count; ++i) event_.ids[i] = 0;  // of the event before
+  event_.count = static_cast<std::uint8_t>(ids.size());
+  if (caused) {
+    event_.certificate = failing_query_;
+  } else {
+    event_.certificate = Query();
+  }
   event_.gone = gone;
   event_.came = came;
   if (reporter_ != nullptr) reporter_->reported(event_);

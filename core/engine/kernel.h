@@ -275,6 +275,8 @@ class Kernel {
   void count_retracted(const Certificate& certificate);
   void count_replaced(const Certificate& before, const Query& after);
   bool count_together(const Group& group);
+  template <std::size_t kArguments>
+  bool count_together(const Group& group, StructureId structure);
   void count_external(StructureId structure);
   [[noreturn]] void refuse_repeated(StructureId structure, const Query& query) const;
   // Calls visit(object) once for every object of the scene that the arguments stand for: the

@@ -110,29 +110,52 @@ void Kernel::count_replaced(const Certificate& certificate, const Query& after) 
 // Counts a group as one by one, if nothing can be refused and the largest numbers are taken later: most
 // objects stay and need no counting. False, with nothing counted: it has to be done one by one.
 bool Kernel::count_together(const Group& group) {
-  constexpr std::size_t kArguments = 4;
   const StructureId structure = queue_.certificate(group.ids[0]).structure;
-  StructureLedger& ledger = *ledgers_[structure];
+  const StructureLedger& ledger = *ledgers_[structure];
   if (!deferred_ || derived_.size() > 0 || ledger.live > ledger.max_live) return false;
+  switch (group.queries[0].arity) {
+    case 2: return count_together<2>(group, structure);
+    case 4: return count_together<4>(group, structure);
+    default: return false;
+  }
+}
+
+template <std::size_t kArguments>
+bool Kernel::count_together(const Group& group, StructureId structure) {
+  bool fit = true;
   for (std::size_t i = 0; i < group.size; ++i) {
     const Certificate& c = queue_.certificate(group.ids[i]);
     const Query& query = group.queries[i];
-    if (!c.live || c.structure != structure || c.stored.arity != kArguments) return false;
-    if (query.arity != kArguments || repeats_an_object(query)) return false;
-    for (std::size_t k = 0; k < i; ++k) {
-      if (group.ids[k] == group.ids[i]) return false;
-    }
+    fit = fit & c.live & (c.structure == structure) & (c.stored.arity == kArguments) &
+          (query.arity == kArguments) & !repeats_an_object(query);
+    for (std::size_t k = 0; k < i; ++k) fit = fit & (group.ids[k] != group.ids[i]);
   }
+  if (!fit) return false;
+  StructureLedger& ledger = *ledgers_[structure];
   std::uint32_t* const live = live_per_object_[structure].data();
-  for (std::size_t i = 0; i < group.size; ++i) {
-    const ObjectId* const before = queue_.certificate(group.ids[i]).stored.ids.data();
-    const ObjectId* const after = group.queries[i].ids.data();
-    for (unsigned gone = places_missing(before, after); gone != 0; gone &= gone - 1) {
-      --live[before[std::countr_zero(gone)]];
+  const auto come = [&](ObjectId object) {
+    if (++live[object] > ledger.max_per_object) [[unlikely]] note_or_defer(structure, object);
+  };
+  if constexpr (kArguments == 2) {  // those that leave before those that come: most do both
+    for (std::size_t i = 0; i < group.size; ++i) {
+      const StoredQuery& before = queue_.certificate(group.ids[i]).stored;
+      --live[before.ids[0]];
+      --live[before.ids[1]];
     }
-    for (unsigned come = places_missing(after, before); come != 0; come &= come - 1) {
-      const ObjectId object = after[std::countr_zero(come)];
-      if (++live[object] > ledger.max_per_object) [[unlikely]] note_or_defer(structure, object);
+    for (std::size_t i = 0; i < group.size; ++i) {
+      come(group.queries[i].ids[0]);
+      come(group.queries[i].ids[1]);
+    }
+  } else {
+    for (std::size_t i = 0; i < group.size; ++i) {
+      const ObjectId* const before = queue_.certificate(group.ids[i]).stored.ids.data();
+      const ObjectId* const after = group.queries[i].ids.data();
+      for (unsigned gone = places_missing(before, after); gone != 0; gone &= gone - 1) {
+        --live[before[std::countr_zero(gone)]];
+      }
+      for (unsigned places = places_missing(after, before); places != 0; places &= places - 1) {
+        come(after[std::countr_zero(places)]);
+      }
     }
   }
   ledger.certificates_created += group.size;

@@ -147,6 +147,9 @@ class FirstRoot {
         const double fraction = (plus + (minus - plus) * (bp / (bp - bm))) / d();
         // x + length may have been rounded up by half a unit: stay strictly inside the node.
         const double last = x + length > x ? next_down(x + length) : x + length;
+        if constexpr (D == 2 && kCertify) {
+          if (solve(x, last, out) == Search::kFound) return Search::kFound;
+        }
         return refine(x, last, x + length * fraction, out);
       } else {
         // Not at the middle, where the roots of simple inputs lie.
@@ -160,33 +163,6 @@ class FirstRoot {
       error = expand(x, length, bernstein);
     }
     return kCertify ? Search::kUnknown : Search::kNone;
-  }
-
-  double value(double t) const {
-    double v = c_[d()];
-    for (int i = d() - 1; i >= 0; --i) v = v * t + c_[i];
-    return v;
-  }
-
-  // A bound on the error of value(t) for |t| <= bound; negative if out of the filter's range.
-  double error_at(double bound) const {
-    if constexpr (!kCertify) return 0;
-    double v = m_[d()];
-    for (int i = d() - 1; i >= 0; --i) v = v * bound + m_[i];
-    return in_range(v, bound) ? gamma(d()) * v : -1;
-  }
-
- private:
-  int d() const { return D >= 0 ? D : degree_; }
-
-  // Most bounds are below the limit of the largest degree, which needs no power.
-  bool is_near(double bound) const {
-    if constexpr (D >= 0) return bound <= kTimeLimit;
-    return bound <= kLeastTimeLimit || bound <= std::exp2(600.0 / d());
-  }
-
-  bool in_range(double magnitude, double bound) const {
-    return magnitude >= 0x1p-300 && magnitude <= 0x1p900 && is_near(bound);
   }
 
   // Bernstein coefficients on [x, x + length]; returns a bound on their errors, negative if none.
@@ -223,6 +199,33 @@ class FirstRoot {
     return error_at(std::fabs(x) + length);
   }
 
+  double value(double t) const {
+    double v = c_[d()];
+    for (int i = d() - 1; i >= 0; --i) v = v * t + c_[i];
+    return v;
+  }
+
+  // A bound on the error of value(t) for |t| <= bound; negative if out of the filter's range.
+  double error_at(double bound) const {
+    if constexpr (!kCertify) return 0;
+    double v = m_[d()];
+    for (int i = d() - 1; i >= 0; --i) v = v * bound + m_[i];
+    return in_range(v, bound) ? gamma(d()) * v : -1;
+  }
+
+ private:
+  int d() const { return D >= 0 ? D : degree_; }
+
+  // Most bounds are below the limit of the largest degree, which needs no power.
+  bool is_near(double bound) const {
+    if constexpr (D >= 0) return bound <= kTimeLimit;
+    return bound <= kLeastTimeLimit || bound <= std::exp2(600.0 / d());
+  }
+
+  bool in_range(double magnitude, double bound) const {
+    return magnitude >= 0x1p-300 && magnitude <= 0x1p900 && is_near(bound);
+  }
+
   // 0: certainly positive on the whole node; 1: certainly exactly one root, from + to -; 2: neither
   // is certain. plus, minus: indices of the last + and the first - (for 1). The left end is
   // positive.
@@ -240,6 +243,16 @@ class FirstRoot {
       if (!(b[static_cast<std::size_t>(i)] < -error)) return 2;
     }
     return 1;
+  }
+
+  // The root of a polynomial of degree 2 in [x, y], where it falls from + to -, by its formula. Where
+  // rounding spoils that, the certificate is missed, and refine() has to find it.
+  Search solve(double x, double y, Enclosure& out) const {
+    const double root = std::sqrt(c_[1] * c_[1] - 4 * c_[2] * c_[0]);
+    const double sum = c_[1] > 0 ? -0.5 * (c_[1] + root) : 0.5 * (root - c_[1]);
+    const double t = c_[1] > 0 ? sum / c_[2] : c_[0] / sum;
+    if (!(t > x && t < y)) return Search::kUnknown;
+    return certify(x, y, t, -root, out);
   }
 
   Search refine(double x, double y, double t, Enclosure& out) const {

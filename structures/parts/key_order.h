@@ -27,7 +27,7 @@ class KeyOrder {  // the smaller key comes first
   ObjectId reference() const { return reference_; }
   // "key(a) <= key(b)".
   Query query(ObjectId a, ObjectId b) const {
-    return reference_ == kNoObject ? Query(predicate_, {a, b})
+    return reference_ == kNoObject ? Query::of(predicate_, a, b)
                                    : Query(predicate_, {a, b, reference_});
   }
   // The claims of a part whose items are objects (claim.h): the smaller key is in front.

@@ -268,9 +268,18 @@ class KineticList {
     std::swap(a.item, b.item);
     place_of_[a.item] = s;
     place_of_[b.item] = a.next;
-    certify(s);
-    if (a.previous != kNone) certify(a.previous);
-    if (b.next != kNone) certify(a.next);
+    renewed_.size = 0;
+    renew_later(s);
+    if (a.previous != kNone) renew_later(a.previous);
+    if (b.next != kNone) renew_later(a.next);
+    ties_.set(slots_, renewed_);
+  }
+  void renew_later(Place s) {
+    const Node& node = places_[s];
+    const std::size_t i = renewed_.size++;
+    renewed_.ids[i] = node.certificate;
+    renewed_.queries[i] = claims_.claim(node.item, places_[node.next].item);
+    renewed_.tags[i] = s;
   }
   Place new_place(Item item) {
     Place s;
@@ -291,6 +300,7 @@ class KineticList {
   Slots slots_;
   C claims_;
   Ties ties_;
+  Kernel::Group renewed_;  // of exchange(): kept, since a new one would be filled with zeros
   std::vector<Node> places_;
   std::vector<Place> place_of_;  // per item
   std::vector<Place> free_;

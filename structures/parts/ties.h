@@ -38,6 +38,13 @@ class Ties {
   void set(Slots& slots, CertificateId& slot, const Query& query, std::uint32_t tag) {
     if (slots.set(slot, query, tag) == Outlook::kIdenticallyZero) note(tag);
   }
+  // The same for full slots together (Slots::set).
+  void set(Slots& slots, Kernel::Group& group) {
+    slots.set(group);
+    for (std::size_t i = 0; i < group.size; ++i) {
+      if (group.outlooks[i] == Outlook::kIdenticallyZero) note(group.tags[i]);
+    }
+  }
   // Notes a certificate to be examined.
   void note(std::uint32_t tag) { tags_.push_back(tag); }
   // Notes the ties that came with the new motions of these objects.

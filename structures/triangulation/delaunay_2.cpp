@@ -47,11 +47,11 @@ Query Delaunay2::query_of(HalfEdge h) const {
   const ObjectId u = store_.origin(h), v = store_.origin(g);
   const ObjectId p = store_.apex(h), q = store_.apex(g);
   const ObjectId infinity = store_.infinity();
-  if (std::max(std::max(u, v), std::max(p, q)) < infinity) return Query(in_circle_, {v, u, p, q});
-  if (p == infinity) return Query(orientation_, {v, u, q});
-  if (q == infinity) return Query(orientation_, {u, v, p});
-  if (u == infinity) return Query(orientation_, {p, v, q});
-  return Query(orientation_, {q, u, p});
+  if (std::max(std::max(u, v), std::max(p, q)) < infinity) return Query::of(in_circle_, v, u, p, q);
+  if (p == infinity) return Query::of(orientation_, v, u, q);
+  if (q == infinity) return Query::of(orientation_, u, v, p);
+  if (u == infinity) return Query::of(orientation_, p, v, q);
+  return Query::of(orientation_, q, u, p);
 }
 
 void Delaunay2::set_certificate(HalfEdge h) {
@@ -73,7 +73,8 @@ void Delaunay2::note_outlook(HalfEdge h, Outlook outlook) {
 
 // set_certificate for each of four edges, in this order.
 void Delaunay2::set_certificates(const std::array<HalfEdge, 4>& edges) {
-  Kernel::Group group;
+  Kernel::Group& group = renewed_;
+  group.size = 0;
   bool together = !corrupt_;
   for (const HalfEdge h : edges) {
     const CertificateId label = store_.label(h);

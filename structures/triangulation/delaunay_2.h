@@ -219,6 +219,7 @@ class Delaunay2 final : public Structure {
   PredicateId orientation_;
   PredicateId in_circle_;
   Slots edges_;  // tag: a half-edge; the slot is its label
+  Kernel::Group renewed_;  // of set_certificates(): kept, since a new one would be filled with zeros
   Ties ties_;    // edges to be compared with the rule for cocircular points
 
   Triangulation2 store_;

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Failure times of differences of coordinates (coordinate_difference.h) in ExactArithmetic, for motions
+// of small integers. An order asks for three at every exchange of neighbours, so each takes one function
+// from the motions to the root, with no call in between:
+//
+//   motions, subtracted --> shifted to the origin --> sign at now --> FirstRoot
+//        exact                   exact                 certified       certified
+//
+// Every answer and counter is that of the general path (failure_in), which takes over where this one
+// abstains: where the degree drops, or now may be a root.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "core/arithmetic/exact_arithmetic.h"
+#include "core/numbers/first_root.h"
+
+namespace kinex {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The coefficients of c(x + t), in place.
+template <int D>
+[[gnu::always_inline]] inline void shift(double* c, double x) {
+  for (int i = 0; i < D; ++i) {
+    for (int j = D - 1; j >= i; --j) c[j] += x * c[j + 1];
+  }
+}
+
+}  // namespace
+
+template <int D>
+std::optional<Outlook> ExactArithmetic::difference_failure_of(const Query& query, double limit,
+                                                              FailureTime& time) {
+  using Root = filter::FirstRoot<D, true>;
+  const std::size_t first =
+      static_cast<std::size_t>(models_[query.predicate].difference_axis) * (D + 1);
+  const MotionView<double> from = motions_.narrow(query.ids[0]) + first;
+  const MotionView<double> to = motions_.narrow(query.ids[1]) + first;
+  // Sums and differences of the shifted motions are exact (shift_is_exact), in whatever order.
+  double c[D + 1], m[D + 1];
+  for (int k = 0; k <= D; ++k) c[k] = to[k] - from[k];
+  if (c[D] == 0) return std::nullopt;
+  shift<D>(c, origin_);
+  for (int k = 0; k <= D; ++k) m[k] = std::fabs(c[k]);
+  const double end = horizon(query);
+  const double a = now_.hi - origin_, b = filter::next_up(std::min(end, limit) - origin_);
+  const bool may_relate = now_.own && query.ids[0] + query.ids[1] == now_.sum_of_ids;
+  const int relation = may_relate ? relation_by_ids(query) : 0;
+  if (!(a < b && b < kInfinity) || relation > 0 || (relation < 0 && !now_.isolated)) {
+    return std::nullopt;
+  }
+  // The node that first_failure begins with. Its first coefficient is the value at now.hi; between
+  // now.lo and now.hi the value moves by slope * width at most.
+  const double node_end = Root::first_end(a, b), length = Root::length_of(a, node_end);
+  std::array<double, D + 1> bernstein;
+  const Root search(c, m, D, origin_);
+  const double error = search.expand(a, length, bernstein);
+  if (relation == 0) {
+    const double reach = std::max(std::fabs(now_.lo - origin_), std::fabs(a) + length);
+    double slope = D * m[D];
+    for (int i = D - 1; i > 0; --i) slope = slope * reach + i * m[i];
+    const double moved = slope * (now_.hi - now_.lo) * (1 + 0x1p-20);
+    if (!(error >= 0 && bernstein[0] > error + moved)) return std::nullopt;
+  }
+  bool clear = error >= 0;
+  for (int i = 1; i <= D; ++i) clear = clear && bernstein[i] > error;
+  Outlook outlook = Outlook::kNever;
+  filter::Enclosure root;
+  switch (clear ? filter::Search::kNone
+                : search.from_first_node(a, node_end, bernstein, error, root)) {
+    case filter::Search::kUnknown:
+      return std::nullopt;
+    case filter::Search::kFound:
+      outlook = Outlook::kFails;
+      time = {root.lo, root.hi, 0};
+      break;
+    case filter::Search::kNone:
+      if (limit < end) outlook = Outlook::kLater;
+      time = limit < end ? FailureTime{limit, limit, 0} : FailureTime{kInfinity, kInfinity, 0};
+      break;
+  }
+  count_solved(D);
+  ++count(query).failures[static_cast<std::size_t>(Stage::kDouble)];
+  return outlook;
+}
+
+std::optional<Outlook> ExactArithmetic::difference_failure(const Query& query, double limit,
+                                                           FailureTime& time) {
+  switch (motions_.degree()) {
+    case 2: return difference_failure_of<2>(query, limit, time);
+    case 3: return difference_failure_of<3>(query, limit, time);
+    default: return std::nullopt;
+  }
+}
+
+}  // namespace kinex
