@@ -12,6 +12,8 @@
 //              Signs of linear forms (linear_form.h) are first tried without the polynomial, and
 //              those of differences of coordinates (coordinate_difference.h) without a formula; many
 //              of these from a table of floats (coordinate_table.h).
+//              Failure times of differences of coordinates are found in one function
+//              (exact_arithmetic_difference.cpp).
 //              Groups of queries (begin_group): the polynomials and the first step of the filter
 //              are computed for all of them side by side (exact_arithmetic_group.cpp); every result
 //              is bit for bit that of a single query.
