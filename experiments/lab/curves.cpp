@@ -264,6 +264,7 @@ void set_curves(Figure& figure, const CurvesPicture& picture, const std::vector<
 std::string log_tics(char axis, double low, double high, bool labelled) {
   const double decades = std::log10(high / low);
   const bool powers = decades >= 2;
+  const bool short_axis = decades < std::log10(4);  // 1, 2 and 5 alone would name one place, or none
   const int step = std::max(1, static_cast<int>(std::ceil(decades / 8)));
   std::string text;
   const auto add = [&](const std::string& name, int digit, int power) {
@@ -275,7 +276,7 @@ std::string log_tics(char axis, double low, double high, bool labelled) {
   // Every place is written out: gnuplot's own steps begin at the end of the range, wherever that is.
   for (int k = static_cast<int>(std::floor(std::log10(low))); k <= std::log10(high); ++k) {
     for (int digit = 1; digit < 10; ++digit) {
-      const bool round = digit == 1 || digit == 2 || digit == 5;
+      const bool round = digit == 1 || digit == 2 || digit == 5 || short_axis;
       if (powers) {
         if (digit > 1 && step > 1) continue;
         add(digit == 1 && k % step == 0 ? fmt::format("10^{{{}}}", k) : "", digit, k);

@@ -48,7 +48,7 @@ inline constexpr const char* kFrame =
     "set grid lc rgb '#dddddd' lw 0.7\nset border 3 lc rgb '#444444'\nset tics nomirror\n";
 
 // Numbers of a logarithmic axis ('x' or 'y') with this range: powers of ten over two decades and
-// more, else 1, 2, 5, 10, ... `labelled`: with the numbers, not the marks alone.
+// more, else 1, 2, 5, 10, ..; all of them if the range is below a factor of 4. `labelled`: with the numbers, not the marks alone.
 std::string log_tics(char axis, double low, double high, bool labelled = true);
 
 // A key below the picture that its entries fit into, in one or two columns: its rows.

@@ -49,6 +49,7 @@ th[aria-sort=ascending] button::after { content: " \25B2"; }
 th[aria-sort=descending] button::after { content: " \25BC"; }
 td.r, th.r { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 @media (min-width: 700px) { td > a { white-space: nowrap; } }
+@media (max-width: 480px) { th.r { white-space: normal; } }  /* so that narrow columns are in sight */
 td:last-child:not([class]):not([colspan]):not(:has(.v)) { min-width: 14em; }
 details { min-width: 0; } summary { cursor: pointer; overflow-wrap: anywhere; padding: .15rem 0; }
 details.row { grid-column: 1 / -1; } details.row figure > div { display: grid; gap: .6rem;

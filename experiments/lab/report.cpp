@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/lab/report.h"
 
+#include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <algorithm>
@@ -68,11 +69,16 @@ const char* dirt_of(const PageFacts& facts) { return facts.build.dirty ? " with 
 Html facts_part(const PageFacts& facts) {
   const BuildFacts& build = facts.build;
   const MachineFacts& machine = facts.machine;
+  const std::string before =
+      facts.taken.before > 0
+          ? fmt::format(", after {:.0f} s of parts that earlier commands had finished, each counted for itself",
+                        facts.taken.before)
+          : "";
   return html(
-      "<p><code>{}</code> in {:.0f} s</p>\n"
+      "<p><code>{}</code> in {:.0f} s{}</p>\n"
       "<p class=\"facts\">{}, commit {}{}; {}; flags {}; {}</p>\n"
       "<p class=\"facts\">{}, {} cores, {} MB, {}</p>\n",
-      facts.command, facts.seconds, build.program, build.commit, dirt_of(facts), build.compiler,
+      facts.command, facts.taken.now, before, build.program, build.commit, dirt_of(facts), build.compiler,
       build.flags, build.libraries, machine.cpu, machine.cores, machine.memory_kb / 1024,
       machine.kernel);
 }

@@ -10,12 +10,13 @@
 #include "experiments/lab/gnuplot.h"
 #include "experiments/lab/html_page.h"
 #include "experiments/lab/machine.h"
+#include "experiments/lab/time_taken.h"
 
 namespace kinex::lab {
 
 struct PageFacts {
   std::string command;  // the command that reproduces the page
-  double seconds = 0;   // wall-clock time of the whole command
+  TimeTaken taken;
   BuildFacts build;
   MachineFacts machine;
 };

@@ -21,10 +21,4 @@ std::string scene_commands(const std::string& workload, const WorkloadParameters
          "kinex view scene.json -o view.html\n";
 }
 
-std::string duration_text(double seconds) {
-  if (seconds < 100) return fmt::format("{:.0f} s", seconds < 1 ? 1 : seconds);
-  if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
-}
-
 }  // namespace kinex::lab

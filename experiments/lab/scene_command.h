@@ -14,9 +14,6 @@ namespace kinex::lab {
 std::string scene_commands(const std::string& workload, const WorkloadParameters& parameters,
                            const std::string& structure);
 
-// "42 s", "5 min", "2.3 h".
-std::string duration_text(double seconds);
-
 }  // namespace kinex::lab
 
 #endif

@@ -90,7 +90,7 @@ Journal::Journal(std::string path, const AttemptProvenance& provenance, Leftover
 
 Journal::Journal(const std::vector<Attempt>& attempts) {
   for (const auto& [key, record] : settle(attempts)) records_.emplace(key, *record);
-  found_ = records_.size();
+  note_found();
 }
 
 // Without records there is nothing to resume from.
@@ -117,7 +117,14 @@ void Journal::read_lines(const std::string& text) {
     std::string key = record.key;
     records_.insert_or_assign(std::move(key), std::move(record));
   }
+  note_found();
+}
+
+void Journal::note_found() {
   found_ = records_.size();
+  for (const auto& [key, record] : records_) {
+    if (record.outcome != Outcome::kKilled) found_seconds_ += record.wall_s;
+  }
 }
 
 void Journal::append(const std::string& line) {

@@ -43,6 +43,8 @@ class Journal {
   // which is dropped. Returns it as it will be read back.
   const Record& add(const Record& record);
   std::size_t found() const { return found_; }  // records that the file had at first
+  // Seconds by the clock that the cells of those records took: the sum, without killed ones.
+  double found_seconds() const { return found_seconds_; }
   bool dropped_other() const { return dropped_other_; }  // it had those of another program (kKeepOwn)
   const std::string& path() const { return path_; }
   bool runs() const { return file_ >= 0; }      // cells that it does not have are to be run
@@ -58,10 +60,12 @@ class Journal {
  private:
   void read_lines(const std::string& text);
   void append(const std::string& line);
+  void note_found();
 
   std::string path_;
   int file_ = -1;
   std::size_t found_ = 0;
+  double found_seconds_ = 0;
   bool dropped_other_ = false;
   mutable std::mutex mutex_;
   std::map<std::string, Record> records_;       // by key

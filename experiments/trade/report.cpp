@@ -127,7 +127,7 @@ Html cases_part(const TradeResult& result, const lab::PageFacts& facts) {
 lab::Report trade_report(const TradeResult& result, const lab::PageFacts& facts) {
   lab::Report report;
   report.title = "kinex trade";
-  report.verdict = verdict_line(result, facts.seconds);
+  report.verdict = verdict_line(result, facts.taken);
   report.good = result.faults().empty();
   report.interrupted = result.interrupted;
   for (const std::string& fault : result.faults()) {

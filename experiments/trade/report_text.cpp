@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "experiments/formats/counted.h"
-#include "experiments/lab/scene_command.h"
 #include "experiments/trade/standings.h"
 
 namespace kinex::trade {
@@ -141,7 +140,7 @@ std::string table_row(const BitsGrowth& growth) {
   return text + "\n";
 }
 
-std::string verdict_line(const TradeResult& result, double seconds) {
+std::string verdict_line(const TradeResult& result, const lab::TimeTaken& taken) {
   std::string always, sometimes;
   for (const ArithmeticStandings& one : standings_of(result)) {
     const int right = one.cases[0] + one.cases[1], all = right + one.cases[2];
@@ -159,7 +158,7 @@ std::string verdict_line(const TradeResult& result, double seconds) {
   const std::size_t faults = result.faults().size();
   if (faults > 0) text += "; " + formats::counted(faults, "fault", "faults");
   if (result.interrupted) text += "; interrupted";
-  return text + "; " + lab::duration_text(seconds);
+  return text + "; " + lab::duration_text(taken);
 }
 
 std::string closing_lines(const TradeResult& result) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "experiments/lab/table.h"
+#include "experiments/lab/time_taken.h"
 #include "experiments/trade/runner.h"
 
 namespace kinex::trade {
@@ -36,7 +37,7 @@ std::string table_row(const BitsResult& one);
 std::string table_row(const BitsGrowth& growth);
 // "29 scenes: exact, sturm right in all of them; double in 21, gsl in 19; 3 min"; right: every state
 // was valid.
-std::string verdict_line(const TradeResult& result, double seconds);
+std::string verdict_line(const TradeResult& result, const lab::TimeTaken& taken);
 // The number of cases, and of those in which each arithmetic was the same, valid, wrong.
 std::string closing_lines(const TradeResult& result);
 

@@ -107,8 +107,8 @@ void ReportFiles::write(Contents contents, const InterruptGuard& interrupt) cons
     write_plots(contents.plots, options_.force, report.figures, drawings);
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began_;
-  contents.facts.seconds = seconds.count();
-  report.verdict = contents.verdict(contents.facts.seconds);
+  contents.facts.taken = {seconds.count(), journal_.found_seconds()};
+  report.verdict = contents.verdict(contents.facts.taken);
   page_.write(lab::report_page(report, drawings, contents.facts));
   const std::string verdict = report.verdict + "\n" + contents.details;
   table_.write(contents.table + contents.lead + verdict + "\nMade by " +

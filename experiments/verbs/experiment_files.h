@@ -70,7 +70,7 @@ class ReportFiles {
     lab::Report report;           // its verdict is filled in here, when all is done
     lab::PageFacts facts;         // without the time
     std::string lead;             // lines before the verdict
-    std::function<std::string(double seconds)> verdict;
+    std::function<std::string(const lab::TimeTaken& taken)> verdict;
     std::string details;          // lines after it
     std::string plots = {};       // a folder for the plots as files; empty: none
   };

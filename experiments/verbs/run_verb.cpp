@@ -97,7 +97,8 @@ std::vector<Rational> sample_times(const Scene& scene, const std::vector<std::st
     times.push_back(rational_option("--at", text));
     if (times.back() < scene.start || (scene.end && times.back() > *scene.end)) {
       throw formats::InputError("--at", "", show_text(text) + " is outside of the run's time",
-                       "write a time within it");
+                                "write a time from " + time_text(scene.start) + " on" +
+                                    (scene.end ? ", at most " + time_text(*scene.end) : ""));
     }
   }
   std::sort(times.begin(), times.end());

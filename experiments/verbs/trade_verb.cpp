@@ -11,8 +11,8 @@
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/progress.h"
-#include "experiments/lab/scene_command.h"
 #include "experiments/lab/scene_run.h"
+#include "experiments/lab/time_taken.h"
 #include "experiments/trade/database.h"
 #include "experiments/trade/markdown.h"
 #include "experiments/trade/planned.h"
@@ -152,7 +152,7 @@ void trade(const TradeOptions& options, int& exit_code) {
   for (const std::string& fault : result.faults()) faults += "FAIL " + fault + "\n";
   files.write({trade::trade_database(result, facts.build, facts.machine), rows,
                trade::trade_report(result, facts), facts, "",
-               [&](double seconds) { return trade::verdict_line(result, seconds); }, faults},
+               [&](const lab::TimeTaken& taken) { return trade::verdict_line(result, taken); }, faults},
               interrupt);
   if (!result.faults().empty()) {
     exit_code = kExitFailed;

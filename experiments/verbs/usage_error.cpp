@@ -66,7 +66,7 @@ std::string with_help(const std::string& near, const CLI::App& verb, const std::
 }
 
 // What other programs call our verbs.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kOtherWords{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kOtherWords{
     {{"compare", "diff"},
      {"show", "view"},
      {"open", "view"},
@@ -76,6 +76,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kOtherWo
      {"make", "gen"},
      {"version", "--version"},
      {"simulate", "run"},
+     {"query", "run --query"},
      {"validate", "check"},
      {"convert", "import"},
      {"describe", "explain"},

@@ -134,7 +134,7 @@ void verify(const VerifyOptions& options, int& exit_code) {
   const lab::PageFacts facts = facts_of(command_of(options));
   files.write({verify::verify_database(result, facts.build, facts.machine), table.text(),
                verify::verify_report(result, facts), facts, verify::seeds_line(result),
-               [&](double seconds) { return verify::verdict_line(result, seconds); },
+               [&](const lab::TimeTaken& taken) { return verify::verdict_line(result, taken); },
                verify::work_line(result) + "\n", options.plots},
               interrupt);
   exit_code = exit_code_of(result);

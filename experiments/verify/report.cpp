@@ -167,7 +167,7 @@ Html cells_part(const VerifyResult& result, const lab::PageFacts& facts) {
 lab::Report verify_report(const VerifyResult& result, const lab::PageFacts& facts) {
   lab::Report report;
   report.title = "kinex verify";
-  report.verdict = verdict_line(result, facts.seconds);
+  report.verdict = verdict_line(result, facts.taken);
   report.good = result.verdict() == lab::Verdict::kConfirmed;
   report.interrupted = result.interrupted;
   report.lead = html("<p>{}.</p>\n", work_line(result));

@@ -10,7 +10,6 @@
 
 #include "experiments/formats/counted.h"
 #include "experiments/lab/family.h"
-#include "experiments/lab/scene_command.h"
 
 namespace kinex::verify {
 
@@ -150,7 +149,7 @@ std::string seeds_line(const VerifyResult& result) {
       formats::counted(open, "check", "checks"), needed);
 }
 
-std::string verdict_line(const VerifyResult& result, double seconds) {
+std::string verdict_line(const VerifyResult& result, const lab::TimeTaken& taken) {
   std::array<std::size_t, 4> counts{};  // of cells, fits and studies, by verdict
   const auto count = [&](lab::Verdict verdict) -> std::size_t& {
     return counts[static_cast<std::size_t>(verdict)];
@@ -168,7 +167,7 @@ std::string verdict_line(const VerifyResult& result, double seconds) {
   add(lab::Verdict::kOpen, "inconclusive");
   add(lab::Verdict::kGaveUp, "gave up");
   if (result.interrupted) text += "; interrupted";
-  return text + "; " + lab::duration_text(seconds);
+  return text + "; " + lab::duration_text(taken);
 }
 
 std::string work_line(const VerifyResult& result) {

@@ -8,6 +8,7 @@
 
 #include "experiments/formats/json_writer.h"
 #include "experiments/lab/table.h"
+#include "experiments/lab/time_taken.h"
 #include "experiments/verify/runner.h"
 
 namespace kinex::verify {
@@ -41,7 +42,7 @@ std::string table_row(const lab::StudyResult& study);
 // The remedy if scenes are too few to decide, with a newline; empty if they are not.
 std::string seeds_line(const VerifyResult& result);
 // "716 of 716 hold; 0 fail; 5 min"; "12 of 15 hold; 1 fails; 2 inconclusive; 40 s".
-std::string verdict_line(const VerifyResult& result, double seconds);
+std::string verdict_line(const VerifyResult& result, const lab::TimeTaken& taken);
 // What was done: "702 cells and 14 fits: 4312 checks, 9123 runs, 1234567 certificate failures".
 std::string work_line(const VerifyResult& result);
 

@@ -57,7 +57,7 @@ TEST(QueryRun, BadQueriesAreRefused) {
       {{good, "--at", "1", "--query", "0,1,0,x"}, "--query: \"x\" of \"0,1,0,x\" is no number"},
       {{good, "--at", "1", "--query", "1,0,0,1"}, "is an empty box: along x it begins at 1"},
       {{good, "--at", "1", "--query", ""}, "--query"},
-      {{good, "--at", "9", "--query", "0,1,0,1"}, "--at: \"9\" is outside of the run's time"},
+      {{good, "--at", "9", "--query", "0,1,0,1"}, "--at: \"9\" is outside of the run's time; write a time from 0 on, at most 4"},
       {{good, "--at", "1", "--query", "0,1,0,1", "--maintain", "delaunay_2"},
        "--query: a query that no structure answers; maintain one of range_tree_2"},
       {{asked, "--maintain", "sorted_list"}, "/queries/0: a query that no structure answers"},

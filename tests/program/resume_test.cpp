@@ -95,6 +95,7 @@ TEST_F(Resume, AKilledRunGoesOn) {
     const std::string whole = scratch_.file(verb.name + "-whole");
     const Finished uninterrupted = run_kinex(in(verb, whole));
     ASSERT_EQ(uninterrupted.exit_code, 0) << uninterrupted.err << uninterrupted.out;
+    EXPECT_THAT(uninterrupted.out, Not(HasSubstr("earlier commands")));
     const Words results = files_in(whole);
     EXPECT_THAT(results, ElementsAre(verb.name + ".html", verb.name + ".sqlite", verb.name + ".txt"));
 
@@ -114,6 +115,7 @@ TEST_F(Resume, AKilledRunGoesOn) {
     const Finished last = run_kinex(in(verb, folder));
     EXPECT_EQ(last.exit_code, 0) << last.err;
     EXPECT_THAT(last.err, HasSubstr("kinex: going on: "));
+    EXPECT_THAT(last.out, HasSubstr(" of them by earlier commands"));
     EXPECT_EQ(files_in(folder), results);
     EXPECT_EQ(exact_content(folder + "/" + verb.name + ".sqlite"),
               exact_content(whole + "/" + verb.name + ".sqlite"));

@@ -69,6 +69,7 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"show", scene_}, "did you mean view?"},
       {{"generate"}, "did you mean gen?"},
       {{"version"}, "did you mean --version?"},
+      {{"query", scene_}, "\"query\" is not a verb; did you mean run --query?"},
       // All that is missing is named.
       {{"diff", scene_}, "diff: OTHER is missing: the log that may miss or invent events; write kinex diff LOG OTHER (kinex help diff"},
       {{"view"}, "view: FILE is missing; write kinex view FILE --output .. (kinex help view"},

@@ -121,6 +121,9 @@ def check_close(viewer):
     a, b = viewer.ask(places)
     if b - a < 20 or viewer.ask("gapText(1)") != "2\u207b\u2076\u2070":
         fail(f"on the axis of records they are {b - a} pixels and {viewer.ask('gapText(1)')} apart")
+    gaps = viewer.ask("app.draw(), app.window.gaps")
+    if gaps[0] != [1, "2\u207b\u2076\u2070"] or len(gaps) != 2:
+        fail(f"the axis of records names the gaps {gaps}")
     # A click at the second bar goes to the second record.
     viewer.say(f"const axis = app.window.axis; app.setEvent(app.window.eventAt(axis.x(2) + 3, 10));")
     if viewer.ask("app.k") != 2:
@@ -129,18 +132,24 @@ def check_close(viewer):
 
 def check_root(viewer, count):
     """The polynomial is positive left of its root and negative right of it, and the interval holds the root."""
-    drawn = 0
+    drawn = named = 0
     for k in range(1, count + 1):
         seen = viewer.ask(f"(() => {{ app.setEvent({k}); app.draw(); const root = app.panel.root; return root === null ? null"
-                          " : { ...root.sample(41), width: root.canvas.width }; })()")
+                          " : { ...root.sample(41), width: root.canvas.width, curve: root.curve, names: root.names }; })()")
         if seen is None:
             continue
         drawn += 1
         values, (low, high) = seen["values"], seen["ends"]
+        for box in seen["names"]:
+            if box is not None and any(box[0] < x < box[2] and box[1] < y < box[3] for x, y in seen["curve"]):
+                fail(f"record {k}: the curve passes through the name in {box}")
+        named += sum(box is not None for box in seen["names"])
         if values[19] < 0 or values[21] > 0 or not low <= 0.001 or not high >= -0.001 or seen["width"] < 50:
             fail(f"record {k}: {values} with the interval [{low}, {high}]")
     if drawn < count // 2:
         fail(f"only {drawn} of {count} polynomials are drawn")
+    if named < 1.5 * drawn:
+        fail(f"only {named} of {2 * drawn} sides of the axis are named")
 
 
 def check_sizes(viewer, name):

@@ -62,22 +62,21 @@ class Diagram {
     context.beginPath();
     context.rect(axis.left, 0, axis.right - axis.left, picture.height);
     context.clip();
-    this.drawScale(context, axis, low, high);
+    const texts = this.drawScale(context, axis, low, high);
     this.drawCurves(context, axis, from, to);
+    for (const [text, y] of texts) label(context, text, axis.left + 3, y, COLOUR.quiet);  // over the curves
     context.restore();
     this.drawNow(context, axis, picture);
     if (app.replay.shape === "sequence") this.drawOrder(context, axis, picture);
   }
 
+  // The lines; returns the texts of their values, with the heights of these.
   drawScale(context, axis, low, high) {
     const scale = keyScale(this.key);
     const middle = (low + high) / 2, half = (high - low) / 2 / this.zoom;
-    context.fillStyle = COLOUR.quiet;
     context.strokeStyle = COLOUR.line;
     context.lineWidth = 0.6;
-    context.textAlign = "left";
-    context.textBaseline = "bottom";
-    context.fillText(keyName(this.key) + " \u2191", axis.left + 3, 35);
+    const texts = [[keyName(this.key) + " \u2191", 28]];
     for (const value of ticks((middle - half) * scale, (middle + half) * scale, 5)) {
       const y = this.y(value / scale);
       if (y < 40) continue;
@@ -85,8 +84,9 @@ class Diagram {
       context.moveTo(axis.left, y);
       context.lineTo(axis.right, y);
       context.stroke();
-      context.fillText(shortNumber(value), axis.left + 3, y - 1);
+      texts.push([shortNumber(value), y - 7]);
     }
+    return texts;
   }
 
   curve(context, axis, object, from, to) {

@@ -20,7 +20,7 @@ class App {
     this.selected = null;      // a certificate of the proof that is shown
     this.chosenGroup = null;   // a group without certificates
     this.byRecord = false;     // the window's axis is numbers of log records
-    this.records = 24;         // as many of them
+    this.records = 16;         // as many of them
     this.all = null;           // all certificates are drawn; null: if they are few
     this.certificates = new Certificates(this);
     if (BODIES) return this.startBodies();
@@ -139,7 +139,7 @@ class App {
                times: [axis.from, axis.to], place: axis.u, placeOf: timeOf,
                firstOf: run => eventsUntil(run, axis.from - 1e-12) + 1 };
     }
-    const left = 2, right = width - 18, count = Math.max(2, this.records);
+    const left = 2, right = width - 18, count = Math.max(2, Math.min(this.records, LAST - BEFORE + 1));
     // Between two records now is as far as time is.
     const [u, v] = [timeOf(FIRST, this.k), this.k < LAST ? timeOf(FIRST, this.k + 1) : 1];
     const now = this.k + (v > u ? Math.max(0, Math.min(1, (this.u - u) / (v - u))) : 0);

@@ -101,8 +101,14 @@ class RootPicture {
     dot(context, x(0), zero, 3.5, COLOUR.failed);
     context.fillStyle = COLOUR.quiet;
     context.textBaseline = "middle";
-    label(context, "p > 0", left + 2, top + 6, COLOUR.quiet);
-    label(context, "p < 0", left + 2, bottom - 6, COLOUR.quiet);
+    const points = values.map((value, i) => [x(-1 + 2 * i / (values.length - 1)), y(value)]);
+    const lines = ends.map(x);
+    this.curve = points;
+    this.names = [["p > 0", top + 6, right - 70], ["p < 0", bottom - 6, right]].map(([text, at, end]) => {
+      const box = freeBox(points, lines, left + 2, end, at, context.measureText(text).width);
+      if (box !== null) label(context, text, box[0], at, COLOUR.quiet);
+      return box;
+    });
     context.fillStyle = COLOUR.quiet;
     // A scale: the picture's half is 2^power.
     context.textAlign = "center";
@@ -115,5 +121,16 @@ class RootPicture {
     const named = "time t; " + (ends[0] === ends[1] ? "the root \u03c4 is rational" : "shaded: the interval that isolates the root \u03c4");
     context.fillText(named, (left + right) / 2, bottom + 26);
   }
+}
+// The first place from the left, at the height `y`, for a text of this width that neither a curve through these
+// points nor an upright line crosses: [left, top, right, bottom]. null: there is none.
+function freeBox(points, lines, from, to, y, width) {
+  const top = y - 8, bottom = y + 8;
+  for (let left = from; left + width <= to; left += 4) {
+    const right = left + width, near = points.filter(([x]) => x > left - 6 && x < right + 6).map(point => point[1]);
+    const crossed = near.length > 0 && Math.min(...near) < bottom && Math.max(...near) > top;
+    if (!crossed && !lines.some(x => x > left - 3 && x < right + 3)) return [left, top, right, bottom];
+  }
+  return null;
 }
 const raised = number => String(number).replace(/./g, c => "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[+c] || (c === "-" ? "\u207b" : c));

@@ -69,14 +69,18 @@ class TimeWindow {
 
   // Between neighbours on the axis of records: how far apart they are in time, as a power of two.
   drawGaps(context, axis, base) {
-    if (!axis.records || axis.x(1) - axis.x(0) < 30) return;
+    this.gaps = [];  // those that are drawn
+    if (!axis.records || axis.x(1) - axis.x(0) < 16) return;
     context.font = "10px system-ui, sans-serif";
     context.textAlign = "center";
     context.textBaseline = "middle";
     context.fillStyle = COLOUR.quiet;
     const first = Math.max(BEFORE + 1, Math.floor(axis.from));
     for (let k = first; k < LAST && k <= axis.to; ++k) {
-      context.fillText(gapText(k), axis.x(k + 0.5), base - 7);
+      const text = gapText(k);
+      if (context.measureText(text).width + 4 > axis.x(1) - axis.x(0)) continue;
+      context.fillText(text, axis.x(k + 0.5), base - 7);
+      this.gaps.push([k, text]);
     }
     context.font = "12px system-ui, sans-serif";
   }

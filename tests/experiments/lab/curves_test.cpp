@@ -61,6 +61,8 @@ TEST(Curves, OneFormOfNumbersPerAxis) {
   EXPECT_EQ(log_tics('x', 1.6, 12),
             "set xtics ('2' 2e0, '' 3e0 1, '' 4e0 1, '5' 5e0, '' 6e0 1, '' 7e0 1, '' 8e0 1, "
             "'' 9e0 1, '10' 1e1)\n");
+  // On a short axis 1, 2 and 5 would name one place, or none.
+  EXPECT_EQ(log_tics('x', 4.5, 8.9), "set xtics ('5' 5e0, '6' 6e0, '7' 7e0, '8' 8e0)\n");
 }
 
 // What is drawn at a tic is what its label says: of a decade that begins anywhere.

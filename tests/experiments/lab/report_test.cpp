@@ -65,9 +65,12 @@ TEST(ReportPage, HasItsSectionsThatAreNotEmpty) {
   EXPECT_THAT(page, Not(HasSubstr("Empty")));
   EXPECT_THAT(page, Not(HasSubstr("Plots")));
   EXPECT_THAT(page, Not(HasSubstr("Interrupted")));
+  EXPECT_THAT(page, Not(HasSubstr("earlier commands")));
   report.interrupted = true;
+  facts.taken = {2, 40};
   page = lab::report_page(report, {}, facts);
   EXPECT_THAT(page, HasSubstr("<p class=\"verdict FAIL\">"));
+  EXPECT_THAT(page, HasSubstr("in 2 s, after 40 s of parts that earlier commands had finished"));
   EXPECT_THAT(page, HasSubstr("Interrupted"));
 }
 

@@ -67,6 +67,7 @@ TEST_F(SweepJournal, KeepsWhatIsWholeAndDropsTheRest) {
   append("{\"key\": \"c\", \"cell\": \"");
   sweep::Journal journal(name(), by("p"), sweep::Leftover::kKeep);
   EXPECT_EQ(journal.found(), 2u);
+  EXPECT_EQ(journal.found_seconds(), 2);  // a second each
   ASSERT_NE(journal.find(cell(1).key), nullptr);
   EXPECT_EQ(sweep::fields_of(*journal.find(cell(1).key))->exact, odd);
   EXPECT_EQ(sweep::fields_of(*journal.find(cell(1).key))->times, "0x1p+3 ");
@@ -75,6 +76,7 @@ TEST_F(SweepJournal, KeepsWhatIsWholeAndDropsTheRest) {
   EXPECT_EQ(text(), whole);
   EXPECT_EQ(sweep::fields_of(journal.add(record(3, "3")))->exact, "3");
   EXPECT_NE(journal.find(cell(3).key), nullptr);
+  EXPECT_EQ(journal.found_seconds(), 2);  // what is added is no earlier work
 }
 
 TEST_F(SweepJournal, RefusesWhatIsNotItsOwn) {
@@ -147,6 +149,7 @@ TEST_F(SweepJournal, TakesTheSettledRecordsOfASweep) {
   EXPECT_EQ(sweep::fields_of(*journal.find(cell(1).key))->exact, "right");
   EXPECT_EQ(journal.find(cell(2).key), nullptr);
   EXPECT_NE(journal.find(cell(3).key), nullptr);
+  EXPECT_EQ(journal.found_seconds(), 2);  // what is added is no earlier work
 }
 
 TEST(FieldArchive, GivesBackWhatItWasGiven) {

@@ -34,7 +34,7 @@ TEST(Report, SaysHowManyScenesWouldDo) {
                  {"c", "exact", "processed", "1", "1", "", lab::Verdict::kConfirmed, {}, 0}};
   result.cells = {cell};
   EXPECT_THAT(verify::seeds_line(result), HasSubstr("for 2 checks: --seeds 40 would do"));
-  EXPECT_EQ(verify::verdict_line(result, 3), "0 of 1 hold; 0 fail; 1 inconclusive; 3 s");
+  EXPECT_EQ(verify::verdict_line(result, {3, 0}), "0 of 1 hold; 0 fail; 1 inconclusive; 3 s");
   result.cells.front().checks.resize(1);
   EXPECT_THAT(verify::seeds_line(result), HasSubstr("for 1 check: --seeds 12 would do"));
   result.cells.clear();
@@ -47,13 +47,16 @@ TEST(Report, VerdictComesInOneLine) {
   good.checks = {{"a", "exact", "processed", "1", "1", "", lab::Verdict::kConfirmed, {}, 0}};
   bad.checks = {{"b", "exact", "processed", "1", "2", "", lab::Verdict::kRefuted, {}, 0}};
   result.cells = {good, good, bad};
-  EXPECT_EQ(verify::verdict_line(result, 300), "2 of 3 hold; 1 fails; 5 min");
+  EXPECT_EQ(verify::verdict_line(result, {300, 0}), "2 of 3 hold; 1 fails; 5 min");
+  // Resumed: the time of this command alone would be too little.
+  EXPECT_EQ(verify::verdict_line(result, {60, 240}),
+            "2 of 3 hold; 1 fails; 5 min, 4 min of them by earlier commands");
   result.cells = {good};
-  EXPECT_EQ(verify::verdict_line(result, 9000), "1 of 1 holds; 0 fail; 2.5 h");
+  EXPECT_EQ(verify::verdict_line(result, {9000, 0}), "1 of 1 holds; 0 fail; 2.5 h");
   EXPECT_EQ(verify::work_line(result),
             "1 cell and 0 fits: 1 check, 0 runs, 0 certificate failures");
   result.interrupted = true;
-  EXPECT_THAT(verify::verdict_line(result, 1), HasSubstr("; interrupted; "));
+  EXPECT_THAT(verify::verdict_line(result, {1, 0}), HasSubstr("; interrupted; "));
 }
 
 // A curve of hard bounds is that of one family, through the bounds of its own runs.
