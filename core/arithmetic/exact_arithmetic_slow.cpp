@@ -238,6 +238,13 @@ int ExactArithmetic::compare(const Query& a, FailureTime& ta, const Query& b, Fa
 int ExactArithmetic::compare_with_now(const Query& a, FailureTime& ta) {
   if (ta.lo > now_.hi) return 1;
   if (ta.hi < now_.lo) return -1;
+  Int128 a0, a1, b0, b1;
+  if (ta.root == 0 && now_.own && linear_narrow(a, a0, a1) && linear_narrow(now_.query, b0, b1)) {
+    count_comparison(a, Stage::kDouble);
+    // As in compare().
+    const Int128 cross = a0 * b1 - b0 * a1;
+    return cross > 0 ? -1 : cross < 0 ? 1 : 0;
+  }
   FailureTime now{now_.lo, now_.hi, now_root()};
   const std::uint32_t ra = root_of(a, ta);
   if (ra == now.root) return 0;
