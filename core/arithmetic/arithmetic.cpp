@@ -28,6 +28,19 @@ void Arithmetic::signs_after(PredicateId predicate, const CoordinateTable&, std:
   for (const ObjectId object : first) *signs++ = sign_after(Query(predicate, {object, second}));
 }
 
+OutOfInterval Arithmetic::out_of_interval(PredicateId predicate, const CoordinateTable&,
+                                          std::size_t, std::span<const ObjectId> first,
+                                          ObjectId low, ObjectId high) {
+  OutOfInterval out;
+  std::uint64_t bit = 1;
+  for (const ObjectId object : first) {
+    if (sign_after(Query(predicate, {object, low})) == Sign::kPositive) out.before |= bit;
+    if (sign_after(Query(predicate, {object, high})) == Sign::kNegative) out.after |= bit;
+    bit <<= 1;
+  }
+  return out;
+}
+
 Outlook Arithmetic::look_ahead_in_group(std::size_t, const Query& query, double limit,
                                         FailureTime& time) {
   return limit < std::numeric_limits<double>::infinity() ? look_ahead(query, limit, time)

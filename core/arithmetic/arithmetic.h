@@ -104,6 +104,12 @@ class Arithmetic {
   // table from the one at `place` on. Answers and counters are those of separate calls.
   virtual void signs_after(PredicateId predicate, const CoordinateTable& table, std::size_t place,
                            std::span<const ObjectId> first, ObjectId second, Sign* signs);
+  // Which of `first`, objects of the table as in signs_after(), OutOfInterval::kMost at most, are out
+  // of the interval: before if the sign over (first[i], low) is positive, after if the sign over
+  // (first[i], high) is negative. Answers and counters are those of separate calls, two an object.
+  virtual OutOfInterval out_of_interval(PredicateId predicate, const CoordinateTable& table,
+                                        std::size_t place, std::span<const ObjectId> first,
+                                        ObjectId low, ObjectId high);
   // The first instant >= now right after which the value is negative. `time` is filled for kFails
   // and kFailsNow and else set to never.
   virtual Outlook failure(const Query& query, FailureTime& time) = 0;

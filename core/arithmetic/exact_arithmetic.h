@@ -11,7 +11,8 @@
 //              Other scenes: doubles with running error bounds.
 //              Signs of linear forms (linear_form.h) are first tried without the polynomial, and
 //              those of differences of coordinates (coordinate_difference.h) without a formula; many
-//              of these from a table of floats (coordinate_table.h).
+//              of these from a table of floats (coordinate_table.h), and those of both ends of an
+//              interval in floats first (exact_arithmetic_interval.cpp).
 //              Failure times of differences of coordinates are found in one function
 //              (exact_arithmetic_difference.cpp).
 //              Groups of queries (begin_group): the polynomials and the first step of the filter
@@ -65,6 +66,9 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
             CoordinateTable& table) const override;
   void signs_after(PredicateId predicate, const CoordinateTable& table, std::size_t place,
                    std::span<const ObjectId> first, ObjectId second, Sign* signs) override;
+  OutOfInterval out_of_interval(PredicateId predicate, const CoordinateTable& table,
+                                std::size_t place, std::span<const ObjectId> first, ObjectId low,
+                                ObjectId high) override;
   Sign sign_now(const Query& query) override;
   Outlook failure(const Query& query, FailureTime& time) override;
   Outlook look_ahead(const Query& query, double limit, FailureTime& time) override;

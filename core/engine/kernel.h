@@ -68,6 +68,12 @@ class Kernel {
     poll();
     arithmetic_->signs_after(predicate, table, place, first, second, signs);
   }
+  OutOfInterval out_of_interval(PredicateId predicate, const CoordinateTable& table,
+                                std::size_t place, std::span<const ObjectId> first, ObjectId low,
+                                ObjectId high) {
+    poll();
+    return arithmetic_->out_of_interval(predicate, table, place, first, low, high);
+  }
   // The sign right after now, or at now itself. Only exact arithmetics have the sign at now; in
   // others kNow is the sign right after now.
   bool tells_sign_now() const { return sign_now_ != nullptr; }

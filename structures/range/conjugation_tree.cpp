@@ -75,11 +75,12 @@ void ConjugationTrees::make_chains(Ref node) {
   nodes_[node].stop = static_cast<std::uint32_t>(chains_.size());
 }
 
-// The place of the vertex that is extreme towards a side. Along the lower chain coordinates fall, then
-// rise; along the upper one they rise, then fall.
-std::uint32_t ConjugationTrees::extreme(BoxAt& box, BoxAt::Side side, std::uint32_t from,
+// The place of the vertex with the least coordinate of the lower chain, or with the largest of the
+// upper one. Along the lower chain coordinates fall, then rise; along the upper one they rise, then
+// fall.
+std::uint32_t ConjugationTrees::extreme(BoxAt& box, bool is_upper, std::uint32_t from,
                                         std::uint32_t end) const {
-  const std::uint32_t low = side == BoxAt::Side::kLow ? 1 : 0;
+  const std::uint32_t low = is_upper ? 0 : 1;
   std::uint32_t to = end - 1;
   while (from < to) {
     const std::uint32_t middle = (from + to) / 2;
@@ -92,64 +93,41 @@ std::uint32_t ConjugationTrees::extreme(BoxAt& box, BoxAt::Side side, std::uint3
   return from;
 }
 
-// Of the chain with the vertices that are extreme towards the side `chain`: the lower one for the low
-// side. Of a long chain that vertex alone.
-ConjugationTrees::Out ConjugationTrees::out_of(Ref node, BoxAt& box, BoxAt::Side side,
-                                               BoxAt::Side chain) const {
-  const Node& there = nodes_[node];
-  const bool lower = chain == BoxAt::Side::kLow;
-  std::uint32_t from = lower ? there.lower : there.upper;
-  std::uint32_t end = lower ? there.upper : there.stop;
-  if (end - from > kShort) {
-    from = extreme(box, chain, from, end);
-    end = from + 1;
-  }
-  std::array<Sign, kShort> signs;
-  const std::size_t size = end - from;
-  box.compare(axis(), side, in_chains_, from, {chains_.data() + from, size}, signs.data());
-  // Without branches, since they would be unpredictable.
-  unsigned some = 0, all = 1;
-  for (std::size_t i = 0; i < size; ++i) {
-    const unsigned is_out = BoxAt::is_out(side, signs[i]) ? 1 : 0;
-    some |= is_out;
-    all &= is_out;
-  }
-  return {some != 0, all != 0};
+// By the extreme vertices alone.
+ConjugationTrees::Out ConjugationTrees::out_of_long(const Node& node, BoxAt& box) const {
+  const std::uint32_t least = extreme(box, false, node.lower, node.upper);
+  const std::uint32_t largest = extreme(box, true, node.upper, node.stop);
+  const auto out = [&](std::uint32_t place) {
+    return box.out(axis(), in_chains_, place, {chains_.data() + place, 1});
+  };
+  const OutOfInterval low = out(least), high = out(largest);
+  return {low.before != 0, high.after != 0, high.before != 0, low.after != 0};
+}
+
+ConjugationTrees::Out ConjugationTrees::out_of(const Node& node, BoxAt& box) const {
+  const std::size_t size = node.stop - node.lower;
+  if (size > OutOfInterval::kMost) return out_of_long(node, box);
+  const OutOfInterval out =
+      box.out(axis(), in_chains_, node.lower, {chains_.data() + node.lower, size});
+  const std::uint64_t lower = OutOfInterval::all(node.upper - node.lower);
+  const std::uint64_t upper = OutOfInterval::all(size) & ~lower;
+  return {(out.before & lower) != 0, (out.after & upper) != 0, (~out.before & upper) == 0,
+          (~out.after & lower) == 0};
 }
 
 NodePlace ConjugationTrees::place(Ref node, BoxAt& box, Seen& seen) const {
-  for (const BoxAt::Side side : {BoxAt::Side::kLow, BoxAt::Side::kHigh}) {
-    bool& is_crossed = seen.of(side);
-    if (!is_crossed) continue;
-    is_crossed = out_of(node, box, side, side).some;
-    if (is_crossed && out_of(node, box, side, BoxAt::opposite(side)).all) {
-      return NodePlace::kOutside;
-    }
-  }
+  const Out out = out_of(nodes_[node], box);
+  seen.low = seen.low && out.low;
+  seen.high = seen.high && out.high;
+  if (out.all_before || out.all_after) return NodePlace::kOutside;
   return seen.decided() ? NodePlace::kInside : NodePlace::kCrossed;
 }
 
-void ConjugationTrees::mark_out(Ref leaf, BoxAt& box, int axis, Seen seen,
-                                const CoordinateTable& table, Marks& out) const {
+std::uint64_t ConjugationTrees::inside(Ref leaf, BoxAt& box, int axis,
+                                       const CoordinateTable& table) const {
   const std::span<const ObjectId> all = objects(leaf);
-  std::array<Sign, kLeaf> signs;
-  for (const BoxAt::Side side : {BoxAt::Side::kLow, BoxAt::Side::kHigh}) {
-    if (!seen.of(side)) continue;
-    box.compare(axis, side, table, first_place(leaf), all, signs.data());
-    for (std::size_t i = 0; i < all.size(); ++i) out[i] |= BoxAt::is_out(side, signs[i]);
-  }
-}
-
-void ConjugationTrees::add_unmarked(Ref leaf, const Marks& marks,
-                                    std::vector<ObjectId>& out) const {
-  const std::span<const ObjectId> all = objects(leaf);
-  std::size_t end = out.size();
-  out.resize(end + all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    out[end] = all[i];
-    end += marks[i] ? 0 : 1;
-  }
-  out.resize(end);
+  const OutOfInterval out = box.out(axis, table, first_place(leaf), all);
+  return OutOfInterval::all(all.size()) & ~(out.before | out.after);
 }
 
 std::uint64_t ConjugationTrees::search(Ref root, BoxAt& box, std::vector<ObjectId>& out,
@@ -163,9 +141,7 @@ std::uint64_t ConjugationTrees::search(Ref root, BoxAt& box, std::vector<ObjectI
     if (is_leaf(at)) {
       add_to(trace, at, NodePlace::kCrossed);
       looked_at += objects(at).size();
-      Marks marks{};
-      mark_out(at, box, axis(), seen, in_order_, marks);
-      add_unmarked(at, marks, out);
+      add_some(at, inside(at, box, axis(), in_order_), out);
       continue;
     }
     const NodePlace there = place(at, box, seen);

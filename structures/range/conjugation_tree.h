@@ -5,7 +5,7 @@
 // A node of more than kLeaf points halves them by a line, and both of its halves are halved by one
 // common line (halving_line.h). Every inner node stores the convex hull of its points as two chains:
 // its largest and its least coordinate at any time are on these. A search compares all points of a
-// leaf with a side of the interval at once, and all vertices of a chain, unless it is long. Their
+// leaf with the interval at once, and all vertices of both chains, unless these are long. Their
 // motions are side by side in tables (coordinate_table.h), and all trees share their memory: what a
 // search waits for is memory.
 //
@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,35 +41,25 @@ namespace kinex {
 // Positions at one time, and a box.
 class BoxAt {
  public:
-  enum class Side : std::uint8_t { kLow, kHigh };
-
   virtual ~BoxAt() = default;
   // The coordinate of a is smaller than that of b.
   virtual bool precedes(int axis, ObjectId a, ObjectId b) = 0;
-  // Of each object: the sign of the side's coordinate minus its own. The objects are those of the
-  // table from `place` on.
-  virtual void compare(int axis, Side side, const CoordinateTable& table, std::size_t place,
-                       std::span<const ObjectId> objects, Sign* signs) = 0;
-
-  // By that sign, an object is out of the box: before its low side, or after its high side.
-  static bool is_out(Side side, Sign sign) {
-    return sign == (side == Side::kLow ? Sign::kPositive : Sign::kNegative);
-  }
-  static Side opposite(Side side) { return side == Side::kLow ? Side::kHigh : Side::kLow; }
+  // Which objects are out of the box on this axis? They are those of the table from `place` on,
+  // OutOfInterval::kMost at most.
+  virtual OutOfInterval out(int axis, const CoordinateTable& table, std::size_t place,
+                            std::span<const ObjectId> objects) = 0;
 };
 
 // The sides of the box that may have points of a node on both of their sides.
 struct CrossedSides {
   bool low = true, high = true;
   bool decided() const { return !low && !high; }
-  bool& of(BoxAt::Side side) { return side == BoxAt::Side::kLow ? low : high; }
 };
 
 class ConjugationTrees {
  public:
   static constexpr std::size_t kLeaf = 32;  // the most points of a leaf
-  // A chain of more vertices is searched.
-  static constexpr std::size_t kShort = 48;
+  static_assert(kLeaf <= OutOfInterval::kMost);
   using Ref = std::uint32_t;
   static constexpr Ref kNone = 0;
   using Seen = CrossedSides;
@@ -110,20 +101,17 @@ class ConjugationTrees {
   // Where an inner node is. `seen` is what is known of the node above, which is crossed (at the root:
   // nothing), and then of this one.
   NodePlace place(Ref node, BoxAt& box, Seen& seen) const;
-  // Which objects of a leaf are out of the box on an axis? Sets these in `out`; `table` has the motions
+  // Which objects of a leaf are in the box on an axis? Bit i: the i-th one. `table` has the motions
   // along that axis at the places of these trees.
-  using Marks = std::array<bool, kLeaf>;
-  void mark_out(Ref leaf, BoxAt& box, int axis, Seen seen, const CoordinateTable& table,
-                Marks& out) const;
+  std::uint64_t inside(Ref leaf, BoxAt& box, int axis, const CoordinateTable& table) const;
   // Appends the objects of a tree in the interval of this axis, and the nodes looked at to `trace`, if
   // there is one. Returns the number of nodes looked at and points tested.
   std::uint64_t search(Ref root, BoxAt& box, std::vector<ObjectId>& out, QueryTrace* trace) const;
-  bool has_unmarked(Ref leaf, const Marks& marks) const {
-    const auto end = marks.begin() + static_cast<std::ptrdiff_t>(objects(leaf).size());
-    return std::find(marks.begin(), end, false) != end;
+  // Appends the objects of a leaf whose bits are set.
+  void add_some(Ref leaf, std::uint64_t bits, std::vector<ObjectId>& out) const {
+    const ObjectId* const first = order_.data() + nodes_[leaf].first;
+    for (; bits != 0; bits &= bits - 1) out.push_back(first[std::countr_zero(bits)]);
   }
-  // Appends the objects of a leaf that are not marked.
-  void add_unmarked(Ref leaf, const Marks& marks, std::vector<ObjectId>& out) const;
   // Appends a node that a query looks at. Those of leaves are crossed.
   void add_to(QueryTrace* trace, Ref node, NodePlace place) const {
     if (trace == nullptr) return;
@@ -131,10 +119,11 @@ class ConjugationTrees {
   }
   // Prefetches the motions that a search of this node compares first.
   void prefetch(Ref node) const {
-    if (is_leaf(node)) {
-      in_order_.prefetch(first_place(node));
+    const Node& there = nodes_[node];
+    if (there.below == kNone) {
+      in_order_.prefetch(there.first, there.end - there.first);
     } else {
-      in_chains_.prefetch(nodes_[node].lower);
+      in_chains_.prefetch(there.lower, std::size_t{there.stop} - there.lower);
     }
   }
   // The hard bound of search() for n objects. O(log n).
@@ -155,15 +144,18 @@ class ConjugationTrees {
     std::uint32_t lower = 0, upper = 0, stop = 0;  // its chains in chains_, by slope
     Ref below = kNone;                             // kNone: a leaf
   };
-  // Some vertices of a chain are out of the box on a side, or all are.
+  // Of both chains of a node: some vertex is out of the box on the side that it is extreme towards, or
+  // all are out on the other side.
   struct Out {
-    bool some, all;
+    bool low, high;                 // some of the lower chain before the box; of the upper one after it
+    bool all_before, all_after;  // all of the upper chain before the box; of the lower one after it
   };
 
   void halve(Ref node);
   void make_chains(Ref node);
-  Out out_of(Ref node, BoxAt& box, BoxAt::Side side, BoxAt::Side chain) const;
-  std::uint32_t extreme(BoxAt& box, BoxAt::Side side, std::uint32_t from, std::uint32_t end) const;
+  Out out_of(const Node& node, BoxAt& box) const;
+  Out out_of_long(const Node& node, BoxAt& box) const;
+  std::uint32_t extreme(BoxAt& box, bool is_upper, std::uint32_t from, std::uint32_t end) const;
 
   const DualPoints* points_;
   BigArray<Node> nodes_ = BigArray<Node>(1);  // the first one is none

@@ -23,11 +23,10 @@ class BoxAfterNow final : public BoxAt {
     ++signs_;
     return kernel_.sign_after(order(axis), {a, b}) == Sign::kPositive;
   }
-  void compare(int axis, Side side, const CoordinateTable& table, std::size_t place,
-               std::span<const ObjectId> objects, Sign* signs) override {
-    signs_ += objects.size();
-    const ObjectId corner = side == Side::kLow ? low_ : high_;
-    kernel_.signs_after(order(axis), table, place, objects, corner, signs);
+  OutOfInterval out(int axis, const CoordinateTable& table, std::size_t place,
+                    std::span<const ObjectId> objects) override {
+    signs_ += 2 * objects.size();
+    return kernel_.out_of_interval(order(axis), table, place, objects, low_, high_);
   }
   // The box has no points because its low side is beyond its high side.
   bool is_empty() { return precedes(0, high_, low_) || precedes(1, high_, low_); }
@@ -115,10 +114,9 @@ std::uint64_t TrajectoryTree::search(const Forest& forest, BoxAt& box, std::vect
     if (by_x.is_leaf(at)) {
       by_x.add_to(trace, at, NodePlace::kCrossed);
       looked_at += by_x.objects(at).size();
-      ConjugationTrees::Marks marks{};
-      by_x.mark_out(at, box, 0, seen, by_x.table(), marks);
-      if (by_x.has_unmarked(at, marks)) by_x.mark_out(at, box, 1, {}, forest.y, marks);
-      by_x.add_unmarked(at, marks, out);
+      std::uint64_t found = by_x.inside(at, box, 0, by_x.table());
+      if (found != 0) found &= by_x.inside(at, box, 1, forest.y);
+      by_x.add_some(at, found, out);
       continue;
     }
     const NodePlace place = by_x.place(at, box, seen);
@@ -127,8 +125,10 @@ std::uint64_t TrajectoryTree::search(const Forest& forest, BoxAt& box, std::vect
       looked_at += forest.by_y.search(forest.below[at], box, out, trace);
     }
     if (place != NodePlace::kCrossed) continue;
-    open.push(by_x.below(at, 1), seen);
-    open.push(by_x.below(at, 0), seen);
+    for (const std::size_t half : {1, 0}) {
+      by_x.prefetch(by_x.below(at, half));
+      open.push(by_x.below(at, half), seen);
+    }
   }
   return looked_at;
 }

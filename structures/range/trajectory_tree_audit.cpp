@@ -17,13 +17,18 @@ class BoxInSnapshot final : public BoxAt {
   bool precedes(int axis, ObjectId a, ObjectId b) override {
     return now_.position(a, axis) < now_.position(b, axis);
   }
-  void compare(int axis, Side side, const CoordinateTable&, std::size_t,
-               std::span<const ObjectId> objects, Sign* signs) override {
-    const Rational& at = box_[static_cast<std::size_t>(axis)][side == Side::kLow ? 0 : 1];
+  OutOfInterval out(int axis, const CoordinateTable&, std::size_t,
+                    std::span<const ObjectId> objects) override {
+    const auto& [low, high] = box_[static_cast<std::size_t>(axis)];
+    OutOfInterval out;
+    std::uint64_t bit = 1;
     for (const ObjectId object : objects) {
       const Rational own = now_.position(object, axis);
-      *signs++ = own < at ? Sign::kPositive : at < own ? Sign::kNegative : Sign::kZero;
+      if (own < low) out.before |= bit;
+      if (high < own) out.after |= bit;
+      bit <<= 1;
     }
+    return out;
   }
 
  private:

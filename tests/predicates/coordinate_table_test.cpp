@@ -96,6 +96,11 @@ struct Table {
                             std::span(objects).subspan(place, size), second, result.data());
     return result;
   }
+  OutOfInterval out(std::size_t axis, ObjectId low, ObjectId high, std::size_t place,
+                    std::size_t size) {
+    return arithmetic->out_of_interval(orders[axis], tables[axis], place,
+                                       std::span(objects).subspan(place, size), low, high);
+  }
   void fill() {
     for (const std::size_t axis : {0u, 1u}) {
       arithmetic->fill(orders[axis], objects, tables[axis]);
@@ -127,6 +132,29 @@ void expect_exact(Table& table, std::size_t axis, ObjectId second, const Rationa
   }
 }
 
+// The same objects between two others.
+void expect_exact_interval(Table& table, std::size_t axis, ObjectId low, ObjectId high,
+                           const Rational& now) {
+  using Part = std::pair<std::size_t, std::size_t>;
+  for (const Part& part : {Part(0, 64), Part(26, 64), Part(3, 33), Part(7, 4), Part(8, 3), Part(89, 1), Part(5, 0)}) {
+    const std::size_t place = part.first, size = part.second;
+    const std::uint64_t before = table.counted(axis);
+    const OutOfInterval out = table.out(axis, low, high, place, size);
+    EXPECT_EQ(table.counted(axis), before + 2 * size);
+    OutOfInterval expected;
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto sign = [&](ObjectId end) {
+        const ObjectId first = table.objects[place + i];
+        return exact_sign(table.lines[first][axis], table.lines[end][axis], now);
+      };
+      if (sign(low) == Sign::kPositive) expected.before |= std::uint64_t{1} << i;
+      if (sign(high) == Sign::kNegative) expected.after |= std::uint64_t{1} << i;
+    }
+    EXPECT_EQ(out.before, expected.before) << low << " at " << now.to_string();
+    EXPECT_EQ(out.after, expected.after) << high << " at " << now.to_string();
+  }
+}
+
 TEST(CoordinateTable, SignsAreThoseOfExactPositions) {
   for (int kind = 0; kind < kKinds; ++kind) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -140,13 +168,20 @@ TEST(CoordinateTable, SignsAreThoseOfExactPositions) {
           table.arithmetic->set_now(now);
           for (int k = 0; k < 4; ++k) {
             const auto second = static_cast<ObjectId>(next(state) % 90);
-            for (const std::size_t axis : {0u, 1u}) expect_exact(table, axis, second, now);
+            const auto other = static_cast<ObjectId>(next(state) % 90);
+            for (const std::size_t axis : {0u, 1u}) {
+              expect_exact(table, axis, second, now);
+              if (k == 0) expect_exact_interval(table, axis, second, other, now);
+            }
           }
           // As the corner of a box: level with an object at this time, or elsewhere.
           const auto& level = table.lines[static_cast<std::size_t>(next(state) % 90)];
           const ObjectId corner =
               table.constant(value_at(level[0], now), between(state, -9, 9) / Rational(11));
-          for (const std::size_t axis : {0u, 1u}) expect_exact(table, axis, corner, now);
+          for (const std::size_t axis : {0u, 1u}) {
+            expect_exact(table, axis, corner, now);
+            expect_exact_interval(table, axis, corner, corner, now);
+          }
         }
         if (testing::Test::HasFailure()) return;
       }
@@ -172,12 +207,41 @@ TEST(CoordinateTable, SignsAtFailureTimes) {
       table.arithmetic->advance(query, time);
       ++advanced;
       for (const ObjectId second : {a, b}) {
-        for (const std::size_t axis : {0u, 1u}) expect_exact(table, axis, second, now);
+        for (const std::size_t axis : {0u, 1u}) {
+          expect_exact(table, axis, second, now);
+          expect_exact_interval(table, axis, second, a, now);
+        }
       }
     }
     if (testing::Test::HasFailure()) return;
   }
   EXPECT_GT(advanced, 20);
+}
+
+// Coordinates that differ by less than floats tell, or by less than doubles do.
+TEST(CoordinateTable, NearCoordinates) {
+  for (const char* t : {"0", "1/3", "999999/1000000"}) {
+    for (int exponent = -30; exponent <= 2; ++exponent) {
+      Table table("exact", kFractions, 5);
+      std::uint64_t state = static_cast<std::uint64_t>(exponent + 40);
+      for (std::size_t i = 0; i < 90; ++i) {
+        Trajectory trajectory;
+        const Rational step = between(state, -9, 9) * power_of_ten(exponent);
+        table.lines[i] = {{Rational(1) / Rational(3) + step, Rational(5) / Rational(7) + step * Rational(2)},
+                          {Rational(1000003) + step, Rational(-999983)}};
+        trajectory.coordinates = table.lines[i];
+        table.arithmetic->set_motion(static_cast<ObjectId>(i), trajectory, std::nullopt);
+      }
+      table.fill();
+      const Rational now = rational(t);
+      table.arithmetic->set_now(now);
+      for (const std::size_t axis : {0u, 1u}) {
+        expect_exact_interval(table, axis, 3, 8, now);
+        expect_exact_interval(table, axis, 40, 41, now);
+      }
+      if (testing::Test::HasFailure()) return;
+    }
+  }
 }
 
 // Linear motions are looked up, and nearly all signs are found there.
@@ -206,6 +270,14 @@ TEST(CoordinateTable, InexactSignsAreThoseOfSeparateCalls) {
       for (std::size_t i = 0; i < 90; ++i) {
         const Query query(table.orders[0], {table.objects[i], second});
         EXPECT_EQ(signs[i], table.arithmetic->sign_after(query)) << name;
+      }
+      const OutOfInterval out = table.out(0, second, 5, 0, 64);
+      for (std::size_t i = 0; i < 64; ++i) {
+        const std::uint64_t bit = std::uint64_t{1} << i;
+        const Query above(table.orders[0], {table.objects[i], 5});
+        EXPECT_EQ((out.before & bit) != 0, signs[i] == Sign::kPositive) << name;
+        EXPECT_EQ((out.after & bit) != 0,
+                  table.arithmetic->sign_after(above) == Sign::kNegative) << name;
       }
     }
   }

@@ -21,6 +21,14 @@ std::vector<lab::BenchRow> extent_bench_rows(int scale) {
     rows.push_back(random_row("bounding_box", 1, n(size)));
     rows.back().parameters.dimension = 2;
   }
+  // Certificates of degree 2 and 6, where doubles handle other events.
+  for (const char* structure :
+       {"diameter_2", "width_2", "min_area_rectangle_2", "min_perimeter_rectangle_2"}) {
+    rows.push_back(plane_row("same_questions", structure, 1, n(10000), 3));
+    rows.push_back(plane_row("same_questions", structure, 1, n(16), 3));
+    rows.back().workload = "comb";
+    rows.back().parameters.m = n(16);
+  }
   rows.push_back(random_row("farthest_delaunay_2", 1, n(1000)));
   rows.push_back(random_row("min_circle_2", 1, n(1000)));
   rows.push_back(lab::speed_row("min_circle_2", "seesaw", 1, n(32)));

@@ -53,7 +53,7 @@ std::vector<lab::BenchRow> range_bench_rows(int scale) {
     rows.push_back(plane_row("queries", tree, 1, n(100000), 5));
   }
   rows.push_back(plane_row("queries", "trajectory_tree", 1, n(100000), 5));
-  for (const int size : {2000, 100000}) {
+  for (const int size : {2000, 10000, 100000}) {
     add_swaps(rows, n(size), static_cast<std::uint64_t>(n(400000)));
   }
   return rows;

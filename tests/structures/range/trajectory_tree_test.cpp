@@ -165,6 +165,16 @@ TEST(TrajectoryTree, SpecialTrajectories) {
   }
 }
 
+// All points of the dual plane are on their hull, below in one axis and above in the other: chains of more
+// vertices than are compared at once.
+TEST(TrajectoryTree, LongHulls) {
+  for (const int sign : {1, -1}) {
+    std::vector<Trajectory> t;
+    for (int i = -100; i < 100; ++i) t.push_back(path({{sign * i * i, i}, {-sign * i * i, i}}));
+    search_all_the_time(scene_of(t, -3, Rational(3)), 7, 6, 20);
+  }
+}
+
 TEST(TrajectoryTree, FewPoints) {
   for (int n = 0; n <= 3; ++n) {
     std::vector<Trajectory> t;
