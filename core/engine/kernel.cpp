@@ -18,7 +18,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The length of the first window in lifetimes. Each further one is kGrowth times as long, and the
 // last one, of number kMostLooks, is unbounded.
-constexpr double kLifetimes = 2.5;
+constexpr double kLifetimes = 5;
 constexpr double kGrowth = 4;
 // Limits have this many bits below the length of a window: enough for most certificates to have
 // different ones, few enough for differences to them to be exact.
