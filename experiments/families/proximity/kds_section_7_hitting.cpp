@@ -4,7 +4,7 @@
 //   can be taken from maximal cells; how to find them while discs move is open.)
 // Scenes: small-discs, as dense as there are many, so that the pairs that meet grow like n^2; random-discs,
 //   where they grow like n. At rational times.
-// Parameters: n from 12 to 96 at 5 times, in a quick run to 48 at 3.
+// Parameters: n from 12 to 96 at 20 times, in a quick run to 48 at 10.
 // Method: exact. A largest set of discs with a common point has the centre of a disc or a crossing of two
 //   circles in common. A greedy choice: next the set that hits most pairs that are not hit yet.
 // Expected: nothing; a power of n is fitted. A greedy choice is at most a factor of 1 + log(pairs) above
@@ -197,7 +197,7 @@ lab::StudyResult study_hitting_sets(bool quick, const std::function<bool()>& go_
   result.table.note =
       "means over the times; a maximal set: discs with a common point, to which none can be added; "
       "different: pairs that meet in disc_pairs_all and are in no set, or the reverse";
-  const int times = quick ? 3 : 5;
+  const int times = quick ? 10 : 20;
   for (const char* const workload : {kDense, kSparse}) {
     for (const int n : {12, 17, 24, 34, 48, 68, 96}) {
       if (quick && n > 48) continue;
