@@ -47,7 +47,7 @@ void add_gap_cells(lab::Catalogue& catalogue, lab::Extent extent) {
       cell.parameters.n = n;
       cell.family = cell.workload;
       cell.random = true;
-      cell.min_seeds = cell.max_seeds = 4;
+      cell.min_seeds = cell.max_seeds = n <= 16 ? 1 : 4;
       cell.audit = n <= 16 ? AuditLevel::kEvents : AuditLevel::kEnd;
       cell.cost = n / 50.0;
       catalogue.cells.push_back(std::move(cell));
