@@ -13,6 +13,7 @@
 #include "predicates/points/space_predicates.h"
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/extent_predicates.h"
+#include "predicates/points/gap_predicates.h"
 #include "predicates/points/power_predicates.h"
 #include "predicates/points/line_predicates.h"
 #include "predicates/points/shared_arguments.h"
@@ -259,6 +260,15 @@ std::shared_ptr<const Predicate> make_extent_predicate(const Scene& scene, std::
   if (discs && scene.dimension == 3 && name == "disc_power_3") return make_disc_power_3();
   if (discs && name == "disc_overlap") return make_disc_overlap(scene.dimension);
   if (discs && name == "disc_apart") return make_disc_apart(scene.dimension);
+  if (discs && (name.starts_with("gap_") || name.starts_with("radius_order"))) {
+    for (const GapTerm term :
+         {GapTerm::kRadii, GapTerm::kLeft, GapTerm::kRight, GapTerm::kProduct}) {
+      for (const bool negated : {false, true}) {
+        std::shared_ptr<const Predicate> claim = make_gap_claim(term, negated, scene.dimension);
+        if (claim->name() == name) return claim;
+      }
+    }
+  }
   for (int axis = 0; axis < scene.dimension; ++axis) {
     const EndAxes axes{axis, scene.dimension + (discs ? 0 : axis), scene.dimension};
     for (const EndClaim claim :

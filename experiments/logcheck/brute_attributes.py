@@ -10,6 +10,7 @@ from octants import pairs_of_pointers, pairs_of_positions, pointers_of
 from polygons import cones, corners_of, counted, precedes_along, sign_at, units
 from replay_boxes import boxes
 from replay_calipers import folds_of
+from replay_discs import closest_discs
 from replay_directions import all_directions, half_directions, k_of, opposite
 from replay_norms import MOST_MEMBERS, norm_tree_of
 from space import cells_of, regular_of
@@ -351,6 +352,8 @@ def attribute_of(structure, key, positions, scene):
         return box_of(positions)
     if name.startswith("octants_"):
         return pairs_of_positions(positions)
+    if name == "closest_pair_discs":
+        return closest_discs(positions)
     if name.startswith(("closest_pair_", "bichromatic_pair_")):
         return closest_of(pairs_of(structure, positions, scene), positions)
     if name == "nearest_site":

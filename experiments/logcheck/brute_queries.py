@@ -11,6 +11,7 @@ from polygons import cones, corners_of, counted, turned, units
 from polynomials import sign_at
 from replay_boxes import box_order, boxes
 from replay_calipers import folds_of
+from replay_discs import GAP_TERMS, gap_query
 from replay_directions import extent_query, half_directions, k_of, opposite
 from replay_lines import lines_and_points
 from replay_norms import MOST_MEMBERS, norm_queries
@@ -41,6 +42,14 @@ def queries_of(structure, key, members, period):
     if name.startswith("disc_pairs_"):
         for pair in combinations(sorted(members), 2):
             yield ("disc_overlap", pair)
+        return
+    if name == "closest_pair_discs":
+        pairs = list(combinations(sorted(members), 2))
+        for pair in pairs:
+            yield ("disc_overlap", pair)
+        for front, back in combinations(pairs, 2):
+            for term in GAP_TERMS:
+                yield gap_query(term, front, back)
         return
     if name.startswith("incidences_") or name == "points_in_arrangement":
         lines, points = lines_and_points(members, scene)

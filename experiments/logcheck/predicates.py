@@ -237,6 +237,39 @@ def disc_apart(points):
     return scaled(disc_overlap(points), -1)
 
 
+def gap_terms():
+    """The order of the gaps of two pairs of discs, by claims about four discs: {name: (formula, arguments, alternating
+    arguments)}."""
+
+    def measures(points):
+        a, b, p, q = points
+        radii = [add(one.half(0), other.half(0)) for one, other in ((a, b), (p, q))]
+        s = subtract(*radii)
+        return s, multiply(s, s), squared_distance(a, b), squared_distance(p, q)
+
+    def left(points):
+        _, square, one, other = measures(points)
+        return subtract(add(other, square), one)
+
+    def right(points):
+        _, square, one, other = measures(points)
+        return subtract(subtract(other, square), one)
+
+    def product(points):
+        _, square, one, other = measures(points)
+        difference = subtract(one, other)
+        mixed = scaled(multiply(square, add(one, other)), -2)
+        return add(add(multiply(difference, difference), mixed), multiply(square, square))
+
+    terms = {"radius_order": lambda points: measures(points)[0], "gap_left": left, "gap_right": right,
+             "gap_product": product}
+    result = {}
+    for name, value in terms.items():
+        result[name] = (value, 4, 1)
+        result[name + "_negated"] = (lambda points, value=value: scaled(value(points), -1), 4, 1)
+    return result
+
+
 def power(points, heights):
     """The last point is below the plane of the others, lifted to x^2 + y^2 - height."""
     x, y, lift = [], [], []
@@ -312,6 +345,7 @@ FORMULAS = {
     "line_order": (line_order, 3, 2),
     "disc_overlap": (disc_overlap, 2, 1),
     "disc_apart": (disc_apart, 2, 1),
+    **gap_terms(),
     **end_orders(0), **end_orders(1), **end_orders(2),
     "edge_dot_2": (edge_dot_2, 4, 2),
     "order_strip": (fraction_order(strip), 6, 1),

@@ -6,6 +6,7 @@ from replay_boxes import RectangleAlong
 from replay_calipers import Area, Calipers, Perimeter, Width
 from replay_circle import BoxOfHull, FarthestDelaunay, MinCircle
 from replay_delaunay import Delaunay
+from replay_discs import ClosestDiscs
 from replay_directions import Directions, DirectionsByTournaments, Extent
 from replay_envelopes import Envelopes
 from replay_grid import ClosestPairOfCells, DiscsOfCells
@@ -33,7 +34,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "bounding_box": BoundingBox, "closest_pair_delaunay": ClosestPair,
             "closest_pair_all": ClosestPair, "closest_pair_range_tree": ClosestPairOfOrders,
             "closest_pair_cones": ClosestPair, "closest_pair_local": ClosestPair,
-            "closest_pair_bins": ClosestPairOfCells,
+            "closest_pair_bins": ClosestPairOfCells, "closest_pair_discs": ClosestDiscs,
             "octants_listed": Octants, "octants_local": Octants, "cones_local": Cones,
             "nearest_site": NearestSite, "voronoi_cell_2": VoronoiCell,
             "bichromatic_pair_delaunay": TwoColours, "bichromatic_pair_all": TwoColours,

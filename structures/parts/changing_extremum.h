@@ -13,7 +13,8 @@
 //
 // Claims are about values:
 //   using Value;                      totally ordered by <=>
-//   Query claim(front, back)          >= 0 iff `front` is in front of `back` or level with it
+//   Query claim(front, back)          >= 0 iff `front` is in front of `back` or level with it; or
+//                                     choose and claims_of (CasedClaims, parts/match_proof.h)
 //   bool goes_first(front, back)      of two that are level identically: a strict total order
 //
 // Cost: n - 1 certificates for n values; k changes O(k log n) certificates and time; a failure
@@ -139,15 +140,19 @@ class ChangingExtremum {
     tournament_.motions_changed(objects, by_value(tied));
   }
 
-  // Calls visit(node, value of the winner, certificate), as KineticTournament::each_node.
+  // Calls visit(node, value of the winner, certificates), as KineticTournament::each_node.
   template <class Visit>
   void each_node(const Visit& visit) const {
-    tournament_.each_node([&](std::uint32_t node, Item item, CertificateId certificate) {
-      visit(node, value(item), certificate);
-    });
+    tournament_.each_node(
+        [&](std::uint32_t node, Item item, std::span<const CertificateId> certificates) {
+          visit(node, value(item), certificates);
+        });
   }
 
   Integer most_failures(int degree) const { return tournament_.most_failures(degree); }
+  Integer most_failures_of_pairs(int failures) const {
+    return tournament_.most_failures_of_pairs(failures);
+  }
   void check(AuditReport& report, const std::string& name) const {
     report.check(going_.empty() && coming_.empty(),
                  [&] { return "changes of " + name + " were not applied"; });
@@ -171,7 +176,21 @@ class ChangingExtremum {
     ValueClaims claims;
     std::vector<Value> values;  // by item
 
-    Query claim(Item a, Item b) const { return claims.claim(values[a], values[b]); }
+    Query claim(Item a, Item b) const
+      requires requires(const ValueClaims& c, const Value& v) { c.claim(v, v); }
+    {
+      return claims.claim(values[a], values[b]);
+    }
+    CaseChoice choose(Kernel& kernel, Item a, Item b) const
+      requires requires(const ValueClaims& c, const Value& v) { c.choose(kernel, v, v); }
+    {
+      return claims.choose(kernel, values[a], values[b]);
+    }
+    Conjunction claims_of(std::uint8_t which, Item a, Item b) const
+      requires requires(const ValueClaims& c, const Value& v) { c.claims_of(which, v, v); }
+    {
+      return claims.claims_of(which, values[a], values[b]);
+    }
     bool goes_first(Item a, Item b) const { return claims.goes_first(values[a], values[b]); }
   };
 

@@ -11,11 +11,14 @@
 //        __|__       __|__
 //     4: a   5: c  6: e   7: f       n = 4; leaves 4 .. 7
 //
+// Claims by cases (MatchProof) have up to three certificates a node. Where one fails and another case
+// proves the same result, the node changes its case and no winner changes.
+//
 // Items come and go at any time, also while the owner repairs itself. Comparisons are made right
 // after now. A certificate that is negative right after now stays until it fails or its node gets
 // other opponents. Claims are requested for present items only.
 //
-// Cost for n items: n - 1 certificates; an item is in ceil(log2 n) of them at most. A failure
+// Cost for n items: n - 1 certificates (by cases 3 (n - 1)); an item is in ceil(log2 n) of them at most. A failure
 // renews those on one path, O(log n). k items that come or go renew those on their paths,
 // O(k log n), each once; where one item takes the place of another the tree keeps its shape.
 // Bound on the failures: TournamentEpochs.
@@ -39,15 +42,17 @@
 #include "core/engine/audit.h"
 #include "core/numbers/integer.h"
 #include "structures/parts/claim.h"
+#include "structures/parts/match_proof.h"
 #include "structures/parts/slots.h"
 #include "structures/parts/tournament_epochs.h"
 
 namespace kinex {
 
-template <Claims C>
+template <MatchClaims C>
 class KineticTournament {
  public:
-  // The winner at the node of a failed certificate: until now, and from now on.
+  // The winner at the node of a failed certificate: until now, and from now on. By cases it may be the
+  // same.
   struct Duel {
     Item before, after;
   };
@@ -70,11 +75,11 @@ class KineticTournament {
   // Replaces the tree by that of these items, right after now. O(n) comparisons.
   template <TieReport Tied>
   void build(std::vector<Item> items, const Tied& tied) {
-    for (CertificateId& c : certificate_) slots_.drop(c);
+    for (MatchProof<C>& proof : proofs_) proof.drop(slots_);
     std::fill(leaf_of_.begin(), leaf_of_.end(), 0);
     leaves_ = items.size();
     winner_.assign(2 * std::max<std::size_t>(leaves_, 1), kNoItem);
-    certificate_.assign(std::max<std::size_t>(leaves_, 1), kNoCertificate);
+    proofs_.assign(std::max<std::size_t>(leaves_, 1), MatchProof<C>());
     for (std::size_t i = 0; i < leaves_; ++i) seat(static_cast<Node>(leaves_ + i), items[i]);
     for (std::size_t v = leaves_; v-- > 1;) decide(static_cast<Node>(v), tied);
     epochs_.built(leaves_);
@@ -90,6 +95,9 @@ class KineticTournament {
   Duel failed(CertificateId failed, const Tied& tied) {
     const Node v = slots_.failed(failed);
     const Duel duel{winner_[v], loser(v)};
+    if (proofs_[v].renewed(slots_, claims_, duel.before, duel.after, v)) {
+      return {duel.before, duel.before};
+    }
     flip(v, tied);
     return duel;
   }
@@ -135,25 +143,34 @@ class KineticTournament {
     }
     epochs_.begin(touched_, leaves_);
     std::sort(ties.begin(), ties.end(), std::greater<>());
+    ties.erase(std::unique(ties.begin(), ties.end()), ties.end());
     for (const Node v : ties) {
       const Item old = winner_[v], fresh = loser(v);
-      if (!slots_.is_tie(certificate_[v]) || claims_.goes_first(old, fresh)) continue;
+      if (!proofs_[v].tied(slots_, claims_, old, fresh, v) || claims_.goes_first(old, fresh)) continue;
       flip(v, tied);
       tied(old, fresh);
     }
   }
 
-  // Calls visit(node, winner, certificate) for all nodes, in ascending order from the root, 1.
-  // Leaves have kNoCertificate. The children of node v are 2v and 2v + 1.
+  // Calls visit(node, winner, certificates) for all nodes, in ascending order from the root, 1. Leaves
+  // have no certificates; of those of a match some may be kNoCertificate. The children of node v are 2v
+  // and 2v + 1.
   template <class Visit>
   void each_node(const Visit& visit) const {
     for (Node v = 1; v < 2 * leaves_; ++v) {
-      visit(v, winner_[v], v < leaves_ ? certificate_[v] : kNoCertificate);
+      visit(v, winner_[v],
+            v < leaves_ ? proofs_[v].slots() : std::span<const CertificateId>());
     }
   }
 
-  // An upper bound on the failures so far, for claims of this degree in t (TournamentEpochs).
+  // An upper bound on the failures so far, for claims of this degree in t (TournamentEpochs). By cases:
+  // of those that change a winner.
   Integer most_failures(int degree) const { return epochs_.most_failures(degree); }
+  // Likewise on all failures, if the certificates of matches of two given items fail at most `failures`
+  // times at a node.
+  Integer most_failures_of_pairs(int failures) const {
+    return epochs_.most_failures_of_pairs(failures);
+  }
 
   // Links, certificates and ties; `name` begins the messages.
   void check(AuditReport& report, const std::string& name) const {
@@ -163,9 +180,9 @@ class KineticTournament {
       const bool played = winner_[v] == a || winner_[v] == b;
       report.check(played, [&] { return "a winner that is neither opponent" + where(); });
       if (!played) continue;
-      report.check(slots_.holds(certificate_[v], claims_.claim(winner_[v], loser(v)), v),
+      report.check(proofs_[v].holds(slots_, claims_, winner_[v], loser(v), v),
                    [&] { return "a certificate of something else" + where(); });
-      report.check(!slots_.is_tie(certificate_[v]) || claims_.goes_first(winner_[v], loser(v)),
+      report.check(!proofs_[v].is_tie(slots_) || claims_.goes_first(winner_[v], loser(v)),
                    [&] { return "a tie with the wrong winner" + where(); });
     }
     for (std::size_t v = leaves_; v < 2 * leaves_; ++v) {
@@ -174,7 +191,7 @@ class KineticTournament {
     }
   }
   std::size_t bytes() const {
-    return winner_.capacity() * sizeof(Item) + certificate_.capacity() * sizeof(CertificateId) +
+    return winner_.capacity() * sizeof(Item) + proofs_.capacity() * sizeof(MatchProof<C>) +
            (leaf_of_.capacity() + touched_.capacity()) * sizeof(Node) + epochs_.bytes();
   }
 
@@ -193,11 +210,9 @@ class KineticTournament {
   // `winner` has won, or is expected to: if it has not, the certificate fails at once.
   template <TieReport Tied>
   void set_node(Node v, Item winner, Item loser, const Tied& tied) {
-    CertificateId& slot = certificate_[v];
-    if (slots_.set(slot, claims_.claim(winner, loser), v) == Outlook::kIdenticallyZero &&
-        claims_.goes_first(loser, winner)) {
+    if (proofs_[v].set(slots_, claims_, winner, loser, v) && claims_.goes_first(loser, winner)) {
       std::swap(winner, loser);
-      slots_.set(slot, claims_.claim(winner, loser), v);
+      proofs_[v].set(slots_, claims_, winner, loser, v);
       tied(loser, winner);
     }
     winner_[v] = winner;
@@ -227,9 +242,9 @@ class KineticTournament {
   template <TieReport Tied>
   void decide(Node v, const Tied& tied) {
     const Item a = winner_[2 * v], b = winner_[2 * v + 1];
-    if (certificate_[v] != kNoCertificate && (winner_[v] == a || winner_[v] == b)) {
-      const Query& query = slots_.kernel().query(certificate_[v]);
-      if (query == claims_.claim(a, b) || query == claims_.claim(b, a)) return;
+    if (proofs_[v].there() && (winner_[v] == a || winner_[v] == b) &&
+        proofs_[v].is_about(slots_, claims_, a, b)) {
+      return;
     }
     if (in_front(slots_.kernel(), claims_, a, b)) {
       set_node(v, a, b, tied);
@@ -243,7 +258,7 @@ class KineticTournament {
     const Node v = static_cast<Node>(leaves_);
     ++leaves_;
     winner_.resize(2 * leaves_, kNoItem);
-    certificate_.resize(leaves_, kNoCertificate);
+    proofs_.resize(leaves_);
     if (leaves_ == 1) return seat(1, item);
     seat(2 * v, winner_[v]);
     seat(2 * v + 1, item);
@@ -262,8 +277,8 @@ class KineticTournament {
     }
     const Node parent = static_cast<Node>(leaves_);
     const Item a = winner_[2 * parent], b = winner_[2 * parent + 1];
-    slots_.drop(certificate_[parent]);
-    certificate_.resize(leaves_);
+    proofs_[parent].drop(slots_);
+    proofs_.resize(leaves_);
     winner_.resize(2 * leaves_);
     seat(parent, item == a ? b : a);
     touched_.push_back(parent / 2);
@@ -276,7 +291,7 @@ class KineticTournament {
   C claims_;
   std::size_t leaves_ = 0;
   std::vector<Item> winner_;                // per node from 1; at a leaf its item
-  std::vector<CertificateId> certificate_;  // per inner node from 1
+  std::vector<MatchProof<C>> proofs_;       // per inner node from 1
   std::vector<Node> leaf_of_;               // per item; 0: not a member
   TournamentEpochs epochs_;
   std::vector<Node> touched_;  // scratch

@@ -32,12 +32,11 @@ void TournamentEpochs::begin(std::vector<Node>& nodes, std::size_t leaves) {
   for (const Node v : nodes) ++nodes_[leaves_below(v, leaves)];
 }
 
-Integer TournamentEpochs::most_failures(int degree) const {
+template <class Most>
+Integer TournamentEpochs::sum_of(const Most& most) const {
   Integer sum(0);
   const auto add = [&](std::size_t leaves, std::uint64_t epochs) {
-    const Integer m(static_cast<std::int64_t>(leaves));
-    sum += Integer(static_cast<std::int64_t>(epochs)) *
-           (davenport_schinzel_bound(degree, m) - Integer(1));
+    sum += Integer(static_cast<std::int64_t>(epochs)) * most(leaves);
   };
   for (const auto& [leaves, epochs] : nodes_) add(leaves, epochs);
   for (const auto& [leaves, trees] : trees_) {
@@ -50,6 +49,18 @@ Integer TournamentEpochs::most_failures(int degree) const {
     for (const auto& [size, count] : nodes) add(size, trees * count);
   }
   return sum;
+}
+
+Integer TournamentEpochs::most_failures(int degree) const {
+  return sum_of([degree](std::size_t leaves) {
+    return davenport_schinzel_bound(degree, counted(leaves)) - Integer(1);
+  });
+}
+
+Integer TournamentEpochs::most_failures_of_pairs(int failures) const {
+  return sum_of([failures](std::size_t leaves) {
+    return Integer(failures) * counted(leaves / 2) * counted(leaves - leaves / 2);
+  });
 }
 
 }  // namespace kinex

@@ -44,9 +44,16 @@ class TournamentEpochs {
   void begin(std::vector<Node>& nodes, std::size_t leaves);
   // The bound, for claims of this degree. O(n) per size of a tree that was built.
   Integer most_failures(int degree) const;
+  // Likewise, if two items, one below each child of a node, have at most `failures` failures there in
+  // an epoch.
+  Integer most_failures_of_pairs(int failures) const;
   std::size_t bytes() const { return (nodes_.size() + trees_.size()) * 64; }  // of maps, about
 
  private:
+  // most(m): of one epoch at a node of m leaves.
+  template <class Most>
+  Integer sum_of(const Most& most) const;
+
   // Epochs of nodes by their number of leaves: of single changes, and (trees_) of whole trees, by
   // the number of leaves of these.
   std::map<std::size_t, std::uint64_t> nodes_;

@@ -5,6 +5,7 @@
 #define KINEX_STRUCTURES_PARTS_TOURNAMENT_PROOF_H
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "core/engine/proof.h"
@@ -20,15 +21,20 @@ void visit_tournament(ProofVisitor& visitor, const Tournament& tournament, std::
   ProofGroup group;
   group.text = text;
   const auto place = [tree](std::uint32_t node) { return std::uint64_t{tree} << 32 | node; };
-  tournament.each_node([&](std::uint32_t node, const auto& item, CertificateId certificate) {
-    const bool played = certificate != kNoCertificate;
+  tournament.each_node([&](std::uint32_t node, const auto& item,
+                           std::span<const CertificateId> certificates) {
+    const bool played = !certificates.empty();
     group.kind = played ? "match" : "entrant";
     group.about = about(item);
     group.place = place(node);
     group.parent = node == 1 ? ProofGroup::kNoPlace : place(node / 2);
     group.branch = node % 2;
     visitor.group(group);
-    if (played) visitor.certificate(certificate, "the winner beats the loser");
+    for (const CertificateId certificate : certificates) {
+      if (certificate != kNoCertificate) {
+        visitor.certificate(certificate, "the winner beats the loser");
+      }
+    }
   });
 }
 

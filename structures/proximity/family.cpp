@@ -11,6 +11,7 @@
 #include "structures/proximity/closest_pair_all.h"
 #include "structures/proximity/closest_pair_bins.h"
 #include "structures/proximity/closest_pair_delaunay.h"
+#include "structures/proximity/closest_pair_discs.h"
 #include "structures/proximity/closest_pair_octants.h"
 #include "structures/proximity/closest_pair_range_tree.h"
 #include "structures/proximity/cone_frame.h"
@@ -316,6 +317,37 @@ std::vector<StructureInfo> meetings() {
   return {boxes, all, in_boxes, in_cells};
 }
 
+StructureInfo closest_discs() {
+  StructureInfo info{.name = "closest_pair_discs",
+                     .summary = "the pair of discs of the smallest gap, while no two meet, among edges of "
+                                "their regular triangulation"};
+  info.min_dimension = 2;
+  info.any_dimension = true;
+  info.refuse = beyond_space;
+  info.shape = Attribute::Shape::kTuples;
+  info.extents = Extents::kRadius;
+  info.reads = {{"regular_2"}};
+  info.kinds = {
+      {"replace", Effect::kSometimes, "another pair wins a duel"},
+      {"tie", Effect::kNever, "another pair wins a duel: the gaps are identically equal"},
+      {"case", Effect::kNever, "another case proves the result of a duel"},
+      {"touch", Effect::kNever, "the discs of the winner meet from now on, or are apart"},
+      {"contact", Effect::kAlways, "two discs meet, none did"},
+      {"apart", Effect::kAlways, "no two discs meet any longer"}};
+  info.certificates =
+      "at most 9n - 20, in space or on a line 3 C(n,2) - 2, two or three for each match in the "
+      "tournament of the edges of the regular triangulation, and one for the discs of its winner; those "
+      "of regular_2 or regular_3 besides";
+  info.ties =
+      "of pairs with identically equal gaps the lexicographically smallest one; discs that touch "
+      "identically meet";
+  info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+  info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
+    return std::make_unique<ClosestPairDiscs>(in.kernel, in.id, RegularGraph::of(*in.watched[0]));
+  };
+  return info;
+}
+
 }  // namespace
 
 std::optional<Refusal> beyond_space(const Scene& scene) {
@@ -331,6 +363,7 @@ StructureFamily proximity_family() {
   all.push_back(voronoi_cell());
   for (StructureInfo& tree : spanning_trees()) all.push_back(std::move(tree));
   for (StructureInfo& pairs : meetings()) all.push_back(std::move(pairs));
+  all.push_back(closest_discs());
   return {"proximity", std::move(all)};
 }
 

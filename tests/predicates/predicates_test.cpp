@@ -4,6 +4,7 @@
 #include "predicates/points/box_order.h"
 #include "predicates/points/edge_predicates.h"
 #include "predicates/points/extent_predicates.h"
+#include "predicates/points/gap_predicates.h"
 #include "predicates/points/line_predicates.h"
 #include "predicates/points/power_predicates.h"
 #include "predicates/points/shared_arguments.h"
@@ -73,6 +74,15 @@ std::vector<Named> all_predicates() {
           {"disc_overlap_1", make_disc_overlap(1)},
           {"disc_overlap_2", make_disc_overlap(2)},
           {"disc_apart_3", make_disc_apart(3)},
+          {"radius_order", make_gap_claim(GapTerm::kRadii, false, 2)},
+          {"radius_order_negated", make_gap_claim(GapTerm::kRadii, true, 3)},
+          {"gap_left", make_gap_claim(GapTerm::kLeft, false, 2)},
+          {"gap_left_negated", make_gap_claim(GapTerm::kLeft, true, 2)},
+          {"gap_right", make_gap_claim(GapTerm::kRight, false, 3)},
+          {"gap_right_negated", make_gap_claim(GapTerm::kRight, true, 1)},
+          {"gap_product", make_gap_claim(GapTerm::kProduct, false, 2)},
+          {"gap_product_negated", make_gap_claim(GapTerm::kProduct, true, 3)},
+          {"gap_product_shared", shared(make_gap_claim(GapTerm::kProduct, false, 2), {0, 1, 1, 2})},
           {"line_side", make_line_side()},
           {"line_under", make_line_under()},
           {"line_order", make_line_order()},
@@ -473,6 +483,43 @@ TEST_F(KnownSigns, Extents) {
   EXPECT_EQ(sign(make_end_order(EndClaim::kMeeting, y), {boxes[1], boxes[0]}), 0);  // 2, 2
   EXPECT_EQ(sign(make_end_order(EndClaim::kApart, y), boxes), -1);
   EXPECT_EQ(sign(make_half_width(y), {boxes[0]}), 1);
+}
+
+// Identities (1) to (4) of gap_predicates.h, against square roots: small integers, whose gaps differ by
+// more than doubles err, or not at all.
+TEST_F(KnownSigns, GapsOfDiscs) {
+  std::mt19937_64 random(11);
+  const auto below = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  int equal = 0, smaller = 0;
+  for (int round = 0; round < 4000; ++round) {
+    std::vector<std::vector<int>> discs;
+    for (int i = 0; i < 4; ++i) discs.push_back({below(9), below(9), below(4)});
+    const std::vector<std::vector<int>> exchanged{discs[2], discs[3], discs[0], discs[1]};
+    const auto term = [&](GapTerm which, bool other = false, bool negated = false) {
+      return sign(make_gap_claim(which, negated, 2), other ? exchanged : discs);
+    };
+    const auto square = [&](int i, int j) {
+      const int x = discs[i][0] - discs[j][0], y = discs[i][1] - discs[j][1];
+      return x * x + y * y;
+    };
+    const double gap = std::sqrt(square(0, 1)) - discs[0][2] - discs[1][2];
+    const double other = std::sqrt(square(2, 3)) - discs[2][2] - discs[3][2];
+    const bool first = term(GapTerm::kRadii) >= 0 && term(GapTerm::kLeft) >= 0;
+    const bool second = term(GapTerm::kRadii) >= 0 && term(GapTerm::kProduct) <= 0;
+    const bool third = term(GapTerm::kRadii) <= 0 && term(GapTerm::kRight) >= 0 &&
+                       term(GapTerm::kProduct) >= 0;
+    EXPECT_EQ(first || second || third, gap <= other + 1e-9) << gap << " " << other;
+    equal += std::abs(gap - other) < 1e-9;
+    smaller += gap < other - 1e-9;
+    EXPECT_EQ(term(GapTerm::kRadii, true), -term(GapTerm::kRadii));
+    EXPECT_EQ(term(GapTerm::kRight, true), -term(GapTerm::kLeft));
+    EXPECT_EQ(term(GapTerm::kProduct, true), term(GapTerm::kProduct));
+    for (const GapTerm which : {GapTerm::kRadii, GapTerm::kLeft, GapTerm::kRight, GapTerm::kProduct}) {
+      EXPECT_EQ(term(which, false, true), -term(which));
+    }
+  }
+  EXPECT_GT(equal, 20);
+  EXPECT_GT(smaller, 1000);
 }
 
 // Discs meet iff their lifted points (p, |p|^2 - r^2) do not see each other past the paraboloid: the

@@ -33,6 +33,9 @@ std::vector<lab::BenchRow> proximity_bench_rows(int scale) {
   for (const char* structure : {"disc_pairs_all", "disc_pairs_boxes", "disc_pairs_grid"}) {
     rows.push_back(lab::speed_row(structure, "random-discs", 1, n(200)));
   }
+  for (const int size : {200, 1000}) {
+    rows.push_back(lab::speed_row("closest_pair_discs", "apart-discs", 1, n(size)));
+  }
   return rows;
 }
 

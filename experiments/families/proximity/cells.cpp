@@ -82,6 +82,7 @@ void add_proximity_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   add_pair_cells(catalogue, extent);
   add_graph_cells(catalogue, extent);
   add_meeting_cells(catalogue, extent);
+  add_gap_cells(catalogue, extent);
   for (const char* structure :
        {"closest_pair_delaunay", "emst_list", "emst_cycles", "emst_clusters"}) {
     for (const int n : {16, 64, 256}) {

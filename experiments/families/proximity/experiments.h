@@ -33,11 +33,15 @@ void generate_small_discs(const lab::WorkloadParameters&, Scene&);
 void generate_small_boxes(const lab::WorkloadParameters&, Scene&);
 void generate_random_discs(const lab::WorkloadParameters&, Scene&);
 void generate_random_boxes(const lab::WorkloadParameters&, Scene&);
+void generate_gaps_along_row(const lab::WorkloadParameters&, Scene&);
+void generate_apart_discs(const lab::WorkloadParameters&, Scene&);
 // octant_cells.cpp, pair_cells.cpp, graph_cells.cpp, meeting_cells.cpp
 void add_octant_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_pair_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_graph_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void add_meeting_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// gap_cells.cpp
+void add_gap_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // kds_section_7_pairs.cpp, kds_section_7_trees.cpp, kds_section_7_meetings.cpp
 std::vector<lab::SeriesPoint> kds_section_7_pairs_points(bool quick);
 lab::PartReport kds_section_7_pairs_report(const std::vector<lab::SeriesResult>& results,
@@ -51,6 +55,10 @@ lab::PartReport kds_section_7_meetings_report(const std::vector<lab::SeriesResul
 // kds_section_7_lifting.cpp
 lab::StudyResult study_lifted_discs(bool quick, const std::function<bool()>& go_on);
 lab::PartReport kds_section_7_lifting_report(const lab::StudyResult& result,
+                                             const std::string& command);
+// kds_section_7_hitting.cpp
+lab::StudyResult study_hitting_sets(bool quick, const std::function<bool()>& go_on);
+lab::PartReport kds_section_7_hitting_report(const lab::StudyResult& result,
                                              const std::string& command);
 // kds_section_7_diameter.cpp
 lab::StudyResult study_tree_diameter(bool quick, const std::function<bool()>& go_on);

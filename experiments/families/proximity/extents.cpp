@@ -101,4 +101,42 @@ void generate_random_boxes(const lab::WorkloadParameters& parameters, Scene& sce
   generate_random(parameters, Extents::kHalfExtents, scene);
 }
 
+// m discs rest in a row, 16 apart, of radius 4 and 2 in turn. n discs of radius 1 pass over it at a height
+// of 8, one after another, 16 m apart, so that right over the row there is one of them, and only one. It
+// has the smallest gap with each disc of the row in turn, at least 3: all nm pairs, nm - 1 changes. Two
+// neighbours of the row have a gap of 10.
+void generate_gaps_along_row(const lab::WorkloadParameters& parameters, Scene& scene) {
+  const std::int64_t n = parameters.n, m = parameters.m;
+  scene.start = 0;
+  scene.end = lab::fraction(2 * n * m - 1, 2);
+  scene.extents = Extents::kRadius;
+  for (std::int64_t j = 0; j < m; ++j) {
+    add_extended(scene, "row" + std::to_string(j), {{lab::fraction(16 * j, 1)}, {Rational(0)}},
+                 {{lab::fraction(j % 2 == 0 ? 4 : 2, 1)}});
+  }
+  for (std::int64_t i = 0; i < n; ++i) {
+    add_extended(scene, "p" + std::to_string(i),
+                 {{lab::fraction(-16 * m * i, 1), Rational(16)}, {Rational(8)}}, {{Rational(1)}});
+  }
+}
+
+// Discs of linear motion in the unit square (cube) whose radii are at most 1 / (32 n): most of the time no
+// two meet. Positions as of random discs.
+void generate_apart_discs(const lab::WorkloadParameters& parameters, Scene& scene) {
+  lab::WorkloadRandom random(parameters.seed);
+  scene.start = 0;
+  scene.end = Rational(1);
+  scene.extents = Extents::kRadius;
+  const auto line = [&random](std::int64_t least, std::int64_t most) {
+    const std::int64_t first = random.between(least, most), last = random.between(least, most);
+    return std::vector<Rational>{lab::on_grid(first), lab::on_grid(last - first)};
+  };
+  const std::int64_t most = std::max<std::int64_t>(1, lab::kGridUnits / (32 * std::int64_t{parameters.n}));
+  for (int i = 0; i < parameters.n; ++i) {
+    Axes position;
+    for (int axis = 0; axis < parameters.dimension; ++axis) position.push_back(line(0, lab::kGridUnits));
+    add_extended(scene, "p" + std::to_string(i), std::move(position), {line(1, most)});
+  }
+}
+
 }  // namespace kinex::families

@@ -40,15 +40,20 @@ lab::FamilyExperiments proximity_experiments() {
       {"random-discs", "discs of linear motion and radius in the unit square", 2, 1, 3, true, false,
        false, "disc_pairs_boxes", generate_random_discs},
       {"random-boxes", "boxes of linear motion and extents in the unit square", 2, 1, 3, true, false,
-       false, "box_pairs", generate_random_boxes}};
+       false, "box_pairs", generate_random_boxes},
+      {"gaps-along-row",
+       "--n discs pass along a row of --m: nm - 1 changes of the pair of the smallest gap", 2, 2, 2,
+       false, false, true, "closest_pair_discs", generate_gaps_along_row, 1, 2},
+      {"apart-discs", "small discs of linear motion and radius: most of the time no two meet", 2, 1, 3,
+       true, false, false, "closest_pair_discs", generate_apart_discs}};
   lab::set_kind(family.workloads, lab::SceneKind::kRandom,
-                {"random-graph", "random-discs", "random-boxes"});
+                {"random-graph", "random-discs", "random-boxes", "apart-discs"});
   lab::set_kind(family.workloads, lab::SceneKind::kTies,
                 {"small-integers", "small-discs", "small-boxes"});
   family.add_cells = add_proximity_cells;
   family.event_bounds = {"swaps"};
   family.long_audits = {"mst_maximum_norm_list", "mst_maximum_norm_cycles", "mst_polygon_list",
-                        "mst_polygon_cycles"};
+                        "mst_polygon_cycles", "closest_pair_discs"};
   family.trade = {{"closest_pair_delaunay",
                    2,
                    {12, 32},
@@ -108,6 +113,14 @@ lab::FamilyExperiments proximity_experiments() {
                             {8, 16},
                             {{8, 16, 32}, {8, 16, 32, 64, 128}}});
   }
+  family.trade.push_back({"closest_pair_discs",
+                          2,
+                          {12, 24},
+                          "gaps-along-row",
+                          {4, 8},
+                          {16, 25},
+                          {8, 16},
+                          {{8, 16}, {8, 16, 32}}});
   const auto no_runs = [](bool) { return std::vector<lab::SeriesPoint>{}; };
   family.papers = {
       kds_report({{"section-7-pairs", "closest pairs, of one colour and of two", 6,
@@ -119,7 +132,9 @@ lab::FamilyExperiments proximity_experiments() {
                   {"section-7-lifting", "discs as points in space", 9, no_runs, nullptr,
                    study_lifted_discs, kds_section_7_lifting_report},
                   {"section-7-tree-diameter", "the longest path of a spanning tree", 10, no_runs,
-                   nullptr, study_tree_diameter, kds_section_7_diameter_report}})};
+                   nullptr, study_tree_diameter, kds_section_7_diameter_report},
+                  {"section-7-hitting", "points that hit all pairs of discs that meet", 11, no_runs,
+                   nullptr, study_hitting_sets, kds_section_7_hitting_report}})};
   family.bench_rows = proximity_bench_rows;
   return family;
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Questions: how often does the closest pair change, what do the structures for it cost, and what do
-//   swaps of points cost that are far apart? Is there a good structure for two colours? (Guibas 1998,
-//   section 7.)
-// Scenes: random motion; pass-along-row and colours-along-row, where all pairs are the closest in
-//   turn; exchange-in-all-orders, where every pair exchanges its order far apart.
+//   swaps of points cost that are far apart? Is there a good structure for two colours, or for balls of
+//   different radii? (Guibas 1998, section 7.)
+// Scenes: random motion; pass-along-row, colours-along-row and gaps-along-row, where all pairs are the
+//   closest in turn; exchange-in-all-orders, where every pair exchanges its order far apart.
 // Expected: nm - 1 and n^2 - 1 changes; 4 C(n,2) swaps of the structure that sorts; equal changes in
 //   all structures; of random motion n^2 swaps with sorted lists, n^(3/2) events without them.
-// Left out: balls of different radii, for which there is no structure yet.
 // Cost: about 3 minutes; --quick: seconds.
 #include <fmt/format.h>
 
@@ -25,6 +24,8 @@ namespace {
 constexpr const char* kPairUniform = "uniform-square";
 constexpr const char* kPairRow = "pass-along-row";
 constexpr const char* kColourRow = "colours-along-row";
+constexpr const char* kGapRow = "gaps-along-row";
+constexpr const char* kApartDiscs = "apart-discs";
 constexpr const char* kFarExchanges = "exchange-in-all-orders";
 
 struct PairMethod {
@@ -164,6 +165,31 @@ void add_colour_claims(const std::vector<lab::SeriesResult>& results, lab::PartR
       observed, row));
 }
 
+// Discs of different radii, by their gap.
+void add_disc_claims(const std::vector<lab::SeriesResult>& results, lab::PartReport& report) {
+  const KdsRuns row{"closest_pair_discs", kGapRow}, apart{"closest_pair_discs", kApartDiscs};
+  report.claims.push_back(count_claim(
+      results, {"7.6.balls-lower",
+                "The two balls of different radii with the smallest gap change Omega(n^2) times on linear "
+                "motions.",
+                row, "external", "changes", "nm - 1", [](double n, double m) { return n * m - 1; }}));
+  const std::vector<lab::FitPoint> ratios = ratios_of(results, row, "processed", "external");
+  std::string observed = "events for each change of the pair: " + ratio_text(ratios);
+  if (const auto fit = lab::fit_power(ratios)) observed += "; " + lab::fit_text(*fit);
+  const std::vector<lab::FitPoint> random = ratios_of(results, apart, "processed", "external");
+  observed += "; on random motion " + ratio_text(random);
+  if (const auto fit = lab::fit_power(random)) observed += "; " + lab::fit_text(*fit);
+  const std::vector<lab::FitPoint> local = means_of(results, apart, "max_per_object");
+  if (const auto fit = lab::fit_power(local)) {
+    observed += "; the most certificates of one disc there: " + lab::fit_text(*fit);
+  }
+  report.claims.push_back(open_question(
+      "7.6.balls-efficient",
+      "Is there a responsive, compact, local and efficient structure for the closest pair of balls of "
+      "different radii? The one by edges of the regular triangulation:",
+      observed, row));
+}
+
 }  // namespace
 
 std::vector<lab::SeriesPoint> kds_section_7_pairs_points(bool quick) {
@@ -188,6 +214,14 @@ std::vector<lab::SeriesPoint> kds_section_7_pairs_points(bool quick) {
     if (quick && n > 16) continue;
     points.push_back(kds_single({"bichromatic_pair_delaunay", kColourRow}, n));
   }
+  for (const int n : {4, 6, 8, 12, 16, 24}) {
+    if (quick && n > 12) continue;
+    points.push_back(kds_single({"closest_pair_discs", kGapRow}, n, n));
+  }
+  for (const int n : {25, 35, 50, 70, 100, 200, 400}) {
+    if (quick && n > 70) continue;
+    points.push_back(kds_random({"closest_pair_discs", kApartDiscs}, n, 8));
+  }
   return points;
 }
 
@@ -196,6 +230,7 @@ lab::PartReport kds_section_7_pairs_report(const std::vector<lab::SeriesResult>&
   lab::PartReport report;
   add_pair_claims(results, report);
   add_colour_claims(results, report);
+  add_disc_claims(results, report);
   add_sorting_claims(results, report);
   std::vector<lab::Curve> curves;
   for (const PairMethod& method : kPairMethods) {

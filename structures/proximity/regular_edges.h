@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// RegularGraph: a regular triangulation of discs, in the plane or in space, as a graph, for structures
+// that work on its edges.
+//
+// Discs that are all on one line (in space in one plane), or too few, have no cells; then all pairs are
+// edges. Hidden discs have none.
+#ifndef KINEX_STRUCTURES_PROXIMITY_REGULAR_EDGES_H
+#define KINEX_STRUCTURES_PROXIMITY_REGULAR_EDGES_H
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "structures/proximity/delaunay_edges.h"
+#include "structures/triangulation/regular_2.h"
+#include "structures/triangulation/regular_3.h"
+
+namespace kinex {
+
+class RegularGraph {
+ public:
+  // A regular_2 or a regular_3, which outlives it; std::bad_cast for any other structure.
+  static RegularGraph of(const Structure& triangulation);
+
+  int dimension() const { return in_plane_ != nullptr ? 2 : 3; }
+  StructureId id() const { return in_plane_ != nullptr ? in_plane_->id() : in_space_->id(); }
+  // There are no cells, and all pairs are edges.
+  bool flat() const { return in_plane_ != nullptr ? in_plane_->flat() : in_space_->flat(); }
+  // Discs are hidden, though there are cells. O(n).
+  bool hides() const {
+    if (flat()) return false;
+    return in_plane_ != nullptr ? !in_plane_->hidden().empty() : !in_space_->hidden().empty();
+  }
+  // All of them, ascending. O(n log n) for n edges.
+  std::vector<DelaunayEdge> edges() const {
+    return in_plane_ != nullptr ? in_plane_->edges() : in_space_->edges();
+  }
+  // The change that an external event of the triangulation states; nullopt if it has to be read off
+  // the triangulation.
+  std::optional<DelaunayEdgeChange> change(const Event& event) const;
+
+ private:
+  const Regular2* in_plane_ = nullptr;
+  const Regular3* in_space_ = nullptr;
+};
+
+}  // namespace kinex
+
+#endif
