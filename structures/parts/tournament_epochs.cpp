@@ -33,7 +33,7 @@ void TournamentEpochs::begin(std::vector<Node>& nodes, std::size_t leaves) {
 }
 
 template <class Most>
-Integer TournamentEpochs::sum_of(const Most& most) const {
+Integer TournamentEpochs::most_in_epochs(const Most& most) const {
   Integer sum(0);
   const auto add = [&](std::size_t leaves, std::uint64_t epochs) {
     sum += Integer(static_cast<std::int64_t>(epochs)) * most(leaves);
@@ -52,13 +52,13 @@ Integer TournamentEpochs::sum_of(const Most& most) const {
 }
 
 Integer TournamentEpochs::most_failures(int degree) const {
-  return sum_of([degree](std::size_t leaves) {
+  return most_in_epochs([degree](std::size_t leaves) {
     return davenport_schinzel_bound(degree, counted(leaves)) - Integer(1);
   });
 }
 
 Integer TournamentEpochs::most_failures_of_pairs(int failures) const {
-  return sum_of([failures](std::size_t leaves) {
+  return most_in_epochs([failures](std::size_t leaves) {
     return Integer(failures) * counted(leaves / 2) * counted(leaves - leaves / 2);
   });
 }

@@ -52,7 +52,7 @@ class TournamentEpochs {
  private:
   // most(m): of one epoch at a node of m leaves.
   template <class Most>
-  Integer sum_of(const Most& most) const;
+  Integer most_in_epochs(const Most& most) const;
 
   // Epochs of nodes by their number of leaves: of single changes, and (trees_) of whole trees, by
   // the number of leaves of these.
