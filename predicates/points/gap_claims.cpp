@@ -55,7 +55,10 @@ struct GapClaim {
   std::string_view name() const { return name_of(kTerm, kNegated); }
   int dimension() const { return Dimension + 1; }
   int first_by_value() const { return Dimension; }
-  ClaimForm form() const { return {ClaimFigure::kNone, 1, kRoles, says(kTerm, kNegated), {}}; }
+  // Two segments are drawn, from centre to centre.
+  ClaimForm form() const {
+    return {ClaimFigure::kLengths, kNegated ? -1 : 1, kRoles, says(kTerm, kNegated), {}};
+  }
 
   template <class Points>
   auto value(const Points& p) const {
