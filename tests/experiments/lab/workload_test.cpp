@@ -78,6 +78,7 @@ TEST(Workload, EveryFamilyIsAValidScene) {
             {"points-through-lines", 16},
             {"skew-curves", 17},
             {"skew-rows", 17},
+            {"gaps-along-row", 16},
             {"show-and-hide", 24},
             {"breathing", static_cast<std::size_t>(dimension) + 2}};
         const auto other = others.find(workload.name);
