@@ -36,7 +36,9 @@ CaseChoice DiscGaps::choose(Kernel& kernel, const Value& front, const Value& bac
     if (left == Sign::kPositive) return {kFirst, true, false};
     const Sign product = sign(kProduct);
     if (left == Sign::kZero) return {kFirst, true, product == Sign::kZero};
-    if (product == Sign::kPositive) return {kFirst, false, false};
+    // If the gaps are equal now, the product is zero, while the left claim may be negative already: what
+    // fails has to be the former.
+    if (product == Sign::kPositive) return {kSecond, false, false};
     return {kSecond, true, product == Sign::kZero};
   }
   if (sign(kRight) == Sign::kNegative) return {kThird, false, false};
