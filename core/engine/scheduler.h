@@ -58,7 +58,13 @@ class Scheduler final : public Kernel {
   std::uint32_t live_certificates(StructureId structure, ObjectId object) const {
     return live_per_object_[structure][object];
   }
-  void set_instant_shared(StructureId structure, bool shared) { shared_[structure] = shared; }
+  // Structure::instant_settled is due if the instant is shared, until it has been called; and again
+  // when the structure is marked anew (set_instant_shared, Kernel::settle_later).
+  void set_instant_shared(StructureId structure, bool shared) {
+    shared_[structure] = shared ? kDue : kNot;
+  }
+  bool settling_is_due(StructureId structure) const { return shared_[structure] == kDue; }
+  void set_settled(StructureId structure) { shared_[structure] = kSettled; }
   // A new instant begins.
   void count_instant() { ++instant_number_; }
   using Kernel::clear_structure;
@@ -66,6 +72,9 @@ class Scheduler final : public Kernel {
   void set_reporter(EventReporter* reporter) { reporter_ = reporter; }
   const Event& last_event() const { return event_; }
   std::size_t bytes() const;
+
+ private:
+  enum Shared : std::uint8_t { kNot, kDue, kSettled };  // the values of shared_
 };
 
 }  // namespace kinex

@@ -234,6 +234,7 @@ class Simulator final : private EventReporter {
   void guard_fired(StructureId id);
   void repair();
   void settle();
+  bool settle_once();
   bool tell_what_changed();
   void begin_instant();
   void end_instant();

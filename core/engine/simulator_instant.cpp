@@ -252,10 +252,10 @@ void Simulator::settle() {
       const StructureId id = static_cast<StructureId>(i);
       if (!kernel_.instant_is_shared(id)) continue;
       looked = true;
-      call(id, [](Structure& s) { s.instant_settled(); });
+      kernel_.set_instant_shared(id, true);
     }
     if (!looked) return;
-    tell_watchers();
+    while (settle_once()) tell_watchers();
     if (fails_now()) {
       repair();
     } else if (tell_what_changed()) {
@@ -264,6 +264,20 @@ void Simulator::settle() {
       repair();  // certificates that watchers have made may fail at once
     }
   }
+}
+
+// One call of each structure that is due; what it tells its watchers may make them due. True if there
+// was one.
+bool Simulator::settle_once() {
+  bool looked = false;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const StructureId id = static_cast<StructureId>(i);
+    if (!kernel_.settling_is_due(id)) continue;
+    looked = true;
+    call(id, [](Structure& s) { s.instant_settled(); });
+    kernel_.set_settled(id);
+  }
+  return looked;
 }
 
 // Final reports on the instant by the structures that shared it. True if no watcher has work left.
