@@ -14,12 +14,14 @@
 namespace kinex {
 namespace {
 
-// Claims of a predicate of space that alternates in all its arguments, on one set of points: one
-// polynomial, up to its sign. A flip of three cells into two fails three such certificates at once.
+// Claims of a predicate of three axes or more, weights included, that alternates in all its arguments,
+// on one set of points: one polynomial, up to its sign. A flip of three cells into two fails three such
+// certificates at once, and so does a point of the plane that hides. (In the plane without weights such
+// certificates fail together only where points coincide.)
 bool claim_as_one(const Arithmetic& arithmetic, const Query& a, const Query& b) {
   if (a.predicate != b.predicate || a.arity < 4) return false;
   const Predicate& predicate = arithmetic.predicate(a.predicate);
-  return predicate.dimension() == 3 && predicate.alternating() == predicate.arity() &&
+  return predicate.dimension() >= 3 && predicate.alternating() == predicate.arity() &&
          sorted_ids(a) == sorted_ids(b);
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mean numbers of events of points in uniform motion, by simulations that share nothing with kinex: plain
-// doubles, the simplest algorithms, nothing included but the standard library. Origin and destination of each
-// point are uniform in the unit square (or interval), t runs from 0 to 1.
+// doubles, the simplest algorithms, nothing included but the standard library and the files beside it. Origin
+// and destination of each point are uniform in the unit square (interval, cube), t runs from 0 to 1.
 //
 // usage: uniform_means WHAT N SEEDS
 //   hull      changes of the convex hull: vertices that enter or leave
 //   delaunay  changes of the Delaunay triangulation: flips, vertices that enter or leave its hull
 //   heap      exchanges in a binary heap of lines, its largest on top, built bottom up in the order of the lines
+//   delaunay_3, regular_2, regular_3
+//             changes of the triangulation in space, and of points with weights (lifted_changes.h)
 // Prints "WHAT N SEEDS MEAN ERROR": over the seeds 1 to SEEDS, with the standard error of the mean.
 //
 // The numbers of experiments/families/points/reference_means.cpp are what it prints.
@@ -25,56 +27,12 @@
 #include <utility>
 #include <vector>
 
+#include "tests/oracles/lifted_changes.h"
+#include "tests/oracles/polynomials.h"
+
 namespace {
 
-using Polynomial = std::vector<double>;  // low degree first
-
-double value(const Polynomial& p, double t) {
-  double sum = 0;
-  for (std::size_t i = p.size(); i-- > 0;) sum = sum * t + p[i];
-  return sum;
-}
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial c(a.size() + b.size() - 1, 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) c[i + j] += a[i] * b[j];
-  }
-  return c;
-}
-Polynomial difference(Polynomial a, const Polynomial& b) {
-  a.resize(std::max(a.size(), b.size()), 0);
-  for (std::size_t i = 0; i < b.size(); ++i) a[i] -= b[i];
-  return a;
-}
-Polynomial sum(Polynomial a, const Polynomial& b) {
-  a.resize(std::max(a.size(), b.size()), 0);
-  for (std::size_t i = 0; i < b.size(); ++i) a[i] += b[i];
-  return a;
-}
-
-// All points of (from, to) at which p changes its sign, in order: between the zeros of its derivative it is
-// monotone, and bisection finds at most one.
-void zeros(const Polynomial& p, double from, double to, std::vector<double>& out) {
-  out.clear();
-  if (p.size() < 2) return;
-  Polynomial derivative;
-  for (std::size_t i = 1; i < p.size(); ++i) derivative.push_back(static_cast<double>(i) * p[i]);
-  std::vector<double> ends;
-  zeros(derivative, from, to, ends);
-  ends.insert(ends.begin(), from);
-  ends.push_back(to);
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    double low = ends[i], high = ends[i + 1];
-    const bool rises = value(p, low) < 0;
-    if (rises == (value(p, high) < 0)) continue;
-    while (true) {
-      const double middle = low + (high - low) / 2;
-      if (!(low < middle && middle < high)) break;
-      ((value(p, middle) < 0) == rises ? low : high) = middle;
-    }
-    out.push_back(high);
-  }
-}
+using namespace oracles;
 
 // The first time after `now`, before 1, at which p falls from positive to negative.
 std::optional<double> first_fall(const Polynomial& p, double now) {
@@ -334,11 +292,15 @@ int main(int count, char** words) {
   const std::map<std::string, std::uint64_t (*)(int, std::uint64_t)> simulations{
       {"hull", hull_changes},
       {"delaunay", [](int n, std::uint64_t seed) { return Delaunay(n, seed).run(); }},
-      {"heap", heap_exchanges}};
+      {"heap", heap_exchanges},
+      {"delaunay_3", [](int n, std::uint64_t seed) { return lifted_changes(3, false, n, seed); }},
+      {"regular_2", [](int n, std::uint64_t seed) { return lifted_changes(2, true, n, seed); }},
+      {"regular_3", [](int n, std::uint64_t seed) { return lifted_changes(3, true, n, seed); }}};
   const auto chosen = count == 4 ? simulations.find(words[1]) : simulations.end();
   const int n = count == 4 ? std::atoi(words[2]) : 0, seeds = count == 4 ? std::atoi(words[3]) : 0;
   if (chosen == simulations.end() || n < 4 || seeds < 2) {
-    std::fprintf(stderr, "usage: uniform_means hull|delaunay|heap N SEEDS\n");
+    std::fprintf(stderr, "usage: uniform_means WHAT N SEEDS, where WHAT is one of\n");
+    for (const auto& [what, changes] : simulations) std::fprintf(stderr, "  %s\n", what.c_str());
     return 2;
   }
   double sum = 0, squares = 0;
