@@ -11,6 +11,20 @@ namespace kinex {
 
 // ---- records
 
+std::uint32_t TreeByCycles::list(Item item, Place place) {
+  places_[item].push_back(place);
+  return static_cast<std::uint32_t>(places_[item].size() - 1);
+}
+
+// The last of the list comes to its place.
+void TreeByCycles::unlist(Item item, std::uint32_t at) {
+  std::vector<Place>& places = places_[item];
+  Record& last = records_[places.back()];
+  (last.inside == item ? last.at_inside : last.at_outside) = at;
+  places[at] = places.back();
+  places.pop_back();
+}
+
 void TreeByCycles::add_record(Item inside, Item outside) {
   Place place;
   if (free_.empty()) {
@@ -20,10 +34,7 @@ void TreeByCycles::add_record(Item inside, Item outside) {
     place = free_.back();
     free_.pop_back();
   }
-  Record& record = records_[place];
-  record = {inside, outside, kNoCertificate};
-  places_[inside].push_back(place);
-  places_[outside].push_back(place);
+  records_[place] = {inside, outside, kNoCertificate, list(inside, place), list(outside, place)};
   certify(place);
 }
 
@@ -38,7 +49,8 @@ void TreeByCycles::certify(Place place) {
 void TreeByCycles::drop_record(Place place) {
   Record& record = records_[place];
   slots_.drop(record.certificate);
-  for (const Item item : {record.inside, record.outside}) std::erase(places_[item], place);
+  unlist(record.inside, record.at_inside);
+  unlist(record.outside, record.at_outside);
   record = {};
   free_.push_back(place);
 }
@@ -47,52 +59,73 @@ void TreeByCycles::drop_records(Item item) {
   while (!places_[item].empty()) drop_record(places_[item].back());
 }
 
-// The edges of the tree between the ends of an edge, ascending.
-std::vector<Item> TreeByCycles::path_of(Item item) {
-  const auto [u, v] = edges_->ends(item);
+// Proves that an edge outside the tree, which has no records, is the longest of its cycle.
+void TreeByCycles::prove(Item outside) {
+  const auto [u, v] = edges_->ends(outside);
   std::vector<Item> path = forest_.path(u, v);
   std::sort(path.begin(), path.end());
-  return path;
-}
-
-// Proves that an edge outside the tree is the longest of its cycle: keeps what is proved already.
-void TreeByCycles::prove(Item outside) {
-  const std::vector<Item> path = path_of(outside);
-  std::vector<Item> proved;
-  const std::vector<Place> places = places_[outside];
-  for (const Place place : places) {
-    const Item inside = records_[place].inside;
-    if (std::binary_search(path.begin(), path.end(), inside)) {
-      proved.push_back(inside);
-    } else {
-      drop_record(place);
-    }
-  }
-  std::sort(proved.begin(), proved.end());
-  for (const Item inside : path) {
-    if (!std::binary_search(proved.begin(), proved.end(), inside)) add_record(inside, outside);
-  }
+  for (const Item inside : path) add_record(inside, outside);
 }
 
 // ---- the tree
 
 // `after`, outside the tree, takes the place of `before`, which is on its path. All edges that
-// cross the cut, those with a record of `before`, have other paths then.
-void TreeByCycles::replace(Item before, Item after) {
-  std::vector<Item> crossing;
+// cross the cut, those with a record of `before`, have other paths then. Returns the cycle, ascending:
+// `after` and what was its path.
+std::vector<Item> TreeByCycles::replace(Item before, Item after) {
+  std::vector<Item> crossing, cycle{after};
   for (const Place place : places_[before]) crossing.push_back(records_[place].outside);
+  for (const Place place : places_[after]) cycle.push_back(records_[place].inside);
   std::sort(crossing.begin(), crossing.end());
+  std::sort(cycle.begin(), cycle.end());
   drop_records(after);
   take_out(before);
   put_in(after);
+  for (const Item item : cycle) marks_[item] = kOnCycle;
   for (const Item item : crossing) {
-    if (item != after) prove(item);
+    if (item != after) exchange_along(cycle, item);
   }
+  for (const Item item : cycle) marks_[item] = kNotOnCycle;
+  return cycle;
+}
+
+// The path of `outside` was on one side of the cycle, and is on the other side now:
+//
+//         b -- c -- d           the path  ..abcd..  becomes  ..afed..
+//    .. a             .. d ..
+//         f -- e --
+//
+// A record of an edge that left the path becomes that of one that came.
+void TreeByCycles::exchange_along(std::span<const Item> cycle, Item outside) {
+  gone_.clear();
+  for (const Place place : places_[outside]) {
+    Mark& mark = marks_[records_[place].inside];
+    if (mark == kNotOnCycle) continue;
+    mark = kOnCycleAndPath;
+    gone_.push_back(place);
+  }
+  std::size_t used = 0;
+  for (const Item inside : cycle) {
+    if (marks_[inside] == kOnCycleAndPath) {
+      marks_[inside] = kOnCycle;
+    } else if (used < gone_.size()) {
+      const Place place = gone_[used++];
+      Record& record = records_[place];
+      unlist(record.inside, record.at_inside);
+      record.inside = inside;
+      record.at_inside = list(inside, place);
+      certify(place);
+    } else {
+      add_record(inside, outside);
+    }
+  }
+  for (; used < gone_.size(); ++used) drop_record(gone_[used]);
 }
 
 void TreeByCycles::swap(Item before, Item after) {
-  replace(before, after);
-  prove(before);
+  for (const Item inside : replace(before, after)) {
+    if (inside != before) add_record(inside, before);
+  }
 }
 
 // The shortest edge that crosses the cut of a tree edge right after now; kNoItem: there is none.
@@ -113,6 +146,7 @@ void TreeByCycles::build(std::vector<Item> items) {
   records_.clear();
   free_.clear();
   places_.clear();
+  marks_.clear();
   tied_.clear();
   failing_.clear();
   clear();
@@ -123,7 +157,10 @@ void TreeByCycles::build(std::vector<Item> items) {
 
 void TreeByCycles::add(Item item) {
   enter(item);
-  if (places_.size() <= item) places_.resize(item + std::size_t{1});
+  if (places_.size() <= item) {
+    places_.resize(item + std::size_t{1});
+    marks_.resize(places_.size(), kNotOnCycle);
+  }
   const auto [u, v] = edges_->ends(item);
   if (forest_.connected(u, v)) {
     prove(item);
@@ -268,7 +305,7 @@ void TreeByCycles::check(AuditReport& report) const {
 }
 
 std::size_t TreeByCycles::bytes() const {
-  std::size_t total = base_bytes() + records_.capacity() * sizeof(Record) +
+  std::size_t total = base_bytes() + records_.capacity() * sizeof(Record) + marks_.capacity() +
                       places_.capacity() * sizeof(std::vector<Place>);
   for (const auto& places : places_) total += places.capacity() * sizeof(Place);
   return total;

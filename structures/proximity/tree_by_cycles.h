@@ -13,9 +13,11 @@
 //
 // Cost: as many certificates as the paths have edges together: for n vertices and m edges at most
 // (m - n + 1)(n - 1). Not local, not compact; strongly efficient: no failure is internal. A failure
-// renews the paths of all edges that cross the cut between the two parts of the tree, O(log n) for
-// each plus the differences. An edge that takes the place of another drops one path and proves
-// another one. An edge of the tree that goes is replaced by the shortest that crosses its cut.
+// renews the paths of all edges that cross the cut between the two parts of the tree: where f takes
+// the place of e, each of them is exchanged along the cycle of f, edges that were on it for those that
+// were not. So the cost is that of the lengths of these paths and of the cycle. An edge that takes the
+// place of another drops one path and proves another one. An edge of the tree that goes is replaced by
+// the shortest that crosses its cut.
 //
 // Source: Tarjan's verification of a spanning tree (1979): the certificates.
 #ifndef KINEX_STRUCTURES_PROXIMITY_TREE_BY_CYCLES_H
@@ -60,13 +62,16 @@ class TreeByCycles final : public TreeEngine {
   struct Record {  // `inside`, an edge of the tree, is on the path between the ends of `outside`
     Item inside = kNoItem, outside = kNoItem;
     CertificateId certificate = kNoCertificate;
+    std::uint32_t at_inside = 0, at_outside = 0;  // its places in the lists of the two
   };
 
   EdgeOrder order() const { return EdgeOrder(*edges_); }
-  std::vector<Item> path_of(Item item);
-  void replace(Item before, Item after);
+  std::vector<Item> replace(Item before, Item after);
   void swap(Item before, Item after);
+  void exchange_along(std::span<const Item> cycle, Item outside);
   void prove(Item outside);
+  std::uint32_t list(Item item, Place place);
+  void unlist(Item item, std::uint32_t at);
   void add_record(Item inside, Item outside);
   void certify(Place place);
   void drop_record(Place place);
@@ -77,6 +82,9 @@ class TreeByCycles final : public TreeEngine {
 
   Slots slots_;
   std::vector<std::vector<Place>> places_;  // by item: the records that name it
+  enum Mark : std::uint8_t { kNotOnCycle, kOnCycle, kOnCycleAndPath };
+  std::vector<Mark> marks_;  // by item, between exchanges kNotOnCycle
+  std::vector<Place> gone_;  // of exchange_along
   std::vector<Record> records_;
   std::vector<Place> free_;
   // Records whose certificates were identically zero, or negative right after now, when they were
