@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mean numbers of events of points in uniform motion, from simulations in plain doubles that share
-// nothing with kinex: tests/oracles/uniform_means.cpp.
+// Mean numbers of events of points in uniform motion, with or without weights, from simulations in plain
+// doubles that share nothing with kinex: tests/oracles/uniform_means.cpp.
 #ifndef KINEX_EXPERIMENTS_FAMILIES_POINTS_REFERENCE_MEANS_H
 #define KINEX_EXPERIMENTS_FAMILIES_POINTS_REFERENCE_MEANS_H
 

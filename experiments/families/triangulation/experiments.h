@@ -3,11 +3,13 @@
 #ifndef KINEX_EXPERIMENTS_FAMILIES_TRIANGULATION_EXPERIMENTS_H
 #define KINEX_EXPERIMENTS_FAMILIES_TRIANGULATION_EXPERIMENTS_H
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
+#include "experiments/lab/judge.h"
 #include "experiments/lab/part.h"
 #include "experiments/lab/workload.h"
 
@@ -32,6 +34,8 @@ void generate_breathing(const lab::WorkloadParameters&, Scene&);
 void generate_small_weights(const lab::WorkloadParameters&, Scene&);
 void generate_small_moving_weights(const lab::WorkloadParameters&, Scene&);
 void generate_random_weights(const lab::WorkloadParameters&, Scene&);
+// growth_study.cpp
+lab::StudyResult study_triangulation_growth(bool quick, const std::function<bool()>& go_on);
 // bench_rows.cpp
 std::vector<lab::BenchRow> triangulation_bench_rows(int scale);
 

@@ -33,6 +33,7 @@ lab::FamilyExperiments triangulation_experiments() {
   lab::set_kind(family.workloads, lab::SceneKind::kRandom, {"random-weights"});
   lab::set_kind(family.workloads, lab::SceneKind::kTies, {"small-weights", "small-moving-weights"});
   family.add_cells = add_triangulation_cells;
+  family.studies = {{"triangulation_growth", "regular_2", "regular_3", study_triangulation_growth}};
   family.event_bounds = {"passes"};
   family.trade = {{"delaunay_2",
                    2,

@@ -3,7 +3,8 @@
 //   How many events does random motion cause?
 // Sources: flips of small integers and of the skew curves counted by brute force over exact positions
 //   between all critical times; Guibas, "Kinetic data structures: a state of the art report" (1998),
-//   section 9, gives n^(4/3) for random motion in space as a preliminary figure.
+//   section 9, gives n^(4/3) for random motion in space as a preliminary figure; means of random motion
+//   from a simulation that makes no triangulation (reference_means.h).
 // Expected: the integers below, in every run; every hard bound, and every audit. No exponent: from
 //   n = 50 to 1600 the growth still slows down, and no single power fits.
 // Cost: about 5 s, half a minute in full.
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "experiments/families/points/random_motion.h"
+#include "experiments/families/points/reference_means.h"
 #include "experiments/families/triangulation/experiments.h"
 #include "experiments/lab/cell_parts.h"
 
@@ -56,6 +58,11 @@ void add_space_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   for (const int n : {16, 32, 64, 128}) {
     if (n > 32 && extent == lab::Extent::kQuick) continue;
     lab::Cell cell = uniform_cell("delaunay_3", n, 3);
+    if (const ReferenceMean reference = reference_mean("delaunay_3", n); reference.seeds > 0) {
+      cell.expectations.push_back(lab::expect_mean("delaunay_3.uniform", "external", reference.mean,
+                                                   reference.source()));
+      cell.expectations.back().reference_error = reference.error;
+    }
     cell.cost = n / 40.0;
     catalogue.cells.push_back(std::move(cell));
   }

@@ -2,7 +2,8 @@
 // Questions: does the regular triangulation change exactly as often as counted by another program? Do
 //   hidden points show and hide as often as constructed? How many events does random motion cause?
 // Sources: flips of small integers counted by brute force over exact positions between all critical
-//   times; the arguments in weighted_points.cpp.
+//   times; the arguments in weighted_points.cpp; means of random weights from a simulation that makes no
+//   triangulation (reference_means.h).
 // Expected: the integers below, in every run; every hard bound, and every audit. No exponent: n is small.
 // Cost: about half a minute, some minutes in full.
 #include <cstdint>
@@ -10,11 +11,15 @@
 #include <utility>
 
 #include "experiments/families/points/random_motion.h"
+#include "experiments/families/points/reference_means.h"
 #include "experiments/families/triangulation/experiments.h"
 #include "experiments/lab/cell_parts.h"
 
 namespace kinex::families {
 namespace {
+
+// Of means that are compared with those of another program.
+constexpr double kMeanError = 0.02;
 
 void add_small_weights(lab::Catalogue& catalogue) {
   struct Counted {
@@ -72,7 +77,13 @@ void add_random(lab::Catalogue& catalogue, const char* structure, int dimension,
   cell.cost = dimension == 2 ? n / 100.0 : n / 40.0;
   catalogue.cells.push_back(cell);
   cell.workload = cell.family = "random-weights";
-  cell.precise = {{"processed", kChangesError}};
+  const ReferenceMean reference = reference_mean(structure, n);
+  cell.precise = {{"external", reference.seeds > 0 ? kMeanError : kChangesError}};
+  if (reference.seeds > 0) {
+    cell.expectations.push_back(lab::expect_mean(std::string(structure) + ".random_weights", "external",
+                                                 reference.mean, reference.source()));
+    cell.expectations.back().reference_error = reference.error;
+  }
   catalogue.cells.push_back(std::move(cell));
 }
 
