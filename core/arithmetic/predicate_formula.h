@@ -18,6 +18,10 @@
 //   static constexpr int kHomogeneity;       that degree, if it is not kDegree
 //   int first_by_value() const;              coordinates on this axis and all later ones enter by
 //                                            value, not only through differences (0: all axes)
+//   int square_axis() const;                 coordinates on this axis enter only as differences from
+//                                            the reference, times the unit, in the place of a square
+//                                            of other differences (weights). Such a formula has
+//                                            kHasUnit and kOnlyToReference
 // Formulas whose certificates are renewed in groups (Kernel::Group) may say so. They have no unit.
 //   static constexpr bool kInGroups = true;  compiled over Lanes, too
 #ifndef KINEX_CORE_ARITHMETIC_PREDICATE_FORMULA_H
@@ -224,11 +228,13 @@ class FormulaPredicate : public Predicate {
 
   double reach_error(int d) const override {
     // Differences are at most the reach, or twice that where they are not taken from the reference.
+    // Those on the axis of squares are at most its square, with a unit of 1.
     const double magnitude = Formula::kOnlyToReference ? 0.5 : 1.0;
+    const int by_value = kHasSquareAxis ? kMaxFixedAxes : first_by_value();
     switch (d) {
-      case 1: return relative_error(formula_.value(RoundingPoints<1>{magnitude, first_by_value()}));
-      case 2: return relative_error(formula_.value(RoundingPoints<2>{magnitude, first_by_value()}));
-      default: return relative_error(formula_.value(RoundingPoints<3>{magnitude, first_by_value()}));
+      case 1: return relative_error(formula_.value(RoundingPoints<1>{magnitude, by_value}));
+      case 2: return relative_error(formula_.value(RoundingPoints<2>{magnitude, by_value}));
+      default: return relative_error(formula_.value(RoundingPoints<3>{magnitude, by_value}));
     }
   }
 
@@ -270,6 +276,11 @@ class FormulaPredicate : public Predicate {
   }
   static constexpr bool kInGroups = in_groups();
   static_assert(!(kInGroups && kHasUnit));
+  static constexpr bool has_square_axis() {
+    return requires(const Formula& formula) { formula.square_axis(); };
+  }
+  static constexpr bool kHasSquareAxis = has_square_axis();
+  static_assert(!kHasSquareAxis || (kHasUnit && Formula::kOnlyToReference));
 
   int first_by_value() const {
     if constexpr (requires { formula_.first_by_value(); }) {
@@ -328,10 +339,13 @@ class FormulaPredicate : public Predicate {
     for (int k = 0; k <= D; ++k) reach[k] = 0;
     if constexpr (kHasUnit) {
       views[Formula::kArity] = *unit;
-      reach[0] = magnitude_of(**unit);
+      if constexpr (!kHasSquareAxis) reach[0] = magnitude_of(**unit);
     }
     const int differences = std::min(axes, first_by_value());
     for (int axis = differences; axis < axes; ++axis) {
+      if constexpr (kHasSquareAxis) {
+        if (axis == formula_.square_axis()) continue;
+      }
       for (int i = 0; i < Formula::kArity; ++i) {
         for (int k = 0; k <= D; ++k) {
           reach[k] = larger(reach[k], magnitude_of(shifted[i][axis * kPowers + k]));
@@ -348,7 +362,30 @@ class FormulaPredicate : public Predicate {
         }
       }
     }
+    if constexpr (kHasSquareAxis) {
+      R squares[D + 1];
+      for (int k = 0; k <= D; ++k) squares[k] = 0;
+      const int first = formula_.square_axis() * kPowers;
+      for (int i = 0; i < Formula::kArity; ++i) {
+        for (int k = 0; k <= D; ++k) {
+          const R difference = shifted[i][first + k] - shifted[Formula::kReference][first + k];
+          squares[k] = larger(squares[k], magnitude_of(difference * **unit));
+        }
+      }
+      cover_squares<D>(squares, reach);
+    }
     store(formula_.value(FixedPoints<R, D>{views, Formula::kArity}), out);
+  }
+
+  // Enlarges the reach until every coefficient of its square is at least squares[k], k <= D: that of
+  // t^k is at least 2 reach[0] reach[k].
+  template <int D>
+  static void cover_squares(const double* squares, double* reach) {
+    reach[0] = std::max(reach[0], std::sqrt(squares[0]));
+    if (reach[0] == 0) reach[0] = std::sqrt(*std::max_element(squares, squares + D + 1));
+    for (int k = 1; k <= D; ++k) {
+      if (squares[k] > 0) reach[k] = std::max(reach[k], squares[k] / (2 * reach[0]));
+    }
   }
 
   // With every difference bounded by the same polynomial R(t), the formula's absolute values add up

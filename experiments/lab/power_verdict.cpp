@@ -58,7 +58,13 @@ void judge_by_term(PowerVerdict& result, std::span<const FitPoint> points, const
   }
   const Verdict alone = result.verdict;
   result.verdict = compare(*result.corrected, claim);
-  if (!is_improbable(*result.corrected)) return;
+  if (!is_improbable(*result.corrected)) {
+    const bool apart = (result.fit->b < claim.exponent) != (result.corrected->b < claim.exponent);
+    if (alone != Verdict::kRefuted || result.verdict != Verdict::kRefuted || !apart) return;
+    result.observed += ", on the other side of the claim";
+    result.verdict = Verdict::kOpen;
+    return;
+  }
   result.observed += ", too large for chance, too";
   const bool both = alone == Verdict::kRefuted && result.verdict == Verdict::kRefuted;
   if (!both) result.verdict = Verdict::kOpen;

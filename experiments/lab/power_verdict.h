@@ -37,7 +37,8 @@ struct PowerVerdict {
 // So that term is fitted, too,
 //   - where chance does not explain the chi squared of the fit: the interval is then that of the fit
 //     with the term. If chance does not explain its chi squared either, nothing is confirmed, and
-//     refuted only what both intervals refute;
+//     refuted only what both intervals refute. If both do, from different sides, the claim is open: one
+//     term moves the exponent past it, and another could bring it back;
 //   - where the interval of the fit lies outside: refuted only if the claimed power with the term does
 //     not fit, else open. It does not if chance does not explain its chi squared, for any exponent
 //     within the tolerance; without standard errors, if the interval of the fit with the term lies

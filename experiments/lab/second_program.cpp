@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/lab/second_program.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -32,6 +34,11 @@ std::string found_program() {
   std::error_code error;
   const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path() / kName;
   return !error && fs::exists(here, error) ? here.string() : kName;
+}
+
+// Of a path; a name is looked for among programs.
+bool is_runnable(const std::string& program) {
+  return program.find('/') == program.npos || access(program.c_str(), X_OK) == 0;
 }
 
 // True if there is such a file: at this path, or in PATH.
@@ -160,7 +167,9 @@ CheckedBy SecondProgram::check(const RunKey& run) const {
       path_, {log_path.string(), "--scene", scene_path.string(), "--json"}, out, err, go_on);
   switch (end.how) {
     case HelperEnd::How::kNotFound:
-      checked.message = is_there(path_) ? "python3 was not found" : name_ + " was not found";
+      checked.message = !is_there(path_)      ? name_ + " was not found"
+                        : !is_runnable(path_) ? name_ + " is not executable"
+                                              : "python3 was not found";
       return checked;
     case HelperEnd::How::kStopped:
       checked.message =

@@ -5,7 +5,6 @@
 // predicates/points/power_predicates.h.
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string_view>
 
 #include "core/arithmetic/predicate_formula.h"
@@ -64,6 +63,7 @@ auto power(const Points& p, const Above& above) {
 template <int kAxes>
 struct WeightPower : Power<kAxes> {
   static constexpr bool kHasUnit = true;
+  int square_axis() const { return kAxes; }
   std::string_view name() const { return kAxes == 2 ? "power_2" : "power_3"; }
 
   template <class Points>
@@ -100,12 +100,11 @@ int degree_of(const MotionView<Ball>* points, int arity, int d, int first, int l
   return 0;
 }
 
-// A weight is no length: it may be large while distances are small, and of higher degree. No power
-// of the reach bounds the errors, and coefficients beyond the true degree are exact zeros.
+// A weight may be of higher degree than coordinates: coefficients beyond the true degree are exact
+// zeros.
 template <int kAxes>
 class WeightPowerPredicate final : public FormulaPredicate<WeightPower<kAxes>> {
  public:
-  double reach_error(int) const override { return std::numeric_limits<double>::infinity(); }
   void ball(int d, const MotionView<Ball>* points, double shift, Ball* out) const override {
     FormulaPredicate<WeightPower<kAxes>>::ball(d, points, shift, out);
     const int place = degree_of(points, kAxes + 2, d, 0, kAxes);

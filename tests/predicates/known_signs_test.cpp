@@ -182,7 +182,6 @@ TEST(Power2, CoefficientsBeyondItsDegreeAreExactZeros) {
     EXPECT_EQ(value[k] == 0, k > 5) << k;
     EXPECT_LE(std::fabs(out[k].value - value[k]), out[k].error) << k;
   }
-  EXPECT_TRUE(std::isinf(p->reach_error(1)));
 }
 
 TEST_F(KnownSigns, SlopeOrder) {

@@ -130,6 +130,38 @@ void check_shifted(const Predicate& p, const std::string& name, int d, const Mot
   }
 }
 
+// Weights of any size beside the squares of distances, of points that move or rest.
+TEST(WeightPower, ErrorsAreWithinTheReachWhateverTheWeights) {
+  struct Bits {
+    int place, weight;  // of the largest coordinate and the largest weight; 0: they are zero
+    bool rests;         // coordinates have no velocity
+  };
+  std::mt19937_64 random(7);
+  for (const Bits& bits : {Bits{15, 30, false}, {20, 4, false}, {6, 30, false}, {15, 30, true}, {0, 30, true},
+                           {20, 0, false}}) {
+    for (const int axes : {2, 3}) {
+      const auto p = axes == 2 ? make_power_2() : make_power_3();
+      for (int d = 1; d <= kMaxFixedDegree; ++d) {
+        for (int round = 0; round < 40; ++round) {
+          Motions m(random, p->arity(), axes + 1, d, std::int64_t{1} << 30);
+          for (std::size_t k = 0; k < m.narrow.size(); ++k) {
+            const std::size_t place = k % m.stride, axis = place / (static_cast<std::size_t>(d) + 1);
+            const bool weight = axis == static_cast<std::size_t>(axes), moves = place % (static_cast<std::size_t>(d) + 1) != 0;
+            const int size = weight ? bits.weight : moves && bits.rests ? 0 : bits.place;
+            const std::int64_t v = size == 0 ? 0 : m.narrow[k] >> (30 - size);
+            m.plain[k] = static_cast<double>(v);
+            m.exact[k] = Integer(v);
+          }
+          std::vector<std::size_t> order;
+          for (int i = 0; i < p->arity(); ++i) order.push_back(static_cast<std::size_t>(i));
+          check_shifted(*p, std::string(p->name()), d, m, order, p->exact(d, m.views(m.exact, order).data()),
+                        static_cast<double>(random() % 64) / 16);
+        }
+      }
+    }
+  }
+}
+
 class EveryPredicate : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(EveryPredicate, RingsAgreeAndErrorBoundsHold) {

@@ -82,6 +82,29 @@ TEST(JudgePower, WhatNoTermExplainsIsOpen) {
   EXPECT_EQ(judged(waves, 0.001, 3).verdict, lab::Verdict::kRefuted);
 }
 
+// A power of 4/3 with two terms of lower order, as of points in a cube: its facets and its edges. The
+// power alone is too steep, with one term too flat: neither refutes it.
+TEST(JudgePower, TwoFitsOnBothSidesOfTheClaimRefuteNothing) {
+  const auto law = [](double n) {
+    const double side = std::cbrt(n);
+    return 10.3 * n * side + 17.3 * n - 177 * side * side + 246 * side;
+  };
+  std::vector<lab::FitPoint> points;
+  for (const double n : {25, 35, 50, 70, 100, 200, 400, 800, 1600}) {
+    points.push_back({n, law(n), law(n) * (n < 200 ? 0.018 : n < 800 ? 0.01 : 0.004)});
+  }
+  const lab::PowerVerdict found = lab::judge_power(points, {4.0 / 3, 0.03, false, 1.0 / 3}, "n");
+  EXPECT_TRUE(lab::is_improbable(*found.fit));
+  EXPECT_GT(found.fit->lower, 4.0 / 3 + 0.03);
+  ASSERT_TRUE(found.corrected);
+  EXPECT_FALSE(lab::is_improbable(*found.corrected)) << found.observed;
+  EXPECT_LT(found.corrected->upper, 4.0 / 3 - 0.03);
+  EXPECT_EQ(found.verdict, lab::Verdict::kOpen) << found.observed;
+  EXPECT_THAT(found.observed, HasSubstr(", on the other side of the claim"));
+  // Both are above 1, so that much is refuted.
+  EXPECT_EQ(lab::judge_power(points, {1, 0.03, false, 1.0 / 3}, "n").verdict, lab::Verdict::kRefuted);
+}
+
 // Small sizes, where the term of n (n - 2) or n (n + 3) raises or lowers the exponent by more than the tolerance, while
 // chance explains what the power leaves: the asymptotic law is not refuted.
 TEST(JudgePower, ATermOfLowerOrderSpeaksBeforeARefutation) {

@@ -101,6 +101,9 @@ TEST_F(ASecondProgram, RefusesAWrongLog) {
 
 TEST_F(ASecondProgram, MayNotBeThere) {
   EXPECT_EQ(check(file("none")).verdict(), "not checked: " + file("none") + " was not found");
+  const std::string text = stub("exit 0");
+  fs::permissions(text, fs::perms::owner_read);
+  EXPECT_EQ(check(text).verdict(), "not checked: " + text + " is not executable");
   ::setenv("PYTHON", "no-such-python", 1);
   const lab::CheckedBy checked = check(real_program());
   ::unsetenv("PYTHON");
