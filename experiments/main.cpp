@@ -13,6 +13,7 @@
 #include "experiments/verbs/usage_error.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
+#include "experiments/view/recorder.h"
 
 namespace {
 
@@ -77,6 +78,9 @@ int main(int argc, char** argv) {
     // A run detects errors that no reader can, such as bodies that turn against each other.
     tell(error.what());
     return verbs::kExitBadInput;
+  } catch (const kinex::view::MisreportedEvents& error) {
+    tell(error.what());
+    return verbs::kExitFailed;
   } catch (const std::exception& error) {
     tell(std::string("internal error: ") + error.what() + "; please report it with the input");
     return verbs::kExitFailed;

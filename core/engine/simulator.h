@@ -186,6 +186,9 @@ class Simulator final : private EventReporter {
     std::vector<std::uint64_t*> kind_counts;  // by rank, into the ledger's by_kind
     std::uint8_t first_common = 0;            // rank of CommonEvent::kMotion
     bool abandoned = false;                   // corrupt, and abandon() has been called
+    // At the last audit of AuditLevel::kEvents. `anew`: insertions, erasures, rebuilds.
+    std::optional<Attribute> audited;
+    std::uint64_t external_then = 0, anew_then = 0;
 
     bool has(ObjectId object) const { return members.empty() || members[object]; }
     std::vector<ObjectId> those_of(const std::vector<ObjectId>& objects) const;
@@ -269,6 +272,7 @@ class Simulator final : private EventReporter {
   std::optional<Rational> time_between();
   std::optional<Rational> audit_time();
   bool run_audit(bool certificates);
+  void audit_reports(StructureId id, AuditReport& report);
 
   const Scene& scene_;
   SimulatorOptions options_;

@@ -162,6 +162,32 @@ std::optional<Rational> Simulator::audit_time() {
   return first;
 }
 
+// What was reported since the last audit against what became of the attribute: changes without an
+// external event, and one external event without a change. Objects that come and go, and rebuilds,
+// change it in their own ways. (An inexact arithmetic may change its mind between two instants.)
+void Simulator::audit_reports(StructureId id, AuditReport& report) {
+  if (!kernel_.is_exact() || options_.audit != AuditLevel::kEvents) return;
+  Entry& entry = entries_[id];
+  const StructureLedger& ledger = kernel_.ledger(id);
+  const std::uint64_t anew = ledger.insertions + ledger.erasures + ledger.rebuilds;
+  Attribute now = entry.structure->attribute();
+  if (entry.audited && anew == entry.anew_then) {
+    const bool same = now == *entry.audited;
+    const std::uint64_t external = ledger.external - entry.external_then;
+    if (!same && external == 0) {
+      report.check(false,
+                   [] { return "the attribute changed, and no external event was reported"; });
+    }
+    if (same && external == 1) {
+      report.check(
+          false, [] { return "an external event was reported, and the attribute did not change"; });
+    }
+  }
+  entry.audited = std::move(now);
+  entry.external_then = ledger.external;
+  entry.anew_then = anew;
+}
+
 bool Simulator::run_audit(bool certificates) {
   end_charge();
   const RunClock::Scope audit(clock_, RunPhase::kAudit);
@@ -195,6 +221,7 @@ bool Simulator::run_audit(bool certificates) {
       if (positions && !members.empty()) {
         entries_[i].structure->audit(positions->of(members), report);
       }
+      audit_reports(id, report);
     }
     kernel_.ledger(id).audit_checks += report.checks;
     for (const std::string& what : report.violations) violation(id, what + when);

@@ -30,13 +30,16 @@ std::string output_line(const std::string& path, const std::string& digest) {
   return text + "\n";
 }
 
-// Whether the first line says so; true if there is none.
-bool is_by(const std::string& text, const std::string& path, const std::string& program) {
-  if (text.empty()) return true;
+// What is wrong with records that begin with this text, if they are to be gone on with; empty: nothing.
+std::string foreign(const std::string& text, const std::string& path, const AttemptProvenance& own) {
+  if (text.empty()) return "";
   try {
-    return parse_provenance(text.substr(0, text.find('\n')), path).program == program;
+    const AttemptProvenance begun = parse_provenance(text.substr(0, text.find('\n')), path);
+    if (begun.program != own.program) return "another version of the program";
+    if (begun.plan_hash != own.plan_hash) return "another command, \"" + begun.plan_name + "\"";
+    return "";
   } catch (const formats::InputError&) {
-    return false;  // another version of the format
+    return "another version of the program";  // and of the format
   }
 }
 
@@ -68,12 +71,12 @@ Journal::Journal(std::string path, const AttemptProvenance& provenance, Leftover
     std::string text = leftover == Leftover::kDrop ? "" : formats::read_text_file(path_);
     const std::size_t last = text.rfind('\n');
     text.resize(last == text.npos ? 0 : last + 1);  // without the incomplete last line of a killed run
-    if (!is_by(text, path_, provenance.program)) {
+    if (const std::string other = foreign(text, path_, provenance); !other.empty()) {
       if (leftover == Leftover::kKeep) {
-        throw formats::InputError(path_, "line 1", "it was begun by another version of the program",
-                                  "give --fresh or --force to begin anew, or another folder with -o");
+        throw formats::InputError(path_, "line 1", "it was begun by " + other,
+                                  "give another folder with -o, or --fresh or --force to begin anew");
       }
-      dropped_other_ = true;
+      dropped_other_ = other;
       text.clear();
     }
     read_lines(text);

@@ -21,8 +21,8 @@ namespace kinex::sweep {
 
 // What becomes of the records that an interrupted run has left in the file.
 enum class Leftover {
-  kKeep,     // they are used; those of another program are refused
-  kKeepOwn,  // they are used; those of another program are dropped
+  kKeep,     // they are used; those of another program, or of another plan, are refused
+  kKeepOwn,  // they are used; those of another program, or of another plan, are dropped
   kDrop,     // they are dropped
 };
 
@@ -45,7 +45,8 @@ class Journal {
   std::size_t found() const { return found_; }  // records that the file had at first
   // Seconds by the clock that the cells of those records took: the sum, without killed ones.
   double found_seconds() const { return found_seconds_; }
-  bool dropped_other() const { return dropped_other_; }  // it had those of another program (kKeepOwn)
+  // Whose records it had and dropped (kKeepOwn): "another version of the program". Empty: none.
+  const std::string& dropped_other() const { return dropped_other_; }
   const std::string& path() const { return path_; }
   bool runs() const { return file_ >= 0; }      // cells that it does not have are to be run
 
@@ -66,7 +67,7 @@ class Journal {
   int file_ = -1;
   std::size_t found_ = 0;
   double found_seconds_ = 0;
-  bool dropped_other_ = false;
+  std::string dropped_other_;
   mutable std::mutex mutex_;
   std::map<std::string, Record> records_;       // by key
   std::map<std::string, std::string> outputs_;  // digests by path

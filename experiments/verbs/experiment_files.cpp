@@ -41,7 +41,7 @@ void add_experiment_options(CLI::App& verb, ExperimentOptions& options,
                             const ExperimentWords& words) {
   verb.add_flag("--quick", options.quick, words.quick);
   verb.add_option("-o,--output", options.folder, words.folder);
-  verb.add_flag("--force", options.force, "Replace results that exist, and an unfinished run of another version");
+  verb.add_flag("--force", options.force, "Replace results that exist, and an unfinished run of another version or command");
   verb.add_flag("--fresh", options.fresh, "Repeat also the finished part of an interrupted run");
   verb.add_option("--jobs", options.jobs, words.jobs);
   verb.add_option("--from", options.from,
@@ -80,9 +80,8 @@ sweep::Journal experiment_journal(const ExperimentOptions& options, const sweep:
 sweep::CellSource experiment_source(const ExperimentOptions& options, sweep::Journal& journal,
                                     const InterruptGuard& interrupt, const char* one,
                                     const char* many) {
-  if (journal.dropped_other()) {
-    options.voice.note("beginning anew: " + journal.path() +
-                       " was begun by another version of the program");
+  if (!journal.dropped_other().empty()) {
+    options.voice.note("beginning anew: " + journal.path() + " was begun by " + journal.dropped_other());
   }
   if (journal.runs() && journal.found() > 0) {
     options.voice.note("going on: " + formats::counted(journal.found(), one, many) +

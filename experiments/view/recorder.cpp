@@ -290,8 +290,10 @@ class Recorder final : public EventSink {
   void check_final_states() const {
     for (StructureId id = 0; id < run_.structures.size(); ++id) {
       if (run_.structures[id].corrupt_after) continue;
-      require(states_[id].attribute == states_[id].structure->attribute(),
-              "the recorded events do not lead to the final state of a structure");
+      if (states_[id].attribute == states_[id].structure->attribute()) continue;
+      throw MisreportedEvents("structure \"" + simulator_->label(id) +
+                               "\": its external events do not lead to its attribute at the end: one "
+                               "was not reported, or not as external; kinex run --audit events finds it");
     }
   }
 

@@ -12,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,12 @@ namespace kinex::view {
 
 // The value of RecordedRun::stopped if an observer ended the run.
 inline constexpr std::string_view kLogEnds = "the log ends here";
+
+// The external events of a structure do not lead to its attribute: a fault of the structure.
+class MisreportedEvents : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 // An event as reported to an observer.
 struct SeenEvent {

@@ -173,6 +173,19 @@ TEST_F(Resume, FreshBeginsAnew) {
   }
 }
 
+// What one command has begun in a folder another one neither goes on with nor removes.
+TEST_F(Resume, AnotherCommandIsRefused) {
+  const Verb verb = verbs()[0];
+  const std::string folder = scratch_.file("two");
+  const std::string kept = folder + "/" + verb.name + ".unfinished";
+  ASSERT_EQ(run_kinex_until(in(verb, folder), kept, 4, SIGKILL).exit_code, -SIGKILL);
+  const std::string text = read_file(kept);
+  const Finished refused = run_kinex({"verify", "maximum_heap", "--quick", "-o", folder});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("it was begun by another command, \"verify"));
+  EXPECT_EQ(read_file(kept), text);
+}
+
 // Nothing is finished before the first piece is: no file is left to go on from.
 TEST_F(Resume, ARefusedRunLeavesNothing) {
   const std::string folder = scratch_.file("mine");

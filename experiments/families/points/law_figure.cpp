@@ -12,6 +12,15 @@ namespace kinex::families {
 
 namespace {
 
+// Of a statement that is too long for the width of the picture, without what it says in brackets; the
+// page has all of it.
+std::string title_of(const std::string& statement) {
+  constexpr std::size_t kWidest = 84;
+  const std::size_t bracket = statement.rfind(" (");
+  if (statement.size() <= kWidest || bracket == statement.npos) return statement;
+  return statement.substr(0, bracket) + ".";
+}
+
 constexpr int kSteps = 100;  // of a drawn law
 
 // Columns: n, mean, two errors, and what each fit leaves.
@@ -61,7 +70,7 @@ std::string counts_part(const LawNames& names, const std::vector<lab::FitPoint>&
   } else {
     text += fmt::format("set yrange [0:{:.8g}]\n", 1.2 * high);
   }
-  text += "set key left top Left reverse samplen 2.5\nset title '" + lab::formula(names.statement) +
+  text += "set key left top Left reverse samplen 2.5\nset title '" + lab::formula(title_of(names.statement)) +
           "'\nset ylabel " + lab::quoted(names.counted) +
           "\nplot $means using 1:2:3 with yerrorbars lw 1.4 ps 0.8 pt 7 lc rgb '#222222' title "
           "'mean, two standard errors'";

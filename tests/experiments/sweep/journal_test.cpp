@@ -109,18 +109,40 @@ TEST_F(SweepJournal, DropsWhatAnotherProgramHasLeftIfItMay) {
   {
     const sweep::Journal own(name(), by("p"), sweep::Leftover::kKeepOwn);
     EXPECT_EQ(own.found(), 1u);
-    EXPECT_FALSE(own.dropped_other());
+    EXPECT_EQ(own.dropped_other(), "");
   }
   {
     sweep::Journal other(name(), by("another"), sweep::Leftover::kKeepOwn);
     EXPECT_EQ(other.found(), 0u);
-    EXPECT_TRUE(other.dropped_other());
+    EXPECT_EQ(other.dropped_other(), "another version of the program");
     EXPECT_EQ(other.find(cell(1).key), nullptr);
     other.add(record(2, "2"));
   }
   const sweep::Journal again(name(), by("another"), sweep::Leftover::kKeep);
   EXPECT_EQ(again.found(), 1u);
   EXPECT_NE(again.find(cell(2).key), nullptr);
+}
+
+// Another command in the folder of an interrupted one neither goes on with its records nor removes them.
+TEST_F(SweepJournal, RefusesWhatAnotherCommandHasLeft) {
+  sweep::AttemptProvenance mine = by("p"), other = by("p");
+  mine.plan_name = "verify sorted_list --quick";
+  mine.plan_hash = "1";
+  other.plan_name = "verify maximum_heap --quick";
+  other.plan_hash = "2";
+  { sweep::Journal(name(), mine, sweep::Leftover::kKeep).add(record(1, "1")); }
+  const std::string before = text();
+  try {
+    sweep::Journal(name(), other, sweep::Leftover::kKeep);
+    ADD_FAILURE() << "not refused";
+  } catch (const formats::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("it was begun by another command, \"verify sorted_list --quick\""));
+  }
+  EXPECT_EQ(text(), before);
+  EXPECT_EQ(sweep::Journal(name(), mine, sweep::Leftover::kKeep).found(), 1u);
+  const sweep::Journal anew(name(), other, sweep::Leftover::kKeepOwn);
+  EXPECT_EQ(anew.found(), 0u);
+  EXPECT_EQ(anew.dropped_other(), "another command, \"verify sorted_list --quick\"");
 }
 
 TEST_F(SweepJournal, KnowsItsOwnOutputs) {

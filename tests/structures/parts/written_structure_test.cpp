@@ -109,6 +109,27 @@ TEST(WrittenStructure, ItsDescriptorMakesItAndKnowsItsEvents) {
   EXPECT_EQ(structure->event_kinds(), common_event_kinds(kinds));
 }
 
+// Without a first object, or with one that comes late, goes, or is away for a while.
+TEST(WrittenStructure, ItsDescriptorRefusesScenesWithoutAFirstObject) {
+  const auto refused = [](const Scene& scene) { return left_of_first().refuse(scene).has_value(); };
+  const Scene two = scene_of({path({{0}}), path({{1}})}, 0, Rational(3));
+  EXPECT_FALSE(refused(two));
+  Scene none = two, late = two, goes = two, pauses = two;
+  none.objects.clear();
+  EXPECT_TRUE(refused(none));
+  late.objects[0].motion.pieces[0].from = Rational(1);
+  EXPECT_TRUE(refused(late));
+  goes.objects[0].motion.pieces[0].to = Rational(3);
+  EXPECT_TRUE(refused(goes));
+  MotionPiece first = two.objects[0].motion.pieces[0], last = first;
+  first.to = Rational(1);
+  last.from = Rational(1);
+  pauses.objects[0].motion.pieces = {first, last};
+  EXPECT_FALSE(refused(pauses));
+  pauses.objects[0].motion.pieces[1].from = Rational(2);
+  EXPECT_TRUE(refused(pauses));
+}
+
 TEST(WrittenStructure, TheFirstObjectStays) {
   Scene scene = scene_of({path({{0}}), path({{1}})}, 0, Rational(3));
   scene.objects[0].motion.pieces[0].to = Rational(1);
