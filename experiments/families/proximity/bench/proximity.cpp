@@ -4,12 +4,13 @@
 //   event changes (responsiveness), CPU time.
 // Scenes: random motion, of few points and of more; points that pass along a row, where the attribute
 //   changes most often; a grid full of ties; flight plans that change, one a point on average; for
-//   graphs, discs and boxes their own.
+//   graphs, discs, boxes and lines their own.
 // Parameters: three scenes of a random workload; counts of events are means, of certificates the most.
-// Structures: those of two families, each on the scenes that it takes. What a run in excess of 20
+// Structures: those of three families, each on the scenes that it takes. What a run in excess of 20
 //   seconds would count is left out.
 // Output: see result_table.h; options: see bench_options.h. Every run is audited at its end.
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -30,6 +31,7 @@ using namespace kinex;
 
 constexpr double kMostSeconds = 20;
 constexpr int kRandomScenes = 3;
+constexpr std::array<std::string_view, 3> kFamilies{"proximity", "triangulation", "arrangement"};
 
 struct Scenes {
   const char* workload;
@@ -40,6 +42,11 @@ struct Scenes {
 // By what the structure is for.
 std::vector<Scenes> scenes_for(const StructureInfo& info) {
   if (info.graph) return {{"random-graph", 64, 16, 0}, {"random-graph", 256, 64, 0}, {"parallel-edges", 32, 1, 0}};
+  if (info.lines != LineUse::kNone) {
+    return {{"random-lines-and-points", 32, 0, 0},
+            {"random-lines-and-points", 128, 0, 0},
+            {"points-through-lines", 12, 12, 0}};
+  }
   if (info.extents == Extents::kHalfExtents) {
     return {{"random-boxes", 32, 0, 0}, {"random-boxes", 128, 0, 0}, {"fan-of-boxes", 12, 0, 0}};
   }
@@ -123,7 +130,7 @@ void proximity(const lab::BenchOptions& options) {
   std::vector<std::pair<std::string, std::vector<const StructureInfo*>>> attributes;
   for (const StructureInfo& info : structure_infos()) {
     const lab::FamilyExperiments* const family = lab::experiments_on(info.name);
-    if (family == nullptr || (family->name != "proximity" && family->name != "triangulation")) continue;
+    if (family == nullptr || std::ranges::find(kFamilies, family->name) == kFamilies.end()) continue;
     const std::string name(info.group.empty() ? info.name : info.group);
     auto known = std::find_if(attributes.begin(), attributes.end(),
                               [&](const auto& entry) { return entry.first == name; });
