@@ -61,6 +61,25 @@ def read(path, binary=False):
         raise BadInput("%s: not UTF-8: %s" % (path, error)) from None
 
 
+def levels_text(levels):
+    """"level 0", "levels 0 and 1", "levels 1 to 5", "levels 0, 2 and 4"."""
+    levels = sorted(levels)
+    if len(levels) > 2 and levels[-1] - levels[0] == len(levels) - 1:
+        return "levels %d to %d" % (levels[0], levels[-1])
+    words = ", ".join(map(str, levels[:-1])) + " and " * (len(levels) > 1) + str(levels[-1])
+    return ("level" if len(levels) == 1 else "levels") + " " + words
+
+
+def verdict(checker):
+    """Of a log without a fault. Where the input does not allow all levels: which were done, which were not, and why."""
+    undone = [k for k, reason in checker.undone.items() if reason == checker.wanting]
+    if not undone:
+        return "nothing wrong"
+    done = levels_text(checker.done) + (" (format)" if set(checker.done) == {0} else "")
+    return "%s: nothing wrong; %s %s not done: %s" % (
+        done, levels_text(undone), "was" if len(undone) == 1 else "were", checker.wanting)
+
+
 def report(options, status, message, line, checker):
     done = checker.done if checker else {}
     undone = checker.undone if checker else {}
@@ -86,7 +105,7 @@ def report(options, status, message, line, checker):
         print("structure %s has no replay: it was not followed" % label)
     for label, what in checker.partly.items():
         print("structure %s was followed but for its %s" % (label, what))
-    print("%s: nothing wrong" % options.log)
+    print("%s: %s" % (options.log, verdict(checker)))
 
 
 def check(options):

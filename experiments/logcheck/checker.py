@@ -32,6 +32,7 @@ class Checker:
         self.log, self.scene = log, scene
         self.on = [level in levels for level in range(6)]
         self.done, self.undone, self.missing, self.partly = {}, {}, [], {}
+        self.wanting = None  # why levels are not done that a scene, or another log of the same run, would allow
         self.world = World(scene) if scene is not None else None
         self.history = None  # (instant, attributes) for level 5
 
@@ -43,19 +44,19 @@ class Checker:
         if self.scene is not None:
             self.check_scene()
         if not log.exact:
-            return self.skip(range(1, 6), "the arithmetic %s is not exact" % log.arithmetic)
+            return self.want(range(1, 6), "the arithmetic %s is not exact" % log.arithmetic)
         if log.instants == "none":
-            return self.skip(range(1, 6), "the log has no instants")
+            return self.want(range(1, 6), "the log has no instants")
         if log.instants == "intervals":
             if self.on[1]:
                 check_intervals(log)
                 self.done[1] = "order of the intervals alone, as the log does not name its instants"
-            return self.skip(range(2, 6), "the log does not name its instants")
+            return self.want(range(2, 6), "the log does not name its instants")
         instants = read_instants(log, self.on[1])
         if self.on[1]:
             self.done[1] = count(len({id(x) for x in instants}), "instant")
         if self.scene is None:
-            return self.skip(range(2, 6), "no scene was given")
+            return self.want(range(2, 6), "no scene was given")
         if self.world.scene.bodies:
             self.skip((2, 3, 4), "not for rigid bodies")
             if self.on[5]:
@@ -71,6 +72,11 @@ class Checker:
         for level in levels:
             if self.on[level]:
                 self.undone[level] = reason
+
+    def want(self, levels, reason):
+        """Levels that the input does not allow."""
+        self.skip(levels, reason)
+        self.wanting = reason
 
     def note_partly(self, label, what):
         """Something that no replay covers."""

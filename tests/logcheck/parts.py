@@ -227,6 +227,30 @@ class CommandLine(unittest.TestCase):
         code, text = self.run_it("--json", "--levels", "0-2")
         self.assertEqual([level["done"] for level in json.loads(text)["levels"]], [True] * 3)
 
+    def last_line(self, *more, scene=True):
+        place = ["--scene", str(self.scene)] if scene else []
+        done = subprocess.run([sys.executable, FOLDER, str(self.log), *place, *more], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done)
+        return done.stdout.splitlines()[-1].removeprefix(str(self.log) + ": ")
+
+    def test_the_last_line_says_what_was_not_done(self):
+        self.write()
+        self.assertEqual(self.last_line(), "nothing wrong")
+        self.assertEqual(self.last_line("--levels", "0,2", scene=True), "nothing wrong")
+        self.assertEqual(self.last_line(scene=False),
+                         "levels 0 and 1: nothing wrong; levels 2 to 5 were not done: no scene was given")
+        self.assertEqual(self.last_line("--levels", "1,3", scene=False),
+                         "levels 0 and 1: nothing wrong; level 3 was not done: no scene was given")
+        inexact = {"exact": False, "arithmetic": "double"}
+        self.write(header=inexact, record={"time": {"decimal": "1.00000000000"}})
+        self.assertEqual(self.last_line(), "level 0 (format): nothing wrong; levels 1 to 5 were not done: the "
+                         "arithmetic double is not exact")
+        self.assertEqual(self.last_line("--levels", "0"), "nothing wrong")
+        self.write(header={"instants": "intervals"},
+                   record={"time": {"interval": ["1", "1"], "decimal": "1.00000000000"}})
+        self.assertEqual(self.last_line(), "levels 0 and 1: nothing wrong; levels 2 to 5 were not done: the log does "
+                         "not name its instants")
+
     def test_wrong(self):
         self.write(records=0)
         code, text = self.run_it()
