@@ -314,10 +314,11 @@ def _runs_of_database(path):
     try:
         tables = {row[0] for row in base.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
         if not {"run", "cell", "counter", "extreme"} <= tables:
-            raise ResultsError(f"{path}: it has no table of runs; give verify.sqlite or the database of "
-                               "kinex sweep merge")
+            raise ResultsError(f"{path}: it has no table of runs; give verify.sqlite or a merged sweep")
         swept = "attempt" in tables
         return (_swept_runs if swept else _verified_runs)(path, base)
+    except (sqlite3.Error, ValueError, KeyError, IndexError) as error:
+        raise ResultsError(f"{path}: no whole database ({error}); make it anew by kinex verify or kinex sweep merge") from error
     finally:
         base.close()
 

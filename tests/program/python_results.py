@@ -111,7 +111,7 @@ def test_examples(folder):
                               env={**os.environ, "EXAMPLES": str(PYTHON / "examples")})
         assert done.returncode == 0, (command, done.stderr)
         printed += done.stdout
-    exponent = float(re.search(r"sorted_list: 20 runs, external ~ n\^([0-9.]+)", printed).group(1))
+    exponent = float(re.search(r"sorted_list on uniform-square, 2 axes, degree 1: 20 runs, external ~ n\^([0-9.]+)", printed).group(1))
     assert 1.9 < exponent < 2.2, exponent  # Theta(n^2)
     nearest = float(re.search(r"the nearest are 2\^(-[0-9.]+) apart", printed).group(1))
     assert nearest < -60, nearest
@@ -124,15 +124,74 @@ def test_examples(folder):
     # A figure that exists is not replaced.
     again = subprocess.run([sys.executable, PYTHON / "examples/events_in_time.py", "square.log", "events.svg"], cwd=folder,
                            capture_output=True, text=True, check=False)
-    assert again.returncode == 1 and "File exists" in again.stderr, again.stderr
+    assert again.returncode == 2, again
+    assert again.stderr == "events_in_time.py: events.svg: File exists; add --force to replace it\n", again.stderr
     for run in kinex.runs(folder / "growth-example.sqlite"):
         assert run.arithmetic == "exact" and run.parameters["n"] == run.objects and run.seed in range(1, 6)
+
+
+def growth(folder, *words):
+    done = subprocess.run([sys.executable, PYTHON / "examples/growth.py", *map(str, words)], cwd=folder,
+                          capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout, done.stderr
+
+
+def test_growth_of_verify(folder):
+    """One fit for each structure, workload, dimension and degree, of a database that mixes them."""
+    kinex_run(folder, "verify", "sorted_list", "--quick", "-o", "w")
+    base = folder / "w" / "verify.sqlite"
+    wanted = {}
+    for run, value in kinex.counters(base, "external"):
+        if run.arithmetic == "exact" and value > 0:
+            key = run.workload, run.parameters["dimension"], run.parameters["degree"]
+            wanted.setdefault(key, []).append((run.objects, value))
+    wanted = {key: points for key, points in wanted.items() if len({n for n, _ in points}) > 1}
+    code, out, err = growth(folder, base, "external", "w.svg")
+    assert code == 0 and "left out: " in err, (out, err)
+    lines = out.splitlines()
+    assert len(lines) == len(wanted) >= 4, lines
+    for (workload, axes, degree), points in wanted.items():
+        name = f"sorted_list on {workload}, " + ("1 axis, " if axes == 1 else "") + f"degree {degree}: {len(points)} runs, "
+        line = next(one for one in lines if one.startswith(name))
+        assert f"external ~ n^{kinex.fit_power(points).exponent:.3f}" in line, line
+    texts = [text.text for text in ElementTree.fromstring((folder / "w.svg").read_text()).findall(".//{*}text")]
+    assert "sorted_list on uniform-square, 1 axis, degree 1" in texts and "objects n" in texts, texts
+    code, out, _ = growth(folder, base, "external", "one.svg", "--workload", "sort-worst", "--degree", 2, "--dimension", 0)
+    assert code == 0 and out.startswith("sorted_list on sort-worst, degree 2: ") and out.count("\n") == 1, out
+    assert "Growth of the number of external events on sort-worst" in (folder / "one.svg").read_text()
+    # Errors.
+    code, _, err = growth(folder, "missing.sqlite", "external", "x.svg")
+    assert code == 2 and err == ("growth.py: missing.sqlite: cannot be read: No such file or directory; check the "
+                                 "name\n"), err
+    code, _, err = growth(folder, base, "external", "x.svg", "--workload", "sort-best")
+    assert code == 2 and "no series is chosen; its series are:\n  --structure sorted_list --workload sort-worst" in err, err
+    code, _, err = growth(folder, base, "flops", "x.svg")
+    assert code == 2 and "no run has 'flops'; known are" in err, err
+    cut = folder / "cut.sqlite"
+    cut.write_bytes(base.read_bytes()[:5000])
+    code, _, err = growth(folder, cut, "external", "x.svg")
+    assert code == 2 and "no whole database" in err and "Traceback" not in err, err
+
+
+def test_too_many_series(folder):
+    """They are listed with the options that choose them."""
+    lines = ['{"kinex-runs": 1}'] + [
+        json.dumps({"key": f"sorted_list uniform-square n={n} d={d} m={m} seed=1", "processed": n, "external": n * n})
+        for n in (4, 8) for d in (1, 2) for m in range(1, 5)]
+    (folder / "runs.jsonl").write_text("\n".join(lines) + "\n")
+    code, _, err = growth(folder, "runs.jsonl", "external", "x.svg")
+    assert code == 2 and "8 series, which are too many for one picture; choose 6 at most by --structure," in err, err
+    options = re.findall(r"(?m)^  (--structure .*?)  \(2 runs, n 4, 8\)$", err)
+    assert len(options) == 8, err
+    for one in options:
+        code, out, err = growth(folder, "runs.jsonl", "external", "x.svg", "--force", *one.split())
+        assert code == 0 and out.count("\n") == 1 and "external ~ n^2.000" in out, (one, out, err)
 
 
 test_instants()
 test_fit()
 with tempfile.TemporaryDirectory() as scratch:
-    for number, test in enumerate((test_log_and_summary, test_examples)):
+    for number, test in enumerate((test_log_and_summary, test_examples, test_growth_of_verify, test_too_many_series)):
         own = Path(scratch) / str(number)
         own.mkdir()
         test(own)

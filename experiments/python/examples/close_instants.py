@@ -14,6 +14,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import kinex_results as kinex
+import script
 from svg_figure import Axis, Figure
 
 
@@ -37,12 +38,12 @@ def main():
     instants = []
     for record in kinex.read_log(options.log).records:
         if record.instant is None:
-            sys.exit(f"close_instants.py: {options.log}: it does not name its instants; run kinex in exact")
+            raise kinex.ResultsError(f"{options.log}: it does not name its instants; run kinex in exact")
         if not instants or instants[-1] < record.instant:
             instants.append(record.instant)
     gaps = [gap_between(a, b) for a, b in zip(instants, instants[1:])]
     if not gaps:
-        sys.exit(f"close_instants.py: {options.log}: it has fewer than two instants; take a longer run")
+        raise kinex.ResultsError(f"{options.log}: it has fewer than two instants; take a longer run")
     smallest = min(range(len(gaps)), key=gaps.__getitem__)
     print(f"{len(instants)} instants; the nearest are 2^{gaps[smallest]:.2f} apart, at")
     for instant in instants[smallest:smallest + 2]:
@@ -55,7 +56,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except (kinex.ResultsError, OSError) as error:
-        sys.exit(f"close_instants.py: {error}")
+    script.run(main)

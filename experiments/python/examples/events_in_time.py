@@ -12,6 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import kinex_results as kinex
+import script
 from svg_figure import Axis, Figure
 
 
@@ -27,7 +28,7 @@ def main():
     kinds = collections.Counter()
     for record in log.of(structure=options.structure):
         if record.time is None:
-            sys.exit(f"events_in_time.py: {options.log}: it has no times; run kinex with --instants names")
+            raise kinex.ResultsError(f"{options.log}: it has no times; run kinex with --instants names")
         stair = stairs["external" if record.external else "internal"]
         stair.append((record.time, len(stair) + 1))
         kinds[record.kind, record.external] += 1
@@ -42,7 +43,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except (kinex.ResultsError, OSError) as error:
-        sys.exit(f"events_in_time.py: {error}")
+    script.run(main)

@@ -3,8 +3,10 @@
 
     kinex sweep run growth-plan.json -o out && kinex sweep merge out -o results.sqlite --force
     python3 growth.py results.sqlite external growth.svg --force
+    python3 growth.py verify.sqlite external growth.svg --structure sorted_list --workload uniform-square
 
-growth-plan.json is beside this file. verify.sqlite of kinex verify does as well.
+growth-plan.json is beside this file. verify.sqlite of kinex verify does as well. A series is the exact runs of one
+structure on one workload that differ in n and seed alone; those of a single n are left out.
 """
 import argparse
 import sys
@@ -12,38 +14,131 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import kinex_results as kinex
-from svg_figure import Axis, Figure
+import script
+from svg_figure import COLOURS, Axis, Figure
+
+MOST_SERIES = len(COLOURS)  # of one picture
+# Parameters that tell no series apart: those in which its runs may differ, and what a run says elsewhere.
+NO_PARAMETERS = ("n", "seed", "first_seed", "seeds", "structure", "workload", "arithmetic")
 
 
-def main():
+class Series:
+    """What its runs have in common, and their points (n, count)."""
+
+    def __init__(self, run):
+        self.structure = run.structure
+        self.workload = run.workload or run.scene
+        self.parameters = common(run)
+        self.points = []
+
+    def sizes(self):
+        return sorted({n for n, _ in self.points})
+
+    def options(self):
+        """Those by which it is chosen."""
+        words = ["--structure", self.structure, "--workload", self.workload]
+        for name, value in self.parameters:
+            words += [f"--{name}", value] if name in ("dimension", "degree") else ["--parameter", f"{name}={value}"]
+        return " ".join(words)
+
+    def name(self):
+        """"sorted_list on uniform-square, 1 axis, degree 1"; 0 axes are those that the workload has."""
+        text = f"{self.structure} on {self.workload}"
+        for name, value in self.parameters:
+            if name == "dimension":
+                text += "" if value == "0" else f", {value} {'axis' if value == '1' else 'axes'}"
+            else:
+                text += f", {name} {value}"
+        return text
+
+
+def common(run):
+    """The parameters that tell series apart, as text."""
+    names = [name for name, value in run.parameters.items() if name not in NO_PARAMETERS and value is not False]
+    names.sort(key=lambda name: (name != "dimension", name != "degree", name))
+    return tuple((name, str(run.parameters[name]).replace("True", "true")) for name in names)
+
+
+def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("results", help="results.sqlite or verify.sqlite")
     parser.add_argument("counter", help="external, processed, kind.swap, ..")
     parser.add_argument("figure", help="SVG file to write")
     parser.add_argument("--force", action="store_true", help="replace the figure if it exists")
-    options = parser.parse_args()
-    by_structure = {}
+    choice = parser.add_argument_group("which series (each option may be given several times; default: all)")
+    choice.add_argument("--structure", action="append")
+    choice.add_argument("--workload", action="append")
+    choice.add_argument("--dimension", action="append", help="axes; 0: as many as the workload has by itself")
+    choice.add_argument("--degree", action="append", help="of the motion")
+    choice.add_argument("--parameter", action="append", default=[], metavar="NAME=VALUE", help="m=16, separation=1/4, ..")
+    return parser.parse_args()
+
+
+def is_chosen(series, options):
+    parameters = dict(series.parameters)
+    wanted = {}
+    for one in options.parameter:
+        name, _, value = one.partition("=")
+        wanted.setdefault(name, []).append(value)
+    return ((options.structure is None or series.structure in options.structure)
+            and (options.workload is None or series.workload in options.workload)
+            and (options.dimension is None or parameters.get("dimension") in options.dimension)
+            and (options.degree is None or parameters.get("degree") in options.degree)
+            and all(parameters.get(name) in values for name, values in wanted.items()))
+
+
+def listed(every):
+    return "".join(f"\n  {one.options()}  ({len(one.points)} runs, n {', '.join(map(str, one.sizes()))})" for one in every)
+
+
+def chosen_series(options):
+    """In order of their names. Says what is left out."""
+    found, zeros, inexact = {}, 0, 0
     for run, value in kinex.counters(options.results, options.counter):
-        if value > 0 and run.arithmetic == "exact":
-            by_structure.setdefault(run.structure, []).append((run.objects, value))
+        series = Series(run)
+        series = found.setdefault((series.structure, series.workload, series.parameters), series)
+        if run.arithmetic != "exact":
+            inexact += is_chosen(series, options)
+        elif value > 0:
+            series.points.append((run.objects, value))
+        elif is_chosen(series, options):
+            zeros += 1
+    every = [found[key] for key in sorted(found) if len(found[key].sizes()) >= 2]
+    chosen = [one for one in every if is_chosen(one, options)]
+    if not every:
+        raise kinex.ResultsError(f"{options.results}: no two exact runs with {options.counter} differ in n alone; run more "
+                                 "sizes (kinex sweep, kinex verify)")
+    if not chosen:
+        raise kinex.ResultsError(f"{options.results}: no series is chosen; its series are:{listed(every)}")
+    if len(chosen) > MOST_SERIES:
+        raise kinex.ResultsError(f"{options.results}: {len(chosen)} series, which are too many for one picture; choose "
+                                 f"{MOST_SERIES} at most by --structure, --workload, --dimension, --degree, --parameter "
+                                 f"from:{listed(chosen)}")
+    small = sum(len(one.sizes()) == 1 and is_chosen(one, options) for one in found.values())
+    for number, what in ((small, "series of a single n"), (zeros, f"runs with {options.counter} 0, which has no logarithm"),
+                         (inexact, "runs in other arithmetics than exact")):
+        if number:
+            print(f"growth.py: left out: {number} {what}", file=sys.stderr)
+    return chosen
+
+
+def main():
+    options = arguments()
+    chosen = chosen_series(options)
     what = {"external": "external events", "processed": "events"}.get(options.counter, options.counter)
-    figure = Figure(f"Growth of the number of {what}", Axis("objects n", log=True),
+    workloads = sorted({one.workload for one in chosen})
+    where = f" on {workloads[0]}" if len(workloads) == 1 else ""
+    figure = Figure(f"Growth of the number of {what}{where}", Axis("objects n", log=True),
                     Axis(f"{what} of a run", log=True))
-    for structure, points in sorted(by_structure.items()):
-        figure.points(structure, points)
-        sizes = sorted({n for n, _ in points})
-        if len(sizes) < 2:
-            continue
-        fit = kinex.fit_power(points)
-        error = "" if fit.error is None else f" \u00b1 {fit.error:.3f}"
-        print(f"{structure}: {len(points)} runs, {options.counter} ~ n^{fit.exponent:.3f}{error}")
-        figure.line(f"{fit.factor:.3g} n^{fit.exponent:.3f}{error} (95 %)", [(n, fit(n)) for n in sizes],
-                    like=structure)
+    for series in chosen:
+        name = series.name()
+        figure.points(name, series.points)
+        fit = kinex.fit_power(series.points)
+        error = "" if fit.error is None else f" \u00b1 {fit.error:.3f} (95 %)"
+        print(f"{name}: {len(series.points)} runs, {options.counter} ~ n^{fit.exponent:.3f}{error}")
+        figure.line(f"{fit.factor:.3g} n^{fit.exponent:.3f}{error}", [(n, fit(n)) for n in series.sizes()], like=name)
     figure.write(options.figure, options.force)
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except (kinex.ResultsError, OSError) as error:
-        sys.exit(f"growth.py: {error}")
+    script.run(main)
