@@ -75,18 +75,21 @@ std::string plain_text(const formats::LogDifference& difference, const DiffOptio
   }
   const std::string how = "; " + std::string(instants_text(difference.instants)) + "\n";
   if (difference.equal()) {
-    return text + "equal: " + formats::counted(difference.events_a, "event", "events") + how;
+    return text + "equal: " + formats::counted(difference.events_a, "record", "records") + how;
   }
   if (difference.first != 0) {
-    text += "first difference at event " + std::to_string(difference.first) + "\n";
+    text += "first difference at record " + std::to_string(difference.first) + "\n";
     text += rows(difference, options);
   }
   text += std::to_string(difference.events_a) + " and " +
-          formats::counted(difference.events_b, "event", "events") + ": " +
+          formats::counted(difference.events_b, "record", "records") + ": " +
           std::to_string(difference.missing) + " missing, " + std::to_string(difference.invented) +
           " invented, " + std::to_string(difference.out_of_order) + " out of order, " +
-          std::to_string(difference.other_effects) + " with another effect, " +
-          std::to_string(difference.other_instants) + " at another instant" + how;
+          std::to_string(difference.other_effects) + " with another effect";
+  if (difference.instants != formats::InstantsCompared::kNot) {
+    text += ", " + std::to_string(difference.other_instants) + " at another instant";
+  }
+  text += how;
   if (difference.other_records != 0) {
     text += formats::counted(difference.other_records, "record of a change is", "records of changes are") +
             " in one log only\n";
@@ -138,7 +141,7 @@ void diff(const DiffOptions& options, const Voice& voice, int& exit_code) {
   const formats::LogDifference difference = formats::diff_logs(a, options.a, b, options.b);
   for (const formats::KindDifference& one : difference.kinds) {
     voice.detail(one.structure + " " + one.kind + ": " + std::to_string(one.events_a) + " and " +
-                 formats::counted(one.events_b, "event", "events") + ", " +
+                 formats::counted(one.events_b, "record", "records") + ", " +
                  std::to_string(one.missing) + " missing, " + std::to_string(one.invented) +
                  " invented");
   }
@@ -159,11 +162,12 @@ void add_diff_verb(CLI::App& app, int& exit_code) {
   verb->add_option("OTHER", options->b, "The log that may miss or invent events")->required();
   verb->add_flag("--json", options->json, "Print one JSON object");
   add_voice(*verb, "Print nothing: the exit code tells whether they differ",
-            "Count the differences of every kind of event, on standard error");
+            "Count the differences of every kind of record, on standard error");
   verb->footer(
-      "Exit code 0: equal, 1: different. Compared are the events, external and internal, of the\n"
-      "structures that both logs have, whatever their labels; instants between two exact logs only,\n"
-      "as numbers.\n"
+      "Exit code 0: equal, 1: different. Compared and counted are the log records of events, external\n"
+      "and internal, of the structures that both logs have, whatever their labels; not those of changes\n"
+      "of the scene (motion, insert, erase) and of rebuilds that change nothing. Instants are compared\n"
+      "between two exact logs only, as numbers.\n"
       "Example:\n  kinex diff exact.log double.log");
   verb->callback([options, verb, &exit_code] { diff(*options, voice_of(*verb), exit_code); });
 }

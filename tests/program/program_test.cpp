@@ -247,7 +247,25 @@ TEST_F(Program, DiffShowsBothLines) {
   const Finished diff = run_kinex({"diff", a, b});
   EXPECT_EQ(diff.exit_code, 1);
   EXPECT_THAT(diff.out, HasSubstr(b + ": has ended"));
-  EXPECT_THAT(diff.out, HasSubstr(" 0 invented, 0 out of order, 0 with another effect, 0 at another instant"));
+  EXPECT_THAT(diff.out, HasSubstr(" 0 invented, 0 out of order, 0 with another effect, 0 at another instant; "
+                                  "instants compared exactly\n"));
+}
+
+// Records are counted, as run counts those of the log; of instants it says nothing where it compares none.
+TEST_F(Program, DiffCountsRecords) {
+  const std::string scene = scratch_.file("grid.json"), a = scratch_.file("a.log"), b = scratch_.file("b.log");
+  ASSERT_EQ(run_kinex({"gen", "grid", "--n", "36", "--maintain", "delaunay_2", "-o", scene}).exit_code, 0);
+  const Finished exact = run_kinex({"run", scene, "--events", a});
+  EXPECT_THAT(exact.out, HasSubstr("done: 269 events "));
+  EXPECT_THAT(exact.out, HasSubstr("; 281 log records;"));
+  EXPECT_EQ(run_kinex({"diff", a, a}).out, "equal: 281 records; instants compared exactly\n");
+  run_kinex({"run", scene, "--arithmetic", "double", "--events", b});
+  const Finished diff = run_kinex({"diff", a, b});
+  EXPECT_EQ(diff.exit_code, 1);
+  EXPECT_THAT(diff.out, testing::StartsWith("first difference at record 11\n"));
+  EXPECT_THAT(diff.out, testing::ContainsRegex("\n281 and [0-9]+ records: [^\n]* with another effect; instants not compared\n"));
+  EXPECT_THAT(diff.out, testing::Not(HasSubstr("at another instant")));
+  EXPECT_THAT(run_kinex({"diff", "-v", a, b}).err, testing::ContainsRegex("flip: [0-9]+ and [0-9]+ records, "));
 }
 
 TEST_F(Program, RootsInJson) {
