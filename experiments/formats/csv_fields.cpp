@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "experiments/formats/json_document.h"
+#include "experiments/formats/number_defect.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/utf8.h"
 
@@ -20,11 +21,13 @@ Rational csv_number(const CsvTable& table, const CsvRow& row, std::size_t column
                     const std::string& file) {
   const std::string& field = row.fields[column];
   if (std::optional<Rational> value = csv_number(field)) return *std::move(value);
+  const NumberDefect defect =
+      number_defect(field, field.find(',') == std::string::npos ? kCsvNumberRemedy
+                                                                : "write decimals with a point, not with a comma");
   throw InputError(
       file, place_of_row(row),
-      show_text(field) + " in column " + show_text(table.columns[column]) + " is not a number",
-      field.find(',') == std::string::npos ? kCsvNumberRemedy
-                                           : "write decimals with a point, not with a comma");
+      show_text(field) + " in column " + show_text(table.columns[column]) + " " + defect.problem,
+      defect.remedy);
 }
 
 void check_csv_id(const std::string& id, const std::string& file, const std::string& where) {

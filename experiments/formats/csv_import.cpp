@@ -2,6 +2,7 @@
 #include "experiments/formats/csv_import.h"
 
 #include <algorithm>
+#include <cctype>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -110,9 +111,32 @@ class Importer {
     return table_.column(meaning);
   }
 
+  // " --column t=T" for every meaning whose column differs by capitals alone.
+  std::string capitals() const {
+    std::string options;
+    for (const char* meaning : {"id", "t", "x", "y", "z", "vx", "vy", "vz"}) {
+      if (column(meaning)) continue;
+      for (const std::string& name : table_.columns) {
+        std::string small = name;
+        std::transform(small.begin(), small.end(), small.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        const auto is_taken = [&](const NamedColumn& one) { return one.column == name; };
+        if (small != meaning || std::any_of(options_.columns.begin(), options_.columns.end(), is_taken)) continue;
+        options += std::string(" --column ") + meaning + "=" + name;
+        break;
+      }
+    }
+    return options;
+  }
+
   std::size_t required(const std::string& name) const {
     const auto found = column(name);
     if (!found) {
+      if (const std::string options = capitals(); !options.empty()) {
+        throw InputError(file_, "line 1",
+                         "there is no column " + show_text(name == "vx" ? "t" : name) + " in small letters; capitals matter",
+                         "write the names in small letters, or give" + options);
+      }
       throw InputError(
           file_, "line 1",
           "there is no column " + (name == "vx" ? "\"t\", and none \"vx\"" : show_text(name)),
@@ -188,6 +212,10 @@ class Importer {
 
   [[noreturn]] void fail_unused(const std::string& column) const {
     const std::string problem = "the column " + show_text(column) + " means nothing here";
+    if (const std::string options = capitals(); !options.empty()) {
+      throw InputError(file_, "line 1", problem + "; capitals matter",
+                       "write the names in small letters, or give" + options + ", or --ignore-columns");
+    }
     if (!options_.polygons) {
       throw InputError(file_, "line 1", problem,
                        std::string(kColumns) + ", or give --ignore-columns for the others");

@@ -35,6 +35,7 @@ class CsvParser {
 
   void read_row(CsvRow& row) {
     for (;;) {
+      skip_blanks();
       row.fields.push_back(at_ < text_.size() && text_[at_] == '"' ? quoted_field()
                                                                    : plain_field());
       if (at_line_end()) break;
@@ -44,10 +45,20 @@ class CsvParser {
     ++line_;
   }
 
+  bool at_blank() const {
+    return at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t') && text_[at_] != separator_;
+  }
+  void skip_blanks() {
+    while (at_blank()) ++at_;
+  }
+
   std::string plain_field() {
     const std::size_t begin = at_;
-    while (!at_line_end() && text_[at_] != separator_) ++at_;
-    return std::string(text_.substr(begin, at_ - begin));
+    std::size_t end = at_;  // after its last character that is no blank
+    for (; !at_line_end() && text_[at_] != separator_; ++at_) {
+      if (!at_blank()) end = at_ + 1;
+    }
+    return std::string(text_.substr(begin, end - begin));
   }
 
   std::string quoted_field() {
@@ -56,9 +67,11 @@ class CsvParser {
     for (++at_; at_ < text_.size(); ++at_) {
       if (text_[at_] == '"') {
         ++at_;
-        if (at_line_end() || text_[at_] == separator_) return field;
-        if (text_[at_] != '"')
+        if (at_ >= text_.size() || text_[at_] != '"') {
+          skip_blanks();
+          if (at_line_end() || text_[at_] == separator_) return field;
           fail(line_, "text after a closing quote", "double quotes inside quotes");
+        }
       }
       if (text_[at_] == '\n') ++line_;
       field += text_[at_];
@@ -107,6 +120,10 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const {
 CsvTable parse_csv(std::string_view text, const std::string& file, char separator) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.substr(0, 3) == kByteOrderMark) text.remove_prefix(3);
+  if (text.find('\r') != text.npos && text.find('\n') == text.npos) {
+    throw InputError(file, "", "its lines end with carriage returns (CR) alone",
+                     "end them with line feeds: tr '\\r' '\\n' < FILE");
+  }
   CsvTable table;
   table.separator = separator == kGuessedSeparator ? separator_of(text) : separator;
   CsvParser parser(text, file, table.separator);

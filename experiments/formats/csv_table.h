@@ -25,14 +25,15 @@ struct CsvTable {
 };
 
 // Throws InputError for an empty file, a column named twice, a row with another number of fields
-// than there are columns, or a quote that is not closed. Empty lines are skipped; CRLF is fine.
+// than there are columns, a quote that is not closed, or lines that end with CR alone. Empty lines are
+// skipped; CRLF is fine. Blanks around fields are removed, but not those in quotes.
 // The separator is that of the first line: a comma if there is one outside of quotes, else a semicolon,
 // else a tab.
 inline constexpr char kGuessedSeparator = '\0';
 CsvTable parse_csv(std::string_view text, const std::string& file,
                    char separator = kGuessedSeparator);
 
-// The fields of one row; `source` is for messages. A line end outside of quotes is refused.
+// The fields of one row, without the blanks around them; `source` is for messages. A line end outside of quotes is refused.
 std::vector<std::string> parse_csv_row(std::string_view text, const std::string& source);
 
 }  // namespace kinex::formats

@@ -8,6 +8,7 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_defect.h"
 #include "experiments/formats/near_names.h"
+#include "experiments/formats/number_defect.h"
 
 namespace kinex::formats {
 
@@ -81,7 +82,10 @@ void JsonNode::read(Rational& number) const {
   if (!is(JsonValue::Kind::kNumber) && !is(JsonValue::Kind::kString)) refuse("a number", kRemedy);
   if (text.size() > kMaxNumberLength) fail("a number of more than 1000000 characters", kRemedy);
   std::optional<Rational> result = Rational::parse(text);
-  if (!result) refuse("a number", kRemedy);
+  if (!result) {
+    const NumberDefect defect = number_defect(text, kRemedy);
+    fail(shown(*value_) + " " + defect.problem, defect.remedy);
+  }
   number = *std::move(result);
 }
 

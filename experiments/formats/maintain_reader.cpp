@@ -50,6 +50,11 @@ std::optional<Refusal> complaint_about(const std::string& name, const Scene& sce
     return Refusal{show_text(name) + " is not a known structure",
                    did_you_mean(name, structure_names(), "kinex list structures names them")};
   std::optional<Refusal> refusal = refusal_of(*info, scene);
+  if (refusal && info->bodies && !scene.has_bodies()) {
+    refusal->problem = "is for convex polygons, the scene has points";
+    refusal->remedy =
+        "maintain a structure for points (kinex list structures), or give the objects polygons (kinex import --polygons)";
+  }
   if (refusal) refusal->problem = show_text(name) + " " + refusal->problem;
   return refusal;
 }

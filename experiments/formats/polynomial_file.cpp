@@ -8,6 +8,7 @@
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_document.h"
+#include "experiments/formats/number_defect.h"
 
 namespace kinex::formats {
 
@@ -49,8 +50,9 @@ Polynomial read_polynomial(const std::vector<std::string_view>& words, const std
     std::optional<Rational> value;
     if (words[i].size() <= kMaxNumberLength) value = Rational::parse(words[i]);
     if (!value) {
-      fail(show_text(words[i]) + " is not a number",
-           "write an integer, a fraction 1/3 or a decimal");
+      const NumberDefect defect =
+          number_defect(words[i], "write an integer, a fraction 1/3 or a decimal");
+      fail(show_text(words[i]) + " " + defect.problem, defect.remedy);
     }
     coefficients.push_back(*std::move(value));
   }

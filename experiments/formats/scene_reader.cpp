@@ -197,6 +197,9 @@ Scene make_scene(const JsonDocument& document, std::string_view text, const std:
   const JsonSource source{file, text, 1, deadline};
   const JsonNode root(*document, source);
   refuse_features(root, file);
+  if (root.is(JsonValue::Kind::kObject) && root.find("kinex_plan")) {
+    root.fail("this is a plan, not a scene", "run a plan by kinex sweep run");
+  }
   root.require_object({"kinex", "name", "dimension", "time", "objects", "maintain", "jumps",
                        "overlapping_starts", "queries", "source", "description", "expect",
                        "$schema"});

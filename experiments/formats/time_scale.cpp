@@ -6,6 +6,7 @@
 #include "core/numbers/show_text.h"
 #include "experiments/formats/csv_fields.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/number_defect.h"
 
 namespace kinex::formats {
 
@@ -38,8 +39,9 @@ Rational TimeScale::read(std::string_view text, const std::string& file, const s
   if (!date) {
     const std::optional<Rational> number = csv_number(std::string(text));
     if (!number) {
-      throw InputError(file, place, field + " is not a number",
-                       std::string(kCsvNumberRemedy) + ", or dates as 2024-05-01T12:30:05Z");
+      const NumberDefect defect =
+          number_defect(text, std::string(kCsvNumberRemedy) + ", or dates as 2024-05-01T12:30:05Z");
+      throw InputError(file, place, field + " " + defect.problem, defect.remedy);
     }
     return *number;
   }
@@ -82,8 +84,8 @@ Rational TimeScale::read(const OptionTime& option) const {
   }
   std::optional<Rational> value = Rational::parse(option.text);
   if (!value) {
-    throw InputError(option.option, "", show_text(option.text) + " is not a number",
-                     kCsvNumberRemedy);
+    const NumberDefect defect = number_defect(option.text, kCsvNumberRemedy);
+    throw InputError(option.option, "", show_text(option.text) + " " + defect.problem, defect.remedy);
   }
   return *std::move(value);
 }

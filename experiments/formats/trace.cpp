@@ -9,6 +9,7 @@
 #include "experiments/formats/csv_fields.h"
 #include "experiments/formats/csv_table.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/number_defect.h"
 
 namespace kinex::formats {
 
@@ -74,9 +75,10 @@ void add_fixed(Scene& scene, const std::string& text, bool body) {
   for (std::size_t axis = 0; axis < axes; ++axis) {
     std::optional<Rational> value = csv_number(fields[axis + 1]);
     if (!value) {
+      const NumberDefect defect = number_defect(fields[axis + 1], kCsvNumberRemedy);
       throw InputError(option, "",
-                       show_text(fields[axis + 1]) + " in " + show_text(text) + " is not a number",
-                       kCsvNumberRemedy);
+                       show_text(fields[axis + 1]) + " in " + show_text(text) + " " + defect.problem,
+                       defect.remedy);
     }
     trajectory.coordinates.push_back({*std::move(value)});
   }

@@ -11,7 +11,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from checker import Checker  # noqa: E402
 from log import Log, Wrong  # noqa: E402
 from roots import GaveUp  # noqa: E402
-from scene import BadInput, Scene  # noqa: E402
+from scene import LOG_REMEDY, SCENE_REMEDY, BadInput, Scene  # noqa: E402
 
 LEVELS = {
     0: "format, sequence, digest, seal, counts; the scene's hash",
@@ -50,15 +50,15 @@ def arguments():
     return parser.parse_args()
 
 
-def read(path, binary=False):
+def read(path, remedy, binary=False):
     try:
         with open(path, "rb") as file:
             data = file.read()
         return data if binary else data.decode("utf-8-sig")
     except OSError as error:
-        raise BadInput("%s: %s" % (path, error.strerror)) from None
+        raise BadInput("%s: %s; %s" % (path, error.strerror, remedy)) from None
     except UnicodeDecodeError as error:
-        raise BadInput("%s: not UTF-8: %s" % (path, error)) from None
+        raise BadInput("%s: not UTF-8 (byte %d); %s" % (path, error.start, remedy)) from None
 
 
 def levels_text(levels):
@@ -111,8 +111,8 @@ def report(options, status, message, line, checker):
 def check(options):
     checker = None
     try:
-        log = Log(options.log, read(options.log, binary=True))
-        scene = Scene(options.scene, read(options.scene)) if options.scene else None
+        log = Log(options.log, read(options.log, LOG_REMEDY, binary=True))
+        scene = Scene(options.scene, read(options.scene, SCENE_REMEDY)) if options.scene else None
         checker = Checker(log, scene, options.levels)
         checker.run()
         status, message, line = "fine", None, None

@@ -7,7 +7,7 @@ import re
 import struct
 from fractions import Fraction
 
-from scene import BadInput, json_string, load_json
+from scene import LOG_REMEDY, BadInput, json_string, load_json
 
 COMMON = ["motion", "insert", "erase", "settled", "rebuild"]
 RATIONAL = re.compile(r"-?(?:0|[1-9]\d*)(?:/[1-9]\d*)?\Z")
@@ -77,17 +77,17 @@ class Log:
         try:
             data.decode()
         except UnicodeDecodeError as error:
-            raise BadInput("%s: not UTF-8: %s" % (path, error)) from None
+            raise BadInput("%s: not UTF-8 (byte %d); %s" % (path, error.start, LOG_REMEDY)) from None
         lines = data.split(b"\n")
         if lines[-1] == b"":
             lines.pop()
         else:
             raise Wrong("the last line does not end with a newline: the file was cut", len(lines))
         if not lines:
-            raise BadInput("%s: the file is empty" % path)
-        first = load_json(lines[0].decode(), "%s:1" % path)
+            raise BadInput("%s: the file is empty; %s" % (path, LOG_REMEDY))
+        first = load_json(lines[0].decode(), path, LOG_REMEDY)
         if not isinstance(first, dict) or first.get("format") != "kinex-log":
-            raise BadInput("%s:1: not an event log of kinex" % path)
+            raise BadInput("%s:1: not an event log of kinex; %s" % (path, LOG_REMEDY))
         if first.get("version") == 1:
             raise BadInput("%s:1: a log of version 1, which tells too little to be checked; run the scene "
                            "again: kinex run SCENE --events LOG" % path)
@@ -110,7 +110,7 @@ class Log:
 
     def parse(self, line, number):
         try:
-            return load_json(line.decode(), "line")
+            return load_json(line.decode(), "the record")
         except BadInput as error:
             raise Wrong(str(error), number) from None
 

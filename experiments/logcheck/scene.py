@@ -48,7 +48,11 @@ def exact(value, place):
     raise BadInput("%s: %s is not a number that this program reads" % (place, json.dumps(value)))
 
 
-def load_json(text, name):
+SCENE_REMEDY = "give the scene that was run, as kinex gen or kinex import writes it"
+LOG_REMEDY = "give an event log, as kinex run SCENE --events LOG writes it"
+
+
+def load_json(text, name, remedy=None):
     def unique(pairs):
         result = {}
         for key, value in pairs:
@@ -60,7 +64,10 @@ def load_json(text, name):
     try:
         return json.loads(text, parse_float=str, object_pairs_hook=unique)
     except (ValueError, RecursionError) as error:
-        raise BadInput("%s: not JSON: %s" % (name, error)) from None
+        where = ""
+        if isinstance(error, json.JSONDecodeError):
+            where = " at line %d, column %d (%s)" % (error.lineno, error.colno, error.msg[0].lower() + error.msg[1:])
+        raise BadInput("%s: not JSON%s%s" % (name, where, "; " + remedy if remedy else "")) from None
 
 
 def stripped(coefficients):
@@ -135,9 +142,9 @@ class Scene:
 
     def __init__(self, path, text):
         self.path = path
-        tree = load_json(text, path)
+        tree = load_json(text, path, SCENE_REMEDY)
         if not isinstance(tree, dict) or tree.get("kinex") != 1:
-            raise BadInput("%s: not a kinex scene of version 1" % path)
+            raise BadInput("%s: not a kinex scene of version 1; %s" % (path, SCENE_REMEDY))
         try:
             self.read(tree)
         except (KeyError, TypeError, IndexError, AttributeError, ZeroDivisionError) as error:

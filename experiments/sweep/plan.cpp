@@ -103,6 +103,10 @@ Plan parse_plan(std::string_view text, const std::string& file, PlanCheck check,
   const formats::JsonValue& tree = *document;
   const formats::JsonSource source{file, text};
   const formats::JsonNode root(tree, source);
+  if (root.is(formats::JsonValue::Kind::kObject) && root.find("kinex") && !root.find("kinex_plan")) {
+    root.fail("this is a scene, not a plan",
+              "run the scene by kinex run; a plan names workloads, of which kinex sweep run makes scenes (kinex help sweep)");
+  }
   root.require_object(
       {"kinex_plan", "name", "description", "blocks", "select", "limits", "$schema"});
   read_version(root);

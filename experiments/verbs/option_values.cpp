@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/verbs/option_values.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +15,7 @@
 
 #include "experiments/formats/file_io.h"
 #include "experiments/formats/input_error.h"
+#include "experiments/formats/number_defect.h"
 #include "experiments/formats/utf8.h"
 #include "experiments/lab/family.h"
 
@@ -20,8 +24,9 @@ namespace kinex::verbs {
 Rational rational_option(const char* option, const std::string& text) {
   std::optional<Rational> value = Rational::parse(text);
   if (!value) {
-    throw formats::InputError(option, "", show_text(text) + " is not a number",
-                     "write an integer, a fraction 1/3 or a decimal");
+    const formats::NumberDefect defect =
+        formats::number_defect(text, "write an integer, a fraction 1/3 or a decimal");
+    throw formats::InputError(option, "", show_text(text) + " " + defect.problem, defect.remedy);
   }
   return *std::move(value);
 }
@@ -39,6 +44,12 @@ void check_range(const char* option, int value, int low, int high) {
   if (value >= low && value <= high) return;
   throw formats::InputError(option, "", std::to_string(value) + " is out of range",
                    "write a number from " + std::to_string(low) + " to " + std::to_string(high));
+}
+
+void check_limit(const char* option, double value, bool or_zero, const char* remedy) {
+  if (or_zero ? value >= 0 : value > 0) return;
+  const char* const problem = std::isnan(value) ? " is not a number" : or_zero ? " is below 0" : " is not above 0";
+  throw formats::InputError(option, "", fmt::format("{}", value) + problem, remedy);
 }
 
 const std::string& name_option(const std::string& text) {

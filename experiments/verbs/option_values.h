@@ -23,6 +23,9 @@ std::uint64_t seed_option(const char* option, const std::string& text);
 
 // Throws InputError that names the option and the allowed numbers.
 void check_range(const char* option, int value, int low, int high);
+// Of a limit: throws InputError that names option and value if it is below 0 or no number; `or_zero` is
+// false: also if it is 0.
+void check_limit(const char* option, double value, bool or_zero, const char* remedy);
 
 // A name for a scene. Throws InputError if it is not UTF-8.
 const std::string& name_option(const std::string& text);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -206,13 +205,9 @@ std::string stopping_text(const RunOptions& options, const formats::RunOutcome& 
 }
 
 void run(const RunOptions& options, const Voice& voice, int& exit_code) {
-  if (std::isnan(options.max_seconds)) {
-    throw formats::InputError("--max-seconds", "", "it is not a number",
-                     "write a number from 0 on, 0 for no limit");
-  }
-  if (options.max_events < 0 || !(options.max_seconds >= 0)) {
-    throw formats::InputError("--max-events, --max-seconds", "", "a limit below 0", "write 0 for no limit");
-  }
+  constexpr const char* kRemedy = "write a number from 0 on, 0 for no limit";
+  check_limit("--max-events", static_cast<double>(options.max_events), true, kRemedy);
+  check_limit("--max-seconds", options.max_seconds, true, kRemedy);
   check_outputs(options);
   SimulatorOptions simulator_options;
   simulator_options.audit = audit_level(options.audit);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kinex trade: what less exact arithmetics gain and lose.
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,13 +56,7 @@ void check_arithmetics(const std::vector<std::string>& names) {
 
 void check(const TradeOptions& options) {
   check_jobs(options);
-  if (std::isnan(options.max_seconds)) {
-    throw formats::InputError("--max-seconds", "", "it is not a number",
-                     "write a number above 0, or leave it out for 120");
-  }
-  if (!(options.max_seconds > 0)) {
-    throw formats::InputError("--max-seconds", "", "a limit that is not above 0", "leave it out for 120");
-  }
+  check_limit("--max-seconds", options.max_seconds, false, "write a number above 0, or leave it out for 120");
   check_arithmetics(options.arithmetics);
   if (options.markdown == "-") {
     throw formats::InputError("--markdown", "", "\"-\": standard output has the tables",

@@ -102,6 +102,11 @@ std::string unknown_argument(const CLI::App& app, const std::vector<std::string>
   for (const std::string& extra : extras) {
     if (extra.size() < 2 || extra[0] != '-') continue;
     const std::string name = extra.substr(0, extra.find('='));
+    if (verb.get_name() == "run" && (name == "-o" || name == "--output")) {
+      return place_of(verb) + show_text(name) +
+             " is not an option; write --events FILE for the event log, --summary FILE for the summary (" +
+             help_of(verb) + " lists all options)";
+    }
     return place_of(verb) + show_text(name) + " is not an option" +
            with_help(formats::did_you_mean(name, names_of_options(verb), "leave it out"), verb,
                      "all options");

@@ -289,6 +289,26 @@ class CommandLine(unittest.TestCase):
         self.scene.unlink()
         self.assertEqual(self.run_it()[0], 2)
 
+    def test_messages_have_a_place_and_a_remedy(self):
+        log_remedy = "give an event log, as kinex run SCENE --events LOG writes it"
+        scene_remedy = "give the scene that was run, as kinex gen or kinex import writes it"
+        for text, problem, remedy in (
+                (None, ": No such file or directory; ", log_remedy), (b"", ": the file is empty; ", log_remedy),
+                (b"hello\n", ": not JSON at line 1, column 1 (expecting value); ", log_remedy),
+                (b"{}\n", ":1: not an event log of kinex; ", log_remedy), (b"\xff\n", ": not UTF-8 (byte 0); ", log_remedy)):
+            self.log.unlink(missing_ok=True)
+            if text is not None:
+                self.log.write_bytes(text)
+            self.assertEqual(self.run_it(), (2, "kinex-logcheck: %s%s%s\n" % (self.log, problem, remedy)))
+        self.write()
+        for text, problem in ((None, ": No such file or directory; "), (b"{\n", ": not JSON at line 2, column 1 (expecting "
+                              "property name enclosed in double quotes); "), (b"[]", ": not a kinex scene of version 1; "),
+                              (b"\xff", ": not UTF-8 (byte 0); ")):
+            self.scene.unlink(missing_ok=True)
+            if text is not None:
+                self.scene.write_bytes(text)
+            self.assertEqual(self.run_it(), (2, "kinex-logcheck: %s%s%s\n" % (self.scene, problem, scene_remedy)))
+
     def test_a_structure_without_a_replay_is_named(self):
         structure = dict(self.HEADER["structures"][0], structure="sorted_set")
         self.write(header={"structures": [structure]})

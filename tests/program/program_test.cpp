@@ -145,7 +145,14 @@ TEST_F(Program, BadOptionValues) {
   expect_bad_input({"run", scene_, "--until", "2"}, "--until: \"2\" is outside");
   expect_bad_input({"run", scene_, "--at", "1/2,-1"}, "--at: \"-1\" is outside");
   expect_bad_input({"run", scene_, "--audit", "never"}, "--audit: \"never\" is not a level");
-  expect_bad_input({"run", scene_, "--max-events", "-1"}, "a limit below 0");
+  expect_bad_input({"run", scene_, "--max-events", "-1"},
+                   "kinex: --max-events: -1 is below 0; write a number from 0 on, 0 for no limit");
+  expect_bad_input({"run", scene_, "--max-seconds", "-2.5"}, "kinex: --max-seconds: -2.5 is below 0; write a number from");
+  expect_bad_input({"trade", scene_, "--max-seconds", "-1"},
+                   "kinex: --max-seconds: -1 is not above 0; write a number above 0, or leave it out for 120");
+  expect_bad_input({"trade", scene_, "--max-seconds", "0"}, "kinex: --max-seconds: 0 is not above 0");
+  expect_bad_input({"run", scene_, "--until", "1e999999999"},
+                   "--until: \"1e999999999\" has an exponent beyond 100000; write a number with an exponent from -100000 to 100000");
   expect_bad_input({"run", scene_, "--max-seconds", "soon"},
                    "--max-seconds: \"soon\" is not a number; write one, as 2.5");
   expect_bad_input({"gen", "grid", "--n", "3.5"}, "--n: \"3.5\" is not a whole number that fits");
@@ -171,8 +178,8 @@ TEST_F(Program, NumbersOutOfRangeAreNotTakenForOthers) {
                    "--dimension: 0 is out of range; write a number from 1 to 3");
   expect_bad_input({"verify", "sorted_list", "--seeds", "0"},
                    "--seeds: 0 is out of range; write a number from 1 to 1000000");
-  expect_bad_input({"run", scene_, "--max-seconds", "nan"}, "--max-seconds: it is not a number");
-  expect_bad_input({"trade", scene_, "--max-seconds", "nan"}, "--max-seconds: it is not a number");
+  expect_bad_input({"run", scene_, "--max-seconds", "nan"}, "--max-seconds: nan is not a number; write a number from 0 on");
+  expect_bad_input({"trade", scene_, "--max-seconds", "nan"}, "--max-seconds: nan is not a number; write a number above 0");
 }
 
 TEST_F(Program, LimitsExitWith3AndLeaveAReadableLog) {

@@ -84,14 +84,14 @@ TEST(ThinVerb, RefusesByName) {
     std::string says;
   };
   const std::vector<Bad> all{
-      {{plane, "--error", "0"}, "--error: 0 is no error of a kernel; write a number from 1/100000"},
-      {{plane, "--error", "1"}, "--error: 1 is no error of a kernel"},
-      {{plane, "--error", "-1/2"}, "--error: -1/2 is no error of a kernel"},
+      {{plane, "--error", "0"}, "--error: 0 is no part of the diameter that may be lost; write a number from 1/100000 on, less than 1, as 1/50: the"},
+      {{plane, "--error", "1"}, "--error: 1 is no part of the diameter that may be lost; write"},
+      {{plane, "--error", "-1/2"}, "--error: -1/2 is no part of the diameter"},
       {{plane, "--error", "some"}, "--error: \"some\""},
       {{plane, "-o", plane}, "--output"},
-      {{line}, "line.json"},
-      {{curved}, "curved.json"},
-      {{bodies}, "bodies.json"},
+      {{line}, "line.json: the scene has 1 axis; a kernel is a few points whose diameter is nearly that of all, in the plane: give a scene with 2 axes"},
+      {{curved}, "has a motion of degree 2; give a scene of linear motion"},
+      {{bodies}, "bodies.json: the objects are bodies; give a scene of points"},
       {{scratch.file("none.json")}, "none.json"},
   };
   for (const Bad& bad : all) {

@@ -147,11 +147,11 @@ bool compares_places(const Request& request) {
 Rational least_kernel_error() { return Rational(1) / Rational(100000); }
 
 std::string kernel_refusal(const Scene& scene) {
-  if (scene.has_bodies()) return "the objects are bodies; kernels are for points";
+  if (scene.has_bodies()) return "the objects are bodies; give a scene of points";
   if (scene.dimension != 2) {
     return "the scene has " +
            formats::counted(static_cast<std::uint64_t>(scene.dimension), "axis", "axes") +
-           "; kernels are for two";
+           "; a kernel is a few points whose diameter is nearly that of all, in the plane: give a scene with 2 axes";
   }
   if (std::any_of(scene.maintain.begin(), scene.maintain.end(), compares_places)) {
     return "what is maintained compares even and odd places, which change; name two colours";
@@ -163,11 +163,11 @@ std::string kernel_refusal(const Scene& scene) {
                            (!piece.to || (scene.end && !(*piece.to < *scene.end)));
     if (!all_along) {
       return "object \"" + object.id +
-             "\" does not follow one motion all the time; kernels need that";
+             "\" does not follow one motion all the time; give a scene in which all do";
     }
     if (piece.trajectory.degree() > 1) {
       return "object \"" + object.id + "\" has a motion of degree " +
-             std::to_string(piece.trajectory.degree()) + "; kernels are for linear motion";
+             std::to_string(piece.trajectory.degree()) + "; give a scene of linear motion";
     }
   }
   return "";

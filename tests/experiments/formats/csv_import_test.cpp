@@ -35,6 +35,35 @@ TEST(CsvTable, FollowsRfc4180) {
   EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n\"1\"2,2\n", "t.csv"), "text after a closing quote");
 }
 
+// Names and values alike.
+TEST(CsvTable, BlanksAroundFieldsAreRemoved) {
+  const formats::CsvTable table =
+      formats::parse_csv("id, t,\tx \r\n a b , 0 ,1\n\"c\" ,  \" 1\" ,  \n   \n \"d,e\",,2", "t");
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"id", "t", "x"}));
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(table.rows[0].fields, (std::vector<std::string>{"a b", "0", "1"}));
+  EXPECT_EQ(table.rows[1].fields, (std::vector<std::string>{"c", " 1", ""}));  // in quotes they stay
+  EXPECT_EQ(table.rows[2].fields, (std::vector<std::string>{"d,e", "", "2"}));
+  EXPECT_EQ(table.rows[2].line, 5u);
+  EXPECT_EQ(formats::parse_csv("id\t x\n a\t\n", "t").rows[0].fields, (std::vector<std::string>{"a", ""}));
+  EXPECT_INPUT_ERROR(formats::parse_csv("a,b\n\"1\" 2,2\n", "t.csv"), "text after a closing quote");
+}
+
+TEST(CsvTable, LinesThatEndWithCarriageReturnsAlone) {
+  EXPECT_INPUT_ERROR(formats::parse_csv("id,t,x\ra,0,1\r", "t.csv"),
+                     "t.csv: its lines end with carriage returns (CR) alone; end them with line feeds: tr '\\r' '\\n' < FILE");
+}
+
+TEST(CsvImport, CapitalsMatter) {
+  EXPECT_INPUT_ERROR(import("ID,T,X,Y\na,0,0,0\n"),
+                     "t.csv: line 1: there is no column \"id\" in small letters; capitals matter; write the names in small "
+                     "letters, or give --column id=ID --column t=T --column x=X --column y=Y");
+  EXPECT_INPUT_ERROR(import("id,T,x\na,0,0\n"), "there is no column \"t\" in small letters; capitals matter; write the "
+                                                "names in small letters, or give --column t=T");
+  EXPECT_INPUT_ERROR(import("id,t,x,Y\na,0,0,0\n"), "the column \"Y\" means nothing here; capitals matter; write the names in "
+                                                   "small letters, or give --column y=Y, or --ignore-columns");
+}
+
 TEST(CsvImport, TracesAreExactAndLinearBetweenFixes) {
   const formats::ImportReport report =
       import("id,t,x,y\na,3,0.3,0\nb,0,1,1\na,0,0,0\na,1,0.1,0\na,2,0.2,0\nb,2,0,2\nc,9,0,0\n");
