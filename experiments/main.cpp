@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program `kinex`: parses the command line, runs one verb, and turns errors into exit codes.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -46,6 +47,7 @@ int run(CLI::App& app, int argc, char** argv, int& exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, with a message
   kinex::lab::install_gmp_memory();
   const kinex::lab::GmpGuard guard;
   CLI::App app(

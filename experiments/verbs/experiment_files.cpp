@@ -7,6 +7,7 @@
 
 #include "experiments/formats/counted.h"
 #include "experiments/formats/file_io.h"
+#include "experiments/formats/input_error.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/swept_work.h"
 
@@ -19,8 +20,6 @@ constexpr int kMostJobs = 256;
 // The plots as files of their own, named after their titles.
 void write_plots(const std::string& folder, bool force, const std::vector<lab::Figure>& figures,
                  const lab::Drawings& drawings) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);  // errors are reported below
   std::string last;
   int panel = 0;
   for (std::size_t i = 0; i < figures.size() && i < drawings.svg.size(); ++i) {
@@ -48,6 +47,18 @@ void add_experiment_options(CLI::App& verb, ExperimentOptions& options,
                   std::string("Report what a sweep has run (kinex sweep run ") + words.name +
                       " ..), from its folders");
   verb.add_flag("--json", options.json, words.json);
+}
+
+void make_folder(const char* option, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(folder, ignored)) return;
+  if (std::filesystem::exists(folder, ignored)) {
+    throw formats::InputError(option, "", show_text(folder) + " is a file, not a folder", "name a folder");
+  }
+  throw formats::InputError(option, "", "the folder " + show_text(folder) + " cannot be made: " + error.message(),
+                            "name another one");
 }
 
 void check_jobs(const ExperimentOptions& options) {

@@ -36,6 +36,8 @@ struct ExperimentWords {
 };
 void add_experiment_options(CLI::App& verb, ExperimentOptions& options,
                             const ExperimentWords& words);
+// Makes the folder that the option names if there is none. Throws InputError.
+void make_folder(const char* option, const std::string& folder);
 // Throws InputError for --jobs out of range.
 void check_jobs(const ExperimentOptions& options);
 
@@ -72,7 +74,7 @@ class ReportFiles {
     std::string lead;             // lines before the verdict
     std::function<std::string(const lab::TimeTaken& taken)> verdict;
     std::string details;          // lines after it
-    std::string plots = {};       // a folder for the plots as files; empty: none
+    std::string plots = {};       // a folder that exists, for the plots as files; empty: none
   };
   ReportFiles(const ExperimentOptions& options, std::string name, sweep::Journal& journal);
   // Draws the figures, writes all files, and prints the verdict.

@@ -113,6 +113,7 @@ void verify(const VerifyOptions& options, int& exit_code) {
   if (options.seeds) check_range("--seeds", *options.seeds, 1, kMostSeeds);
   const lab::Catalogue catalogue = verify::make_catalogue(
       options.structure, options.quick ? lab::Extent::kQuick : lab::Extent::kFull);
+  if (!options.plots.empty()) make_folder("--plots", options.plots);
   sweep::Journal journal = experiment_journal(
       options, verify::selection_of(options.structure, options.quick, options.seeds));
   const ReportFiles files(options, "verify", journal);

@@ -7,7 +7,9 @@ Nothing is built: its instructions are read, and held to experiments/run, tests/
 import pathlib
 import re
 import shlex
+import subprocess
 import sys
+import tempfile
 
 HERE = "experiments/packaging"
 IMAGE_ROOT = "/kinex"
@@ -80,6 +82,18 @@ def check(source):
     arguments = re.findall(r'"([^"]*)"', words.get("CMD", ""))
     hold(arguments == default_arguments(main), f"it gives {arguments}, experiments/run takes {default_arguments(main)}")
     hold(words.get("WORKDIR") == "/results", f"results are written to {words.get('WORKDIR')}")
+    # What it tells of itself, before anything is installed or built.
+    with tempfile.TemporaryDirectory() as scratch:
+        for tool in ("cmake", "dpkg-query", "apt-get"):  # where they are asked for, it fails
+            (pathlib.Path(scratch) / tool).write_text("#!/bin/sh\nexit 9\n")
+            (pathlib.Path(scratch) / tool).chmod(0o755)
+        for option in ("--help", "-h"):
+            told = subprocess.run(["/bin/sh", source.resolve() / "experiments/run", option], cwd=scratch, text=True,
+                                  capture_output=True, check=False, env={"PATH": f"{scratch}:/bin:/usr/bin", "KINEX_BUILD": f"{scratch}/build"})
+            hold(told.returncode == 0 and "Usage: sh experiments/run [ARGUMENTS OF kinex verify]" in told.stdout
+                 and " ".join(default_arguments(main)) in told.stdout and not told.stderr,
+                 f"sh experiments/run {option} says {told.stdout!r} and {told.stderr!r}")
+        hold(len(list(pathlib.Path(scratch).iterdir())) == 3, "sh experiments/run --help makes files")
     # What the page says: commands of the file's first lines, with what each of them runs.
     block = re.search(r"## A container\n\n((?:    .*\n)+)", page).group(1)
     said = [shlex.split(line, comments=True) for line in block.splitlines()]

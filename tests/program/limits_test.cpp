@@ -105,6 +105,16 @@ TEST_F(Limits, AReportThatNobodyReadsLeavesTheFilesWhole) {
   expect_files("done");
 }
 
+// A limit on the size of files is an error of writing, not the end of the program.
+TEST_F(Limits, AFileThatMayNotGrowIsToldOf) {
+  EXPECT_EQ(shell("(ulimit -f 16; exec $KINEX gen uniform-square --n 2000 -o scene)"), 2);
+  EXPECT_THAT(file("err"), HasSubstr("scene"));
+  EXPECT_THAT(file("err"), HasSubstr("cannot be written: File too large"));
+  EXPECT_EQ(file("scene"), "");
+  EXPECT_EQ(shell("(ulimit -f 16; exec $KINEX gen uniform-square --n 2000 > out)"), 2);
+  EXPECT_THAT(file("err"), HasSubstr("standard output: cannot be written: File too large"));
+}
+
 // A scene that is small on disk: GMP asks for more than there is, in the reader or in the run.
 TEST_F(Limits, TheEndOfMemoryIsALimit) {
   if (test::kSanitized) GTEST_SKIP() << "the sanitizer needs more memory than this leaves";

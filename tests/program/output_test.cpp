@@ -142,6 +142,22 @@ TEST_F(Output, FailedRunsLeaveNothing) {
   EXPECT_EQ(files(), before);
 }
 
+// A file where the folder of plots must be is refused before the experiments, which would be lost.
+TEST_F(Output, PlotsNeedAFolder) {
+  const std::string file = scratch_.file("plots"), results = scratch_.file("results");
+  write_file(file, "precious");
+  const std::set<std::string> before = files();
+  for (const auto& [folder, problem] :
+       {std::pair(file, " is a file, not a folder; name a folder"), {file + "/deep", " cannot be made: Not a directory; "}}) {
+    const Finished refused = run_kinex({"verify", "sorted_list", "--quick", "--seeds", "1", "-o", results, "--plots", folder});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_THAT(refused.err, StartsWith("kinex: --plots: "));
+    EXPECT_THAT(refused.err, HasSubstr("\"" + folder + "\"" + problem));
+    EXPECT_EQ(files(), before);
+  }
+}
+
 // --force replaces results, never what they are made of.
 TEST_F(Output, TheInputIsKept) {
   const std::string link = scratch_.file("link");
