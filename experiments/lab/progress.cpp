@@ -11,29 +11,35 @@ namespace kinex::lab {
 
 namespace {
 
-constexpr double kInterval = 0.25;     // seconds between two lines
+constexpr double kOnTerminal = 0.25;   // seconds between two lines
+constexpr double kElsewhere = 60;
 constexpr double kTrustedPart = 0.02;  // of the cost, beyond which the time left is shown
 constexpr double kLongestEta = 1e7;
 
 }  // namespace
 
-Progress::Progress(bool wanted) : shows_(wanted && ::isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(std::FILE* file, bool terminal, double interval)
+    : file_(file), terminal_(terminal), interval_(interval) {}
+
+Progress::Progress(bool wanted)
+    : Progress(wanted ? stderr : nullptr, ::isatty(STDERR_FILENO) != 0,
+               ::isatty(STDERR_FILENO) != 0 ? kOnTerminal : kElsewhere) {}
 
 void Progress::show(const std::function<std::string(double seconds)>& text) {
-  if (!shows_) return;
+  if (file_ == nullptr) return;
   const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
-  if (std::chrono::duration<double>(now - last_).count() < kInterval) return;
+  if (std::chrono::duration<double>(now - last_).count() < interval_) return;
   last_ = now;
-  shown_ = true;
+  shown_ = terminal_;
   const double seconds = std::chrono::duration<double>(now - began_).count();
-  std::fprintf(stderr, "\r\033[K%s", text(seconds).c_str());
-  std::fflush(stderr);
+  std::fprintf(file_, terminal_ ? "\r\033[K%s" : "kinex: %s\n", text(seconds).c_str());
+  std::fflush(file_);
 }
 
 void Progress::wipe() {
   const std::lock_guard lock(mutex_);
-  if (shown_) std::fputs("\r\033[K", stderr);
+  if (shown_) std::fputs("\r\033[K", file_);
   shown_ = false;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Progress: a line on standard error, if that is a terminal and the line is wanted.
+// Progress: a line on standard error, if it is wanted: on a terminal one that changes, elsewhere a new one
+// a minute.
 #ifndef KINEX_EXPERIMENTS_LAB_PROGRESS_H
 #define KINEX_EXPERIMENTS_LAB_PROGRESS_H
 
 #include <chrono>
 #include <cstddef>
+#include <cstdio>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -18,19 +20,23 @@ namespace kinex::lab {
 class Progress {
  public:
   explicit Progress(bool wanted = true);
+  // Writes to `file`: on a terminal a line that changes, elsewhere a line after every `interval` seconds.
+  Progress(std::FILE* file, bool terminal, double interval);
   ~Progress() { wipe(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Shows text(seconds since the start), at most a few times a second; more frequent calls do
-  // nothing.
+  // Shows text(seconds since the start), at most a few times a second, or once a minute where there is no
+  // terminal; more frequent calls do nothing.
   void show(const std::function<std::string(double seconds)>& text);
-  // Clears the line, before other output.
+  // Clears the line of a terminal, before other output.
   void wipe();
 
  private:
   using Clock = std::chrono::steady_clock;
-  const bool shows_;
+  std::FILE* const file_;  // nullptr: nothing is shown
+  const bool terminal_;
+  const double interval_;  // seconds between two lines
   std::mutex mutex_;
   bool shown_ = false;
   Clock::time_point began_ = Clock::now();
