@@ -8,6 +8,7 @@
 #include "structures/arrangement/incidences_all.h"
 #include "structures/arrangement/line_arrangement_2.h"
 #include "structures/arrangement/points_in_arrangement.h"
+#include "structures/arrangement/trapezoids_2.h"
 
 namespace kinex {
 namespace {
@@ -78,10 +79,35 @@ StructureInfo places_of_points() {
   return info;
 }
 
+StructureInfo trapezoids() {
+  StructureInfo info;
+  info.name = "trapezoids_2";
+  info.summary = "the vertical decomposition of the arrangement of moving lines into trapezoids";
+  info.min_dimension = 2;
+  info.shape = Attribute::Shape::kSequence;
+  info.role = "walls";
+  info.lines = LineUse::kAlone;
+  info.reads = {{"line_arrangement_2"}};
+  info.kinds = {
+      {"wall_up", Effect::kAlways, "the wall above a crossing ends on another line"},
+      {"wall_down", Effect::kAlways, "the wall below a crossing ends on another line"},
+      {"wall_pass", Effect::kNever, "two walls in a face, from above and from below, pass each other"}};
+  info.certificates =
+      "n (n - 1) for n lines, one for each wall at most; those of line_arrangement_2 besides";
+  info.ties =
+      "lines are raised by infinitesimals, more so the smaller the id; parallel ones cross nowhere";
+  info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
+  info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
+    return std::make_unique<Trapezoids2>(
+        in.kernel, in.id, dynamic_cast<const LineArrangement2&>(*in.watched[0]), in.scene);
+  };
+  return info;
+}
+
 }  // namespace
 
 StructureFamily arrangement_family() {
-  return {"arrangement", {incidences(), arrangement_of_lines(), places_of_points()}};
+  return {"arrangement", {incidences(), arrangement_of_lines(), places_of_points(), trapezoids()}};
 }
 
 }  // namespace kinex

@@ -54,4 +54,13 @@ Integer triple_sign_changes(const std::vector<int>& pieces, int degree) {
   return Integer(degree + 1) * joint - triples;
 }
 
+// p, q, r and s pieces make at most p + q + r + s - 3 joint ones.
+Integer quadruple_sign_changes(const std::vector<int>& pieces, int degree) {
+  const Integer n = counted(pieces.size());
+  if (n.is_zero()) return n;
+  const Integer quadruples = binomial(n, 4);
+  const Integer joint = binomial(n - Integer(1), 3) * sum_of(pieces) - Integer(3) * quadruples;
+  return Integer(degree + 1) * joint - quadruples;
+}
+
 }  // namespace kinex

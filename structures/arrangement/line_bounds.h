@@ -30,6 +30,9 @@ Integer order_changes(const LinesAndPoints& both, int degree);
 // degree * C(n, 3) if every object has one piece. O(n).
 Integer triple_sign_changes(const std::vector<int>& pieces, int degree);
 
+// The same for one function of each set of four objects. O(n).
+Integer quadruple_sign_changes(const std::vector<int>& pieces, int degree);
+
 }  // namespace kinex
 
 #endif

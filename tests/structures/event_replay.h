@@ -46,6 +46,7 @@ class ReplayedAttribute {
     switch (value_.shape) {
       case Attribute::Shape::kSequence: {
         if (kind == "above" || kind == "below") return exchange_next(kind == "above" ? 1 : 2, event);
+        if (kind == "wall_up" || kind == "wall_down") return exchange_wall(kind == "wall_up" ? 2 : 3, event);
         // Of two sequences, one behind the other, the second.
         const std::size_t half = kind == "swap_y" ? ids.size() / 2 : 0;
         const auto at =
@@ -96,6 +97,17 @@ class ReplayedAttribute {
       return "";
     }
     return "no such point";
+  }
+  // Of pairs of lines, each with what is above their crossing and below it.
+  std::string exchange_wall(std::size_t place, const Event& event) {
+    std::vector<ObjectId>& ids = value_.ids;
+    for (std::size_t i = 0; i + 3 < ids.size(); i += 4) {
+      if (ids[i] != event.ids[0] || ids[i + 1] != event.ids[1]) continue;
+      if (event.ids[2] == event.ids[3] || ids[i + place] != event.ids[2]) return "another one was next";
+      ids[i + place] = event.ids[3];
+      return "";
+    }
+    return "no such crossing";
   }
   using Edge = std::pair<ObjectId, ObjectId>;
 

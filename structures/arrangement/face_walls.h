@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// FaceWalls: the vertical decomposition of an arrangement of lines. From every crossing a wall goes
+// straight up, and one straight down, each to the next line or without end: they cut the faces into
+// trapezoids. A part of trapezoids_2.
+//
+//            \           __--  upper chain      in the order of x: w, u, v
+//             \__----u---      of a face        certificates: w before u, u before v
+//              \     |    /
+//               \    |   /                      the wall of w ends on the line of the upper chain
+//         lower  w---+--v                       that is above w, and so on: no further claim is
+//         chain       --                        needed, neighbours in a chain are so on a line
+//
+// The proof. In a face the crossings inside its upper chain, and those inside its lower chain, are in
+// the order of x already: the crossing lists say so. Both are merged, and two neighbours from different
+// chains have a certificate: slope_order_2 of their four lines as points (a, b), of degree 2d.
+//
+// A change of the lists changes faces, and a certificate that fails does: the owner notes what it hears
+// of, and settle() merges the chains of these faces anew.
+//
+// Ties. Of the line of the smallest id b is larger by the largest infinitesimal, and so on
+// (crossing_lists.h). The four lines of a certificate are different, and those of one crossing are not
+// parallel: so of two crossings at one x identically the smallest id of the four decides.
+#ifndef KINEX_STRUCTURES_ARRANGEMENT_FACE_WALLS_H
+#define KINEX_STRUCTURES_ARRANGEMENT_FACE_WALLS_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/engine/audit.h"
+#include "core/engine/kernel.h"
+#include "core/engine/proof.h"
+#include "structures/arrangement/crossing_lists.h"
+#include "structures/parts/slots.h"
+
+namespace kinex {
+
+class FaceWalls {
+ public:
+  enum Side : std::uint8_t { kUp, kDown };
+  // From the crossing of two lines, ascending, upwards or downwards.
+  struct Wall {
+    ObjectId l, m;
+    Side side;
+    friend auto operator<=>(const Wall&, const Wall&) = default;
+  };
+  // The line on which a wall ends; kNoObject: none, it has no end. kAbsent: there is no such wall.
+  static constexpr ObjectId kAbsent = kNoObject - 1;
+
+  // `crossings` outlives this part. `objects`: of the scene.
+  FaceWalls(Kernel& kernel, StructureId id, const CrossingLists& crossings, std::size_t objects);
+
+  bool owns(CertificateId c) const { return slots_.owns(c); }
+  ObjectId end(const Wall& wall) const { return ends_[at(wall)]; }
+  // The same when forget() was called last.
+  ObjectId end_before(const Wall& wall) const { return before_[at(wall)]; }
+
+  // A certificate of this part has failed: the crossing that was the left one, and the other. Their
+  // faces are noted.
+  std::array<ObjectId, 4> failed(CertificateId c);
+  // What the lists of crossings have changed. O(1) each.
+  void note_crossing(ObjectId l, ObjectId m) { notes_.push_back({l, m, What::kCrossing}); }
+  void note_ends(ObjectId l) { notes_.push_back({l, l, What::kEnds}); }
+  void note_line(ObjectId l) { notes_.push_back({l, l, What::kLine}); }
+  void note_all() { all_ = true; }
+  // New motions of these objects. Notes the faces with new ties.
+  void motions_changed(std::span<const ObjectId> objects);
+  bool is_settled() const { return notes_.empty() && !all_; }
+  // Cuts the faces that are noted anew, right after now. `slopes`: all lines in the order of slopes,
+  // of parallel ones the higher one first. False if the lists of crossings are not those of lines,
+  // which exact signs exclude. For a face of k edges O(k) comparisons.
+  [[nodiscard]] bool settle(std::span<const ObjectId> slopes);
+  void drop_proof();  // no certificates
+  void clear();       // and no walls
+
+  // The walls that may have another end than before, ascending.
+  const std::vector<Wall>& changed();
+  void forget();
+
+  // Calls visit(wall, end) for all walls, ascending; `before`: as they were when forget() was called.
+  template <class Visit>
+  void each(bool before, const Visit& visit) const {
+    for (ObjectId l = 0; l < stride_; ++l) {
+      for (ObjectId m = l + 1; m < stride_; ++m) {
+        for (const Side side : {kUp, kDown}) {
+          const Wall wall{l, m, side};
+          const ObjectId end = (before ? before_ : ends_)[at(wall)];
+          if (end != kAbsent) visit(wall, end);
+        }
+      }
+    }
+  }
+  // The number of trapezoids, counted face by face. Requires that all is settled. O(n^2).
+  std::size_t trapezoids(std::span<const ObjectId> slopes) const;
+  void visit_proof(ProofVisitor& visitor) const;
+  void check(std::span<const ObjectId> slopes, AuditReport& report) const;
+  std::size_t bytes() const;
+
+ private:
+  enum class What : std::uint8_t { kCrossing, kEnds, kLine, kWall };
+  struct Note {  // faces: about a crossing, at the ends of a line, along a line, of a wall
+    ObjectId l, m;
+    What what;
+    Side side = kUp;
+  };
+  // Of a line, from the crossing at a place in its list to the next one; at the place of the line itself
+  // it has no left end.
+  struct Edge {
+    ObjectId line;
+    std::size_t place;
+    friend bool operator==(const Edge&, const Edge&) = default;
+  };
+  // The edges of a face above or below it, from left to right.
+  struct Chain {
+    std::vector<Edge> edges;
+    std::optional<Edge> left, right;  // of the other chain, where both meet
+  };
+  struct Face {
+    std::array<Chain, 2> chains;  // kUp: those that the face is above
+  };
+  struct Far {  // the line above, and the line below, far to the right; kNoObject: none
+    ObjectId above = kNoObject, below = kNoObject;
+  };
+
+  std::size_t at(const Wall& wall) const {
+    return 2 * (static_cast<std::size_t>(wall.l) * stride_ + wall.m) + wall.side;
+  }
+  Wall wall_of(std::size_t place) const {
+    return {static_cast<ObjectId>(place / 2 / stride_), static_cast<ObjectId>(place / 2 % stride_),
+            place % 2 == 0 ? kUp : kDown};
+  }
+  bool crosses(ObjectId l, ObjectId m) const;
+  Edge edge_after(ObjectId line, ObjectId m) const { return {line, crossings_->place(line, m)}; }
+  Edge edge_before(ObjectId line, ObjectId m) const { return {line, crossings_->place(line, m) - 1}; }
+  Edge first_edge(ObjectId line) const { return {line, crossings_->place(line, line)}; }
+  Edge last_edge(ObjectId line) const { return {line, crossings_->order(line).size() - 1}; }
+  std::vector<Far> far_right(std::span<const ObjectId> slopes) const;
+  bool walk(const Edge& start, Side side, Chain& chain) const;
+  bool face_at(const Edge& edge, Side side, std::span<const Far> far, Face& face) const;
+  // Of the crossings inside a chain the one behind edge i.
+  Wall wall_at(const Face& face, Side side, std::size_t i) const;
+
+  // "The first crossing is before the second one."
+  Query claim(const Wall& first, const Wall& second) const;
+  bool goes_first(const Wall& first, const Wall& second) const;
+  bool is_before(const Wall& first, const Wall& second) const;
+  void set_end(const Wall& wall, ObjectId end);
+  void link(const Wall& wall, const Wall& next);
+  void cut(const Face& face);
+  bool settle_at(const Edge& edge, Side side, std::span<const Far> far);
+  bool settle_along(ObjectId line, std::span<const Far> far);
+  bool settle_note(const Note& note, std::span<const Far> far);
+  std::uint32_t& mark(const Edge& edge, Side side) {
+    return marks_[2 * (edge.line * (std::size_t{stride_} + 1) + edge.place) + side];
+  }
+  // Calls visit(face) for all faces. False as settle().
+  template <class Visit>
+  bool each_face(std::span<const ObjectId> slopes, const Visit& visit) const;
+  void check_face(const Face& face, AuditReport& report) const;
+
+  Kernel* kernel_;
+  const CrossingLists* crossings_;
+  PredicateId order_;
+  Slots slots_;
+  std::uint32_t stride_;
+  std::vector<ObjectId> ends_, before_;      // by wall
+  std::vector<CertificateId> certificates_;  // by wall: of it and the next one
+  std::vector<std::uint32_t> nexts_;         // by wall: that one, where there is a certificate
+  std::vector<std::uint32_t> marks_;         // by edge and side: when its face was cut last
+  std::uint32_t round_ = 0;
+  std::vector<Note> notes_;
+  bool all_ = false;
+  std::vector<Wall> changed_;
+};
+
+}  // namespace kinex
+
+#endif
