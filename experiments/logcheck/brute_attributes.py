@@ -326,6 +326,28 @@ def next_lines_of(positions, scene):
     return result
 
 
+def walls_of(positions, scene):
+    """For each two lines that cross, themselves and the next line above their crossing and the next one below, the first
+    again where there is none. Lines are raised by infinitesimals, more so the smaller the number: heights are lists,
+    of the height and of what each line adds to it."""
+    lines = {o: positions[o] for o in sorted(positions) if scene.objects[o].line}
+    result = []
+    for (l, (a, b)), (m, (c, d)) in combinations(lines.items(), 2):
+        if a == c:
+            continue
+        x, shift = Fraction(b - d) / (c - a), Fraction(1) / (c - a)
+
+        def height(h):
+            slope = lines[h][0]
+            return [slope * x + lines[h][1]] + [(o == h) + slope * shift * ((o == l) - (o == m)) for o in lines]
+
+        heights = [(height(h), h) for h in lines if h not in (l, m)]
+        above = min((h for h in heights if h[0] > height(l)), default=None)
+        below = max((h for h in heights if h[0] < height(l)), default=None)
+        result += [l, m] + [l if h is None else h[1] for h in (above, below)]
+    return result
+
+
 def attribute_of(structure, key, positions, scene):
     name = structure.name
     if name == "sorted_list":
@@ -368,6 +390,8 @@ def attribute_of(structure, key, positions, scene):
         return orders_of(positions, scene)
     if name == "points_in_arrangement":
         return next_lines_of(positions, scene)
+    if name == "trapezoids_2":
+        return walls_of(positions, scene)
     if name == "box_pairs":
         return meetings_of(positions, boxes_meet)
     if name.startswith("disc_pairs_"):

@@ -59,13 +59,15 @@ def queries_of(structure, key, members, period):
             for pair, point in product(combinations(lines, 2), points):
                 yield ("line_order", (*pair, point))
         return
-    if name == "line_arrangement_2":
+    if name in ("line_arrangement_2", "trapezoids_2"):
         lines = [o for o in sorted(members) if scene.objects[o].line]
         for pair in combinations(lines, 2):
             yield ("order_x", pair)
             yield ("order_y", pair)
         for triple in combinations(lines, 3):
             yield ("orientation_2", triple)
+        for a, b, c, d in combinations(lines, 4) if name == "trapezoids_2" else []:
+            yield from (("slope_order_2", ids) for ids in ((a, b, c, d), (a, c, b, d), (a, d, b, c)))
         return
     if name == "box_pairs":
         for pair in permutations(sorted(members), 2):

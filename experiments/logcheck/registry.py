@@ -26,6 +26,7 @@ from replay_scratch import BoundingBox, ClosestPair, ClosestPairOfOrders, Farthe
 from replay_space import DelaunayInSpace
 from replay_trees import GraphTree, SpanningTree
 from replay_voronoi import VoronoiCell
+from replay_walls import WallsOfLines
 
 REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": DelaunayInSpace,
             "regular_2": RegularInThePlane, "regular_3": RegularInSpace,
@@ -44,7 +45,7 @@ REPLAYS = {"sorted_list": SortedList, "delaunay_2": Delaunay, "delaunay_3": Dela
             "box_pairs": BoxesThatMeet, "disc_pairs_all": DiscsThatMeet, "disc_pairs_boxes": DiscsThatMeet,
             "disc_pairs_grid": DiscsOfCells,
             "incidences_all": PointsAboveLines, "line_arrangement_2": ArrangementOfLines,
-            "points_in_arrangement": LinesNextToPoints,
+            "points_in_arrangement": LinesNextToPoints, "trapezoids_2": WallsOfLines,
             "graph_mst_list": GraphTree, "graph_mst_cycles": GraphTree,
             "graph_mst_clusters": GraphTree, "graph_mst_sparsified": GraphTree,
             "diameter_2": FarthestPair, "diameter_all_pairs": FarthestPair,

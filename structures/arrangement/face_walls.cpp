@@ -104,6 +104,12 @@ bool FaceWalls::face_at(const Edge& edge, Side side, std::span<const Far> far, F
     if (!end) return !opposite_end;
     return opposite_end && *end == opposite_last && *opposite_end == last;
   };
+  // A line is not both above and below a face.
+  const auto is_opposite = [&opposite](const Edge& e) {
+    return std::any_of(opposite.edges.begin(), opposite.edges.end(),
+                       [&e](const Edge& other) { return other.line == e.line; });
+  };
+  if (!kernel_->is_exact() && std::any_of(own.edges.begin(), own.edges.end(), is_opposite)) return false;
   return meet(own.left, own.edges.front(), opposite.left, opposite.edges.front()) &&
          meet(own.right, own.edges.back(), opposite.right, opposite.edges.back());
 }

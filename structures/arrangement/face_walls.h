@@ -72,8 +72,8 @@ class FaceWalls {
   void motions_changed(std::span<const ObjectId> objects);
   bool is_settled() const { return notes_.empty() && !all_; }
   // Cuts the faces that are noted anew, right after now. `slopes`: all lines in the order of slopes,
-  // of parallel ones the higher one first. False if the lists of crossings are not those of lines,
-  // which exact signs exclude. For a face of k edges O(k) comparisons.
+  // of parallel ones the higher one first. False, with some faces not cut, if the lists of crossings are
+  // not those of lines, which exact signs exclude. For a face of k edges O(k) comparisons.
   [[nodiscard]] bool settle(std::span<const ObjectId> slopes);
   void drop_proof();  // no certificates
   void clear();       // and no walls

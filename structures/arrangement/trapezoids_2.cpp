@@ -15,9 +15,18 @@ Trapezoids2::Trapezoids2(Kernel& kernel, StructureId id, const LineArrangement2&
       lines_(&lines),
       walls_(kernel, id, lines.crossings(), scene.objects.size()) {}
 
+// Of a triangle that turns over, inexact arithmetics may change the lists of its lines one after the other,
+// at different times: in between faces do not close. All of them are cut when it is heard of the next change.
 bool Trapezoids2::settle() {
-  if (walls_.is_settled() || walls_.settle(lines_->slopes())) return true;
-  kernel_->corrupt(id_, "a face of the arrangement does not close");
+  if (walls_.is_settled()) return true;
+  if (walls_.settle(lines_->slopes())) {
+    tries_ = 0;
+    return true;
+  }
+  walls_.note_all();
+  if (kernel_->is_exact() || ++tries_ > kMostTries) {
+    kernel_->corrupt(id_, "a face of the arrangement does not close");
+  }
   return false;
 }
 

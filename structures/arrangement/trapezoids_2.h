@@ -14,8 +14,8 @@
 // two, its neighbour in a face, and is so no longer.
 //
 // It reads line_arrangement_2, whose lists say which crossings bound a face, in which order: a triangle
-// that collapses is an event of those. It is a structure of its own, since its events are more by a
-// factor of n, and a scene that asks for the arrangement alone has none of them.
+// that collapses is an event of those. It is a structure of its own: it has another attribute, with many
+// more events, and a scene that asks for the arrangement alone has none of its certificates.
 //
 // Certificates. At most one for each wall: it and the next one of its face, if that comes from the other
 // side (face_walls.h); slope_order_2 of four lines, degree 2d. A passage fails one and changes two walls;
@@ -85,10 +85,12 @@ class Trapezoids2 final : public Structure {
   void settle_all();  // nothing is left to be reported
   Attribute attribute_of(bool told) const;
 
+  static constexpr int kMostTries = 100;
   Kernel* kernel_;
   StructureId id_;
   const LineArrangement2* lines_;
   FaceWalls walls_;
+  int tries_ = 0;  // in a row, to cut faces that do not close
 };
 
 }  // namespace kinex

@@ -15,6 +15,7 @@
 #include <list>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -114,6 +115,7 @@ class Witness {
     }
     return result;
   }
+  bool knows(ObjectId l) const { return lines_.contains(l); }
   bool cross(ObjectId l, ObjectId m) const { return lines_.at(l).slope != lines_.at(m).slope; }
 
  private:
@@ -177,11 +179,12 @@ void Trapezoids2::audit(const Snapshot& snapshot, AuditReport& report) const {
     const auto [l, m, side] = wall;
     const bool up = side == FaceWalls::kUp;
     const auto name = [l = l, m = m] { return std::to_string(l) + ", " + std::to_string(m); };
-    const bool crosses = witness.cross(l, m);
+    const bool crosses = witness.knows(l) && witness.knows(m) && witness.cross(l, m);
     report.check(crosses, [&] { return "a crossing of parallel lines " + name(); });
     if (!crosses) return;
-    report.check(witness.next(l, m, up) == end,
-                 [&] { return "another line is next to crossing " + name(); });
+    const bool same = witness.next(l, m, up) == end;
+    report.check(same, [&] { return "another line is next to crossing " + name(); });
+    if (!same) return;
     report.check(witness.agrees(l, m, up, end),
                  [&] { return "another feature is next to crossing " + name() + " for CGAL"; });
   });

@@ -9,7 +9,8 @@ std::vector<lab::BenchRow> arrangement_bench_rows(int scale) {
       lab::speed_row("incidences_all", "random-lines-and-points", 1, lab::scaled_size(200, scale)),
       lab::speed_row("line_arrangement_2", "random-lines", 1, lab::scaled_size(48, scale)),
       lab::speed_row("points_in_arrangement", "random-lines-and-points", 1,
-                     lab::scaled_size(64, scale))};
+                     lab::scaled_size(64, scale)),
+      lab::speed_row("trapezoids_2", "random-lines", 1, lab::scaled_size(24, scale))};
 }
 
 }  // namespace kinex::families

@@ -128,12 +128,38 @@ void add_place_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   }
 }
 
+void add_wall_cells(lab::Catalogue& catalogue, lab::Extent extent) {
+  constexpr const char* kName = "trapezoids_2";
+  struct Counted {
+    int n;
+    std::uint64_t seed;
+    int external;
+  };
+  for (const Counted& one : {Counted{6, 1, 182}, {8, 1, 414}, {10, 2, 830}}) {
+    add_exactly(catalogue, small_cell(kName, "small-lines", one.n, one.seed),
+                "trapezoids_2.small_integers", "external", one.external,
+                "the lines next to all crossings, between all roots of the polynomials of two, three "
+                "and four lines");
+  }
+  for (const int n : {3, 6, 9}) {
+    if (n > 6 && extent == lab::Extent::kQuick) continue;
+    lab::Cell cell = lab::worst_case_cell(kName, "three-bundles", n, 1, n * n / 100.0);
+    cell.audit = AuditLevel::kEvents;
+    catalogue.cells.push_back(std::move(cell));
+  }
+  for (const int n : {8, 16, 32}) {
+    if (n > 16 && extent == lab::Extent::kQuick) continue;
+    catalogue.cells.push_back(random_cell(kName, "random-lines", n, n * n * n / 1000.0));
+  }
+}
+
 }  // namespace
 
 void add_arrangement_cells(lab::Catalogue& catalogue, lab::Extent extent) {
   add_incidence_cells(catalogue, extent);
   add_line_cells(catalogue, extent);
   add_place_cells(catalogue, extent);
+  add_wall_cells(catalogue, extent);
 }
 
 }  // namespace kinex::families

@@ -30,7 +30,7 @@ lab::FamilyExperiments arrangement_experiments() {
                 {"random-lines-and-points", "random-lines"});
   lab::set_kind(family.workloads, lab::SceneKind::kTies, {"small-lines-and-points", "small-lines"});
   family.event_bounds = {"triples"};
-  family.long_audits = {"line_arrangement_2"};
+  family.long_audits = {"line_arrangement_2", "trapezoids_2"};
   family.add_cells = add_arrangement_cells;
   family.trade = {{"incidences_all",
                    2,
@@ -55,7 +55,15 @@ lab::FamilyExperiments arrangement_experiments() {
                    {4, 8},
                    {8, 16},
                    {8, 12},
-                   {{8, 12, 16}, {8, 16, 24, 32}}}};
+                   {{8, 12, 16}, {8, 16, 24, 32}}},
+                  {"trapezoids_2",
+                   2,
+                   {6, 10},
+                   "turning-pencil",
+                   {4, 6},
+                   {8, 12},
+                   {6, 8},
+                   {{6, 8, 10}, {6, 8, 12, 16}}}};
   family.bench_rows = arrangement_bench_rows;
   return family;
 }

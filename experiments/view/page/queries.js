@@ -132,6 +132,21 @@ const OUTLINES = {
     if (line === point || !alive[point] || !alive[line]) return [];
     return [{ from: plane.at(point), to: [plane.sx[point], plane.heightAt(line, plane.sx[point])] }];
   }),
+  // Two lines that cross, the line above their crossing, the line below, and so on: the walls. One without
+  // an end goes to the border.
+  walls: (plane, ids) => {
+    const shapes = [], [, top, , height] = plane.rectangle;
+    for (let i = 0; i + 3 < ids.length; i += 4) {
+      const [l, m] = [ids[i], ids[i + 1]];
+      const x = (X[1][m] - X[1][l]) / (X[0][l] - X[0][m]);
+      if (!isFinite(x)) continue;
+      const dot = plane.onScreen(x, X[0][l] * x + X[1][l]);
+      [[ids[i + 2], top], [ids[i + 3], top + height]].forEach(([line, border]) => shapes.push(
+        { from: dot, to: [dot[0], line === l ? border : plane.heightAt(line, dot[0])], faint: true }));
+      shapes.push({ dot });
+    }
+    return shapes;
+  },
 };
 
 function drawOutline(context, corners, colour, dash) {
