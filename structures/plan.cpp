@@ -56,12 +56,13 @@ class Planner {
       return wanted;
     }
     Request wanted{usual_structure(reading, scene_.dimension), "", {}};
-    wanted.of = sites_of(*find_structure_info(reader.structure), reader, scene_);
+    const StructureInfo& info = *find_structure_info(reader.structure);
+    wanted.of = info.sample != nullptr ? info.sample(reader, scene_) : sites_of(info, reader, scene_);
     if (reading.passes_over) wanted.over = reader.over;
     if (reading.axis) {
       wanted.key.axis = *reading.axis;
-    } else if (const StructureInfo* info = find_structure_info(wanted.structure);
-               info != nullptr && info->uses_key) {
+    } else if (const StructureInfo* read = find_structure_info(wanted.structure);
+               read != nullptr && read->uses_key) {
       wanted.key = reader.key;
     }
     return wanted;

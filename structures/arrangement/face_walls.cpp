@@ -305,35 +305,6 @@ void FaceWalls::forget() {
 
 // ---- for others
 
-// Every face has an edge that it is above, or one that it is below, as its first one.
-template <class Visit>
-bool FaceWalls::each_face(std::span<const ObjectId> slopes, const Visit& visit) const {
-  const std::vector<Far> far = far_right(slopes);
-  Face face;
-  for (const ObjectId line : crossings_->lines()) {
-    for (Edge edge = first_edge(line); edge.place <= last_edge(line).place; ++edge.place) {
-      for (const Side side : {kUp, kDown}) {
-        if (!face_at(edge, side, far, face)) return false;
-        const bool is_first = face.chains[side].edges.front() == edge;
-        if (is_first && (side == kUp || face.chains[kUp].edges.empty())) visit(face);
-      }
-    }
-  }
-  return true;
-}
-
-std::size_t FaceWalls::trapezoids(std::span<const ObjectId> slopes) const {
-  if (slopes.empty()) return 1;
-  std::size_t result = 0;
-  each_face(slopes, [&result](const Face& face) {
-    ++result;
-    for (const Chain& chain : face.chains) {
-      if (!chain.edges.empty()) result += chain.edges.size() - 1;
-    }
-  });
-  return result;
-}
-
 void FaceWalls::visit_proof(ProofVisitor& visitor) const {
   ProofGroup group;
   group.kind = "walls of a face";
@@ -348,37 +319,36 @@ void FaceWalls::visit_proof(ProofVisitor& visitor) const {
   });
 }
 
-// Merges the chains by the ends of the walls: a wall from above is behind all crossings of the lower
-// chain to the left of the line on which it ends.
-void FaceWalls::check_face(const Face& face, AuditReport& report) const {
-  const std::vector<Edge>& lower = face.chains[kUp].edges;
-  const std::vector<Edge>& upper = face.chains[kDown].edges;
+std::vector<FaceWalls::Wall> FaceWalls::order_of(const Face& face) const {
+  const std::vector<Edge>&lower = face.chains[kUp].edges, &upper = face.chains[kDown].edges;
+  const auto index = [&lower](ObjectId line) {
+    const auto found = std::find_if(lower.begin(), lower.end(),
+                                    [line](const Edge& e) { return e.line == line; });
+    return static_cast<std::size_t>(found - lower.begin());
+  };
   std::vector<Wall> order;
+  for (std::size_t i = 0, j = 0; i + 1 < lower.size() || j + 1 < upper.size();) {
+    const bool down = j + 1 < upper.size() &&
+                      (lower.size() < 2 || index(end(wall_at(face, kDown, j))) <= i);
+    if (!down && i + 1 >= lower.size()) break;
+    order.push_back(down ? wall_at(face, kDown, j++) : wall_at(face, kUp, i++));
+  }
+  return order;
+}
+
+void FaceWalls::check_face(const Face& face, AuditReport& report) const {
   const auto name = [](const Wall& wall) {
     return (wall.side == kUp ? " from crossing " : " down from crossing ") + std::to_string(wall.l) +
            ", " + std::to_string(wall.m);
   };
-  const auto index = [](const std::vector<Edge>& edges, ObjectId line) {
-    const auto found = std::find_if(edges.begin(), edges.end(),
-                                    [line](const Edge& e) { return e.line == line; });
-    return static_cast<std::size_t>(found - edges.begin());
-  };
-  for (std::size_t i = 0, j = 0; i + 1 < lower.size() || j + 1 < upper.size();) {
-    const bool more = j + 1 < upper.size();
-    const bool down = more && (lower.size() < 2 || index(lower, end(wall_at(face, kDown, j))) <= i);
-    if (!down && i + 1 >= lower.size()) {
-      report.check(false, [&] { return "a wall that ends nowhere:" + name(wall_at(face, kDown, j)); });
-      return;
-    }
-    const Wall wall = down ? wall_at(face, kDown, j) : wall_at(face, kUp, i);
-    const std::vector<Edge>& opposite = down ? lower : upper;
-    const std::size_t place = down ? i : j;
-    report.check(end(wall) == (opposite.empty() ? kNoObject : opposite[place].line),
-                 [&] { return "a wall that ends on another line:" + name(wall); });
-    ++(down ? j : i);
-    order.push_back(wall);
-  }
+  const std::vector<Wall> order = order_of(face);
+  std::array<std::size_t, 2> done{0, 0};
   for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::vector<Edge>& opposite = face.chains[other(order[i].side)].edges;
+    report.check(end(order[i]) ==
+                     (opposite.empty() ? kNoObject : opposite[done[other(order[i].side)]].line),
+                 [&] { return "a wall that ends on another line:" + name(order[i]); });
+    ++done[order[i].side];
     const std::size_t place = at(order[i]);
     if (i + 1 == order.size() || order[i].side == order[i + 1].side) {
       report.check(certificates_[place] == kNoCertificate,
@@ -391,6 +361,11 @@ void FaceWalls::check_face(const Face& face, AuditReport& report) const {
                  [&] { return "a wrong certificate:" + name(order[i]); });
     report.check(!slots_.is_tie(certificates_[place]) || goes_first(order[i], order[i + 1]),
                  [&] { return "a tie in the wrong order:" + name(order[i]); });
+  }
+  for (const Side side : {kUp, kDown}) {
+    const std::size_t edges = face.chains[side].edges.size();
+    report.check(done[side] + 1 == edges || (edges == 0 && done[side] == 0),
+                 [] { return "a wall that ends nowhere"; });
   }
 }
 

@@ -23,6 +23,7 @@
 #ifndef KINEX_STRUCTURES_ARRANGEMENT_FACE_WALLS_H
 #define KINEX_STRUCTURES_ARRANGEMENT_FACE_WALLS_H
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +49,13 @@ class FaceWalls {
     ObjectId l, m;
     Side side;
     friend auto operator<=>(const Wall&, const Wall&) = default;
+  };
+  // Between two walls, or ends of a face, and two lines. kNoObject: it goes on without end on that side.
+  struct Trapezoid {
+    ObjectId floor = kNoObject, ceiling = kNoObject;
+    // The crossings at its left and at its right side, each as two lines, ascending.
+    std::array<ObjectId, 2> left{kNoObject, kNoObject}, right{kNoObject, kNoObject};
+    friend auto operator<=>(const Trapezoid&, const Trapezoid&) = default;
   };
   // The line on which a wall ends; kNoObject: none, it has no end. kAbsent: there is no such wall.
   static constexpr ObjectId kAbsent = kNoObject - 1;
@@ -95,8 +103,13 @@ class FaceWalls {
       }
     }
   }
-  // The number of trapezoids, counted face by face. Requires that all is settled. O(n^2).
-  std::size_t trapezoids(std::span<const ObjectId> slopes) const;
+  // Calls visit(trapezoid, goes_on) for all trapezoids, face by face and from left to right; goes_on: the
+  // next one is behind the wall at its right side. False as settle(). Requires that all is settled. O(n^2).
+  template <class Visit>
+  bool each_trapezoid(std::span<const ObjectId> slopes, const Visit& visit) const {
+    if (slopes.empty()) visit(Trapezoid{}, false);
+    return each_face(slopes, [&](const Face& face) { trapezoids_of(face, visit); });
+  }
   void visit_proof(ProofVisitor& visitor) const;
   void check(std::span<const ObjectId> slopes, AuditReport& report) const;
   std::size_t bytes() const;
@@ -158,9 +171,50 @@ class FaceWalls {
   std::uint32_t& mark(const Edge& edge, Side side) {
     return marks_[2 * (edge.line * (std::size_t{stride_} + 1) + edge.place) + side];
   }
-  // Calls visit(face) for all faces. False as settle().
+  // Calls visit(face) for all faces. False as settle(). Every face has an edge that it is above, or one
+  // that it is below, as its first one.
   template <class Visit>
-  bool each_face(std::span<const ObjectId> slopes, const Visit& visit) const;
+  bool each_face(std::span<const ObjectId> slopes, const Visit& visit) const {
+    const std::vector<Far> far = far_right(slopes);
+    Face face;
+    for (const ObjectId line : crossings_->lines()) {
+      for (Edge edge = first_edge(line); edge.place <= last_edge(line).place; ++edge.place) {
+        for (const Side side : {kUp, kDown}) {
+          if (!face_at(edge, side, far, face)) return false;
+          const bool is_first = face.chains[side].edges.front() == edge;
+          if (is_first && (side == kUp || face.chains[kUp].edges.empty())) visit(face);
+        }
+      }
+    }
+    return true;
+  }
+  // The walls of a face from left to right, by their ends: one from above is behind all crossings of the
+  // lower chain to the left of the line on which it ends. It may lack some if the ends are wrong.
+  std::vector<Wall> order_of(const Face& face) const;
+  template <class Visit>
+  void trapezoids_of(const Face& face, const Visit& visit) const {
+    const std::vector<Edge>&lower = face.chains[kUp].edges, &upper = face.chains[kDown].edges;
+    const bool closed = !lower.empty() && !upper.empty();
+    const auto meet = [](ObjectId l, ObjectId m) { return std::array<ObjectId, 2>{std::min(l, m), std::max(l, m)}; };
+    Trapezoid one;
+    std::size_t i = 0, j = 0;
+    if (closed && face.chains[kUp].left) one.left = meet(lower.front().line, upper.front().line);
+    const auto between = [&] {
+      one.floor = lower.empty() ? kNoObject : lower[i].line;
+      one.ceiling = upper.empty() ? kNoObject : upper[j].line;
+    };
+    for (const Wall& wall : order_of(face)) {
+      between();
+      one.right = {wall.l, wall.m};
+      visit(one, true);
+      one.left = one.right;
+      ++(wall.side == kUp ? i : j);
+    }
+    between();
+    one.right = {kNoObject, kNoObject};
+    if (closed && face.chains[kUp].right) one.right = meet(lower.back().line, upper.back().line);
+    visit(one, false);
+  }
   void check_face(const Face& face, AuditReport& report) const;
 
   Kernel* kernel_;

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "structures/arrangement/incidences_all.h"
+#include "structures/arrangement/incidences_cutting.h"
 #include "structures/arrangement/line_arrangement_2.h"
+#include "structures/arrangement/line_sample.h"
 #include "structures/arrangement/points_in_arrangement.h"
 #include "structures/arrangement/trapezoids_2.h"
 
@@ -30,6 +32,28 @@ StructureInfo incidences() {
   all.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
   all.make = make_plain<IncidencesAll>;
   return all;
+}
+
+StructureInfo incidences_by_cutting() {
+  StructureInfo cutting = incidences();
+  cutting.name = "incidences_cutting";
+  cutting.summary = "the same, of points with the lines that cross their trapezoid of a random sample of lines";
+  cutting.reads = {{"line_arrangement_2"}, {"trapezoids_2"}};
+  cutting.sample = sample_of_lines;
+  cutting.parameters = {{.name = "r",
+                         .summary = "lines in the sample; 0 for the cube root of their number",
+                         .usual = "0",
+                         .least = "0"}};
+  cutting.kinds.push_back(
+      {"cell", Effect::kNever, "a line or a point goes to other trapezoids of the sample"});
+  cutting.certificates =
+      "O(n r + (n^2 / r) log n) expected for n lines and n points; those of trapezoids_2, of r lines, besides";
+  cutting.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
+    return std::make_unique<IncidencesCutting>(
+        in.kernel, in.id, dynamic_cast<const Trapezoids2&>(*in.watched[1]),
+        sample_of_lines(in.request, in.scene).objects, in.scene);
+  };
+  return cutting;
 }
 
 StructureInfo arrangement_of_lines() {
@@ -107,7 +131,7 @@ StructureInfo trapezoids() {
 }  // namespace
 
 StructureFamily arrangement_family() {
-  return {"arrangement", {incidences(), arrangement_of_lines(), places_of_points(), trapezoids()}};
+  return {"arrangement", {incidences(), incidences_by_cutting(), arrangement_of_lines(), places_of_points(), trapezoids()}};
 }
 
 }  // namespace kinex

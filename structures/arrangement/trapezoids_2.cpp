@@ -103,6 +103,12 @@ void Trapezoids2::instant_over() {
   walls_.forget();
 }
 
+std::size_t Trapezoids2::trapezoids() const {
+  std::size_t result = 0;
+  walls_.each_trapezoid(lines_->slopes(), [&result](const FaceWalls::Trapezoid&, bool) { ++result; });
+  return result;
+}
+
 Attribute Trapezoids2::attribute_of(bool told) const {
   Attribute result{Attribute::Shape::kSequence, {}};
   walls_.each(told, [&result](const FaceWalls::Wall& wall, ObjectId end) {

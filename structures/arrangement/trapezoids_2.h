@@ -78,7 +78,11 @@ class Trapezoids2 final : public Structure {
   std::size_t bytes() const override { return walls_.bytes(); }
 
   // The number of trapezoids, counted face by face. O(n^2).
-  std::size_t trapezoids() const { return walls_.trapezoids(lines_->slopes()); }
+  std::size_t trapezoids() const;
+
+  // For structures that read it.
+  const LineArrangement2& lines() const { return *lines_; }
+  const FaceWalls& walls() const { return walls_; }
 
  private:
   bool settle();

@@ -122,6 +122,8 @@ struct StructureInfo {
   // Of its first parameter and the number of axes: the vectors along which its certificates order
   // objects and extents, one of each two opposite ones; nullptr: it has no vectors of its own.
   std::vector<std::vector<Rational>> (*directions)(int parameter, int axes) = nullptr;
+  // The objects that those structures are built from which it reads; nullptr: they are the request's.
+  Subset (*sample)(const Request& request, const Scene& scene) = nullptr;
   // Adds the objects that it derives in the scene; nullptr: it derives none.
   void (*derives)(const Scene& scene, NumberNeeds& needs) = nullptr;
   // Refuses scenes that it cannot maintain for another reason; nullptr: there is none. Called only

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/structures/arrangement/line_scenes.h"
+#include "tests/structures/arrangement/replayed_run.h"
 #include "tests/structures/metamorphic.h"
 
 namespace kinex::test {
@@ -16,7 +17,11 @@ namespace incidences_test {
 
 using Ids = std::vector<ObjectId>;
 
-std::vector<Request> incidences() { return {ask("incidences_all")}; }
+// Cuttings of the usual size, of one line, and of so many that few others or none are left.
+std::vector<Request> incidences() {
+  return {ask("incidences_all"), ask("incidences_cutting"), ask("incidences_cutting", "r", 1),
+          ask("incidences_cutting", "r", 3)};
+}
 
 // The hard bound: every point is on every line twice.
 TEST(Incidences, EveryPointIsOnEveryLineTwice) {
@@ -67,6 +72,27 @@ void on_lattices(std::uint64_t seeds) {
 }
 
 TEST(Incidences, TinyLattices) { on_lattices(200); }
+
+// More lines than in the samples, and structures that are rebuilt instead of repaired now and then.
+void on_larger_lattices(std::uint64_t seeds) {
+  std::uint64_t cells = 0, external = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    const int n = 8 + static_cast<int>(seed % 9);
+    const Scene scene = lined(lattice_scene(seed, n, 2), LineUse::kWithPoints);
+    const TwinRun run(scene, incidences());
+    external += run.ledger().external;
+    ReplayedRun replayed(scene, "incidences_cutting", seed % 4 == 0 ? seed : 0);
+    cells += replayed.count("cell");
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(external, 10 * seeds);
+  EXPECT_GT(cells, 10 * seeds);
+}
+
+TEST(Incidences, LargerLattices) { on_larger_lattices(60); }
+
+TEST(SlowIncidences, LargerLattices) { on_larger_lattices(1000); }
 
 TEST(SlowIncidences, TinyLattices) { on_lattices(3000); }
 
@@ -165,6 +191,42 @@ TEST(Incidences, ManyAtOneInstant) {
   EXPECT_EQ(run.ledger().simultaneous_groups, 1u);
   EXPECT_EQ(run.begins_with, (Ids{0, 3, 1, 3}));
   EXPECT_EQ(run.attribute(), (Ids{0, 2, 1, 2}));
+}
+
+// The same with more objects than sample lines.
+TEST(Incidences, ManyFlights) {
+  std::uint64_t external = 0;
+  for (const int degree : {1, 2, 3}) {
+    for (std::uint64_t seed = 1; seed <= (degree == 1 ? 8u : 3u); ++seed) {
+      SCOPED_TRACE("degree " + std::to_string(degree) + ", seed " + std::to_string(seed));
+      const Scene scene = lined(random_flights(100 + seed, 16, 2, degree, seed % 2 == 0),
+                                LineUse::kWithPoints);
+      const TwinRun run(scene, incidences()), twin(scene, incidences(), "sturm");
+      EXPECT_EQ(run.sink.log.lines, twin.sink.log.lines);
+      external += run.ledger().external;
+    }
+  }
+  EXPECT_GT(external, 200u);
+}
+
+// Runs in inexact arithmetics end, in double with the pairs of the exact run or in corruption.
+TEST(Incidences, InexactRunsEnd) {
+  int agree = 0, corrupt = 0;
+  for (const char* const arithmetic : {"double", "gsl", "mpfr:4", "mpfr:53"}) {
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      SCOPED_TRACE(std::string(arithmetic) + ", seed " + std::to_string(seed));
+      const Scene given = seed % 3 == 0 ? random_flights(seed, 12, 2, 2, true) : lattice_scene(seed, 12, 2);
+      const Scene scene = lined(given, LineUse::kWithPoints);
+      const std::vector<Request> cutting{ask("incidences_cutting", "r", 3)};
+      TwinRun run(scene, cutting, arithmetic);
+      EXPECT_EQ(run.simulator.run_until(std::nullopt), RunStatus::kDone);
+      if (arithmetic != std::string("double")) continue;
+      ++(run.ledger().corrupt ? corrupt : agree);
+      if (run.ledger().corrupt) continue;
+      EXPECT_EQ(run.attribute(), TwinRun(scene, cutting).attribute());
+    }
+  }
+  EXPECT_GT(agree, 2 * corrupt);
 }
 
 TEST(Incidences, JumpsAreInsertions) {

@@ -122,10 +122,10 @@ struct CaliperRun {
   Ids begins_with;
 };
 
-inline Rational over(std::int64_t a, std::int64_t b) { return Rational(Integer(a), Integer(b)); }
+inline Rational quotient(std::int64_t a, std::int64_t b) { return Rational(Integer(a), Integer(b)); }
 
 // The point of the unit circle at the angle 2 atan q.
-inline std::pair<Rational, Rational> on_circle(const Rational& q) {
+inline std::pair<Rational, Rational> at_half_angle(const Rational& q) {
   const Rational all = Rational(1) + q * q;
   return {(Rational(1) - q * q) / all, Rational(2) * q / all};
 }
@@ -135,11 +135,11 @@ inline Scene vernier(int n, int m) {
   const std::int64_t d = std::int64_t{m} * n * n;
   std::vector<Trajectory> t;
   for (int i = 0; i < n; ++i) {
-    const auto [x, y] = on_circle(over(i, d));
+    const auto [x, y] = at_half_angle(quotient(i, d));
     t.push_back(path({{-x}, {-y}}));
   }
   for (int j = 0; j < m; ++j) {
-    const auto [x, y] = on_circle(over(-j * n, d));
+    const auto [x, y] = at_half_angle(quotient(-j * n, d));
     t.push_back(path({{x, -y}, {y, x}}));
   }
   return scene_of(t, -1000000, Rational(1000000));
@@ -161,14 +161,14 @@ inline Scene vernier_turned(int n, int m) {
 // n tips pass below m edges: 2nm - n - m changes of the width and of both rectangles.
 inline Scene comb(int n, int m) {
   const std::int64_t end = std::int64_t{n} * (m - 1);
-  const Rational g = over(1, 100 * end * end), s = g / Rational(100000 * m);
+  const Rational g = quotient(1, 100 * end * end), s = g / Rational(100000 * m);
   std::vector<Trajectory> t;
   for (int j = 0; j <= m; ++j) t.push_back(path({{j}, {s * Rational(j * (m - j))}}));
-  t.push_back(path({{-1000}, {over(-1, 10)}}));
-  t.push_back(path({{1000}, {over(-1, 10)}}));
+  t.push_back(path({{-1000}, {quotient(-1, 10)}}));
+  t.push_back(path({{1000}, {quotient(-1, 10)}}));
   for (int i = 0; i < n; ++i) {
-    const Rational at = over((m - 1) * (2 * i + 1), 2);
-    t.push_back(path({{over(m, 2) - at, 1}, {g * at * at - Rational(1), Rational(-2) * g * at}}));
+    const Rational at = quotient((m - 1) * (2 * i + 1), 2);
+    t.push_back(path({{quotient(m, 2) - at, 1}, {g * at * at - Rational(1), Rational(-2) * g * at}}));
   }
   return scene_of(t, 0, Rational(end));
 }

@@ -189,7 +189,7 @@ TEST(Layers, BothDropWhatIsErased) {
         const Scene scene = through_vertices();
         Layers<> layers(scene, hull);
         layers.simulator().schedule_erasure(Rational(t), object);
-        layers.simulator().schedule_insertion(over(2 * t + 1, 2), object,
+        layers.simulator().schedule_insertion(quotient(2 * t + 1, 2), object,
                                               scene.objects[object].motion.pieces[0].trajectory);
         EXPECT_EQ(layers.simulator().run_until(std::nullopt), RunStatus::kDone);
         EXPECT_EQ(layers.upper(), (std::vector<ObjectId>{1, 4}));
@@ -217,7 +217,7 @@ TEST(Layers, TheDiameterFollowsErasures) {
         Scene scene = through_vertices();
         Motion& motion = scene.objects[object].motion;
         motion.pieces[0].to = Rational(t);
-        motion.pieces.push_back({over(2 * t + 1, 2), Rational(6), motion.pieces[0].trajectory});
+        motion.pieces.push_back({quotient(2 * t + 1, 2), Rational(6), motion.pieces[0].trajectory});
         const CaliperRun baseline(scene, "diameter_all_pairs", "");
         const CaliperRun layered(scene, "diameter_2", hull);
         EXPECT_EQ(layered.values(), baseline.values());

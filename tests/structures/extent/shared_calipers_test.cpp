@@ -193,10 +193,10 @@ Scene new_plans_on_a_parabola() {
   for (int i = 0; i < 12; ++i) t.push_back(path({{i}, {i * i}}));
   Scene scene = scene_of(t, 0, Rational(8));
   for (const int i : {2, 5, 7, 10, 11}) {
-    const Rational at = over(i, 2);
+    const Rational at = quotient(i, 2);
     auto& pieces = scene.objects[static_cast<std::size_t>(i)].motion.pieces;
     pieces[0].to = at;
-    pieces.push_back({at, std::nullopt, path({{i}, {Rational(i * i) + at / Rational(100), over(-1, 100)}})});
+    pieces.push_back({at, std::nullopt, path({{i}, {Rational(i * i) + at / Rational(100), quotient(-1, 100)}})});
   }
   return scene;
 }
