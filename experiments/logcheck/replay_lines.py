@@ -28,6 +28,23 @@ class PointsAboveLines(BoxesThatMeet):
                       if self.world.sign_after(("line_side", (line, point)), x) > 0)
 
 
+class PointsOfCells(PointsAboveLines):
+    """The same, from the trapezoids of a sample: events "cell" name a line or a point that goes to others."""
+
+    partly = "internal events: the trapezoids are not followed"
+
+    def record(self, r, x):
+        if r.kind != "cell":
+            super().record(r, x)
+            return
+        self.look = True
+        self.require(not r.external and r.gone is None, "%s says nothing of the attribute", r.short())
+        self.require_members(r, 1)
+        self.require(not self.events, "%s: a failure after the changes that it leads to", r.short())
+        if self.query(r) is not None:
+            self.require(r.ids[0] in self.query(r)[1], "%s is not a failure of its object", r.short())
+
+
 class Signs:
     """What the arrangement of lines is, right after an instant: of each two lines the order by slope, of each
     three the sign of their triangle. Lines are raised by infinitesimals, more so the smaller the number."""

@@ -163,6 +163,10 @@ bool IncidencesCutting::settle() {
                            : locate(object);
     if (!found) lose(object);
   }
+  sort_unique(suspects_);
+  for (const ObjectId line : std::exchange(suspects_, {})) {
+    for (const ObjectId p : points_) compare(line, p);
+  }
   for (const ObjectId object : lost) {
     if (is_line_[object]) {
       for (const ObjectId p : points_) compare(object, p);
@@ -193,6 +197,7 @@ void IncidencesCutting::build(std::span<const ObjectId> objects) {
   samples_.clear();
   for (const ObjectId object : objects) own(object).push_back(object);
   lost_.clear();
+  suspects_.clear();
   lose_all();
   settle_all();
 }
@@ -223,6 +228,7 @@ void IncidencesCutting::erase(ObjectId object) {
   Ids& same = own(object);
   same.erase(std::lower_bound(same.begin(), same.end(), object));
   std::erase(lost_, object);
+  std::erase(suspects_, object);
   if (!is_line_[object]) {
     leave(object);
   } else if (!is_sample_[object]) {
@@ -271,9 +277,18 @@ void IncidencesCutting::motions_changed(std::span<const ObjectId> objects) {
   kernel_->settle_later(id_);
 }
 
-void IncidencesCutting::watched_changed(const Event*) {
+// Of the two structures that are watched the arrangement names three lines, or two, and the trapezoids four.
+void IncidencesCutting::watched_changed(const Event* event) {
   cells_changed_ = true;
   kernel_->settle_later(id_);
+  if (event != nullptr && event->count == 3) {
+    suspects_.insert(suspects_.end(), event->ids.begin(), event->ids.begin() + 3);
+  }
+  const bool parallel = event != nullptr && event->count == 2 && event->kind == LineArrangement2::kParallel;
+  if (event == nullptr || event->count == 0 || (event->count == 2 && !parallel)) {
+    lose_all();
+    suspects_.insert(suspects_.end(), samples_.begin(), samples_.end());
+  }
 }
 
 void IncidencesCutting::instant_over() {

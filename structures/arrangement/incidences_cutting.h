@@ -23,9 +23,12 @@
 // Where the trapezoids change, so are the lines and points of those that are gone. All that when the
 // instant is settled.
 //
-// Why that is all. If a point passes a line that it is not watched against, both are in one place then,
-// on the border of the point's trapezoid. Either the place of the point fails, or the way of the line, or
-// the trapezoid has shrunk to a part of the line; then its corners pass the line, too, and its way fails.
+// Why that is all. Let a point pass a line that it is not watched against, while neither its place nor the
+// way of the line fails, and the trapezoid of the point is still there. Then the trapezoid has shrunk to a
+// part of the line for that instant, and the line has passed its corners, crossings of the sample. A line
+// with a way crosses the sample in another order then: its way fails. Of a sample line the arrangement of
+// the sample reports triples: their lines are compared with all points. What parallel lines do that pass
+// through each other is not followed: then all lines and points are led and located anew.
 //
 // Bound. At most 2 d n m external events for motions of degree d, as for incidences_all.
 //
@@ -98,7 +101,7 @@ class IncidencesCutting final : public Structure {
   }
   void lose(ObjectId object);  // its way or place is to be found anew
   void lose_all();
-  bool is_settled() const { return !cells_changed_ && lost_.empty(); }
+  bool is_settled() const { return !cells_changed_ && lost_.empty() && suspects_.empty(); }
   bool settle();  // right after now; false: something is left, which the trapezoids do not allow yet
   void settle_all();
   bool is_higher(ObjectId l, ObjectId m, ObjectId p) const;  // m than l
@@ -129,6 +132,7 @@ class IncidencesCutting final : public Structure {
   std::vector<bool> above_;  // by line and point
   MeetingEvents events_;
   Ids lost_;
+  Ids suspects_;  // sample lines that have passed crossings of the sample
   bool cells_changed_ = false;
   int tries_ = 0;  // instants in a row at which something was left
 };

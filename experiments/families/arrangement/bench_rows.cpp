@@ -7,6 +7,8 @@ namespace kinex::families {
 std::vector<lab::BenchRow> arrangement_bench_rows(int scale) {
   return {
       lab::speed_row("incidences_all", "random-lines-and-points", 1, lab::scaled_size(200, scale)),
+      lab::speed_row("incidences_cutting", "random-lines-and-points", 1,
+                     lab::scaled_size(64, scale)),
       lab::speed_row("line_arrangement_2", "random-lines", 1, lab::scaled_size(48, scale)),
       lab::speed_row("points_in_arrangement", "random-lines-and-points", 1,
                      lab::scaled_size(64, scale)),

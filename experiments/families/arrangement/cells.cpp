@@ -16,7 +16,7 @@
 namespace kinex::families {
 namespace {
 
-constexpr const char* kIncidences[] = {"incidences_all"};
+constexpr const char* kIncidences[] = {"incidences_all", "incidences_cutting"};
 
 void add_exactly(lab::Catalogue& catalogue, lab::Cell cell, std::string claim,
                  const char* quantity, int count, std::string source) {

@@ -193,6 +193,45 @@ TEST(Incidences, ManyAtOneInstant) {
   EXPECT_EQ(run.attribute(), (Ids{0, 2, 1, 2}));
 }
 
+// The triangle below y = t^2 - |x| and above y = 0 collapses at t = 0 and is there again. A point stays in
+// it; the line y = x / 2 + t passes from below it to above it. All of that through the origin.
+TEST(Incidences, ATriangleThatCollapsesForAnInstant) {
+  const Rational half(Integer(1), Integer(2));
+  const std::vector<Trajectory> paths{path({{-1}, {0, 0, 1}}), path({{1}, {0, 0, 1}}), path({{0}, {0}}),
+                                      path({{half}, {0, 1}}), path({{0}, {0, 0, half}})};
+  for (std::size_t first = 0; first < 4; ++first) {
+    SCOPED_TRACE(first);
+    std::vector<Trajectory> turned;
+    for (std::size_t i = 0; i < 4; ++i) turned.push_back(paths[(first + i) % 4]);
+    turned.push_back(paths[4]);
+    Scene scene = scene_of(turned, -1, 1);
+    for (std::size_t i = 0; i < 4; ++i) scene.objects[i].line = true;
+    std::vector<Request> requests = incidences();
+    requests.push_back(ask("incidences_cutting", "r", 4));
+    EXPECT_EQ(TwinRun(scene, requests).ledger().external, 1u);
+  }
+}
+
+// Five parallel lines pass through each other at t = 0: two of them, with a point between them, go from
+// above the other three to below them.
+TEST(Incidences, AStripThatPassesThreeLines) {
+  const std::vector<Trajectory> paths{path({{0}, {0, -10, 1}}), path({{0}, {0, -10, -1}}),
+                                      path({{0}, {0, 0, 1}}),   path({{0}, {0, 0, -1}}),
+                                      path({{0}, {0}}),         path({{0}, {0, -10}})};
+  for (const int r : {1, 2, 3, 4, 5}) {
+    for (std::size_t first = 0; first < 5; ++first) {
+      SCOPED_TRACE(std::to_string(r) + " of five lines from " + std::to_string(first));
+      std::vector<Trajectory> turned;
+      for (std::size_t i = 0; i < 5; ++i) turned.push_back(paths[(first + i) % 5]);
+      turned.push_back(paths[5]);
+      Scene scene = scene_of(turned, -1, 1);
+      for (std::size_t i = 0; i < 5; ++i) scene.objects[i].line = true;
+      const TwinRun run(scene, {ask("incidences_all"), ask("incidences_cutting", "r", r)});
+      EXPECT_EQ(run.ledger().external, 3u);
+    }
+  }
+}
+
 // The same with more objects than sample lines.
 TEST(Incidences, ManyFlights) {
   std::uint64_t external = 0;
