@@ -9,12 +9,12 @@ namespace kinex {
 bool CuttingCells::collect(const Trapezoids2& trapezoids) {
   next_.clear();
   std::optional<Trapezoid> before;  // its wall is at the left side of the next one
-  return trapezoids.walls().each_trapezoid(
-      trapezoids.lines().slopes(), [&](const Trapezoid& one, bool goes_on) {
-        if (before) next_.at(*before) = one;
-        next_.emplace(one, one);
-        before = goes_on ? std::optional(one) : std::nullopt;
-      });
+  return trapezoids.walls().each_trapezoid(trapezoids.lines().slopes(),
+                                           [&](const Trapezoid& one, bool goes_on) {
+                                             if (before) next_.at(*before) = one;
+                                             next_.emplace(one, one);
+                                             before = goes_on ? std::optional(one) : std::nullopt;
+                                           });
 }
 
 void CuttingCells::add_new() {

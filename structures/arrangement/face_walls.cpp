@@ -109,7 +109,8 @@ bool FaceWalls::face_at(const Edge& edge, Side side, std::span<const Far> far, F
     return std::any_of(opposite.edges.begin(), opposite.edges.end(),
                        [&e](const Edge& other) { return other.line == e.line; });
   };
-  if (!kernel_->is_exact() && std::any_of(own.edges.begin(), own.edges.end(), is_opposite)) return false;
+  if (!kernel_->is_exact() && std::any_of(own.edges.begin(), own.edges.end(), is_opposite))
+    return false;
   return meet(own.left, own.edges.front(), opposite.left, opposite.edges.front()) &&
          meet(own.right, own.edges.back(), opposite.right, opposite.edges.back());
 }
@@ -322,14 +323,14 @@ void FaceWalls::visit_proof(ProofVisitor& visitor) const {
 std::vector<FaceWalls::Wall> FaceWalls::order_of(const Face& face) const {
   const std::vector<Edge>&lower = face.chains[kUp].edges, &upper = face.chains[kDown].edges;
   const auto index = [&lower](ObjectId line) {
-    const auto found = std::find_if(lower.begin(), lower.end(),
-                                    [line](const Edge& e) { return e.line == line; });
+    const auto found =
+        std::find_if(lower.begin(), lower.end(), [line](const Edge& e) { return e.line == line; });
     return static_cast<std::size_t>(found - lower.begin());
   };
   std::vector<Wall> order;
   for (std::size_t i = 0, j = 0; i + 1 < lower.size() || j + 1 < upper.size();) {
-    const bool down = j + 1 < upper.size() &&
-                      (lower.size() < 2 || index(end(wall_at(face, kDown, j))) <= i);
+    const bool down =
+        j + 1 < upper.size() && (lower.size() < 2 || index(end(wall_at(face, kDown, j))) <= i);
     if (!down && i + 1 >= lower.size()) break;
     order.push_back(down ? wall_at(face, kDown, j++) : wall_at(face, kUp, i++));
   }
@@ -338,16 +339,16 @@ std::vector<FaceWalls::Wall> FaceWalls::order_of(const Face& face) const {
 
 void FaceWalls::check_face(const Face& face, AuditReport& report) const {
   const auto name = [](const Wall& wall) {
-    return (wall.side == kUp ? " from crossing " : " down from crossing ") + std::to_string(wall.l) +
-           ", " + std::to_string(wall.m);
+    return (wall.side == kUp ? " from crossing " : " down from crossing ") +
+           std::to_string(wall.l) + ", " + std::to_string(wall.m);
   };
   const std::vector<Wall> order = order_of(face);
   std::array<std::size_t, 2> done{0, 0};
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::vector<Edge>& opposite = face.chains[other(order[i].side)].edges;
-    report.check(end(order[i]) ==
-                     (opposite.empty() ? kNoObject : opposite[done[other(order[i].side)]].line),
-                 [&] { return "a wall that ends on another line:" + name(order[i]); });
+    report.check(
+        end(order[i]) == (opposite.empty() ? kNoObject : opposite[done[other(order[i].side)]].line),
+        [&] { return "a wall that ends on another line:" + name(order[i]); });
     ++done[order[i].side];
     const std::size_t place = at(order[i]);
     if (i + 1 == order.size() || order[i].side == order[i + 1].side) {
@@ -374,7 +375,8 @@ void FaceWalls::check(std::span<const ObjectId> slopes, AuditReport& report) con
   std::size_t faces = 0, walls = 0, there = 0;
   const bool sound = each_face(slopes, [&](const Face& face) {
     ++faces;
-    for (const Chain& chain : face.chains) walls += chain.edges.empty() ? 0 : chain.edges.size() - 1;
+    for (const Chain& chain : face.chains)
+      walls += chain.edges.empty() ? 0 : chain.edges.size() - 1;
     check_face(face, report);
   });
   report.check(sound, [] { return "a face that does not close"; });

@@ -149,7 +149,9 @@ class FaceWalls {
   }
   bool crosses(ObjectId l, ObjectId m) const;
   Edge edge_after(ObjectId line, ObjectId m) const { return {line, crossings_->place(line, m)}; }
-  Edge edge_before(ObjectId line, ObjectId m) const { return {line, crossings_->place(line, m) - 1}; }
+  Edge edge_before(ObjectId line, ObjectId m) const {
+    return {line, crossings_->place(line, m) - 1};
+  }
   Edge first_edge(ObjectId line) const { return {line, crossings_->place(line, line)}; }
   Edge last_edge(ObjectId line) const { return {line, crossings_->order(line).size() - 1}; }
   std::vector<Far> far_right(std::span<const ObjectId> slopes) const;
@@ -195,7 +197,9 @@ class FaceWalls {
   void trapezoids_of(const Face& face, const Visit& visit) const {
     const std::vector<Edge>&lower = face.chains[kUp].edges, &upper = face.chains[kDown].edges;
     const bool closed = !lower.empty() && !upper.empty();
-    const auto meet = [](ObjectId l, ObjectId m) { return std::array<ObjectId, 2>{std::min(l, m), std::max(l, m)}; };
+    const auto meet = [](ObjectId l, ObjectId m) {
+      return std::array<ObjectId, 2>{std::min(l, m), std::max(l, m)};
+    };
     Trapezoid one;
     std::size_t i = 0, j = 0;
     if (closed && face.chains[kUp].left) one.left = meet(lower.front().line, upper.front().line);

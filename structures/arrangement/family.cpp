@@ -131,7 +131,9 @@ StructureInfo trapezoids() {
 }  // namespace
 
 StructureFamily arrangement_family() {
-  return {"arrangement", {incidences(), incidences_by_cutting(), arrangement_of_lines(), places_of_points(), trapezoids()}};
+  return {"arrangement",
+          {incidences(), incidences_by_cutting(), arrangement_of_lines(), places_of_points(),
+           trapezoids()}};
 }
 
 }  // namespace kinex

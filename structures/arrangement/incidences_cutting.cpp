@@ -284,7 +284,8 @@ void IncidencesCutting::watched_changed(const Event* event) {
   if (event != nullptr && event->count == 3) {
     suspects_.insert(suspects_.end(), event->ids.begin(), event->ids.begin() + 3);
   }
-  const bool parallel = event != nullptr && event->count == 2 && event->kind == LineArrangement2::kParallel;
+  const bool parallel =
+      event != nullptr && event->count == 2 && event->kind == LineArrangement2::kParallel;
   if (event == nullptr || event->count == 0 || (event->count == 2 && !parallel)) {
     lose_all();
     suspects_.insert(suspects_.end(), samples_.begin(), samples_.end());
@@ -345,15 +346,17 @@ std::vector<BoundCheck> IncidencesCutting::bounds(const BoundContext& context) c
     const std::size_t object = context.members.empty() ? i : context.members[i];
     if (is_sample_[object]) ++sample;
   }
-  const Integer r(sample), lines = counted(both.lines.size()) - r, points = counted(both.points.size());
-  return {at_most("incidences_cutting.certificates",
-                  "3 for each step of a line through the trapezoids, 4 for each point, one for each "
-                  "line and point",
-                  lines * (Integer(3) * r * r + Integer(5)) + Integer(4) * points + lines * points,
-                  counted(context.ledger->max_live)),
-          at_most("incidences_cutting.external",
-                  "a point changes sides only at a root of its pair, and where pieces meet",
-                  side_changes(both, 2 * context.degree), counted(context.ledger->external))};
+  const Integer r(sample), lines = counted(both.lines.size()) - r,
+                           points = counted(both.points.size());
+  return {
+      at_most("incidences_cutting.certificates",
+              "3 for each step of a line through the trapezoids, 4 for each point, one for each "
+              "line and point",
+              lines * (Integer(3) * r * r + Integer(5)) + Integer(4) * points + lines * points,
+              counted(context.ledger->max_live)),
+      at_most("incidences_cutting.external",
+              "a point changes sides only at a root of its pair, and where pieces meet",
+              side_changes(both, 2 * context.degree), counted(context.ledger->external))};
 }
 
 void IncidencesCutting::check_invariants(AuditReport& report) const {

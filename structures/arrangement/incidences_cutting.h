@@ -102,7 +102,8 @@ class IncidencesCutting final : public Structure {
   void lose(ObjectId object);  // its way or place is to be found anew
   void lose_all();
   bool is_settled() const { return !cells_changed_ && lost_.empty() && suspects_.empty(); }
-  bool settle();  // right after now; false: something is left, which the trapezoids do not allow yet
+  bool
+  settle();  // right after now; false: something is left, which the trapezoids do not allow yet
   void settle_all();
   bool is_higher(ObjectId l, ObjectId m, ObjectId p) const;  // m than l
   bool is_behind(const std::array<ObjectId, 2>& crossing, ObjectId p) const;
@@ -115,7 +116,9 @@ class IncidencesCutting final : public Structure {
   std::vector<bool>::reference above(ObjectId line, ObjectId p) {
     return above_[std::size_t{line} * places_.size() + p];
   }
-  bool above(ObjectId line, ObjectId p) const { return above_[std::size_t{line} * places_.size() + p]; }
+  bool above(ObjectId line, ObjectId p) const {
+    return above_[std::size_t{line} * places_.size() + p];
+  }
 
   static constexpr int kMostTries = 100;
   Kernel* kernel_;

@@ -26,7 +26,8 @@ int LineWays::slope_order(ObjectId l, ObjectId m) const {
   return sign == Sign::kPositive ? 1 : sign == Sign::kNegative ? -1 : 0;
 }
 
-LineWays::Corner LineWays::corner(const std::array<ObjectId, 2>& crossing, bool right, ObjectId on) {
+LineWays::Corner LineWays::corner(const std::array<ObjectId, 2>& crossing, bool right,
+                                  ObjectId on) {
   if (crossing[0] == kNoObject) return {right ? At::kRightEnd : At::kLeftEnd, crossing, on};
   return {At::kCrossing, crossing, on};
 }
@@ -42,7 +43,8 @@ Query LineWays::claim(const Step& step, const Corner& corner, bool above) const 
   }
   auto [a, b] = corner.crossing;
   if (step.lines->side(a, b) < 0) std::swap(a, b);
-  if (h == a || h == b) return above ? Query(orientation_, {a, b, g}) : Query(orientation_, {b, a, g});
+  if (h == a || h == b)
+    return above ? Query(orientation_, {a, b, g}) : Query(orientation_, {b, a, g});
   return above ? Query(order_, {a, b, h, g}) : Query(order_, {a, b, g, h});
 }
 
@@ -129,7 +131,8 @@ LineWays::Cell LineWays::next(Step& step, Cell cell, bool& ends) const {
   return ends ? CuttingCells::kNone : cells_->behind(cell);
 }
 
-bool LineWays::lead(ObjectId line, const std::vector<ObjectId>& slopes, const CrossingLists& lines) {
+bool LineWays::lead(ObjectId line, const std::vector<ObjectId>& slopes,
+                    const CrossingLists& lines) {
   Step step{line, &lines, {}, {}};
   bool ends = false;
   for (Cell cell = begin(step, slopes); !ends; cell = next(step, cell, ends)) {
@@ -215,8 +218,9 @@ void LineWays::check(ObjectId line, AuditReport& report) const {
     const CuttingCells::Trapezoid& t = cells_->trapezoid(way.cells[i]);
     report.check(cells_->is_crossed(way.cells[i], line),
                  [&] { return "a trapezoid that does not know a line" + where(); });
-    report.check((t.left[0] == kNoObject || i > 0) && (t.right[0] == kNoObject || i + 1 < way.cells.size()),
-                 [&] { return "a way with an end" + where(); });
+    report.check(
+        (t.left[0] == kNoObject || i > 0) && (t.right[0] == kNoObject || i + 1 < way.cells.size()),
+        [&] { return "a way with an end" + where(); });
     if (i == 0) continue;
     const CuttingCells::Trapezoid& s = cells_->trapezoid(way.cells[i - 1]);
     const bool wall = cells_->behind(way.cells[i - 1]) == way.cells[i];

@@ -86,7 +86,8 @@ void Trapezoids2::watched_changed(const Event* event) {
 void Trapezoids2::instant_over() {
   const std::vector<FaceWalls::Wall> changed = walls_.changed();
   const auto came_or_gone = [this](const FaceWalls::Wall& wall) {
-    return (walls_.end(wall) == FaceWalls::kAbsent) != (walls_.end_before(wall) == FaceWalls::kAbsent);
+    return (walls_.end(wall) == FaceWalls::kAbsent) !=
+           (walls_.end_before(wall) == FaceWalls::kAbsent);
   };
   if (std::any_of(changed.begin(), changed.end(), came_or_gone)) {
     const Attribute before = told();
@@ -105,7 +106,8 @@ void Trapezoids2::instant_over() {
 
 std::size_t Trapezoids2::trapezoids() const {
   std::size_t result = 0;
-  walls_.each_trapezoid(lines_->slopes(), [&result](const FaceWalls::Trapezoid&, bool) { ++result; });
+  walls_.each_trapezoid(lines_->slopes(),
+                        [&result](const FaceWalls::Trapezoid&, bool) { ++result; });
   return result;
 }
 
@@ -131,15 +133,16 @@ std::vector<BoundCheck> Trapezoids2::bounds(const BoundContext& context) const {
     const auto found = context.ledger->by_kind.find(kind);
     if (found != context.ledger->by_kind.end()) observed += counted(found->second);
   }
-  return {at_most("trapezoids_2.certificates", "one for each wall, two walls for each two lines",
-                  n * std::max(Integer(0), n - Integer(1)), counted(context.ledger->max_live)),
-          at_most("trapezoids_2.events",
-                  "walls end on other lines only where three lines meet, crossings are one above the "
-                  "other, lines are parallel, and where pieces meet",
-                  Integer(6) * (triple_sign_changes(context.pieces, degree) +
-                                quadruple_sign_changes(context.pieces, degree)) +
-                      Integer(2) * pair_sign_changes(context.pieces, context.degree),
-                  observed)};
+  return {
+      at_most("trapezoids_2.certificates", "one for each wall, two walls for each two lines",
+              n * std::max(Integer(0), n - Integer(1)), counted(context.ledger->max_live)),
+      at_most("trapezoids_2.events",
+              "walls end on other lines only where three lines meet, crossings are one above the "
+              "other, lines are parallel, and where pieces meet",
+              Integer(6) * (triple_sign_changes(context.pieces, degree) +
+                            quadruple_sign_changes(context.pieces, degree)) +
+                  Integer(2) * pair_sign_changes(context.pieces, context.degree),
+              observed)};
 }
 
 void Trapezoids2::check_invariants(AuditReport& report) const {

@@ -3,16 +3,20 @@
 #ifndef KINEX_EXPERIMENTS_FAMILIES_ARRANGEMENT_EXPERIMENTS_H
 #define KINEX_EXPERIMENTS_FAMILIES_ARRANGEMENT_EXPERIMENTS_H
 
+#include <functional>
 #include <vector>
 
 #include "experiments/lab/bench_row.h"
 #include "experiments/lab/cell.h"
+#include "experiments/lab/judge.h"
 #include "experiments/lab/workload.h"
 
 namespace kinex::families {
 
 // cells.cpp
 void add_arrangement_cells(lab::Catalogue& catalogue, lab::Extent extent);
+// cutting_study.cpp
+lab::StudyResult study_cuttings(bool quick, const std::function<bool()>& go_on);
 // bench_rows.cpp
 std::vector<lab::BenchRow> arrangement_bench_rows(int scale);
 // lines_and_points.cpp

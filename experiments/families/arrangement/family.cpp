@@ -32,6 +32,7 @@ lab::FamilyExperiments arrangement_experiments() {
   family.event_bounds = {"triples"};
   family.long_audits = {"line_arrangement_2", "trapezoids_2"};
   family.add_cells = add_arrangement_cells;
+  family.studies = {{"incidences_cutting", "incidences", "incidences_cutting", study_cuttings}};
   family.trade = {{"incidences_all",
                    2,
                    {12, 32},

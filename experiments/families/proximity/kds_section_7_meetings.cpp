@@ -4,8 +4,8 @@
 // Scenes: fan-of-discs, n discs through one point; points-through-lines, n points and m turning lines;
 //   random ones.
 // Expected: n(n - 1) changes of discs and 2nm of sides, which are the hard bounds; growth like n^2.
-// Left out: smaller proofs of incidences (cuttings), for which there is no structure yet. Hitting sets of
-//   discs: kds_section_7_hitting.cpp.
+// Left out: smaller proofs of incidences (cuttings), a study of `kinex verify incidences`:
+//   families/arrangement/cutting_study.cpp. Hitting sets of discs: kds_section_7_hitting.cpp.
 // Cost: seconds.
 #include <utility>
 
