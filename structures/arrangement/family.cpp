@@ -37,7 +37,7 @@ StructureInfo incidences() {
 StructureInfo incidences_by_cutting() {
   StructureInfo cutting = incidences();
   cutting.name = "incidences_cutting";
-  cutting.summary = "the same, of points with the lines that cross their trapezoid of a random sample of lines";
+  cutting.summary = "which points are above which lines, by the trapezoids of a random sample of lines";
   cutting.reads = {{"line_arrangement_2"}, {"trapezoids_2"}};
   cutting.sample = sample_of_lines;
   cutting.parameters = {{.name = "r",
