@@ -99,7 +99,7 @@ class SignWatch final : public Structure {
     EXPECT_EQ(kernel_->query(failed), query(i));
     forms_[i].negative = !forms_[i].negative;
     kernel_->replace(forms_[i].certificate, query(i), i);
-    kernel_->report(id_, 0, {0, 1, 2, 3, 4, 5, 6, 7}, false);
+    kernel_->report(id_, 0, {0, 1, 2, 3, 4, 5, 6, 7}, true);
   }
   void insert(ObjectId) override {}
   void erase(ObjectId) override {}
