@@ -62,7 +62,7 @@ TEST(CollisionCatalogue, IsAGroupOfAllStructuresForBodies) {
   EXPECT_TRUE(std::includes(structures.begin(), structures.end(), all.begin(), all.end()));
   EXPECT_EQ(common, structures);
   EXPECT_EQ(group.studies.size(), 4u);
-  EXPECT_EQ(verify::make_catalogue("all", lab::Extent::kQuick).studies.size(), 10u);
+  EXPECT_EQ(verify::make_catalogue("all", lab::Extent::kQuick).studies.size(), 11u);
   EXPECT_EQ(verify::make_catalogue("separation_hysteresis", lab::Extent::kQuick).studies.size(), 1u);
   EXPECT_EQ(verify::make_catalogue("outer_hierarchy", lab::Extent::kQuick).studies.size(), 1u);
   EXPECT_EQ(verify::make_catalogue("inner_tangents", lab::Extent::kQuick).studies.size(), 1u);
