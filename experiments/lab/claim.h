@@ -15,7 +15,7 @@ struct PaperClaim {
   std::string id;         // "figure-3.brute-force"
   std::string place;      // in the paper
   std::string statement;  // in our words
-  std::string kind;       // "finding", "growth", "expectation", "run"
+  std::string kind;       // "finding", "growth", "expectation", "run", "question"
   std::string command;
   std::string expected;
   std::string tolerance;

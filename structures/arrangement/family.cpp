@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structures/arrangement/family.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -34,12 +37,24 @@ StructureInfo incidences() {
   return all;
 }
 
+// As many lines as the parameter "r" says.
+Subset sample_of(const Request& request, const Scene& scene) {
+  std::size_t size = 0;
+  for (const Parameter& parameter : request.parameters) {
+    if (parameter.name != "r") continue;
+    const Integer most(static_cast<std::int64_t>(scene.objects.size()));
+    size = static_cast<std::size_t>(std::min(parameter.value.numerator(), most).to_int64());
+  }
+  return sample_of_lines(request.of, scene, size);
+}
+
 StructureInfo incidences_by_cutting() {
   StructureInfo cutting = incidences();
   cutting.name = "incidences_cutting";
-  cutting.summary = "which points are above which lines, by the trapezoids of a random sample of lines";
+  cutting.summary =
+      "which points are above which lines, by the trapezoids of a random sample of lines";
   cutting.reads = {{"line_arrangement_2"}, {"trapezoids_2"}};
-  cutting.sample = sample_of_lines;
+  cutting.sample = sample_of;
   cutting.parameters = {{.name = "r",
                          .summary = "lines in the sample; 0 for the cube root of their number",
                          .usual = "0",
@@ -47,11 +62,12 @@ StructureInfo incidences_by_cutting() {
   cutting.kinds.push_back(
       {"cell", Effect::kNever, "a line or a point goes to other trapezoids of the sample"});
   cutting.certificates =
-      "O(n r + (n^2 / r) log n) expected for n lines and n points; those of trapezoids_2, of r lines, besides";
+      "O(n r + (n^2 / r) log n) expected for n lines and n points; those of trapezoids_2, of r "
+      "lines, besides";
   cutting.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
-    return std::make_unique<IncidencesCutting>(
-        in.kernel, in.id, dynamic_cast<const Trapezoids2&>(*in.watched[1]),
-        sample_of_lines(in.request, in.scene).objects, in.scene);
+    return std::make_unique<IncidencesCutting>(in.kernel, in.id,
+                                               dynamic_cast<const Trapezoids2&>(*in.watched[1]),
+                                               sample_of(in.request, in.scene).objects, in.scene);
   };
   return cutting;
 }
@@ -59,7 +75,8 @@ StructureInfo incidences_by_cutting() {
 StructureInfo arrangement_of_lines() {
   StructureInfo info;
   info.name = "line_arrangement_2";
-  info.summary = "the arrangement of moving lines: their order by slope, and on each the order of the others";
+  info.summary =
+      "the arrangement of moving lines: their order by slope, and on each the order of the others";
   info.min_dimension = 2;
   info.shape = Attribute::Shape::kOrders;
   info.role = "crossings";
@@ -68,7 +85,8 @@ StructureInfo arrangement_of_lines() {
       {"triple", Effect::kAlways, "the triangle of three lines turns over"},
       {"parallel", Effect::kAlways, "two lines change their order by slope"},
       {"equal", Effect::kAlways, "two parallel lines pass through each other"},
-      {"swap", Effect::kNever, "two crossings of a line change places, at an instant that is not over"},
+      {"swap", Effect::kNever,
+       "two crossings of a line change places, at an instant that is not over"},
       {"slopes", Effect::kNever, "two slopes change places, at an instant that is not over"},
       {"tie", Effect::kNever, "two lines coincide identically from now on"}};
   info.certificates = "n^2 - n - 1 for n lines, one for each two neighbours by slope, or on a line";
@@ -82,7 +100,8 @@ StructureInfo arrangement_of_lines() {
 StructureInfo places_of_points() {
   StructureInfo info;
   info.name = "points_in_arrangement";
-  info.summary = "the lines next to each point, above and below, in the arrangement of moving lines";
+  info.summary =
+      "the lines next to each point, above and below, in the arrangement of moving lines";
   info.min_dimension = 2;
   info.shape = Attribute::Shape::kSequence;
   info.role = "next_lines";
@@ -93,7 +112,8 @@ StructureInfo places_of_points() {
                 {"move", Effect::kNever, "the proof of a point's place fails"}};
   info.certificates = "6 for each point; those of line_arrangement_2, of the lines, besides";
   info.ties =
-      "a point that is identically on a line is below it; of two lines that identically meet above or "
+      "a point that is identically on a line is below it; of two lines that identically meet above "
+      "or "
       "below a point the smaller id is the higher one";
   info.source = "Guibas, Kinetic data structures: a state of the art report (1998), section 7";
   info.make = [](const MakerInput& in) -> std::unique_ptr<Structure> {
@@ -112,10 +132,10 @@ StructureInfo trapezoids() {
   info.role = "walls";
   info.lines = LineUse::kAlone;
   info.reads = {{"line_arrangement_2"}};
-  info.kinds = {
-      {"wall_up", Effect::kAlways, "the wall above a crossing ends on another line"},
-      {"wall_down", Effect::kAlways, "the wall below a crossing ends on another line"},
-      {"wall_pass", Effect::kNever, "two walls in a face, from above and from below, pass each other"}};
+  info.kinds = {{"wall_up", Effect::kAlways, "the wall above a crossing ends on another line"},
+                {"wall_down", Effect::kAlways, "the wall below a crossing ends on another line"},
+                {"wall_pass", Effect::kNever,
+                 "two walls in a face, from above and from below, pass each other"}};
   info.certificates =
       "n (n - 1) for n lines, one for each wall at most; those of line_arrangement_2 besides";
   info.ties =

@@ -18,29 +18,23 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-std::size_t size_of(const Request& request, std::size_t lines) {
-  for (const Parameter& parameter : request.parameters) {
-    if (parameter.name != "r" || parameter.value == Rational(0)) continue;
-    const Integer r = parameter.value.numerator();
-    const Integer most(static_cast<std::int64_t>(lines));
-    return static_cast<std::size_t>((r < most ? r : most).to_int64());
-  }
+std::size_t cube_root(std::size_t n) {
   std::size_t root = 0;
-  while (root * root * root < lines) ++root;
+  while (root * root * root < n) ++root;
   return root;
 }
 
 }  // namespace
 
-Subset sample_of_lines(const Request& request, const Scene& scene) {
-  const std::vector<bool> members = scene.members(request.of);
+Subset sample_of_lines(const Subset& of, const Scene& scene, std::size_t size) {
+  const std::vector<bool> members = scene.members(of);
   std::vector<std::pair<std::uint64_t, ObjectId>> lines;
   for (ObjectId object = 0; object < scene.objects.size(); ++object) {
     if (!scene.objects[object].line || (!members.empty() && !members[object])) continue;
     lines.emplace_back(mixed(object), object);
   }
   std::sort(lines.begin(), lines.end());
-  lines.resize(size_of(request, lines.size()));
+  lines.resize(size == 0 ? cube_root(lines.size()) : std::min(size, lines.size()));
   Subset result{Subset::Kind::kObjects, {}, {}};
   for (const auto& [random, line] : lines) result.objects.push_back(line);
   std::sort(result.objects.begin(), result.objects.end());
