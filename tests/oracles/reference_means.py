@@ -10,7 +10,7 @@ import re
 import subprocess
 import sys
 
-SHORT = 5e6  # n times n times seeds, or sets of points times seeds: about a minute in all
+SHORT = 2e6  # n times n times seeds, or sets of points times seeds: seconds in all
 POINTS = {"regular_2": 4, "delaunay_3": 5, "regular_3": 5}  # simulations that go through all sets of so many
 
 
