@@ -15,6 +15,10 @@
 
 namespace kinex::families {
 
+// The fewest scenes of a mean that is compared with that of another program: the spread of a few is no
+// measure of their error.
+inline constexpr int kSeedsOfMeans = 40;
+
 void add_triangulation_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // space_cells.cpp
 void add_space_cells(lab::Catalogue& catalogue, lab::Extent extent);

@@ -62,6 +62,7 @@ void add_space_cells(lab::Catalogue& catalogue, lab::Extent extent) {
       cell.expectations.push_back(lab::expect_mean("delaunay_3.uniform", "external", reference.mean,
                                                    reference.source()));
       cell.expectations.back().reference_error = reference.error;
+      cell.min_seeds = kSeedsOfMeans;
     }
     cell.cost = n / 40.0;
     catalogue.cells.push_back(std::move(cell));

@@ -83,6 +83,7 @@ void add_random(lab::Catalogue& catalogue, const char* structure, int dimension,
     cell.expectations.push_back(lab::expect_mean(std::string(structure) + ".random_weights", "external",
                                                  reference.mean, reference.source()));
     cell.expectations.back().reference_error = reference.error;
+    cell.min_seeds = kSeedsOfMeans;
   }
   catalogue.cells.push_back(std::move(cell));
 }
