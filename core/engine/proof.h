@@ -61,7 +61,8 @@ class ProofVisitor {  // receives a proof group by group
   virtual ~ProofVisitor() = default;
   // The certificates that follow belong to this group. It may have none.
   virtual void group(const ProofGroup& group) = 0;
-  // `role` lives as long as the run.
+  // `id` is live: a claim that has no certificate between two calls of an instant is left out. `role`
+  // lives as long as the run.
   virtual void certificate(CertificateId id, std::string_view role) = 0;
 };
 

@@ -70,7 +70,9 @@ class Recorder final : public EventSink {
     if (status == RunStatus::kDone) status = run_to_end();
     note_corruption();
     run_.complete = status == RunStatus::kDone && !full_;
-    if (!run_.complete && run_.stopped.empty()) run_.stopped = "it was interrupted";
+    if (!run_.complete && run_.stopped.empty()) {
+      run_.stopped = simulator_->out_of_memory() ? "memory was exhausted" : "it was interrupted";
+    }
     if (run_.complete) check_final_states();
     run_.bound = stages_->bound();
     for (const auto& predicate : run_.bound) {

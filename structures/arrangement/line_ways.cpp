@@ -202,7 +202,9 @@ void LineWays::visit_proof(ProofVisitor& visitor) const {
     group.about = {line};
     group.text = "through " + std::to_string(ways_[line].cells.size()) + " trapezoids";
     visitor.group(group);
-    for (const Claim& claim : ways_[line].claims) visitor.certificate(claim.certificate, "corner");
+    for (const Claim& claim : ways_[line].claims) {
+      if (claim.certificate != kNoCertificate) visitor.certificate(claim.certificate, "corner");
+    }
   }
 }
 
