@@ -11,6 +11,10 @@ namespace kinex::lab {
 
 namespace {
 
+// A run that is nearly all set-up is not repeated without end: nor more than this many times as long,
+// set-up included, as `least_seconds`.
+constexpr double kMostPerLeast = 10;
+
 StageCounts sum_of(const ArithmeticCounters& numbers, StageCounts PredicateCounters::*counts) {
   StageCounts sum{};
   for (const PredicateCounters& predicate : numbers.by_predicate) {
@@ -75,12 +79,14 @@ std::vector<BenchRun> best_of_rounds(const std::vector<std::function<BenchRun()>
     for (std::size_t i = 0; i < ways.size(); ++i) {
       bool first = round == 0;
       double spent = 0;
+      const double begun = cpu_seconds();
       do {
         BenchRun run = ways[i]();
         spent += run.seconds;
         if (first || run.seconds < best[i].seconds) best[i] = std::move(run);
         first = false;
-      } while (spent < rounds.least_seconds);
+      } while (spent < rounds.least_seconds &&
+               cpu_seconds() - begun < kMostPerLeast * rounds.least_seconds);
     }
   }
   return best;

@@ -54,7 +54,8 @@ BenchRun run_once(const Scene& scene, const BenchWay& way);
 
 struct BenchRounds {
   int count = 1;
-  double least_seconds = 0;  // of each way in each round: shorter runs are repeated
+  // Of each way in each round: shorter runs are repeated, up to ten times as long with their set-up.
+  double least_seconds = 0;
 };
 
 // The best run of each way: all ways take turns, `rounds.count` times.
