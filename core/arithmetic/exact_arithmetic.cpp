@@ -56,6 +56,8 @@ void ExactArithmetic::bound_predicate(PredicateId id) {
     model.difference_axis = difference->difference_axis();
     model.differs = model.narrow && model.reach_error == 0 && model.degree == numbers.degree &&
                     !model.touches;
+    model.differs_in_balls =
+        model.degree == numbers.degree && !model.touches && p.shifts(numbers.degree);
   }
   touches_ = touches_ || model.touches;
   models_.push_back(model);
@@ -118,7 +120,7 @@ void ExactArithmetic::set_motion(ObjectId object, const Trajectory& trajectory,
   if (motions_.degree() != before) {
     for (std::size_t i = 0; i < models_.size(); ++i) {
       models_[i].fixed = models_[i].narrow = models_[i].linear = models_[i].in_lanes = false;
-      models_[i].differs = false;
+      models_[i].differs = models_[i].differs_in_balls = false;
       models_[i].degree = predicates_[i]->degree(motions_.degree());
     }
   }
@@ -274,7 +276,7 @@ Outlook ExactArithmetic::failure(const Query& query, FailureTime& time) {
 }
 
 Outlook ExactArithmetic::look_ahead(const Query& query, double limit, FailureTime& time) {
-  if (models_[query.predicate].differs && all_narrow(query)) {
+  if (models_[query.predicate].difference_axis >= 0) {
     if (const auto found = difference_failure(query, limit, time)) return *found;
   }
   Outlook outlook;

@@ -129,7 +129,8 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
     bool in_lanes = false;   // groups of its queries are evaluated side by side
     const LinearForm* form = nullptr;  // the predicate as a LinearForm, if it is one
     int difference_axis = -1;          // of a CoordinateDifference; -1: it is none
-    bool differs = false;  // a CoordinateDifference that exact_arithmetic_difference.cpp answers
+    // A CoordinateDifference that exact_arithmetic_difference.cpp answers: of small integers, of others.
+    bool differs = false, differs_in_balls = false;
   };
 
   // The queries of begin_group, one per lane. A query is known if the filter's first step answers
@@ -207,9 +208,14 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   std::optional<Outlook> linear_failure(const Query& query, const Approximation& p, int relation,
                                         FailureTime& time);
   std::optional<Outlook> linear_failure(const Query& query, FailureTime& time);
-  // Of a query whose model has `differs`; nullopt: the general path has to answer.
+  // nullopt: the general path has to answer.
   std::optional<Outlook> difference_failure(const Query& query, double limit, FailureTime& time);
+  std::optional<Outlook> linear_difference_failure(const Query& query, FailureTime& time);
   template <int D>  // of motions of degree D
+  bool shifted_difference(const Query& query, double* c, double* m) const;
+  template <int D>
+  bool shifted_difference_of_balls(const Query& query, double* c, double* m) const;
+  template <int D, bool kBalls>
   std::optional<Outlook> difference_failure_of(const Query& query, double limit, FailureTime& time);
   Outlook fails_now(FailureTime& time);
   bool linear_narrow(const Query& query, Int128& c0, Int128& c1) const;

@@ -209,6 +209,7 @@ void MotionStore::set_anchored(ObjectId object) {
 }
 
 std::optional<double> MotionStore::shared_anchor(const ObjectId* ids, std::size_t count) const {
+  if (!anchors_differ_) return first_anchor_;
   std::optional<double> shared;
   for (std::size_t i = 0; i < count; ++i) {
     const double anchor = anchors_[ids[i]];
@@ -289,6 +290,10 @@ void MotionStore::set(ObjectId object, const Trajectory& trajectory, double anch
   if (trajectory.degree() > model_.degree) grow_degree(trajectory.degree());
   if (model_.anchored) {
     anchors_[object] = trajectory.degree() == 0 ? std::numeric_limits<double>::infinity() : anchor;
+    if (trajectory.degree() > 0) {
+      if (!first_anchor_) first_anchor_ = anchor;
+      anchors_differ_ = anchors_differ_ || *first_anchor_ != anchor;
+    }
   }
   const std::size_t powers = static_cast<std::size_t>(model_.degree) + 1;
   bool narrow = model_.narrow;

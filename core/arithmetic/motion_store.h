@@ -59,7 +59,7 @@ class MotionStore {
   // The same in t - anchor, shifted exactly before rounding: far from t = 0 the coefficients in t
   // cancel, these do not. Requires model().anchored.
   MotionView<Ball> anchored(ObjectId object) const { return &anchored_[row_[object] * stride_]; }
-  // The anchor shared by all moving objects among these; nullopt if none moves, or none is shared.
+  // The anchor shared by all moving objects among these; nullopt if none is shared.
   std::optional<double> shared_anchor(const ObjectId* ids, std::size_t count) const;
   // The exact polynomial of `predicate` over these objects, times a positive constant.
   Polynomial exact(const Predicate& predicate, const ObjectId* ids) const;
@@ -96,6 +96,8 @@ class MotionStore {
   BigArray<Ball> balls_;
   BigArray<Ball> anchored_;
   BigArray<double> anchors_;  // per object; infinity: it does not move
+  std::optional<double> first_anchor_;  // of the first motion
+  bool anchors_differ_ = false;         // some motion was given another one
   std::vector<BigMotion> big_;   // per object; empty before the first one
   double unit_ = 1;  // rounded, if it is not narrow
   Ball unit_ball_{1, 0};

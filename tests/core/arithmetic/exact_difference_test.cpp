@@ -27,9 +27,9 @@ class Difference final : public FormulaPredicate<Order>, public CoordinateDiffer
   int difference_axis() const override { return 0; }
 };
 
-enum class Numbers { kDegenerate, kRandom, kExtreme, kWide };
+enum class Numbers { kDegenerate, kRandom, kExtreme, kWide, kDoubles, kMixed };
 
-// Of few bits, so that roots coincide, are double, or are now; or of up to 60.
+// Of few bits, so that roots coincide, are double, or are now; of up to 60; or 53 at very different sizes.
 Rational draw(std::mt19937_64& random, Numbers numbers) {
   const auto bits = [&](unsigned n) {
     return Rational(Integer(static_cast<std::int64_t>(random() >> (64 - n)) - (std::int64_t{1} << (n - 1))));
@@ -38,6 +38,11 @@ Rational draw(std::mt19937_64& random, Numbers numbers) {
     case Numbers::kDegenerate: return bits(3);
     case Numbers::kRandom: return bits(20);
     case Numbers::kExtreme: return bits(random() % 3 == 0 ? 44 : 8);
+    case Numbers::kDoubles: {
+      const Rational size(Integer::power_of_two(random() % 90));
+      return bits(54) * size / Rational(Integer::power_of_two(80));
+    }
+    case Numbers::kMixed: return random() % 2 == 0 ? bits(60) : bits(3);
     default: return bits(60);
   }
 }
@@ -52,6 +57,11 @@ Scene draw_scene(std::mt19937_64& random, Numbers numbers, int degree) {
   }
   if (random() % 2 == 0) coordinates[1][0][static_cast<std::size_t>(degree)] = coordinates[0][0].back();
   if (random() % 4 == 0) coordinates[3] = coordinates[2];
+  // Differences below the rounding of their terms.
+  if (random() % 2 == 0) {
+    coordinates[5] = coordinates[2];
+    for (Rational& c : coordinates[5][0]) c += Rational(static_cast<int>(random() % 3) - 1);
+  }
   Scene scene = make_scene(coordinates, Rational(static_cast<int>(random() % 5) - 2) / Rational(3));
   scene.end = Rational(6);
   if (random() % 3 == 0) scene.objects[4].motion.pieces[0].to = Rational(2);
@@ -110,8 +120,8 @@ class ExactDifference : public ::testing::TestWithParam<int> {};
 TEST_P(ExactDifference, IsTheFormula) {
   std::mt19937_64 random(static_cast<std::uint64_t>(GetParam()));
   Seen seen;
-  for (int round = 0; round < 240; ++round) {
-    const auto numbers = static_cast<Numbers>(round % 4);
+  for (int round = 0; round < 360; ++round) {
+    const auto numbers = static_cast<Numbers>(round % 6);
     const Scene scene = draw_scene(random, numbers, GetParam());
     compare_paths(random, scene, seen);
     if (HasFatalFailure()) FAIL() << "round " << round;
