@@ -3,7 +3,7 @@
 //   compare with floating point and with the unfiltered reference, in one process on one core?
 // Workload: random motion, scenes full of ties or of new plans, and bodies; small and large n.
 //   Without event log and digest. Rounds of different arithmetics are interleaved; the best of each
-//   counts; times are thread CPU time.
+//   counts (one round of runs longer than three seconds); times are thread CPU time.
 // Ratio: 0 where doubles handle other events than `exact`, or do not end. The floor
 //   (BenchRow::floor) is the least that a program must do for the same events; 0 where there is none.
 // Output: see result_table.h; options: see bench_options.h; the head of bench.md is made of the rows
@@ -22,8 +22,8 @@ namespace {
 
 using namespace kinex;
 
-// The noise of a short run exceeds its time: it is repeated.
-constexpr double kLeastSeconds = 0.3;
+// The noise of a short run exceeds its time: it is repeated. That of a long one is small: it is run once.
+constexpr double kLeastSeconds = 0.3, kLongSeconds = 3;
 
 // The largest numbers of certificates of all structures, those that are read included; at least 1.
 double certificates_of(const lab::BenchRun& run) {
@@ -44,8 +44,9 @@ void add_row(const lab::BenchRow& row, double least_seconds, lab::ResultTable& t
     });
   }
   if (row.floor != nullptr) ways.emplace_back([&] { return row.floor(scene, row.events); });
+  const int rounds = exact.seconds > kLongSeconds ? 1 : row.rounds;
   const std::vector<lab::BenchRun> best =
-      lab::best_of_rounds(ways, {.count = row.rounds, .least_seconds = least_seconds});
+      lab::best_of_rounds(ways, {.count = rounds, .least_seconds = least_seconds});
   const lab::BenchRun& first = best.front();
   for (std::size_t i = 0; i < row.arithmetics.size(); ++i) {
     const lab::BenchRun& run = best[i];
