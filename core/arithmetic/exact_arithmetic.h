@@ -170,7 +170,16 @@ class ExactArithmetic final : public Arithmetic, public SignNow {
   };
   Ball coefficient(ObjectId object, int axis, int power) const;
   const TableProbe& probe(PredicateId predicate, const CoordinateTable& table, ObjectId object);
-  std::optional<double> shift_from_anchor(const Query& query) const;
+  // From the shared anchor of the query's motions to the origin; nullopt if not an exact double.
+  std::optional<double> shift_from_anchor(const Query& query) const {
+    if (!motions_.model().anchored) return std::nullopt;
+    const std::optional<double> anchor = motions_.shared_anchor(query.ids.data(), query.arity);
+    if (!anchor) return std::nullopt;
+    const double shift = origin_ - *anchor;
+    const double back = shift - origin_;
+    const double lost = (origin_ - (shift - back)) - (*anchor + back);
+    return lost == 0 ? std::optional(shift) : std::nullopt;
+  }
   void update_origin();
   bool shift_is_exact(double origin, double step) const;
   void wide_coefficients(const Query& query, Int128* out) const;

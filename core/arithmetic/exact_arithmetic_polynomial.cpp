@@ -66,18 +66,6 @@ void ExactArithmetic::approximate_shifted(const Query& query, Approximation& p) 
   for (int i = 0; i <= model.degree; ++i) p.m[i] = std::fabs(p.c[i]) + model.reach_error * power[i];
 }
 
-// From the shared anchor of the query's motions to the origin; nullopt if not an exact double.
-std::optional<double> ExactArithmetic::shift_from_anchor(const Query& query) const {
-  if (!motions_.model().anchored) return std::nullopt;
-  const std::optional<double> anchor = motions_.shared_anchor(query.ids.data(), query.arity);
-  if (!anchor) return std::nullopt;
-  const double shift = origin_ - *anchor;
-  const double back = shift - origin_;
-  const double lost = (origin_ - (shift - back)) - (*anchor + back);
-  if (lost != 0) return std::nullopt;
-  return shift;
-}
-
 // A difference of coordinates, in t: less exact far from t = 0 than with an origin near now, but
 // nearly always exact enough for a sign.
 bool ExactArithmetic::approximate_difference(const Query& query, Approximation& p) const {

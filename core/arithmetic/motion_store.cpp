@@ -208,8 +208,7 @@ void MotionStore::set_anchored(ObjectId object) {
   }
 }
 
-std::optional<double> MotionStore::shared_anchor(const ObjectId* ids, std::size_t count) const {
-  if (!anchors_differ_) return first_anchor_;
+std::optional<double> MotionStore::anchor_of(const ObjectId* ids, std::size_t count) const {
   std::optional<double> shared;
   for (std::size_t i = 0; i < count; ++i) {
     const double anchor = anchors_[ids[i]];

@@ -60,7 +60,9 @@ class MotionStore {
   // cancel, these do not. Requires model().anchored.
   MotionView<Ball> anchored(ObjectId object) const { return &anchored_[row_[object] * stride_]; }
   // The anchor shared by all moving objects among these; nullopt if none is shared.
-  std::optional<double> shared_anchor(const ObjectId* ids, std::size_t count) const;
+  std::optional<double> shared_anchor(const ObjectId* ids, std::size_t count) const {
+    return anchors_differ_ ? anchor_of(ids, count) : first_anchor_;
+  }
   // The exact polynomial of `predicate` over these objects, times a positive constant.
   Polynomial exact(const Predicate& predicate, const ObjectId* ids) const;
   std::size_t bytes() const;
@@ -74,6 +76,7 @@ class MotionStore {
   bool is_big(ObjectId object) const {
     return object < big_.size() && !big_[object].coefficients.empty();
   }
+  std::optional<double> anchor_of(const ObjectId* ids, std::size_t count) const;
   std::optional<double> scaled_integer(const Rational& value) const;
   void grow(std::size_t objects);
   void grow_degree(int degree);
