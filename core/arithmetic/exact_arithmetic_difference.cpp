@@ -61,22 +61,23 @@ bool ExactArithmetic::shifted_difference_of_balls(const Query& query, double* c,
   const ObjectId a = query.ids[0], b = query.ids[1];
   const MotionView<Ball> from = (anchored ? motions_.anchored(a) : motions_.ball(a)) + first;
   const MotionView<Ball> to = (anchored ? motions_.anchored(b) : motions_.ball(b)) + first;
-  double w[D + 1];
+  double v[D + 1], w[D + 1];
   for (int k = 0; k <= D; ++k) {
-    c[k] = to[k].value - from[k].value;
-    w[k] = to[k].error + from[k].error + (2 * D + 1) * Ball::kUnit * std::fabs(c[k]);
+    v[k] = to[k].value - from[k].value;
+    w[k] = to[k].error + from[k].error + (2 * D + 1) * Ball::kUnit * std::fabs(v[k]);
   }
   if (const double x = anchored.value_or(origin_); x != 0) {
-    shift<D>(c, x);
+    shift<D>(v, x);
     shift<D>(w, std::fabs(x));
   }
   const double inverse_gamma = (1 + 0x1p-40) / filter::gamma(D);
   double sum = 0;
   for (int k = 0; k <= D; ++k) {
-    m[k] = std::fabs(c[k]) + (w[k] * (1 + 0x1p-40) + Ball::kTiny) * inverse_gamma;
+    c[k] = v[k];
+    m[k] = std::fabs(v[k]) + (w[k] * (1 + 0x1p-40) + Ball::kTiny) * inverse_gamma;
     sum += m[k];
   }
-  return (c[D] != 0 || w[D] != 0) && sum < kInfinity;
+  return (v[D] != 0 || w[D] != 0) && sum < kInfinity;
 }
 
 template <int D, bool kBalls>
