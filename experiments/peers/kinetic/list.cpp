@@ -3,8 +3,9 @@
 // CGAL::Kinetic::Sort. It is compiled against headers of these packages, which are no part of this
 // project; measure.py does that.
 //
-// usage: list FILE END
-// FILE: "n degree", then for each point the coefficients of its motion, low degree first.
+// usage: list FILE END LAST
+// FILE: "n degree", then for each point the coefficients of its motion, low degree first. LAST: the end of
+// its simulator's time, END or later.
 // Prints the number of events up to END, their CPU seconds, and the neighbours out of order at END.
 #include <CGAL/Kinetic/Inexact_simulation_traits.h>
 #include <CGAL/Kinetic/Insert_event.h>
@@ -47,15 +48,14 @@ int main(int argc, char** argv) {
   using Point = Traits::Kinetic_kernel::Point_1;
   using Function = Traits::Kinetic_kernel::Motion_function;
 
-  std::ifstream file(argc == 3 ? argv[1] : "");
+  std::ifstream file(argc == 4 ? argv[1] : "");
   int n = 0, degree = 0;
   if (!(file >> n >> degree)) {
-    std::fputs("usage: list FILE END\n", stderr);
+    std::fputs("usage: list FILE END LAST\n", stderr);
     return 2;
   }
   const double end = std::atof(argv[2]);
-  // Near the end of its time its root finder loses the last root of a polynomial: the end is doubled.
-  Traits traits(0, 2 * end);
+  Traits traits(0, std::atof(argv[3]));
   Sort sort(traits);
   Traits::Active_points_1_table* const table = traits.active_points_1_table_handle();
   table->set_is_editing(true);

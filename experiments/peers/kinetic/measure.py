@@ -9,9 +9,12 @@ numbers are small integers over a power of two, and random ones whose coefficien
 programs run the same motions in turn, on one core; the best CPU time of the rounds counts, without
 set-up. Prints one line a scene:
 
-  numbers degree n   events of kinex, of the peer   seconds of exact, double, peer   peer/exact
+  numbers degree n   events of kinex, of the peer   seconds of exact, double, peer   peer/exact   last
 
-The events of `exact` are right; the peer's differ where it misses some, or tells some twice.
+The events of `exact` are right; the peer's differ where it misses some, or tells some twice. Near the end of
+its time its root finder loses roots from degree 3 on. So it runs twice, with that end at the end of the scene
+and with twice the time; the faster one counts of those whose points are in order at the end. "last" is
+its end.
 Exit code: 0, 1 if `exact` is not ahead somewhere, 2 for a wrong call.
 """
 import argparse
@@ -76,11 +79,16 @@ def run_kinex(kinex, folder, arithmetic):
     return summary["events"], summary["seconds"]["simulate"]
 
 
-def run_peer(program, folder):
-    """(events, CPU seconds)."""
-    done = subprocess.run([program, str(folder / "scene.txt"), "1"], check=True, capture_output=True, text=True)
-    events, seconds, _ = done.stdout.split()
-    return int(events), float(seconds)
+def run_peer(program, folder, last):
+    """(events, CPU seconds), the latter infinite if its points are out of order at the end."""
+    done = subprocess.run([program, str(folder / "scene.txt"), "1", str(last)], check=True, capture_output=True, text=True)
+    events, seconds, out_of_order = done.stdout.split()
+    return int(events), float(seconds) if out_of_order == "0" else float("inf")
+
+
+def run(way, kinex, peer, folder):
+    """(events, CPU seconds) of an arithmetic of kinex, or of the peer with its end at this number."""
+    return run_peer(peer, folder, way) if isinstance(way, int) else run_kinex(kinex, folder, way)
 
 
 def main():
@@ -99,20 +107,21 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         peer = compile_peer(options.headers, folder)
-        print("numbers  degree     n     exact      peer   exact s  double s    peer s  peer/exact")
+        print("numbers  degree     n     exact      peer   exact s  double s    peer s  peer/exact  last")
         for numbers in ("small", "doubles"):
             for degree, n in SMOKE if options.smoke else SIZES:
                 small = numbers == "small"
                 write(folder, small_numbers(options.kinex, degree, n) if small else doubles(degree, n), degree)
                 best = {}
                 for _ in range(options.rounds):
-                    for way in ("exact", "double", "peer"):
-                        run = run_peer(peer, folder) if way == "peer" else run_kinex(options.kinex, folder, way)
-                        best[way] = min(best.get(way, run), run, key=lambda r: r[1])
-                ratio = best["peer"][1] / best["exact"][1]
+                    for way in ("exact", "double", 1, 2):
+                        done = run(way, options.kinex, peer, folder)
+                        best[way] = min(best.get(way, done), done, key=lambda r: r[1])
+                last = min((1, 2), key=lambda way: best[way][1])
+                ratio = best[last][1] / best["exact"][1]
                 behind += ratio < 1
-                print(f"{numbers:8s} {degree:6d} {n:5d} {best['exact'][0]:9d} {best['peer'][0]:9d}"
-                      f" {best['exact'][1]:9.4f} {best['double'][1]:9.4f} {best['peer'][1]:9.4f} {ratio:11.2f}")
+                print(f"{numbers:8s} {degree:6d} {n:5d} {best['exact'][0]:9d} {best[last][0]:9d}"
+                      f" {best['exact'][1]:9.4f} {best['double'][1]:9.4f} {best[last][1]:9.4f} {ratio:11.2f} {last:5d}")
                 sys.stdout.flush()
     return 1 if behind and not options.smoke else 0
 
