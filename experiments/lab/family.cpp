@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/lab/family.h"
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "structures/registry.h"
@@ -28,9 +30,26 @@ std::vector<Figure> family_figures(const std::vector<CellResult>& cells) {
   std::vector<Figure> figures;
   for (const FamilyExperiments& family : experiment_families()) {
     if (family.figures == nullptr) continue;
-    for (Figure& figure : family.figures(cells)) figures.push_back(std::move(figure));
+    const std::vector<std::string_view>& titles = family.figure_titles;
+    for (Figure& figure : family.figures(cells)) {
+      if (std::find(titles.begin(), titles.end(), figure.title) == titles.end()) {
+        throw std::logic_error("a figure of a title that its family does not list: " + figure.title);
+      }
+      figures.push_back(std::move(figure));
+    }
   }
   return figures;
+}
+
+std::vector<std::string> family_figure_titles(const std::vector<Cell>& cells) {
+  std::vector<std::string> titles;
+  for (const FamilyExperiments& family : experiment_families()) {
+    const bool has_cell = std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
+      return family_of(cell.structure) == family.name;
+    });
+    if (has_cell) titles.insert(titles.end(), family.figure_titles.begin(), family.figure_titles.end());
+  }
+  return titles;
 }
 
 const Thinning* known_thinning() {

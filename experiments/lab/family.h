@@ -58,6 +58,7 @@ struct FamilyExperiments {
   // Tables and figures of its own from the cells of all families.
   std::vector<Table> (*tables)(const std::vector<CellResult>& cells) = nullptr;
   std::vector<Figure> (*figures)(const std::vector<CellResult>& cells) = nullptr;
+  std::vector<std::string_view> figure_titles = {};  // of all that `figures` can draw
   std::vector<TradePlan> trade = {};
   const Thinning* thinning = nullptr;  // nullptr: none
   // Rows of the benchmarks, with all sizes divided by `scale`; nullptr: none.
@@ -76,6 +77,8 @@ const FamilyExperiments* experiments_on(std::string_view structure);
 // The tables and figures of all families, then (of tables) one per comparison.
 std::vector<Table> family_tables(const std::vector<CellResult>& cells);
 std::vector<Figure> family_figures(const std::vector<CellResult>& cells);
+// The titles of all figures that a family can draw if a cell is of one of its structures.
+std::vector<std::string> family_figure_titles(const std::vector<Cell>& cells);
 
 // The method of `kinex thin`: that of the first family with one; nullptr: none has.
 const Thinning* known_thinning();

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "experiments/formats/counted.h"
@@ -17,21 +18,12 @@ namespace {
 
 constexpr int kMostJobs = 256;
 
-// The plots as files of their own, named after their titles.
-void write_plots(const std::string& folder, bool force, const std::vector<lab::Figure>& figures,
-                 const lab::Drawings& drawings) {
-  std::string last;
-  int panel = 0;
-  for (std::size_t i = 0; i < figures.size() && i < drawings.svg.size(); ++i) {
-    if (drawings.svg[i].empty()) continue;
-    const std::string name = lab::anchor_of(figures[i].title);
-    panel = name == last ? panel + 1 : 1;
-    last = name;
-    formats::OutputFile file(
-        folder + "/" + name + (panel > 1 ? "-" + std::to_string(panel) : "") + ".svg", force);
-    file.write(drawings.svg[i]);
-    file.commit();
-  }
+// The name of a file, without ".svg" and the number of a panel.
+std::string without_panel(const std::string& name) {
+  const std::size_t dash = name.rfind('-');
+  const bool numbered = dash != name.npos && dash + 1 < name.size() &&
+                        name.find_first_not_of("0123456789", dash + 1) == name.npos;
+  return numbered ? name.substr(0, dash) : name;
 }
 
 }  // namespace
@@ -102,6 +94,41 @@ sweep::CellSource experiment_source(const ExperimentOptions& options, sweep::Jou
   return {&journal, kThisProgram, [&interrupt] { return !interrupt.interrupted(); }};
 }
 
+PlotFiles::PlotFiles(std::string folder, bool force, const std::vector<std::string>& titles,
+                     sweep::Journal& journal)
+    : folder_(std::move(folder)), force_(force), journal_(journal) {
+  if (folder_.empty() || force_) return;
+  std::set<std::string> names, taken;
+  for (const std::string& title : titles) names.insert(lab::anchor_of(title));
+  std::error_code error;  // a folder that cannot be read has no plots
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
+    const std::filesystem::path& file = entry.path();
+    if (file.extension() != ".svg") continue;
+    const std::string name = file.stem().string();
+    if (names.count(name) == 0 && names.count(without_panel(name)) == 0) continue;
+    const std::string path = folder_ + "/" + file.filename().string();
+    if (!journal_.is_own_output(path)) taken.insert(path);
+  }
+  if (taken.empty()) return;
+  throw formats::InputError("--plots", *taken.begin(), "exists already, and a plot may have this name",
+                            "name another folder, or --force to replace it");
+}
+
+void PlotFiles::write(const std::vector<lab::Figure>& figures, const lab::Drawings& drawings) const {
+  if (folder_.empty()) return;
+  std::string last;
+  int panel = 0;
+  for (std::size_t i = 0; i < figures.size() && i < drawings.svg.size(); ++i) {
+    if (drawings.svg[i].empty()) continue;
+    const std::string name = lab::anchor_of(figures[i].title);
+    panel = name == last ? panel + 1 : 1;
+    last = name;
+    ResultFile(folder_ + "/" + name + (panel > 1 ? "-" + std::to_string(panel) : "") + ".svg", force_,
+               journal_)
+        .write(drawings.svg[i]);
+  }
+}
+
 ReportFiles::ReportFiles(const ExperimentOptions& options, std::string name, sweep::Journal& journal)
     : options_(options),
       journal_(journal),
@@ -113,9 +140,7 @@ void ReportFiles::write(Contents contents, const InterruptGuard& interrupt) cons
   lab::Report& report = contents.report;
   database_.write(contents.database);
   const lab::Drawings drawings = lab::draw(report.figures, "gnuplot", interrupt.go_on_a_while());
-  if (!contents.plots.empty()) {
-    write_plots(contents.plots, options_.force, report.figures, drawings);
-  }
+  if (contents.plots != nullptr) contents.plots->write(report.figures, drawings);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began_;
   contents.facts.taken = {seconds.count(), journal_.found_seconds()};
   report.verdict = contents.verdict(contents.facts.taken);

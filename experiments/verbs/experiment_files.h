@@ -63,6 +63,20 @@ sweep::Journal experiment_journal(const ExperimentOptions& options, const sweep:
 sweep::CellSource experiment_source(const ExperimentOptions& options, sweep::Journal& journal,
                                     const InterruptGuard& interrupt, const char* one,
                                     const char* many);
+// The plots of an experiment as files of their own, TITLE.svg, and TITLE-2.svg, .. for more panels of one
+// title. A resumed run replaces those of the interrupted one without --force.
+class PlotFiles {
+ public:
+  // A folder that exists; empty: no plots are written. Throws InputError if it has a file of a name that
+  // one of these titles would have.
+  PlotFiles(std::string folder, bool force, const std::vector<std::string>& titles, sweep::Journal& journal);
+  void write(const std::vector<lab::Figure>& figures, const lab::Drawings& drawings) const;
+
+ private:
+  std::string folder_;
+  bool force_;
+  sweep::Journal& journal_;
+};
 // The files NAME.html, NAME.txt and NAME.sqlite of an experiment. The constructor throws InputError if
 // one cannot be written.
 class ReportFiles {
@@ -74,7 +88,7 @@ class ReportFiles {
     std::string lead;             // lines before the verdict
     std::function<std::string(const lab::TimeTaken& taken)> verdict;
     std::string details;          // lines after it
-    std::string plots = {};       // a folder that exists, for the plots as files; empty: none
+    const PlotFiles* plots = nullptr;  // the plots as files, too; nullptr: not
   };
   ReportFiles(const ExperimentOptions& options, std::string name, sweep::Journal& journal);
   // Draws the figures, writes all files, and prints the verdict.

@@ -16,6 +16,7 @@
 #include "experiments/verify/catalogue.h"
 #include "experiments/verify/database.h"
 #include "experiments/verify/planned.h"
+#include "experiments/verify/plots.h"
 #include "experiments/verify/report.h"
 #include "experiments/verify/report_text.h"
 #include "structures/registry.h"
@@ -117,6 +118,7 @@ void verify(const VerifyOptions& options, int& exit_code) {
   sweep::Journal journal = experiment_journal(
       options, verify::selection_of(options.structure, options.quick, options.seeds));
   const ReportFiles files(options, "verify", journal);
+  const PlotFiles plots(options.plots, options.force, verify::possible_titles(catalogue), journal);
   InterruptGuard interrupt;
   sweep::CellSource source =
       experiment_source(options, journal, interrupt, "experiment", "experiments");
@@ -136,7 +138,7 @@ void verify(const VerifyOptions& options, int& exit_code) {
   files.write({verify::verify_database(result, facts.build, facts.machine), table.text(),
                verify::verify_report(result, facts), facts, verify::seeds_line(result),
                [&](const lab::TimeTaken& taken) { return verify::verdict_line(result, taken); },
-               verify::work_line(result) + "\n", options.plots},
+               verify::work_line(result) + "\n", &plots},
               interrupt);
   exit_code = exit_code_of(result);
 }

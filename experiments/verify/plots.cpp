@@ -92,11 +92,17 @@ const lab::GrowthResult* growth_of(const VerifyResult& result, const std::string
   return nullptr;
 }
 
+std::string counts_title(const std::string& structure) { return structure + ": events over n"; }
+
+std::string residuals_title(const lab::GrowthClaim& claim) {
+  return claim.structure + ": residuals of the fit, " + claim.family;
+}
+
 lab::Figure counts_figure(const VerifyResult& result, const std::string& structure) {
   const std::vector<Family> families = families_of(result.cells, structure);
   lab::Figure figure;
   if (families.empty()) return figure;
-  figure.title = structure + ": events over n";
+  figure.title = counts_title(structure);
   figure.caption =
       "Points: observed events (mean over seeds, bars of two standard errors where they can be "
       "seen). Lines: fitted powers, with their 95 % intervals. Dashed, in the colour of the "
@@ -155,7 +161,7 @@ std::vector<lab::FitPoint> references_of(const VerifyResult& result,
 
 lab::Figure residual_figure(const VerifyResult& result, const lab::GrowthResult& growth) {
   lab::Figure figure;
-  figure.title = growth.claim.structure + ": residuals of the fit, " + growth.claim.family;
+  figure.title = residuals_title(growth.claim);
   figure.caption = fmt::format(
       "Expected {}, fitted {}: {}. {} A trend in the residuals is a departure from a pure power.",
       growth.check.expected, growth.check.observed, lab::check_word(growth.check.verdict),
@@ -188,6 +194,15 @@ std::vector<lab::Figure> verify_figures(const VerifyResult& result) {
     }
   }
   return figures;
+}
+
+std::vector<std::string> possible_titles(const lab::Catalogue& catalogue) {
+  std::vector<std::string> titles = lab::family_figure_titles(catalogue.cells);
+  for (const lab::Cell& cell : catalogue.cells) titles.push_back(counts_title(cell.structure));
+  for (const lab::GrowthClaim& claim : catalogue.growths) titles.push_back(residuals_title(claim));
+  std::sort(titles.begin(), titles.end());
+  titles.erase(std::unique(titles.begin(), titles.end()), titles.end());
+  return titles;
 }
 
 }  // namespace kinex::verify

@@ -4,6 +4,7 @@
 #ifndef KINEX_EXPERIMENTS_VERIFY_PLOTS_H
 #define KINEX_EXPERIMENTS_VERIFY_PLOTS_H
 
+#include <string>
 #include <vector>
 
 #include "experiments/lab/gnuplot.h"
@@ -13,6 +14,8 @@ namespace kinex::verify {
 
 // Families with fewer than three sizes are left out.
 std::vector<lab::Figure> verify_figures(const VerifyResult& result);
+// The titles of all figures that results of these experiments can have: before they are run.
+std::vector<std::string> possible_titles(const lab::Catalogue& catalogue);
 
 }  // namespace kinex::verify
 

@@ -158,6 +158,42 @@ TEST_F(Output, PlotsNeedAFolder) {
   }
 }
 
+// So is a folder that has a file of a name that a plot may have, whatever its number of panels; other files stay.
+TEST_F(Output, PlotsAreNotReplaced) {
+  const std::string folder = scratch_.file("plots");
+  std::filesystem::create_directories(folder);
+  const auto run = [&](const std::string& results, const Words& more) {
+    Words command{"verify", "sorted_list", "--quick", "--seeds", "2", "-o", scratch_.file(results), "--plots", folder};
+    command.insert(command.end(), more.begin(), more.end());
+    return run_kinex(command);
+  };
+  for (const char* name : {"sorted_list-events-over-n.svg", "sorted_list-residuals-of-the-fit-uniform-2.svg"}) {
+    const std::string file = folder + "/" + name;
+    write_file(file, "precious");
+    const std::set<std::string> before = files();
+    const Finished refused = run("refused", {});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_EQ(refused.err, "kinex: --plots: " + file + ": exists already, and a plot may have this name; name "
+                           "another folder, or --force to replace it\n");
+    std::set<std::string> after = files();
+    after.erase(scratch_.file("refused"));  // the folder of the results
+    EXPECT_EQ(after, before);
+    EXPECT_EQ(read_file(file), "precious");
+    std::filesystem::remove(file);
+  }
+  const Words others{"sorted_list-events.svg", "sorted_list-events-over-n.png", "convex_hull_2-events-over-n.svg"};
+  for (const std::string& name : others) write_file(folder + "/" + name, "other");
+  EXPECT_EQ(run("first", {}).exit_code, 3);  // two scenes are too few to tell
+  const std::string plot = folder + "/sorted_list-events-over-n.svg";
+  EXPECT_THAT(read_file(plot), HasSubstr("<svg"));
+  for (const std::string& name : others) EXPECT_EQ(read_file(folder + "/" + name), "other");
+  EXPECT_EQ(run("second", {}).exit_code, 2);
+  write_file(plot, "old");
+  EXPECT_EQ(run("third", {"--force"}).exit_code, 3);
+  EXPECT_THAT(read_file(plot), HasSubstr("<svg"));
+}
+
 // --force replaces results, never what they are made of.
 TEST_F(Output, TheInputIsKept) {
   const std::string link = scratch_.file("link");

@@ -26,6 +26,7 @@ lab::FamilyExperiments collision_experiments() {
   family.event_bounds = {"line"};
   family.tables = collision_tables;
   family.figures = collision_figures;
+  family.figure_titles = {kStoryTitle};
   family.papers = {separation_paper()};
   family.bench_rows = collision_bench_rows;
   return family;

@@ -194,7 +194,7 @@ std::vector<lab::Figure> collision_figures(const std::vector<lab::CellResult>& c
   mu.push_back({"lower bound", {least.begin(), least.end()}});
   if (mu.size() == 1 || fan.empty() || tangents.empty()) return {};
   lab::Figure figure;
-  figure.title = "collision: events of every method, against mu and against n";
+  figure.title = kStoryTitle;
   figure.caption =
       "B1: one polygon goes once round another at falling separation; lower bound: the least "
       "number "

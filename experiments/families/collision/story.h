@@ -27,6 +27,7 @@ std::optional<double> signs_limit(const lab::Cell& cell);
 std::optional<lab::Table> signs_table(const std::vector<lab::CellResult>& cells);
 // Events against mu for one orbit, and against n for turns in front of the fans: three pictures in
 // one frame. Empty if there are too few sizes.
+inline constexpr const char* kStoryTitle = "collision: events of every method, against mu and against n";
 std::vector<lab::Figure> collision_figures(const std::vector<lab::CellResult>& cells);
 
 }  // namespace kinex::families

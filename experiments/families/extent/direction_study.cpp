@@ -195,7 +195,7 @@ std::vector<lab::Figure> direction_figures(const std::vector<lab::CellResult>& c
   }
   errors.push_back(std::move(proven));
   lab::Figure error, event;
-  error.title = "Directions: error and events";
+  error.title = kDirectionsTitle;
   error.caption =
       "Left: the error of the diameter, as a part of it, at the worst of 24 random times (none is drawn "
       "where it was 0), and the error proven. Right: certificate failures of the whole run, "

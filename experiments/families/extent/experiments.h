@@ -26,6 +26,7 @@ std::vector<lab::BenchRow> extent_bench_rows(int scale);
 void add_direction_cells(lab::Catalogue& catalogue, lab::Extent extent);
 // direction_study.cpp
 lab::StudyResult study_directions(bool quick, const std::function<bool()>& go_on);
+inline constexpr const char* kDirectionsTitle = "Directions: error and events";
 std::vector<lab::Figure> direction_figures(const std::vector<lab::CellResult>& cells);
 // kds_section_6.cpp
 lab::StudyResult study_kds_section_6(bool quick, const std::function<bool()>& go_on);

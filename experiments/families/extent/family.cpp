@@ -57,6 +57,7 @@ lab::FamilyExperiments extent_experiments() {
     for (lab::Figure& figure : quadratic_figures(cells)) all.push_back(std::move(figure));
     return all;
   };
+  family.figure_titles = {kDirectionsTitle, kQuadraticTitle};
   family.thinning = &kKernelThinning;
   family.bench_rows = extent_bench_rows;
   return family;

@@ -42,6 +42,7 @@ inline lab::GrowthClaim quadratic_growth(const std::string& structure, const std
 }
 
 // quadratic_figure.cpp
+inline constexpr const char* kQuadraticTitle = "Worst cases with n = m: like n^2";
 std::vector<lab::Figure> quadratic_figures(const std::vector<lab::CellResult>& cells);
 
 }  // namespace kinex::families

@@ -33,7 +33,7 @@ std::vector<lab::Figure> quadratic_figures(const std::vector<lab::CellResult>& c
               [](const auto& a, const auto& b) { return a.n < b.n; });
   }
   lab::Figure figure;
-  figure.title = "Worst cases with n = m: like n^2";
+  figure.title = kQuadraticTitle;
   figure.caption =
       "Changes of the attribute, or events of the kind that is named, in families whose counts are known "
       "exactly.";

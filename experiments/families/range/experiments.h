@@ -21,6 +21,7 @@ void add_range_cells(lab::Catalogue& catalogue, lab::Extent extent);
 void generate_plane_sort_worst(const lab::WorkloadParameters&, Scene&);
 // query_cost.cpp
 lab::StudyResult study_query_cost(bool quick, const std::function<bool()>& go_on);
+inline constexpr const char* kQueryCostTitle = "Range search: the cost of a query";
 std::vector<lab::Figure> query_cost_figures(const std::vector<lab::CellResult>& cells);
 // bench_rows.cpp
 std::vector<lab::BenchRow> range_bench_rows(int scale);

@@ -14,6 +14,7 @@ lab::FamilyExperiments range_experiments() {
   family.event_bounds = {"swaps"};
   family.studies = {{"range_search", "range_tree_2", "rank_kd_tree_2", study_query_cost}};
   family.figures = query_cost_figures;
+  family.figure_titles = {kQueryCostTitle};
   for (const char* tree :
        {"range_tree_2", "rank_kd_tree_2", "pseudo_kd_tree_2", "trajectory_tree"}) {
     family.trade.push_back({tree,

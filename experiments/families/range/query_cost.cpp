@@ -197,7 +197,7 @@ std::vector<lab::Figure> query_cost_figures(const std::vector<lab::CellResult>& 
   }
   nodes.push_back(std::move(found));
   lab::Figure figure;
-  figure.title = "Range search: the cost of a query";
+  figure.title = kQueryCostTitle;
   figure.caption =
       "Left: nodes that a query looks at, beside those of the points that it finds (one each in "
       "the "
