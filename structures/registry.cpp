@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/numbers/near_names.h"
+#include "core/numbers/show_text.h"
 #include "structures/families.h"
 #include "structures/parts/object_sets.h"
 
@@ -21,22 +23,10 @@ const std::vector<StructureFamily>& families() {
   return kFamilies;
 }
 
-std::string known_names() {
-  std::string names;
-  for (const StructureInfo& info : structure_infos()) {
-    names += (names.empty() ? "" : ", ") + std::string(info.name);
-  }
+std::vector<std::string> known_names() {
+  std::vector<std::string> names;
+  for (const StructureInfo& info : structure_infos()) names.emplace_back(info.name);
   return names;
-}
-
-// "maintain one of a, b": structures for bodies, or for points.
-std::string names_for(bool bodies) {
-  std::string names;
-  for (const StructureInfo& info : structure_infos()) {
-    if (info.bodies != bodies) continue;
-    names += (names.empty() ? "maintain one of " : ", ") + std::string(info.name);
-  }
-  return names.empty() ? "leave \"maintain\" out" : names;
 }
 
 std::string maintain_instead(const StructureInfo& info, const char* what) {
@@ -117,7 +107,8 @@ std::optional<Refusal> refusal_of(const StructureInfo& info, const Scene& scene)
   if (!scene.objects.empty() && info.bodies != scene.has_bodies()) {
     return Refusal{info.bodies ? "is for rigid bodies, the scene has points"
                                : "is for points, the scene has bodies",
-                   names_for(scene.has_bodies())};
+                   std::string("maintain a structure for ") +
+                       (info.bodies ? "points" : "rigid bodies") + " (kinex list structures)"};
   }
   const auto has_ends = [](const SceneObject& object) { return !object.ends.empty(); };
   if (info.graph && !std::all_of(scene.objects.begin(), scene.objects.end(), has_ends)) {
@@ -317,8 +308,9 @@ std::unique_ptr<Structure> make_structure(const Request& request, const Scene& s
                                           std::span<const StructureId> watched_ids) {
   const StructureInfo* info = find_structure_info(request.structure);
   if (info == nullptr) {
-    throw std::invalid_argument("unknown structure \"" + request.structure + "\"; choose one of " +
-                                known_names());
+    throw std::invalid_argument(show_text(request.structure) + " is not a known structure; " +
+                                did_you_mean(request.structure, known_names(),
+                                             "kinex list structures names them"));
   }
   if (const auto refusal = refusal_of(*info, scene)) refuse(*info, *refusal);
   if (const auto refusal = refusal_of_key(*info, request.key)) refuse(*info, *refusal);

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/csv_fields.h"
 #include "experiments/formats/csv_table.h"
 #include "experiments/formats/heading.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/formats/trace.h"
 
 namespace kinex::formats {

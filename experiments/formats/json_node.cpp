@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/numbers/near_names.h"
 #include "core/numbers/short_rational.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_defect.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/formats/number_defect.h"
 
 namespace kinex::formats {

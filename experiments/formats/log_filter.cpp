@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/near_names.h"
 
 namespace kinex::formats {
 

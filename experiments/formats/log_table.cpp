@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
-#include "experiments/formats/near_names.h"
 
 namespace kinex::formats {
 

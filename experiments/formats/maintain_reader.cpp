@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/formats/scene_parts.h"
 #include "experiments/formats/scene_reader.h"
 #include "structures/plan.h"

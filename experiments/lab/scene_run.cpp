@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/lab/arithmetics.h"
 #include "experiments/lab/gmp_memory.h"
 #include "structures/plan.h"
@@ -31,7 +31,7 @@ std::unique_ptr<Arithmetic> arithmetic_option(const std::string& name, const Sce
     std::vector<std::string> names;
     for (const ArithmeticInfo& info : arithmetic_infos()) names.emplace_back(info.name);
     throw formats::InputError("--arithmetic", "", message.substr(0, end),
-                              formats::did_you_mean(name, names, message.substr(end + 2)));
+                              did_you_mean(name, names, message.substr(end + 2)));
   }
 }
 

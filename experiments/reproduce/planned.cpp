@@ -4,10 +4,10 @@
 #include <optional>
 #include <utility>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/lab/cell_record.h"
 #include "experiments/reproduce/papers.h"
 #include "experiments/sweep/fields_report.h"
@@ -110,7 +110,7 @@ const lab::Paper& paper_named(const std::string& name) {
   }
   throw formats::InputError("PAPER", "",
                             name.empty() ? "there is none" : "\"" + name + "\": there is no such paper",
-                            formats::did_you_mean(name, known, "write " + names));
+                            did_you_mean(name, known, "write " + names));
 }
 
 std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
@@ -130,7 +130,7 @@ std::vector<const lab::PaperPart*> parts_named(const lab::Paper& paper,
     }
     if (parts.size() == before) {
       throw formats::InputError("PART", "", "\"" + name + "\": the paper has no such part",
-                                formats::did_you_mean(name, part_names,
+                                did_you_mean(name, part_names,
                                                       "write " + known + ", or nothing for all of them"));
     }
   }

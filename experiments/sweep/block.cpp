@@ -11,9 +11,9 @@
 #include <string_view>
 #include <utility>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/canonical_json.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/lab/scene_run.h"
 
 namespace kinex::sweep {
@@ -174,7 +174,7 @@ class BlockReader {
     add("workload", given, [](const formats::JsonNode& node) {
       const std::string_view name = node.string();
       if (lab::find_workload(name) == nullptr) {
-        node.refuse("a workload", formats::did_you_mean(name, workload_names(),
+        node.refuse("a workload", did_you_mean(name, workload_names(),
                                                         "kinex list workloads names them"));
       }
       return [name](RunCell& cell) { cell.workload = name; };

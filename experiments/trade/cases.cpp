@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/lab/family.h"
 #include "structures/registry.h"
@@ -100,7 +100,7 @@ void add_file(TradeCatalogue& catalogue, const std::string& file) {
   for (const lab::TradePlan& plan : plans()) choices.emplace_back(plan.structure);
   throw formats::InputError(
       "trade", "", show_text(name) + " is neither a file nor a structure",
-      formats::did_you_mean(name, choices,
+      did_you_mean(name, choices,
                             "name a scene, or one of kinex list structures, or all"));
 }
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/reproduce/planned.h"
 #include "experiments/trade/planned.h"
 #include "experiments/verbs/option_values.h"
@@ -62,14 +62,14 @@ sweep::Plan PlanWords::plan() const {
   if (words.size() > 1 || quick || !seeds.empty() || !arithmetics.empty()) {
     throw formats::InputError(
         "PLAN", "", show_text(words.front()) + " is not an experiment",
-        formats::did_you_mean(words.front(), known,
+        did_you_mean(words.front(), known,
                               "write a plan's file alone; kinex sweep list names the experiments"));
   }
   std::error_code error;
   if (words.front() != "-" && !std::filesystem::exists(words.front(), error)) {
     throw formats::InputError(
         "PLAN", "", show_text(words.front()) + " is neither a file nor an experiment",
-        formats::did_you_mean(words.front(), known,
+        did_you_mean(words.front(), known,
                               "write a plan's file; kinex sweep list names the experiments"));
   }
   return sweep::read_plan(words.front(), experiments());

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/model_text.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/lab/explanation.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/reproduce/papers.h"
@@ -96,7 +96,7 @@ lab::Explanation explanation_of(const std::string& name, const Voice& voice) {
     return lab::explain(*arithmetic);
   throw formats::InputError(
       "explain", "", show_text(name) + " is no name of a structure, workload, paper or arithmetic",
-      formats::did_you_mean(name, known_names(), "kinex list structures, and so on, names them"));
+      did_you_mean(name, known_names(), "kinex list structures, and so on, names them"));
 }
 
 std::string text_of(const lab::Explanation& explanation, const Voice& voice) {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/counted.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/formats/scene_reader.h"
 #include "experiments/formats/scene_writer.h"
 #include "experiments/lab/explanation.h"
@@ -89,8 +89,8 @@ void check_bodies(const Scene& scene, const lab::Workload& workload) {
   std::vector<std::string> meant;
   if (find_structure_info(name) != nullptr) {
     meant = {name};
-  } else if (formats::near_names(name, known).empty()) {
-    meant = formats::near_names(name, structures);
+  } else if (near_names(name, known).empty()) {
+    meant = near_names(name, structures);
   }
   if (!meant.empty()) {
     const lab::ExampleScene example = lab::example_scene(*find_structure_info(meant.front()));
@@ -103,7 +103,7 @@ void check_bodies(const Scene& scene, const lab::Workload& workload) {
   }
   throw formats::InputError(
       "gen", "", problem,
-      formats::did_you_mean(name, known, "kinex list workloads names them"));
+      did_you_mean(name, known, "kinex list workloads names them"));
 }
 
 void generate(const GenOptions& options, const Voice& voice) {

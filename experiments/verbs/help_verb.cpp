@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/verbs/option_values.h"
 #include "experiments/verbs/verbs.h"
 #include "experiments/verbs/voice.h"
@@ -22,7 +22,7 @@ const CLI::App& verb_named(const CLI::App& app, const std::string& name) {
     known.push_back(verb->get_name());
   }
   throw formats::InputError("help", "", show_text(name) + " is not a verb",
-                            formats::did_you_mean(name, known, "kinex help lists them"));
+                            did_you_mean(name, known, "kinex help lists them"));
 }
 
 std::vector<const CLI::App*> verbs_of(const CLI::App& app) {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
 #include "experiments/formats/json_writer.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/formats/structure_list.h"
 #include "experiments/formats/structure_schema.h"
 #include "experiments/lab/arithmetics.h"
@@ -104,7 +104,7 @@ std::vector<Listed> names_of(const std::string& what, const std::string& family)
   if (what == "arithmetics") return listed(lab::arithmetic_infos());
   throw formats::InputError(
       "list", "", show_text(what) + " is nothing that is listed",
-      formats::did_you_mean(what, subjects(),
+      did_you_mean(what, subjects(),
                             "write structures, workloads, papers or arithmetics"));
 }
 
@@ -152,7 +152,7 @@ void check_family(const std::string& family) {
   std::string all;
   for (const std::string& one : known) all += (all.empty() ? "write one of " : ", ") + one;
   throw formats::InputError("--family", "", show_text(family) + " is not a family of structures",
-                            formats::did_you_mean(family, known, all));
+                            did_you_mean(family, known, all));
 }
 
 void list(const ListOptions& options, const Voice& voice) {

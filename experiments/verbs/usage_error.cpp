@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/near_names.h"
 #include "core/numbers/show_text.h"
-#include "experiments/formats/near_names.h"
 
 namespace kinex::verbs {
 
@@ -93,7 +93,7 @@ std::string unknown_verb(const CLI::App& app, const std::string& name) {
     }
   }
   return place_of(app) + show_text(name) + " is not a verb" +
-         with_help(formats::did_you_mean(name, known, "write one of " + joined(known)), app,
+         with_help(did_you_mean(name, known, "write one of " + joined(known)), app,
                    "them");
 }
 
@@ -108,7 +108,7 @@ std::string unknown_argument(const CLI::App& app, const std::vector<std::string>
              help_of(verb) + " lists all options)";
     }
     return place_of(verb) + show_text(name) + " is not an option" +
-           with_help(formats::did_you_mean(name, names_of_options(verb), "leave it out"), verb,
+           with_help(did_you_mean(name, names_of_options(verb), "leave it out"), verb,
                      "all options");
   }
   const std::string name = extras.empty() ? "" : extras.front();

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/numbers/near_names.h"
 #include "experiments/formats/input_error.h"
-#include "experiments/formats/near_names.h"
 #include "experiments/lab/family.h"
 #include "structures/registry.h"
 
@@ -101,7 +101,7 @@ lab::Catalogue make_catalogue(std::string_view structure, lab::Extent extent) {
     for (const StructureInfo& info : structure_infos()) known.emplace_back(info.name);
     throw formats::InputError(
         "verify", "", show_text(structure) + " is not a structure",
-        formats::did_you_mean(structure, known, "kinex list structures names them; or write all"));
+        did_you_mean(structure, known, "kinex list structures names them; or write all"));
   }
   lab::Catalogue catalogue;
   for (const lab::FamilyExperiments& family : lab::experiment_families()) {

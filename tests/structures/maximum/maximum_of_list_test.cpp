@@ -157,5 +157,22 @@ TEST(Plan, ReadersNeedSomethingToRead) {
                std::invalid_argument);
 }
 
+// The few nearest names, never the list of all.
+TEST(Plan, UnknownStructuresHaveNearOnes) {
+  const Scene scene = scene_of({path({{0}})}, 0, Rational(1));
+  Simulator simulator(scene, make_arithmetic("exact", scene), SimulatorOptions{});
+  const StructureId id = simulator.reserve();
+  const auto message = [&](const char* name) -> std::string {
+    try {
+      make_structure(asked(name), scene, simulator.kernel(), id);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message("sorted-lost"), "\"sorted-lost\" is not a known structure; did you mean sorted_list?");
+  EXPECT_EQ(message("xyzzy"), "\"xyzzy\" is not a known structure; kinex list structures names them");
+}
+
 }  // namespace maximum_of_list_test
 }  // namespace kinex::test

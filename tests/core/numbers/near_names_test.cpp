@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/formats/near_names.h"
+#include "core/numbers/near_names.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace kinex::formats {
+namespace kinex {
 namespace near_names_test {
 
 using testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(NearNames, Remedies) {
 }
 
 }  // namespace near_names_test
-}  // namespace kinex::formats
+}  // namespace kinex

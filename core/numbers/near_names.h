@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "Did you mean": the known names that are most like a name that is not known.
-#ifndef KINEX_EXPERIMENTS_FORMATS_NEAR_NAMES_H
-#define KINEX_EXPERIMENTS_FORMATS_NEAR_NAMES_H
+#ifndef KINEX_CORE_NUMBERS_NEAR_NAMES_H
+#define KINEX_CORE_NUMBERS_NEAR_NAMES_H
 
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace kinex::formats {
+namespace kinex {
 
 // The edit distance: the fewest insertions, deletions, substitutions and swaps of neighbouring letters
 // that turn one name into the other. Case is ignored, and '-' is '_'. O(length^2).
@@ -23,6 +23,6 @@ std::vector<std::string> near_names(std::string_view name, const std::vector<std
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known,
                          const std::string& otherwise);
 
-}  // namespace kinex::formats
+}  // namespace kinex
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/formats/near_names.h"
+#include "core/numbers/near_names.h"
 
 #include <algorithm>
 
-namespace kinex::formats {
+namespace kinex {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   return text + "?";
 }
 
-}  // namespace kinex::formats
+}  // namespace kinex
