@@ -11,10 +11,19 @@ namespace kinex::lab {
 namespace {
 
 constexpr std::size_t kFewestSizes = 6;
+constexpr double kFlat = 0.02;  // of a power: 1.4 % for every doubling
 
 void leave_open(LawVerdict& result, const char* why) {
   result.observed += why;
   if (result.verdict == Verdict::kConfirmed) result.verdict = Verdict::kOpen;
+}
+
+// The upper end of the interval of the power that the counts grow with, if it is so small that they hardly
+// grow.
+std::optional<double> flat_power(std::span<const FitPoint> points) {
+  const std::optional<Fit> power = fit_power(points);
+  if (!power || power->upper > kFlat) return std::nullopt;
+  return power->upper;
 }
 
 }  // namespace
@@ -35,9 +44,16 @@ LawVerdict judge_law(std::span<const FitPoint> points, const ClaimedLaw& claim, 
   result.neighbours = neighbours_of(points, claim.law, x);
   if (!result.neighbours) {
     leave_open(result, ", no neighbours to compare with");
+  } else if (claim.at_most) {
+    const std::optional<double> flat = flat_power(points);
+    if (flat) {
+      result.observed += fmt::format(", like {}^{:.2g} at most", x, std::max(0.0, *flat));
+    } else if (!result.neighbours->beats_faster()) {
+      leave_open(result, ", and a law that grows faster cannot be excluded");
+    }
   } else if (result.neighbours->is_beaten()) {
     leave_open(result, ", and a neighbour fits better");
-  } else if (!claim.at_most && !result.neighbours->beats_all()) {
+  } else if (!result.neighbours->beats_all()) {
     leave_open(result, ", and a neighbour fits as well");
   }
   return result;

@@ -25,9 +25,11 @@ struct LawVerdict {
 };
 
 // Judged by the bend of the counts over the law (bend_of): confirmed if the bend's interval lies within
-// the tolerance, refuted if it lies outside, else open. Open too if a neighbour fits better, or (unless
-// the law is a bound) if one is indistinguishable from it, and for fewer than six sizes. So less data
-// never confirms more. `x` names the variable.
+// the tolerance, refuted if it lies outside, else open. Open too if a neighbour fits better or is
+// indistinguishable from it, and for fewer than six sizes. Of a bound (at_most) only neighbours that grow
+// faster count, each against the law or a slower one; and none if the counts hardly grow: all of the
+// interval of their power of x is below 0.02, where all laws with a small factor fit. So less data never
+// confirms more. `x` names the variable.
 LawVerdict judge_law(std::span<const FitPoint> points, const ClaimedLaw& claim, const std::string& x);
 
 // The departure of the counts from a + b law: c (G / 2)^2 over the mean count, of the fit

@@ -28,6 +28,12 @@ BetterFit better_scatter(double ratio) {
                                : BetterFit::kNeither;
 }
 
+// The better one of two fits; `scatters` of them, which decide where there are no standard errors.
+BetterFit compare(bool weighted, const Fit& first, double first_scatter, const Fit& second,
+                  double second_scatter) {
+  return weighted ? better_fit(first, second) : better_scatter(second_scatter / first_scatter);
+}
+
 std::string margin_text(const Neighbours& neighbours, double lead) {
   const std::string number =
       std::fabs(lead) < 100 ? fmt::format("{:.2g}", lead) : fmt::format("{:.0f}", lead);
@@ -69,6 +75,16 @@ bool Neighbours::is_beaten() const {
                      [](const Rival& rival) { return rival.better == BetterFit::kSecond; });
 }
 
+bool Neighbours::beats_faster() const {
+  return std::all_of(rivals.begin(), rivals.end(), [this](const Rival& fast) {
+    if (!fast.faster || fast.better == BetterFit::kFirst) return true;
+    return std::any_of(rivals.begin(), rivals.end(), [&](const Rival& slow) {
+      return !slow.faster && compare(weighted, slow.fit, slow.scatter, fast.fit, fast.scatter) ==
+                                 BetterFit::kFirst;
+    });
+  });
+}
+
 std::optional<Neighbours> neighbours_of(std::span<const FitPoint> points, const Law& law,
                                         const std::string& x) {
   if (points.size() < kFewestPoints) return std::nullopt;
@@ -89,27 +105,28 @@ std::optional<Neighbours> neighbours_of(std::span<const FitPoint> points, const 
   result.claimed = *std::move(claimed);
   result.scatter = relative_scatter(result.claimed);
   result.weighted = weighted;
-  const auto add = [&](std::string name, std::optional<Fit> fit) {
+  const auto add = [&](std::string name, std::optional<Fit> fit, bool faster) {
     if (!fit) return;
     Neighbours::Rival rival;
+    rival.faster = faster;
     rival.law = std::move(name);
     rival.fit = *std::move(fit);
     rival.scatter = relative_scatter(rival.fit);
-    if (weighted) {
-      rival.lead = rival.fit.chi_square - result.claimed.chi_square;
-      rival.better = better_fit(result.claimed, rival.fit);
-    } else {
-      rival.lead = rival.scatter / result.scatter;
-      rival.better = better_scatter(rival.lead);
-    }
+    rival.lead = weighted ? rival.fit.chi_square - result.claimed.chi_square
+                          : rival.scatter / result.scatter;
+    rival.better = compare(weighted, result.claimed, result.scatter, rival.fit, rival.scatter);
     result.rivals.push_back(std::move(rival));
   };
   for (int logs = 0; logs <= kMostLogs; ++logs) {
     const Law rival{law.power, logs};
     if (logs == law.logs || (logs == 0 && law.power == 0)) continue;
-    add(rival.text(x), fit_of(rival));
+    add(rival.text(x), fit_of(rival), logs > law.logs);
   }
-  if (law.logs > 0) add("a power of " + x, fit_power(fitted));
+  if (law.logs > 0) {
+    std::optional<Fit> power = fit_power(fitted);
+    const bool faster = power && power->b > law.power;
+    add("a power of " + x, std::move(power), faster);
+  }
   return result;
 }
 

@@ -34,6 +34,7 @@ struct Neighbours {
     double lead = 0;
     BetterFit better = BetterFit::kNeither;  // kFirst: the claimed law
     double scatter = 0;
+    bool faster = false;  // it grows faster than the claimed law: with more logarithms, or a larger power
   };
   std::string law;
   Fit claimed;         // a + b law(n)
@@ -43,6 +44,8 @@ struct Neighbours {
 
   bool beats_all() const;
   bool is_beaten() const;  // by some rival
+  // The claimed law, or one that is no faster, beats all that are faster: the test of a bound.
+  bool beats_faster() const;
 };
 
 // The rivals of n^p log^k n are the others of n^p log^0 .. log^3 n that grow, and a n^b if k > 0

@@ -251,7 +251,7 @@ void add_paths(lab::Catalogue& catalogue, const Method& method, lab::Extent exte
   }
   // As of lines: the method with a law is tested at more sizes.
   const bool has_law = name == "separation_hysteresis";
-  for (int k = 2; k <= (extent == lab::Extent::kQuick ? 18 : 22); k += has_law ? 1 : 4) {
+  for (int k = 2; k <= (extent == lab::Extent::kQuick ? 22 : 24); k += has_law ? 1 : 4) {
     lab::Cell cell = scene(method, "B6 approach", "polygon-approach", 64);
     cell.parameters.separation = power(k);
     cell.family = "B6 approach";

@@ -262,6 +262,7 @@ TEST(JudgeGrowth, LessDataNeverConfirmMore) {
     Count law;
     double exponent;
     int logs;
+    bool at_most = false;
   };
   const std::vector<Case> cases{
       {[](double n) { return std::pow(n, 1.5); }, 1.5, 0},
@@ -273,12 +274,18 @@ TEST(JudgeGrowth, LessDataNeverConfirmMore) {
       {[](double n) { return 1 + std::log(n); }, 0, 1},
       {[](double n) { return 1 + std::pow(std::log(n), 2); }, 0, 2},
       {[](double n) { return 1 + std::pow(std::log(n), 2); }, 0, 1},
-      {[](double n) { return std::pow(n, 0.2); }, 0, 1}};
+      {[](double n) { return std::pow(n, 0.2); }, 0, 1},
+      {[](double n) { return 1 + std::log(n); }, 0, 1, true},
+      {[](double n) { return std::pow(n, 0.1); }, 0, 1, true},
+      {[](double n) { return std::pow(n, 0.2); }, 0, 1, true},
+      {[](double) { return 1.0; }, 0, 1, true},
+      {[](double n) { return 1 + std::log(n); }, 0, 2, true}};
   int confirmed = 0, not_confirmed = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
       const double spread = seed % 3 == 0 ? 0.3 : seed % 3 == 1 ? 0.1 : 0.02;
-      const lab::GrowthClaim claim = claim_of(cases[i].exponent, cases[i].logs, 8);
+      lab::GrowthClaim claim = claim_of(cases[i].exponent, cases[i].logs, 8);
+      claim.at_most = cases[i].at_most;
       const std::vector<lab::CellResult> all = family_of(cases[i].law, spread, 100 * i + seed);
       if (lab::judge_growth(claim, all).check.verdict == lab::Verdict::kConfirmed) {
         ++confirmed;

@@ -66,6 +66,53 @@ TEST(LawVerdict, TellsABoundFromWhatExceedsIt) {
   }
 }
 
+// A power so small that a logarithm is within the tolerance of its bend: no bound O(log n) is confirmed by it, at no
+// number of sizes and with no noise; and a logarithm is not where noise hides what it is.
+TEST(LawVerdict, ABoundMustBeatWhatGrowsFaster) {
+  const lab::ClaimedLaw claim{{0, 1}, 0.1, true};
+  const auto judged = [&](const std::function<double(double)>& law, double noise, double error, std::size_t sizes) {
+    std::vector<lab::FitPoint> points = points_of(law, noise, error);
+    points.resize(sizes);
+    return lab::judge_law(points, claim, "n");
+  };
+  const auto power = [](double n) { return 40 * std::pow(n, 0.15); };
+  for (const double noise : {0.0, 0.002, 0.02}) {
+    for (const double error : {0.0, 0.02}) {
+      for (std::size_t sizes = 6; sizes <= 10; ++sizes) {
+        EXPECT_NE(judged(power, noise, error, sizes).verdict, lab::Verdict::kConfirmed)
+            << noise << " " << error << " " << sizes;
+      }
+    }
+  }
+  const lab::LawVerdict few = judged(power, 0.02, 0.02, 6);
+  std::vector<lab::FitPoint> first_six = points_of(power, 0.02, 0.02);
+  first_six.resize(6);
+  const std::optional<lab::Bend> bend = lab::bend_of(first_six, claim.law);
+  EXPECT_LT(bend->upper, claim.tolerance) << "the bend alone would confirm it";
+  EXPECT_EQ(few.verdict, lab::Verdict::kOpen);
+  EXPECT_THAT(few.observed, HasSubstr(", and a law that grows faster cannot be excluded"));
+
+  const auto log = [](double n) { return 40 + 3 * std::log(n); };
+  EXPECT_EQ(judged(log, 0.002, 0.002, 10).verdict, lab::Verdict::kConfirmed);
+  EXPECT_EQ(judged(log, 0.02, 0.02, 10).verdict, lab::Verdict::kOpen);
+  // What hardly grows is bounded by every law; what may grow is not.
+  const auto constant = [](double) { return 40.0; };
+  const lab::LawVerdict flat = judged(constant, 0.002, 0.002, 10);
+  EXPECT_EQ(flat.verdict, lab::Verdict::kConfirmed);
+  EXPECT_THAT(flat.observed, HasSubstr(", like n^0.00"));
+  EXPECT_EQ(judged(constant, 0.1, 0.1, 10).verdict, lab::Verdict::kOpen);
+}
+
+// A bound is not in doubt where a slower law fits best: log n under O(log^2 n).
+TEST(LawVerdict, ABoundMayBeFarAbove) {
+  const auto points = points_of([](double n) { return 5 + 3 * std::log(n); }, 0.001, 0.001);
+  const lab::LawVerdict bound = lab::judge_law(points, {{0, 2}, 0.1, true}, "n");
+  EXPECT_EQ(bound.verdict, lab::Verdict::kConfirmed) << bound.observed;
+  EXPECT_TRUE(bound.neighbours->is_beaten());
+  EXPECT_TRUE(bound.neighbours->beats_faster());
+  EXPECT_EQ(lab::judge_law(points, {{0, 2}, 0.1}, "n").verdict, lab::Verdict::kOpen);  // of the law itself
+}
+
 TEST(Neighbours, EachLawBeatsAllOthersOnItsOwnCounts) {
   for (const double power : {0.0, 1.0, 1.5}) {
     for (int logs = power == 0 ? 1 : 0; logs <= 3; ++logs) {
