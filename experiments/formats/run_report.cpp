@@ -31,6 +31,21 @@ std::string row_of(const StructureLedger& ledger) {
   return text;
 }
 
+// A structure is rebuilt where certificates fail together in a way that no repairs resolve, and where points
+// leave a common line. A few rebuilds more are no sign of anything.
+constexpr std::uint64_t kFewRebuilds = 3;
+
+// Of a structure that is rebuilt more often than degenerate instants and changes of the scene explain; else empty.
+std::string rebuild_warning(const std::string& label, const StructureLedger& ledger, bool exact) {
+  const std::uint64_t explained = ledger.simultaneous_groups + ledger.motion_updates +
+                                  ledger.insertions + ledger.erasures;
+  if (ledger.rebuilds <= explained + kFewRebuilds) return "";
+  return "warning   " + label + " was rebuilt " + counted(ledger.rebuilds, "time", "times") +
+         "; degenerate instants and changes of the scene explain " + std::to_string(explained) +
+         " at most: its counts are those of rebuilds rather than of repairs" +
+         (exact ? "" : "; compare with --arithmetic exact") + "\n";
+}
+
 std::string last_line(const Simulator& simulator, const RunOutcome& outcome) {
   const RunCounts counts = counts_of(simulator);
   char times[160];
@@ -84,6 +99,7 @@ std::string describe_results(const Simulator& simulator, const RunOutcome& outco
       text += "rebuilt   " + simulator.label(id) + ", " + counted(count, "time", "times") + ": " +
               reason + "\n";
     }
+    text += rebuild_warning(simulator.label(id), simulator.ledger(id), simulator.arithmetic().is_exact());
   }
   if (simulator.is_torn()) {
     text += "bounds    not judged: the run was stopped in the midst of an instant or its set-up\n";

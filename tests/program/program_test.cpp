@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <sstream>
+#include <tuple>
 
 #include "experiments/formats/json_document.h"
 #include "tests/places.h"
@@ -340,6 +341,14 @@ TEST_F(Program, MaintainInJsonAndFixedObjects) {
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(refused.out, "");
   EXPECT_THAT(refused.err, HasSubstr("--fixed: \"Sun,0\" has 2 fields, not 3; write ID,X,Y"));
+  for (const auto& [option, value, place] :
+       {std::tuple("--fixed", "Sun,0,1e999999999", "--fixed: \"1e999999999\" in \"Sun,0,1e999999999\""),
+        {"--end", "1e999999999", "--end: \"1e999999999\""}}) {
+    const Finished large = run_kinex({"import", "-", option, value}, table);
+    EXPECT_EQ(large.exit_code, 2);
+    EXPECT_THAT(large.err, HasSubstr(std::string(place) + " has an exponent beyond 100000; write a number with an exponent "
+                                                          "from -100000 to 100000"));
+  }
 }
 
 // Inexact arithmetics may fail, but in an orderly way.
@@ -352,6 +361,28 @@ TEST_F(Program, EveryArithmeticRuns) {
   }
   EXPECT_EQ(run_kinex({"diff", scratch_.file("exa.log"), scratch_.file("stu.log")}).exit_code, 0);
   EXPECT_EQ(run_kinex({"diff", scratch_.file("exa.log"), scratch_.file("dou.log")}).exit_code, 0);
+}
+
+// A structure that an inexact arithmetic sends from one rebuild to the next: more of them than there are instants that
+// could explain them. In exact arithmetic each rebuild has its degenerate instant, however many there are.
+TEST_F(Program, NamesStructuresThatAreRebuiltAgainAndAgain) {
+  const auto report = [&](const std::vector<std::string>& gen, const char* arithmetic) {
+    const std::string scene = scratch_.file("scene.json");
+    std::vector<std::string> command{"gen"};
+    command.insert(command.end(), gen.begin(), gen.end());
+    command.insert(command.end(), {"--maintain", "delaunay_2", "-o", scene, "--force"});
+    EXPECT_EQ(run_kinex(command).exit_code, 0);
+    return run_kinex({"run", scene, "--arithmetic", arithmetic, "--audit", "none"}).out;
+  };
+  const std::vector<std::string> collinear{"collinear-instant", "--n", "40"};
+  const std::string inexact = report(collinear, "double");
+  EXPECT_THAT(inexact, HasSubstr("\nwarning   delaunay_2 was rebuilt "));
+  EXPECT_THAT(inexact, HasSubstr(" explain 1 at most: its counts are those of rebuilds rather than of repairs; "
+                                 "compare with --arithmetic exact\n"));
+  for (const std::string& exact : {report(collinear, "exact"), report({"grid", "--n", "400"}, "exact")}) {
+    EXPECT_THAT(exact, HasSubstr("\nrebuilt   delaunay_2, "));
+    EXPECT_THAT(exact, testing::Not(HasSubstr("warning")));
+  }
 }
 
 }  // namespace program_test
