@@ -11,6 +11,7 @@
 #include "experiments/lab/family.h"
 #include "experiments/lab/scene_run.h"
 #include "experiments/lab/structure_words.h"
+#include "structures/parts/range_search.h"
 #include "structures/registry.h"
 
 namespace kinex::lab {
@@ -208,9 +209,11 @@ Explanation explain(const StructureInfo& info) {
   add("verified", claims_of(info.name));
   add("source", text(info.source));
   if (example.workload != nullptr) {
+    // What is there to be searched shows nothing until it is asked.
+    const char* const question = info.role == kRangeSearch ? " --at 1/2 --query 1/4,3/4,1/4,3/4" : "";
     add("example",
         {example.command + " --maintain " + name + " -o " + name + ".json",
-         "kinex run " + name + ".json --audit events", "kinex verify " + name + " --quick"});
+         "kinex run " + name + ".json --audit events" + question, "kinex verify " + name + " --quick"});
   }
   return result;
 }

@@ -35,6 +35,8 @@ class Typing : public testing::Test {
 
 // One line that begins "kinex: ", and says what to do instead.
 TEST_F(Typing, MistakesOnTheCommandLine) {
+  const std::string plan = scratch_.file("plan.json");
+  write_file(plan, "{\"kinex_plan\": 1, \"cells\": []}");
   const std::vector<std::pair<Words, std::string>> mistakes{
       {{}, "no verb is given; write one of run, check"},
       {{"rnu"}, "\"rnu\" is not a verb; did you mean run? kinex help lists them"},
@@ -53,6 +55,7 @@ TEST_F(Typing, MistakesOnTheCommandLine) {
       {{"run", scene_, "--maintain", "separation_mixed"},
        "kinex: --maintain: \"separation_mixed\" is for convex polygons, the scene has points; maintain a structure for points "
        "(kinex list structures), or give the objects polygons (kinex import --polygons)\n"},
+      {{"run", plan}, ": this is a plan, not a scene; run a plan by kinex sweep run"},
       {{"sweep", "run", scene_, "-o", scene_ + ".out"},
        ": this is a scene, not a plan; run the scene by kinex run; a plan names workloads, of which kinex sweep run makes scenes"},
       {{"gen", "grid", "--sead=3"}, "gen: \"--sead\" is not an option; did you mean --seed?"},
@@ -151,6 +154,15 @@ TEST_F(Typing, ListsAndTheirExplanations) {
       EXPECT_THAT(explained.out, StartsWith(name + "  "));
       EXPECT_THAT(explained.out, HasSubstr("\nexample       kinex "));
     }
+  }
+  // Trees are asked something: trajectory_tree has no events that would show what it does.
+  for (const char* tree : {"range_tree_2", "trajectory_tree"}) {
+    const std::string file = scratch_.file("searched.json"), words = " --audit events --at 1/2 --query 1/4,3/4,1/4,3/4\n";
+    EXPECT_THAT(run_kinex({"explain", tree}).out, HasSubstr("kinex run " + std::string(tree) + ".json" + words));
+    run_kinex({"gen", "uniform-square", "--n", "8", "--seed", "1", "--maintain", tree, "-o", file, "--force"});
+    const Finished asked = run_kinex({"run", file, "--audit", "events", "--at", "1/2", "--query", "1/4,3/4,1/4,3/4"});
+    EXPECT_EQ(asked.exit_code, 0) << asked.err;
+    EXPECT_THAT(asked.out, testing::ContainsRegex("at 1/2  [a-z_2]+ in \\[1/4, 3/4\\] x \\[1/4, 3/4\\]: \\[\"p"));
   }
   EXPECT_THAT(run_kinex({"explain", "maximum"}).out, HasSubstr("maximum_heap: "));
   EXPECT_THAT(run_kinex({"explain", "mpfr:80"}).out, StartsWith("mpfr:P  "));
