@@ -70,7 +70,7 @@ function describePairs() {
     option.value = value;
     select.append(option);
   };
-  choice("of the event", "");
+  choice("of the log record", "");
   for (const pair of [...pairs].sort((a, b) => a - b)) choice(pairOf(pair).map(nameOf).join(", "), pair);
   select.addEventListener("change", () => {
     app.chosen = select.value === "" ? null : +select.value;
