@@ -173,6 +173,15 @@ def check_sizes(viewer, name):
     viewer.window.size(1400, 950)
 
 
+# Two ships as in the guide: a name would lie over a number of the scales.
+SHIPS = "id,t,x,y,course\n" + "".join(f"ferry,{t},{x},{y},{course}\n" for t, x, y, course in (
+    (0, -900, -150, 80), (60, -420, -60, 80), (120, 60, 20, 95), (180, 540, -20, 95))) + (
+        "tanker,0,700,500,225\ntanker,180,-100,-300,225\n")
+HULLS = "id,x,y\n" + "".join(f"{ship},{x},{y}\n" for ship, tail, side, bow, tip in (
+    ("ferry", -60, 12, 45, 60), ("tanker", -150, 24, 120, 150))
+    for x, y in ((tail, -side), (bow, -side), (tip, 0), (bow, side), (tail, side)))
+
+
 def check_pictures(viewer, chromium, name, records):
     """SVG and PNG of the drawings: texts apart from one another, the names of the axes among them."""
     viewer.open(name)
@@ -337,6 +346,11 @@ def main():
         check_queries(viewer)
         check_figures(viewer)
         check_pictures(viewer, chromium, "square.html", [0, 5, 40, 90])
+        (folder / "ships.csv").write_text(SHIPS)
+        (folder / "hulls.csv").write_text(HULLS)
+        viewer.kinex("import", "ships.csv", "--polygons", "hulls.csv", "--bearing", "course", "-o", "ships.json")
+        viewer.kinex("view", "ships.json", "-o", "ships.html")
+        check_pictures(viewer, chromium, "ships.html", range(11))
         check_animation(source, folder)
         records, size = check_long(viewer)
     print(f"{len(events)} log records filtered; {records} packed into {size // 1024} kB")

@@ -300,9 +300,9 @@ class Arena {
       if (OBJECTS > 40 && !pair.includes(body) && body !== this.app.hovered) return;
       const [x, y] = middleOf(outline), half = context.measureText(nameOf(body)).width / 2 + 1;
       const box = [x - half, y - 7, x + half, y + 7], asked = pair.includes(body) || body === this.app.hovered;
+      const colour = pair.includes(body) ? COLOUR.text : COLOUR.quiet;
       if (!asked && this.places.covered(box) > 0) return;
-      this.places.take(box);
-      label(context, nameOf(body), x, y, pair.includes(body) ? COLOUR.text : COLOUR.quiet, "center");
+      this.places.labelIn(context, nameOf(body), x, y, colour);
     });
     this.drawFeatureNames(context, pair);
   }
@@ -317,7 +317,6 @@ class Arena {
     const size = Math.hypot(...across) || 1;
     const narrow = !this.overlap && this.labels.some(p => p.z === 0 && this.labels.some(q => q.z === 1 &&
       Math.hypot(p.where[0] - q.where[0], p.where[1] - q.where[1]) < 90));
-    const taken = [];
     for (const { z, feature, where, numbers, colour } of this.labels) {
       const away = Math.hypot(where[0] - middles[z][0], where[1] - middles[z][1]) || 1;
       const side = (z === 0 ? 1 : -1) / size;
@@ -331,9 +330,15 @@ class Arena {
       const before = align === "left" ? 2 : align === "right" ? room : room / 2;
       x = Math.max(left + before, Math.min(left + width - (room + 2 - before), x));
       y = Math.max(top + 10, Math.min(top + height - 10, y));
-      const close = () => taken.some(([a, b]) => Math.abs(a - x) < 84 && Math.abs(b - y) < 15);
-      for (let i = 0; i < 12 && close(); ++i) y += d[1] > 0 ? 15 : -15;
-      taken.push([x, y]);
+      // Up or down from there, where it covers least.
+      const boxAt = at => [x - before, at - 7, x - before + room, at + 7], step = d[1] > 0 ? 15 : -15;
+      let least = Infinity;
+      for (const at of [0, 1, 2, 3, 4, 5, 6, -1, -2, -3, -4, -5, -6].map(i => y + i * step)) {
+        const covered = this.places.covered(boxAt(at));
+        if (covered < least) [least, y] = [covered, at];
+        if (covered === 0) break;
+      }
+      this.places.take(boxAt(y));
       if (narrow) {
         trace(context, [where, [x, y]], false);
         context.strokeStyle = colour;

@@ -28,6 +28,7 @@ class Chart {
     context.fillStyle = COLOUR.panel;
     context.fillRect(left, top, width, height);
     this.frame.rectangle = rectangle;
+    this.places = new Places([left, top + 22, left + width, top + height]);  // below the captions
     this.stretch = 1;
     if (poses[0] !== null && poses[1] !== null) this.drawPair(context, rectangle, a, b, poses);
     context.restore();
@@ -184,6 +185,7 @@ class Chart {
       context.stroke();
       const [x, y] = this.besidePoint(middleOf(ends), ends);
       badge(context, String(side.slot + 1), x, y, colourOf(side));
+      this.places.around(x, y, 9);
     }
   }
 
@@ -196,6 +198,7 @@ class Chart {
     const [x, y] = this.at(sumOfPoints(partsOf(ray).slice(0, 2), pose));
     dot(context, x, y, 3, app.colourOf(app.shown()));
     label(context, "c", x - 7, y + 9, app.colourOf(app.shown()), "right");
+    this.places.take([x - 16, y, x, y + 18]);
   }
 
   // An order of normals that fails next: the two normals, which will be parallel then.
@@ -221,8 +224,9 @@ class Chart {
       dot(context, ...end, 3, COLOUR.failed);
     }
     const [x, y] = middleOf(ends), length = Math.hypot(x - from[0], y - from[1]) || 1;
-    badge(context, String(slot + 1), from[0] + (x - from[0]) / length * 66,
-          from[1] + (y - from[1]) / length * 66, COLOUR.failed);
+    const place = [from[0] + (x - from[0]) / length * 66, from[1] + (y - from[1]) / length * 66];
+    badge(context, String(slot + 1), ...place, COLOUR.failed);
+    this.places.around(...place, 9);
   }
 
   // A place on a segment that does not hide the point.
@@ -254,7 +258,8 @@ class Chart {
     const [x, y] = this.at(t);
     dot(context, x, y, 5.5, COLOUR.back);
     dot(context, x, y, 4, COLOUR.text);
-    label(context, nameOf(b), x + 9, y - 9, COLOUR.text);
+    this.places.around(x, y, 4);
+    this.places.label(context, nameOf(b), x, y, COLOUR.text, true);
     const [left, top, width, height] = frame.rectangle;
     const inside = corners => middleOf(sum.reduce(
       (polygon, p, i) => {
@@ -264,9 +269,9 @@ class Chart {
       }, corners));
     const [mx, my] = this.at(inside(frame.corners().map(p => this.stretched(p, 1 / this.stretch))));
     if (isNaN(mx) || Math.hypot(mx - x, my - y) < 20) return;
-    label(context, nameOf(a) + " \u2295 \u2212" + nameOf(b),
-          Math.min(left + width - 40, Math.max(left + 40, mx)),
-          Math.min(top + height - 12, Math.max(top + 30, my)), COLOUR.quiet, "center");
+    const text = nameOf(a) + " \u2295 \u2212" + nameOf(b), half = context.measureText(text).width / 2 + 2;
+    this.places.labelIn(context, text, Math.min(left + width - half, Math.max(left + half, mx)),
+                        Math.min(top + height - 12, Math.max(top + 30, my)), COLOUR.quiet);
   }
 }
 

@@ -64,12 +64,21 @@ class Places {
     return this.taken.reduce((sum, [l, t, r, e]) => sum + (left < r && l < right && top < e && t < bottom ? 1 : 0),
                              outside);
   }
+  // A label about (x, y), or beside that place where it would cover something.
+  labelIn(context, text, x, y, colour) {
+    const half = context.measureText(text).width / 2 + 1, box = [x - half, y - 7, x + half, y + 7];
+    if (this.covered(box) > 0) return this.label(context, text, x, y, colour, true);
+    label(context, text, x, y, colour, "center");
+    this.take(box);
+    return true;
+  }
   // A label beside (x, y): at the first free place around it; where there is none it is left out, or, if
   // it must be there, drawn over as few others as possible. True if it is drawn.
   label(context, text, x, y, colour, must = false) {
     const width = context.measureText(text).width;
     let best = null, least = Infinity;
-    for (const [dx, dy] of [[8, -9], [-8, -9], [8, 10], [-8, 10], [0, -15], [0, 16], [14, 0], [-14, 0]]) {
+    const beside = [[8, -9], [-8, -9], [8, 10], [-8, 10], [0, -15], [0, 16], [14, 0], [-14, 0]];
+    for (const [dx, dy] of must ? [...beside, [0, -30], [0, 31]] : beside) {
       const left = dx > 0 ? x + dx : dx < 0 ? x + dx - width : x - width / 2;
       const box = [left - 1, y + dy - 7, left + width + 1, y + dy + 7];
       const covered = this.covered(box);
