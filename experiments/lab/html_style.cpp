@@ -38,7 +38,12 @@ figure.row { grid-column: 1 / -1; }
 figure.row div { display: grid; gap: .6rem;
   grid-template-columns: repeat(auto-fit, minmax(min(380px, 100%), 1fr)); }
 figcaption b { display: block; } figcaption { font-size: .87rem; margin-top: .4rem; }
-.wide { overflow-x: auto; } .wide table { min-width: 100%; }
+/* A table that is wider than the page scrolls; a shadow is at the edge beyond which there is more. */
+.wide { overflow-x: auto; background-repeat: no-repeat; background-attachment: local, local, scroll, scroll;
+  background-image: linear-gradient(to right, var(--back), var(--back)), linear-gradient(to left, var(--back), var(--back)),
+    linear-gradient(to right, var(--strong), transparent), linear-gradient(to left, var(--strong), transparent);
+  background-position: left, right, left, right; background-size: 1rem 100%, 1rem 100%, .7rem 100%, .7rem 100%; }
+.wide table { min-width: 100%; }
 table { border-collapse: collapse; font-size: .84rem; }
 th, td { padding: .22rem .5rem; text-align: left; border-bottom: 1px solid var(--line);
   vertical-align: top; }
@@ -47,9 +52,8 @@ th button { all: unset; font: inherit; cursor: pointer; }
 th button:focus-visible, .open:focus-visible { outline: 2px solid var(--link); }
 th[aria-sort=ascending] button::after { content: " \25B2"; }
 th[aria-sort=descending] button::after { content: " \25BC"; }
-td.r, th.r { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+td.r, th.r { text-align: right; font-variant-numeric: tabular-nums; } td.r { white-space: nowrap; }
 @media (min-width: 700px) { td > a { white-space: nowrap; } }
-@media (max-width: 480px) { th.r { white-space: normal; } }  /* so that narrow columns are in sight */
 td:last-child:not([class]):not([colspan]):not(:has(.v)) { min-width: 14em; }
 details { min-width: 0; } summary { cursor: pointer; overflow-wrap: anywhere; padding: .15rem 0; }
 details.row { grid-column: 1 / -1; } details.row figure > div { display: grid; gap: .6rem;

@@ -22,6 +22,7 @@ addEventListener("load", () => {
   const images = [...document.images].map(i => i.complete && i.naturalWidth > 100);
   document.getElementById("probe").textContent = JSON.stringify({
     images: images, width: document.documentElement.scrollWidth, window: innerWidth,
+    cut: [...document.querySelectorAll(".wide")].filter(d => d.scrollWidth > d.clientWidth).map(d => d.innerText.slice(0, 60)),
     tables: document.querySelectorAll("table").length, text: document.body.innerText,
     resources: performance.getEntriesByType("resource").map(e => e.name.slice(0, 20))});
 });
@@ -72,6 +73,9 @@ def main():
             sys.exit(f"the page is {seen['width']} wide in a window of {seen['window']}")
         if any(not name.startswith("data:") for name in seen["resources"]):
             sys.exit(f"it loads {seen['resources']}")
+        narrow = ask(chromium, html, PROBE, flags=["--window-size=1200,1000"])
+        if narrow["window"] != 1200 or narrow["cut"]:
+            sys.exit(f"in a window of {narrow['window']} pixels these tables are cut off: {narrow['cut']}")
         for text in ("delaunay_2: speed and accuracy", "near-one-point", "mpfr:200", "needs"):
             if text not in seen["text"]:
                 sys.exit(f"{text!r} is not to be seen")
