@@ -93,7 +93,7 @@ class CurvesDrawing {
       text += ")\n";
     }
     if (plot_.empty()) plot_ = "plot NaN notitle";  // nothing but zeros
-    if (!picture_.title.empty()) text += "set title " + quoted(picture_.title) + "\n";
+    if (!picture_.title.empty()) text += title_command(picture_.title);
     figure.script = text + data_ + plot_ + "\n";
     figure.height = kPlotHeight + kRowHeight * legend.rows;
   }

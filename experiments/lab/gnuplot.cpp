@@ -116,6 +116,21 @@ std::string marked(const std::string& text) {
 
 std::string quoted(const std::string& text) { return "'" + marked(text) + "'"; }
 
+std::string title_command(const std::string& first, const std::string& second) {
+  if (second.empty()) return "set title " + quoted(first) + "\n";
+  // Between double quotes a backslash and a quote have one more backslash, and \n ends a line.
+  std::string text;
+  for (const char c : marked(first) + "\n" + marked(second)) {
+    if (c == '\n') {
+      text += "\\n";
+      continue;
+    }
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return "set title \"" + text + "\"\n";
+}
+
 std::string formula(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {

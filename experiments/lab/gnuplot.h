@@ -42,6 +42,9 @@ const Look& look(std::size_t i);
 // with markup.
 std::string quoted(const std::string& text);
 std::string marked(const std::string& text);
+// The command for a title above the picture, in plain text: a line, and below it a second one if it is not
+// empty. A line of 640 pixels has room for some 80 letters.
+std::string title_command(const std::string& first, const std::string& second = "");
 // A formula in plain text ("Theta(n^(3/2)) log^2 n") with its markup: raised exponents, Greek letters.
 std::string formula(const std::string& text);
 

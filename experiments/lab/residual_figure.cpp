@@ -9,7 +9,7 @@ namespace kinex::lab {
 
 namespace {
 
-constexpr int kResidualsHeight = 340, kLegendRow = 20;
+constexpr int kResidualsHeight = 380, kLegendRow = 20;
 constexpr double kBeside = 1.03;  // where references are drawn, over the size
 
 // A tic at every size; of many sizes at those that are well apart.
@@ -40,7 +40,7 @@ std::string data_block(const char* name, const Fit& fit, const std::vector<FitPo
 }  // namespace
 
 void set_residuals(Figure& figure, const Fit& fit, const std::vector<FitPoint>& points,
-                   const std::vector<FitPoint>& references, const std::string& x) {
+                   const std::vector<FitPoint>& references, const ResidualWords& words) {
   std::vector<std::string> legend{"95% interval of the exponent", "observed"};
   std::string data = data_block("seen", fit, points, 1), more;
   const auto bars = [&](const std::string& name, const std::string& title, std::size_t style) {
@@ -56,7 +56,8 @@ void set_residuals(Figure& figure, const Fit& fit, const std::vector<FitPoint>& 
   // With the exponents at the ends of the interval, through the centre of the fit.
   figure.script =
       kFrame + plan.commands + "set logscale x\nset ylabel 'count / fit - 1, in %'\nset samples 200\n" +
-      "set xlabel " + quoted(x) +
+      title_command(words.structure + ": residuals of the fit", words.family) + "set xlabel " +
+      quoted(words.x) +
       fmt::format("\nset xrange [{:.6g}:{:.6g}]\n", points.front().n * 0.8, points.back().n * 1.25) +
       size_tics(points) + data +
       fmt::format("plot '+' using 1:(100*(($1/{0:.17g})**{1:.17g}-1)):(100*(($1/{0:.17g})**{2:.17g}-1)) "

@@ -11,11 +11,16 @@
 
 namespace kinex::lab {
 
+// What the picture says of itself: the title's two lines, and the axis.
+struct ResidualWords {
+  std::string structure, family, x;
+};
+
 // Sets the script and height of a figure: counts over the fit, in per cent, with bars of two standard
 // errors, in the 95 % interval of the exponent. `points`: those that were fitted, ascending;
-// `references`: other counts to be drawn beside them, may be empty; `x`: names the axis.
+// `references`: other counts to be drawn beside them, may be empty.
 void set_residuals(Figure& figure, const Fit& fit, const std::vector<FitPoint>& points,
-                   const std::vector<FitPoint>& references, const std::string& x);
+                   const std::vector<FitPoint>& references, const ResidualWords& words);
 
 }  // namespace kinex::lab
 

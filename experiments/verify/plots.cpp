@@ -22,7 +22,7 @@ struct Size {
   double bound;  // on the events that are drawn; 0: none
 };
 struct Family {
-  std::string name;
+  std::string name, workload;
   int degree;
   std::vector<Size> sizes;  // ascending n
 
@@ -70,7 +70,7 @@ std::vector<Family> families_of(const std::vector<lab::CellResult>& cells,
     auto found = std::find_if(families.begin(), families.end(), [&](const Family& family) {
       return family.name == cell.cell.family && family.degree == degree;
     });
-    if (found == families.end()) found = families.insert(found, {cell.cell.family, degree, {}});
+    if (found == families.end()) found = families.insert(found, {cell.cell.family, cell.cell.workload, degree, {}});
     const auto n = static_cast<double>(cell.trials.front().measurement.objects);
     found->sizes.push_back({{n, mean.mean(), mean.standard_error()}, least_bound(cell)});
   }
@@ -90,6 +90,11 @@ const lab::GrowthResult* growth_of(const VerifyResult& result, const std::string
       return &growth;
   }
   return nullptr;
+}
+
+// A family with its workload, so that a picture tells where its counts come from: "uniform (uniform-square)".
+std::string with_workload(const std::string& family, const std::string& workload) {
+  return family.find(workload) == family.npos ? fmt::format("{} ({})", family, workload) : family;
 }
 
 std::string counts_title(const std::string& structure) { return structure + ": events over n"; }
@@ -113,7 +118,8 @@ lab::Figure counts_figure(const VerifyResult& result, const std::string& structu
     const bool alone = std::count_if(families.begin(), families.end(), [&](const Family& other) {
                          return other.name == family.name;
                        }) == 1;
-    return alone ? family.name : fmt::format("{}, degree {}", family.name, family.degree);
+    const std::string name = with_workload(family.name, family.workload);
+    return alone ? name : fmt::format("{}, degree {}", name, family.degree);
   };
   std::vector<lab::Curve> curves;
   for (std::size_t i = 0; i < families.size(); ++i) {
@@ -133,7 +139,9 @@ lab::Figure counts_figure(const VerifyResult& result, const std::string& structu
       curves.back().look = i;
     }
   }
-  lab::set_curves(figure, {"objects n", "events", true, true, {}}, curves);
+  lab::CurvesPicture picture{"objects n", "events", true, true, {}};
+  picture.title = figure.title;
+  lab::set_curves(figure, picture, curves);
   return figure;
 }
 
@@ -169,8 +177,13 @@ lab::Figure residual_figure(const VerifyResult& result, const lab::GrowthResult&
           ? fmt::format("chi^2 = {:.1f} on {} degrees of freedom. Bars: two standard errors.",
                         growth.fit->chi_square, growth.fit->degrees)
           : "The counts have no standard errors: the interval is that of their scatter.");
+  const auto cell = std::find_if(result.cells.begin(), result.cells.end(), [&](const lab::CellResult& one) {
+    return one.cell.structure == growth.claim.structure && one.cell.family == growth.claim.family;
+  });
+  const std::string workload = cell == result.cells.end() ? growth.claim.family : cell->cell.workload;
   lab::set_residuals(figure, *growth.fit, growth.points, references_of(result, growth),
-                     growth.axis.empty() ? "objects n" : growth.axis);
+                     {growth.claim.structure, with_workload(growth.claim.family, workload),
+                      growth.axis.empty() ? "objects n" : growth.axis});
   return figure;
 }
 

@@ -89,9 +89,14 @@ def main():
                 fail(f"{command} makes another scene than {digest}")
         svgs = [base64.b64decode(svg).decode() for svg in re.findall(r'src="data:image/svg\+xml;base64,([^"]*)"', html)]
         drawings = [f"<div>{re.sub(r'<!DOCTYPE.*?>|<[?].*?[?]>', '', svg, flags=re.S)}</div>" for svg in svgs]
-        faults = [fault for picture in look(chromium, drawings) for fault in faults_of(picture)]
+        pictures = look(chromium, drawings)
+        faults = [fault for picture in pictures for fault in faults_of(picture)]
         if faults:
             fail("; ".join(faults))
+        for picture in pictures:  # each says by itself what it shows
+            words = " ".join(text for text, _ in picture["texts"])
+            if "sorted_list: " not in words or "uniform-square" not in words:
+                fail(f"a picture names no structure or no workload: {words}")
     print(json.dumps({"rows": seen["all"], "pictures": len(svgs), "dark": small["back"]}))
 
 

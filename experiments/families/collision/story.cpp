@@ -207,14 +207,14 @@ std::vector<lab::Figure> collision_figures(const std::vector<lab::CellResult>& c
   std::vector<lab::Figure> figures;
   figures.push_back(panel(
       figure, cells,
-      {"mu = min(n, sqrt(D / separation))", "events", true, true, {1}, {}, "B1: once round"}, mu));
+      {"mu = min(n, sqrt(D / separation))", "events", true, true, {1}, {}, "B1: once round (polygon-orbit)"}, mu));
   figure.joins = true;
   figures.push_back(
       panel(figure, cells,
-            {"n vertices", "events", true, true, {1, 2}, sizes, "B4: a turn before a fan"}, fan));
+            {"n vertices", "events", true, true, {1, 2}, sizes, "B4: a turn before a fan (polygon-fan)"}, fan));
   figures.push_back(
       panel(figure, cells,
-            {"n vertices", "events", true, true, {1, 2}, sizes, "B5: a turn before a tangent fan"},
+            {"n vertices", "events", true, true, {1, 2}, sizes, "B5: a turn before a tangent fan (polygon-tangents)"},
             tangents));
   return figures;
 }

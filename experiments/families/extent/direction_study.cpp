@@ -200,10 +200,10 @@ std::vector<lab::Figure> direction_figures(const std::vector<lab::CellResult>& c
       "Left: the error of the diameter, as a part of it, at the worst of 24 random times (none is drawn "
       "where it was 0), and the error proven. Right: certificate failures of the whole run, "
       "without those of the hull below the exact diameter. Scene: hull-worst, n = m = 12.";
-  lab::set_curves(error, {.x = "k", .y = "error", .slopes = {}}, errors);
+  lab::set_curves(error, {.x = "k", .y = "error", .slopes = {}, .title = scene.name}, errors);
   event.title = error.title;
   event.joins = true;
-  lab::set_curves(event, {.x = "k", .y = "certificate failures", .slopes = {}}, events);
+  lab::set_curves(event, {.x = "k", .y = "certificate failures", .slopes = {}, .title = scene.name}, events);
   return {error, event};
 }
 

@@ -37,7 +37,7 @@ std::vector<lab::Figure> quadratic_figures(const std::vector<lab::CellResult>& c
   figure.caption =
       "Changes of the attribute, or events of the kind that is named, in families whose counts are known "
       "exactly.";
-  lab::set_curves(figure, {.x = "n = m", .y = "changes", .slopes = {2}}, curves);
+  lab::set_curves(figure, {.x = "n = m", .y = "changes", .slopes = {2}, .title = figure.title}, curves);
   return {figure};
 }
 

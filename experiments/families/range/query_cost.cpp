@@ -174,6 +174,8 @@ lab::StudyResult study_query_cost(bool quick, const std::function<bool()>& go_on
   return result;
 }
 
+constexpr const char* kScene = "Random boxes, points of uniform-square";
+
 // Drawn from queries of its own: the cells have none.
 std::vector<lab::Figure> query_cost_figures(const std::vector<lab::CellResult>& cells) {
   const bool is_asked = std::any_of(cells.begin(), cells.end(), [](const lab::CellResult& result) {
@@ -204,11 +206,11 @@ std::vector<lab::Figure> query_cost_figures(const std::vector<lab::CellResult>& 
       "range tree, two in a kd-tree), and these points. Right: its processor time. Means of 400 "
       "random "
       "boxes on n random points.";
-  lab::set_curves(figure, {.x = "points n", .y = "nodes a query", .slopes = {0.5}}, nodes);
+  lab::set_curves(figure, {.x = "points n", .y = "nodes a query", .slopes = {0.5}, .title = kScene}, nodes);
   lab::Figure time;
   time.title = figure.title;
   time.joins = true;
-  lab::set_curves(time, {.x = "points n", .y = "microseconds a query", .slopes = {}}, times);
+  lab::set_curves(time, {.x = "points n", .y = "microseconds a query", .slopes = {}, .title = kScene}, times);
   return {figure, time};
 }
 
