@@ -162,6 +162,7 @@ TEST_F(Output, PlotsNeedAFolder) {
 TEST_F(Output, PlotsAreNotReplaced) {
   const std::string folder = scratch_.file("plots");
   std::filesystem::create_directories(folder);
+  const std::set<std::string> at_first = files();
   const auto run = [&](const std::string& results, const Words& more) {
     Words command{"verify", "sorted_list", "--quick", "--seeds", "2", "-o", scratch_.file(results), "--plots", folder};
     command.insert(command.end(), more.begin(), more.end());
@@ -170,14 +171,15 @@ TEST_F(Output, PlotsAreNotReplaced) {
   for (const char* name : {"sorted_list-events-over-n.svg", "sorted_list-residuals-of-the-fit-uniform-2.svg"}) {
     const std::string file = folder + "/" + name;
     write_file(file, "precious");
-    const std::set<std::string> before = files();
+    std::set<std::string> before = at_first;
+    before.insert(file);
     const Finished refused = run("refused", {});
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_EQ(refused.out, "");
     EXPECT_EQ(refused.err, "kinex: --plots: " + file + ": exists already, and a plot may have this name; name "
                            "another folder, or --force to replace it\n");
     std::set<std::string> after = files();
-    after.erase(scratch_.file("refused"));  // the folder of the results
+    after.erase(scratch_.file("refused"));  // the folder of the results, empty
     EXPECT_EQ(after, before);
     EXPECT_EQ(read_file(file), "precious");
     std::filesystem::remove(file);

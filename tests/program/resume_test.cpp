@@ -148,24 +148,6 @@ TEST_F(Resume, AnInterruptedRunGoesOn) {
   }
 }
 
-TEST_F(Resume, PlotsOfAnInterruptedRunAreReplaced) {
-  const std::string folder = scratch_.file("results"), plots = scratch_.file("plots");
-  const Words command{"verify", "maximum_envelope", "--quick", "-o", folder, "--plots", plots};
-  const Finished stopped = run_kinex_until(command, folder + "/verify.unfinished", 18, SIGINT);
-  ASSERT_EQ(stopped.exit_code, 3) << stopped.err;
-  const Words partial = files_in(plots);
-  EXPECT_THAT(partial, ElementsAre("maximum_envelope-events-over-n.svg"));
-  const std::string plot = plots + "/" + partial.at(0), drawn = read_file(plot);
-  write_file(plot, "mine");
-  EXPECT_EQ(run_kinex(command).exit_code, 2);
-  EXPECT_EQ(read_file(plot), "mine");
-  write_file(plot, drawn);
-  const Finished last = run_kinex(command);
-  EXPECT_EQ(last.exit_code, 0) << last.err;
-  EXPECT_NE(read_file(plot), drawn);
-  EXPECT_EQ(run_kinex(command).exit_code, 2);
-}
-
 TEST_F(Resume, FreshBeginsAnew) {
   const Verb verb = verbs()[1];
   const std::string folder = scratch_.file("fresh");

@@ -13,7 +13,9 @@
 #include "experiments/formats/input_error.h"
 #include "experiments/lab/cell_record.h"
 #include "experiments/sweep/fields_report.h"
+#include "experiments/verbs/experiment_files.h"
 #include "experiments/verify/runner.h"
+#include "tests/experiments/expect_input_error.h"
 
 namespace kinex {
 namespace journal_test {
@@ -232,6 +234,46 @@ TEST(CellRecord, IsTheCellAgain) {
   EXPECT_FALSE(lab::cell_of({fields.exact.substr(1), fields.times}, cell));
   EXPECT_FALSE(lab::cell_of({fields.exact + "1 ", fields.times}, cell));
   EXPECT_FALSE(lab::cell_of({fields.exact, fields.times + "1 "}, cell));
+}
+
+// Plots that an interrupted run has written are replaced when the same command goes on; no others are, nor any that
+// were changed since.
+TEST_F(SweepJournal, PlotsOfAnInterruptedRunAreItsOwn) {
+  const std::string folder = name() + "-plots";
+  fs::create_directories(folder);
+  const auto write = [&](sweep::Journal& journal, bool force, const std::string& svg) {
+    const verbs::PlotFiles plots(folder, force, {"a: b", "c"}, journal);
+    lab::Figure figure;
+    figure.title = "a: b";
+    plots.write({figure, figure}, {{svg, svg + " again"}, ""});
+  };
+  const auto plot = [&](const char* file) {
+    std::ostringstream out;
+    out << std::ifstream(folder + "/" + file, std::ios::binary).rdbuf();
+    return out.str();
+  };
+  {
+    sweep::Journal journal(name(), by("p"), sweep::Leftover::kKeep);
+    write(journal, false, "<svg>partial</svg>");
+  }
+  {
+    sweep::Journal journal(name(), by("p"), sweep::Leftover::kKeep);
+    write(journal, false, "<svg>whole</svg>");
+    EXPECT_EQ(plot("a-b.svg"), "<svg>whole</svg>");
+    EXPECT_EQ(plot("a-b-2.svg"), "<svg>whole</svg> again");
+    std::ofstream(folder + "/a-b-2.svg") << "mine";
+    EXPECT_INPUT_ERROR(write(journal, false, "<svg>other</svg>"), folder + "/a-b-2.svg: exists already, and a plot may");
+    std::ofstream(folder + "/c.svg") << "mine";
+    EXPECT_INPUT_ERROR(write(journal, false, "<svg>other</svg>"), folder + "/a-b-2.svg: exists");  // the first by name
+    EXPECT_EQ(plot("a-b.svg"), "<svg>whole</svg>");
+    write(journal, true, "<svg>forced</svg>");
+    EXPECT_EQ(plot("a-b-2.svg"), "<svg>forced</svg> again");
+    EXPECT_EQ(plot("c.svg"), "mine");  // it is no plot of this run
+    journal.remove();
+  }
+  sweep::Journal another(name(), by("p"), sweep::Leftover::kKeep);
+  EXPECT_INPUT_ERROR(write(another, false, "<svg></svg>"), folder + "/a-b-2.svg: exists");
+  fs::remove_all(folder);
 }
 
 }  // namespace journal_test
