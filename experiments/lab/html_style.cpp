@@ -45,7 +45,7 @@ figcaption b { display: block; } figcaption { font-size: .87rem; margin-top: .4r
   background-position: left, right, left, right; background-size: 1rem 100%, 1rem 100%, .7rem 100%, .7rem 100%; }
 .wide table { min-width: 100%; }
 table { border-collapse: collapse; font-size: .84rem; }
-th, td { padding: .22rem .5rem; text-align: left; border-bottom: 1px solid var(--line);
+th, td { padding: .22rem .42rem; text-align: left; border-bottom: 1px solid var(--line);
   vertical-align: top; }
 th { vertical-align: bottom; background: var(--panel); border-bottom: 2px solid var(--strong); }
 th button { all: unset; font: inherit; cursor: pointer; }
@@ -53,7 +53,7 @@ th button:focus-visible, .open:focus-visible { outline: 2px solid var(--link); }
 th[aria-sort=ascending] button::after { content: " \25B2"; }
 th[aria-sort=descending] button::after { content: " \25BC"; }
 td.r, th.r { text-align: right; font-variant-numeric: tabular-nums; } td.r { white-space: nowrap; }
-@media (min-width: 700px) { td > a { white-space: nowrap; } }
+@media (min-width: 1300px) { td > a { white-space: nowrap; } }
 td:last-child:not([class]):not([colspan]):not(:has(.v)) { min-width: 14em; }
 details { min-width: 0; } summary { cursor: pointer; overflow-wrap: anywhere; padding: .15rem 0; }
 details.row { grid-column: 1 / -1; } details.row figure > div { display: grid; gap: .6rem;
