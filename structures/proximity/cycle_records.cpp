@@ -6,24 +6,25 @@ namespace kinex {
 // ---- records
 
 void CycleRecords::make_room(std::size_t items) {
-  if (places_.size() < items) places_.resize(items);
+  if (cycles_.size() >= items) return;
+  cycles_.resize(items);
+  uses_.resize(items);
 }
 
-std::uint32_t CycleRecords::list(Item item, Place place) {
-  places_[item].push_back(place);
-  return static_cast<std::uint32_t>(places_[item].size() - 1);
+std::uint32_t CycleRecords::list(Lists& lists, Item item, Place place) {
+  lists[item].push_back(place);
+  return static_cast<std::uint32_t>(lists[item].size() - 1);
 }
 
 // The last of the list comes to its place.
-void CycleRecords::unlist(Item item, std::uint32_t at) {
-  std::vector<Place>& places = places_[item];
-  Record& last = records_[places.back()];
-  (last.inside == item ? last.at_inside : last.at_outside) = at;
-  places[at] = places.back();
+void CycleRecords::unlist_inside(const Record& record) {
+  std::vector<Place>& places = uses_[record.inside];
+  records_[places.back()].at_inside = record.at_inside;
+  places[record.at_inside] = places.back();
   places.pop_back();
 }
 
-void CycleRecords::add(Item inside, Item outside) {
+void CycleRecords::add(Item inside, Item outside, Item owner) {
   Place place;
   if (free_.empty()) {
     place = static_cast<Place>(records_.size());
@@ -32,43 +33,51 @@ void CycleRecords::add(Item inside, Item outside) {
     place = free_.back();
     free_.pop_back();
   }
-  records_[place] = {inside, outside, kNoCertificate, list(inside, place), list(outside, place)};
+  records_[place] = {inside, outside, owner, kNoCertificate, list(uses_, inside, place),
+                     list(cycles_, owner, place)};
   certify(place);
 }
 
 void CycleRecords::change(Place place, Item inside, Item outside) {
   Record& record = records_[place];
   if (record.inside != inside) {
-    unlist(record.inside, record.at_inside);
+    unlist_inside(record);
     record.inside = inside;
-    record.at_inside = list(inside, place);
+    record.at_inside = list(uses_, inside, place);
   }
-  if (record.outside != outside) {
-    unlist(record.outside, record.at_outside);
-    record.outside = outside;
-    record.at_outside = list(outside, place);
-  }
+  record.outside = outside;
   certify(place);
 }
 
 void CycleRecords::drop(Place place) {
   Record& record = records_[place];
   slots_.drop(record.certificate);
-  unlist(record.inside, record.at_inside);
-  unlist(record.outside, record.at_outside);
+  unlist_inside(record);
+  std::vector<Place>& places = cycles_[record.owner];
+  records_[places.back()].at_owner = record.at_owner;
+  places[record.at_owner] = places.back();
+  places.pop_back();
   record = {};
   free_.push_back(place);
 }
 
-void CycleRecords::drop_all(Item item) {
-  while (!places_[item].empty()) drop(places_[item].back());
+void CycleRecords::drop_cycle(Item owner) {
+  while (!cycles_[owner].empty()) drop(cycles_[owner].back());
+}
+
+void CycleRecords::exchange_cycles(Item a, Item b) {
+  cycles_[a].swap(cycles_[b]);
+  for (const Item owner : {a, b}) {
+    for (const Place place : cycles_[owner]) records_[place].owner = owner;
+  }
 }
 
 void CycleRecords::clear() {
   for (Record& record : records_) slots_.drop(record.certificate);
   records_.clear();
   free_.clear();
-  places_.clear();
+  cycles_.clear();
+  uses_.clear();
   tied_.clear();
   failing_.clear();
 }
@@ -116,28 +125,36 @@ void CycleRecords::note_ties(std::span<const ObjectId> objects) {
 
 void CycleRecords::renew(std::span<const Item> items) {
   for (const Item item : items) {
-    for (const Place place : places_[item]) {
-      const Record& record = records_[place];
-      const Query claim = edges_->claim(record.inside, record.outside);
-      if (!slots_.holds(record.certificate, claim, place)) {
-        certify(place);
-      } else if (slots_.is_tie(record.certificate)) {
-        tied_.push_back(place);
+    for (const Place place : cycles_[item]) renew(place);
+    for (const Place use : uses_[item]) {
+      for (const Place place : cycles_[records_[use].owner]) {
+        if (place == use || records_[place].outside == item) renew(place);
       }
     }
   }
 }
 
+void CycleRecords::renew(Place place) {
+  const Record& record = records_[place];
+  const Query claim = edges_->claim(record.inside, record.outside);
+  if (!slots_.holds(record.certificate, claim, place)) {
+    certify(place);
+  } else if (slots_.is_tie(record.certificate)) {
+    tied_.push_back(place);
+  }
+}
+
 // ---- checks
 
-void CycleRecords::check(Item outside, AuditReport& report) const {
-  for (const Place place : places_[outside]) {
+void CycleRecords::check(Item owner, AuditReport& report) const {
+  for (const Place place : cycles_[owner]) {
     const Record& record = records_[place];
-    if (record.outside != outside) continue;
-    report.check(slots_.holds(record.certificate, edges_->claim(record.inside, outside), place),
+    const Query claim = edges_->claim(record.inside, record.outside);
+    report.check(record.owner == owner && slots_.holds(record.certificate, claim, place),
                  [] { return "a certificate of something else"; });
-    report.check(!slots_.is_tie(record.certificate) || edges_->goes_first(record.inside, outside),
-                 [] { return "a tie in the wrong order"; });
+    report.check(
+        !slots_.is_tie(record.certificate) || edges_->goes_first(record.inside, record.outside),
+        [] { return "a tie in the wrong order"; });
   }
 }
 
@@ -147,9 +164,11 @@ void CycleRecords::check_all(AuditReport& report) const {
 
 std::size_t CycleRecords::bytes() const {
   std::size_t sum = records_.capacity() * sizeof(Record) +
-                    places_.capacity() * sizeof(std::vector<Place>) +
                     (free_.capacity() + tied_.capacity() + failing_.capacity()) * sizeof(Place);
-  for (const std::vector<Place>& places : places_) sum += places.capacity() * sizeof(Place);
+  for (const Lists* lists : {&cycles_, &uses_}) {
+    sum += lists->capacity() * sizeof(std::vector<Place>);
+    for (const std::vector<Place>& places : *lists) sum += places.capacity() * sizeof(Place);
+  }
   return sum;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CycleRecords: certificates that edges of a graph are the longest of their cycles.
 //
-// A record (inside, outside) is the certificate "edge `inside` is at most as long as edge `outside`".
-// All records of one edge outside the tree prove that it is the longest of a cycle: their insides are
-// the other edges of that cycle. Which cycle that is, and what a failure means, is the owner's affair.
+// A cycle belongs to its longest edge, the owner. Each other edge of it, `inside`, has one record: the
+// certificate that `inside` is at most as long as `outside`, which is the owner or another edge of the
+// cycle, so that all records of an owner together say that it is the longest. Which cycle that is, and
+// what a failure means, is the affair of the structure.
 #ifndef KINEX_STRUCTURES_PROXIMITY_CYCLE_RECORDS_H
 #define KINEX_STRUCTURES_PROXIMITY_CYCLE_RECORDS_H
 
@@ -23,9 +24,9 @@ class CycleRecords {
   using Place = std::uint32_t;  // of a record; the tag of its certificate
 
   struct Record {
-    Item inside = kNoItem, outside = kNoItem;
+    Item inside = kNoItem, outside = kNoItem, owner = kNoItem;
     CertificateId certificate = kNoCertificate;
-    std::uint32_t at_inside = 0, at_outside = 0;  // its places in the lists of the two
+    std::uint32_t at_inside = 0, at_owner = 0;  // its places in the lists of the two
   };
 
   // `edges` outlives this part.
@@ -33,19 +34,21 @@ class CycleRecords {
       : slots_(kernel, structure, "cycles"), edges_(&edges) {}
 
   const Record& operator[](Place place) const { return records_[place]; }
-  // The records that name an edge, in no particular, but reproducible, order. Valid until a record
-  // comes, goes or changes.
-  std::span<const Place> of(Item item) const { return places_[item]; }
+  // The records of the cycle of an edge, and those whose inside it is: in no particular, but
+  // reproducible, order. Valid until a record comes, goes or changes.
+  std::span<const Place> cycle(Item owner) const { return cycles_[owner]; }
+  std::span<const Place> uses(Item inside) const { return uses_[inside]; }
   std::size_t size() const { return records_.size() - free_.size(); }
 
   // Numbers of edges are below.
   void make_room(std::size_t items);
-  void add(Item inside, Item outside);
-  // The record becomes another one, with a certificate made anew.
+  void add(Item inside, Item outside, Item owner);
+  // The record has these edges, and a certificate made anew.
   void change(Place place, Item inside, Item outside);
   void drop(Place place);
-  // All records that name an edge.
-  void drop_all(Item item);
+  void drop_cycle(Item owner);
+  // Each of two edges owns the records that the other one had; they stay what they are.
+  void exchange_cycles(Item a, Item b);
   // All of them.
   void clear();
 
@@ -65,22 +68,25 @@ class CycleRecords {
   // The claims about these edges may be others now: makes their certificates anew where they are.
   void renew(std::span<const Item> items);
 
-  // Each record of `outside` holds its claim, and ties in the right order.
-  void check(Item outside, AuditReport& report) const;
+  // Each record of the cycle holds its claim, and ties in the right order.
+  void check(Item owner, AuditReport& report) const;
   // No certificate belongs to no record.
   void check_all(AuditReport& report) const;
   std::size_t bytes() const;
 
  private:
-  std::uint32_t list(Item item, Place place);
-  void unlist(Item item, std::uint32_t at);
+  using Lists = std::vector<std::vector<Place>>;
+
+  static std::uint32_t list(Lists& lists, Item item, Place place);
+  void unlist_inside(const Record& record);
   void certify(Place place);
+  void renew(Place place);
 
   Slots slots_;
   const TreeEdges* edges_;
   std::vector<Record> records_;
   std::vector<Place> free_;
-  std::vector<std::vector<Place>> places_;  // by item: the records that name it
+  Lists cycles_, uses_;  // by item
   // Records whose certificates were identically zero, or negative right after now, when they were
   // made. They may have changed since.
   std::vector<Place> tied_, failing_;

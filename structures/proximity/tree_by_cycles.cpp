@@ -14,7 +14,7 @@ void TreeByCycles::prove(Item outside) {
   const auto [u, v] = edges_->ends(outside);
   std::vector<Item> path = forest_.path(u, v);
   std::sort(path.begin(), path.end());
-  for (const Item inside : path) records_.add(inside, outside);
+  for (const Item inside : path) records_.add(inside, outside, outside);
 }
 
 // ---- the tree
@@ -24,11 +24,11 @@ void TreeByCycles::prove(Item outside) {
 // `after` and what was its path.
 std::vector<Item> TreeByCycles::replace(Item before, Item after) {
   std::vector<Item> crossing, cycle{after};
-  for (const Place place : records_.of(before)) crossing.push_back(records_[place].outside);
-  for (const Place place : records_.of(after)) cycle.push_back(records_[place].inside);
+  for (const Place place : records_.uses(before)) crossing.push_back(records_[place].outside);
+  for (const Place place : records_.cycle(after)) cycle.push_back(records_[place].inside);
   std::sort(crossing.begin(), crossing.end());
   std::sort(cycle.begin(), cycle.end());
-  records_.drop_all(after);
+  records_.drop_cycle(after);
   take_out(before);
   put_in(after);
   for (const Item item : cycle) marks_[item] = kOnCycle;
@@ -48,7 +48,7 @@ std::vector<Item> TreeByCycles::replace(Item before, Item after) {
 // A record of an edge that left the path becomes that of one that came.
 void TreeByCycles::exchange_along(std::span<const Item> cycle, Item outside) {
   gone_.clear();
-  for (const Place place : records_.of(outside)) {
+  for (const Place place : records_.cycle(outside)) {
     Mark& mark = marks_[records_[place].inside];
     if (mark == kNotOnCycle) continue;
     mark = kOnCycleAndPath;
@@ -61,7 +61,7 @@ void TreeByCycles::exchange_along(std::span<const Item> cycle, Item outside) {
     } else if (used < gone_.size()) {
       records_.change(gone_[used++], inside, outside);
     } else {
-      records_.add(inside, outside);
+      records_.add(inside, outside, outside);
     }
   }
   for (; used < gone_.size(); ++used) records_.drop(gone_[used]);
@@ -69,14 +69,14 @@ void TreeByCycles::exchange_along(std::span<const Item> cycle, Item outside) {
 
 void TreeByCycles::swap(Item before, Item after) {
   for (const Item inside : replace(before, after)) {
-    if (inside != before) records_.add(inside, before);
+    if (inside != before) records_.add(inside, before, before);
   }
 }
 
 // The shortest edge that crosses the cut of a tree edge right after now; kNoItem: there is none.
 Item TreeByCycles::replacement_of(Item item) const {
   Item best = kNoItem;
-  for (const Place place : records_.of(item)) {
+  for (const Place place : records_.uses(item)) {
     const Item outside = records_[place].outside;
     if (best == kNoItem || in_front(*kernel_, order(), outside, best)) best = outside;
   }
@@ -116,7 +116,7 @@ void TreeByCycles::remove(Item item) {
       replace(item, other);
     }
   }
-  records_.drop_all(item);
+  records_.drop_cycle(item);
   leave(item);
 }
 
@@ -179,10 +179,10 @@ void TreeByCycles::visit_proof(ProofVisitor& visitor) const {
   ProofGroup group;
   group.kind = "edge outside the tree";
   for (const Item item : present()) {
-    if (in_tree(item) || records_.of(item).empty()) continue;
+    if (in_tree(item) || records_.cycle(item).empty()) continue;
     group.about = about(std::array{item});
     visitor.group(group);
-    for (const Place place : records_.of(item)) {
+    for (const Place place : records_.cycle(item)) {
       visitor.certificate(records_[place].certificate, "longer than an edge of its path");
     }
   }
@@ -209,7 +209,7 @@ void TreeByCycles::check(AuditReport& report) const {
       continue;
     }
     std::vector<Item> proved;
-    for (const Place place : records_.of(item)) {
+    for (const Place place : records_.cycle(item)) {
       proved.push_back(records_[place].inside);
       report.check(records_[place].outside == item && in_tree(records_[place].inside),
                    [] { return "a cycle of something else"; });

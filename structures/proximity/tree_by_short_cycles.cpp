@@ -44,20 +44,50 @@ bool TreeByShortCycles::find_triangle(Item outside, Item longer) {
   return false;
 }
 
+// The edge between two vertices, kNoItem if there is none.
+Item TreeByShortCycles::edge_between(std::uint32_t u, std::uint32_t v) const {
+  for (const EdgeAt& one : adjacent_->at(u)) {
+    if (one.vertex == v) return has(one.edge) ? one.edge : kNoItem;
+  }
+  return kNoItem;
+}
+
+// A cycle of the fewest edges, among those that are all shorter than `outside`: the last one added.
+void TreeByShortCycles::find_shortest(Item outside) {
+  const auto [u, v] = edges_->ends(outside);
+  from_.resize(vertices_, kNoItem);
+  passed_.assign(1, u);
+  from_[u] = outside;
+  for (std::size_t i = 0; from_[v] == kNoItem; ++i) {
+    for (const EdgeAt& one : adjacent_->at(passed_[i])) {
+      if (!has(one.edge) || one.edge == outside || from_[one.vertex] != kNoItem) continue;
+      from_[one.vertex] = one.edge;
+      passed_.push_back(one.vertex);
+    }
+  }
+  cycle_.clear();
+  for (std::uint32_t at = v; at != u;) {
+    cycle_.push_back(from_[at]);
+    const auto ends = edges_->ends(from_[at]);
+    at = ends[0] == at ? ends[1] : ends[0];
+  }
+  for (const std::uint32_t at : passed_) from_[at] = kNoItem;
+}
+
 // The cycle of `outside` without `gone`, which is outside the tree, and with the other edges of its
 // cycle. False if that is long, or not all are shorter than `outside`.
 bool TreeByShortCycles::join_cycles(Item outside, Item gone) {
   cycle_.clear();
   bool fits = true;
   for (const Item owner : {outside, gone}) {
-    for (const Place place : records_.of(owner)) {
-      const Record& record = records_[place];
-      if (record.outside != owner || record.inside == gone) continue;
-      if (record.inside == outside) fits = false;
-      std::uint8_t& mark = marks_[record.inside];
-      if (mark == 0) cycle_.push_back(record.inside);
+    for (const Place place : records_.cycle(owner)) {
+      const Item inside = records_[place].inside;
+      if (inside == gone) continue;
+      if (inside == outside) fits = false;
+      std::uint8_t& mark = marks_[inside];
+      if (mark == 0) cycle_.push_back(inside);
       // An edge of both is in neither.
-      mark = mark == 0 ? (owner == gone ? 2 : 1) : 3;
+      mark = mark == 1 ? 3 : owner == outside ? 1 : 2;
     }
   }
   std::size_t left = 0;
@@ -69,12 +99,14 @@ bool TreeByShortCycles::join_cycles(Item outside, Item gone) {
     marks_[item] = 0;
   }
   cycle_.resize(left);
-  if (fits) make_simple(outside);
-  return fits;
+  if (!fits) return false;
+  make_simple(outside);
+  if (cycle_.size() > 2) make_shorter(outside, gone);
+  return true;
 }
 
-// Of edges that meet every vertex an even number of times, `outside` counted: those of one cycle. The
-// walk from one end to the other drops its loops.
+// Of edges that meet every vertex an even number of times, `outside` counted: those of one cycle, from
+// end to end. The walk from one end to the other drops its loops. passed_: its vertices.
 void TreeByShortCycles::make_simple(Item outside) {
   const auto [u, v] = edges_->ends(outside);
   walk_.clear();
@@ -88,13 +120,33 @@ void TreeByShortCycles::make_simple(Item outside) {
     const auto ends = edges_->ends(*next);
     const std::uint32_t to = ends[0] == at ? ends[1] : ends[0];
     walk_.push_back(*next);
-    cycle_.erase(next);
-    const auto before = std::find(passed_.begin(), passed_.end(), to);
-    passed_.erase(before, passed_.end());
+    *next = cycle_.back();
+    cycle_.pop_back();
+    passed_.erase(std::find(passed_.begin(), passed_.end(), to), passed_.end());
     passed_.push_back(to);
     walk_.resize(passed_.size() - 1);
   }
-  cycle_.assign(walk_.begin(), walk_.end());
+  cycle_.swap(walk_);
+}
+
+// Two edges of the walk that follow each other give way to the third one of a triangle, if it is shorter
+// than `outside`.
+void TreeByShortCycles::make_shorter(Item outside, Item gone) {
+  std::size_t size = 0;  // edges kept; their vertices are one more
+  for (std::size_t i = 0; i < cycle_.size(); ++i) {
+    Item edge = cycle_[i];
+    const std::uint32_t to = passed_[i + 1];
+    while (size > 0) {
+      const Item chord = edge_between(passed_[size - 1], to);
+      if (chord == kNoItem || chord == outside || chord == gone) break;
+      if (!is_shorter(chord, outside)) break;
+      edge = chord;
+      --size;
+    }
+    cycle_[size++] = edge;
+    passed_[size] = to;
+  }
+  cycle_.resize(size);
 }
 
 void TreeByShortCycles::find_path(Item outside) {
@@ -103,46 +155,53 @@ void TreeByShortCycles::find_path(Item outside) {
   std::sort(cycle_.begin(), cycle_.end());
 }
 
-// own_ becomes the records of the cycle of `outside`.
-void TreeByShortCycles::collect(Item outside) {
-  own_.clear();
-  for (const Place place : records_.of(outside)) {
-    if (records_[place].outside == outside) own_.push_back(place);
-  }
-}
-
-// cycle_ becomes the cycle of `outside`. Records that it has already stay, but for `stale`.
+// cycle_ becomes the cycle of `outside`. Its records stay, but for `stale`, where the edges of both
+// sides do; the others say that an edge is at most as long as the owner.
 void TreeByShortCycles::prove(Item outside, Place stale) {
-  collect(outside);
-  for (const Item item : cycle_) marks_[item] = 1;
-  std::size_t others = 0;
-  for (const Place place : own_) {
-    std::uint8_t& mark = marks_[records_[place].inside];
-    if (mark == 1 && place != stale) {
-      mark = 0;
-    } else {
-      own_[others++] = place;
+  enum : std::uint8_t { kNone, kWanted, kProved };
+  const std::span<const Place> old = records_.cycle(outside);
+  own_.assign(old.begin(), old.end());
+  for (const Item item : cycle_) marks_[item] = kWanted;
+  marks_[outside] = kProved;
+  const auto sort_out = [this](const auto& stays) {
+    std::size_t others = 0;
+    for (const Place place : own_) {
+      if (!stays(place)) own_[others++] = place;
     }
-  }
-  std::size_t used = 0;
+    own_.resize(others);
+  };
+  sort_out([&](Place place) {
+    const Record& record = records_[place];
+    const bool stays = place != stale && marks_[record.inside] != kNone && marks_[record.outside] != kNone;
+    if (stays) marks_[record.inside] = kProved;
+    return stays;
+  });
+  sort_out([&](Place place) {
+    const Item inside = records_[place].inside;
+    if (marks_[inside] != kWanted) return false;
+    marks_[inside] = kProved;
+    records_.change(place, inside, outside);
+    return true;
+  });
   for (const Item item : cycle_) {
-    if (marks_[item] == 0) continue;
-    marks_[item] = 0;
-    if (used < others) {
-      records_.change(own_[used++], item, outside);
-    } else {
-      records_.add(item, outside);
+    if (marks_[item] == kWanted) {
+      if (own_.empty()) {
+        records_.add(item, outside, outside);
+      } else {
+        records_.change(own_.back(), item, outside);
+        own_.pop_back();
+      }
     }
+    marks_[item] = kNone;
   }
-  for (; used < others; ++used) records_.drop(own_[used]);
+  marks_[outside] = kNone;
+  for (const Place place : own_) records_.drop(place);
 }
 
-// Proves anew an edge of whose cycle `gone` is longer than it is, or leaves the graph.
-void TreeByShortCycles::prove_without(Item outside, Item gone, Place stale) {
-  if (!find_triangle(outside, gone) && (in_tree(gone) || !join_cycles(outside, gone))) {
-    find_path(outside);
-  }
-  prove(outside, stale);
+// Makes cycle_ a cycle of an edge in whose cycle `gone` is longer than it is, or leaves the graph.
+void TreeByShortCycles::find_cycle_without(Item outside, Item gone) {
+  if (find_triangle(outside, gone)) return;
+  if (in_tree(gone) || !join_cycles(outside, gone)) find_path(outside);
 }
 
 // ---- the tree
@@ -157,36 +216,47 @@ void TreeByShortCycles::take_out_late(Item item) {
   late_.note(item);
 }
 
+// The cycle of `after` becomes that of another edge of it. O(1) certificates.
+void TreeByShortCycles::hand_over(Item after, Item before) {
+  records_.exchange_cycles(after, before);
+  for (const Place place : records_.cycle(before)) {
+    if (records_[place].inside == before) return records_.change(place, after, before);
+  }
+}
+
 // `after` takes the place of `before`, an edge of its cycle and of its path.
 void TreeByShortCycles::swap(Item before, Item after) {
   take_out_late(before);
   put_in_late(after);
-  collect(after);
-  for (const Place place : own_) {
-    const Item inside = records_[place].inside;
-    records_.change(place, inside == before ? after : inside, before);
-  }
+  hand_over(after, before);
 }
 
-// `inside` is longer than `outside` now. `is_alone`: all other records hold.
+// The inside of a record is longer than its outside now. `is_alone`: all other records hold.
 void TreeByShortCycles::repair(Place place, bool is_alone) {
   const Record record = records_[place];
-  if (in_tree(record.inside) && (is_alone || is_on_path(record.inside, record.outside))) {
-    swap(record.inside, record.outside);
-  } else {
-    prove_without(record.outside, record.inside, place);
+  const Item before = record.inside, after = record.outside;
+  if (after != record.owner) {
+    for (const Place other : records_.cycle(record.owner)) {
+      if (records_[other].inside == after) return records_.change(place, before, records_[other].outside);
+    }
   }
+  if (in_tree(before) && (is_alone || is_on_path(before, after))) return swap(before, after);
+  find_cycle_without(after, before);
+  const bool is_better =
+      !in_tree(before) && records_.cycle(after).size() < records_.cycle(before).size();
+  if (is_better) hand_over(after, before);
+  prove(after, is_better ? kNoPlace : place);
 }
 
-// The shortest edge across the cut of a tree edge right after now; kNoItem: there is none. It has a
-// record of the edge, unless records fail now: then all edges are looked at.
+// The shortest edge across the cut of a tree edge right after now; kNoItem: there is none. The edge is
+// in its cycle, unless records fail now: then all edges are looked at.
 Item TreeByShortCycles::replacement_of(Item item) {
   Item best = kNoItem;
   const auto offer = [&](Item outside) {
     if (in_tree(outside) || !is_on_path(item, outside)) return;
     if (best == kNoItem || is_shorter(outside, best)) best = outside;
   };
-  for (const Place place : records_.of(item)) offer(records_[place].outside);
+  for (const Place place : records_.uses(item)) offer(records_[place].owner);
   if (best != kNoItem) return best;
   const auto is_leaf = [&](std::uint32_t vertex) {
     const auto here = adjacent_->at(vertex);
@@ -198,37 +268,47 @@ Item TreeByShortCycles::replacement_of(Item item) {
   for (const Item other : present()) offer(other);
   if (best != kNoItem) {
     find_path(best);
-    prove(best);
+    prove(best, kNoPlace);
   }
   return best;
 }
 
 // ---- the edges
 
-// In Kruskal's order no swap is needed.
+// In Kruskal's order no swap is needed, and what is there is shorter than what comes.
 void TreeByShortCycles::build(std::vector<Item> items) {
   records_.clear();
   late_.clear();
   marks_.clear();
   clear();
   merge_sort(items, [this](Item a, Item b) { return is_shorter(a, b); });
-  for (const Item item : items) add(item);
+  for (const Item item : items) {
+    const auto [u, v] = edges_->ends(item);
+    enter_graph(item);
+    if (forest().connected(u, v)) {
+      find_shortest(item);
+      prove(item, kNoPlace);
+    } else {
+      put_in_late(item);
+    }
+  }
   finish(Change::kSized);
 }
 
-void TreeByShortCycles::add(Item item) {
+void TreeByShortCycles::enter_graph(Item item) {
   enter(item);
   records_.make_room(item + std::size_t{1});
   if (marks_.size() <= item) marks_.resize(item + std::size_t{1}, 0);
-  const auto [u, v] = edges_->ends(item);
-  if (find_triangle(item, kNoItem)) {
-    prove(item);
-  } else if (forest().connected(u, v)) {
+}
+
+void TreeByShortCycles::add(Item item) {
+  enter_graph(item);
+  if (!find_triangle(item, kNoItem)) {
+    const auto [u, v] = edges_->ends(item);
+    if (!forest().connected(u, v)) return put_in_late(item);
     find_path(item);
-    prove(item);
-  } else {
-    put_in_late(item);
   }
+  prove(item, kNoPlace);
 }
 
 void TreeByShortCycles::remove(Item item) {
@@ -240,12 +320,13 @@ void TreeByShortCycles::remove(Item item) {
       swap(item, other);
     }
   }
-  std::vector<Item> owners;
-  for (const Place place : records_.of(item)) {
-    if (records_[place].inside == item) owners.push_back(records_[place].outside);
+  owners_.clear();
+  for (const Place place : records_.uses(item)) owners_.push_back(records_[place].owner);
+  for (const Item owner : owners_) {
+    find_cycle_without(owner, item);
+    prove(owner, kNoPlace);
   }
-  for (const Item owner : owners) prove_without(owner, item);
-  records_.drop_all(item);
+  records_.drop_cycle(item);
   leave(item);
 }
 
@@ -308,12 +389,14 @@ void TreeByShortCycles::visit_proof(ProofVisitor& visitor) const {
   ProofGroup group;
   group.kind = "edge outside the tree";
   for (const Item item : present()) {
-    if (in_tree(item) || records_.of(item).empty()) continue;
+    if (records_.cycle(item).empty()) continue;
     group.about = about(std::array{item});
     visitor.group(group);
-    for (const Place place : records_.of(item)) {
-      if (records_[place].outside != item) continue;
-      visitor.certificate(records_[place].certificate, "longer than another edge of its cycle");
+    for (const Place place : records_.cycle(item)) {
+      const Record& record = records_[place];
+      visitor.certificate(record.certificate, record.outside == item
+                                                  ? "longer than an edge of its cycle"
+                                                  : "an edge of its cycle longer than another one");
     }
   }
 }
@@ -336,14 +419,21 @@ void TreeByShortCycles::check(AuditReport& report) const {
       continue;
     }
     std::map<std::uint32_t, int> degrees;
+    std::map<Item, Item> longer;  // the other side of its record
     const auto count = [&](Item edge) {
       for (const std::uint32_t end : edges_->ends(edge)) ++degrees[end];
     };
-    for (const Place place : records_.of(item)) {
-      if (records_[place].outside != item) continue;
-      const Item inside = records_[place].inside;
-      report.check(has(inside) && inside != item, [] { return "a cycle of something else"; });
-      count(inside);
+    for (const Place place : records_.cycle(item)) {
+      const Record& record = records_[place];
+      report.check(has(record.inside) && record.inside != item &&
+                       longer.emplace(record.inside, record.outside).second,
+                   [] { return "a cycle of something else"; });
+      count(record.inside);
+    }
+    for (const auto& [inside, outside] : longer) {
+      Item top = outside;
+      for (std::size_t i = 0; i < longer.size() && longer.contains(top); ++i) top = longer[top];
+      report.check(top == item, [] { return "an edge of a cycle is not compared with its longest"; });
     }
     if (in_tree(item)) {
       report.check(degrees.empty(), [] { return "an edge of the tree has a cycle"; });
@@ -362,7 +452,7 @@ void TreeByShortCycles::check(AuditReport& report) const {
 
 std::size_t TreeByShortCycles::bytes() const {
   return base_bytes() + records_.bytes() + late_.bytes() + marks_.capacity() +
-         (cycle_.capacity() + walk_.capacity()) * sizeof(Item) +
+         (cycle_.capacity() + walk_.capacity() + from_.capacity() + owners_.capacity()) * sizeof(Item) +
          (passed_.capacity() + own_.capacity()) * sizeof(std::uint32_t);
 }
 

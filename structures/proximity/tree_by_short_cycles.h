@@ -81,20 +81,24 @@ class TreeByShortCycles final : public TreeEngine {
   using Place = CycleRecords::Place;
   using Record = CycleRecords::Record;
   static constexpr Place kNoPlace = 0xffffffffu;
-  static constexpr std::size_t kLongest = 12;  // edges of a cycle that is made of two, less one
+  static constexpr std::size_t kLongest = 40;  // edges of a cycle that is made of two, less one
 
   EdgeOrder order() const { return EdgeOrder(*edges_); }
   bool is_shorter(Item a, Item b) const { return in_front(*kernel_, order(), a, b); }
   LinkCutForest& forest();
   bool is_on_path(Item item, Item outside);
+  void enter_graph(Item item);
   // ---- cycles: each of these makes cycle_ the other edges of a cycle of `outside`
   bool find_triangle(Item outside, Item longer);
+  void find_shortest(Item outside);
   bool join_cycles(Item outside, Item gone);
   void make_simple(Item outside);
+  void make_shorter(Item outside, Item gone);
   void find_path(Item outside);
-  void prove(Item outside, Place stale = kNoPlace);
-  void prove_without(Item outside, Item gone, Place stale = kNoPlace);
-  void collect(Item outside);
+  void find_cycle_without(Item outside, Item gone);
+  Item edge_between(std::uint32_t u, std::uint32_t v) const;
+  void prove(Item outside, Place stale);
+  void hand_over(Item after, Item before);
   // ---- the tree
   void put_in_late(Item item);
   void take_out_late(Item item);
@@ -110,7 +114,8 @@ class TreeByShortCycles final : public TreeEngine {
   LateLinks late_;
   std::vector<std::uint8_t> marks_;  // by item, between calls 0
   // Scratch.
-  std::vector<Item> cycle_, walk_;
+  std::vector<Item> cycle_, walk_, owners_;
+  std::vector<Item> from_;  // by vertex, between calls kNoItem: the edge that a search came by
   std::vector<std::uint32_t> passed_;
   std::vector<Place> own_;
 };
