@@ -21,189 +21,6 @@ bool TreeByShortCycles::is_on_path(Item item, Item outside) {
   return forest().on_path(item, u, v);
 }
 
-// ---- cycles
-
-// The first triangle, by its third vertex, whose other edges are shorter right after now. Triangles
-// with `longer`, which is longer or leaves the graph, are passed over.
-bool TreeByShortCycles::find_triangle(Item outside, Item longer) {
-  const auto [u, v] = edges_->ends(outside);
-  const std::span<const EdgeAt> at_u = adjacent_->at(u), at_v = adjacent_->at(v);
-  for (auto a = at_u.begin(), b = at_v.begin(); a != at_u.end() && b != at_v.end();) {
-    if (a->vertex < b->vertex) {
-      ++a;
-    } else if (b->vertex < a->vertex) {
-      ++b;
-    } else {
-      const Item x = a++->edge, y = b++->edge;
-      if (!has(x) || !has(y) || x == longer || y == longer) continue;
-      if (!is_shorter(x, outside) || !is_shorter(y, outside)) continue;
-      cycle_.assign({x, y});
-      return true;
-    }
-  }
-  return false;
-}
-
-// The edge between two vertices, kNoItem if there is none.
-Item TreeByShortCycles::edge_between(std::uint32_t u, std::uint32_t v) const {
-  for (const EdgeAt& one : adjacent_->at(u)) {
-    if (one.vertex == v) return has(one.edge) ? one.edge : kNoItem;
-  }
-  return kNoItem;
-}
-
-// A cycle of the fewest edges, among those that are all shorter than `outside`: the last one added.
-void TreeByShortCycles::find_shortest(Item outside) {
-  const auto [u, v] = edges_->ends(outside);
-  from_.resize(vertices_, kNoItem);
-  passed_.assign(1, u);
-  from_[u] = outside;
-  for (std::size_t i = 0; from_[v] == kNoItem; ++i) {
-    for (const EdgeAt& one : adjacent_->at(passed_[i])) {
-      if (!has(one.edge) || one.edge == outside || from_[one.vertex] != kNoItem) continue;
-      from_[one.vertex] = one.edge;
-      passed_.push_back(one.vertex);
-    }
-  }
-  cycle_.clear();
-  for (std::uint32_t at = v; at != u;) {
-    cycle_.push_back(from_[at]);
-    const auto ends = edges_->ends(from_[at]);
-    at = ends[0] == at ? ends[1] : ends[0];
-  }
-  for (const std::uint32_t at : passed_) from_[at] = kNoItem;
-}
-
-// The cycle of `outside` without `gone`, which is outside the tree, and with the other edges of its
-// cycle. False if that is long, or not all are shorter than `outside`.
-bool TreeByShortCycles::join_cycles(Item outside, Item gone) {
-  cycle_.clear();
-  bool fits = true;
-  for (const Item owner : {outside, gone}) {
-    for (const Place place : records_.cycle(owner)) {
-      const Item inside = records_[place].inside;
-      if (inside == gone) continue;
-      if (inside == outside) fits = false;
-      std::uint8_t& mark = marks_[inside];
-      if (mark == 0) cycle_.push_back(inside);
-      // An edge of both is in neither.
-      mark = mark == 1 ? 3 : owner == outside ? 1 : 2;
-    }
-  }
-  std::size_t left = 0;
-  for (const Item item : cycle_) {
-    if (fits && marks_[item] != 3) {
-      fits = left < kLongest && (marks_[item] == 1 || is_shorter(item, outside));
-      cycle_[left++] = item;
-    }
-    marks_[item] = 0;
-  }
-  cycle_.resize(left);
-  if (!fits) return false;
-  make_simple(outside);
-  if (cycle_.size() > 2) make_shorter(outside, gone);
-  return true;
-}
-
-// Of edges that meet every vertex an even number of times, `outside` counted: those of one cycle, from
-// end to end. The walk from one end to the other drops its loops. passed_: its vertices.
-void TreeByShortCycles::make_simple(Item outside) {
-  const auto [u, v] = edges_->ends(outside);
-  walk_.clear();
-  passed_.assign(1, u);
-  while (passed_.back() != v) {
-    const std::uint32_t at = passed_.back();
-    const auto next = std::find_if(cycle_.begin(), cycle_.end(), [&](Item item) {
-      const auto ends = edges_->ends(item);
-      return ends[0] == at || ends[1] == at;
-    });
-    const auto ends = edges_->ends(*next);
-    const std::uint32_t to = ends[0] == at ? ends[1] : ends[0];
-    walk_.push_back(*next);
-    *next = cycle_.back();
-    cycle_.pop_back();
-    passed_.erase(std::find(passed_.begin(), passed_.end(), to), passed_.end());
-    passed_.push_back(to);
-    walk_.resize(passed_.size() - 1);
-  }
-  cycle_.swap(walk_);
-}
-
-// Two edges of the walk that follow each other give way to the third one of a triangle, if it is shorter
-// than `outside`.
-void TreeByShortCycles::make_shorter(Item outside, Item gone) {
-  std::size_t size = 0;  // edges kept; their vertices are one more
-  for (std::size_t i = 0; i < cycle_.size(); ++i) {
-    Item edge = cycle_[i];
-    const std::uint32_t to = passed_[i + 1];
-    while (size > 0) {
-      const Item chord = edge_between(passed_[size - 1], to);
-      if (chord == kNoItem || chord == outside || chord == gone) break;
-      if (!is_shorter(chord, outside)) break;
-      edge = chord;
-      --size;
-    }
-    cycle_[size++] = edge;
-    passed_[size] = to;
-  }
-  cycle_.resize(size);
-}
-
-void TreeByShortCycles::find_path(Item outside) {
-  const auto [u, v] = edges_->ends(outside);
-  cycle_ = forest().path(u, v);
-  std::sort(cycle_.begin(), cycle_.end());
-}
-
-// cycle_ becomes the cycle of `outside`. Its records stay, but for `stale`, where the edges of both
-// sides do; the others say that an edge is at most as long as the owner.
-void TreeByShortCycles::prove(Item outside, Place stale) {
-  enum : std::uint8_t { kNone, kWanted, kProved };
-  const std::span<const Place> old = records_.cycle(outside);
-  own_.assign(old.begin(), old.end());
-  for (const Item item : cycle_) marks_[item] = kWanted;
-  marks_[outside] = kProved;
-  const auto sort_out = [this](const auto& stays) {
-    std::size_t others = 0;
-    for (const Place place : own_) {
-      if (!stays(place)) own_[others++] = place;
-    }
-    own_.resize(others);
-  };
-  sort_out([&](Place place) {
-    const Record& record = records_[place];
-    const bool stays = place != stale && marks_[record.inside] != kNone && marks_[record.outside] != kNone;
-    if (stays) marks_[record.inside] = kProved;
-    return stays;
-  });
-  sort_out([&](Place place) {
-    const Item inside = records_[place].inside;
-    if (marks_[inside] != kWanted) return false;
-    marks_[inside] = kProved;
-    records_.change(place, inside, outside);
-    return true;
-  });
-  for (const Item item : cycle_) {
-    if (marks_[item] == kWanted) {
-      if (own_.empty()) {
-        records_.add(item, outside, outside);
-      } else {
-        records_.change(own_.back(), item, outside);
-        own_.pop_back();
-      }
-    }
-    marks_[item] = kNone;
-  }
-  marks_[outside] = kNone;
-  for (const Place place : own_) records_.drop(place);
-}
-
-// Makes cycle_ a cycle of an edge in whose cycle `gone` is longer than it is, or leaves the graph.
-void TreeByShortCycles::find_cycle_without(Item outside, Item gone) {
-  if (find_triangle(outside, gone)) return;
-  if (in_tree(gone) || !join_cycles(outside, gone)) find_path(outside);
-}
-
 // ---- the tree
 
 void TreeByShortCycles::put_in_late(Item item) {
@@ -241,7 +58,7 @@ void TreeByShortCycles::repair(Place place, bool is_alone) {
     }
   }
   if (in_tree(before) && (is_alone || is_on_path(before, after))) return swap(before, after);
-  find_cycle_without(after, before);
+  find_cycle_without(after, before, is_alone);
   const bool is_better =
       !in_tree(before) && records_.cycle(after).size() < records_.cycle(before).size();
   if (is_better) hand_over(after, before);
@@ -286,7 +103,7 @@ void TreeByShortCycles::build(std::vector<Item> items) {
     const auto [u, v] = edges_->ends(item);
     enter_graph(item);
     if (forest().connected(u, v)) {
-      find_shortest(item);
+      find_short(item);
       prove(item, kNoPlace);
     } else {
       put_in_late(item);
@@ -320,10 +137,11 @@ void TreeByShortCycles::remove(Item item) {
       swap(item, other);
     }
   }
+  const bool is_sure = kernel_->is_exact() && !kernel_->instant_is_shared(id_);
   owners_.clear();
   for (const Place place : records_.uses(item)) owners_.push_back(records_[place].owner);
   for (const Item owner : owners_) {
-    find_cycle_without(owner, item);
+    find_cycle_without(owner, item, is_sure);
     prove(owner, kNoPlace);
   }
   records_.drop_cycle(item);
@@ -452,7 +270,8 @@ void TreeByShortCycles::check(AuditReport& report) const {
 
 std::size_t TreeByShortCycles::bytes() const {
   return base_bytes() + records_.bytes() + late_.bytes() + marks_.capacity() +
-         (cycle_.capacity() + walk_.capacity() + from_.capacity() + owners_.capacity()) * sizeof(Item) +
+         (cycle_.capacity() + walk_.capacity() + owners_.capacity()) * sizeof(Item) +
+         reached_.capacity() * sizeof(Reached) + at_.capacity() * sizeof(EdgeAt) +
          (passed_.capacity() + own_.capacity()) * sizeof(std::uint32_t);
 }
 
