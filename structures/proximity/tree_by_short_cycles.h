@@ -39,11 +39,11 @@
 // cut an even number of times: every other edge across the cut is longer.
 //
 // Cost, for n vertices and m edges: at most (m - n + 1)(n - 1) certificates; on the Delaunay
-// triangulations of random points 6n or 7n, since most edges outside the tree are the longest of a
-// triangle. A failure below the top renews one certificate, a change of the tree another one; a cycle
-// that is made anew, those of its edges that were not below its owner before. The tree's paths are read
-// where cycles grow long, and where several certificates fail at one instant: only then is the link-cut
-// forest brought up to date.
+// triangulations of 1000 or 4000 random points 6n or 7n (max live of `kinex run`, uniform-square), since
+// most edges outside the tree are the longest of a triangle. A failure below the top renews one
+// certificate, and so does a change of the tree; a cycle that is made anew, those of its edges that
+// were not below its owner before. The tree's paths are read where cycles grow long, and where several
+// certificates fail at one instant: only then is the link-cut forest brought up to date.
 //
 // Source: the cycle property: Tarjan, Data structures and network algorithms (1983), chapter 6: his red
 // rule. Cycles that outlive changes of the tree are worked out here.
