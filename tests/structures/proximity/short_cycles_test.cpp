@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/sanitized.h"
+#include "tests/structures/proximity/reference_scenes.h"
 #include "tests/structures/proximity/twin_run.h"
 #include "tests/structures/special_scenes.h"
 #include "tests/structures/test_scenes.h"
