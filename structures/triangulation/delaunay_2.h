@@ -265,7 +265,7 @@ class Delaunay2 final : public Structure {
   std::vector<HalfEdge> rim_, link_;
   std::vector<ObjectId> corners_;
   std::vector<std::uint32_t> corner_next_, corner_previous_, witness_;
-  std::vector<bool> ghost_beyond_;
+  std::vector<ObjectId> beyond_;
   std::vector<Triangulation2::Ear> ears_;
 };
 

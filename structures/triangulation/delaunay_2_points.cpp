@@ -202,27 +202,19 @@ bool Delaunay2::plan_ears() {
   return upright(corners_[before], corners_[at], corners_[after]);
 }
 
-// True if the planned ears and their surroundings make a triangulation: no edge twice, and no edge
-// that is a hull edge on both sides. In a valid triangulation this fails only if all other points
-// are on one line.
+// True if the planned ears and their surroundings make a triangulation: no edge twice, and no two
+// triangles on the same three corners, ghosts included. In a valid triangulation this fails only if all
+// other points are on one line; at a degenerate instant what surrounds the hole may be folded over it.
 bool Delaunay2::ears_fit() {
-  const ObjectId infinity = store_.infinity();
-  ghost_beyond_.clear();  // true beyond the side from corner i to the next one
-  for (const HalfEdge h : link_) {
-    ghost_beyond_.push_back(store_.ghost(Triangulation2::triangle(store_.twin(h))));
-  }
+  beyond_.clear();  // the vertex opposite to the side from corner i to the next one, on its other side
+  for (const HalfEdge h : link_) beyond_.push_back(store_.apex(store_.twin(h)));
   for (std::size_t i = 0; i < ears_.size(); ++i) {
     const auto [before, at, after] = ears_[i];
     const ObjectId a = corners_[before], b = corners_[at], c = corners_[after];
-    const bool ghost = a == infinity || b == infinity || c == infinity;
     const bool last = i + 1 == ears_.size();
-    if (ghost && ((a != infinity && b != infinity && ghost_beyond_[before]) ||
-                  (b != infinity && c != infinity && ghost_beyond_[at]) ||
-                  (last && c != infinity && a != infinity && ghost_beyond_[after]))) {
-      return false;
-    }
+    if (beyond_[before] == c || beyond_[at] == a || (last && beyond_[after] == b)) return false;
     if (!last && store_.adjacent(std::min(a, c), std::max(a, c))) return false;
-    ghost_beyond_[before] = ghost;
+    beyond_[before] = b;
   }
   return true;
 }

@@ -405,5 +405,17 @@ TEST(Delaunay2Degenerate, SmallestCoefficientsOfDegree2) {
   }
 }
 
+// Points that meet in threes at t = 1. While they are taken out, the surroundings of a hole have a triangle
+// on the three corners of the last ear.
+TEST(Delaunay2Degenerate, AHoleWhoseSurroundingsAreFoldedOverIt) {
+  const std::vector<Trajectory> motions{
+      integers(1, -1, 2, 1),  integers(2, 0, 2, 0), integers(1, 0, 1, -1), integers(1, -1, 2, -1),
+      integers(1, 0, 2, 1), integers(1, -1, 1, -1), integers(1, 0, 2, 0)};
+  for (const std::string_view arithmetic : {"exact", "sturm"}) {
+    World world(scene_of(motions, -3, 3), arithmetic);
+    world.run().expect_clean();
+  }
+}
+
 }  // namespace delaunay_2_degenerate_test
 }  // namespace kinex::delaunay_2_test
