@@ -17,7 +17,7 @@ std::vector<lab::BenchRow> proximity_bench_rows(int scale) {
   rows.push_back(random_row("emst_list", 1, n(1000), 2'000'000));
   rows.push_back(random_row("emst_clusters", 1, n(200)));
   rows.push_back(random_row("emst_clusters", 1, n(1000), 30'000));
-  rows.push_back(random_row("emst_cycles", 1, n(4000)));
+  rows.push_back(random_row("emst_cycles", 1, n(4000), 60'000));
   rows.push_back(random_row("closest_pair_all", 1, n(50)));
   rows.push_back(random_row("bichromatic_pair_all", 1, n(50)));
   for (const int size : {200, 1000}) {
